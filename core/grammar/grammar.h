@@ -1,0 +1,52 @@
+/// \file
+/// A grammar: axiom and rules, and the text form in which users write rules.
+///
+/// Text form. One rule a line; blank lines and lines that begin with # are skipped. Spaces and tabs never count,
+/// neither around the parts nor inside a replacement (`A -> B B` is `A -> BB`).
+///
+///     rule         = symbol "->" right-hand side
+///     right side   = text                                  the default; empty deletes the symbol
+///                  | choice { "|" choice }                 where the line has a `:` or a `|`
+///     choice       = number ":" text | "default:" text
+///
+/// A stochastic rule lists probabilities (normalised by their sum) with their texts; `default:` gives what
+/// deterministic rewriting uses, and may stand anywhere in the list; without it the default is the first text.
+/// Any byte may be a symbol. A backquote takes the next character as it is: `` `| `` `` `: `` `` `# `` `` `` ` ``
+/// and `` `  `` (a space). A backslash is the turtle's symbol and needs no escape.
+#pragma once
+
+#include "core/base/error.h"
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ramure {
+
+struct Rule
+{
+    char symbol = 0;
+    std::string defaultText;
+    std::vector<double> probabilities;     ///< as written, not normalised; empty = none
+    std::vector<std::string> replacements; ///< same length
+};
+
+struct Grammar
+{
+    std::string axiom;
+    std::vector<Rule> rules; ///< at most one per symbol
+};
+
+/// Parses the text form of the rules. Errors (Syntax / Invalid, with line and column): no arrow, no symbol, two rules
+/// for one symbol, a choice without a number, negative, non-finite or all-zero probabilities, unfinished escape.
+Expected<std::vector<Rule>> parseRules(std::string_view text);
+/// The axiom with blanks removed and escapes resolved.
+Expected<std::string> parseAxiom(std::string_view text);
+/// Both; and unbalanced brackets in the axiom or in any replacement are an error with line and column (path =
+/// "grammar.axiom" or "grammar.rules"). A grammar built in code is checked by checkGrammar.
+Expected<Grammar> parseGrammar(std::string_view axiom, std::string_view rules);
+Expected<void> checkGrammar(const Grammar& grammar);
+/// The text form of rules; parseRules(formatRules(r)) gives r back.
+std::string formatRules(const std::vector<Rule>& rules);
+
+} // namespace ramure

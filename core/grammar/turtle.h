@@ -1,0 +1,21 @@
+/// \file
+/// The turtle: a string of symbols becomes a skeleton (SPEC A1).
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/params/node_params.h"
+#include "core/skeleton/skeleton.h"
+#include <string_view>
+
+namespace ramure {
+
+/// Most branches a skeleton may have.
+inline constexpr std::size_t maxBranches = 16'000'000;
+
+/// level = depth of brackets; key = hash of the parent's key and of the number of the branch among its siblings.
+/// Errors: Invalid with column (unbalanced bracket, 1-based position in \p symbols), Invalid (no branch at all),
+/// Limit (more than maxBranches), Cancelled.
+Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& params, const Progress& progress = {});
+
+} // namespace ramure

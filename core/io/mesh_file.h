@@ -1,0 +1,78 @@
+/// \file
+/// Mesh files: OBJ and PLY, written in one large block, numbers through std::to_chars, read as plainly.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/mesh/triangle_mesh.h"
+#include <glm/mat4x4.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ramure {
+
+/// Phong or Lambert, as SPEC A3 names them. Colours are sRGB bytes.
+struct Material
+{
+    std::string name;
+    glm::u8vec3 colour{255};
+    bool phong = false;
+    bool twoSided = false;
+};
+Material barkMaterial();
+Material leavesMaterial();
+Material applesMaterial();
+
+/// One object of a file. The mesh is not owned and must outlive the call.
+struct MeshPart
+{
+    std::string name;                   ///< "branches", "leaves", "apples", or as read
+    const TriangleMesh* mesh = nullptr; ///< without normals: none are written
+    Material material;
+};
+
+/// A skeleton as a file of line segments.
+struct LinePart
+{
+    std::string name;
+    std::vector<glm::vec3> positions;
+    std::vector<glm::uvec2> lines;
+};
+
+struct PlyOptions
+{
+    bool ascii = false;
+};
+
+/// Writes PATH and, beside it, the .mtl with the same stem. Files are written under a temporary name and renamed, so
+/// that an error or a cancel leaves the old ones intact. Errors: Io (with file), Cancelled.
+Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts, const Progress& progress = {});
+Expected<void> writeObjLines(const std::string& path, const LinePart& lines, const Progress& progress = {});
+/// The parts joined into one vertex list with properties x y z nx ny nz red green blue branch level.
+Expected<void> writePly(const std::string& path, std::span<const MeshPart> parts, const PlyOptions& options,
+                        const Progress& progress = {});
+Expected<void> writePlyLines(const std::string& path, const LinePart& lines, const PlyOptions& options);
+
+/// One object as read: polygons are split into fans, positions are shared as in the file.
+struct ReadObject
+{
+    std::string name;
+    TriangleMesh mesh;
+};
+struct ReadMesh
+{
+    std::vector<ReadObject> objects;
+    std::vector<std::string> notes; ///< what was skipped or guessed, with line numbers
+    /// All objects as one mesh, for validation.
+    [[nodiscard]] TriangleMesh joined() const;
+};
+
+/// Reads .obj and .ply (ASCII, little and big endian) by the ending. What the program does not use (texture
+/// coordinates, materials, unknown PLY properties) is skipped. Indices may be negative. Errors with file and line (or
+/// byte offset): Io, Syntax, Invalid (index out of range, non-finite number), Unknown (ending), Cancelled.
+Expected<ReadMesh> readMeshFile(const std::string& path, const Progress& progress = {});
+Expected<ReadMesh> parseObj(std::string_view text, const std::string& file, const Progress& progress = {});
+Expected<ReadMesh> parsePly(std::string_view bytes, const std::string& file, const Progress& progress = {});
+
+} // namespace ramure

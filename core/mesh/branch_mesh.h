@@ -1,0 +1,55 @@
+/// \file
+/// The one continuous mesh of a skeleton (SPEC A6): generalised cylinders joined at real forks, closed at every root
+/// and tip. Whatever the skeleton: closed, 2-manifold, one fan per vertex, Euler characteristic 2 per root, outward,
+/// no duplicate and no degenerate element.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/mesh/triangle_mesh.h"
+#include "core/skeleton/skeleton.h"
+#include <span>
+#include <vector>
+
+namespace ramure {
+
+struct BranchMeshOptions
+{
+    int lengthDivisions = 4; ///< cross-sections per branch, both ends included; 2..64
+    int radialDivisions = 8; ///< points per cross-section; 3..128
+    /// Siblings closer than this share of their added radii at the shorter one's end become one (0 = exact ones only).
+    double nearTwinRatio = 0.25;
+    /// Clamp the curve's start tangent to 1.5 times the branch's length (off: SPEC A4 as written).
+    bool clampOvershoot = false;
+    /// An extra turn of each branch's frames about its tangent, radians, one per branch; empty = none.
+    std::span<const double> rollRad;
+};
+
+/// What was changed on the mesher's copy of the skeleton so that a mesh exists; the skeleton itself stays as it is.
+enum class SkeletonRepair : std::uint8_t {
+    ZeroLengthContracted, ///< the branch has no length: its children start at its parent's end
+    RootStub,             ///< a root without length was replaced by a short stub
+    SiblingsMerged,       ///< two siblings coincide: one tube serves both
+    SiblingChained,       ///< a sibling lies inside a longer one: the longer one continues from its end
+    RadiusClamped,        ///< the radius was too small for the scene
+};
+struct RepairNote
+{
+    SkeletonRepair kind;
+    Index branch; ///< the branch that was changed
+    Index other;  ///< the branch it now belongs to, or noIndex
+};
+
+struct BranchMesh
+{
+    TriangleMesh mesh;                ///< with normals, branch and level
+    std::vector<RepairNote> repairs;
+    Index roots = 0;                  ///< number of components the mesh has by construction
+};
+
+/// \param skeleton any skeleton with finite numbers; radii >= 0; may be empty only as an error.
+/// Errors: Invalid (empty, non-finite, more than 2^31 faces), Cancelled.
+Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
+                                     const Progress& progress = {});
+
+} // namespace ramure

@@ -1,0 +1,13 @@
+/// \file
+/// The rough model (SPEC A3): one open truncated cone per branch, all in one mesh.
+#pragma once
+
+#include "core/mesh/triangle_mesh.h"
+#include "core/skeleton/skeleton.h"
+
+namespace ramure {
+
+/// \param radialDivisions sides of each cone, >= 3. A branch without length gives no faces.
+TriangleMesh buildRoughBranches(const Skeleton& skeleton, int radialDivisions);
+
+} // namespace ramure

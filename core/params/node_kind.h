@@ -1,0 +1,20 @@
+/// \file
+/// The kinds of scene nodes.
+#pragma once
+
+#include <cstdint>
+
+namespace ramure {
+
+enum class NodeKind : std::uint8_t {
+    Group, ///< only a place for its children
+    Tree,  ///< a skeleton grown from a grammar, with its skin
+};
+inline constexpr int nodeKindCount = 2;
+
+constexpr std::uint8_t kindBit(NodeKind kind)
+{
+    return static_cast<std::uint8_t>(1u << static_cast<unsigned>(kind));
+}
+
+} // namespace ramure

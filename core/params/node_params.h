@@ -1,0 +1,86 @@
+/// \file
+/// All parameters of a scene node as plain structs, those of every kind of node in one: a row of the parameter table
+/// says which kinds it is for. The member initialisers are the defaults, stated nowhere else; what a parameter means,
+/// its unit and its range stand in param_table.cpp.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <map>
+#include <string>
+
+namespace ramure {
+
+struct GrammarParams
+{
+    std::string axiom = "BBBBBA";
+    /// One rule a line; the syntax is documented in core/grammar/grammar.h. The default is the SmallTree.
+    std::string rules = "A -> [++BB[--C][++C][__C][^^C]A]/////+BBB[--C][++C][__C][^^C]A\n"
+                        "B -> 0.5: B | 0.5: \\\\B | default: \\B\n"
+                        "C ->\n";
+    std::int64_t iterations = 8;
+    bool stochastic = false;
+    std::int64_t seed = 1;
+    bool operator==(const GrammarParams&) const = default;
+};
+
+struct TurtleParams
+{
+    double theta = 0.3142; ///< rad
+    double alpha = 0.2;    ///< m
+    double decay = 0.88;
+    bool operator==(const TurtleParams&) const = default;
+};
+
+struct SimplifyParams
+{
+    bool enabled = true;
+    double rotationThreshold = 1e-4; ///< rad
+    bool operator==(const SimplifyParams&) const = default;
+};
+
+struct SectionParams
+{
+    std::int64_t lengthDivisions = 4;
+    std::int64_t radialDivisions = 8;
+    bool operator==(const SectionParams&) const = default;
+};
+
+struct FoliageParams
+{
+    double leavesCutoff = 0.1;
+    std::int64_t leavesDensity = 10;
+    double applesProbability = 0.05;
+    std::int64_t seed = 1;
+    bool operator==(const FoliageParams&) const = default;
+};
+
+/// Where a node stands in its parent: T * R * S (SPEC B2, the static transform handed on to the children).
+struct PlacementParams
+{
+    glm::dvec3 translation{0.0}; ///< m
+    glm::dvec3 rotation{0.0};    ///< rad, about X, then Y, then Z of the parent: R = Rz * Ry * Rx
+    glm::dvec3 scale{1.0};
+    bool operator==(const PlacementParams&) const = default;
+};
+
+/// What an artist set on one branch by hand.
+struct BranchParams
+{
+    double rollRad = 0.0; ///< the branch's frames turned about the tangent, handed on to its children
+    bool operator==(const BranchParams&) const = default;
+};
+
+struct NodeParams
+{
+    GrammarParams grammar;
+    TurtleParams turtle;
+    SimplifyParams simplify;
+    SectionParams sections;
+    FoliageParams foliage;
+    PlacementParams tree;
+    std::map<std::uint64_t, BranchParams> branches; ///< by Skeleton::key; only branches that differ from the default
+    bool operator==(const NodeParams&) const = default;
+};
+
+} // namespace ramure

@@ -1,0 +1,84 @@
+/// \file
+/// One row of the parameter table: all that the program knows about one parameter. Property editors, undo, project
+/// file, command line and handbook are made from these rows.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/params/stage.h"
+#include "core/params/node_kind.h"
+#include "core/params/node_params.h"
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace ramure {
+
+/// Alternatives stand in the order of ParamType.
+using ParamValue = std::variant<bool, std::int64_t, double, std::string, glm::dvec3>;
+
+enum class ParamType : std::uint8_t { Bool, Int, Real, Text, Vec3 };
+
+/// Inside the program angles are radians and lengths metres; the interface may show degrees.
+enum class ParamUnit : std::uint8_t { None, Metre, Radian, Ratio, Count, Degree };
+
+enum ParamFlag : std::uint8_t {
+    paramNone = 0,
+    paramAnimatable = 1, ///< may have a track on the timeline
+    paramAdvanced = 2,   ///< folded away at first
+    paramMultiline = 4,  ///< a text of several lines
+    paramSeed = 8,       ///< a random seed: the editor offers a dice
+    paramGrammar = 16,   ///< text in the grammar's language
+};
+
+/// Index of a row in paramTable(); stable within one run of the program only (files use keys).
+using ParamId = std::uint16_t;
+
+struct ParamDef
+{
+    const char* key;     ///< "sections.radialDivisions": project file and command line
+    const char* group;   ///< label of its group, English, context "core"
+    const char* label;   ///< English, context "core"
+    const char* tooltip; ///< one or two sentences, English, context "core"; unit and range are added by the view
+    ParamType type;
+    ParamUnit unit;
+    double hardMin, hardMax; ///< numbers outside are refused (vectors: per component)
+    double softMin, softMax; ///< the slider's range
+    double step;
+    int decimals;
+    Stage stage;
+    std::uint8_t flags;
+    std::uint8_t kinds; ///< bit 1 << NodeKind: the kinds of node that have it
+    ParamValue (*get)(const NodeParams&);
+    void (*assign)(NodeParams&, const ParamValue&); ///< no check; the alternative must be the row's type
+};
+
+/// All rows, in the order in which the interface shows them.
+std::span<const ParamDef> paramTable();
+/// The row with this key, or null.
+const ParamDef* findParam(std::string_view key);
+ParamId paramId(const ParamDef& def);
+bool hasParam(NodeKind kind, const ParamDef& def);
+
+/// The default, taken from the struct's member initialisers.
+ParamValue defaultValue(const ParamDef& def);
+/// Refuses another type, non-finite numbers and numbers outside the hard range, texts with a zero byte or over 1 MiB.
+/// Error: code Invalid, path = key.
+Expected<void> checkValue(const ParamDef& def, const ParamValue& value);
+/// checkValue, then assign. On an error \p params is unchanged.
+Expected<void> setParam(NodeParams& params, const ParamDef& def, const ParamValue& value);
+/// The nearest value inside the hard range; non-finite numbers become the default. For sliders, never for files.
+ParamValue clampValue(const ParamDef& def, const ParamValue& value);
+
+/// Text as the command line writes it: numbers in the C locale (shortest round trip), bool "true"/"false", vectors
+/// "x,y,z". parseValue also reads 0, 1, yes, no, on, off as bools and, in texts, \n as a new line and \\ as one
+/// backslash where \p unescape is set. Error: code Syntax or Invalid, path = key.
+std::string formatValue(const ParamValue& value);
+Expected<ParamValue> parseValue(const ParamDef& def, std::string_view text);
+
+/// Checks every value of \p params against the table; the first error.
+Expected<void> checkParams(const NodeParams& params);
+
+} // namespace ramure

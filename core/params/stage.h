@@ -1,0 +1,19 @@
+/// \file
+/// The stages of a tree's computation, in their order. A parameter names the first stage it affects.
+#pragma once
+
+#include <cstdint>
+
+namespace ramure {
+
+enum class Stage : std::uint8_t {
+    Symbols,    ///< the rewritten string
+    Skeleton,   ///< branches as the turtle draws them
+    Simplified, ///< after merging nearly straight runs
+    Sections,   ///< cross-sections with their frames
+    Mesh,       ///< the continuous branch mesh and its report
+    Foliage,    ///< leaves and apples
+    Placement,  ///< where the node stands: no geometry changes
+};
+
+} // namespace ramure

@@ -1,0 +1,57 @@
+/// \file
+/// From parameters to meshes: the stages in their order, each result kept under a hash of what it was made from.
+/// Nobody marks dirt: undo and redo find their results in the cache.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/geometry/sections.h"
+#include "core/mesh/branch_mesh.h"
+#include "core/mesh/foliage.h"
+#include "core/mesh/validate.h"
+#include "core/params/stage.h"
+#include "core/params/node_params.h"
+#include "core/skeleton/simplify.h"
+#include <memory>
+#include <string>
+
+namespace ramure {
+
+/// Results of the stages; those after the one asked for are null. All are immutable and shared.
+struct TreeResult
+{
+    std::shared_ptr<const std::string> symbols;
+    std::shared_ptr<const Skeleton> skeleton;             ///< as the turtle drew it
+    std::shared_ptr<const SimplifiedSkeleton> simplified; ///< equal to the skeleton where simplify.enabled is off
+    std::shared_ptr<const SectionSet> sections;           ///< of the simplified skeleton
+    std::shared_ptr<const BranchMesh> branches;           ///< branch ids are those of the simplified skeleton
+    std::shared_ptr<const MeshReport> report;             ///< of the branch mesh; OpenMesh asked only if wanted
+    std::shared_ptr<const Foliage> foliage;
+    std::shared_ptr<const TriangleMesh> leaves;
+    std::shared_ptr<const TriangleMesh> apples;
+    double seconds = 0.0; ///< time this evaluation took, cache hits included
+};
+
+class TreePipeline
+{
+public:
+    TreePipeline();
+    ~TreePipeline();
+    TreePipeline(const TreePipeline&) = delete;
+    TreePipeline& operator=(const TreePipeline&) = delete;
+
+    /// Runs the stages up to \p last that are not in the cache. Not thread-safe: one pipeline per thread.
+    /// Errors: those of the stages, path = the parameter key where one is to blame.
+    Expected<TreeResult> evaluate(const NodeParams& params, Stage last = Stage::Foliage, const Progress& progress = {});
+    /// Most results kept per stage (default 8).
+    void setCacheSize(std::size_t perStage);
+
+private:
+    struct Cache;
+    std::unique_ptr<Cache> m_cache;
+};
+
+/// The cheap draft of the two tiers: fewer divisions, everything else the same.
+NodeParams draftParams(const NodeParams& params);
+
+} // namespace ramure

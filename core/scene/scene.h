@@ -1,0 +1,71 @@
+/// \file
+/// The scene: a hierarchy of nodes (SPEC B2). Plain data with checked operations; only commands of the document
+/// change the scene of an open document.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/params/node_kind.h"
+#include "core/params/node_params.h"
+#include <glm/mat4x4.hpp>
+#include <string>
+#include <vector>
+
+namespace ramure {
+
+using NodeId = std::uint32_t;
+inline constexpr NodeId noNode = 0; ///< also the parent of the top level
+
+struct Node
+{
+    NodeId id = noNode;
+    NodeId parent = noNode;
+    NodeKind kind = NodeKind::Group;
+    std::string name;
+    bool visible = true;
+    bool locked = false; ///< cannot be selected in the viewport nor changed
+    NodeParams params;
+    std::string extras; ///< keys of the project file that this version does not know: one JSON object, or empty
+    bool operator==(const Node&) const = default;
+};
+
+class Scene
+{
+public:
+    /// Depth-first: parents before children, siblings in their order.
+    [[nodiscard]] const std::vector<Node>& nodes() const { return m_nodes; }
+    [[nodiscard]] bool empty() const { return m_nodes.empty(); }
+    [[nodiscard]] const Node* find(NodeId id) const;
+    [[nodiscard]] Node* find(NodeId id);
+    [[nodiscard]] std::vector<NodeId> children(NodeId parent) const;
+    /// Position among its siblings, -1 where there is no such node.
+    [[nodiscard]] int row(NodeId id) const;
+    /// The node and all below it, depth-first.
+    [[nodiscard]] std::vector<Node> subtree(NodeId id) const;
+    [[nodiscard]] bool isAncestor(NodeId ancestor, NodeId node) const;
+    /// Visible itself and all above it.
+    [[nodiscard]] bool isShown(NodeId id) const;
+
+    /// An id never used in this scene before.
+    NodeId newId();
+    /// Inserts a whole subtree (depth-first, first node its top) below \p parent at \p row (clamped).
+    /// Error: an id that exists, an unknown parent.
+    Expected<void> insert(std::vector<Node> nodes, NodeId parent, int row);
+    /// Takes the node and all below it out and returns them.
+    std::vector<Node> remove(NodeId id);
+    /// Error: into itself or below itself, unknown ids.
+    Expected<void> move(NodeId id, NodeId newParent, int row);
+    bool operator==(const Scene&) const = default;
+
+private:
+    std::vector<Node> m_nodes;
+    NodeId m_nextId = 1;
+};
+
+/// T * R * S of a placement.
+glm::dmat4 placementMatrix(const PlacementParams& placement);
+/// The rotation alone, Rz * Ry * Rx.
+glm::dmat3 rotationMatrix(const glm::dvec3& rotationRad);
+/// Parent world * own placement, from the top down. Unknown ids: identity.
+glm::dmat4 worldMatrix(const Scene& scene, NodeId id);
+
+} // namespace ramure

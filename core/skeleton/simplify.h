@@ -1,0 +1,19 @@
+/// \file
+/// Merging of nearly straight runs (SPEC A2).
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+
+namespace ramure {
+
+struct SimplifiedSkeleton
+{
+    Skeleton skeleton;             ///< source[i] = first branch (of the input) merged into branch i
+    std::vector<Index> mergedInto; ///< per branch of the input: its branch in the result
+};
+
+/// Removes every branch that has exactly one child which turns by less than \p rotationThresholdRad against the
+/// direction of the branch merged so far. Never merges across a fork. Level and key are those of the first.
+SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRad);
+
+} // namespace ramure

@@ -1,0 +1,59 @@
+/// \file
+/// A skeleton: branches in flat arrays, parents before children, so that a pass over the arrays is a traversal.
+/// Lengths in metres, tree space (before the node's placement), Y up.
+#pragma once
+
+#include "core/base/index.h"
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace ramure {
+
+/// Invariants: all arrays have one length; parent[i] < i or noIndex (a root); a child starts at its parent's p1.
+struct Skeleton
+{
+    std::vector<Index> parent;
+    std::vector<glm::dvec3> p0, p1;   ///< ends
+    std::vector<double> a0, a1;       ///< radii at p0 and p1
+    std::vector<Index> level;         ///< depth of brackets around the branch: 0 = trunk
+    std::vector<std::uint64_t> key;   ///< a name that survives changes elsewhere: a hash of the way from the root
+    std::vector<Index> source;        ///< before simplification: noIndex-free 0..n-1; after: the first branch merged into it
+
+    [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
+    [[nodiscard]] bool empty() const { return parent.empty(); }
+    [[nodiscard]] double length(Index i) const { return glm::length(p1[i] - p0[i]); }
+    void reserve(std::size_t count);
+    void clear();
+    /// Appends a branch; level, key and source may be given by callers that know better. Returns its index.
+    /// \p parentIndex is noIndex or an existing branch.
+    Index add(Index parentIndex, const glm::dvec3& from, const glm::dvec3& to, double radius0, double radius1,
+              Index branchLevel = 0);
+    bool operator==(const Skeleton&) const = default;
+};
+
+/// Children of every branch in compressed rows: children of i are list[first[i] .. first[i + 1]), in index order.
+struct ChildLists
+{
+    std::vector<Index> first;
+    std::vector<Index> list;
+
+    [[nodiscard]] std::span<const Index> of(Index i) const
+    {
+        return {list.data() + first[i], list.data() + first[i + 1]};
+    }
+    [[nodiscard]] Index count(Index i) const { return first[i + 1] - first[i]; }
+};
+ChildLists childLists(const Skeleton& skeleton);
+
+/// What `ramure-cli info` prints and golden/skeletons.csv holds.
+struct SkeletonStats
+{
+    Index branches = 0, terminals = 0, maxChildren = 0, roots = 0;
+    double totalLength = 0.0, sumA1 = 0.0;
+    glm::dvec3 min{0.0}, max{0.0}; ///< box of all end points
+};
+SkeletonStats skeletonStats(const Skeleton& skeleton);
+
+} // namespace ramure

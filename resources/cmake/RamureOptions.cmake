@@ -1,0 +1,50 @@
+# Compiler, warnings, sanitizers, ccache: what every target of the project shares.
+include(CTest)
+include(GNUInstallDirs)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+if(NOT CMAKE_BUILD_TYPE)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif()
+
+option(RAMURE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+option(RAMURE_CORE_ONLY "Build only the core and its tests (the sanitizer run)" OFF)
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+        CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=${CMAKE_SOURCE_DIR} ${CCACHE_PROGRAM})
+endif()
+
+add_library(ramure_options INTERFACE)
+target_compile_options(ramure_options INTERFACE
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+    # The same seed gives the same bytes on every run and machine: no contraction into fused operations.
+    -ffp-contract=off -fno-math-errno)
+if(CCACHE_PROGRAM)
+    target_compile_options(ramure_options INTERFACE -fpch-preprocess)
+endif()
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    target_compile_options(ramure_options INTERFACE -O3)
+endif()
+if(RAMURE_SANITIZE)
+    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -O1 -g1)
+    add_link_options(-fsanitize=address,undefined)
+endif()
+
+# Third-party headers never raise our warnings.
+function(ramure_link_system target visibility)
+    foreach(lib ${ARGN})
+        target_link_libraries(${target} ${visibility} ${lib})
+        get_target_property(dirs ${lib} INTERFACE_INCLUDE_DIRECTORIES)
+        if(dirs)
+            target_include_directories(${target} SYSTEM ${visibility} ${dirs})
+        endif()
+    endforeach()
+endfunction()

@@ -1,0 +1,1 @@
+// Exists so that the widget suites can share one precompiled header.

@@ -1,0 +1,22 @@
+/// \file
+/// What every suite starts from: warnings are failures.
+#pragma once
+
+#include <QRegularExpression>
+#include <QTest>
+
+namespace ramure::test {
+
+/// Call from init() of every suite.
+inline void failOnAnyWarning()
+{
+    QTest::failOnWarning(QRegularExpression(QStringLiteral(".*")));
+}
+
+/// Printable text of an Expected's error, for QVERIFY2.
+template <class T> QByteArray why(const T& expected)
+{
+    return expected ? QByteArray("no error") : QByteArray::fromStdString(expected.error().message());
+}
+
+} // namespace ramure::test
