@@ -11,14 +11,14 @@
 namespace ramure {
 
 enum ChangeKind : quint32 {
-    changeStructure = 1,   ///< nodes added, removed, moved
-    changeParams = 2,      ///< values of parameters (Change::params) of nodes (Change::nodes)
-    changeNodeState = 4,   ///< name, visible, locked
-    changeSelection = 8,   ///< not part of undo
-    changeResults = 16,    ///< a computation finished, or failed, for nodes (Change::nodes)
-    changeFile = 32,       ///< path or modified state
-    changeReset = 64,      ///< another document: everything
-    changeBranches = 128,  ///< per-branch values of nodes
+    changeStructure = 1,  ///< nodes added, removed, moved
+    changeParams = 2,     ///< values of parameters (Change::params) of nodes (Change::nodes)
+    changeNodeState = 4,  ///< name, visible, locked
+    changeSelection = 8,  ///< not part of undo
+    changeResults = 16,   ///< a computation finished, or failed, for nodes (Change::nodes)
+    changeFile = 32,      ///< path or modified state
+    changeReset = 64,     ///< another document: everything
+    changeBranches = 128, ///< per-branch values of nodes
 };
 
 struct Change

@@ -1,6 +1,6 @@
 /// \file
-/// An open document: scene, selection, undo stack, results. Only commands change the scene; one pair of signals tells
-/// everybody. Lives on the interface's thread; needs a QCoreApplication, no display.
+/// An open document: scene, selection, undo stack, results. Only commands change the scene; one pair of
+/// signals tells everybody. Lives on the interface's thread; needs a QCoreApplication, no display.
 #pragma once
 
 #include "core/document/change.h"
@@ -18,10 +18,10 @@ namespace ramure {
 /// The outcome of the computation of one node. A failed one keeps the last good meshes beside the error.
 struct NodeResult
 {
-    TreeResult tree;             ///< last good result, may be empty
-    std::optional<Error> error;  ///< why the present parameters give no tree
-    bool draft = false;          ///< a cheap draft; the full result follows
-    quint64 revision = 0;        ///< of the document when its parameters were taken
+    TreeResult tree;            ///< last good result, may be empty
+    std::optional<Error> error; ///< why the present parameters give no tree
+    bool draft = false;         ///< a cheap draft; the full result follows
+    quint64 revision = 0;       ///< of the document when its parameters were taken
 };
 
 class Document : public QObject

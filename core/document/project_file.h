@@ -1,6 +1,6 @@
 /// \file
-/// `.ramure` files: JSON with format, version, sorted keys, shortest round-trip numbers; defaults omitted; unknown keys
-/// kept and written back; saving is atomic.
+/// `.ramure` files: JSON with format, version, sorted keys, shortest round-trip numbers; defaults omitted;
+/// unknown keys kept and written back; saving is atomic.
 #pragma once
 
 #include "core/base/error.h"

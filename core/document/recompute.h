@@ -1,6 +1,7 @@
 /// \file
-/// Keeps the results of a document's trees up to date on a thread of its own. Two tiers: while edits keep coming, a
-/// cheap draft that always finishes; after a short rest the full result, which alone may be cancelled.
+/// Keeps the results of a document's trees up to date on a thread of its own. Two tiers: while edits keep
+/// coming, a cheap draft that always finishes; after a short rest the full result, which alone may be
+/// cancelled.
 #pragma once
 
 #include "core/document/document.h"
@@ -19,7 +20,8 @@ public:
     [[nodiscard]] bool isBusy() const;
     /// Rest after the last edit before the full result starts, default 120 ms; 0 = at once, no drafts.
     void setRest(int milliseconds);
-    /// Blocks (with an event loop) until every node's full result is there; for the CLI and tests. False on time-out.
+    /// Blocks (with an event loop) until every node's full result is there; for the CLI and tests. False on
+    /// time-out.
     bool waitForFull(int timeoutMs);
 
 public slots:

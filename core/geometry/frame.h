@@ -14,7 +14,8 @@ struct Frame
     glm::dvec3 binormal{0.0, 0.0, -1.0};
 };
 
-/// A frame with this unit tangent and any normal, chosen the same way every time (+Y gives the Frame's defaults).
+/// A frame with this unit tangent and any normal, chosen the same way every time (+Y gives the Frame's
+/// defaults).
 Frame frameFromTangent(const glm::dvec3& tangent);
 
 /// The frame turned by the smallest rotation that takes its tangent to \p tangent (unit), re-orthonormalised.

@@ -14,6 +14,7 @@ struct CurvePoint
 
 /// \param h0,h1 end points; \param v0,v1 end derivatives; \param t in [0, 1] (exact at 0 and 1).
 /// Where the derivative vanishes the tangent is the limit along the curve; a curve of one point gives +Y.
-CurvePoint hermite(const glm::dvec3& h0, const glm::dvec3& h1, const glm::dvec3& v0, const glm::dvec3& v1, double t);
+CurvePoint hermite(const glm::dvec3& h0, const glm::dvec3& h1, const glm::dvec3& v0, const glm::dvec3& v1,
+                   double t);
 
 } // namespace ramure

@@ -18,7 +18,8 @@ struct CrossSection
     double radius = 0.0; ///< m
 };
 
-/// perBranch sections for each branch, those of branch i at [i * perBranch, (i + 1) * perBranch), t = k / (perBranch - 1).
+/// perBranch sections for each branch, those of branch i at [i * perBranch, (i + 1) * perBranch), t = k /
+/// (perBranch - 1).
 struct SectionSet
 {
     Index perBranch = 0;

@@ -1,8 +1,8 @@
 /// \file
 /// A grammar: axiom and rules, and the text form in which users write rules.
 ///
-/// Text form. One rule a line; blank lines and lines that begin with # are skipped. Spaces and tabs never count,
-/// neither around the parts nor inside a replacement (`A -> B B` is `A -> BB`).
+/// Text form. One rule a line; blank lines and lines that begin with # are skipped. Spaces and tabs never
+/// count, neither around the parts nor inside a replacement (`A -> B B` is `A -> BB`).
 ///
 ///     rule         = symbol "->" right-hand side
 ///     right side   = text                                  the default; empty deletes the symbol
@@ -10,9 +10,9 @@
 ///     choice       = number ":" text | "default:" text
 ///
 /// A stochastic rule lists probabilities (normalised by their sum) with their texts; `default:` gives what
-/// deterministic rewriting uses, and may stand anywhere in the list; without it the default is the first text.
-/// Any byte may be a symbol. A backquote takes the next character as it is: `` `| `` `` `: `` `` `# `` `` `` ` ``
-/// and `` `  `` (a space). A backslash is the turtle's symbol and needs no escape.
+/// deterministic rewriting uses, and may stand anywhere in the list; without it the default is the first
+/// text. Any byte may be a symbol. A backquote takes the next character as it is: `` `| `` `` `: `` `` `# ``
+/// `` `` ` `` and `` `  `` (a space). A backslash is the turtle's symbol and needs no escape.
 #pragma once
 
 #include "core/base/error.h"
@@ -37,8 +37,9 @@ struct Grammar
     std::vector<Rule> rules; ///< at most one per symbol
 };
 
-/// Parses the text form of the rules. Errors (Syntax / Invalid, with line and column): no arrow, no symbol, two rules
-/// for one symbol, a choice without a number, negative, non-finite or all-zero probabilities, unfinished escape.
+/// Parses the text form of the rules. Errors (Syntax / Invalid, with line and column): no arrow, no symbol,
+/// two rules for one symbol, a choice without a number, negative, non-finite or all-zero probabilities,
+/// unfinished escape.
 Expected<std::vector<Rule>> parseRules(std::string_view text);
 /// The axiom with blanks removed and escapes resolved.
 Expected<std::string> parseAxiom(std::string_view text);

@@ -21,6 +21,7 @@ struct RewriteOptions
 };
 
 /// Errors: Limit (the next generation would pass the limit: found before memory is taken), Cancelled.
-Expected<std::string> rewrite(const Grammar& grammar, const RewriteOptions& options, const Progress& progress = {});
+Expected<std::string> rewrite(const Grammar& grammar, const RewriteOptions& options,
+                              const Progress& progress = {});
 
 } // namespace ramure

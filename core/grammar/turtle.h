@@ -13,9 +13,10 @@ namespace ramure {
 /// Most branches a skeleton may have.
 inline constexpr std::size_t maxBranches = 16'000'000;
 
-/// level = depth of brackets; key = hash of the parent's key and of the number of the branch among its siblings.
-/// Errors: Invalid with column (unbalanced bracket, 1-based position in \p symbols), Invalid (no branch at all),
-/// Limit (more than maxBranches), Cancelled.
-Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& params, const Progress& progress = {});
+/// level = depth of brackets; key = hash of the parent's key and of the number of the branch among its
+/// siblings. Errors: Invalid with column (unbalanced bracket, 1-based position in \p symbols), Invalid (no
+/// branch at all), Limit (more than maxBranches), Cancelled.
+Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& params,
+                             const Progress& progress = {});
 
 } // namespace ramure

@@ -45,9 +45,10 @@ struct PlyOptions
     bool ascii = false;
 };
 
-/// Writes PATH and, beside it, the .mtl with the same stem. Files are written under a temporary name and renamed, so
-/// that an error or a cancel leaves the old ones intact. Errors: Io (with file), Cancelled.
-Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts, const Progress& progress = {});
+/// Writes PATH and, beside it, the .mtl with the same stem. Files are written under a temporary name and
+/// renamed, so that an error or a cancel leaves the old ones intact. Errors: Io (with file), Cancelled.
+Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts,
+                        const Progress& progress = {});
 Expected<void> writeObjLines(const std::string& path, const LinePart& lines, const Progress& progress = {});
 /// The parts joined into one vertex list with properties x y z nx ny nz red green blue branch level.
 Expected<void> writePly(const std::string& path, std::span<const MeshPart> parts, const PlyOptions& options,
@@ -69,8 +70,9 @@ struct ReadMesh
 };
 
 /// Reads .obj and .ply (ASCII, little and big endian) by the ending. What the program does not use (texture
-/// coordinates, materials, unknown PLY properties) is skipped. Indices may be negative. Errors with file and line (or
-/// byte offset): Io, Syntax, Invalid (index out of range, non-finite number), Unknown (ending), Cancelled.
+/// coordinates, materials, unknown PLY properties) is skipped. Indices may be negative. Errors with file and
+/// line (or byte offset): Io, Syntax, Invalid (index out of range, non-finite number), Unknown (ending),
+/// Cancelled.
 Expected<ReadMesh> readMeshFile(const std::string& path, const Progress& progress = {});
 Expected<ReadMesh> parseObj(std::string_view text, const std::string& file, const Progress& progress = {});
 Expected<ReadMesh> parsePly(std::string_view bytes, const std::string& file, const Progress& progress = {});

@@ -1,7 +1,7 @@
 /// \file
-/// The one continuous mesh of a skeleton (SPEC A6): generalised cylinders joined at real forks, closed at every root
-/// and tip. Whatever the skeleton: closed, 2-manifold, one fan per vertex, Euler characteristic 2 per root, outward,
-/// no duplicate and no degenerate element.
+/// The one continuous mesh of a skeleton (SPEC A6): generalised cylinders joined at real forks, closed at
+/// every root and tip. Whatever the skeleton: closed, 2-manifold, one fan per vertex, Euler characteristic 2
+/// per root, outward, no duplicate and no degenerate element.
 #pragma once
 
 #include "core/base/error.h"
@@ -17,7 +17,8 @@ struct BranchMeshOptions
 {
     int lengthDivisions = 4; ///< cross-sections per branch, both ends included; 2..64
     int radialDivisions = 8; ///< points per cross-section; 3..128
-    /// Siblings closer than this share of their added radii at the shorter one's end become one (0 = exact ones only).
+    /// Siblings closer than this share of their added radii at the shorter one's end become one (0 = exact
+    /// ones only).
     double nearTwinRatio = 0.25;
     /// Clamp the curve's start tangent to 1.5 times the branch's length (off: SPEC A4 as written).
     bool clampOvershoot = false;
@@ -25,7 +26,8 @@ struct BranchMeshOptions
     std::span<const double> rollRad;
 };
 
-/// What was changed on the mesher's copy of the skeleton so that a mesh exists; the skeleton itself stays as it is.
+/// What was changed on the mesher's copy of the skeleton so that a mesh exists; the skeleton itself stays as
+/// it is.
 enum class SkeletonRepair : std::uint8_t {
     ZeroLengthContracted, ///< the branch has no length: its children start at its parent's end
     RootStub,             ///< a root without length was replaced by a short stub
@@ -42,9 +44,9 @@ struct RepairNote
 
 struct BranchMesh
 {
-    TriangleMesh mesh;                ///< with normals, branch and level
+    TriangleMesh mesh; ///< with normals, branch and level
     std::vector<RepairNote> repairs;
-    Index roots = 0;                  ///< number of components the mesh has by construction
+    Index roots = 0; ///< number of components the mesh has by construction
 };
 
 /// \param skeleton any skeleton with finite numbers; radii >= 0; may be empty only as an error.

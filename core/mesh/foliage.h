@@ -1,6 +1,6 @@
 /// \file
-/// Leaves and apples (SPEC A3, A6). Which branches carry them depends on radii only; where exactly on the branch's
-/// key and the foliage seed, so that no change elsewhere re-rolls them.
+/// Leaves and apples (SPEC A3, A6). Which branches carry them depends on radii only; where exactly on the
+/// branch's key and the foliage seed, so that no change elsewhere re-rolls them.
 #pragma once
 
 #include "core/mesh/triangle_mesh.h"
@@ -24,9 +24,9 @@ struct Foliage
     std::vector<FoliageItem> apples;
 };
 
-/// The rule of SPEC A3: a branch with a0 < alpha * leavesCutoff carries leavesDensity leaves, at random positions
-/// within alpha / 2 around it, at random orientations (on a terminal branch up to alpha past its end); and, with
-/// applesProbability, one apple.
+/// The rule of SPEC A3: a branch with a0 < alpha * leavesCutoff carries leavesDensity leaves, at random
+/// positions within alpha / 2 around it, at random orientations (on a terminal branch up to alpha past its
+/// end); and, with applesProbability, one apple.
 Foliage placeFoliage(const Skeleton& skeleton, const FoliageParams& params, double alpha);
 
 enum class FoliageModel : std::uint8_t {

@@ -1,6 +1,7 @@
 /// \file
 /// A triangle mesh with what the viewport, the files and the later skin need per vertex.
-/// Triangles are counter-clockwise seen from outside; indices are 32 bits wide; positions in metres, tree space.
+/// Triangles are counter-clockwise seen from outside; indices are 32 bits wide; positions in metres, tree
+/// space.
 #pragma once
 
 #include "core/base/index.h"
@@ -12,10 +13,11 @@ namespace ramure {
 struct TriangleMesh
 {
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;   ///< unit, one per vertex, or empty
+    std::vector<glm::vec3> normals; ///< unit, one per vertex, or empty
     std::vector<glm::uvec3> triangles;
-    std::vector<Index> branch;        ///< per vertex: the branch it follows (index into the mesh's skeleton), or empty
-    std::vector<Index> level;         ///< per vertex: level of that branch, or empty
+    std::vector<Index>
+        branch; ///< per vertex: the branch it follows (index into the mesh's skeleton), or empty
+    std::vector<Index> level; ///< per vertex: level of that branch, or empty
 
     [[nodiscard]] Index vertexCount() const { return static_cast<Index>(positions.size()); }
     [[nodiscard]] Index faceCount() const { return static_cast<Index>(triangles.size()); }

@@ -38,18 +38,20 @@ struct MeshReport
     Index components = 0;
     std::int64_t eulerCharacteristic = 0; ///< V - E + F of the vertices in use
     double volume = 0.0;                  ///< signed, m³: positive when faces look outward
-    bool openMeshAgrees = false;          ///< OpenMesh's half-edge structure took every face and found no boundary
+    bool openMeshAgrees = false; ///< OpenMesh's half-edge structure took every face and found no boundary
     bool openMeshChecked = false;
-    std::vector<Defect> defects;          ///< at most 10,000 of each kind; the counts above are complete
+    std::vector<Defect> defects; ///< at most 10,000 of each kind; the counts above are complete
 
     [[nodiscard]] Index count(DefectKind kind) const;
 };
 
-/// The check over plain arrays: fast, always on. A face is degenerate when two of its vertices are one, or when its
-/// area is below 1e-14 of the squared diagonal of the mesh's box. Error: Cancelled, or Invalid for an index out of range.
+/// The check over plain arrays: fast, always on. A face is degenerate when two of its vertices are one, or
+/// when its area is below 1e-14 of the squared diagonal of the mesh's box. Error: Cancelled, or Invalid for
+/// an index out of range.
 Expected<MeshReport> validateMesh(const TriangleMesh& mesh, const Progress& progress = {});
 
 /// Builds OpenMesh's half-edge structure from the mesh and sets openMeshChecked and openMeshAgrees.
-Expected<void> confirmWithOpenMesh(const TriangleMesh& mesh, MeshReport& report, const Progress& progress = {});
+Expected<void> confirmWithOpenMesh(const TriangleMesh& mesh, MeshReport& report,
+                                   const Progress& progress = {});
 
 } // namespace ramure

@@ -1,7 +1,7 @@
 /// \file
-/// All parameters of a scene node as plain structs, those of every kind of node in one: a row of the parameter table
-/// says which kinds it is for. The member initialisers are the defaults, stated nowhere else; what a parameter means,
-/// its unit and its range stand in param_table.cpp.
+/// All parameters of a scene node as plain structs, those of every kind of node in one: a row of the
+/// parameter table says which kinds it is for. The member initialisers are the defaults, stated nowhere else;
+/// what a parameter means, its unit and its range stand in param_table.cpp.
 #pragma once
 
 #include <cstdint>
@@ -79,7 +79,8 @@ struct NodeParams
     SectionParams sections;
     FoliageParams foliage;
     PlacementParams tree;
-    std::map<std::uint64_t, BranchParams> branches; ///< by Skeleton::key; only branches that differ from the default
+    std::map<std::uint64_t, BranchParams>
+        branches; ///< by Skeleton::key; only branches that differ from the default
     bool operator==(const NodeParams&) const = default;
 };
 

@@ -1,12 +1,12 @@
 /// \file
-/// One row of the parameter table: all that the program knows about one parameter. Property editors, undo, project
-/// file, command line and handbook are made from these rows.
+/// One row of the parameter table: all that the program knows about one parameter. Property editors, undo,
+/// project file, command line and handbook are made from these rows.
 #pragma once
 
 #include "core/base/error.h"
-#include "core/params/stage.h"
 #include "core/params/node_kind.h"
 #include "core/params/node_params.h"
+#include "core/params/stage.h"
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
@@ -38,10 +38,11 @@ using ParamId = std::uint16_t;
 
 struct ParamDef
 {
-    const char* key;     ///< "sections.radialDivisions": project file and command line
-    const char* group;   ///< label of its group, English, context "core"
-    const char* label;   ///< English, context "core"
-    const char* tooltip; ///< one or two sentences, English, context "core"; unit and range are added by the view
+    const char* key;   ///< "sections.radialDivisions": project file and command line
+    const char* group; ///< label of its group, English, context "core"
+    const char* label; ///< English, context "core"
+    const char*
+        tooltip; ///< one or two sentences, English, context "core"; unit and range are added by the view
     ParamType type;
     ParamUnit unit;
     double hardMin, hardMax; ///< numbers outside are refused (vectors: per component)
@@ -64,17 +65,18 @@ bool hasParam(NodeKind kind, const ParamDef& def);
 
 /// The default, taken from the struct's member initialisers.
 ParamValue defaultValue(const ParamDef& def);
-/// Refuses another type, non-finite numbers and numbers outside the hard range, texts with a zero byte or over 1 MiB.
-/// Error: code Invalid, path = key.
+/// Refuses another type, non-finite numbers and numbers outside the hard range, texts with a zero byte or
+/// over 1 MiB. Error: code Invalid, path = key.
 Expected<void> checkValue(const ParamDef& def, const ParamValue& value);
 /// checkValue, then assign. On an error \p params is unchanged.
 Expected<void> setParam(NodeParams& params, const ParamDef& def, const ParamValue& value);
-/// The nearest value inside the hard range; non-finite numbers become the default. For sliders, never for files.
+/// The nearest value inside the hard range; non-finite numbers become the default. For sliders, never for
+/// files.
 ParamValue clampValue(const ParamDef& def, const ParamValue& value);
 
-/// Text as the command line writes it: numbers in the C locale (shortest round trip), bool "true"/"false", vectors
-/// "x,y,z". parseValue also reads 0, 1, yes, no, on, off as bools and, in texts, \n as a new line and \\ as one
-/// backslash where \p unescape is set. Error: code Syntax or Invalid, path = key.
+/// Text as the command line writes it: numbers in the C locale (shortest round trip), bool "true"/"false",
+/// vectors "x,y,z". parseValue also reads 0, 1, yes, no, on, off as bools and, in texts, \n as a new line and
+/// \\ as one backslash where \p unescape is set. Error: code Syntax or Invalid, path = key.
 std::string formatValue(const ParamValue& value);
 Expected<ParamValue> parseValue(const ParamDef& def, std::string_view text);
 

@@ -1,6 +1,6 @@
 /// \file
-/// From parameters to meshes: the stages in their order, each result kept under a hash of what it was made from.
-/// Nobody marks dirt: undo and redo find their results in the cache.
+/// From parameters to meshes: the stages in their order, each result kept under a hash of what it was made
+/// from. Nobody marks dirt: undo and redo find their results in the cache.
 #pragma once
 
 #include "core/base/error.h"
@@ -9,8 +9,8 @@
 #include "core/mesh/branch_mesh.h"
 #include "core/mesh/foliage.h"
 #include "core/mesh/validate.h"
-#include "core/params/stage.h"
 #include "core/params/node_params.h"
+#include "core/params/stage.h"
 #include "core/skeleton/simplify.h"
 #include <memory>
 #include <string>
@@ -21,11 +21,12 @@ namespace ramure {
 struct TreeResult
 {
     std::shared_ptr<const std::string> symbols;
-    std::shared_ptr<const Skeleton> skeleton;             ///< as the turtle drew it
-    std::shared_ptr<const SimplifiedSkeleton> simplified; ///< equal to the skeleton where simplify.enabled is off
-    std::shared_ptr<const SectionSet> sections;           ///< of the simplified skeleton
-    std::shared_ptr<const BranchMesh> branches;           ///< branch ids are those of the simplified skeleton
-    std::shared_ptr<const MeshReport> report;             ///< of the branch mesh; OpenMesh asked only if wanted
+    std::shared_ptr<const Skeleton> skeleton; ///< as the turtle drew it
+    std::shared_ptr<const SimplifiedSkeleton>
+        simplified;                             ///< equal to the skeleton where simplify.enabled is off
+    std::shared_ptr<const SectionSet> sections; ///< of the simplified skeleton
+    std::shared_ptr<const BranchMesh> branches; ///< branch ids are those of the simplified skeleton
+    std::shared_ptr<const MeshReport> report;   ///< of the branch mesh; OpenMesh asked only if wanted
     std::shared_ptr<const Foliage> foliage;
     std::shared_ptr<const TriangleMesh> leaves;
     std::shared_ptr<const TriangleMesh> apples;
@@ -42,7 +43,8 @@ public:
 
     /// Runs the stages up to \p last that are not in the cache. Not thread-safe: one pipeline per thread.
     /// Errors: those of the stages, path = the parameter key where one is to blame.
-    Expected<TreeResult> evaluate(const NodeParams& params, Stage last = Stage::Foliage, const Progress& progress = {});
+    Expected<TreeResult> evaluate(const NodeParams& params, Stage last = Stage::Foliage,
+                                  const Progress& progress = {});
     /// Most results kept per stage (default 8).
     void setCacheSize(std::size_t perStage);
 

@@ -1,8 +1,8 @@
 /// \file
 /// The program's own random generator: the same seed gives the same numbers on every machine and compiler.
 ///
-/// SplitMix64 (Steele, Lea, Flood: "Fast splittable pseudorandom number generators", OOPSLA 2014). One stream per
-/// purpose, so that changing the leaves never re-rolls the branches.
+/// SplitMix64 (Steele, Lea, Flood: "Fast splittable pseudorandom number generators", OOPSLA 2014). One stream
+/// per purpose, so that changing the leaves never re-rolls the branches.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,14 @@
 namespace ramure {
 
 /// What a stream is for. The values are part of the file format: a number never changes its meaning.
-enum class RandomStream : std::uint64_t { Rewrite = 1, Leaves = 2, Apples = 3, Wind = 4, Preset = 5, Test = 1000 };
+enum class RandomStream : std::uint64_t {
+    Rewrite = 1,
+    Leaves = 2,
+    Apples = 3,
+    Wind = 4,
+    Preset = 5,
+    Test = 1000
+};
 
 /// The finaliser of SplitMix64: a bijection of 64-bit words whose output bits all depend on all input bits.
 constexpr std::uint64_t mixBits(std::uint64_t z)
@@ -23,9 +30,11 @@ constexpr std::uint64_t mixBits(std::uint64_t z)
 class Random
 {
 public:
-    /// \param seed the user's seed; \param stream the purpose; \param key an element of it (a branch key, say).
+    /// \param seed the user's seed; \param stream the purpose; \param key an element of it (a branch key,
+    /// say).
     constexpr Random(std::uint64_t seed, RandomStream stream, std::uint64_t key = 0)
-        : m_state(mixBits(mixBits(seed + golden) + static_cast<std::uint64_t>(stream) * golden) ^ mixBits(key * golden))
+        : m_state(mixBits(mixBits(seed + golden) + static_cast<std::uint64_t>(stream) * golden) ^
+                  mixBits(key * golden))
     {
     }
     constexpr std::uint64_t next() { return mixBits(m_state += golden); }

@@ -1,6 +1,6 @@
 /// \file
-/// The scene: a hierarchy of nodes (SPEC B2). Plain data with checked operations; only commands of the document
-/// change the scene of an open document.
+/// The scene: a hierarchy of nodes (SPEC B2). Plain data with checked operations; only commands of the
+/// document change the scene of an open document.
 #pragma once
 
 #include "core/base/error.h"
@@ -24,7 +24,8 @@ struct Node
     bool visible = true;
     bool locked = false; ///< cannot be selected in the viewport nor changed
     NodeParams params;
-    std::string extras; ///< keys of the project file that this version does not know: one JSON object, or empty
+    std::string
+        extras; ///< keys of the project file that this version does not know: one JSON object, or empty
     bool operator==(const Node&) const = default;
 };
 

@@ -12,8 +12,9 @@ struct SimplifiedSkeleton
     std::vector<Index> mergedInto; ///< per branch of the input: its branch in the result
 };
 
-/// Removes every branch that has exactly one child which turns by less than \p rotationThresholdRad against the
-/// direction of the branch merged so far. Never merges across a fork. Level and key are those of the first.
+/// Removes every branch that has exactly one child which turns by less than \p rotationThresholdRad against
+/// the direction of the branch merged so far. Never merges across a fork. Level and key are those of the
+/// first.
 SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRad);
 
 } // namespace ramure

@@ -23,8 +23,8 @@ void Skeleton::clear()
     *this = Skeleton();
 }
 
-Index Skeleton::add(Index parentIndex, const glm::dvec3& from, const glm::dvec3& to, double radius0, double radius1,
-                    Index branchLevel)
+Index Skeleton::add(Index parentIndex, const glm::dvec3& from, const glm::dvec3& to, double radius0,
+                    double radius1, Index branchLevel)
 {
     const Index index = size();
     parent.push_back(parentIndex);

@@ -1,6 +1,6 @@
 /// \file
-/// A skeleton: branches in flat arrays, parents before children, so that a pass over the arrays is a traversal.
-/// Lengths in metres, tree space (before the node's placement), Y up.
+/// A skeleton: branches in flat arrays, parents before children, so that a pass over the arrays is a
+/// traversal. Lengths in metres, tree space (before the node's placement), Y up.
 #pragma once
 
 #include "core/base/index.h"
@@ -11,15 +11,18 @@
 
 namespace ramure {
 
-/// Invariants: all arrays have one length; parent[i] < i or noIndex (a root); a child starts at its parent's p1.
+/// Invariants: all arrays have one length; parent[i] < i or noIndex (a root); a child starts at its parent's
+/// p1.
 struct Skeleton
 {
     std::vector<Index> parent;
-    std::vector<glm::dvec3> p0, p1;   ///< ends
-    std::vector<double> a0, a1;       ///< radii at p0 and p1
-    std::vector<Index> level;         ///< depth of brackets around the branch: 0 = trunk
-    std::vector<std::uint64_t> key;   ///< a name that survives changes elsewhere: a hash of the way from the root
-    std::vector<Index> source;        ///< before simplification: noIndex-free 0..n-1; after: the first branch merged into it
+    std::vector<glm::dvec3> p0, p1; ///< ends
+    std::vector<double> a0, a1;     ///< radii at p0 and p1
+    std::vector<Index> level;       ///< depth of brackets around the branch: 0 = trunk
+    std::vector<std::uint64_t>
+        key; ///< a name that survives changes elsewhere: a hash of the way from the root
+    std::vector<Index>
+        source; ///< before simplification: noIndex-free 0..n-1; after: the first branch merged into it
 
     [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
     [[nodiscard]] bool empty() const { return parent.empty(); }
@@ -33,7 +36,8 @@ struct Skeleton
     bool operator==(const Skeleton&) const = default;
 };
 
-/// Children of every branch in compressed rows: children of i are list[first[i] .. first[i + 1]), in index order.
+/// Children of every branch in compressed rows: children of i are list[first[i] .. first[i + 1]), in index
+/// order.
 struct ChildLists
 {
     std::vector<Index> first;
