@@ -40,26 +40,37 @@ public:
     [[nodiscard]] std::vector<NodeId> children(NodeId parent) const;
     /// Position among its siblings, -1 where there is no such node.
     [[nodiscard]] int row(NodeId id) const;
-    /// The node and all below it, depth-first.
+    /// The node and all below it, depth-first. Empty where there is no such node.
     [[nodiscard]] std::vector<Node> subtree(NodeId id) const;
+    /// True only where both exist and \p node is strictly below \p ancestor (everything is below noNode).
     [[nodiscard]] bool isAncestor(NodeId ancestor, NodeId node) const;
     /// Visible itself and all above it.
     [[nodiscard]] bool isShown(NodeId id) const;
+    /// Locked itself or below a locked node.
+    [[nodiscard]] bool isLocked(NodeId id) const;
 
-    /// An id never used in this scene before.
+    /// An id not used in this scene, by now or before (before: as long as there are such).
     NodeId newId();
-    /// Inserts a whole subtree (depth-first, first node its top) below \p parent at \p row (clamped).
-    /// Error: an id that exists, an unknown parent.
+    /// Inserts a whole subtree below \p parent at \p row (clamped). Parents stand before their children; the
+    /// first node is the top and its parent field is overwritten; any order of siblings becomes depth-first.
+    /// Error: no node, an id that exists or is noNode, an unknown parent. Then the scene is unchanged.
     Expected<void> insert(std::vector<Node> nodes, NodeId parent, int row);
     /// Takes the node and all below it out and returns them.
     std::vector<Node> remove(NodeId id);
+    /// \p row counts among the new siblings without the node itself (clamped).
     /// Error: into itself or below itself, unknown ids.
     Expected<void> move(NodeId id, NodeId newParent, int row);
-    bool operator==(const Scene&) const = default;
+    /// The same nodes in the same order; which ids were used before does not count.
+    bool operator==(const Scene& other) const { return m_nodes == other.m_nodes; }
 
 private:
+    [[nodiscard]] std::size_t indexOf(NodeId id) const;
+    [[nodiscard]] std::size_t subtreeEnd(std::size_t top) const;
+    [[nodiscard]] std::size_t placeFor(NodeId parent, int row) const;
+    void splice(std::vector<Node> block, NodeId parent, int row);
+
     std::vector<Node> m_nodes;
-    NodeId m_nextId = 1;
+    NodeId m_nextId = 1; ///< noNode once all have been used
 };
 
 /// T * R * S of a placement.
@@ -68,5 +79,9 @@ glm::dmat4 placementMatrix(const PlacementParams& placement);
 glm::dmat3 rotationMatrix(const glm::dvec3& rotationRad);
 /// Parent world * own placement, from the top down. Unknown ids: identity.
 glm::dmat4 worldMatrix(const Scene& scene, NodeId id);
+/// The placement whose matrix is \p matrix. Error Invalid: the matrix is sheared, flattened, projective or
+/// not finite, so that no translation, rotation and scale give it. A mirrored matrix gets its negative scale
+/// on X.
+Expected<PlacementParams> decomposePlacement(const glm::dmat4& matrix);
 
 } // namespace ramure

@@ -1,0 +1,208 @@
+#include "core/scene/scene.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+namespace ramure {
+
+std::size_t Scene::indexOf(NodeId id) const
+{
+    const auto it = std::find_if(m_nodes.begin(), m_nodes.end(), [id](const Node& n) { return n.id == id; });
+    return static_cast<std::size_t>(it - m_nodes.begin());
+}
+
+const Node* Scene::find(NodeId id) const
+{
+    const std::size_t index = id == noNode ? m_nodes.size() : indexOf(id);
+    return index < m_nodes.size() ? &m_nodes[index] : nullptr;
+}
+
+Node* Scene::find(NodeId id)
+{
+    return const_cast<Node*>(std::as_const(*this).find(id));
+}
+
+std::vector<NodeId> Scene::children(NodeId parent) const
+{
+    std::vector<NodeId> ids;
+    for (const Node& node : m_nodes)
+        if (node.parent == parent)
+            ids.push_back(node.id);
+    return ids;
+}
+
+int Scene::row(NodeId id) const
+{
+    const Node* node = find(id);
+    if (!node)
+        return -1;
+    int row = 0;
+    for (const Node& other : m_nodes) {
+        if (other.id == id)
+            break;
+        row += other.parent == node->parent ? 1 : 0;
+    }
+    return row;
+}
+
+/// One past the last node below the one at \p top: a node belongs to it as long as its parent has been seen
+/// in the block, and depth-first order keeps the block together.
+std::size_t Scene::subtreeEnd(std::size_t top) const
+{
+    std::set<NodeId> inside{m_nodes[top].id};
+    std::size_t end = top + 1;
+    while (end < m_nodes.size() && inside.contains(m_nodes[end].parent))
+        inside.insert(m_nodes[end++].id);
+    return end;
+}
+
+std::vector<Node> Scene::subtree(NodeId id) const
+{
+    if (!find(id))
+        return {};
+    const std::size_t top = indexOf(id);
+    const auto first = m_nodes.begin() + static_cast<std::ptrdiff_t>(top);
+    return {first, m_nodes.begin() + static_cast<std::ptrdiff_t>(subtreeEnd(top))};
+}
+
+bool Scene::isAncestor(NodeId ancestor, NodeId node) const
+{
+    const Node* current = find(node);
+    while (current) {
+        if (current->parent == ancestor)
+            return true;
+        current = find(current->parent);
+    }
+    return false;
+}
+
+bool Scene::isShown(NodeId id) const
+{
+    const Node* node = find(id);
+    if (!node)
+        return false;
+    for (; node; node = find(node->parent))
+        if (!node->visible)
+            return false;
+    return true;
+}
+
+bool Scene::isLocked(NodeId id) const
+{
+    for (const Node* node = find(id); node; node = find(node->parent))
+        if (node->locked)
+            return true;
+    return false;
+}
+
+NodeId Scene::newId()
+{
+    if (m_nextId != noNode)
+        return m_nextId++;
+    std::set<NodeId> used;
+    for (const Node& node : m_nodes)
+        used.insert(node.id);
+    NodeId id = 1;
+    while (used.contains(id))
+        ++id;
+    return id;
+}
+
+/// Index in m_nodes at which a child of \p parent must be inserted to become its child number \p row.
+std::size_t Scene::placeFor(NodeId parent, int row) const
+{
+    const std::size_t first = parent == noNode ? 0 : indexOf(parent) + 1;
+    const std::size_t last = parent == noNode ? m_nodes.size() : subtreeEnd(indexOf(parent));
+    int seen = 0;
+    for (std::size_t i = first; i < last; ++i) {
+        if (m_nodes[i].parent != parent)
+            continue;
+        if (seen >= row)
+            return i;
+        ++seen;
+    }
+    return last;
+}
+
+void Scene::splice(std::vector<Node> block, NodeId parent, int row)
+{
+    const auto place = static_cast<std::ptrdiff_t>(placeFor(parent, row));
+    block.front().parent = parent;
+    m_nodes.insert(m_nodes.begin() + place, std::make_move_iterator(block.begin()),
+                   std::make_move_iterator(block.end()));
+}
+
+/// Orders a checked block (parents before children) depth-first, without recursion: deep scenes exist.
+static std::vector<Node> depthFirst(std::vector<Node> nodes)
+{
+    std::map<NodeId, std::vector<std::size_t>> below;
+    for (std::size_t i = nodes.size(); i-- > 1;) // backwards: the stack turns the order round again
+        below[nodes[i].parent].push_back(i);
+    std::vector<Node> ordered;
+    ordered.reserve(nodes.size());
+    std::vector<std::size_t> stack{0};
+    while (!stack.empty()) {
+        const std::size_t i = stack.back();
+        stack.pop_back();
+        const NodeId id = nodes[i].id;
+        ordered.push_back(std::move(nodes[i]));
+        if (const auto it = below.find(id); it != below.end())
+            stack.insert(stack.end(), it->second.begin(), it->second.end());
+    }
+    return ordered;
+}
+
+Expected<void> Scene::insert(std::vector<Node> nodes, NodeId parent, int row)
+{
+    if (nodes.empty())
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("there is no node to insert"));
+    if (parent != noNode && !find(parent))
+        return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(parent)});
+    std::set<NodeId> used;
+    for (const Node& node : m_nodes)
+        used.insert(node.id);
+    std::set<NodeId> seen;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const std::string id = std::to_string(nodes[i].id);
+        if (nodes[i].id == noNode)
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("%1 is no id of a node"), {id});
+        if (i > 0 && !seen.contains(nodes[i].parent))
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("the parent of node %1 does not stand before it"),
+                        {id});
+        if (used.contains(nodes[i].id) || !seen.insert(nodes[i].id).second)
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("there are two nodes %1"), {id});
+    }
+    const NodeId highest = *seen.rbegin();
+    if (m_nextId != noNode && highest >= m_nextId)
+        m_nextId = highest + 1; // wraps to noNode behind the highest id of all
+    splice(depthFirst(std::move(nodes)), parent, row);
+    return {};
+}
+
+std::vector<Node> Scene::remove(NodeId id)
+{
+    if (!find(id))
+        return {};
+    const std::size_t top = indexOf(id);
+    const auto first = m_nodes.begin() + static_cast<std::ptrdiff_t>(top);
+    const auto last = m_nodes.begin() + static_cast<std::ptrdiff_t>(subtreeEnd(top));
+    std::vector<Node> taken(std::make_move_iterator(first), std::make_move_iterator(last));
+    m_nodes.erase(first, last);
+    return taken;
+}
+
+Expected<void> Scene::move(NodeId id, NodeId newParent, int row)
+{
+    for (const NodeId known : {id, newParent})
+        if (known != noNode && !find(known))
+            return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(known)});
+    if (id == noNode)
+        return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(id)});
+    if (id == newParent || isAncestor(id, newParent))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("a node cannot be moved below itself"));
+    splice(remove(id), newParent, row);
+    return {};
+}
+
+} // namespace ramure
