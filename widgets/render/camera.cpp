@@ -1,0 +1,197 @@
+#include "widgets/render/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+
+namespace ramure {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double minDistance = 1e-4;
+constexpr double maxDistance = 1e6;
+
+double wrapped(double angle)
+{
+    const double turned = std::remainder(angle, 2.0 * pi);
+    return turned <= -pi ? pi : turned;
+}
+
+} // namespace
+
+glm::dvec3 Camera::backward() const
+{
+    return {std::sin(yawRad) * std::cos(pitchRad), std::sin(pitchRad), std::cos(yawRad) * std::cos(pitchRad)};
+}
+
+glm::dvec3 Camera::right() const
+{
+    return {std::cos(yawRad), 0.0, -std::sin(yawRad)};
+}
+
+glm::dvec3 Camera::up() const
+{
+    return glm::cross(backward(), right());
+}
+
+double Camera::heightAtTarget() const
+{
+    return 2.0 * distance * std::tan(0.5 * fovRad);
+}
+
+glm::dmat4 Camera::viewMatrix() const
+{
+    // Written out: lookAt would divide by zero for the straight views from above and below.
+    const glm::dvec3 x = right();
+    const glm::dvec3 y = up();
+    const glm::dvec3 z = backward();
+    const glm::dvec3 e = eye();
+    glm::dmat4 view(1.0);
+    for (int i = 0; i < 3; ++i) {
+        view[i][0] = x[i];
+        view[i][1] = y[i];
+        view[i][2] = z[i];
+    }
+    view[3] = glm::dvec4(-glm::dot(x, e), -glm::dot(y, e), -glm::dot(z, e), 1.0);
+    return view;
+}
+
+DepthRange Camera::depthRange(const Box& box) const
+{
+    double low = distance;
+    double high = distance;
+    for (int i = 0; i < 8 && !box.empty(); ++i) {
+        const double depth = -glm::dot(box.corner(i) - eye(), backward());
+        low = i == 0 ? depth : std::min(low, depth);
+        high = i == 0 ? depth : std::max(high, depth);
+    }
+    const double margin = 0.01 * (high - low) + 1e-3 * distance;
+    if (orthographic)
+        return {low - margin, high + margin};
+    const double far = std::max(high + margin, 1e-3 * distance);
+    return {std::max(low - margin, 2e-4 * far), far};
+}
+
+glm::dmat4 Camera::projectionMatrix(double aspect, const DepthRange& range) const
+{
+    if (!orthographic)
+        return glm::perspective(fovRad, aspect, range.near, range.far);
+    const double half = 0.5 * heightAtTarget();
+    return glm::ortho(-half * aspect, half * aspect, -half, half, range.near, range.far);
+}
+
+ViewRay Camera::ray(const glm::dvec2& ndc, double aspect) const
+{
+    const double half = 0.5 * heightAtTarget();
+    const glm::dvec3 onTarget = target + ndc.x * half * aspect * right() + ndc.y * half * up();
+    if (orthographic)
+        return {onTarget + distance * backward(), -backward()};
+    return {eye(), glm::normalize(onTarget - eye())};
+}
+
+std::optional<glm::dvec2> Camera::project(const glm::dvec3& world, double aspect) const
+{
+    const glm::dvec3 offset = world - eye();
+    const double depth = -glm::dot(offset, backward());
+    if (!orthographic && depth <= 1e-9 * distance)
+        return std::nullopt;
+    const double half = (orthographic ? 0.5 * heightAtTarget() : depth * std::tan(0.5 * fovRad));
+    return glm::dvec2(glm::dot(offset, right()) / (half * aspect), glm::dot(offset, up()) / half);
+}
+
+double Camera::metresPerPixel(const glm::dvec3& world, double pixelHeight) const
+{
+    if (orthographic)
+        return heightAtTarget() / pixelHeight;
+    const double depth = std::max(0.0, -glm::dot(world - eye(), backward()));
+    return 2.0 * depth * std::tan(0.5 * fovRad) / pixelHeight;
+}
+
+void Camera::orbit(double deltaYawRad, double deltaPitchRad)
+{
+    yawRad = wrapped(yawRad + deltaYawRad);
+    pitchRad = std::clamp(pitchRad + deltaPitchRad, -0.5 * pi, 0.5 * pi);
+}
+
+void Camera::pan(const glm::dvec2& deltaNdc, double aspect)
+{
+    const double half = 0.5 * heightAtTarget();
+    target -= deltaNdc.x * half * aspect * right() + deltaNdc.y * half * up();
+}
+
+void Camera::zoom(double factor, const glm::dvec3& fixedPoint)
+{
+    const double next = std::clamp(distance * factor, minDistance, maxDistance);
+    const double applied = next / distance;
+    target = fixedPoint + applied * (target - fixedPoint);
+    distance = next;
+}
+
+glm::dvec3 Camera::pointAtTargetDepth(const glm::dvec2& ndc, double aspect) const
+{
+    const double half = 0.5 * heightAtTarget();
+    return target + ndc.x * half * aspect * right() + ndc.y * half * up();
+}
+
+void Camera::frame(const Box& box, double aspect, double margin)
+{
+    if (box.empty())
+        return;
+    target = box.centre();
+    const double slope = std::tan(0.5 * fovRad);
+    double needed = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 offset = box.corner(i) - target;
+        const double across = std::abs(glm::dot(offset, right())) / (slope * aspect);
+        const double along = std::abs(glm::dot(offset, up())) / slope;
+        const double towardsEye = orthographic ? 0.0 : glm::dot(offset, backward());
+        needed = std::max(needed, margin * std::max(across, along) + towardsEye);
+    }
+    // A single point still gets a picture: ten centimetres of it.
+    distance = std::clamp(needed, 0.1, maxDistance);
+    if (box.radius() > 0.0)
+        distance = std::clamp(needed, minDistance, maxDistance);
+}
+
+void Camera::setAxisView(AxisView view)
+{
+    pitchRad = 0.0;
+    switch (view) {
+    case AxisView::Front:
+        yawRad = 0.0;
+        break;
+    case AxisView::Back:
+        yawRad = pi;
+        break;
+    case AxisView::Right:
+        yawRad = 0.5 * pi;
+        break;
+    case AxisView::Left:
+        yawRad = -0.5 * pi;
+        break;
+    case AxisView::Top:
+        yawRad = 0.0;
+        pitchRad = 0.5 * pi;
+        break;
+    case AxisView::Bottom:
+        yawRad = 0.0;
+        pitchRad = -0.5 * pi;
+        break;
+    }
+}
+
+Camera mixed(const Camera& from, const Camera& to, double t)
+{
+    Camera result = to;
+    if (t >= 1.0)
+        return result;
+    result.target = glm::mix(from.target, to.target, t);
+    result.distance = from.distance * std::pow(to.distance / from.distance, t);
+    result.yawRad = wrapped(from.yawRad + t * wrapped(to.yawRad - from.yawRad));
+    result.pitchRad = glm::mix(from.pitchRad, to.pitchRad, t);
+    result.fovRad = glm::mix(from.fovRad, to.fovRad, t);
+    return result;
+}
+
+} // namespace ramure

@@ -1,0 +1,102 @@
+/// \file
+/// What a picture is made of: immutable data on the CPU, in shared blocks. The identity of a block is its
+/// key: the renderer uploads a block it has not seen, frees one that is gone, and can be thrown away and
+/// rebuilt at any time. Knows no document and no OpenGL. Blocks are in the space of their node; metres, Y up.
+#pragma once
+
+#include "core/base/index.h"
+#include "core/geometry/box.h"
+#include "core/io/mesh_file.h"
+#include "core/mesh/triangle_mesh.h"
+#include "core/scene/scene.h"
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <vector>
+
+namespace ramure {
+
+/// A line with a width at each end: an end of width 0 makes it an arrow's head.
+struct LineSegment
+{
+    glm::vec3 a, b;
+    float widthA = 1.5f, widthB = 1.5f; ///< logical pixels
+    glm::u8vec4 colour{255};            ///< sRGB, alpha
+    Index branch = noIndex;             ///< of the simplified skeleton, for the highlight; noIndex = none
+};
+struct LineSet
+{
+    std::vector<LineSegment> segments;
+    Box box;
+};
+
+/// A round mark of a fixed size on the screen.
+struct PointMark
+{
+    glm::vec3 position;
+    float size = 5.0f; ///< diameter in logical pixels
+    glm::u8vec4 colour{255};
+    Index branch = noIndex;
+};
+struct PointSet
+{
+    std::vector<PointMark> points;
+    Box box;
+};
+
+/// A mesh standing somewhere. The mesh needs normals; branch ids are optional.
+struct MeshItem
+{
+    std::shared_ptr<const TriangleMesh> mesh;
+    Box box; ///< of the mesh, in its own space
+    Material material;
+    glm::dmat4 world{1.0};
+    NodeId node = noNode;
+    bool castsShadow = true;
+    bool pickable = true; ///< false for the nodes that are locked
+};
+struct LineItem
+{
+    std::shared_ptr<const LineSet> lines;
+    glm::dmat4 world{1.0};
+    NodeId node = noNode;
+    bool throughSurfaces = false; ///< parts behind a surface shine through it faintly
+    bool pickable = false;        ///< its segments with a branch can be picked
+};
+struct PointItem
+{
+    std::shared_ptr<const PointSet> points;
+    glm::dmat4 world{1.0};
+    NodeId node = noNode;
+    bool throughSurfaces = false;
+};
+
+/// State of one branch in a highlight.
+enum class BranchState : std::uint8_t { Plain, Selected, Active, Hovered, HoveredSelected };
+using BranchStates = std::vector<BranchState>;
+
+/// One state per branch of the simplified skeleton of a node. Changing it uploads one byte per branch, no
+/// mesh.
+struct Highlight
+{
+    NodeId node = noNode;
+    std::shared_ptr<const BranchStates> states;
+};
+
+struct RenderScene
+{
+    std::vector<MeshItem> meshes;
+    std::vector<LineItem> lines;
+    std::vector<PointItem> points;
+    std::vector<Highlight> highlights;
+    Box box;     ///< world: all items; what frameAll shows
+    Box casters; ///< world: what throws shadows
+
+    /// Recomputes the two boxes from the items.
+    void updateBoxes();
+};
+
+/// The box of a mesh's positions.
+Box meshBox(const TriangleMesh& mesh);
+
+} // namespace ramure

@@ -1,0 +1,22 @@
+/// \file
+/// How a picture is drawn, beyond scene and camera.
+#pragma once
+
+#include "widgets/render/display_mode.h"
+#include <glm/vec3.hpp>
+
+namespace ramure {
+
+struct RenderOptions
+{
+    ShadingMode shading = ShadingMode::Solid;
+    bool grid = false; ///< metric grid on the ground
+    bool shadows = true;
+    bool world = true;                ///< sky and ground; without: a transparent background
+    int samples = 4;                  ///< of multisampling, where the renderer owns the target; 0 = none
+    double pixelRatio = 1.0;          ///< device pixels per logical pixel: line widths
+    int shadowTaps = 0;               ///< per pixel; 0 = 16 on hardware, 6 on a software rasteriser
+    glm::dvec3 sun{0.48, 0.72, 0.50}; ///< towards the sun, any length > 0
+};
+
+} // namespace ramure

@@ -1,0 +1,65 @@
+/// \file
+/// How the viewport shows the scene: what menus and toolbars switch. Exists also where OpenGL does not.
+#pragma once
+
+#include "widgets/render/display_mode.h"
+#include <QObject>
+
+namespace ramure {
+
+enum class NavigationStyle : quint8 {
+    Blender, ///< middle drag orbits, Shift+middle pans, Ctrl+middle zooms
+    Maya,    ///< Alt+left orbits, Alt+middle pans, Alt+right zooms
+};
+
+class ViewSettings : public QObject
+{
+    Q_OBJECT
+public:
+    explicit ViewSettings(QObject* parent = nullptr);
+
+    [[nodiscard]] DisplayMode displayMode() const { return m_displayMode; }
+    [[nodiscard]] ShadingMode shadingMode() const { return m_shadingMode; }
+    [[nodiscard]] FrameDisplay frameDisplay() const { return m_frameDisplay; }
+    [[nodiscard]] NavigationStyle navigationStyle() const { return m_navigationStyle; }
+    [[nodiscard]] bool leavesVisible() const { return m_leavesVisible; }
+    [[nodiscard]] bool applesVisible() const { return m_applesVisible; }
+    [[nodiscard]] bool gridVisible() const { return m_gridVisible; }
+    [[nodiscard]] bool orthographic() const { return m_orthographic; }
+
+public slots:
+    void setDisplayMode(ramure::DisplayMode mode);
+    void setShadingMode(ramure::ShadingMode mode);
+    void setFrameDisplay(ramure::FrameDisplay frames);
+    void setNavigationStyle(ramure::NavigationStyle style);
+    void setLeavesVisible(bool on);
+    void setApplesVisible(bool on);
+    void setGridVisible(bool on);
+    void setOrthographic(bool on);
+
+signals:
+    void displayModeChanged(ramure::DisplayMode mode);
+    void shadingModeChanged(ramure::ShadingMode mode);
+    void frameDisplayChanged(ramure::FrameDisplay frames);
+    void navigationStyleChanged(ramure::NavigationStyle style);
+    void leavesVisibleChanged(bool on);
+    void applesVisibleChanged(bool on);
+    void gridVisibleChanged(bool on);
+    void orthographicChanged(bool on);
+    /// After any of the above.
+    void changed();
+
+private:
+    template <class T> void set(T& member, T value, void (ViewSettings::*signal)(T));
+
+    DisplayMode m_displayMode = DisplayMode::Mesh;
+    ShadingMode m_shadingMode = ShadingMode::Solid;
+    FrameDisplay m_frameDisplay = FrameDisplay::None;
+    NavigationStyle m_navigationStyle = NavigationStyle::Blender;
+    bool m_leavesVisible = true;
+    bool m_applesVisible = true;
+    bool m_gridVisible = true;
+    bool m_orthographic = false;
+};
+
+} // namespace ramure
