@@ -76,9 +76,10 @@ ParamValue clampValue(const ParamDef& def, const ParamValue& value);
 
 /// Text as the command line writes it: numbers in the C locale (shortest round trip), bool "true"/"false",
 /// vectors "x,y,z". parseValue also reads 0, 1, yes, no, on, off as bools and, in texts, \n as a new line and
-/// \\ as one backslash where \p unescape is set. Error: code Syntax or Invalid, path = key.
+/// \\ as one backslash where \p unescape is set. It does not check the range: setParam does. Error: path =
+/// key, code Syntax, or Invalid for a number that its type cannot hold.
 std::string formatValue(const ParamValue& value);
-Expected<ParamValue> parseValue(const ParamDef& def, std::string_view text);
+Expected<ParamValue> parseValue(const ParamDef& def, std::string_view text, bool unescape = false);
 
 /// Checks every value of \p params against the table; the first error.
 Expected<void> checkParams(const NodeParams& params);

@@ -1,0 +1,200 @@
+#include "core/params/param_def.h"
+
+#include <algorithm>
+#include <array>
+#include <type_traits>
+
+namespace ramure {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+/// Whole numbers up to here survive a round trip through a double, hence through any JSON reader.
+constexpr double maxSeed = 9007199254740991.0;
+
+struct Words
+{
+    const char* key;
+    const char* group;
+    const char* label;
+    const char* tooltip;
+};
+
+struct Range
+{
+    double hardMin = 0.0, hardMax = 0.0;
+    double softMin = 0.0, softMax = 0.0;
+    double step = 0.0;
+    int decimals = 0;
+};
+
+template <class T> constexpr ParamType typeOf()
+{
+    if constexpr (std::is_same_v<T, bool>)
+        return ParamType::Bool;
+    else if constexpr (std::is_same_v<T, std::int64_t>)
+        return ParamType::Int;
+    else if constexpr (std::is_same_v<T, double>)
+        return ParamType::Real;
+    else if constexpr (std::is_same_v<T, std::string>)
+        return ParamType::Text;
+    else {
+        static_assert(std::is_same_v<T, glm::dvec3>,
+                      "a parameter must be one of the alternatives of ParamValue");
+        return ParamType::Vec3;
+    }
+}
+
+/// The way to one value: a member of NodeParams and a member of that.
+template <auto Group, auto Member> struct Field
+{
+    using Value = std::remove_cvref_t<decltype((std::declval<NodeParams&>().*Group).*Member)>;
+    static ParamValue get(const NodeParams& params) { return ParamValue((params.*Group).*Member); }
+    static void assign(NodeParams& params, const ParamValue& value)
+    {
+        if (const auto* held = std::get_if<Value>(&value))
+            (params.*Group).*Member = *held;
+    }
+};
+
+constexpr std::uint8_t treeOnly = kindBit(NodeKind::Tree);
+constexpr std::uint8_t everyKind = kindBit(NodeKind::Tree) | kindBit(NodeKind::Group);
+
+template <auto Group, auto Member>
+constexpr ParamDef row(const Words& words, ParamUnit unit, const Range& range, Stage stage,
+                       std::uint8_t flags = paramNone, std::uint8_t kinds = treeOnly)
+{
+    using Access = Field<Group, Member>;
+    return {words.key,    words.group,    words.label,   words.tooltip, typeOf<typename Access::Value>(),
+            unit,         range.hardMin,  range.hardMax, range.softMin, range.softMax,
+            range.step,   range.decimals, stage,         flags,         kinds,
+            &Access::get, &Access::assign};
+}
+
+constexpr const char* grammarGroup = RAMURE_NOOP("Grammar");
+constexpr const char* turtleGroup = RAMURE_NOOP("Turtle");
+constexpr const char* simplifyGroup = RAMURE_NOOP("Simplification");
+constexpr const char* sectionsGroup = RAMURE_NOOP("Cross-sections");
+constexpr const char* foliageGroup = RAMURE_NOOP("Foliage");
+constexpr const char* placementGroup = RAMURE_NOOP("Placement");
+
+// Every text stands in one line per clause; the columns of a table read better than those of the formatter.
+// clang-format off
+constexpr std::array table{
+    row<&NodeParams::grammar, &GrammarParams::axiom>(
+        {"grammar.axiom", grammarGroup, RAMURE_NOOP("Axiom"),
+         RAMURE_NOOP("The seed the tree grows from: the symbols that stand there before any rule is used.")},
+        ParamUnit::None, {}, Stage::Symbols, paramGrammar),
+    row<&NodeParams::grammar, &GrammarParams::rules>(
+        {"grammar.rules", grammarGroup, RAMURE_NOOP("Rules"),
+         RAMURE_NOOP("How symbols grow, one rule a line: \"A -> [+A]B\" puts [+A]B in the place of every A. "
+                     "Several outcomes by chance: \"B -> 0.7: B | 0.3: BB\".")},
+        ParamUnit::None, {}, Stage::Symbols, paramGrammar | paramMultiline),
+    row<&NodeParams::grammar, &GrammarParams::iterations>(
+        {"grammar.iterations", grammarGroup, RAMURE_NOOP("Iterations"),
+         RAMURE_NOOP("How often the rules are used. Each round makes the tree finer; the number of branches grows "
+                     "quickly.")},
+        ParamUnit::Count, {0, 30, 0, 12, 1, 0}, Stage::Symbols),
+    row<&NodeParams::grammar, &GrammarParams::stochastic>(
+        {"grammar.stochastic", grammarGroup, RAMURE_NOOP("By chance"),
+         RAMURE_NOOP("Let chance choose among the outcomes of a rule, so that every seed gives another tree. Off: "
+                     "each rule always gives its default.")},
+        ParamUnit::None, {}, Stage::Symbols),
+    row<&NodeParams::grammar, &GrammarParams::seed>(
+        {"grammar.seed", grammarGroup, RAMURE_NOOP("Seed"),
+         RAMURE_NOOP("Names one tree among all that chance can give. The same seed always grows the same tree.")},
+        ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Symbols, paramSeed),
+
+    row<&NodeParams::turtle, &TurtleParams::theta>(
+        {"turtle.theta", turtleGroup, RAMURE_NOOP("Turn"),
+         RAMURE_NOOP("The angle of every turn a symbol asks for. Small angles give slender trees, large ones "
+                     "spreading trees.")},
+        ParamUnit::Radian, {-2 * pi, 2 * pi, 0, pi / 2, 0.01, 4}, Stage::Skeleton),
+    row<&NodeParams::turtle, &TurtleParams::alpha>(
+        {"turtle.alpha", turtleGroup, RAMURE_NOOP("Step"),
+         RAMURE_NOOP("Length of each piece of branch, and the radius of the trunk at the ground. Leaves and apples "
+                     "take their size from it too: it scales the whole tree.")},
+        ParamUnit::Metre, {1e-4, 1000, 0.01, 1, 0.01, 4}, Stage::Skeleton),
+    row<&NodeParams::turtle, &TurtleParams::decay>(
+        {"turtle.decay", turtleGroup, RAMURE_NOOP("Taper"),
+         RAMURE_NOOP("What remains of the radius at the end of each piece of branch. 1 keeps branches as thick as "
+                     "the trunk.")},
+        ParamUnit::Ratio, {0.01, 1, 0.5, 1, 0.01, 4}, Stage::Skeleton),
+
+    row<&NodeParams::simplify, &SimplifyParams::enabled>(
+        {"simplify.enabled", simplifyGroup, RAMURE_NOOP("Merge straight runs"),
+         RAMURE_NOOP("Make one branch of pieces that follow each other without a turn. The shape stays, the mesh gets "
+                     "lighter.")},
+        ParamUnit::None, {}, Stage::Simplified),
+    row<&NodeParams::simplify, &SimplifyParams::rotationThreshold>(
+        {"simplify.rotationThreshold", simplifyGroup, RAMURE_NOOP("Straight below"),
+         RAMURE_NOOP("Pieces that turn by less than this angle count as straight and are merged. Larger angles remove "
+                     "bends too.")},
+        ParamUnit::Radian, {0, pi, 0, 0.5, 0.01, 6}, Stage::Simplified, paramAdvanced),
+
+    row<&NodeParams::sections, &SectionParams::lengthDivisions>(
+        {"sections.lengthDivisions", sectionsGroup, RAMURE_NOOP("Along the branch"),
+         RAMURE_NOOP("Cross-sections of each branch, both ends included. More make smoother bends.")},
+        ParamUnit::Count, {2, 64, 2, 16, 1, 0}, Stage::Sections),
+    row<&NodeParams::sections, &SectionParams::radialDivisions>(
+        {"sections.radialDivisions", sectionsGroup, RAMURE_NOOP("Around the branch"),
+         RAMURE_NOOP("Points of each cross-section. More make rounder branches.")},
+        ParamUnit::Count, {3, 64, 3, 32, 1, 0}, Stage::Mesh),
+
+    row<&NodeParams::foliage, &FoliageParams::leavesCutoff>(
+        {"foliage.leavesCutoff", foliageGroup, RAMURE_NOOP("Twig thickness"),
+         RAMURE_NOOP("Branches thinner than this share of the trunk's radius carry leaves and apples. 0 leaves the tree "
+                     "bare.")},
+        ParamUnit::Ratio, {0, 10, 0, 1, 0.01, 3}, Stage::Foliage),
+    row<&NodeParams::foliage, &FoliageParams::leavesDensity>(
+        {"foliage.leavesDensity", foliageGroup, RAMURE_NOOP("Leaves per twig"),
+         RAMURE_NOOP("How many leaves grow on each branch that is thin enough.")},
+        ParamUnit::Count, {0, 1000, 0, 50, 1, 0}, Stage::Foliage),
+    row<&NodeParams::foliage, &FoliageParams::applesProbability>(
+        {"foliage.applesProbability", foliageGroup, RAMURE_NOOP("Apples"),
+         RAMURE_NOOP("The chance that a branch which is thin enough carries an apple: 0 for none, 1 for one on each.")},
+        ParamUnit::Ratio, {0, 1, 0, 1, 0.01, 3}, Stage::Foliage),
+    row<&NodeParams::foliage, &FoliageParams::seed>(
+        {"foliage.seed", foliageGroup, RAMURE_NOOP("Seed"),
+         RAMURE_NOOP("Another seed arranges leaves and apples anew; the branches stay as they are.")},
+        ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Foliage, paramSeed),
+
+    row<&NodeParams::tree, &PlacementParams::translation>(
+        {"tree.translation", placementGroup, RAMURE_NOOP("Position"),
+         RAMURE_NOOP("Where it stands, measured from its parent.")},
+        ParamUnit::Metre, {-1e6, 1e6, -10, 10, 0.1, 3}, Stage::Placement, paramAnimatable, everyKind),
+    row<&NodeParams::tree, &PlacementParams::rotation>(
+        {"tree.rotation", placementGroup, RAMURE_NOOP("Rotation"),
+         RAMURE_NOOP("How it is turned: first about the parent's X axis, then Y, then Z. Y points up.")},
+        ParamUnit::Radian, {-200 * pi, 200 * pi, -pi, pi, pi / 180, 4}, Stage::Placement, paramAnimatable, everyKind),
+    row<&NodeParams::tree, &PlacementParams::scale>(
+        {"tree.scale", placementGroup, RAMURE_NOOP("Scale"),
+         RAMURE_NOOP("How large it is along its own axes; 1 is its natural size.")},
+        ParamUnit::Ratio, {1e-4, 1e4, 0.1, 10, 0.1, 3}, Stage::Placement, paramAnimatable, everyKind),
+};
+// clang-format on
+
+} // namespace
+
+std::span<const ParamDef> paramTable()
+{
+    return table;
+}
+
+const ParamDef* findParam(std::string_view key)
+{
+    const auto found =
+        std::ranges::find(table, key, [](const ParamDef& def) { return std::string_view(def.key); });
+    return found == table.end() ? nullptr : &*found;
+}
+
+ParamId paramId(const ParamDef& def)
+{
+    return static_cast<ParamId>(&def - table.data());
+}
+
+bool hasParam(NodeKind kind, const ParamDef& def)
+{
+    return (def.kinds & kindBit(kind)) != 0;
+}
+
+} // namespace ramure
