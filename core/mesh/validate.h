@@ -15,8 +15,8 @@ enum class DefectKind : std::uint8_t {
     NonManifoldEdge,   ///< three faces or more
     NonManifoldVertex, ///< more than one fan of faces
     InconsistentEdge,  ///< its two faces run along it in the same direction
-    DuplicateVertex,   ///< at the position of another vertex
-    DuplicateFace,     ///< the same three vertices as another face
+    DuplicateVertex,   ///< at the position of an earlier vertex (-0 = 0)
+    DuplicateFace,     ///< the same three vertices as an earlier face, in whatever order
     DegenerateFace,    ///< a repeated vertex, or no area
     IsolatedVertex,    ///< in no face
 };
@@ -35,7 +35,7 @@ struct MeshReport
     Index vertices = 0, faces = 0;
     Index boundaryEdges = 0, nonManifoldEdges = 0, nonManifoldVertices = 0, inconsistentEdges = 0;
     Index duplicateVertices = 0, duplicateFaces = 0, degenerateFaces = 0, isolatedVertices = 0;
-    Index components = 0;
+    Index components = 0;                 ///< pieces that share no vertex
     std::int64_t eulerCharacteristic = 0; ///< V - E + F of the vertices in use
     double volume = 0.0;                  ///< signed, m³: positive when faces look outward
     bool openMeshAgrees = false; ///< OpenMesh's half-edge structure took every face and found no boundary
@@ -46,11 +46,15 @@ struct MeshReport
 };
 
 /// The check over plain arrays: fast, always on. A face is degenerate when two of its vertices are one, or
-/// when its area is below 1e-14 of the squared diagonal of the mesh's box. Error: Cancelled, or Invalid for
-/// an index out of range.
+/// when its area is below 1e-14 of the squared diagonal of the mesh's box (or not a number). One with a
+/// repeated vertex has no edges and counts for nothing else. Faces around a vertex belong to one fan when
+/// they hang together through edges at it. Defects are listed kind by kind, by ascending vertex or face.
+/// Errors: Cancelled, Invalid for an index out of range, Limit (more than 1.4 billion faces).
 Expected<MeshReport> validateMesh(const TriangleMesh& mesh, const Progress& progress = {});
 
-/// Builds OpenMesh's half-edge structure from the mesh and sets openMeshChecked and openMeshAgrees.
+/// Builds OpenMesh's half-edge structure from the mesh and sets openMeshChecked and openMeshAgrees. A mesh
+/// with more than 20,000 faces around one vertex stays unchecked: OpenMesh's time grows with the square of
+/// their number. Errors: Cancelled, or Invalid for an index out of range.
 Expected<void> confirmWithOpenMesh(const TriangleMesh& mesh, MeshReport& report,
                                    const Progress& progress = {});
 

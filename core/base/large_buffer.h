@@ -1,0 +1,87 @@
+/// \file
+/// Uninitialised working memory for passes over whole meshes.
+///
+/// The first touch of a fresh 4 KiB page costs more than the work done on it; large buffers therefore ask for
+/// huge pages, and nothing is cleared that is overwritten anyway.
+#pragma once
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+#include <type_traits>
+#include <utility>
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace ramure {
+
+/// An array of plain values whose contents are undefined until written. Movable, not copyable.
+/// Throws std::bad_alloc like std::vector.
+template <class T> class LargeBuffer
+{
+    static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+public:
+    LargeBuffer() = default;
+    explicit LargeBuffer(std::size_t count)
+        : m_size(count)
+    {
+        if (count == 0)
+            return;
+        if (count > std::size_t(-1) / 2 / sizeof(T))
+            throw std::bad_alloc();
+        const std::size_t unit = count * sizeof(T) >= hugePage ? hugePage : alignof(std::max_align_t);
+        const std::size_t bytes = (count * sizeof(T) + unit - 1) / unit * unit;
+        m_data = static_cast<T*>(std::aligned_alloc(unit, bytes));
+        if (!m_data)
+            throw std::bad_alloc();
+#ifdef __linux__
+        if (unit == hugePage)
+            ::madvise(m_data, bytes, MADV_HUGEPAGE); // a wish: without huge pages it is only slower
+#endif
+    }
+    LargeBuffer(LargeBuffer&& other) noexcept
+        : m_data(std::exchange(other.m_data, nullptr))
+        , m_size(std::exchange(other.m_size, 0))
+    {
+    }
+    LargeBuffer& operator=(LargeBuffer&& other) noexcept
+    {
+        std::swap(m_data, other.m_data);
+        std::swap(m_size, other.m_size);
+        return *this;
+    }
+    ~LargeBuffer()
+    {
+        std::free(m_data);
+    }
+
+    [[nodiscard]] T* data()
+    {
+        return m_data;
+    }
+    [[nodiscard]] const T* data() const
+    {
+        return m_data;
+    }
+    [[nodiscard]] std::size_t size() const
+    {
+        return m_size;
+    }
+    T& operator[](std::size_t i)
+    {
+        return m_data[i];
+    }
+    const T& operator[](std::size_t i) const
+    {
+        return m_data[i];
+    }
+
+private:
+    static constexpr std::size_t hugePage = std::size_t(2) << 20;
+    T* m_data = nullptr;
+    std::size_t m_size = 0;
+};
+
+} // namespace ramure

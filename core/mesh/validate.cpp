@@ -1,0 +1,217 @@
+#include "core/mesh/validate.h"
+#include "core/mesh/validate_parts.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace ramure {
+
+namespace {
+
+using validation::Components;
+using validation::Corners;
+using validation::DefectLog;
+
+/// A face is degenerate when its area is not above this share of the squared diagonal of the mesh's box.
+constexpr double smallestAreaRatio = 1e-14;
+/// Three corners per face are counted in 32 bits.
+constexpr std::size_t maxFaces = std::numeric_limits<Index>::max() / 3;
+
+struct Box
+{
+    glm::dvec3 centre{0.0};
+    double squaredDiagonal = 0.0;
+};
+
+Box boxOf(std::span<const glm::vec3> positions)
+{
+    constexpr float far = std::numeric_limits<float>::max();
+    glm::vec3 low(far);
+    glm::vec3 high(-far);
+    for (const glm::vec3& p : positions) {
+        // Written so that NaN is passed over; positions beyond all bounds are cut off below.
+        low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
+        high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
+    }
+    if (low.x > high.x || low.y > high.y || low.z > high.z)
+        return {};
+    const auto isFinite = [](const glm::vec3& p) {
+        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    };
+    if (!isFinite(low) || !isFinite(high)) {
+        low = glm::vec3(far);
+        high = glm::vec3(-far);
+        for (const glm::vec3& p : positions) {
+            if (!isFinite(p))
+                continue;
+            low = {std::min(p.x, low.x), std::min(p.y, low.y), std::min(p.z, low.z)};
+            high = {std::max(p.x, high.x), std::max(p.y, high.y), std::max(p.z, high.z)};
+        }
+        if (low.x > high.x)
+            return {};
+    }
+    const glm::dvec3 size = glm::dvec3(high) - glm::dvec3(low);
+    return {(glm::dvec3(low) + glm::dvec3(high)) * 0.5, glm::dot(size, size)};
+}
+
+struct Volumes
+{
+    double sum = 0.0;
+    bool allPositive = true;
+};
+
+/// Areas, and the signed volume of every component from tetrahedra whose tip is the box's centre: near the
+/// mesh, so that little is lost to cancellation.
+Volumes measureFaces(const TriangleMesh& mesh, const Components& components, DefectLog& log)
+{
+    const Box box = boxOf(mesh.positions);
+    // Doubled areas are compared squared: |cross|² <= (2 * area)².
+    const double smallest = 2.0 * smallestAreaRatio * box.squaredDiagonal;
+    const double smallestSquared = smallest * smallest;
+    std::vector<double> volume(std::max<std::size_t>(components.count, 1), 0.0);
+    const bool isOne = components.count <= 1;
+    double onlyVolume = 0.0;
+    for (Index face = 0; face < mesh.faceCount(); ++face) {
+        const glm::uvec3& t = mesh.triangles[face];
+        const glm::dvec3 a = glm::dvec3(mesh.positions[t.x]) - box.centre;
+        const glm::dvec3 b = glm::dvec3(mesh.positions[t.y]) - box.centre;
+        const glm::dvec3 c = glm::dvec3(mesh.positions[t.z]) - box.centre;
+        const glm::dvec3 normal = glm::cross(b - a, c - a);
+        if (!(glm::dot(normal, normal) > smallestSquared)) // so written that NaN is degenerate too
+            log.add(DefectKind::DegenerateFace, face);
+        const double sixfold = glm::dot(a, normal);
+        if (isOne)
+            onlyVolume += sixfold;
+        else if (const Index component = components.of[t.x]; component != noIndex)
+            volume[component] += sixfold;
+    }
+    if (isOne)
+        volume[0] = onlyVolume;
+    Volumes result;
+    for (const double v : volume) {
+        result.sum += v / 6.0;
+        result.allPositive = result.allPositive && v > 0.0;
+    }
+    return result;
+}
+
+void findIsolatedVertices(const TriangleMesh& mesh, const Corners& corners, DefectLog& log)
+{
+    // Vertices that are only in faces with a repeated vertex have no corners, but are in a face.
+    std::vector<bool> inLeftOut;
+    if (corners.faces != mesh.faceCount()) {
+        inLeftOut.resize(mesh.positions.size());
+        for (const glm::uvec3& t : mesh.triangles)
+            if (validation::hasRepeatedVertex(t))
+                inLeftOut[t.x] = inLeftOut[t.y] = inLeftOut[t.z] = true;
+    }
+    for (Index v = 0; v < mesh.vertexCount(); ++v)
+        if (corners.degree(v) == 0 && (inLeftOut.empty() || !inLeftOut[v]))
+            log.add(DefectKind::IsolatedVertex, v);
+}
+
+std::int64_t verticesWithCorners(const TriangleMesh& mesh, const Corners& corners)
+{
+    std::int64_t used = 0;
+    for (Index v = 0; v < mesh.vertexCount(); ++v)
+        used += corners.degree(v) != 0;
+    return used;
+}
+
+void fillCounts(MeshReport& report, const DefectLog& log)
+{
+    report.boundaryEdges = log.count(DefectKind::BoundaryEdge);
+    report.nonManifoldEdges = log.count(DefectKind::NonManifoldEdge);
+    report.nonManifoldVertices = log.count(DefectKind::NonManifoldVertex);
+    report.inconsistentEdges = log.count(DefectKind::InconsistentEdge);
+    report.duplicateVertices = log.count(DefectKind::DuplicateVertex);
+    report.duplicateFaces = log.count(DefectKind::DuplicateFace);
+    report.degenerateFaces = log.count(DefectKind::DegenerateFace);
+    report.isolatedVertices = log.count(DefectKind::IsolatedVertex);
+    report.defects = log.all();
+}
+
+} // namespace
+
+Expected<void> validation::checkIndices(const TriangleMesh& mesh)
+{
+    if (mesh.triangles.size() > maxFaces || mesh.positions.size() >= noIndex)
+        return fail(ErrorCode::Limit, RAMURE_NOOP("the mesh has too many faces to be checked"));
+    Index largest = 0;
+    for (const glm::uvec3& t : mesh.triangles)
+        largest = std::max(largest, std::max(t.x, std::max(t.y, t.z)));
+    if (mesh.triangles.empty() || largest < mesh.positions.size())
+        return {};
+    const auto bad = std::find_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const glm::uvec3& t) {
+        return std::max(t.x, std::max(t.y, t.z)) >= mesh.positions.size();
+    });
+    return fail(ErrorCode::Invalid,
+                RAMURE_NOOP("face %1 refers to a vertex that does not exist (%2 vertices)"),
+                {std::to_string(bad - mesh.triangles.begin()), std::to_string(mesh.positions.size())});
+}
+
+std::vector<Defect> validation::DefectLog::all() const
+{
+    std::vector<Defect> out;
+    for (const Kind& kind : m_kinds)
+        out.insert(out.end(), kind.listed.begin(), kind.listed.end());
+    return out;
+}
+
+Index MeshReport::count(DefectKind kind) const
+{
+    switch (kind) {
+    case DefectKind::BoundaryEdge:
+        return boundaryEdges;
+    case DefectKind::NonManifoldEdge:
+        return nonManifoldEdges;
+    case DefectKind::NonManifoldVertex:
+        return nonManifoldVertices;
+    case DefectKind::InconsistentEdge:
+        return inconsistentEdges;
+    case DefectKind::DuplicateVertex:
+        return duplicateVertices;
+    case DefectKind::DuplicateFace:
+        return duplicateFaces;
+    case DefectKind::DegenerateFace:
+        return degenerateFaces;
+    case DefectKind::IsolatedVertex:
+        return isolatedVertices;
+    }
+    return 0;
+}
+
+Expected<MeshReport> validateMesh(const TriangleMesh& mesh, const Progress& progress)
+{
+    if (const auto indices = validation::checkIndices(mesh); !indices)
+        return fail(indices.error());
+    const auto corners = validation::collectCorners(mesh, progress.part(0.0, 0.3));
+    if (!corners)
+        return fail(corners.error());
+    DefectLog log;
+    const auto edges = validation::checkFans(mesh, *corners, log, progress.part(0.3, 0.6));
+    if (!edges)
+        return fail(edges.error());
+    const Components components = validation::findComponents(mesh, *corners);
+    progress.report(0.7);
+    if (progress.cancelled())
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+    const Volumes volumes = measureFaces(mesh, components, log);
+    progress.report(0.9);
+    validation::findDuplicateVertices(mesh.positions, log);
+    findIsolatedVertices(mesh, *corners, log);
+
+    MeshReport report;
+    report.vertices = mesh.vertexCount();
+    report.faces = mesh.faceCount();
+    fillCounts(report, log);
+    report.components = components.count;
+    report.eulerCharacteristic = verticesWithCorners(mesh, *corners) - *edges + std::int64_t(corners->faces);
+    report.volume = volumes.sum;
+    report.valid = report.defects.empty() && report.faces > 0 && volumes.allPositive;
+    progress.report(1.0);
+    return report;
+}
+
+} // namespace ramure
