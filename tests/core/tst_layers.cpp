@@ -1,0 +1,340 @@
+#include "tests/support/suite.h"
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+/// The fence between the layers, and the few rules of the house that a machine can see. Reads the sources.
+class TestLayers : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { ramure::test::failOnAnyWarning(); }
+    void initTestCase();
+    void stripsCommentsAndTexts();
+    void includesKeepTheFence_data();
+    void includesKeepTheFence();
+    void theFenceWouldHold_data();
+    void theFenceWouldHold();
+    void codeKeepsTheRules_data();
+    void codeKeepsTheRules();
+    void filesAreOfReadableLength();
+    void functionsFitOnAScreen();
+    void headersBeginWithWhatTheyPromise();
+};
+
+namespace {
+
+struct Source
+{
+    std::string path; ///< relative to the source folder, with forward slashes
+    std::string text;
+    std::string code; ///< the text with comments and the insides of literals blanked out, line for line
+    std::vector<std::string> includes;
+};
+
+/// Comments and literals become blanks; the lines stay where they are.
+std::string stripped(const std::string& text)
+{
+    std::string code = text;
+    enum class State { Code, Line, Block, Text, Char, Raw } state = State::Code;
+    std::string rawEnd;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        const std::string_view rest = std::string_view(text).substr(i);
+        const bool digitSeparator = i > 0 && std::isalnum(static_cast<unsigned char>(text[i - 1])) != 0;
+        switch (state) {
+        case State::Code:
+            if (rest.starts_with("//"))
+                state = State::Line;
+            else if (rest.starts_with("/*"))
+                state = State::Block;
+            else if (rest.starts_with("R\"")) {
+                rawEnd = ")" + std::string(rest.substr(2, rest.find('(') - 2)) + "\"";
+                state = State::Raw;
+                ++i;
+            } else if (c == '"')
+                state = State::Text;
+            else if (c == '\'' && !digitSeparator)
+                state = State::Char;
+            break;
+        case State::Line:
+            if (c == '\n')
+                state = State::Code;
+            break;
+        case State::Block:
+            if (c == '/' && text[i - 1] == '*')
+                state = State::Code;
+            break;
+        case State::Text:
+        case State::Char:
+            if (c == '\\') {
+                code[i++] = ' ';
+                break;
+            }
+            if (c == (state == State::Text ? '"' : '\'') || c == '\n') {
+                state = State::Code;
+                continue;
+            }
+            break;
+        case State::Raw:
+            if (rest.starts_with(rawEnd)) {
+                i += rawEnd.size() - 1;
+                state = State::Code;
+                continue;
+            }
+            break;
+        }
+        if (state != State::Code && i < code.size() && code[i] != '\n' && code[i] != '"')
+            code[i] = ' ';
+    }
+    return code;
+}
+
+std::vector<std::string> includesOf(const std::string& text)
+{
+    static const std::regex pattern(R"re((?:^|\n)[ \t]*#[ \t]*include[ \t]*([<"][^>"\n]+[>"]))re");
+    std::vector<std::string> found;
+    for (std::sregex_iterator it(text.begin(), text.end(), pattern), end; it != end; ++it)
+        found.push_back((*it)[1]);
+    return found;
+}
+
+std::vector<Source> readSources()
+{
+    namespace fs = std::filesystem;
+    const fs::path root(RAMURE_SOURCE_DIR);
+    std::vector<Source> sources;
+    for (const char* folder : {"core", "widgets", "app", "tests"})
+        for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {
+            const std::string ending = entry.path().extension().string();
+            if (ending != ".h" && ending != ".cpp" && ending != ".cc")
+                continue;
+            std::ostringstream text;
+            text << std::ifstream(entry.path()).rdbuf();
+            sources.push_back({entry.path().lexically_relative(root).generic_string(), text.str(),
+                               stripped(text.str()), includesOf(text.str())});
+        }
+    std::sort(sources.begin(), sources.end(),
+              [](const Source& a, const Source& b) { return a.path < b.path; });
+    return sources;
+}
+
+/// Where \p files matches the path (and \p exceptFiles does not), no include may match \p include.
+struct Fence
+{
+    const char* name;
+    const char* files;
+    const char* exceptFiles;
+    const char* include;
+};
+
+constexpr const char* widgetClasses =
+    R"(<(QtWidgets/.*|QtWidgets|QApplication|Q\w*Widget|QMainWindow|QDialog|QLabel|QMenu\w*|QToolB\w*|QDock\w*|)"
+    R"(Q\w*Layout|Q\w*SpinBox|Q\w*Slider|QComboBox|QLineEdit|QMessageBox|QFileDialog|QScroll\w*|QOpenGLWidget|QStyle\w*)>)";
+
+constexpr Fence fences[] = {
+    {"the core knows no Qt", "core/.*", "core/document/.*", R"(<Q\w*(/.*)?>|"core/document/.*")"},
+    {"OpenMesh only in the validation", "(core|widgets|app)/.*", R"(core/mesh/validate\w*\.cpp)",
+     "<OpenMesh/.*>"},
+    {"CGAL only behind one header of the tests", ".*", R"(tests/support/self_intersections\.cpp)",
+     "<CGAL/.*>"},
+    {"the core uses nothing above it", "core/.*", "", R"("(widgets|app|tests)/.*")"},
+    {"the document has no widgets", "core/document/.*", "", widgetClasses},
+    {"the renderer has no widgets and no document", "widgets/render/.*", "",
+     R"("widgets/(?!render/).*"|"core/document/.*")"},
+    {"the renderer uses no widget class", "widgets/render/.*", "", widgetClasses},
+    {"widgets do not use the programs", "widgets/.*", "", R"("(app|tests)/.*")"},
+    {"the command line opens no window", "app/cli/.*", "", R"("widgets/(?!render/).*")"},
+    {"programs do not use the tests", "app/.*", "", R"("tests/.*")"},
+    {"no header takes in a whole Qt module", R"(.*\.h)", "",
+     R"(<Qt(Core|Gui|Widgets|OpenGL|OpenGLWidgets|Svg|Test)>)"},
+    {"tests of the core know no widgets", "tests/(core|support)/.*", R"(.*\.cc)", R"("widgets/.*")"},
+};
+
+bool breaks(const Fence& fence, const std::string& path, const std::string& include)
+{
+    return std::regex_match(path, std::regex(fence.files)) &&
+           !std::regex_match(path, std::regex(fence.exceptFiles)) &&
+           std::regex_match(include, std::regex(fence.include));
+}
+
+/// Where \p files matches the path, the code (comments and texts aside) may not contain \p pattern.
+struct Rule
+{
+    const char* name;
+    const char* files;
+    const char* pattern;
+};
+
+constexpr Rule rules[] = {
+    {"no singletons", "(core|widgets|app)/.*", R"((^|[^:\w])instance\s*\()"},
+    {"no nested event loops by hand", "(core|widgets|app)/.*", R"(\bprocessEvents\b)"},
+    {"no libc function with a hidden state", "(core|widgets|app)/.*", R"(\b(strtok|setlocale|s?rand)\s*\()"},
+    {"no random generator but our own", "core/.*", R"(std::(mt19937|random_device|\w+_distribution)\b)"},
+    {"no exceptions across modules", "core/.*", R"(\bthrow\b)"},
+};
+
+std::vector<Source> sources;
+
+std::size_t lineOf(const std::string& text, std::size_t at)
+{
+    return static_cast<std::size_t>(
+               std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n')) +
+           1;
+}
+
+} // namespace
+
+void TestLayers::initTestCase()
+{
+    sources = readSources();
+    QVERIFY(sources.size() > 20);
+}
+
+void TestLayers::stripsCommentsAndTexts()
+{
+    QCOMPARE(stripped("a; // throw\nb;"), std::string("a;         \nb;"));
+    QVERIFY(stripped("/* rand() */ x").find("rand") == std::string::npos);
+    QVERIFY(stripped("f(\"rand( \\\" rand\"); g();").find("rand") == std::string::npos);
+    QVERIFY(stripped("f(\"a\"); g();").find("g()") != std::string::npos);
+    QVERIFY(stripped("R\"x(rand \" )\" )x\"; g();").find("rand") == std::string::npos);
+    QVERIFY(stripped("R\"x(rand \" )\" )x\"; g();").find("g()") != std::string::npos);
+    QVERIFY(stripped("n = 64'000'000; rand();").find("rand()") != std::string::npos);
+    QVERIFY(stripped("c = '\"'; rand();").find("rand()") != std::string::npos);
+}
+
+void TestLayers::includesKeepTheFence_data()
+{
+    QTest::addColumn<int>("number");
+    for (int i = 0; i < static_cast<int>(std::size(fences)); ++i)
+        QTest::newRow(fences[i].name) << i;
+}
+
+void TestLayers::includesKeepTheFence()
+{
+    QFETCH(int, number);
+    std::string broken;
+    for (const Source& source : sources)
+        for (const std::string& include : source.includes)
+            if (breaks(fences[number], source.path, include))
+                broken += "\n  " + source.path + " includes " + include;
+    QVERIFY2(broken.empty(), broken.c_str());
+}
+
+void TestLayers::theFenceWouldHold_data()
+{
+    QTest::addColumn<QString>("path");
+    QTest::addColumn<QString>("include");
+    QTest::addColumn<bool>("allowed");
+    const auto row = [](const char* path, const char* include, bool allowed) {
+        QTest::addRow("%s %s", path, include) << path << include << allowed;
+    };
+    row("core/mesh/normals.cpp", "<QString>", false);
+    row("core/mesh/normals.cpp", "<QtCore/QString>", false);
+    row("core/mesh/normals.cpp", "<vector>", true);
+    row("core/mesh/normals.cpp", "\"core/document/document.h\"", false);
+    row("core/mesh/normals.cpp", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", false);
+    row("core/mesh/validate.cpp", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", true);
+    row("core/mesh/validate.h", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", false);
+    row("core/document/document.h", "<QObject>", true);
+    row("core/document/document.h", "<QUndoStack>", true);
+    row("core/document/document.h", "<QWidget>", false);
+    row("core/document/document.h", "\"widgets/viewport.h\"", false);
+    row("core/base/error.h", "\"app/main_window.h\"", false);
+    row("widgets/viewport.h", "<QtWidgets>", false);
+    row("widgets/viewport.cpp", "<QtWidgets>", true);
+    row("widgets/viewport.h", "<QOpenGLWidget>", true);
+    row("widgets/viewport.cpp", "\"app/main_window.h\"", false);
+    row("widgets/render/renderer.h", "\"widgets/render/shader.h\"", true);
+    row("widgets/render/renderer.h", "\"widgets/viewport.h\"", false);
+    row("widgets/render/renderer.h", "<QOpenGLWidget>", false);
+    row("widgets/render/renderer.h", "<QOpenGLFunctions_3_3_Core>", true);
+    row("app/cli/main.cpp", "\"widgets/render/renderer.h\"", true);
+    row("app/cli/main.cpp", "\"widgets/viewport.h\"", false);
+    row("tests/core/mesh/tst_x.cpp", "<CGAL/Epick.h>", false);
+}
+
+void TestLayers::theFenceWouldHold()
+{
+    QFETCH(QString, path);
+    QFETCH(QString, include);
+    QFETCH(bool, allowed);
+    const bool broken = std::any_of(std::begin(fences), std::end(fences), [&](const Fence& fence) {
+        return breaks(fence, path.toStdString(), include.toStdString());
+    });
+    QCOMPARE(!broken, allowed);
+}
+
+void TestLayers::codeKeepsTheRules_data()
+{
+    QTest::addColumn<int>("number");
+    for (int i = 0; i < static_cast<int>(std::size(rules)); ++i)
+        QTest::newRow(rules[i].name) << i;
+}
+
+void TestLayers::codeKeepsTheRules()
+{
+    QFETCH(int, number);
+    const std::regex files(rules[number].files), pattern(rules[number].pattern);
+    std::string broken;
+    for (const Source& source : sources) {
+        if (!std::regex_match(source.path, files))
+            continue;
+        std::istringstream lines(source.code);
+        std::string line;
+        for (int at = 1; std::getline(lines, line); ++at)
+            if (std::regex_search(line, pattern))
+                broken += "\n  " + source.path + ":" + std::to_string(at) + ": " + line;
+    }
+    QVERIFY2(broken.empty(), broken.c_str());
+}
+
+void TestLayers::filesAreOfReadableLength()
+{
+    std::string broken;
+    for (const Source& source : sources) {
+        const auto lines = std::count(source.text.begin(), source.text.end(), '\n');
+        if (lines > 800)
+            broken += "\n  " + source.path + ": " + std::to_string(lines) + " lines";
+    }
+    QVERIFY2(broken.empty(), broken.c_str());
+}
+
+/// A function of namespace level begins with a brace alone in the first column and ends with one:
+/// clang-format sees to it. Sixty lines between them are a screen.
+void TestLayers::functionsFitOnAScreen()
+{
+    std::string broken;
+    for (const Source& source : sources) {
+        if (source.path.starts_with("tests/"))
+            continue;
+        for (std::size_t open = source.code.find("\n{\n"); open != std::string::npos;
+             open = source.code.find("\n{\n", open + 1)) {
+            const std::size_t close = source.code.find("\n}", open + 1);
+            if (close == std::string::npos || source.code[close + 2] == ';')
+                continue;
+            const std::size_t first = lineOf(source.code, open + 1), last = lineOf(source.code, close + 1);
+            if (last - first - 1 > 60)
+                broken += "\n  " + source.path + ":" + std::to_string(first) + ": a function of " +
+                          std::to_string(last - first - 1) + " lines";
+        }
+    }
+    QVERIFY2(broken.empty(), broken.c_str());
+}
+
+void TestLayers::headersBeginWithWhatTheyPromise()
+{
+    std::string broken;
+    for (const Source& source : sources)
+        if (source.path.ends_with(".h") && (!source.text.starts_with("/// \\file\n/// ") ||
+                                            source.code.find("#pragma once") == std::string::npos))
+            broken += "\n  " + source.path;
+    QVERIFY2(broken.empty(), broken.c_str());
+}
+
+QTEST_GUILESS_MAIN(TestLayers)
+#include "tst_layers.moc"
