@@ -69,7 +69,7 @@ public:
     [[nodiscard]] glm::dvec3 pointAtTargetDepth(const glm::dvec2& ndc, double aspect) const;
     /// Places target and distance so that the whole box fills the picture up to the margin. Empty boxes: no
     /// change.
-    void frame(const Box& box, double aspect, double margin = 1.12);
+    void frame(const Box& box, double aspect, double margin = 1.06);
     void setAxisView(AxisView view);
 
     bool operator==(const Camera&) const = default;

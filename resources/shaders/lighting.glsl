@@ -1,0 +1,69 @@
+// Sun with a soft shadow, and a hemisphere light. Positions are relative to the eye.
+uniform vec3 uSun;         // unit, towards the sun
+uniform vec3 uSunLight;    // linear
+uniform vec3 uSkyLight;    // linear, from straight above
+uniform vec3 uGroundLight; // linear, from straight below
+uniform mat4 uShadow;      // eye-relative position -> shadow map coordinates and depth, 0..1
+uniform vec3 uShadowScale; // size of one texel (m), side of the map (m), depth range (m)
+uniform int uShadowTaps;   // 0 = no shadows
+uniform sampler2DShadow uShadowMap;
+uniform sampler2D uShadowDepth;
+
+const float goldenAngle = 2.39996323;
+const float sunSpread = 0.035; // width of the penumbra per metre behind the edge
+
+vec2 discPoint(int i, int count, float turn)
+{
+    float angle = float(i) * goldenAngle + turn;
+    return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
+}
+
+// Fernando 2005, percentage-closer soft shadows: the farther behind its blocker, the softer.
+float kernelRadius(vec3 at, float texel, float turn)
+{
+    float widest = clamp(uShadowScale.z * sunSpread / uShadowScale.y, 2.0 * texel, 14.0 * texel);
+    float sum = 0.0;
+    float count = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        float depth = texture(uShadowDepth, at.xy + widest * discPoint(i, 8, turn)).r;
+        if (depth < at.z) {
+            sum += depth;
+            count += 1.0;
+        }
+    }
+    if (count == 0.0)
+        return 0.0;
+    float gap = (at.z - sum / count) * uShadowScale.z;
+    return clamp(gap * sunSpread / uShadowScale.y, 1.0 * texel, widest);
+}
+
+// 1 in the sun, 0 in the shadow. The normal faces the sun's side.
+float sunlight(vec3 relative, vec3 normal)
+{
+    if (uShadowTaps == 0)
+        return 1.0;
+    float steepness = 1.0 - max(dot(normal, uSun), 0.0);
+    relative += normal * uShadowScale.x * (0.6 + 1.6 * steepness) + uSun * uShadowScale.x * 0.8;
+    vec3 at = (uShadow * vec4(relative, 1.0)).xyz;
+    if (any(lessThan(at.xy, vec2(0.0))) || any(greaterThan(at.xy, vec2(1.0))))
+        return 1.0;
+    at.z = min(at.z, 1.0);
+    float texel = uShadowScale.x / uShadowScale.y;
+    float turn = 0.0;
+    float radius = 1.8 * texel;
+    if (uShadowTaps >= 12) {
+        turn = 6.2831853 * pixelNoise();
+        radius = kernelRadius(at, texel, turn);
+        if (radius == 0.0)
+            return 1.0;
+    }
+    float lit = 0.0;
+    for (int i = 0; i < uShadowTaps; ++i)
+        lit += texture(uShadowMap, vec3(at.xy + radius * discPoint(i, uShadowTaps, turn), at.z));
+    return lit / float(uShadowTaps);
+}
+
+vec3 hemisphere(vec3 normal)
+{
+    return mix(uGroundLight, uSkyLight, 0.5 + 0.5 * normal.y);
+}

@@ -1,0 +1,63 @@
+in Surface
+{
+    vec3 relative;
+    vec3 normal;
+    vec3 local;
+    vec4 tint;
+} v;
+#ifdef WIRE
+noperspective in vec3 edgeDistance;
+uniform bool uWireOnly;
+uniform float uLineWidth; // pixels
+#endif
+
+uniform vec3 uColour;      // sRGB
+uniform float uShininess;  // 0 = Lambert
+uniform float uThrough;    // share of the light that shines through, for leaves
+uniform bool uTwoSided;
+uniform vec4 uBackward;    // orthographic: direction to the eye, w = 1; perspective: w = 0
+
+out vec4 fragment;
+
+vec3 shaded(vec3 albedo, vec3 normal)
+{
+    float facing = dot(normal, uSun);
+    float sun = sunlight(v.relative, facing < 0.0 ? -normal : normal);
+    vec3 light = hemisphere(normal) + uSunLight * max(facing, 0.0) * sun;
+    vec3 colour = albedo * light;
+    if (uThrough > 0.0)
+        colour += uThrough * max(-facing, 0.0) * sun * uSunLight * albedo * vec3(1.5, 1.25, 0.4);
+    if (uShininess > 0.0) {
+        vec3 toEye = uBackward.w > 0.5 ? uBackward.xyz : normalize(-v.relative);
+        float glint = pow(max(dot(reflect(-uSun, normal), toEye), 0.0), uShininess);
+        colour += step(0.0, facing) * sun * glint * 0.16 * uSunLight;
+    }
+    return colour;
+}
+
+void main()
+{
+    vec3 flatNormal = cross(dFdx(v.relative), dFdy(v.relative));
+    vec3 normal = normalize(dot(v.normal, v.normal) > 1e-8 ? v.normal : (gl_FrontFacing ? flatNormal : -flatNormal));
+    vec3 albedo = toLinear(mix(uColour, v.tint.rgb, v.tint.a));
+    if (!gl_FrontFacing) {
+        normal = -normal;
+        // The inside of a surface that should be closed looks dull: holes are seen.
+        if (!uTwoSided)
+            albedo = mix(albedo, vec3(dot(albedo, vec3(0.3333))), 0.6) * 0.5;
+    }
+#ifdef WIRE
+    float edge = min(min(edgeDistance.x, edgeDistance.y), edgeDistance.z);
+    float line = 1.0 - smoothstep(0.5 * uLineWidth - 0.5, 0.5 * uLineWidth + 0.5, edge);
+    if (uWireOnly) {
+        if (line < 0.4)
+            discard;
+        fragment = vec4(dithered(toSrgb(mix(albedo * 0.35, albedo, v.tint.a))), 1.0);
+        return;
+    }
+    vec3 colour = shaded(albedo, normal);
+    fragment = vec4(dithered(toSrgb(mix(colour, albedo * 0.06, 0.75 * line))), 1.0);
+#else
+    fragment = vec4(dithered(toSrgb(shaded(albedo, normal))), 1.0);
+#endif
+}

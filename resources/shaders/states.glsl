@@ -1,0 +1,29 @@
+// The state of each branch (enum BranchState) lies in a texture: a selection uploads one byte per branch.
+uniform usampler2D uStates;
+uniform int uStateCount; // 0 = none
+
+const vec3 selectedColour = vec3(1.0, 0.50, 0.06);
+const vec3 activeColour = vec3(1.0, 0.72, 0.22);
+const vec3 hoveredColour = vec3(1.0, 0.93, 0.78);
+
+uint branchState(uint branch)
+{
+    if (branch >= uint(uStateCount))
+        return 0u;
+    int width = textureSize(uStates, 0).x;
+    return texelFetch(uStates, ivec2(int(branch) % width, int(branch) / width), 0).r;
+}
+
+// sRGB colour and strength.
+vec4 stateTint(uint state)
+{
+    if (state == 1u)
+        return vec4(selectedColour, 0.72);
+    if (state == 2u)
+        return vec4(activeColour, 0.80);
+    if (state == 3u)
+        return vec4(hoveredColour, 0.38);
+    if (state == 4u)
+        return vec4(mix(selectedColour, hoveredColour, 0.45), 0.80);
+    return vec4(0.0);
+}

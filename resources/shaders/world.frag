@@ -1,0 +1,101 @@
+// Sky and ground of SPEC A10. The ground is the plane y = 0, met by a ray per pixel: it reaches the horizon and never
+// runs out of triangles or of depth.
+in vec2 ndc;
+
+uniform vec3 uForward; // of the rays
+uniform vec3 uAcross;  // added per ndc x ...
+uniform vec3 uAlong;   // ... and y: to the direction, or in orthographic views to the origin
+uniform bool uOrthographic;
+uniform vec3 uEye;         // world
+uniform vec2 uCentre;      // of the scene, x and z
+uniform float uFade;       // distance at which the ground melts into the sky, m
+uniform float uGridStep;   // 0 = no grid
+uniform float uMottle;     // size of the ground's patches, m
+uniform mat4 uClip;        // eye-relative -> clip space
+
+out vec4 fragment;
+
+const vec3 skyBlue = vec3(0.5294, 0.8078, 0.9216);    // #87CEEB
+const vec3 groundGreen = vec3(0.3373, 0.4902, 0.2745); // #567D46
+const vec3 haze = vec3(0.7961, 0.9098, 0.9529);
+
+vec3 sky(vec3 direction)
+{
+    vec3 colour = mix(haze, skyBlue, smoothstep(0.0, 0.30, direction.y));
+    colour = mix(colour, vec3(0.69, 0.80, 0.83), smoothstep(0.0, -0.5, direction.y));
+    float glow = pow(max(dot(direction, uSun), 0.0), 220.0);
+    return mix(colour, vec3(1.0, 0.98, 0.92), 0.75 * glow);
+}
+
+float hash(vec2 cell)
+{
+    vec3 p = fract(vec3(cell.xyx) * 0.1031);
+    p += dot(p, p.yzx + 33.33);
+    return fract((p.x + p.y) * p.z);
+}
+
+float noise(vec2 at)
+{
+    vec2 cell = floor(at);
+    vec2 f = at - cell;
+    f = f * f * (3.0 - 2.0 * f);
+    return mix(mix(hash(cell), hash(cell + vec2(1.0, 0.0)), f.x),
+               mix(hash(cell + vec2(0.0, 1.0)), hash(cell + vec2(1.0, 1.0)), f.x), f.y);
+}
+
+// Coverage of lines every "spacing" metres, one pixel wide; dense ones dissolve before they shimmer.
+float gridLines(vec2 at, vec2 width, float spacing)
+{
+    vec2 distance = abs(fract(at / spacing - 0.5) - 0.5) * spacing;
+    vec2 line = (1.0 - smoothstep(0.5 * width, 1.5 * width, distance)) *
+                (1.0 - smoothstep(0.15 * spacing, 0.45 * spacing, width));
+    return max(line.x, line.y);
+}
+
+vec3 ground(vec3 relative, vec2 at, vec2 width)
+{
+    float broad = max(width.x, width.y);
+    float mottle = (noise(at / uMottle) - 0.5) * (1.0 - smoothstep(0.2, 0.7, broad / uMottle));
+    float fine = uMottle * 0.11;
+    mottle += 0.7 * (noise(at / fine) - 0.5) * (1.0 - smoothstep(0.2, 0.7, broad / fine));
+    vec3 albedo = toLinear(groundGreen) * (1.0 + 0.20 * mottle);
+    float sun = sunlight(relative, vec3(0.0, 1.0, 0.0));
+    vec3 colour = albedo * (uSkyLight + uSunLight * uSun.y * sun);
+    if (uGridStep > 0.0) {
+        float minor = gridLines(at, width, uGridStep);
+        float major = gridLines(at, width, 10.0 * uGridStep);
+        colour = mix(colour, vec3(0.75), 0.10 * minor);
+        colour = mix(colour, vec3(0.85), 0.16 * major);
+        vec2 axis = 1.0 - smoothstep(0.7 * width, 1.9 * width, abs(at));
+        colour = mix(colour, vec3(0.55, 0.05, 0.05), 0.7 * axis.y);
+        colour = mix(colour, vec3(0.04, 0.12, 0.60), 0.7 * axis.x);
+    }
+    return colour;
+}
+
+void main()
+{
+    vec3 offset = uOrthographic ? ndc.x * uAcross + ndc.y * uAlong : vec3(0.0);
+    vec3 direction = normalize(uOrthographic ? uForward : uForward + ndc.x * uAcross + ndc.y * uAlong);
+    float height = uEye.y + offset.y;
+    // In orthographic views the sky must not change with the pixel's ray, all of which are parallel.
+    vec3 colour = toLinear(uOrthographic ? mix(haze, skyBlue, clamp(0.5 + 0.5 * ndc.y, 0.0, 1.0)) : sky(direction));
+    float depth = 1.0;
+
+    float steps = height / max(-direction.y, 1e-5);
+    vec3 relative = offset + direction * clamp(steps, 0.0, 400.0 * uFade);
+    vec2 at = uEye.xz + relative.xz;
+    vec2 width = fwidth(at);
+    if (direction.y < -1e-5 && height > 0.0) {
+        float far = length(at - uCentre) / uFade;
+        float melt = 1.0 - exp(-far * far);
+        if (melt < 0.998)
+            colour = mix(ground(relative, at, width), colour, melt);
+        vec4 clip = uClip * vec4(relative, 1.0);
+        depth = clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0);
+    } else if (uOrthographic && height < 0.0 && abs(direction.y) <= 1e-5) {
+        colour = mix(toLinear(groundGreen), colour, 1.0 - exp(2.0 * height / uFade));
+    }
+    gl_FragDepth = depth;
+    fragment = vec4(dithered(toSrgb(colour)), 1.0);
+}

@@ -1,0 +1,177 @@
+#include "widgets/render/gpu_cache.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace ramure {
+namespace {
+
+const void* offset(std::size_t bytes)
+{
+    return reinterpret_cast<const void*>(bytes);
+}
+
+constexpr int stateWidth = 2048; ///< of the texture of branch states; every OpenGL 3.3 has it
+
+} // namespace
+
+GpuCache::GpuCache(Gl& gl)
+    : m_gl(gl)
+{
+}
+
+GpuCache::~GpuCache()
+{
+    for (auto& [key, block] : m_blocks)
+        free(block);
+}
+
+std::pair<GpuBlock&, bool> GpuCache::slot(const std::shared_ptr<const void>& source)
+{
+    const auto [it, isNew] = m_blocks.try_emplace(source.get());
+    GpuBlock& block = it->second;
+    block.usedIn = m_picture;
+    if (isNew) {
+        block.source = source;
+        ++m_stats.uploads;
+    }
+    return {block, isNew};
+}
+
+GLuint GpuCache::addBuffer(GpuBlock& block, GLenum target, const void* data, std::size_t bytes)
+{
+    GLuint buffer = 0;
+    m_gl.glGenBuffers(1, &buffer);
+    m_gl.glBindBuffer(target, buffer);
+    m_gl.glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+    block.buffers.push_back(buffer);
+    m_stats.bytes += bytes;
+    return buffer;
+}
+
+const GpuBlock& GpuCache::mesh(const std::shared_ptr<const TriangleMesh>& mesh)
+{
+    const auto [block, isNew] = slot(mesh);
+    if (!isNew)
+        return block;
+    m_gl.glGenVertexArrays(1, &block.vertexArray);
+    m_gl.glBindVertexArray(block.vertexArray);
+    const auto vectors = [&, &target = block](GLuint index, const std::vector<glm::vec3>& values) {
+        addBuffer(target, GL_ARRAY_BUFFER, values.data(), values.size() * sizeof(glm::vec3));
+        m_gl.glVertexAttribPointer(index, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+        m_gl.glEnableVertexAttribArray(index);
+    };
+    vectors(0, mesh->positions);
+    if (mesh->normals.size() == mesh->positions.size())
+        vectors(1, mesh->normals);
+    if (mesh->branch.size() == mesh->positions.size()) {
+        addBuffer(block, GL_ARRAY_BUFFER, mesh->branch.data(), mesh->branch.size() * sizeof(Index));
+        m_gl.glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, 0, nullptr);
+        m_gl.glEnableVertexAttribArray(2);
+    }
+    addBuffer(block, GL_ELEMENT_ARRAY_BUFFER, mesh->triangles.data(),
+              mesh->triangles.size() * sizeof(glm::uvec3));
+    block.count = static_cast<GLsizei>(3 * mesh->triangles.size());
+    m_gl.glBindVertexArray(0);
+    return block;
+}
+
+const GpuBlock& GpuCache::lines(const std::shared_ptr<const LineSet>& lines)
+{
+    const auto [block, isNew] = slot(lines);
+    if (!isNew)
+        return block;
+    using S = LineSegment;
+    m_gl.glGenVertexArrays(1, &block.vertexArray);
+    m_gl.glBindVertexArray(block.vertexArray);
+    addBuffer(block, GL_ARRAY_BUFFER, lines->segments.data(), lines->segments.size() * sizeof(S));
+    constexpr GLsizei stride = sizeof(S);
+    m_gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(S, a)));
+    m_gl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(S, b)));
+    m_gl.glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride, offset(offsetof(S, widthA)));
+    m_gl.glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(offsetof(S, colour)));
+    m_gl.glVertexAttribIPointer(4, 1, GL_UNSIGNED_INT, stride, offset(offsetof(S, branch)));
+    for (GLuint i = 0; i < 5; ++i) {
+        m_gl.glEnableVertexAttribArray(i);
+        m_gl.glVertexAttribDivisor(i, 1);
+    }
+    block.count = static_cast<GLsizei>(lines->segments.size());
+    m_gl.glBindVertexArray(0);
+    return block;
+}
+
+const GpuBlock& GpuCache::points(const std::shared_ptr<const PointSet>& points)
+{
+    const auto [block, isNew] = slot(points);
+    if (!isNew)
+        return block;
+    using P = PointMark;
+    m_gl.glGenVertexArrays(1, &block.vertexArray);
+    m_gl.glBindVertexArray(block.vertexArray);
+    addBuffer(block, GL_ARRAY_BUFFER, points->points.data(), points->points.size() * sizeof(P));
+    constexpr GLsizei stride = sizeof(P);
+    m_gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(P, position)));
+    m_gl.glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, stride, offset(offsetof(P, size)));
+    m_gl.glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(offsetof(P, colour)));
+    m_gl.glVertexAttribIPointer(3, 1, GL_UNSIGNED_INT, stride, offset(offsetof(P, branch)));
+    for (GLuint i = 0; i < 4; ++i) {
+        m_gl.glEnableVertexAttribArray(i);
+        m_gl.glVertexAttribDivisor(i, 1);
+    }
+    block.count = static_cast<GLsizei>(points->points.size());
+    m_gl.glBindVertexArray(0);
+    return block;
+}
+
+const GpuBlock& GpuCache::states(const std::shared_ptr<const BranchStates>& states)
+{
+    const auto [block, isNew] = slot(states);
+    if (!isNew)
+        return block;
+    const std::size_t rows = std::max<std::size_t>(1, (states->size() + stateWidth - 1) / stateWidth);
+    BranchStates padded(*states);
+    padded.resize(rows * stateWidth);
+    m_gl.glGenTextures(1, &block.texture);
+    m_gl.glBindTexture(GL_TEXTURE_2D, block.texture);
+    m_gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R8UI, stateWidth, static_cast<GLsizei>(rows), 0, GL_RED_INTEGER,
+                      GL_UNSIGNED_BYTE, padded.data());
+    m_gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    block.count = static_cast<GLsizei>(states->size());
+    m_stats.bytes += padded.size();
+    return block;
+}
+
+void GpuCache::freeUnused()
+{
+    for (auto it = m_blocks.begin(); it != m_blocks.end();) {
+        if (it->second.usedIn == m_picture) {
+            ++it;
+            continue;
+        }
+        free(it->second);
+        ++m_stats.freed;
+        it = m_blocks.erase(it);
+    }
+}
+
+void GpuCache::free(GpuBlock& block)
+{
+    if (block.vertexArray != 0)
+        m_gl.glDeleteVertexArrays(1, &block.vertexArray);
+    if (!block.buffers.empty())
+        m_gl.glDeleteBuffers(static_cast<GLsizei>(block.buffers.size()), block.buffers.data());
+    if (block.texture != 0)
+        m_gl.glDeleteTextures(1, &block.texture);
+}
+
+UploadStats GpuCache::stats() const
+{
+    UploadStats stats = m_stats;
+    stats.alive = m_blocks.size();
+    return stats;
+}
+
+} // namespace ramure

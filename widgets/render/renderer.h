@@ -1,0 +1,65 @@
+/// \file
+/// Draws a render scene with OpenGL 3.3 core into any framebuffer. Knows no document and no widget. Holds
+/// nothing that cannot be made again: after a lost context throw it away and make another.
+#pragma once
+
+#include "widgets/render/camera.h"
+#include "widgets/render/gpu_cache.h"
+#include "widgets/render/renderer_options.h"
+#include "widgets/render/shadow_map.h"
+#include <QSize>
+
+namespace ramure {
+
+/// Of the last picture, and since the start.
+struct RenderStats
+{
+    double uploadMs = 0.0; ///< blocks new in the last picture
+    double drawMs = 0.0;   ///< commands of the last picture issued
+    std::uint64_t pictures = 0;
+    std::uint64_t shadowRedraws = 0;
+    UploadStats uploads;
+};
+
+class Renderer
+{
+public:
+    /// Compiles the programs in the current context, which must be OpenGL 3.3 core or later.
+    /// Error: Unknown (context, shader), with the driver's words.
+    static Expected<std::unique_ptr<Renderer>> make();
+    /// With the same context current.
+    ~Renderer();
+
+    /// Draws into \p framebuffer (its size in device pixels \p size). Leaves the framebuffer bound, blending
+    /// and depth test off, no program, buffer or texture bound.
+    void draw(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
+              const RenderOptions& options);
+    [[nodiscard]] RenderStats stats() const;
+    /// A rasteriser on the CPU (llvmpipe): the renderer chooses fewer samples of the shadow.
+    [[nodiscard]] bool isSoftware() const { return m_software; }
+
+private:
+    struct Picture; ///< all that one picture's passes share
+
+    explicit Renderer(Gl& gl);
+    Expected<void> compile();
+    void upload(const RenderScene& scene);
+    void setLight(ShaderProgram& program, const Picture& picture);
+    void setStates(ShaderProgram& program, const RenderScene& scene, NodeId node);
+    void drawWorld(const Picture& picture);
+    void drawMeshes(const Picture& picture);
+    void drawLines(const Picture& picture, bool hidden);
+    void drawPoints(const Picture& picture, bool hidden);
+    void resetState();
+
+    Gl& m_gl;
+    GpuCache m_cache;
+    ShadowMap m_shadowMap;
+    std::unique_ptr<ShaderProgram> m_mesh, m_meshWire, m_shadow, m_world, m_line, m_point;
+    GLuint m_emptyArray = 0;
+    GLuint m_noStates = 0; ///< a texture of one plain branch
+    bool m_software = false;
+    RenderStats m_stats;
+};
+
+} // namespace ramure
