@@ -11,12 +11,12 @@
 ///
 /// A stochastic rule lists probabilities (normalised by their sum) with their texts; `default:` gives what
 /// deterministic rewriting uses, and may stand anywhere in the list; without it the default is the first
-/// text. Any byte may be a symbol. A backquote takes the next character as it is: `` `| `` `` `: `` `` `# ``
-/// `` `` ` `` and `` `  `` (a space). A backslash is the turtle's symbol and needs no escape.
+/// text. Any byte but a line feed may be a symbol (so a letter outside ASCII is several symbols). A backquote
+/// takes the next character as it is: `` `| `` `` `: `` `` `# `` `` `` ` `` and `` `  `` (a space). A
+/// backslash is the turtle's symbol and needs no escape. An escaped bracket is a bracket all the same.
 #pragma once
 
 #include "core/base/error.h"
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,25 +29,30 @@ struct Rule
     std::string defaultText;
     std::vector<double> probabilities;     ///< as written, not normalised; empty = none
     std::vector<std::string> replacements; ///< same length
+    bool operator==(const Rule&) const = default;
 };
 
 struct Grammar
 {
     std::string axiom;
     std::vector<Rule> rules; ///< at most one per symbol
+    bool operator==(const Grammar&) const = default;
 };
 
 /// Parses the text form of the rules. Errors (Syntax / Invalid, with line and column): no arrow, no symbol,
 /// two rules for one symbol, a choice without a number, negative, non-finite or all-zero probabilities,
-/// unfinished escape.
+/// unfinished escape. Brackets are not looked at.
 Expected<std::vector<Rule>> parseRules(std::string_view text);
-/// The axiom with blanks removed and escapes resolved.
+/// The axiom with escapes resolved and blanks removed, line feeds too. Error (Syntax, with line and column):
+/// an unfinished escape. Brackets are not looked at.
 Expected<std::string> parseAxiom(std::string_view text);
-/// Both; and unbalanced brackets in the axiom or in any replacement are an error with line and column (path =
-/// "grammar.axiom" or "grammar.rules"). A grammar built in code is checked by checkGrammar.
+/// Both; and unbalanced brackets in the axiom or in any replacement are an error with line and column. Every
+/// error has path = "grammar.axiom" or "grammar.rules".
 Expected<Grammar> parseGrammar(std::string_view axiom, std::string_view rules);
+/// The same for a grammar built in code, and lists of different length. Here line = number of the rule (none
+/// for the axiom) and column = position in the text concerned.
 Expected<void> checkGrammar(const Grammar& grammar);
-/// The text form of rules; parseRules(formatRules(r)) gives r back.
+/// The text form of rules; parseRules(formatRules(r)) gives r back for all r that checkGrammar accepts.
 std::string formatRules(const std::vector<Rule>& rules);
 
 } // namespace ramure

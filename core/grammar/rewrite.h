@@ -20,7 +20,12 @@ struct RewriteOptions
     std::size_t limit = maxSymbols;
 };
 
-/// Errors: Limit (the next generation would pass the limit: found before memory is taken), Cancelled.
+/// Each iteration replaces all symbols at once. With \p options.stochastic, iteration k = 1, 2, ... draws
+/// from Random(seed, RandomStream::Rewrite, k), one number per symbol that has probabilities, from left to
+/// right: a change of the seed, and nothing else, draws anew. iterations <= 0 gives the axiom.
+///
+/// Errors: those of checkGrammar; Limit (the next generation would pass the limit: found before memory is
+/// taken), Cancelled.
 Expected<std::string> rewrite(const Grammar& grammar, const RewriteOptions& options,
                               const Progress& progress = {});
 

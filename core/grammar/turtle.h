@@ -13,6 +13,9 @@ namespace ramure {
 /// Most branches a skeleton may have.
 inline constexpr std::size_t maxBranches = 16'000'000;
 
+/// Deepest nesting of brackets.
+inline constexpr std::size_t maxBracketDepth = 1'000'000;
+
 /// level = depth of brackets; key = hash of the parent's key and of the number of the branch among its
 /// siblings. Errors: Invalid with column (unbalanced bracket, 1-based position in \p symbols), Invalid (no
 /// branch at all), Limit (more than maxBranches), Cancelled.

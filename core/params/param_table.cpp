@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <type_traits>
 
 namespace ramure {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = std::numbers::pi;
 /// Whole numbers up to here survive a round trip through a double, hence through any JSON reader.
 constexpr double maxSeed = 9007199254740991.0;
 

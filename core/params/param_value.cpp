@@ -1,4 +1,5 @@
 // Checking, clamping and the text form of parameter values: everything that works from a row alone.
+#include "core/base/number_text.h"
 #include "core/params/param_def.h"
 
 #include <algorithm>
@@ -9,13 +10,6 @@ namespace ramure {
 namespace {
 
 constexpr std::size_t maxTextBytes = std::size_t(1) << 20;
-
-template <class T> std::string numberText(T number)
-{
-    char buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, number).ptr;
-    return {buffer, end};
-}
 
 tl::unexpected<Error> refuse(const ParamDef& def, ErrorCode code, const char* text,
                              std::vector<std::string> args = {})

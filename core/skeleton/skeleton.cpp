@@ -18,6 +18,18 @@ void Skeleton::reserve(std::size_t count)
     source.reserve(count);
 }
 
+void Skeleton::resize(std::size_t count)
+{
+    parent.resize(count);
+    p0.resize(count);
+    p1.resize(count);
+    a0.resize(count);
+    a1.resize(count);
+    level.resize(count);
+    key.resize(count);
+    source.resize(count);
+}
+
 void Skeleton::clear()
 {
     *this = Skeleton();

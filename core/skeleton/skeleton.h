@@ -28,6 +28,8 @@ struct Skeleton
     [[nodiscard]] bool empty() const { return parent.empty(); }
     [[nodiscard]] double length(Index i) const { return glm::length(p1[i] - p0[i]); }
     void reserve(std::size_t count);
+    /// New branches are all zero: the caller fills every array.
+    void resize(std::size_t count);
     void clear();
     /// Appends a branch; level, key and source may be given by callers that know better. Returns its index.
     /// \p parentIndex is noIndex or an existing branch.

@@ -1,0 +1,97 @@
+#include "core/grammar/grammar.h"
+#include "core/params/param_def.h"
+#include "core/params/presets.h"
+#include "tests/support/suite.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+using namespace ramure;
+
+namespace {
+
+QJsonObject reference()
+{
+    QFile file(QStringLiteral(RAMURE_TEST_DATA "/presets.json"));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    return QJsonDocument::fromJson(file.readAll()).object();
+}
+
+} // namespace
+
+class TestPresets : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+    void unknownNameListsTheNames();
+    void valuesAreValidAndDeterministic();
+    void valuesAreThoseOfTheReference();
+    void rulesAreThoseOfTheReference();
+};
+
+void TestPresets::unknownNameListsTheNames()
+{
+    for (const char* name : {"", "smalltree", "Oak", "SmallTree "}) {
+        const auto params = presetParams(name);
+        QVERIFY(!params);
+        QCOMPARE(params.error().code, ErrorCode::Unknown);
+        for (const Preset& preset : presets())
+            QVERIFY(params.error().message().find(preset.name) != std::string::npos);
+    }
+}
+
+void TestPresets::valuesAreValidAndDeterministic()
+{
+    QCOMPARE(presets().size(), std::size_t(4));
+    for (const Preset& preset : presets()) {
+        const auto checked = checkParams(preset.params);
+        QVERIFY2(checked, test::why(checked));
+        QVERIFY(!preset.params.grammar.stochastic);
+        QVERIFY(*preset.description);
+        QVERIFY(*presetParams(preset.name) == preset.params);
+    }
+}
+
+void TestPresets::valuesAreThoseOfTheReference()
+{
+    const QJsonObject all = reference();
+    QCOMPARE(std::size_t(all.size()), presets().size());
+    for (const Preset& preset : presets()) {
+        const QJsonObject expected = all[QLatin1String(preset.name)].toObject();
+        QCOMPARE(preset.params.turtle.theta, expected["theta"].toDouble(-1));
+        QCOMPARE(preset.params.turtle.alpha, expected["alpha"].toDouble(-1));
+        QCOMPARE(preset.params.turtle.decay, expected["decay"].toDouble(-1));
+        QCOMPARE(preset.params.grammar.iterations, std::int64_t(expected["iterations"].toInt(-1)));
+        QCOMPARE(preset.params.grammar.axiom, expected["axiom"].toString().toStdString());
+    }
+}
+
+void TestPresets::rulesAreThoseOfTheReference()
+{
+    const QJsonObject all = reference();
+    for (const Preset& preset : presets()) {
+        const QJsonObject expected = all[QLatin1String(preset.name)].toObject()["rules"].toObject();
+        const auto grammar = parseGrammar(preset.params.grammar.axiom, preset.params.grammar.rules);
+        QVERIFY2(grammar, test::why(grammar));
+        QCOMPARE(qsizetype(grammar->rules.size()), expected.size());
+        for (const Rule& rule : grammar->rules) {
+            const QJsonObject of = expected[QString(QLatin1Char(rule.symbol))].toObject();
+            QCOMPARE(rule.defaultText, of["default"].toString().toStdString());
+            const QJsonArray probabilities = of["probabilities"].toArray();
+            const QJsonArray replacements = of["replacements"].toArray();
+            QCOMPARE(qsizetype(rule.probabilities.size()), probabilities.size());
+            QCOMPARE(qsizetype(rule.replacements.size()), replacements.size());
+            for (std::size_t i = 0; i < rule.probabilities.size(); ++i) {
+                QCOMPARE(rule.probabilities[i], probabilities[qsizetype(i)].toDouble());
+                QCOMPARE(rule.replacements[i], replacements[qsizetype(i)].toString().toStdString());
+            }
+        }
+    }
+}
+
+QTEST_GUILESS_MAIN(TestPresets)
+#include "tst_presets.moc"
