@@ -1,6 +1,25 @@
 /// \file
 /// `.ramure` files: JSON with format, version, sorted keys, shortest round-trip numbers; defaults omitted;
 /// unknown keys kept and written back; saving is atomic.
+///
+///     {
+///         "format": "ramure",
+///         "nodes": [
+///             {
+///                 "branches": {"00c0ffee00c0ffee": {"roll": 0.5}},      per-branch values by Skeleton::key,
+///                 hex "id": 2,                                              any whole number from 1, once
+///                 per file "kind": "tree", "locked": true,                                       left out
+///                 where false "name": "Oak", "params": {"turtle.alpha": 0.25, "grammar.rules": ["A -> AB",
+///                 "B -> A", ""]}, "parent": 1,                                          left out at the top
+///                 level "visible": false                                      left out where true
+///             }
+///         ],
+///         "version": 1
+///     }
+///
+/// The list of nodes is flat, depth-first, siblings in their order: moving a subtree changes few lines, and
+/// no depth of a scene meets a parser's limit on nesting. Parents may also stand behind their children when
+/// read. Texts of several lines are arrays of lines. Numbers are in the program's units (metres, radians).
 #pragma once
 
 #include "core/base/error.h"
@@ -18,14 +37,19 @@ struct Project
 };
 
 inline constexpr int projectVersion = 1;
+inline constexpr qint64 projectSizeLimit = 256 * 1024 * 1024; ///< bytes
 
 QByteArray writeProject(const Project& project);
-/// Errors: Syntax (not JSON: line and column), Version (newer), Invalid (path = place inside, such as
-/// "nodes[2].params.sections.radialDivisions"). \p file is only for messages.
+/// Errors: Syntax (not JSON: line and column), Version (newer), Limit (size), Invalid or Unknown (path =
+/// place inside, such as "nodes[2].params.sections.radialDivisions"). \p file is only for messages.
 Expected<Project> readProject(const QByteArray& bytes, const QString& file = {});
 
+/// Errors: Io (missing, unreadable), and those of readProject.
 Expected<Project> loadProjectFile(const QString& path);
-/// QSaveFile: on any error the old file is intact.
+/// Errors: Io (folder missing, read-only, full disk ...), Limit (no one could open the file again). On any
+/// error the old file is intact.
 Expected<void> saveProjectFile(const Project& project, const QString& path);
+/// Writes any bytes that way: a temporary file beside \p path, put in its place when complete.
+Expected<void> saveAtomically(const QByteArray& bytes, const QString& path);
 
 } // namespace ramure

@@ -109,6 +109,12 @@ NodeId Scene::newId()
     return id;
 }
 
+void Scene::noteUsed(NodeId highest)
+{
+    if (m_nextId != noNode && highest >= m_nextId)
+        m_nextId = highest + 1; // wraps to noNode behind the highest id of all
+}
+
 /// Index in m_nodes at which a child of \p parent must be inserted to become its child number \p row.
 std::size_t Scene::placeFor(NodeId parent, int row) const
 {
@@ -133,26 +139,6 @@ void Scene::splice(std::vector<Node> block, NodeId parent, int row)
                    std::make_move_iterator(block.end()));
 }
 
-/// Orders a checked block (parents before children) depth-first, without recursion: deep scenes exist.
-static std::vector<Node> depthFirst(std::vector<Node> nodes)
-{
-    std::map<NodeId, std::vector<std::size_t>> below;
-    for (std::size_t i = nodes.size(); i-- > 1;) // backwards: the stack turns the order round again
-        below[nodes[i].parent].push_back(i);
-    std::vector<Node> ordered;
-    ordered.reserve(nodes.size());
-    std::vector<std::size_t> stack{0};
-    while (!stack.empty()) {
-        const std::size_t i = stack.back();
-        stack.pop_back();
-        const NodeId id = nodes[i].id;
-        ordered.push_back(std::move(nodes[i]));
-        if (const auto it = below.find(id); it != below.end())
-            stack.insert(stack.end(), it->second.begin(), it->second.end());
-    }
-    return ordered;
-}
-
 Expected<void> Scene::insert(std::vector<Node> nodes, NodeId parent, int row)
 {
     if (nodes.empty())
@@ -163,20 +149,21 @@ Expected<void> Scene::insert(std::vector<Node> nodes, NodeId parent, int row)
     for (const Node& node : m_nodes)
         used.insert(node.id);
     std::set<NodeId> seen;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const std::string id = std::to_string(nodes[i].id);
-        if (nodes[i].id == noNode)
-            return fail(ErrorCode::Invalid, RAMURE_NOOP("%1 is no id of a node"), {id});
-        if (i > 0 && !seen.contains(nodes[i].parent))
+    for (const Node& node : nodes) {
+        const std::string id = std::to_string(node.id);
+        if (!seen.empty() && !seen.contains(node.parent))
             return fail(ErrorCode::Invalid, RAMURE_NOOP("the parent of node %1 does not stand before it"),
                         {id});
-        if (used.contains(nodes[i].id) || !seen.insert(nodes[i].id).second)
-            return fail(ErrorCode::Invalid, RAMURE_NOOP("there are two nodes %1"), {id});
+        if (used.contains(node.id))
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("another node has the id %1 as well"), {id});
+        seen.insert(node.id);
     }
-    const NodeId highest = *seen.rbegin();
-    if (m_nextId != noNode && highest >= m_nextId)
-        m_nextId = highest + 1; // wraps to noNode behind the highest id of all
-    splice(depthFirst(std::move(nodes)), parent, row);
+    nodes.front().parent = noNode; // whatever it was: within the block it is the top
+    auto ordered = fromNodes(std::move(nodes));
+    if (!ordered)
+        return fail(std::move(ordered.error()));
+    noteUsed(*seen.rbegin());
+    splice(std::move(ordered->m_nodes), parent, row);
     return {};
 }
 

@@ -49,6 +49,10 @@ public:
     /// Locked itself or below a locked node.
     [[nodiscard]] bool isLocked(NodeId id) const;
 
+    /// A scene of these nodes, siblings in their order, parents before or behind their children.
+    /// Errors: Invalid (an id twice or noNode, an unknown parent, parents in a circle), path "[i].id" or
+    /// "[i].parent".
+    static Expected<Scene> fromNodes(std::vector<Node> nodes);
     /// An id not used in this scene, by now or before (before: as long as there are such).
     NodeId newId();
     /// Inserts a whole subtree below \p parent at \p row (clamped). Parents stand before their children; the
@@ -64,6 +68,7 @@ public:
     bool operator==(const Scene& other) const { return m_nodes == other.m_nodes; }
 
 private:
+    void noteUsed(NodeId highest);
     [[nodiscard]] std::size_t indexOf(NodeId id) const;
     [[nodiscard]] std::size_t subtreeEnd(std::size_t top) const;
     [[nodiscard]] std::size_t placeFor(NodeId parent, int row) const;

@@ -78,6 +78,26 @@ private slots:
         QVERIFY(scene.remove(42).empty());
         QVERIFY(scene.remove(noNode).empty());
     }
+    void badListsAreRefused()
+    {
+        const auto place = [](const std::vector<Node>& nodes) {
+            const auto scene = Scene::fromNodes(nodes);
+            return scene ? std::string("no error") : scene.error().path;
+        };
+        QCOMPARE(place({makeNode(1), makeNode(noNode)}), std::string("[1].id"));
+        QCOMPARE(place({makeNode(1), makeNode(2), makeNode(1)}), std::string("[2].id"));
+        QCOMPARE(place({makeNode(1, 7)}), std::string("[0].parent"));
+        QCOMPARE(place({makeNode(1), makeNode(2, 3), makeNode(3, 2)}), std::string("[1].parent"));
+        QCOMPARE(place({makeNode(1, 1)}), std::string("[0].parent"));
+    }
+    void listsMayHaveChildrenFirst()
+    {
+        const auto scene =
+            Scene::fromNodes({makeNode(3, 2), makeNode(5), makeNode(2, 5), makeNode(4, 5), makeNode(1)});
+        QVERIFY2(scene, test::why(scene));
+        QCOMPARE(ids(scene->nodes()), (Ids{5, 2, 3, 4, 1}));
+        QVERIFY(Scene::fromNodes({})->empty());
+    }
     void unknownNodesHaveNothing()
     {
         const Scene scene = smallScene();

@@ -1,0 +1,144 @@
+#include "core/document/project_file.h"
+
+#include "core/document/project_json.h"
+#include "core/document/project_migrations.h"
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QSaveFile>
+#include <algorithm>
+
+namespace ramure {
+
+using json::failAt;
+using json::failInside;
+
+QByteArray writeProject(const Project& project)
+{
+    QJsonArray nodes;
+    for (const Node& node : project.scene.nodes())
+        nodes.append(json::writeNode(node));
+    const QJsonObject root{
+        {QStringLiteral("format"), QStringLiteral("ramure")},
+        {QStringLiteral("nodes"), nodes},
+        {QStringLiteral("version"), projectVersion},
+    };
+    return QJsonDocument(json::merged(root, project.extras)).toJson(QJsonDocument::Indented);
+}
+
+static Expected<QJsonObject> parseJson(const QByteArray& bytes)
+{
+    if (bytes.size() > projectSizeLimit)
+        return fail(ErrorCode::Limit, RAMURE_NOOP("the file is larger than %1 MiB"),
+                    {std::to_string(projectSizeLimit >> 20)});
+    QJsonParseError problem;
+    const QJsonDocument document = QJsonDocument::fromJson(bytes, &problem);
+    if (problem.error != QJsonParseError::NoError) {
+        // The parser stands behind the byte that it could not take.
+        const auto offset = std::clamp<qsizetype>(problem.offset - 1, 0, bytes.size());
+        const QByteArrayView before = QByteArrayView(bytes).first(offset);
+        auto error = fail(ErrorCode::Syntax, RAMURE_NOOP("not readable as JSON: %1"),
+                          {problem.errorString().toStdString()});
+        error.value().line = static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1;
+        error.value().column = static_cast<int>(offset - before.lastIndexOf('\n'));
+        return error;
+    }
+    if (!document.isObject())
+        return failAt({}, ErrorCode::Invalid,
+                      RAMURE_NOOP("this is no Ramure project: an object is expected"));
+    return document.object();
+}
+
+static Expected<std::vector<Node>> readNodes(const QJsonValue& value)
+{
+    if (!value.isArray())
+        return failAt("nodes", ErrorCode::Invalid, RAMURE_NOOP("an array is expected here"));
+    const QJsonArray array = value.toArray();
+    std::vector<Node> nodes;
+    nodes.reserve(static_cast<std::size_t>(array.size()));
+    for (qsizetype i = 0; i < array.size(); ++i) {
+        const std::string place = std::string("nodes").append(json::indexPlace(i));
+        if (!array[i].isObject())
+            return failAt(place, ErrorCode::Invalid, RAMURE_NOOP("an object is expected here"));
+        auto node = json::readNode(array[i].toObject());
+        if (!node)
+            return failInside(place, std::move(node.error()));
+        nodes.push_back(std::move(*node));
+    }
+    return nodes;
+}
+
+static Expected<Project> readParsed(QJsonObject root)
+{
+    if (auto done = migrateProject(root); !done)
+        return fail(std::move(done.error()));
+    auto nodes = readNodes(root.take(QLatin1String("nodes")));
+    if (!nodes)
+        return fail(std::move(nodes.error()));
+    auto scene = Scene::fromNodes(std::move(*nodes));
+    if (!scene)
+        return failInside("nodes", std::move(scene.error()));
+    root.remove(QLatin1String("format"));
+    root.remove(QLatin1String("version"));
+    return Project{std::move(*scene), json::extrasText(root)};
+}
+
+Expected<Project> readProject(const QByteArray& bytes, const QString& file)
+{
+    auto root = parseJson(bytes);
+    Expected<Project> project = root ? readParsed(std::move(*root)) : fail(std::move(root.error()));
+    if (!project)
+        project.error().file = file.toStdString();
+    return project;
+}
+
+static tl::unexpected<Error> ioError(const QString& path, const char* text, const QString& reason)
+{
+    auto error = fail(ErrorCode::Io, text, {reason.toStdString()});
+    error.value().file = path.toStdString();
+    return error;
+}
+
+Expected<Project> loadProjectFile(const QString& path)
+{
+    QFile file(path);
+    if (path.isEmpty())
+        return ioError(path, RAMURE_NOOP("cannot be opened: %1"), QStringLiteral("the name is empty"));
+    if (!file.open(QIODevice::ReadOnly))
+        return ioError(path, RAMURE_NOOP("cannot be opened: %1"), file.errorString());
+    // One byte more than allowed tells too large a file, also where the system knows no size (a pipe).
+    const QByteArray bytes = file.read(projectSizeLimit + 1);
+    if (file.error() != QFileDevice::NoError)
+        return ioError(path, RAMURE_NOOP("cannot be read: %1"), file.errorString());
+    return readProject(bytes, path);
+}
+
+Expected<void> saveProjectFile(const Project& project, const QString& path)
+{
+    const QByteArray bytes = writeProject(project);
+    if (bytes.size() > projectSizeLimit) {
+        auto error = fail(ErrorCode::Limit, RAMURE_NOOP("the project would be larger than %1 MiB"),
+                          {std::to_string(projectSizeLimit >> 20)});
+        error.value().file = path.toStdString();
+        return error;
+    }
+    return saveAtomically(bytes, path);
+}
+
+Expected<void> saveAtomically(const QByteArray& bytes, const QString& path)
+{
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return ioError(path, RAMURE_NOOP("cannot be written: %1"), file.errorString());
+    if (file.write(bytes) != bytes.size() || !file.flush()) {
+        const QString reason = file.errorString();
+        file.cancelWriting();
+        return ioError(path, RAMURE_NOOP("cannot be written: %1"), reason);
+    }
+    if (!file.commit())
+        return ioError(path, RAMURE_NOOP("cannot be written: %1"), file.errorString());
+    return {};
+}
+
+} // namespace ramure

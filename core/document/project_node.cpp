@@ -1,0 +1,197 @@
+#include "core/document/project_json.h"
+
+#include <limits>
+
+namespace ramure::json {
+
+static QJsonObject writeParams(const Node& node)
+{
+    QJsonObject params;
+    for (const ParamDef& def : paramTable()) {
+        if (!hasParam(node.kind, def))
+            continue;
+        const ParamValue value = def.get(node.params);
+        if (value != defaultValue(def))
+            params.insert(QLatin1String(def.key), fromParam(value));
+    }
+    return params;
+}
+
+static QJsonObject writeBranches(const Node& node)
+{
+    QJsonObject branches;
+    for (const auto& [key, values] : node.params.branches)
+        if (values != BranchParams{})
+            branches.insert(branchKey(key), QJsonObject{{QStringLiteral("roll"), values.rollRad + 0.0}});
+    return branches;
+}
+
+QJsonObject writeNode(const Node& node)
+{
+    QJsonObject object{
+        {QStringLiteral("id"), qint64{node.id}},
+        {QStringLiteral("kind"), kindName(node.kind)},
+        {QStringLiteral("name"), QString::fromStdString(node.name)},
+    };
+    if (node.parent != noNode)
+        object.insert(QStringLiteral("parent"), qint64{node.parent});
+    if (!node.visible)
+        object.insert(QStringLiteral("visible"), false);
+    if (node.locked)
+        object.insert(QStringLiteral("locked"), true);
+    if (const QJsonObject params = writeParams(node); !params.isEmpty())
+        object.insert(QStringLiteral("params"), params);
+    if (const QJsonObject branches = writeBranches(node); !branches.isEmpty())
+        object.insert(QStringLiteral("branches"), branches);
+    return merged(object, node.extras);
+}
+
+namespace {
+
+/// Takes known keys out of an object one by one; what remains is unknown and kept.
+class NodeReader
+{
+public:
+    explicit NodeReader(const QJsonObject& object)
+        : m_rest(object)
+    {
+    }
+
+    Expected<Node> read()
+    {
+        for (const auto step : {&NodeReader::readIds, &NodeReader::readKind, &NodeReader::readState,
+                                &NodeReader::readParams, &NodeReader::readBranches})
+            if (auto done = (this->*step)(); !done)
+                return fail(std::move(done.error()));
+        m_node.extras = extrasText(m_rest);
+        return std::move(m_node);
+    }
+
+private:
+    Expected<void> readId(const char* key, NodeId& id)
+    {
+        const QJsonValue value = m_rest.take(QLatin1String(key));
+        const qint64 number = value.toInteger(0);
+        if (number < 1 || number > std::numeric_limits<NodeId>::max())
+            return failAt(key, ErrorCode::Invalid,
+                          RAMURE_NOOP("a whole number from 1 to 4294967295 is expected here"));
+        id = static_cast<NodeId>(number);
+        return {};
+    }
+    Expected<void> readIds()
+    {
+        if (m_rest.contains(QLatin1String("parent")))
+            if (auto done = readId("parent", m_node.parent); !done)
+                return done;
+        return readId("id", m_node.id);
+    }
+    Expected<void> readKind()
+    {
+        const QJsonValue value = m_rest.take(QLatin1String("kind"));
+        if (!value.isString())
+            return failAt("kind", ErrorCode::Invalid, RAMURE_NOOP("a text is expected here"));
+        const auto kind = kindFromName(value.toString());
+        if (!kind)
+            return failInside("kind", kind.error());
+        m_node.kind = *kind;
+        return {};
+    }
+    Expected<void> readFlag(const char* key, bool& flag)
+    {
+        if (!m_rest.contains(QLatin1String(key)))
+            return {};
+        const QJsonValue value = m_rest.take(QLatin1String(key));
+        if (!value.isBool())
+            return failAt(key, ErrorCode::Invalid, RAMURE_NOOP("true or false is expected here"));
+        flag = value.toBool();
+        return {};
+    }
+    Expected<void> readState()
+    {
+        const QJsonValue name = m_rest.take(QLatin1String("name"));
+        if (!name.isString() && !name.isUndefined())
+            return failAt("name", ErrorCode::Invalid, RAMURE_NOOP("a text is expected here"));
+        m_node.name = name.toString().toStdString();
+        if (auto done = readFlag("visible", m_node.visible); !done)
+            return done;
+        return readFlag("locked", m_node.locked);
+    }
+    /// The object under \p key taken out; empty where there is none.
+    Expected<QJsonObject> takeObject(const char* key)
+    {
+        const QJsonValue value = m_rest.take(QLatin1String(key));
+        if (!value.isObject() && !value.isUndefined())
+            return failAt(key, ErrorCode::Invalid, RAMURE_NOOP("an object is expected here"));
+        return value.toObject();
+    }
+    Expected<void> readParam(const ParamDef& def, const QJsonValue& json)
+    {
+        const std::string place = std::string("params.") + def.key;
+        const auto value = toParam(def, json);
+        if (!value)
+            return failInside(place, value.error());
+        auto done = setParam(m_node.params, def, *value);
+        if (!done)
+            done.error().path = place; // the table only knows its key
+        return done;
+    }
+    Expected<void> readParams()
+    {
+        auto object = takeObject("params");
+        if (!object)
+            return fail(object.error());
+        for (const ParamDef& def : paramTable()) {
+            const QString key = QLatin1String(def.key);
+            if (!hasParam(m_node.kind, def) || !object->contains(key))
+                continue;
+            if (auto done = readParam(def, object->take(key)); !done)
+                return done;
+        }
+        if (!object->isEmpty())
+            m_rest.insert(QStringLiteral("params"), *object);
+        return {};
+    }
+    Expected<void> readBranch(const QString& key, const QJsonValue& value, QJsonObject& unknown)
+    {
+        const std::string place = "branches." + key.toStdString();
+        const auto number = branchKeyFromText(key);
+        if (!number)
+            return failInside(place, number.error());
+        if (!value.isObject())
+            return failAt(place, ErrorCode::Invalid, RAMURE_NOOP("an object is expected here"));
+        QJsonObject object = value.toObject();
+        const QJsonValue roll = object.take(QLatin1String("roll"));
+        if (!roll.isDouble() && !roll.isUndefined())
+            return failAt(place + ".roll", ErrorCode::Invalid, RAMURE_NOOP("a number is expected here"));
+        if (const BranchParams values{roll.toDouble(0.0)}; values != BranchParams{})
+            m_node.params.branches.emplace(*number, values);
+        if (!object.isEmpty())
+            unknown.insert(key, object);
+        return {};
+    }
+    Expected<void> readBranches()
+    {
+        const auto object = takeObject("branches");
+        if (!object)
+            return fail(object.error());
+        QJsonObject unknown;
+        for (auto it = object->begin(); it != object->end(); ++it)
+            if (auto done = readBranch(it.key(), it.value(), unknown); !done)
+                return done;
+        if (!unknown.isEmpty())
+            m_rest.insert(QStringLiteral("branches"), unknown);
+        return {};
+    }
+
+    QJsonObject m_rest;
+    Node m_node;
+};
+
+} // namespace
+
+Expected<Node> readNode(const QJsonObject& object)
+{
+    return NodeReader(object).read();
+}
+
+} // namespace ramure::json

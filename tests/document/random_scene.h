@@ -1,0 +1,87 @@
+/// \file
+/// Random values, nodes and scenes, made from the parameter table.
+#pragma once
+
+#include "core/params/param_def.h"
+#include "core/random/random.h"
+#include "core/scene/scene.h"
+
+#include <algorithm>
+
+namespace ramure::test {
+
+inline std::string randomText(Random& random, bool multiline)
+{
+    static const std::array<std::string, 12> pieces{"A", "->", "[",  "]", "\\",   "\"",
+                                                    "é", "树", "{}", " ", "0.5:", "\t"};
+    std::string text;
+    for (std::uint32_t i = random.below(20); i-- > 0;)
+        text += multiline && random.below(6) == 0 ? "\n" : pieces[random.below(pieces.size())];
+    return text;
+}
+
+inline double randomReal(const ParamDef& def, Random& random)
+{
+    const double low = std::max(def.hardMin, -1e6), high = std::min(def.hardMax, 1e6);
+    switch (random.below(4)) {
+    case 0:
+        return def.hardMin;
+    case 1:
+        return std::clamp(std::round(random.range(low, high)), low, high);
+    default:
+        return random.range(low, high);
+    }
+}
+
+/// Any value that the row allows.
+inline ParamValue randomValue(const ParamDef& def, Random& random)
+{
+    switch (def.type) {
+    case ParamType::Bool:
+        return random.below(2) == 1;
+    case ParamType::Int:
+        return static_cast<std::int64_t>(randomReal(def, random));
+    case ParamType::Real:
+        return randomReal(def, random);
+    case ParamType::Text:
+        return randomText(random, (def.flags & paramMultiline) != 0);
+    case ParamType::Vec3:
+        return glm::dvec3{randomReal(def, random), randomReal(def, random), randomReal(def, random)};
+    }
+    return false;
+}
+
+inline Node randomNode(NodeId id, NodeId parent, Random& random)
+{
+    Node node;
+    node.id = id;
+    node.parent = parent;
+    node.kind = static_cast<NodeKind>(random.below(nodeKindCount));
+    node.name = randomText(random, true);
+    node.visible = random.below(4) != 0;
+    node.locked = random.below(8) == 0;
+    for (const ParamDef& def : paramTable())
+        if (hasParam(node.kind, def) && random.below(3) == 0)
+            def.assign(node.params, randomValue(def, random));
+    for (std::uint32_t i = random.below(4); i-- > 0;)
+        node.params.branches[random.next()].rollRad = random.range(-7.0, 7.0);
+    if (random.below(4) == 0)
+        node.extras = R"({"future":[1,{"deep":0.1}],"params":{"bark.moss":0.25}})";
+    return node;
+}
+
+inline Scene randomScene(Random& random, std::uint32_t most = 12)
+{
+    Scene scene;
+    for (std::uint32_t i = random.below(most + 1); i-- > 0;) {
+        const auto count = static_cast<std::uint32_t>(scene.nodes().size());
+        const std::uint32_t under = random.below(count + 1);
+        const NodeId parent = under == count ? noNode : scene.nodes()[under].id;
+        const NodeId id = scene.newId() + random.below(3);
+        [[maybe_unused]] const auto done =
+            scene.insert({randomNode(id, parent, random)}, parent, static_cast<int>(random.below(5)));
+    }
+    return scene;
+}
+
+} // namespace ramure::test

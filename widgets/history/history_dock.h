@@ -1,0 +1,32 @@
+/// \file
+/// Content of the history dock: every step since the document was opened; a click goes back or forth to it.
+#pragma once
+
+#include <QWidget>
+
+class QUndoView;
+
+namespace ramure {
+
+class Document;
+
+class HistoryDock : public QWidget
+{
+    Q_OBJECT
+public:
+    /// \param document is not owned and must outlive the widget.
+    explicit HistoryDock(Document* document, QWidget* parent = nullptr);
+
+    [[nodiscard]] QSize sizeHint() const override;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void drawCleanIcon();
+
+    QUndoView* m_view = nullptr;
+};
+
+} // namespace ramure

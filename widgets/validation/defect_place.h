@@ -1,0 +1,33 @@
+/// \file
+/// Where a defect of a mesh is, for the viewport to frame and to draw.
+#pragma once
+
+#include "core/geometry/box.h"
+#include "core/mesh/validate.h"
+#include <QMetaType>
+#include <array>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace ramure {
+
+/// World space. Only the lists that fit the kind are filled: vertices as points, edges with their two ends,
+/// faces with their three corners.
+struct DefectPlace
+{
+    DefectKind kind = DefectKind::BoundaryEdge;
+    std::vector<glm::dvec3> points;
+    std::vector<std::array<glm::dvec3, 2>> edges;
+    std::vector<std::array<glm::dvec3, 3>> faces;
+    Box box; ///< of all of it, with room around it for the eye
+};
+
+/// \param world from the mesh's space. Indices that the mesh does not have are left out.
+DefectPlace defectPlace(const TriangleMesh& mesh, const Defect& defect, const glm::dmat4& world);
+/// The branch that the defect's first vertex follows, or noIndex.
+Index defectBranch(const TriangleMesh& mesh, const Defect& defect);
+
+} // namespace ramure
+
+Q_DECLARE_METATYPE(ramure::DefectPlace)

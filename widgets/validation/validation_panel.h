@@ -1,0 +1,46 @@
+/// \file
+/// Content of the validation dock: is the active tree's mesh closed, manifold and oriented? Green, or every
+/// defect by kind; below it what the mesher had to repair, and what each kind means for a print or a game.
+#pragma once
+
+#include "core/scene/scene.h"
+#include "widgets/validation/defect_place.h"
+#include <QWidget>
+#include <memory>
+
+namespace ramure {
+
+class Document;
+
+class ValidationPanel : public QWidget
+{
+    Q_OBJECT
+public:
+    /// \param document is not owned and must outlive the panel.
+    explicit ValidationPanel(Document* document, QWidget* parent = nullptr);
+    ~ValidationPanel() override;
+
+    [[nodiscard]] QSize sizeHint() const override;
+
+public slots:
+    /// The whole report as plain text on the clipboard.
+    void copyReport();
+
+signals:
+    /// A defect was clicked; its branch is selected by now. Frame place.box, draw the rest.
+    void defectActivated(ramure::NodeId node, const ramure::DefectPlace& place);
+    /// Another tree, another mesh or a repair note: what was highlighted is out of date.
+    void defectLeft();
+    /// For the status bar.
+    void messageRaised(const QString& text);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace ramure
