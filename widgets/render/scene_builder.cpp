@@ -1,26 +1,256 @@
 #include "widgets/render/scene_builder.h"
 
 #include "core/mesh/normals.h"
+#include "core/mesh/rough_model.h"
+#include "widgets/render/line_art.h"
+#include "widgets/render/scene_part_cache.h"
+#include <algorithm>
+#include <numeric>
 
 namespace ramure {
+namespace {
 
-struct SceneBuilder::Cache
+std::vector<double> asNumbers(const std::vector<Index>& indices)
 {
+    return {indices.begin(), indices.end()};
+}
+
+/// Appends the items of one tree.
+struct TreeItems
+{
+    ScenePartCache& cache;
+    RenderScene& scene;
+    const SceneView& view;
+    const Node& node;
+    const TreeResult& tree;
+    glm::dmat4 world;
+
+    void addMesh(std::shared_ptr<const TriangleMesh> mesh, Material material)
+    {
+        if (!mesh || mesh->empty())
+            return;
+        MeshItem item;
+        item.box = cache.box(mesh);
+        item.mesh = std::move(mesh);
+        item.material = std::move(material);
+        item.world = world;
+        item.node = node.id;
+        item.pickable = !node.locked;
+        scene.meshes.push_back(std::move(item));
+    }
+    void addLines(std::shared_ptr<const LineSet> lines, bool throughSurfaces, bool pickable)
+    {
+        if (!lines->segments.empty())
+            scene.lines.push_back(
+                {std::move(lines), world, node.id, throughSurfaces, pickable && !node.locked});
+    }
+    void addPoints(std::shared_ptr<const PointSet> points)
+    {
+        if (!points->points.empty())
+            scene.points.push_back({std::move(points), world, node.id, false});
+    }
+
+    void fine()
+    {
+        if (tree.branches)
+            addMesh({tree.branches, &tree.branches->mesh}, barkMaterial());
+        if (view.leaves)
+            addMesh(tree.leaves, leavesMaterial());
+        if (view.apples)
+            addMesh(tree.apples, applesMaterial());
+    }
+    void rough()
+    {
+        if (!tree.simplified)
+            return;
+        const Skeleton& skeleton = tree.simplified->skeleton;
+        const auto sides = static_cast<int>(node.params.sections.radialDivisions);
+        Material bark = barkMaterial();
+        bark.twoSided = true; // the cones are open
+        addMesh(cache.get<TriangleMesh>(ScenePart::RoughBranches, tree.simplified, tree.simplified,
+                                        {double(sides)}, [&] { return buildRoughBranches(skeleton, sides); }),
+                bark);
+        if (!tree.foliage)
+            return;
+        const double alpha = node.params.turtle.alpha;
+        if (view.leaves)
+            addMesh(cache.get<TriangleMesh>(
+                        ScenePart::RoughLeaves, tree.simplified, tree.foliage, {alpha},
+                        [&] { return buildLeaves(skeleton, *tree.foliage, alpha, FoliageModel::Rough); }),
+                    leavesMaterial());
+        if (view.apples)
+            addMesh(cache.get<TriangleMesh>(
+                        ScenePart::RoughApples, tree.simplified, tree.foliage, {alpha},
+                        [&] { return buildApples(skeleton, *tree.foliage, alpha, FoliageModel::Rough); }),
+                    applesMaterial());
+    }
+    void skeleton()
+    {
+        if (!tree.skeleton)
+            return;
+        const std::vector<Index> none;
+        const bool known = tree.simplified && tree.simplified->mergedInto.size() == tree.skeleton->size();
+        const std::vector<Index>& ids = known ? tree.simplified->mergedInto : none;
+        addLines(cache.get<LineSet>(ScenePart::SkeletonLines, tree.skeleton, tree.simplified, {},
+                                    [&] { return skeletonLines(*tree.skeleton, ids); }),
+                 false, true);
+        addPoints(cache.get<PointSet>(ScenePart::SkeletonMarks, tree.skeleton, tree.simplified, {},
+                                      [&] { return nodeMarks(*tree.skeleton, ids); }));
+    }
+    void simplified()
+    {
+        if (!tree.simplified)
+            return;
+        addLines(cache.get<LineSet>(ScenePart::SimplifiedLines, tree.simplified, tree.simplified, {},
+                                    [&] { return skeletonLines(tree.simplified->skeleton); }),
+                 false, true);
+        addPoints(cache.get<PointSet>(ScenePart::SimplifiedMarks, tree.simplified, tree.simplified, {},
+                                      [&] { return nodeMarks(tree.simplified->skeleton); }));
+        if (tree.skeleton)
+            addPoints(cache.get<PointSet>(ScenePart::RemovedMarks, tree.skeleton, tree.simplified, {},
+                                          [&] { return removedMarks(*tree.skeleton, *tree.simplified); }));
+    }
+    void sections()
+    {
+        if (!tree.simplified || !tree.sections)
+            return;
+        const auto sides = static_cast<int>(node.params.sections.radialDivisions);
+        addLines(cache.get<LineSet>(
+                     ScenePart::SectionLines, tree.simplified, tree.sections, {double(sides)},
+                     [&] { return sectionLines(tree.simplified->skeleton, *tree.sections, sides); }),
+                 false, true);
+    }
+    void frames()
+    {
+        if (!tree.simplified || !tree.sections)
+            return;
+        const Skeleton& of = tree.simplified->skeleton;
+        const bool all = view.frames == FrameDisplay::All;
+        if (all || (view.frames == FrameDisplay::Selection && view.branchNode == node.id &&
+                    !view.branches.empty())) {
+            std::vector<Index> wanted = view.branches;
+            if (all) {
+                wanted.resize(of.size());
+                std::iota(wanted.begin(), wanted.end(), Index(0));
+            }
+            addLines(cache.get<LineSet>(ScenePart::FrameArrows, tree.simplified, tree.sections,
+                                        all ? std::vector<double>{-1.0} : asNumbers(wanted),
+                                        [&] { return frameArrows(of, *tree.sections, wanted); }),
+                     !all, false);
+        }
+        const InspectedSection& at = view.inspected;
+        if (at.node == node.id) {
+            const auto sides = static_cast<int>(node.params.sections.radialDivisions);
+            addLines(cache.get<LineSet>(
+                         ScenePart::Inspected, tree.simplified, tree.sections,
+                         {double(at.branch), double(at.section), double(sides)},
+                         [&] { return inspectedLines(of, *tree.sections, at.branch, at.section, sides); }),
+                     true, false);
+        }
+    }
+    void all()
+    {
+        switch (view.mode) {
+        case DisplayMode::Skeleton:
+            skeleton();
+            break;
+        case DisplayMode::Simplified:
+            simplified();
+            break;
+        case DisplayMode::Rough:
+            rough();
+            break;
+        case DisplayMode::Sections:
+            sections();
+            break;
+        case DisplayMode::Mesh:
+            fine();
+            break;
+        }
+        frames();
+    }
 };
 
+/// Corners around the selected trees, where there is more than one to tell apart.
+void markSelectedNodes(RenderScene& built, const std::vector<NodeId>& shown, const SceneView& view)
+{
+    if (shown.size() < 2)
+        return;
+    for (const NodeId id : view.selectedNodes) {
+        Box box;
+        for (const MeshItem& item : built.meshes) {
+            if (item.node == id)
+                box.add(item.box.transformed(item.world));
+        }
+        for (const LineItem& item : built.lines) {
+            if (item.node == id)
+                box.add(item.lines->box.transformed(item.world));
+        }
+        LineItem corners;
+        corners.lines = std::make_shared<const LineSet>(boxCorners(box.grown(0.02 * box.radius())));
+        if (!corners.lines->segments.empty())
+            built.lines.push_back(std::move(corners));
+    }
+}
+
+} // namespace
+
 SceneBuilder::SceneBuilder()
-    : m_cache(std::make_unique<Cache>())
+    : m_cache(std::make_unique<ScenePartCache>())
 {
 }
+
 SceneBuilder::~SceneBuilder() = default;
 
-RenderScene SceneBuilder::build(const Scene&, const ResultOf&, const SceneView&)
+RenderScene SceneBuilder::build(const Scene& scene, const ResultOf& resultOf, const SceneView& view)
 {
-    return {};
+    m_cache->beginBuild();
+    RenderScene built;
+    std::vector<NodeId> shown;
+    for (const Node& node : scene.nodes()) {
+        if (node.kind != NodeKind::Tree || !scene.isShown(node.id))
+            continue;
+        const TreeResult* tree = resultOf(node.id);
+        if (!tree)
+            continue;
+        shown.push_back(node.id);
+        TreeItems{*m_cache, built, view, node, *tree, worldMatrix(scene, node.id)}.all();
+    }
+    markSelectedNodes(built, shown, view);
+    updateHighlights(built, resultOf, view);
+    built.updateBoxes();
+    m_cache->dropUnused();
+    return built;
 }
 
-void SceneBuilder::updateHighlights(RenderScene&, const ResultOf&, const SceneView&)
+void SceneBuilder::updateHighlights(RenderScene& built, const ResultOf& resultOf, const SceneView& view)
 {
+    built.highlights.clear();
+    const auto statesOf = [&resultOf](NodeId node) -> BranchStates {
+        const TreeResult* tree = node == noNode ? nullptr : resultOf(node);
+        return BranchStates(tree && tree->simplified ? tree->simplified->skeleton.size() : 0,
+                            BranchState::Plain);
+    };
+    const auto add = [&built](NodeId node, BranchStates states) {
+        if (!states.empty())
+            built.highlights.push_back({node, std::make_shared<const BranchStates>(std::move(states))});
+    };
+    BranchStates selected = view.branches.empty() ? BranchStates() : statesOf(view.branchNode);
+    for (const Index branch : view.branches) {
+        if (branch < selected.size())
+            selected[branch] = branch == view.activeBranch ? BranchState::Active : BranchState::Selected;
+    }
+    if (view.hoverBranch != noIndex) {
+        const bool same = view.hoverNode == view.branchNode && !selected.empty();
+        BranchStates hovered = same ? BranchStates() : statesOf(view.hoverNode);
+        BranchStates& target = same ? selected : hovered;
+        if (view.hoverBranch < target.size()) {
+            BranchState& state = target[view.hoverBranch];
+            state = state == BranchState::Plain ? BranchState::Hovered : BranchState::HoveredSelected;
+        }
+        add(view.hoverNode, std::move(hovered));
+    }
+    add(view.branchNode, std::move(selected));
 }
 
 RenderScene sceneOfMesh(TriangleMesh mesh)

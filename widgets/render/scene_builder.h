@@ -12,6 +12,8 @@
 
 namespace ramure {
 
+class ScenePartCache;
+
 /// One section shown with its plane, circle and frame.
 struct InspectedSection
 {
@@ -54,8 +56,7 @@ public:
     void updateHighlights(RenderScene& built, const ResultOf& resultOf, const SceneView& view);
 
 private:
-    struct Cache;
-    std::unique_ptr<Cache> m_cache;
+    std::unique_ptr<ScenePartCache> m_cache;
 };
 
 /// One foreign mesh (a file that was read) as a scene: bark without branches. Missing normals are computed.
