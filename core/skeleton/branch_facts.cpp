@@ -129,9 +129,8 @@ Piece pieceBetween(const BranchCurve& curve, const CrossSection& from, const Cro
 double rollAtStart(const Skeleton& skeleton, const SectionSet& sections, Index branch)
 {
     const Frame& first = sections.of(branch).front().frame;
-    const Frame before = skeleton.parent[branch] == noIndex ? frameFromTangent(first.tangent)
-                                                            : frameBefore(skeleton, sections, branch);
-    return angleAbout(first.tangent, transported(before, first.tangent).normal, first.normal);
+    const Frame before = transported(frameBefore(skeleton, sections, branch), first.tangent);
+    return angleAbout(first.tangent, before.normal, first.normal);
 }
 
 void appendNumber(std::string& text, double value)
