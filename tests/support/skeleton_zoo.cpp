@@ -518,10 +518,14 @@ Specimen specimen(std::uint64_t number)
     s.options.lengthDivisions = length[random.below(length.size())];
     s.options.nearTwinRatio = random.below(3) == 0 ? 0.0 : 0.25;
     s.options.clampOvershoot = random.below(3) == 0;
+    if (random.below(4) == 0)
+        for (Index i = 0; i < s.skeleton.size(); ++i)
+            s.rollRad.push_back(random.below(2) == 0 ? 0.0 : random.range(-2.0 * pi, 2.0 * pi));
     std::ostringstream name;
     name << "specimen " << number << ": " << zooName(family) << " seed " << seed << ", " << s.skeleton.size()
          << " branches, " << s.options.radialDivisions << " radial x " << s.options.lengthDivisions
-         << " length, twins " << s.options.nearTwinRatio << (s.options.clampOvershoot ? ", clamped" : "");
+         << " length, twins " << s.options.nearTwinRatio << (s.options.clampOvershoot ? ", clamped" : "")
+         << (s.rollRad.empty() ? "" : ", rolled");
     s.name = name.str();
     return s;
 }

@@ -49,7 +49,16 @@ struct Specimen
 {
     std::string name; ///< "NearTwins seed 17, 8 x 4, twins 0.25": enough to make it again
     Skeleton skeleton;
-    BranchMeshOptions options;
+    BranchMeshOptions options;   ///< without the roll: a copy of the specimen would share it
+    std::vector<double> rollRad; ///< one per branch, or empty
+
+    /// Valid as long as the specimen lives.
+    [[nodiscard]] BranchMeshOptions meshOptions() const
+    {
+        BranchMeshOptions all = options;
+        all.rollRad = rollRad;
+        return all;
+    }
 };
 /// Specimen \p number of an endless row: the families take turns; the options are drawn from the number.
 Specimen specimen(std::uint64_t number);
