@@ -33,7 +33,8 @@ enum class SkeletonRepair : std::uint8_t {
     RootStub,             ///< a root without length was replaced by a short stub
     SiblingsMerged,       ///< two siblings coincide: one tube serves both
     SiblingChained,       ///< a sibling lies inside a longer one: the longer one continues from its end
-    RadiusClamped,        ///< the radius was too small for the scene
+    RadiusClamped, ///< the radius was too small for the scene; on a root: the tree was so much thicker than
+                   ///< long that its tubes turned inside out, so all its radii were made smaller
 };
 struct RepairNote
 {

@@ -16,6 +16,7 @@ enum class RandomStream : std::uint64_t {
     Apples = 3,
     Wind = 4,
     Preset = 5,
+    Nudge = 6,
     Test = 1000
 };
 

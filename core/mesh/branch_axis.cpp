@@ -1,0 +1,158 @@
+#include "core/mesh/branch_axis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ramure {
+
+namespace {
+
+constexpr double overshootLimit = 1.5;
+
+/// The Hermite curve's position alone, as a cubic in powers of t: the tables need many points and no
+/// tangents.
+struct Cubic
+{
+    glm::dvec3 c0, c1, c2, c3;
+
+    explicit Cubic(const BranchCurve& curve)
+        : c0(curve.h0)
+        , c1(curve.v0)
+        , c2(3.0 * (curve.h1 - curve.h0) - 2.0 * curve.v0 - curve.v1)
+        , c3(2.0 * (curve.h0 - curve.h1) + curve.v0 + curve.v1)
+    {
+    }
+    [[nodiscard]] glm::dvec3 at(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
+};
+
+} // namespace
+
+BranchCurve meshCurve(const NormalSkeleton& skeleton, Index branch, bool clampOvershoot)
+{
+    const MeshBranch& own = skeleton.branches[branch];
+    BranchCurve curve{own.p0, own.p1, own.p1 - own.p0, own.p1 - own.p0};
+    if (own.parent != noIndex) {
+        const MeshBranch& parent = skeleton.branches[own.parent];
+        curve.v0 = parent.p1 - parent.p0;
+        if (clampOvershoot) {
+            const double most = overshootLimit * glm::length(curve.v1);
+            const double has = glm::length(curve.v0);
+            if (has > most)
+                curve.v0 *= most / has;
+        }
+    }
+    return curve;
+}
+
+void AxisTable::build(const std::vector<glm::dvec3>& points, const std::vector<double>& distances, double a0,
+                      double a1)
+{
+    const std::size_t last = points.size() - 1;
+    m_length = distances[last];
+    m_stepsPerMetre = m_length > 0.0 ? steps / m_length : 0.0;
+    std::size_t at = 0;
+    for (int i = 0; i <= steps; ++i) {
+        const auto step = static_cast<std::size_t>(i);
+        const double wanted = i == steps ? m_length : m_length * i / steps;
+        while (at + 1 < last && distances[at + 1] < wanted)
+            ++at;
+        const double span = distances[at + 1] - distances[at];
+        const double part = span > 0.0 ? std::min((wanted - distances[at]) / span, 1.0) : 0.0;
+        m_points[step] = points[at] + (points[at + 1] - points[at]) * part;
+        const double t = (static_cast<double>(at) + part) / static_cast<double>(last);
+        m_radii[step] = a0 + (a1 - a0) * t;
+    }
+    for (std::size_t i = 0; i <= steps; ++i) {
+        const glm::dvec3 way = m_points[std::min<std::size_t>(i + 1, steps)] - m_points[i > 0 ? i - 1 : 0];
+        const double length = glm::length(way);
+        m_tangents[i] = length > 0.0 ? way / length : (i > 0 ? m_tangents[i - 1] : glm::dvec3(0.0, 1.0, 0.0));
+    }
+}
+
+AxisTable::Place AxisTable::at(double along) const
+{
+    const double scaled = std::clamp(along * m_stepsPerMetre, 0.0, double(steps));
+    const auto cell = std::min(static_cast<std::size_t>(scaled), std::size_t(steps - 1));
+    const double part = scaled - static_cast<double>(cell);
+    return {m_points[cell] + (m_points[cell + 1] - m_points[cell]) * part,
+            m_tangents[cell] + (m_tangents[cell + 1] - m_tangents[cell]) * part,
+            m_radii[cell] + (m_radii[cell + 1] - m_radii[cell]) * part};
+}
+
+glm::dvec3 AxisTable::pointAt(double along) const
+{
+    const double scaled = std::clamp(along * m_stepsPerMetre, 0.0, double(steps));
+    const auto cell = std::min(static_cast<std::size_t>(scaled), std::size_t(steps - 1));
+    return m_points[cell] + (m_points[cell + 1] - m_points[cell]) * (scaled - static_cast<double>(cell));
+}
+
+double AxisTable::footOf(const glm::dvec3& point, double guess) const
+{
+    double along = std::clamp(guess, 0.0, m_length);
+    for (int round = 0; round < 4; ++round) {
+        const Place place = at(along);
+        const double better = std::clamp(along + glm::dot(point - place.point, place.tangent), 0.0, m_length);
+        if (std::abs(better - along) < 0.01 * place.radius)
+            return better;
+        along = better;
+    }
+    return along;
+}
+
+double AxisTable::clearance(const glm::dvec3& point, double guess) const
+{
+    double along = std::clamp(guess, 0.0, m_length);
+    Place place = at(along);
+    glm::dvec3 away = point - place.point;
+    double ahead = glm::dot(away, place.tangent);
+    if (std::abs(ahead) > 0.25 * place.radius) {
+        along = std::clamp(along + ahead, 0.0, m_length);
+        place = at(along);
+        away = point - place.point;
+        ahead = glm::dot(away, place.tangent);
+    }
+    // Beyond its tip a tube ends; before its start the parent's tube takes its place.
+    const double square = glm::dot(away, away);
+    const bool beyond = along >= m_length && ahead > 0.0;
+    return std::sqrt(std::max(beyond ? square : square - ahead * ahead, 0.0)) - place.radius;
+}
+
+void AxisBuilder::build(const BranchCurve& curve, const MeshBranch& branch, const Frame& start,
+                        int lengthDivisions, std::vector<AxisSection>& sections, AxisTable* table)
+{
+    const int spans = lengthDivisions - 1;
+    sections.resize(static_cast<std::size_t>(lengthDivisions));
+    Frame frame = start;
+    if (branch.rollRad != 0.0)
+        frame = rolled(frame, branch.rollRad);
+    for (int k = 0; k <= spans; ++k) {
+        AxisSection& section = sections[static_cast<std::size_t>(k)];
+        section.t = static_cast<double>(k) / spans;
+        const CurvePoint at = hermite(curve.h0, curve.h1, curve.v0, curve.v1, section.t);
+        section.centre = at.point;
+        section.frame = frame = transported(frame, at.tangent);
+        section.radius = branch.a0 + (branch.a1 - branch.a0) * section.t;
+        section.along = k == 0 ? 0.0
+                               : sections[static_cast<std::size_t>(k - 1)].along +
+                                     glm::length(at.point - sections[static_cast<std::size_t>(k - 1)].centre);
+    }
+    if (!table)
+        return;
+
+    const int perSpan = std::max(1, (AxisTable::steps + spans - 1) / spans);
+    const auto count = static_cast<std::size_t>(perSpan * spans);
+    m_points.resize(count + 1);
+    m_distances.resize(count + 1);
+    const Cubic cubic(curve);
+    m_points[0] = curve.h0;
+    m_distances[0] = 0.0;
+    for (std::size_t i = 1; i <= count; ++i) {
+        m_points[i] = i == count ? curve.h1 : cubic.at(static_cast<double>(i) / static_cast<double>(count));
+        m_distances[i] = m_distances[i - 1] + glm::length(m_points[i] - m_points[i - 1]);
+    }
+    for (int k = 0; k <= spans; ++k)
+        sections[static_cast<std::size_t>(k)].along = m_distances[static_cast<std::size_t>(k * perSpan)];
+    table->build(m_points, m_distances, branch.a0, branch.a1);
+}
+
+} // namespace ramure

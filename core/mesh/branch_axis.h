@@ -1,0 +1,71 @@
+/// \file
+/// The axis of one branch as the mesher uses it: its cross-sections with frames, and, at forks, a table of
+/// the curve by arc length.
+#pragma once
+
+#include "core/geometry/sections.h"
+#include "core/mesh/skeleton_normalise.h"
+#include <array>
+#include <vector>
+
+namespace ramure {
+
+/// A cross-section and its distance from the start of the branch, measured along the curve.
+struct AxisSection : CrossSection
+{
+    double along = 0.0; ///< m
+};
+
+/// The curve of a branch of the mesher's skeleton (SPEC A4); \p clampOvershoot limits v0 to 1.5 times the
+/// branch.
+BranchCurve meshCurve(const NormalSkeleton& skeleton, Index branch, bool clampOvershoot);
+
+/// The curve at even distances: point, tangent and radius of any arc length in a few operations.
+class AxisTable
+{
+public:
+    static constexpr int steps = 16;
+
+    struct Place
+    {
+        glm::dvec3 point, tangent;
+        double radius;
+    };
+
+    /// \p along is clamped to the branch.
+    [[nodiscard]] Place at(double along) const;
+    [[nodiscard]] glm::dvec3 pointAt(double along) const;
+    [[nodiscard]] double length() const { return m_length; }
+    /// Distance of a point from the tube's surface (negative inside); \p guess: an arc length near the
+    /// point's foot.
+    [[nodiscard]] double clearance(const glm::dvec3& point, double guess) const;
+    /// Arc length of the point of the axis nearest to \p point, found from \p guess.
+    [[nodiscard]] double footOf(const glm::dvec3& point, double guess) const;
+
+    /// \param points samples of the curve, \param distances their arc lengths, first 0, not decreasing.
+    void build(const std::vector<glm::dvec3>& points, const std::vector<double>& distances, double a0,
+               double a1);
+
+private:
+    std::array<glm::dvec3, steps + 1> m_points;
+    std::array<glm::dvec3, steps + 1> m_tangents;
+    std::array<double, steps + 1> m_radii;
+    double m_length = 0.0, m_stepsPerMetre = 0.0;
+};
+
+/// Makes sections and tables; keeps its buffers between branches.
+class AxisBuilder
+{
+public:
+    /// Sections of a branch: \p start is its parent's end frame (of a root: any frame along its tangent),
+    /// turned by the branch's own roll. \p table may be null; where it is given, AxisSection::along is
+    /// measured on a finer curve.
+    void build(const BranchCurve& curve, const MeshBranch& branch, const Frame& start, int lengthDivisions,
+               std::vector<AxisSection>& sections, AxisTable* table);
+
+private:
+    std::vector<glm::dvec3> m_points;
+    std::vector<double> m_distances;
+};
+
+} // namespace ramure

@@ -1,0 +1,280 @@
+#include "core/mesh/fork_walls.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ramure {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double searchShare = 0.85; ///< of the shortest child: how far up the search for a valley goes
+constexpr int searchSteps = 12;
+constexpr int bisections = 3;
+constexpr double wallMargin = 0.06; ///< of a tube's radius: how far outside its own tubes a wall lies
+constexpr double innerReach = 0.6;  ///< of the radius: how far aside the middle of an inner wall may lie
+
+/// Weights of a triangle's circumcentre, kept positive: at obtuse angles the true one lies outside.
+std::array<double, 3> circumcentreWeights(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
+{
+    const auto square = [](const glm::dvec2& v) { return glm::dot(v, v); };
+    const double aa = square(b - c), bb = square(c - a), cc = square(a - b);
+    std::array<double, 3> weight{aa * (bb + cc - aa), bb * (cc + aa - bb), cc * (aa + bb - cc)};
+    const double sum = weight[0] + weight[1] + weight[2];
+    if (!(sum > 0.0))
+        return {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
+    double kept = 0.0;
+    for (double& w : weight) {
+        w = std::clamp(w / sum, 0.05, 0.9);
+        kept += w;
+    }
+    for (double& w : weight)
+        w /= kept;
+    return weight;
+}
+
+} // namespace
+
+/// Across the wall between two children, to the right of the way from one to the other: out of the hull.
+glm::dvec3 ForkWalls::outward(Index from, Index to) const
+{
+    const auto& sites = m_layout->triangulation;
+    const glm::dvec2 way = glm::normalize(sites.place(to) - sites.place(from));
+    return m_ring->frame.normal * way.y - m_ring->frame.binormal * way.x;
+}
+
+double ForkWalls::pairRadius(Index u, Index v) const
+{
+    return 0.5 * (m_children[u].sections.front().radius + m_children[v].sections.front().radius);
+}
+
+glm::dvec3 ForkWalls::onPath(const Between& between, const glm::dvec3& offset, double along) const
+{
+    glm::dvec3 point = offset;
+    for (std::size_t i = 0; i < between.count; ++i)
+        point += between.weight[i] * m_children[between.child[i]].table.pointAt(along);
+    return point;
+}
+
+bool ForkWalls::isOutside(const Between& between, const glm::dvec3& point, double along) const
+{
+    for (std::size_t i = 0; i < between.count; ++i) {
+        const AxisTable& table = m_children[between.child[i]].table;
+        if (table.clearance(point, along) < wallMargin * table.at(along).radius)
+            return false;
+    }
+    for (std::size_t j = 0; j < m_children.size(); ++j) {
+        const auto end = between.child.begin() + static_cast<std::ptrdiff_t>(between.count);
+        if (std::find(between.child.begin(), end, j) == end &&
+            m_children[j].table.clearance(point, along) < 0.0)
+            return false;
+    }
+    return true;
+}
+
+/// Goes up along the mean of the children's axes until the point leaves all tubes. Returns the vertex' number
+/// in m_vertices.
+Index ForkWalls::addLifted(const Between& between, const glm::dvec3& offset)
+{
+    double reach = m_children[between.child[0]].table.length();
+    for (std::size_t i = 1; i < between.count; ++i)
+        reach = std::min(reach, m_children[between.child[i]].table.length());
+    reach *= searchShare;
+    double inside = 0.0, outside = reach;
+    bool found = false;
+    for (int step = 1; step <= searchSteps && !found; ++step) {
+        const double along = reach * step / searchSteps;
+        found = isOutside(between, onPath(between, offset, along), along);
+        (found ? outside : inside) = along;
+    }
+    if (found) {
+        for (int round = 0; round < bisections; ++round) {
+            const double middle = 0.5 * (inside + outside);
+            (isOutside(between, onPath(between, offset, middle), middle) ? outside : inside) = middle;
+        }
+    } else {
+        outside = reach;
+        ++m_withoutExit;
+    }
+    CellVertex vertex;
+    vertex.position = onPath(between, offset, outside);
+    vertex.lifted = outside;
+    vertex.vertex = m_sink->addVertex(vertex.position, m_children[between.child[0]].source);
+    m_vertices.push_back(vertex);
+    return static_cast<Index>(m_vertices.size() - 1);
+}
+
+void ForkWalls::makeCorners()
+{
+    const auto& sites = m_layout->triangulation;
+    for (const ForkTriangulation::Triangle& triangle : sites.triangles()) {
+        const auto& s = triangle.site;
+        const Between between{s, circumcentreWeights(sites.place(s[0]), sites.place(s[1]), sites.place(s[2])),
+                              3};
+        addLifted(between, glm::dvec3(0.0));
+    }
+}
+
+/// Walls that begin on the ring. They end at their triangle's corner, or, where all children lie in one
+/// plane, at the other side of the ring.
+void ForkWalls::makeHullWalls()
+{
+    const auto& hull = m_layout->triangulation.hull();
+    m_hullWall.assign(hull.size(), noIndex);
+    for (std::size_t e = 0; e < hull.size(); ++e) {
+        const ForkTriangulation::HullEdge& edge = hull[e];
+        const std::size_t opposite = hull.size() - 1 - e;
+        if (edge.triangle == noIndex && e > opposite) {
+            m_hullWall[e] = m_hullWall[opposite];
+            continue;
+        }
+        const bool across = edge.triangle == noIndex;
+        const std::size_t count = across ? 2 * m_midsPerWall + 1 : m_midsPerWall;
+        const glm::dvec3 reach = outward(edge.from, edge.to) * pairRadius(edge.from, edge.to);
+        m_hullWall[e] = static_cast<Index>(m_vertices.size());
+        for (std::size_t i = 1; i <= count; ++i) {
+            const double part = static_cast<double>(i) / static_cast<double>(count + 1);
+            addLifted(pair(edge.from, edge.to), reach * std::cos(part * (across ? pi : 0.5 * pi)));
+        }
+    }
+}
+
+/// Walls from corner to corner.
+void ForkWalls::makeInnerWalls()
+{
+    const auto& triangles = m_layout->triangulation.triangles();
+    m_innerWall.assign(triangles.size(), {noIndex, noIndex, noIndex});
+    for (Index t = 0; t < triangles.size(); ++t)
+        for (std::size_t e = 0; e < 3; ++e) {
+            const Index other = triangles[t].neighbour[e];
+            if (other == noIndex || other < t)
+                continue;
+            const Index u = triangles[t].site[e], v = triangles[t].site[(e + 1) % 3];
+            const glm::dvec3 aside = outward(u, v);
+            double offset = 0.0;
+            for (const Index corner : {t, other}) {
+                const CellVertex& at = m_vertices[corner];
+                offset += 0.5 * glm::dot(at.position - onPath(pair(u, v), glm::dvec3(0.0), at.lifted), aside);
+            }
+            const double most = innerReach * pairRadius(u, v);
+            const Index mid = addLifted(pair(u, v), aside * std::clamp(offset, -most, most));
+            m_innerWall[t][e] = mid;
+            const auto& back = triangles[other].site;
+            for (std::size_t i = 0; i < 3; ++i)
+                if (back[i] == v && back[(i + 1) % 3] == u)
+                    m_innerWall[other][i] = mid;
+        }
+}
+
+void ForkWalls::build(const ForkLayout& layout, const ForkRing& ring, std::span<const ForkChild> children,
+                      int radialDivisions, MeshSink& sink)
+{
+    m_layout = &layout;
+    m_ring = &ring;
+    m_children = children;
+    m_sink = &sink;
+    m_midsPerWall = static_cast<std::size_t>(std::clamp((radialDivisions + 1) / 4, 1, 12));
+    m_withoutExit = 0;
+    m_vertices.clear();
+    makeCorners();
+    makeHullWalls();
+    makeInnerWalls();
+
+    m_hullFrom.assign(children.size(), noIndex);
+    m_hullTo.assign(children.size(), noIndex);
+    m_triangleOf.assign(children.size(), noIndex);
+    const auto& hull = layout.triangulation.hull();
+    for (Index e = 0; e < hull.size(); ++e) {
+        m_hullFrom[hull[e].from] = e;
+        m_hullTo[hull[e].to] = e;
+    }
+    const auto& triangles = layout.triangulation.triangles();
+    for (Index t = 0; t < triangles.size(); ++t)
+        for (const Index site : triangles[t].site)
+            m_triangleOf[site] = t;
+}
+
+void ForkWalls::appendRing(Index point, std::vector<CellVertex>& boundary) const
+{
+    boundary.push_back(
+        {m_ring->firstVertex + point, m_ring->points[point], 0.0, m_layout->azimuths[point], true});
+}
+
+/// The ring from the split point of a hull edge to that of the next.
+void ForkWalls::appendArc(std::size_t edge, std::vector<CellVertex>& boundary) const
+{
+    const auto& split = m_layout->splitPoint;
+    const auto count = static_cast<Index>(m_ring->points.size());
+    const Index last = edge + 1 < split.size() ? split[edge + 1] : count;
+    for (Index point = split[edge]; point <= last; ++point)
+        appendRing(point % count, boundary);
+}
+
+/// The mids of a hull edge's wall, from the ring (\p inwards) or towards it.
+void ForkWalls::appendWall(std::size_t edge, bool inwards, std::vector<CellVertex>& boundary) const
+{
+    const bool across = m_layout->triangulation.hull()[edge].triangle == noIndex;
+    const std::size_t count = across ? 2 * m_midsPerWall + 1 : m_midsPerWall;
+    for (std::size_t i = 0; i < count; ++i)
+        boundary.push_back(m_vertices[m_hullWall[edge] + (inwards ? i : count - 1 - i)]);
+}
+
+/// Walls and corners around a child, from the hull edge that leaves it to one that reaches it, which is
+/// returned.
+std::size_t ForkWalls::appendAround(Index child, std::size_t edge, std::vector<CellVertex>& boundary) const
+{
+    const auto& hull = m_layout->triangulation.hull();
+    const auto& triangles = m_layout->triangulation.triangles();
+    if (hull[edge].triangle == noIndex) {
+        const std::size_t opposite = hull.size() - 1 - edge;
+        appendWall(edge, edge < opposite, boundary);
+        return opposite;
+    }
+    appendWall(edge, true, boundary);
+    Index at = hull[edge].triangle;
+    while (true) {
+        const ForkTriangulation::Triangle& triangle = triangles[at];
+        boundary.push_back(m_vertices[at]);
+        std::size_t i = 0;
+        while (triangle.site[i] != child)
+            ++i;
+        const std::size_t back = (i + 2) % 3; // the edge that comes back to the child
+        if (triangle.neighbour[back] == noIndex) {
+            const std::size_t reached = m_hullFrom[triangle.site[back]];
+            appendWall(reached, false, boundary);
+            return reached;
+        }
+        boundary.push_back(m_vertices[m_innerWall[at][back]]);
+        at = triangle.neighbour[back];
+    }
+}
+
+void ForkWalls::cell(Index child, std::vector<CellVertex>& boundary) const
+{
+    boundary.clear();
+    const std::size_t edges = m_layout->triangulation.hull().size();
+    if (m_hullTo[child] != noIndex) {
+        const std::size_t start = m_hullTo[child];
+        std::size_t edge = start;
+        do {
+            appendArc(edge, boundary);
+            edge = appendAround(child, (edge + 1) % edges, boundary);
+        } while (edge != start);
+        return;
+    }
+    const auto& triangles = m_layout->triangulation.triangles();
+    const Index start = m_triangleOf[child];
+    Index at = start;
+    do {
+        std::size_t i = 0;
+        while (triangles[at].site[i] != child)
+            ++i;
+        const std::size_t back = (i + 2) % 3;
+        boundary.push_back(m_vertices[at]);
+        boundary.push_back(m_vertices[m_innerWall[at][back]]);
+        at = triangles[at].neighbour[back];
+    } while (at != start);
+}
+
+} // namespace ramure

@@ -1,0 +1,149 @@
+#include "core/mesh/mesh_cleanup.h"
+
+#include "core/random/random.h"
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace ramure {
+
+namespace {
+
+constexpr double leastAreaShare = 2e-14; ///< of the squared diagonal; twice what the validation asks for
+constexpr double nudgeShare = 2e-6;      ///< of the diagonal
+constexpr int mostRounds = 80;
+
+std::uint64_t bitsOf(const glm::vec3& p)
+{
+    // + 0 turns a negative zero into zero: the two are one position.
+    const auto x = std::bit_cast<std::uint32_t>(p.x + 0.0f);
+    const auto y = std::bit_cast<std::uint32_t>(p.y + 0.0f);
+    const auto z = std::bit_cast<std::uint32_t>(p.z + 0.0f);
+    return ((std::uint64_t(x) << 32) | y) * 0x9E3779B97F4A7C15ull ^ mixBits(z);
+}
+
+class Separator
+{
+public:
+    Separator(std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles)
+        : m_positions(positions)
+        , m_triangles(triangles)
+    {
+    }
+    Index run(const Progress& progress);
+
+private:
+    void measure();
+    Index moveTwins(int round);
+    Index openFlat(int round);
+    void nudge(Index vertex, const glm::dvec3& direction, int round);
+    [[nodiscard]] glm::dvec3 anyDirection(Index vertex, int round) const;
+
+    std::vector<glm::vec3>& m_positions;
+    const std::vector<glm::uvec3>& m_triangles;
+    std::vector<Index> m_table;
+    double m_diagonal = 0.0, m_step = 0.0;
+};
+
+void Separator::measure()
+{
+    glm::vec3 low = m_positions[0], high = low;
+    for (const glm::vec3& p : m_positions) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    m_diagonal = glm::length(glm::dvec3(high) - glm::dvec3(low));
+    const glm::vec3 reach = glm::max(glm::abs(low), glm::abs(high));
+    // A nudge must be felt by the floats.
+    m_step =
+        std::max(nudgeShare * m_diagonal, 4.0 * 0x1.0p-23 * double(std::max({reach.x, reach.y, reach.z})));
+}
+
+glm::dvec3 Separator::anyDirection(Index vertex, int round) const
+{
+    Random random(static_cast<std::uint64_t>(round), RandomStream::Nudge, vertex);
+    glm::dvec3 direction;
+    do
+        direction = {random.range(-1.0, 1.0), random.range(-1.0, 1.0), random.range(-1.0, 1.0)};
+    while (glm::dot(direction, direction) > 1.0 || glm::dot(direction, direction) < 0.1);
+    return glm::normalize(direction);
+}
+
+void Separator::nudge(Index vertex, const glm::dvec3& direction, int round)
+{
+    const double length = m_step * (1.0 + 0.25 * round);
+    m_positions[vertex] = glm::vec3(glm::dvec3(m_positions[vertex]) + length * direction);
+}
+
+/// Every vertex at the place of an earlier one moves. Returns how many.
+Index Separator::moveTwins(int round)
+{
+    const std::size_t size = std::bit_ceil(m_positions.size() * 2);
+    m_table.assign(size, noIndex);
+    Index moved = 0;
+    for (Index v = 0; v < m_positions.size(); ++v) {
+        for (std::size_t at = bitsOf(m_positions[v]) >> 20 & (size - 1);; at = (at + 1) & (size - 1)) {
+            if (m_table[at] == noIndex) {
+                m_table[at] = v;
+                break;
+            }
+            if (m_positions[m_table[at]] == m_positions[v]) {
+                nudge(v, anyDirection(v, round), round);
+                ++moved;
+                break;
+            }
+        }
+    }
+    return moved;
+}
+
+/// Triangles without area: the vertex opposite the longest edge moves away from that edge.
+Index Separator::openFlat(int round)
+{
+    const double least = 2.0 * leastAreaShare * m_diagonal * m_diagonal;
+    Index moved = 0;
+    for (const glm::uvec3& triangle : m_triangles) {
+        const glm::dvec3 a(m_positions[triangle.x]), b(m_positions[triangle.y]), c(m_positions[triangle.z]);
+        const glm::dvec3 normal = glm::cross(b - a, c - a);
+        if (glm::dot(normal, normal) > least * least)
+            continue;
+        const double ab = glm::length(b - a), bc = glm::length(c - b), ca = glm::length(a - c);
+        const glm::dvec3 base = ab >= bc && ab >= ca ? b - a : (bc >= ca ? c - b : a - c);
+        const Index apex = ab >= bc && ab >= ca ? triangle.z : (bc >= ca ? triangle.x : triangle.y);
+        glm::dvec3 direction = anyDirection(apex, round);
+        const double square = glm::dot(base, base);
+        if (square > 0.0) {
+            const glm::dvec3 across = direction - base * (glm::dot(direction, base) / square);
+            if (glm::dot(across, across) > 1e-4)
+                direction = glm::normalize(across);
+        }
+        nudge(apex, direction, round);
+        ++moved;
+    }
+    return moved;
+}
+
+Index Separator::run(const Progress& progress)
+{
+    measure();
+    Index total = 0;
+    for (int round = 0; round < mostRounds && !progress.cancelled(); ++round) {
+        const Index moved = moveTwins(round) + openFlat(round);
+        total += moved;
+        if (moved == 0)
+            break;
+    }
+    return total;
+}
+
+} // namespace
+
+Index separateVertices(std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
+                       const Progress& progress)
+{
+    return positions.empty() ? 0 : Separator(positions, triangles).run(progress);
+}
+
+} // namespace ramure

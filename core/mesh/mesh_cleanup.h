@@ -1,0 +1,19 @@
+/// \file
+/// The last step of the mesher: positions only. Two vertices at one place are moved apart, triangles without
+/// area get some. The topology stays as it is.
+#pragma once
+
+#include "core/base/index.h"
+#include "core/base/progress.h"
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace ramure {
+
+/// Afterwards no two positions are equal and every triangle has an area above 1e-14 of the squared diagonal
+/// of the box. Deterministic. Returns the number of moved vertices (0 on most meshes); stops early when
+/// cancelled.
+Index separateVertices(std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
+                       const Progress& progress);
+
+} // namespace ramure

@@ -1,0 +1,261 @@
+#include "core/mesh/strip_patch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ramure {
+
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+/// A vertex is inserted, and an edge flipped, only where all triangles keep this share of the tube's radius
+/// squared.
+constexpr double leastAreaShare = 1e-3;
+
+double cross(double ax, double ay, double bx, double by)
+{
+    return ax * by - ay * bx;
+}
+
+} // namespace
+
+void StripPatch::arrange(const std::vector<UnrolledVertex>& lower, const std::vector<UnrolledVertex>& upper,
+                         double radius)
+{
+    m_lowerCount = lower.size();
+    m_upperCount = upper.size();
+    m_radius = radius;
+    m_circumference = turn * radius;
+    m_least = leastAreaShare * radius * radius;
+    std::size_t start = 0;
+    for (std::size_t i = 1; i < m_lowerCount; ++i)
+        if (lower[i].along > lower[start].along)
+            start = i;
+    const double zero = m_zero = lower[start].azimuth;
+    m_lowerRow.clear();
+    for (std::size_t i = 0; i <= m_lowerCount; ++i) {
+        const UnrolledVertex& from = lower[(start + i) % m_lowerCount];
+        const double once = start + i >= m_lowerCount ? turn : 0.0;
+        m_lowerRow.push_back({(from.azimuth + once - zero) * radius, from.along, from.vertex});
+    }
+    const auto offset = [&](const UnrolledVertex& v) {
+        const double d = v.azimuth - zero;
+        return d - turn * std::round(d / turn);
+    };
+    std::size_t first = 0;
+    for (std::size_t j = 1; j < m_upperCount; ++j)
+        if (std::abs(offset(upper[j])) < std::abs(offset(upper[first])))
+            first = j;
+    const double shift = offset(upper[first]) - upper[first].azimuth;
+    m_upperRow.clear();
+    for (std::size_t j = 0; j <= m_upperCount; ++j) {
+        const UnrolledVertex& from = upper[(first + j) % m_upperCount];
+        const double once = first + j >= m_upperCount ? turn : 0.0;
+        m_upperRow.push_back({(from.azimuth + once + shift) * radius, from.along, from.vertex});
+    }
+}
+
+/// Both rows could advance: which one should? A triangle upside down is never made where it can be avoided,
+/// nor one that leaves the next upside down; then the row that is behind; then the shorter diagonal.
+bool StripPatch::preferLower(std::size_t i, std::size_t j) const
+{
+    const Local &a = lowerAt(i), &b = lowerAt(i + 1), &u = upperAt(j), &v = upperAt(j + 1);
+    if (cross(b.x - a.x, b.y - a.y, u.x - a.x, u.y - a.y) <= 0.0)
+        return false;
+    if (cross(b.x - a.x, b.y - a.y, v.x - a.x, v.y - a.y) <= 0.0)
+        return true;
+    const double lag = b.x - v.x;
+    const auto most = static_cast<double>(std::max({std::size_t(8), m_lowerCount, m_upperCount}));
+    if (std::abs(lag) > 0.5 * m_circumference / most)
+        return lag < 0.0;
+    const double ifLower = (b.x - u.x) * (b.x - u.x) + (b.y - u.y) * (b.y - u.y);
+    const double ifUpper = (v.x - a.x) * (v.x - a.x) + (v.y - a.y) * (v.y - a.y);
+    return ifLower < ifUpper;
+}
+
+void StripPatch::chooseSteps()
+{
+    m_steps.clear();
+    std::size_t i = 0, j = 0;
+    while (i < m_lowerCount || j < m_upperCount) {
+        const bool lower = i < m_lowerCount && (j >= m_upperCount || preferLower(i, j));
+        m_steps.push_back(lower ? 1 : 0);
+        ++(lower ? i : j);
+    }
+    breakSingleRun();
+}
+
+/// Edges between the rows would exist twice exactly if one row advanced all around in one go.
+void StripPatch::breakSingleRun()
+{
+    int changes = 0;
+    for (std::size_t s = 0; s < m_steps.size(); ++s)
+        changes += m_steps[s] != m_steps[(s + 1) % m_steps.size()] ? 1 : 0;
+    if (changes > 2)
+        return;
+    std::fill(m_steps.begin(), m_steps.end(), std::uint8_t(0));
+    m_steps[0] = 1;
+    std::fill(m_steps.begin() + 2, m_steps.begin() + 1 + static_cast<std::ptrdiff_t>(m_lowerCount),
+              std::uint8_t(1));
+}
+
+void StripPatch::buildTriangles()
+{
+    m_vertices.assign(m_lowerRow.begin(), m_lowerRow.end() - 1);
+    m_vertices.insert(m_vertices.end(), m_upperRow.begin(), m_upperRow.end() - 1);
+    const auto lowerCount = static_cast<Index>(m_lowerCount), upperCount = static_cast<Index>(m_upperCount);
+    const auto count = static_cast<Index>(m_steps.size());
+    m_triangles.resize(count);
+    m_refinable = true;
+    Index i = 0, j = 0;
+    for (Index t = 0; t < count; ++t) {
+        const Index after = t + 1 < count ? t + 1 : 0, before = t > 0 ? t - 1 : count - 1;
+        const Index l = i % lowerCount, u = lowerCount + j % upperCount;
+        if (m_steps[t]) {
+            m_triangles[t] = {{l, (i + 1) % lowerCount, u}, {noIndex, after, before}};
+            ++i;
+        } else {
+            m_triangles[t] = {{l, lowerCount + (j + 1) % upperCount, u}, {after, noIndex, before}};
+            ++j;
+        }
+        // Differences of azimuth are taken the short way: that needs edges under half a turn.
+        const double across = std::abs(m_lowerRow[i].x - m_upperRow[j].x);
+        m_refinable = m_refinable && across < 0.45 * m_circumference;
+    }
+    for (std::size_t k = 0; k < m_lowerCount; ++k)
+        m_refinable = m_refinable && m_lowerRow[k + 1].x - m_lowerRow[k].x < 0.45 * m_circumference;
+}
+
+void StripPatch::zip(const std::vector<UnrolledVertex>& lower, const std::vector<UnrolledVertex>& upper,
+                     double radius)
+{
+    arrange(lower, upper, radius);
+    chooseSteps();
+    buildTriangles();
+}
+
+double StripPatch::deltaX(Index from, Index to) const
+{
+    const double d = m_vertices[to].x - m_vertices[from].x;
+    return d > 0.5 * m_circumference ? d - m_circumference
+                                     : (d < -0.5 * m_circumference ? d + m_circumference : d);
+}
+
+/// Twice the area of a triangle of the plane, positive counter-clockwise.
+double StripPatch::area(Index a, Index b, Index c) const
+{
+    const double ay = m_vertices[a].y;
+    return cross(deltaX(a, b), m_vertices[b].y - ay, deltaX(a, c), m_vertices[c].y - ay);
+}
+
+void StripPatch::relink(Index triangle, Index old, Index now)
+{
+    if (triangle == noIndex)
+        return;
+    for (Index& neighbour : m_triangles[triangle].neighbour)
+        if (neighbour == old) {
+            neighbour = now;
+            return;
+        }
+}
+
+bool StripPatch::insert(const UnrolledVertex& vertex)
+{
+    if (!m_refinable)
+        return false;
+    const auto local = static_cast<Index>(m_vertices.size());
+    double x = (vertex.azimuth - m_zero) * m_radius;
+    x -= m_circumference * std::floor(x / m_circumference);
+    m_vertices.push_back({x, vertex.along, vertex.vertex});
+    for (Index t = 0; t < m_triangles.size(); ++t) {
+        const auto& c = m_triangles[t].corner;
+        if (area(c[0], c[1], local) > m_least && area(c[1], c[2], local) > m_least &&
+            area(c[2], c[0], local) > m_least && area(c[0], c[1], c[2]) > m_least) {
+            split(t, local);
+            legalise(local);
+            return true;
+        }
+    }
+    m_vertices.pop_back();
+    return false;
+}
+
+/// One triangle becomes three around a vertex; in each, the vertex is corner 2.
+void StripPatch::split(Index triangle, Index vertex)
+{
+    const Triangle old = m_triangles[triangle];
+    const auto second = static_cast<Index>(m_triangles.size()), third = second + 1;
+    m_triangles[triangle] = {{old.corner[0], old.corner[1], vertex}, {old.neighbour[0], second, third}};
+    m_triangles.push_back({{old.corner[1], old.corner[2], vertex}, {old.neighbour[1], third, triangle}});
+    m_triangles.push_back({{old.corner[2], old.corner[0], vertex}, {old.neighbour[2], triangle, second}});
+    relink(old.neighbour[1], triangle, second);
+    relink(old.neighbour[2], triangle, third);
+    m_suspects.assign({triangle, second, third});
+}
+
+/// Is there an edge between an inserted vertex and another one already? Walks around the vertex.
+bool StripPatch::joined(Index vertex, Index other, Index triangle) const
+{
+    Index at = triangle;
+    do {
+        const Triangle& t = m_triangles[at];
+        const std::size_t i = t.corner[0] == vertex ? 0 : (t.corner[1] == vertex ? 1 : 2);
+        if (t.corner[(i + 1) % 3] == other)
+            return true;
+        at = t.neighbour[(i + 2) % 3];
+    } while (at != triangle);
+    return false;
+}
+
+/// Replaces the edge opposite an inserted vertex if the vertex beyond it lies inside the circle.
+bool StripPatch::flip(Index triangle, Index vertex)
+{
+    Triangle& t = m_triangles[triangle];
+    const std::size_t i = t.corner[0] == vertex ? 0 : (t.corner[1] == vertex ? 1 : 2);
+    const Index a = t.corner[(i + 1) % 3], b = t.corner[(i + 2) % 3];
+    const Index other = t.neighbour[(i + 1) % 3];
+    if (other == noIndex)
+        return false;
+    Triangle& o = m_triangles[other];
+    const std::size_t j = o.corner[0] == b ? 0 : (o.corner[1] == b ? 1 : 2);
+    const Index far = o.corner[(j + 2) % 3];
+    const double ax = deltaX(vertex, a), ay = m_vertices[a].y - m_vertices[vertex].y;
+    const double bx = deltaX(vertex, b), by = m_vertices[b].y - m_vertices[vertex].y;
+    const double fx = deltaX(vertex, far), fy = m_vertices[far].y - m_vertices[vertex].y;
+    if (cross(ax, ay, fx, fy) <= m_least || cross(fx, fy, bx, by) <= m_least)
+        return false;
+    // The vertex is the origin: the circle through it, a and b, tested with the far one.
+    const double aa = ax * ax + ay * ay, bb = bx * bx + by * by, ff = fx * fx + fy * fy;
+    const double inside =
+        aa * cross(bx, by, fx, fy) - bb * cross(ax, ay, fx, fy) + ff * cross(ax, ay, bx, by);
+    if (inside >= -1e-12 * ff * aa || joined(vertex, far, triangle))
+        return false;
+    const Index beyondA = o.neighbour[(j + 1) % 3], beyondB = o.neighbour[(j + 2) % 3];
+    const Index besideA = t.neighbour[i], besideB = t.neighbour[(i + 2) % 3];
+    t = {{vertex, a, far}, {besideA, beyondA, other}};
+    o = {{vertex, far, b}, {triangle, beyondB, besideB}};
+    relink(beyondA, other, triangle);
+    relink(besideB, triangle, other);
+    m_suspects.push_back(triangle);
+    m_suspects.push_back(other);
+    return true;
+}
+
+void StripPatch::legalise(Index vertex)
+{
+    while (!m_suspects.empty()) {
+        const Index triangle = m_suspects.back();
+        m_suspects.pop_back();
+        flip(triangle, vertex);
+    }
+}
+
+void StripPatch::write(MeshSink& sink) const
+{
+    for (const Triangle& t : m_triangles)
+        sink.addTriangle(m_vertices[t.corner[0]].vertex, m_vertices[t.corner[1]].vertex,
+                         m_vertices[t.corner[2]].vertex);
+}
+
+} // namespace ramure

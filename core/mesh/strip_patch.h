@@ -1,0 +1,73 @@
+/// \file
+/// The strip between two closed rows of vertices around a tube, triangulated in the tube's unrolled plane
+/// (x: azimuth, y: distance along the axis), with more vertices inserted between the rows.
+#pragma once
+
+#include "core/mesh/mesh_sink.h"
+#include <array>
+#include <vector>
+
+namespace ramure {
+
+/// A vertex in the unrolled plane.
+struct UnrolledVertex
+{
+    double azimuth; ///< rad
+    double along;   ///< m
+    Index vertex;   ///< of the mesh
+};
+
+/// Whatever the coordinates: the strip is an annulus, each of its edges exists once, and no edge joins two
+/// vertices of one row apart from the rows' own edges; so strips that share a row never share another edge.
+class StripPatch
+{
+public:
+    /// Starts a strip. Rows are closed, at least three vertices each, azimuths increasing over one turn in
+    /// all. \param radius of the tube: the scale of the azimuth.
+    void zip(const std::vector<UnrolledVertex>& lower, const std::vector<UnrolledVertex>& upper,
+             double radius);
+    /// Inserts a vertex between the rows and makes the edges around it Delaunay. False where no triangle of
+    /// the strip holds the place well inside: then nothing happened.
+    bool insert(const UnrolledVertex& vertex);
+    void write(MeshSink& sink) const;
+
+private:
+    struct Triangle
+    {
+        std::array<Index, 3> corner;    ///< local
+        std::array<Index, 3> neighbour; ///< across corner[i] -> corner[i + 1]
+    };
+    struct Local
+    {
+        double x, y; ///< m, x = azimuth times radius
+        Index vertex;
+    };
+    void arrange(const std::vector<UnrolledVertex>& lower, const std::vector<UnrolledVertex>& upper,
+                 double radius);
+    void chooseSteps();
+    void breakSingleRun();
+    void buildTriangles();
+    [[nodiscard]] bool preferLower(std::size_t i, std::size_t j) const;
+    [[nodiscard]] const Local& lowerAt(std::size_t i) const { return m_lowerRow[i]; }
+    [[nodiscard]] const Local& upperAt(std::size_t j) const { return m_upperRow[j]; }
+    [[nodiscard]] double deltaX(Index from, Index to) const;
+    [[nodiscard]] double area(Index a, Index b, Index c) const;
+    void split(Index triangle, Index vertex);
+    void legalise(Index vertex);
+    bool flip(Index triangle, Index vertex);
+    [[nodiscard]] bool joined(Index vertex, Index other, Index triangle) const;
+    void relink(Index triangle, Index old, Index now);
+
+    double m_zero = 0.0; ///< azimuth at x = 0
+    double m_circumference = 1.0, m_radius = 1.0, m_least = 0.0;
+    std::size_t m_lowerCount = 0, m_upperCount = 0;
+    std::vector<Local> m_lowerRow,
+        m_upperRow; ///< rotated to begin at the highest lower vertex, the first again at the end
+    std::vector<std::uint8_t> m_steps; ///< 1: the lower row advances
+    std::vector<Local> m_vertices;
+    std::vector<Triangle> m_triangles;
+    std::vector<Index> m_suspects;
+    bool m_refinable = false;
+};
+
+} // namespace ramure
