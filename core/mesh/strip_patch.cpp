@@ -142,11 +142,22 @@ double StripPatch::deltaX(Index from, Index to) const
                                      : (d < -0.5 * m_circumference ? d + m_circumference : d);
 }
 
-/// Twice the area of a triangle of the plane, positive counter-clockwise.
-double StripPatch::area(Index a, Index b, Index c) const
+/// Does a triangle hold a vertex well inside? Its corners are seen from the vertex, which tells the right
+/// side of the tube from the far one only if the triangle does not reach halfway around.
+bool StripPatch::holds(const Triangle& triangle, Index vertex) const
 {
-    const double ay = m_vertices[a].y;
-    return cross(deltaX(a, b), m_vertices[b].y - ay, deltaX(a, c), m_vertices[c].y - ay);
+    std::array<double, 3> x, y;
+    for (std::size_t i = 0; i < 3; ++i) {
+        x[i] = deltaX(vertex, triangle.corner[i]);
+        y[i] = m_vertices[triangle.corner[i]].y - m_vertices[vertex].y;
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t next = (i + 1) % 3;
+        if (std::abs(x[next] - x[i]) > 0.5 * m_circumference ||
+            cross(x[i], y[i], x[next], y[next]) <= m_least)
+            return false;
+    }
+    return true;
 }
 
 void StripPatch::relink(Index triangle, Index old, Index now)
@@ -168,15 +179,12 @@ bool StripPatch::insert(const UnrolledVertex& vertex)
     double x = (vertex.azimuth - m_zero) * m_radius;
     x -= m_circumference * std::floor(x / m_circumference);
     m_vertices.push_back({x, vertex.along, vertex.vertex});
-    for (Index t = 0; t < m_triangles.size(); ++t) {
-        const auto& c = m_triangles[t].corner;
-        if (area(c[0], c[1], local) > m_least && area(c[1], c[2], local) > m_least &&
-            area(c[2], c[0], local) > m_least && area(c[0], c[1], c[2]) > m_least) {
+    for (Index t = 0; t < m_triangles.size(); ++t)
+        if (holds(m_triangles[t], local)) {
             split(t, local);
             legalise(local);
             return true;
         }
-    }
     m_vertices.pop_back();
     return false;
 }
@@ -223,6 +231,8 @@ bool StripPatch::flip(Index triangle, Index vertex)
     const double ax = deltaX(vertex, a), ay = m_vertices[a].y - m_vertices[vertex].y;
     const double bx = deltaX(vertex, b), by = m_vertices[b].y - m_vertices[vertex].y;
     const double fx = deltaX(vertex, far), fy = m_vertices[far].y - m_vertices[vertex].y;
+    if (std::abs(fx - ax) > 0.5 * m_circumference || std::abs(fx - bx) > 0.5 * m_circumference)
+        return false;
     if (cross(ax, ay, fx, fy) <= m_least || cross(fx, fy, bx, by) <= m_least)
         return false;
     // The vertex is the origin: the circle through it, a and b, tested with the far one.

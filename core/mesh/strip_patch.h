@@ -51,7 +51,7 @@ private:
     [[nodiscard]] const Local& lowerAt(std::size_t i) const { return m_lowerRow[i]; }
     [[nodiscard]] const Local& upperAt(std::size_t j) const { return m_upperRow[j]; }
     [[nodiscard]] double deltaX(Index from, Index to) const;
-    [[nodiscard]] double area(Index a, Index b, Index c) const;
+    [[nodiscard]] bool holds(const Triangle& triangle, Index vertex) const;
     void split(Index triangle, Index vertex);
     void legalise(Index vertex);
     bool flip(Index triangle, Index vertex);
