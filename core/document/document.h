@@ -4,11 +4,13 @@
 #pragma once
 
 #include "core/document/change.h"
+#include "core/document/project_file.h"
 #include "core/document/selection.h"
 #include "core/pipeline/tree_pipeline.h"
 #include <QObject>
 #include <QString>
 #include <QUndoStack>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -38,16 +40,26 @@ public:
     [[nodiscard]] const QUndoStack* undoStack() const { return &m_undoStack; }
     /// Null where nothing was computed yet.
     [[nodiscard]] const NodeResult* result(NodeId id) const;
+    /// The revision since which the tree of this node has its shape: results of an older one are stale. 0
+    /// where there is no such node.
+    [[nodiscard]] quint64 shapeRevision(NodeId id) const;
+    /// The full result, or the error, of the present parameters is there.
+    [[nodiscard]] bool isCurrent(NodeId id) const;
 
     [[nodiscard]] QString filePath() const { return m_filePath; }
     [[nodiscard]] bool isModified() const { return !m_undoStack.isClean(); }
+    /// What saving writes.
+    [[nodiscard]] Project project() const { return {m_scene, m_extras}; }
     void setFilePath(const QString& path);
     /// Replaces everything (New, Open): clears undo, selection and results; emits changeReset.
-    void reset(Scene scene, const QString& path);
-    /// Not undoable. Unknown ids and out-of-range branches are dropped.
+    void reset(Scene scene, const QString& path, std::string extras = {});
+    /// Not undoable. Unknown ids and out-of-range branches are dropped. Silent where nothing changes.
     void setSelection(Selection selection);
-    /// From the recompute object only.
+    /// From the recompute object only. Ignored where there is no such node. Selected branches stay selected
+    /// by their keys where the skeleton is another one.
     void setResult(NodeId id, NodeResult result);
+    /// For commands that insert nodes.
+    NodeId newNodeId() { return m_scene.newId(); }
 
     /// The way for commands, and for them only: \p edit changes the scene between the two signals.
     template <class Edit> void applyChange(Change change, Edit&& edit)
@@ -55,7 +67,7 @@ public:
         change.revision = ++m_revision;
         emit aboutToBeChanged(change);
         edit(m_scene);
-        dropStale();
+        settle(change);
         emit changed(change);
     }
 
@@ -64,13 +76,19 @@ signals:
     void changed(const ramure::Change& change);
 
 private:
-    void dropStale(); ///< selection and results of nodes that are gone
+    void settle(const Change& change);
+    void dropGone();
+    [[nodiscard]] Selection valid(Selection selection) const;
+    [[nodiscard]] Selection followed(const Skeleton* before, const Skeleton* after) const;
+    void tell(const Change& change, const std::function<void()>& edit);
 
     Scene m_scene;
     Selection m_selection;
     std::map<NodeId, NodeResult> m_results;
+    std::map<NodeId, quint64> m_shapeRevisions;
     QUndoStack m_undoStack;
     QString m_filePath;
+    std::string m_extras; ///< of the project file, see Project
     quint64 m_revision = 0;
 };
 

@@ -1,0 +1,69 @@
+// What an artist sets on single branches by hand.
+#include "core/document/document_command.h"
+
+#include <cmath>
+
+namespace ramure {
+
+namespace {
+
+struct BranchTarget
+{
+    using Value = BranchParams;
+    static constexpr CommandId id = CommandId::SetBranchParams;
+
+    NodeId node;
+    std::uint64_t key;
+
+    [[nodiscard]] Value get(const Node& from) const
+    {
+        const auto it = from.params.branches.find(key);
+        return it == from.params.branches.end() ? Value{} : it->second;
+    }
+    /// Defaults are not kept: a branch that was set back is as one never touched.
+    void set(Node& into, const Value& value) const
+    {
+        if (value == Value{})
+            into.params.branches.erase(key);
+        else
+            into.params.branches[key] = value;
+    }
+    void describe(Change& change) const
+    {
+        change.kinds |= changeBranches;
+        change.firstStale = Stage::Sections;
+        addOnce(change.nodes, node);
+    }
+    bool operator==(const BranchTarget&) const = default;
+};
+using BranchEntry = SetCommand<BranchTarget>::Entry;
+
+} // namespace
+
+Expected<void> edit::setBranchRoll(Document& document, NodeId node, const std::vector<std::uint64_t>& keys,
+                                   double rollRad, GestureId gesture)
+{
+    if (const auto allowed = checkEditable(document.scene(), node); !allowed)
+        return allowed;
+    const Node& tree = *document.scene().find(node);
+    if (tree.kind != NodeKind::Tree)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" has no branches"), {tree.name});
+    if (!std::isfinite(rollRad))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("a roll must be a finite angle"));
+    std::vector<std::uint64_t> once = keys;
+    std::sort(once.begin(), once.end());
+    once.erase(std::unique(once.begin(), once.end()), once.end());
+    std::vector<BranchEntry> entries;
+    for (const std::uint64_t key : once) {
+        const BranchTarget target{node, key};
+        BranchParams values = target.get(tree);
+        values.rollRad = rollRad;
+        entries.push_back({target, values});
+    }
+    pushSet<BranchTarget>(document, std::move(entries),
+                          DocumentCommand::tr("Roll %n branch(es)", nullptr, static_cast<int>(once.size())),
+                          gesture);
+    return {};
+}
+
+} // namespace ramure

@@ -1,0 +1,31 @@
+/// \file
+/// What the background thread computes, as functions: the recompute object knows when, these know what. Tests
+/// put slow, counted or failing ones in their place.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/mesh/validate.h"
+#include "core/params/node_params.h"
+#include "core/pipeline/tree_pipeline.h"
+#include <functional>
+
+namespace ramure {
+
+/// Called on the background thread only, one at a time.
+struct Evaluation
+{
+    /// All stages of one tree.
+    std::function<Expected<TreeResult>(const NodeParams& params, const Progress& progress)> evaluate;
+    /// What the draft is made of instead of \p params; equal ones mean that there is no cheaper draft.
+    std::function<NodeParams(const NodeParams& params)> draft;
+    /// The second opinion on a mesh that has its report. Empty: none is asked for.
+    std::function<Expected<void>(const TriangleMesh& mesh, MeshReport& report, const Progress& progress)>
+        confirm;
+    /// How many trees there are, so that none pushes another one out of the cache. May be empty.
+    std::function<void(std::size_t trees)> prepare;
+};
+
+/// A TreePipeline of its own, draftParams and OpenMesh.
+Evaluation treeEvaluation();
+
+} // namespace ramure

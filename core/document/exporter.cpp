@@ -1,0 +1,283 @@
+#include "core/document/exporter.h"
+
+#include "core/document/document.h"
+#include "core/mesh/rough_model.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+namespace ramure {
+
+namespace {
+
+/// A tree to export, with the suffix of its parts' names.
+struct Candidate
+{
+    const Node* node;
+    std::string suffix;
+};
+
+bool isAsked(const Scene& scene, const ExportOptions& options, const Node& node)
+{
+    if (node.kind != NodeKind::Tree || (!options.hidden && !scene.isShown(node.id)))
+        return false;
+    if (options.nodes.empty())
+        return true;
+    return std::any_of(options.nodes.begin(), options.nodes.end(),
+                       [&](NodeId id) { return id == node.id || scene.isAncestor(id, node.id); });
+}
+
+Expected<std::vector<Candidate>> candidates(const Scene& scene, const ExportOptions& options)
+{
+    for (const NodeId id : options.nodes)
+        if (!scene.find(id))
+            return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(id)});
+    std::vector<Candidate> trees;
+    for (const Node& node : scene.nodes())
+        if (isAsked(scene, options, node))
+            trees.push_back({&node, {}});
+    if (trees.empty())
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("there is no visible tree to export"));
+    if (trees.size() > 1)
+        for (std::size_t i = 0; i < trees.size(); ++i)
+            trees[i].suffix.append("_").append(std::to_string(i + 1));
+    return trees;
+}
+
+/// The three meshes of one tree in tree space, those that were asked for.
+struct TreeMeshes
+{
+    std::shared_ptr<const TriangleMesh> branches, leaves, apples;
+};
+
+/// Branches, leaves, apples that the results hold: shared, not copied.
+TreeMeshes fineMeshes(const TreeResult& tree, std::uint8_t parts)
+{
+    TreeMeshes meshes;
+    if ((parts & exportBranches) && tree.branches)
+        meshes.branches = {tree.branches, &tree.branches->mesh};
+    if (parts & exportLeaves)
+        meshes.leaves = tree.leaves;
+    if (parts & exportApples)
+        meshes.apples = tree.apples;
+    return meshes;
+}
+
+TreeMeshes roughMeshes(const TreeResult& tree, const NodeParams& params, std::uint8_t parts)
+{
+    const Skeleton& skeleton = tree.simplified->skeleton;
+    const double alpha = params.turtle.alpha;
+    TreeMeshes meshes;
+    if (parts & exportBranches)
+        meshes.branches = std::make_shared<TriangleMesh>(
+            buildRoughBranches(skeleton, static_cast<int>(params.sections.radialDivisions)));
+    if (!(parts & (exportLeaves | exportApples)))
+        return meshes;
+    const Foliage foliage = placeFoliage(skeleton, params.foliage, alpha);
+    if (parts & exportLeaves)
+        meshes.leaves =
+            std::make_shared<TriangleMesh>(buildLeaves(skeleton, foliage, alpha, FoliageModel::Rough));
+    if (parts & exportApples)
+        meshes.apples =
+            std::make_shared<TriangleMesh>(buildApples(skeleton, foliage, alpha, FoliageModel::Rough));
+    return meshes;
+}
+
+void addMeshes(ExportSet& set, const TreeMeshes& meshes, const glm::dmat4& world, const std::string& suffix)
+{
+    const auto add = [&](const char* name, const std::shared_ptr<const TriangleMesh>& mesh,
+                         Material material) {
+        if (!mesh || mesh->empty())
+            return;
+        const bool inPlace = world == glm::dmat4(1.0);
+        set.meshes.push_back({name + suffix,
+                              inPlace ? mesh : std::make_shared<TriangleMesh>(transformed(*mesh, world)),
+                              std::move(material)});
+    };
+    add("branches", meshes.branches, barkMaterial());
+    add("leaves", meshes.leaves, leavesMaterial());
+    add("apples", meshes.apples, applesMaterial());
+}
+
+/// Children share their parent's end point, so that the lines hang together.
+void addLines(LinePart& lines, const Skeleton& skeleton, const glm::dmat4& world)
+{
+    const auto place = [&](const glm::dvec3& p) {
+        lines.positions.emplace_back(glm::dvec3(world * glm::dvec4(p, 1.0)));
+        return static_cast<Index>(lines.positions.size() - 1);
+    };
+    std::vector<Index> endOf(skeleton.size());
+    for (Index i = 0; i < skeleton.size(); ++i) {
+        const Index parent = skeleton.parent[i];
+        const Index from = parent == noIndex ? place(skeleton.p0[i]) : endOf[parent];
+        endOf[i] = place(skeleton.p1[i]);
+        lines.lines.emplace_back(from, endOf[i]);
+    }
+}
+
+/// Which of several trees an error is about.
+Error named(Error error, const Candidate& tree)
+{
+    if (!tree.suffix.empty())
+        error.path = tree.node->name + (error.path.empty() ? "" : ": " + error.path);
+    return error;
+}
+
+Stage lastStage(const ExportOptions& options)
+{
+    if (options.model != ExportModel::Mesh)
+        return Stage::Simplified;
+    return (options.parts & (exportLeaves | exportApples)) ? Stage::Foliage : Stage::Mesh;
+}
+
+Expected<void> addTree(ExportSet& set, const Candidate& tree, const glm::dmat4& world,
+                       const ExportOptions& options, const TreeSource& source, const Progress& progress)
+{
+    if (!(std::abs(glm::determinant(glm::dmat3(world))) > 0.0))
+        return fail(named({ErrorCode::Invalid,
+                           RAMURE_NOOP("a scale of zero leaves nothing to export"),
+                           {},
+                           {},
+                           "tree.scale"},
+                          tree));
+    const auto result = source(*tree.node, lastStage(options), progress);
+    if (!result)
+        return fail(named(result.error(), tree));
+    if (options.model == ExportModel::Mesh)
+        addMeshes(set, fineMeshes(*result, options.parts), world, tree.suffix);
+    else if (options.model == ExportModel::Rough)
+        addMeshes(set, roughMeshes(*result, tree.node->params, options.parts), world, tree.suffix);
+    else
+        addLines(*set.lines, result->simplified->skeleton, world);
+    return {};
+}
+
+enum class FileFormat { Obj, Ply };
+
+Expected<FileFormat> formatOf(const std::string& path)
+{
+    const std::size_t dot = path.find_last_of("./\\");
+    std::string ending = dot == std::string::npos || path[dot] != '.' ? "" : path.substr(dot);
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (ending == ".obj")
+        return FileFormat::Obj;
+    if (ending == ".ply")
+        return FileFormat::Ply;
+    auto error =
+        fail(ErrorCode::Unknown,
+             RAMURE_NOOP("unknown file ending \"%1\": meshes are written as .obj or .ply"), {ending});
+    error.value().file = path;
+    return error;
+}
+
+} // namespace
+
+std::vector<MeshPart> ExportSet::parts() const
+{
+    std::vector<MeshPart> out;
+    out.reserve(meshes.size());
+    for (const Entry& entry : meshes)
+        out.push_back({entry.name, entry.mesh.get(), entry.material});
+    return out;
+}
+
+TreeSource pipelineSource(TreePipeline& pipeline)
+{
+    return [&pipeline](const Node& node, Stage last, const Progress& progress) {
+        return pipeline.evaluate(node.params, last, progress);
+    };
+}
+
+TreeSource documentSource(const Document& document)
+{
+    return [&document](const Node& node, Stage, const Progress&) -> Expected<TreeResult> {
+        const NodeResult* result = document.result(node.id);
+        if (result && result->error)
+            return fail(*result->error);
+        if (!result || result->draft || !document.isCurrent(node.id))
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("the tree is still being computed"));
+        return result->tree;
+    };
+}
+
+TriangleMesh transformed(const TriangleMesh& mesh, const glm::dmat4& matrix)
+{
+    TriangleMesh out = mesh;
+    for (glm::vec3& p : out.positions)
+        p = glm::vec3(glm::dvec3(matrix * glm::dvec4(p, 1.0)));
+    const glm::dmat3 linear(matrix);
+    const double determinant = glm::determinant(linear);
+    if (determinant != 0.0) {
+        const glm::dmat3 forNormals = glm::transpose(glm::inverse(linear));
+        for (glm::vec3& n : out.normals)
+            n = glm::vec3(glm::normalize(forNormals * glm::dvec3(n)));
+    }
+    if (determinant < 0.0)
+        for (glm::uvec3& t : out.triangles)
+            std::swap(t.y, t.z);
+    return out;
+}
+
+Expected<ExportSet> collectExport(const Scene& scene, const ExportOptions& options, const TreeSource& source,
+                                  const Progress& progress)
+{
+    const auto trees = candidates(scene, options);
+    if (!trees)
+        return fail(trees.error());
+    ExportSet set;
+    if (options.model == ExportModel::Skeleton)
+        set.lines = LinePart{"skeleton", {}, {}};
+    const auto count = static_cast<double>(trees->size());
+    for (std::size_t i = 0; i < trees->size(); ++i) {
+        if (progress.cancelled())
+            return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+        const Candidate& tree = (*trees)[i];
+        const double from = static_cast<double>(i) / count;
+        const auto added = addTree(set, tree, worldMatrix(scene, tree.node->id), options, source,
+                                   progress.part(from, from + 1.0 / count));
+        if (!added)
+            return fail(added.error());
+    }
+    if (set.meshes.empty() && !(set.lines && !set.lines->lines.empty()))
+        return fail(ErrorCode::Invalid,
+                    RAMURE_NOOP("the chosen parts are empty: there is nothing to export"));
+    return set;
+}
+
+Expected<void> checkExportEnding(const std::string& path)
+{
+    const auto format = formatOf(path);
+    return format ? Expected<void>{} : fail(format.error());
+}
+
+Expected<void> writeExport(const ExportSet& set, const std::string& path, const PlyOptions& ply,
+                           const Progress& progress)
+{
+    const auto format = formatOf(path);
+    if (!format)
+        return fail(format.error());
+    if (set.lines)
+        return *format == FileFormat::Obj ? writeObjLines(path, *set.lines, progress)
+                                          : writePlyLines(path, *set.lines, ply);
+    const std::vector<MeshPart> parts = set.parts();
+    return *format == FileFormat::Obj ? writeObj(path, parts, progress)
+                                      : writePly(path, parts, ply, progress);
+}
+
+Expected<void> exportScene(const Scene& scene, const ExportOptions& options, const TreeSource& source,
+                           const std::string& path, const Progress& progress)
+{
+    if (const auto ending = checkExportEnding(path); !ending)
+        return ending;
+    const auto set = collectExport(scene, options, source, progress.part(0.0, 0.5));
+    if (!set)
+        return fail(set.error());
+    return writeExport(*set, path, options.ply, progress.part(0.5, 1.0));
+}
+
+} // namespace ramure

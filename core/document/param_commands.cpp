@@ -1,0 +1,103 @@
+// Parameters of nodes.
+#include "core/document/document_command.h"
+
+namespace ramure {
+
+namespace {
+
+struct ParamTarget
+{
+    using Value = ParamValue;
+    static constexpr CommandId id = CommandId::SetParam;
+
+    NodeId node;
+    const ParamDef* def;
+
+    [[nodiscard]] Value get(const Node& from) const { return def->get(from.params); }
+    void set(Node& into, const Value& value) const { def->assign(into.params, value); }
+    void describe(Change& change) const
+    {
+        change.firstStale = change.kinds == 0 ? def->stage : std::min(change.firstStale, def->stage);
+        change.kinds |= changeParams;
+        addOnce(change.nodes, node);
+        addOnce(change.params, paramId(*def));
+    }
+    bool operator==(const ParamTarget&) const = default;
+};
+using ParamEntry = SetCommand<ParamTarget>::Entry;
+
+Expected<void> checkParam(const Scene& scene, NodeId id, const ParamDef& def, const ParamValue& value)
+{
+    if (hasParam(scene.find(id)->kind, def))
+        return checkValue(def, value);
+    auto error =
+        fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" has no such parameter"), {scene.find(id)->name});
+    error.value().path = def.key;
+    return error;
+}
+
+/// The seed after this one: a linear congruential step modulo 2^31 of full period (Hull and Dobell 1962: odd
+/// increment, multiplier 1 modulo 4), so that pressing Space shows no tree twice for a long time.
+std::int64_t nextSeed(std::int64_t seed)
+{
+    constexpr std::uint64_t modulus = 1ull << 31;
+    return static_cast<std::int64_t>((static_cast<std::uint64_t>(seed) * 1103515245u + 12345u) % modulus);
+}
+
+} // namespace
+
+Expected<void> edit::setParam(Document& document, const std::vector<NodeId>& nodes, const ParamDef& def,
+                              const ParamValue& value, GestureId gesture)
+{
+    const QString label = QCoreApplication::translate("core", def.label);
+    return setParams(document, nodes, {{&def, value}}, DocumentCommand::tr("Change %1").arg(label), gesture);
+}
+
+Expected<void> edit::setParams(Document& document, const std::vector<NodeId>& nodes,
+                               const std::vector<std::pair<const ParamDef*, ParamValue>>& values,
+                               const QString& text, GestureId gesture)
+{
+    const auto ids = editable(document.scene(), nodes);
+    if (!ids)
+        return fail(ids.error());
+    std::vector<ParamEntry> entries;
+    for (const NodeId id : *ids)
+        for (const auto& [def, value] : values) {
+            if (const auto allowed = checkParam(document.scene(), id, *def, value); !allowed)
+                return allowed;
+            const ParamTarget target{id, def};
+            std::erase_if(entries, [&target](const ParamEntry& entry) { return entry.target == target; });
+            entries.push_back({target, value});
+        }
+    pushSet<ParamTarget>(document, std::move(entries), text, gesture);
+    return {};
+}
+
+Expected<void> edit::newTree(Document& document, const std::vector<NodeId>& nodes)
+{
+    std::vector<NodeId> trees;
+    for (const NodeId id : nodes)
+        if (const Node* node = document.scene().find(id); node && node->kind == NodeKind::Tree)
+            trees.push_back(id);
+    const auto ids = editable(document.scene(), trees);
+    if (!ids)
+        return fail(ids.error());
+    if (ids->empty())
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("there is no tree that could be drawn anew"));
+    std::vector<ParamEntry> entries;
+    std::vector<std::int64_t> given;
+    for (const NodeId id : *ids) {
+        const NodeParams& params = document.scene().find(id)->params;
+        std::int64_t seed = nextSeed(params.grammar.seed);
+        while (std::find(given.begin(), given.end(), seed) != given.end())
+            seed = nextSeed(seed);
+        given.push_back(seed);
+        entries.push_back({{id, findParam("grammar.stochastic")}, true});
+        entries.push_back({{id, findParam("grammar.seed")}, seed});
+        entries.push_back({{id, findParam("foliage.seed")}, seed});
+    }
+    pushSet<ParamTarget>(document, std::move(entries), DocumentCommand::tr("New tree"));
+    return {};
+}
+
+} // namespace ramure
