@@ -33,6 +33,9 @@ struct TreeResult
     double seconds = 0.0; ///< time this evaluation took, cache hits included
 };
 
+/// Most triangles that a branch mesh may have by estimate: twice its cross-sections times their points.
+inline constexpr std::size_t maxMeshFaces = 50'000'000;
+
 class TreePipeline
 {
 public:
@@ -42,10 +45,13 @@ public:
     TreePipeline& operator=(const TreePipeline&) = delete;
 
     /// Runs the stages up to \p last that are not in the cache. Not thread-safe: one pipeline per thread.
-    /// Errors: those of the stages, path = the parameter key where one is to blame.
+    /// Errors: those of checkParams and of the stages, path = the parameter key where one is to blame; Limit
+    /// where the mesh would have more than maxMeshFaces (found before memory is taken); Cancelled. No failure
+    /// is kept.
     Expected<TreeResult> evaluate(const NodeParams& params, Stage last = Stage::Foliage,
                                   const Progress& progress = {});
-    /// Most results kept per stage (default 8).
+    /// Most results kept per stage (default 8, at least 1); the oldest go first. Large results go sooner: one
+    /// stage keeps at most 256 MiB beside the newest.
     void setCacheSize(std::size_t perStage);
 
 private:
@@ -53,7 +59,7 @@ private:
     std::unique_ptr<Cache> m_cache;
 };
 
-/// The cheap draft of the two tiers: fewer divisions, everything else the same.
+/// The cheap draft of the two tiers: at most 3 cross-sections of 5 points, everything else the same.
 NodeParams draftParams(const NodeParams& params);
 
 } // namespace ramure

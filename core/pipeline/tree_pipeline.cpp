@@ -1,0 +1,383 @@
+#include "core/pipeline/tree_pipeline.h"
+
+#include "core/grammar/rewrite.h"
+#include "core/grammar/turtle.h"
+#include "core/params/param_def.h"
+#include "core/pipeline/stage_cache.h"
+#include "core/pipeline/stage_hash.h"
+#include <chrono>
+#include <numeric>
+
+namespace ramure {
+namespace {
+
+struct MeshedBranches
+{
+    std::shared_ptr<const BranchMesh> mesh;
+    std::shared_ptr<const MeshReport> report;
+};
+
+struct MeshedFoliage
+{
+    std::shared_ptr<const Foliage> foliage;
+    std::shared_ptr<const TriangleMesh> leaves, apples;
+};
+
+template <class T> std::size_t bytesOf(const std::vector<T>& list)
+{
+    return list.capacity() * sizeof(T);
+}
+std::size_t bytesOf(const std::string& text)
+{
+    return text.capacity();
+}
+std::size_t bytesOf(const Skeleton& s)
+{
+    return bytesOf(s.parent) + bytesOf(s.p0) + bytesOf(s.p1) + bytesOf(s.a0) + bytesOf(s.a1) +
+           bytesOf(s.level) + bytesOf(s.key) + bytesOf(s.source);
+}
+std::size_t bytesOf(const SimplifiedSkeleton& s)
+{
+    return bytesOf(s.skeleton) + bytesOf(s.mergedInto);
+}
+std::size_t bytesOf(const SectionSet& set)
+{
+    return bytesOf(set.sections);
+}
+std::size_t bytesOf(const TriangleMesh& m)
+{
+    return bytesOf(m.positions) + bytesOf(m.normals) + bytesOf(m.triangles) + bytesOf(m.branch) +
+           bytesOf(m.level);
+}
+std::size_t bytesOf(const MeshedBranches& m)
+{
+    return bytesOf(m.mesh->mesh) + bytesOf(m.mesh->repairs) + bytesOf(m.report->defects);
+}
+std::size_t bytesOf(const MeshedFoliage& f)
+{
+    return bytesOf(f.foliage->leaves) + bytesOf(f.foliage->apples) + bytesOf(*f.leaves) + bytesOf(*f.apples);
+}
+
+tl::unexpected<Error> blame(Error error, const char* path)
+{
+    if (error.path.empty() && error.code != ErrorCode::Cancelled)
+        error.path = path;
+    return fail(std::move(error));
+}
+
+Expected<std::string> growSymbols(const GrammarParams& params, const Progress& progress)
+{
+    const auto grammar = parseGrammar(params.axiom, params.rules);
+    if (!grammar)
+        return fail(grammar.error());
+    RewriteOptions options;
+    options.iterations = static_cast<int>(params.iterations);
+    options.stochastic = params.stochastic;
+    options.seed = static_cast<std::uint64_t>(params.seed);
+    auto symbols = rewrite(*grammar, options, progress);
+    if (!symbols)
+        return blame(std::move(symbols.error()), "grammar.iterations");
+    return symbols;
+}
+
+Expected<Skeleton> growSkeleton(const std::string& symbols, const TurtleParams& params,
+                                const Progress& progress)
+{
+    auto skeleton = runTurtle(symbols, params, progress);
+    if (skeleton)
+        return skeleton;
+    Error error = std::move(skeleton.error());
+    if (error.code == ErrorCode::Limit)
+        return blame(std::move(error), "grammar.iterations");
+    // The axiom and each rule are balanced: only rules for brackets themselves can have done this. The column
+    // counts the rewritten string, which the message says in words; beside a path it would point into the
+    // wrong text.
+    const bool isBracket = error.column > 0;
+    error.column = 0;
+    return blame(std::move(error), isBracket ? "grammar.rules" : "grammar.axiom");
+}
+
+SimplifiedSkeleton untouched(const Skeleton& skeleton)
+{
+    SimplifiedSkeleton same{skeleton, std::vector<Index>(skeleton.size())};
+    std::iota(same.mergedInto.begin(), same.mergedInto.end(), Index(0));
+    return same;
+}
+
+/// One turn per branch, empty where nobody set any.
+std::vector<double> rollsOf(const NodeParams& params, const Skeleton& skeleton)
+{
+    std::vector<double> rolls;
+    if (params.branches.empty())
+        return rolls;
+    rolls.resize(skeleton.size(), 0.0);
+    for (Index i = 0; i < skeleton.size(); ++i)
+        if (const auto set = params.branches.find(skeleton.key[i]); set != params.branches.end())
+            rolls[i] = set->second.rollRad;
+    return rolls;
+}
+
+Expected<void> checkMeshSize(Index branches, const SectionParams& params)
+{
+    const auto faces = [&](std::int64_t length, std::int64_t radial) {
+        return 2 * std::size_t(branches) * static_cast<std::size_t>(length) *
+               static_cast<std::size_t>(radial);
+    };
+    const std::size_t wanted = faces(params.lengthDivisions, params.radialDivisions);
+    if (wanted <= maxMeshFaces)
+        return {};
+    auto error =
+        fail(ErrorCode::Limit,
+             RAMURE_NOOP("%1 branches would make a mesh of about %2 triangles, more than the limit of %3"),
+             {std::to_string(branches), std::to_string(wanted), std::to_string(maxMeshFaces)});
+    const SectionParams usual;
+    const bool tooManyBranches = faces(usual.lengthDivisions, usual.radialDivisions) > maxMeshFaces;
+    error.value().path = tooManyBranches ? "grammar.iterations" : "sections.radialDivisions";
+    return error;
+}
+
+Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const SectionParams& params,
+                                      std::span<const double> rolls, const Progress& progress)
+{
+    BranchMeshOptions options;
+    options.lengthDivisions = static_cast<int>(params.lengthDivisions);
+    options.radialDivisions = static_cast<int>(params.radialDivisions);
+    options.rollRad = rolls;
+    auto mesh = buildBranchMesh(skeleton, options, progress.part(0.0, 0.8));
+    if (!mesh)
+        return fail(std::move(mesh.error()));
+    auto report = validateMesh(mesh->mesh, progress.part(0.8, 1.0));
+    if (!report)
+        return fail(std::move(report.error()));
+    return MeshedBranches{std::make_shared<const BranchMesh>(std::move(*mesh)),
+                          std::make_shared<const MeshReport>(std::move(*report))};
+}
+
+Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& params,
+                                    const Progress& progress)
+{
+    auto placed = placeFoliage(skeleton, params.foliage, params.turtle.alpha, progress);
+    if (!placed)
+        return fail(std::move(placed.error()));
+    const auto foliage = std::make_shared<const Foliage>(std::move(*placed));
+    const double alpha = params.turtle.alpha;
+    return MeshedFoliage{
+        foliage,
+        std::make_shared<const TriangleMesh>(buildLeaves(skeleton, *foliage, alpha, FoliageModel::Fine)),
+        std::make_shared<const TriangleMesh>(buildApples(skeleton, *foliage, alpha, FoliageModel::Fine))};
+}
+
+} // namespace
+
+struct TreePipeline::Cache
+{
+    StageCache<std::string> symbols;
+    StageCache<Skeleton> skeleton;
+    StageCache<SimplifiedSkeleton> simplified;
+    StageCache<SectionSet> sections;
+    StageCache<MeshedBranches> branches;
+    StageCache<MeshedFoliage> foliage;
+
+    void setCapacity(std::size_t capacity)
+    {
+        symbols.setCapacity(capacity);
+        skeleton.setCapacity(capacity);
+        simplified.setCapacity(capacity);
+        sections.setCapacity(capacity);
+        branches.setCapacity(capacity);
+        foliage.setCapacity(capacity);
+    }
+};
+
+namespace {
+
+/// The hashes of all stages of one set of parameters. What a stage does not look at does not go in: the seed
+/// without chance, the threshold without simplification.
+struct StageHashes
+{
+    std::uint64_t symbols, skeleton, simplified, sections, branches, foliage;
+
+    explicit StageHashes(const NodeParams& p)
+    {
+        const GrammarParams& g = p.grammar;
+        StageHash grammar(1);
+        grammar.add(std::string_view(g.axiom))
+            .add(std::string_view(g.rules))
+            .add(g.iterations)
+            .add(g.stochastic);
+        if (g.stochastic)
+            grammar.add(g.seed);
+        symbols = grammar.value();
+        skeleton = StageHash(symbols).add(p.turtle.theta).add(p.turtle.alpha).add(p.turtle.decay).value();
+        StageHash simplify(skeleton);
+        simplify.add(p.simplify.enabled);
+        if (p.simplify.enabled)
+            simplify.add(p.simplify.rotationThreshold);
+        simplified = simplify.value();
+        StageHash sectionHash(simplified);
+        sectionHash.add(p.sections.lengthDivisions);
+        for (const auto& [key, branch] : p.branches)
+            sectionHash.add(key).add(branch.rollRad);
+        sections = sectionHash.value();
+        branches = StageHash(sections).add(p.sections.radialDivisions).value();
+        const FoliageParams& f = p.foliage;
+        StageHash foliageHash(simplified);
+        foliage =
+            foliageHash.add(f.leavesCutoff).add(f.leavesDensity).add(f.applesProbability).add(f.seed).value();
+    }
+};
+
+/// The result from the cache, or made and kept.
+template <class T, class Make>
+Expected<std::shared_ptr<const T>> cached(StageCache<T>& cache, std::uint64_t hash, const Progress& progress,
+                                          Make&& make)
+{
+    if (progress.cancelled())
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+    if (auto kept = cache.find(hash))
+        return kept;
+    Expected<T> made = make();
+    if (!made)
+        return fail(std::move(made.error()));
+    auto result = std::make_shared<const T>(std::move(*made));
+    cache.keep(hash, result, bytesOf(*result));
+    return result;
+}
+
+/// The stages in their order, each into its place in the result. C is TreePipeline::Cache, which is private
+/// there.
+template <class C> class Evaluation
+{
+public:
+    Evaluation(const NodeParams& params, C& cache, const Progress& progress)
+        : m_params(params)
+        , m_hashes(params)
+        , m_cache(cache)
+        , m_progress(progress)
+    {
+    }
+
+    Expected<TreeResult> run(Stage last)
+    {
+        using Step = Expected<void> (Evaluation::*)();
+        constexpr std::pair<Stage, Step> steps[] = {
+            {Stage::Symbols, &Evaluation::symbols},       {Stage::Skeleton, &Evaluation::skeleton},
+            {Stage::Simplified, &Evaluation::simplified}, {Stage::Sections, &Evaluation::sections},
+            {Stage::Mesh, &Evaluation::branches},         {Stage::Foliage, &Evaluation::foliage},
+        };
+        for (const auto& [stage, step] : steps) {
+            if (stage > last)
+                break;
+            if (auto done = (this->*step)(); !done)
+                return fail(std::move(done.error()));
+        }
+        m_progress.report(1.0);
+        return std::move(m_result);
+    }
+
+private:
+    Expected<void> symbols()
+    {
+        return cached(m_cache.symbols, m_hashes.symbols, m_progress,
+                      [&] { return growSymbols(m_params.grammar, m_progress.part(0.0, 0.05)); })
+            .map([&](auto made) { m_result.symbols = std::move(made); });
+    }
+    Expected<void> skeleton()
+    {
+        return cached(m_cache.skeleton, m_hashes.skeleton, m_progress,
+                      [&] {
+                          return growSkeleton(*m_result.symbols, m_params.turtle, m_progress.part(0.05, 0.1));
+                      })
+            .map([&](auto made) { m_result.skeleton = std::move(made); });
+    }
+    Expected<void> simplified()
+    {
+        const SimplifyParams& params = m_params.simplify;
+        return cached(m_cache.simplified, m_hashes.simplified, m_progress,
+                      [&]() -> Expected<SimplifiedSkeleton> {
+                          return params.enabled ? simplify(*m_result.skeleton, params.rotationThreshold)
+                                                : untouched(*m_result.skeleton);
+                      })
+            .map([&](auto made) { m_result.simplified = std::move(made); });
+    }
+    Expected<void> sections()
+    {
+        m_progress.report(0.12);
+        const Skeleton& skeleton = m_result.simplified->skeleton;
+        if (auto ok = checkMeshSize(skeleton.size(), m_params.sections); !ok)
+            return ok;
+        const int divisions = static_cast<int>(m_params.sections.lengthDivisions);
+        return cached(m_cache.sections, m_hashes.sections, m_progress,
+                      [&]() -> Expected<SectionSet> {
+                          return buildSections(skeleton, divisions, rollsOf(m_params, skeleton));
+                      })
+            .map([&](auto made) { m_result.sections = std::move(made); });
+    }
+    Expected<void> branches()
+    {
+        const Skeleton& skeleton = m_result.simplified->skeleton;
+        return cached(m_cache.branches, m_hashes.branches, m_progress,
+                      [&] {
+                          return meshBranches(skeleton, m_params.sections, rollsOf(m_params, skeleton),
+                                              m_progress.part(0.2, 0.9));
+                      })
+            .map([&](auto made) {
+                m_result.branches = made->mesh;
+                m_result.report = made->report;
+            });
+    }
+    Expected<void> foliage()
+    {
+        return cached(m_cache.foliage, m_hashes.foliage, m_progress,
+                      [&] {
+                          return meshFoliage(m_result.simplified->skeleton, m_params,
+                                             m_progress.part(0.9, 1.0));
+                      })
+            .map([&](auto made) {
+                m_result.foliage = made->foliage;
+                m_result.leaves = made->leaves;
+                m_result.apples = made->apples;
+            });
+    }
+
+    const NodeParams& m_params;
+    StageHashes m_hashes;
+    C& m_cache;
+    const Progress& m_progress;
+    TreeResult m_result;
+};
+
+} // namespace
+
+TreePipeline::TreePipeline()
+    : m_cache(std::make_unique<Cache>())
+{
+}
+
+TreePipeline::~TreePipeline() = default;
+
+Expected<TreeResult> TreePipeline::evaluate(const NodeParams& params, Stage last, const Progress& progress)
+{
+    const auto start = std::chrono::steady_clock::now();
+    if (auto ok = checkParams(params); !ok)
+        return fail(std::move(ok.error()));
+    auto result = Evaluation<Cache>(params, *m_cache, progress).run(last);
+    if (result)
+        result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+void TreePipeline::setCacheSize(std::size_t perStage)
+{
+    m_cache->setCapacity(perStage);
+}
+
+NodeParams draftParams(const NodeParams& params)
+{
+    NodeParams draft = params;
+    draft.sections.lengthDivisions = std::min<std::int64_t>(draft.sections.lengthDivisions, 3);
+    draft.sections.radialDivisions = std::min<std::int64_t>(draft.sections.radialDivisions, 5);
+    return draft;
+}
+
+} // namespace ramure
