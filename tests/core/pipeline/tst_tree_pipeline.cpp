@@ -1,0 +1,406 @@
+#include "core/params/param_def.h"
+#include "core/params/presets.h"
+#include "core/pipeline/stage_cache.h"
+#include "core/pipeline/stage_hash.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "tests/support/suite.h"
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+using namespace ramure;
+
+namespace {
+
+/// A small tree, fast to build again and again.
+NodeParams smallParams()
+{
+    NodeParams params;
+    params.grammar.iterations = 3;
+    return params;
+}
+
+NodeParams grown(const char* axiom, const char* rules, std::int64_t iterations)
+{
+    NodeParams params;
+    params.grammar = GrammarParams{axiom, rules, iterations};
+    return params;
+}
+
+/// A valid value that gives another tree.
+ParamValue otherValue(const ParamDef& def, const NodeParams& params)
+{
+    const std::string_view key = def.key;
+    if (key == "grammar.axiom")
+        return std::string("BBA");
+    if (key == "grammar.rules")
+        return params.grammar.rules + "D -> E\n";
+    const ParamValue now = def.get(params);
+    if (const auto* flag = std::get_if<bool>(&now))
+        return !*flag;
+    if (const auto* whole = std::get_if<std::int64_t>(&now))
+        return *whole + 1;
+    if (const auto* real = std::get_if<double>(&now))
+        return *real * 0.9;
+    return std::get<glm::dvec3>(now) + glm::dvec3(0.5);
+}
+
+/// What each stage gave, by address: equal addresses = from the cache.
+std::array<const void*, 6> resultsOf(const TreeResult& tree)
+{
+    return {tree.symbols.get(),  tree.skeleton.get(), tree.simplified.get(),
+            tree.sections.get(), tree.branches.get(), tree.foliage.get()};
+}
+
+QByteArray messageOf(const NodeParams& params)
+{
+    const auto tree = TreePipeline().evaluate(params);
+    return test::why(tree);
+}
+
+} // namespace
+
+class TestTreePipeline : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+    void errorsNameTheParameter_data();
+    void errorsNameTheParameter();
+    void explodingRulesAreNamed();
+    void hugeMeshesAreRefused();
+    void cancelStopsAtOnce();
+    void cancelOnTheWay();
+    void failureLeavesTheCacheIntact();
+    void laterStagesAreNull();
+    void everyParameterMakesItsStageStale_data();
+    void everyParameterMakesItsStageStale();
+    void undoFindsItsResult();
+    void cacheForgetsTheOldest();
+    void seedCountsOnlyWithChance();
+    void withoutSimplificationTheSkeletonStays();
+    void presetsGiveValidMeshes();
+    void rollsMoveTheFrames();
+    void draftIsCheaper();
+    void progressRises();
+    void sameResultEveryTime();
+    void cacheHasABudget();
+    void hashesTellInputsApart();
+};
+
+void TestTreePipeline::errorsNameTheParameter_data()
+{
+    QTest::addColumn<QByteArray>("key");
+    QTest::addColumn<QByteArray>("value");
+    QTest::addColumn<QByteArray>("begin");
+    const auto row = [](const char* key, const char* value, const char* begin) {
+        QTest::addRow("%s %s", key, value) << QByteArray(key) << QByteArray(value) << QByteArray(begin);
+    };
+    row("grammar.axiom", "BB]A", "1:3: grammar.axiom: ");
+    row("grammar.axiom", "", "grammar.axiom: ");
+    row("grammar.axiom", "C", "grammar.axiom: ");
+    row("grammar.axiom", "[+]", "grammar.axiom: ");
+    row("grammar.rules", "A -> B\nB -> [[C]", "2:6: grammar.rules: ");
+    row("grammar.rules", "A - B", "1:3: grammar.rules: ");
+    row("grammar.rules", "A -> 0.5: B | -1: C", "1:15: grammar.rules: ");
+    row("grammar.rules", "A -> [B]\n[ ->", "grammar.rules: \"]\" without \"[\"");
+}
+
+void TestTreePipeline::errorsNameTheParameter()
+{
+    QFETCH(QByteArray, key);
+    QFETCH(QByteArray, value);
+    QFETCH(QByteArray, begin);
+    NodeParams params = smallParams();
+    QVERIFY(setParam(params, *findParam(key.constData()), value.toStdString()));
+    const QByteArray message = messageOf(params);
+    QVERIFY2(message.startsWith(begin), message);
+}
+
+void TestTreePipeline::explodingRulesAreNamed()
+{
+    const auto tree = TreePipeline().evaluate(grown("A", "A -> AAAAAAAA", 30));
+    QVERIFY(!tree);
+    QCOMPARE(tree.error().code, ErrorCode::Limit);
+    QCOMPARE(tree.error().path, std::string("grammar.iterations"));
+    QVERIFY(tree.error().plain().find("iteration 9 of 30") != std::string::npos);
+    // 33 million symbols are allowed, 33 million branches are not.
+    const auto branches = TreePipeline().evaluate(grown("A", "A -> AA", 25));
+    QVERIFY(!branches);
+    QCOMPARE(branches.error().code, ErrorCode::Limit);
+    QCOMPARE(branches.error().path, std::string("grammar.iterations"));
+    NodeParams params = smallParams();
+    params.turtle.alpha = std::numeric_limits<double>::quiet_NaN();
+    QVERIFY(messageOf(params).startsWith("turtle.alpha: "));
+    params = smallParams();
+    params.sections.radialDivisions = 1'000'000;
+    QVERIFY(messageOf(params).startsWith("sections.radialDivisions: "));
+}
+
+void TestTreePipeline::hugeMeshesAreRefused()
+{
+    NodeParams params = grown("A", "A -> A[+A][-A]", 13);
+    const auto many = TreePipeline().evaluate(params);
+    QVERIFY(!many);
+    QCOMPARE(many.error().code, ErrorCode::Limit);
+    QCOMPARE(many.error().path, std::string("grammar.iterations"));
+    params.grammar.iterations = 8;
+    params.sections.radialDivisions = 64;
+    params.sections.lengthDivisions = 64;
+    const auto fine = TreePipeline().evaluate(params);
+    QVERIFY(!fine);
+    QCOMPARE(fine.error().path, std::string("sections.radialDivisions"));
+    // The skeleton alone may still be looked at.
+    QVERIFY(TreePipeline().evaluate(params, Stage::Simplified));
+}
+
+void TestTreePipeline::cancelStopsAtOnce()
+{
+    std::stop_source source;
+    source.request_stop();
+    const auto tree = TreePipeline().evaluate(smallParams(), Stage::Foliage, {source.get_token(), {}});
+    QVERIFY(!tree);
+    QCOMPARE(tree.error().code, ErrorCode::Cancelled);
+    QVERIFY(tree.error().path.empty());
+}
+
+void TestTreePipeline::cancelOnTheWay()
+{
+    for (const double stopAt : {0.01, 0.1, 0.12, 0.3, 0.5}) {
+        std::stop_source source;
+        TreePipeline pipeline;
+        const Progress progress{source.get_token(), [&](double fraction) {
+                                    if (fraction >= stopAt)
+                                        source.request_stop();
+                                }};
+        const auto tree = pipeline.evaluate(smallParams(), Stage::Foliage, progress);
+        QVERIFY(!tree);
+        QCOMPARE(tree.error().code, ErrorCode::Cancelled);
+        QVERIFY(pipeline.evaluate(smallParams()));
+    }
+}
+
+void TestTreePipeline::failureLeavesTheCacheIntact()
+{
+    TreePipeline pipeline;
+    const auto before = pipeline.evaluate(smallParams());
+    NodeParams bad = smallParams();
+    bad.grammar.axiom.insert(0, 1, ']');
+    QVERIFY(!pipeline.evaluate(bad));
+    QVERIFY(!pipeline.evaluate(bad));
+    QVERIFY(resultsOf(*pipeline.evaluate(smallParams())) == resultsOf(*before));
+}
+
+void TestTreePipeline::laterStagesAreNull()
+{
+    for (int last = 0; last <= int(Stage::Placement); ++last) {
+        const auto tree = TreePipeline().evaluate(smallParams(), Stage(last));
+        QVERIFY2(tree, test::why(tree));
+        const auto results = resultsOf(*tree);
+        for (int stage = 0; stage < int(results.size()); ++stage)
+            QCOMPARE(results[std::size_t(stage)] != nullptr, stage <= last);
+        QCOMPARE(tree->report != nullptr, tree->branches != nullptr);
+        QCOMPARE(tree->leaves != nullptr && tree->apples != nullptr, tree->foliage != nullptr);
+        QVERIFY(tree->seconds >= 0.0);
+    }
+}
+
+void TestTreePipeline::everyParameterMakesItsStageStale_data()
+{
+    QTest::addColumn<int>("row");
+    for (const ParamDef& def : paramTable())
+        QTest::newRow(def.key) << int(paramId(def));
+}
+
+void TestTreePipeline::everyParameterMakesItsStageStale()
+{
+    QFETCH(int, row);
+    const ParamDef& def = paramTable()[std::size_t(row)];
+    NodeParams params = smallParams();
+    params.grammar.stochastic = true; // so that the seed counts
+    NodeParams changed = params;
+    QVERIFY(setParam(changed, def, otherValue(def, params)));
+    TreePipeline pipeline;
+    const auto before = pipeline.evaluate(params), after = pipeline.evaluate(changed);
+    QVERIFY2(before && after, test::why(after));
+    const auto old = resultsOf(*before), now = resultsOf(*after);
+    for (std::size_t stage = 0; stage < old.size(); ++stage) {
+        if (stage < std::size_t(def.stage))
+            QVERIFY2(old[stage] == now[stage], "a stage before the stated one was computed again");
+        if (stage == std::size_t(def.stage))
+            QVERIFY2(old[stage] != now[stage], "the stated stage was not computed again");
+    }
+}
+
+void TestTreePipeline::undoFindsItsResult()
+{
+    TreePipeline pipeline;
+    NodeParams params = smallParams();
+    const auto before = pipeline.evaluate(params);
+    params.turtle.theta = 0.5;
+    QVERIFY(resultsOf(*pipeline.evaluate(params)) != resultsOf(*before));
+    QVERIFY(resultsOf(*pipeline.evaluate(smallParams())) == resultsOf(*before));
+}
+
+void TestTreePipeline::cacheForgetsTheOldest()
+{
+    TreePipeline pipeline;
+    pipeline.setCacheSize(2);
+    const auto withTheta = [&](double theta) {
+        NodeParams params = smallParams();
+        params.turtle.theta = theta;
+        return *pipeline.evaluate(params);
+    };
+    const TreeResult a = withTheta(0.1), b = withTheta(0.2);
+    QVERIFY(withTheta(0.1).skeleton == a.skeleton); // now b is the oldest
+    const TreeResult c = withTheta(0.3);
+    QVERIFY(withTheta(0.1).skeleton == a.skeleton);
+    QVERIFY(withTheta(0.3).skeleton == c.skeleton);
+    QVERIFY(withTheta(0.2).skeleton != b.skeleton);
+    // The smallest cache still keeps the newest result.
+    pipeline.setCacheSize(0);
+    const TreeResult d = withTheta(0.4);
+    QVERIFY(withTheta(0.4).branches == d.branches);
+}
+
+void TestTreePipeline::seedCountsOnlyWithChance()
+{
+    TreePipeline pipeline;
+    NodeParams params = smallParams();
+    const auto one = pipeline.evaluate(params);
+    params.grammar.seed = 2;
+    QVERIFY(pipeline.evaluate(params)->symbols == one->symbols);
+    params.grammar.stochastic = true;
+    const auto two = pipeline.evaluate(params);
+    params.grammar.seed = 3;
+    QVERIFY(*pipeline.evaluate(params)->symbols != *two->symbols);
+}
+
+void TestTreePipeline::withoutSimplificationTheSkeletonStays()
+{
+    TreePipeline pipeline;
+    NodeParams params = smallParams();
+    params.simplify.enabled = false;
+    const auto plain = pipeline.evaluate(params);
+    QVERIFY(plain->simplified->skeleton == *plain->skeleton);
+    QCOMPARE(plain->simplified->mergedInto.size(), std::size_t(plain->skeleton->size()));
+    for (Index i = 0; i < plain->skeleton->size(); ++i)
+        QCOMPARE(plain->simplified->mergedInto[i], i);
+    params.simplify.rotationThreshold = 0.3;
+    QVERIFY(pipeline.evaluate(params)->simplified == plain->simplified);
+}
+
+void TestTreePipeline::presetsGiveValidMeshes()
+{
+    for (const Preset& preset : presets()) {
+        const auto tree = TreePipeline().evaluate(preset.params);
+        QVERIFY2(tree, test::why(tree));
+        QVERIFY2(tree->report->valid, preset.name);
+        QCOMPARE(tree->report->components, tree->branches->roots);
+        const SkeletonStats stats = skeletonStats(tree->simplified->skeleton);
+        QCOMPARE(tree->branches->roots, stats.roots);
+        QCOMPARE(tree->sections->sections.size(), std::size_t(stats.branches) * 4);
+        for (const Index branch : tree->branches->mesh.branch)
+            QVERIFY(branch < stats.branches);
+        QCOMPARE(tree->leaves->faceCount(), Index(tree->foliage->leaves.size()));
+    }
+}
+
+void TestTreePipeline::rollsMoveTheFrames()
+{
+    TreePipeline pipeline;
+    NodeParams params = smallParams();
+    const auto plain = pipeline.evaluate(params);
+    const Index branch = 5;
+    params.branches[plain->simplified->skeleton.key[branch]].rollRad = 0.5;
+    params.branches[0xDEADull].rollRad = 1.0; // a branch that this tree does not have
+    const auto rolled = pipeline.evaluate(params);
+    QVERIFY(rolled->simplified == plain->simplified);
+    QVERIFY(rolled->foliage == plain->foliage);
+    const auto normal = [&](const TreeResult& tree) { return tree.sections->of(branch)[0].frame.normal; };
+    QVERIFY(std::abs(glm::dot(normal(*plain), normal(*rolled)) - std::cos(0.5)) < 1e-12);
+    QVERIFY(rolled->branches->mesh.positions != plain->branches->mesh.positions);
+    QVERIFY(rolled->report->valid);
+}
+
+void TestTreePipeline::draftIsCheaper()
+{
+    NodeParams params;
+    const NodeParams draft = draftParams(params);
+    QVERIFY(draft.sections.lengthDivisions < params.sections.lengthDivisions);
+    QVERIFY(draft.sections.radialDivisions < params.sections.radialDivisions);
+    NodeParams back = draft;
+    back.sections = params.sections;
+    QVERIFY(back == params);
+    params.sections = {2, 3};
+    QVERIFY(draftParams(params) == params);
+    TreePipeline pipeline;
+    const auto full = pipeline.evaluate(smallParams());
+    const auto cheap = pipeline.evaluate(draftParams(smallParams()));
+    QVERIFY(cheap->report->valid);
+    QVERIFY(cheap->branches->mesh.faceCount() < full->branches->mesh.faceCount());
+    QVERIFY(cheap->foliage == full->foliage);
+}
+
+void TestTreePipeline::progressRises()
+{
+    double last = 0.0;
+    bool rises = true;
+    const Progress progress{{}, [&](double fraction) {
+                                rises = rises && fraction >= last - 1e-12 && fraction <= 1.0;
+                                last = fraction;
+                            }};
+    QVERIFY(TreePipeline().evaluate(smallParams(), Stage::Foliage, progress));
+    QVERIFY(rises);
+    QCOMPARE(last, 1.0);
+}
+
+void TestTreePipeline::sameResultEveryTime()
+{
+    NodeParams params = smallParams();
+    params.grammar.stochastic = true;
+    const auto a = TreePipeline().evaluate(params), b = TreePipeline().evaluate(params);
+    QVERIFY(*a->symbols == *b->symbols && *a->skeleton == *b->skeleton);
+    QVERIFY(a->branches->mesh == b->branches->mesh);
+    QVERIFY(*a->leaves == *b->leaves && *a->apples == *b->apples);
+}
+
+void TestTreePipeline::cacheHasABudget()
+{
+    StageCache<int> cache;
+    cache.keep(1, std::make_shared<const int>(1), StageCache<int>::budgetBytes / 2);
+    cache.keep(2, std::make_shared<const int>(2), StageCache<int>::budgetBytes / 2);
+    QCOMPARE(cache.size(), std::size_t(2));
+    cache.keep(3, std::make_shared<const int>(3), 1);
+    QCOMPARE(cache.size(), std::size_t(2));
+    QVERIFY(!cache.find(1) && cache.find(2) && cache.find(3));
+    cache.keep(4, std::make_shared<const int>(4), 10 * StageCache<int>::budgetBytes);
+    QCOMPARE(cache.size(), std::size_t(1));
+    QCOMPARE(*cache.find(4), 4);
+}
+
+void TestTreePipeline::hashesTellInputsApart()
+{
+    std::set<std::uint64_t> seen;
+    const auto add = [&](std::initializer_list<std::string_view> texts) {
+        StageHash hash(0);
+        for (const std::string_view text : texts)
+            hash.add(text);
+        seen.insert(hash.value());
+    };
+    add({});
+    add({""});
+    add({"", ""});
+    add({"a"});
+    add({"ab", "c"});
+    add({"a", "bc"});
+    add({"abcdefgh"});
+    add({"abcdefgh", ""});
+    add({"abcdefghi"});
+    QCOMPARE(seen.size(), std::size_t(9));
+    QVERIFY(StageHash(1).add(0.0).value() != StageHash(2).add(0.0).value());
+}
+
+QTEST_GUILESS_MAIN(TestTreePipeline)
+#include "tst_tree_pipeline.moc"
