@@ -67,7 +67,8 @@ TreeMeshes fineMeshes(const TreeResult& tree, std::uint8_t parts)
     return meshes;
 }
 
-TreeMeshes roughMeshes(const TreeResult& tree, const NodeParams& params, std::uint8_t parts)
+Expected<TreeMeshes> roughMeshes(const TreeResult& tree, const NodeParams& params, std::uint8_t parts,
+                                 const Progress& progress)
 {
     const Skeleton& skeleton = tree.simplified->skeleton;
     const double alpha = params.turtle.alpha;
@@ -77,13 +78,15 @@ TreeMeshes roughMeshes(const TreeResult& tree, const NodeParams& params, std::ui
             buildRoughBranches(skeleton, static_cast<int>(params.sections.radialDivisions)));
     if (!(parts & (exportLeaves | exportApples)))
         return meshes;
-    const Foliage foliage = placeFoliage(skeleton, params.foliage, alpha);
+    const auto foliage = placeFoliage(skeleton, params.foliage, alpha, progress);
+    if (!foliage)
+        return fail(foliage.error());
     if (parts & exportLeaves)
         meshes.leaves =
-            std::make_shared<TriangleMesh>(buildLeaves(skeleton, foliage, alpha, FoliageModel::Rough));
+            std::make_shared<TriangleMesh>(buildLeaves(skeleton, *foliage, alpha, FoliageModel::Rough));
     if (parts & exportApples)
         meshes.apples =
-            std::make_shared<TriangleMesh>(buildApples(skeleton, foliage, alpha, FoliageModel::Rough));
+            std::make_shared<TriangleMesh>(buildApples(skeleton, *foliage, alpha, FoliageModel::Rough));
     return meshes;
 }
 
@@ -147,12 +150,16 @@ Expected<void> addTree(ExportSet& set, const Candidate& tree, const glm::dmat4& 
     const auto result = source(*tree.node, lastStage(options), progress);
     if (!result)
         return fail(named(result.error(), tree));
+    if (options.model == ExportModel::Skeleton)
+        addLines(*set.lines, result->simplified->skeleton, world);
     if (options.model == ExportModel::Mesh)
         addMeshes(set, fineMeshes(*result, options.parts), world, tree.suffix);
-    else if (options.model == ExportModel::Rough)
-        addMeshes(set, roughMeshes(*result, tree.node->params, options.parts), world, tree.suffix);
-    else
-        addLines(*set.lines, result->simplified->skeleton, world);
+    if (options.model != ExportModel::Rough)
+        return {};
+    const auto meshes = roughMeshes(*result, tree.node->params, options.parts, progress);
+    if (!meshes)
+        return fail(named(meshes.error(), tree));
+    addMeshes(set, *meshes, world, tree.suffix);
     return {};
 }
 

@@ -12,8 +12,6 @@ namespace ramure {
 
 namespace {
 
-/// A full result that takes no longer than this needs no draft before it.
-constexpr double directSeconds = 0.030;
 /// How long such a direct one may still run when the next edit comes: it stands for a draft, which always
 /// finishes.
 constexpr std::chrono::milliseconds directGrace{100};
@@ -82,6 +80,7 @@ struct Recompute::Private
     QPointer<Document> document;
     QTimer rest;
     int restMs = 120;
+    double directSeconds = 0.012; // with the wait for the one before and the drawing: within two frames
     bool busy = false;
     bool runsDirect = false;   ///< the full job posted last stands for a draft
     quint64 resetRevision = 0; ///< results of the document before New or Open are nobody's
@@ -135,6 +134,11 @@ bool Recompute::isBusy() const
 void Recompute::setRest(int milliseconds)
 {
     d->restMs = std::max(0, milliseconds);
+}
+
+void Recompute::setDirectLimit(int milliseconds)
+{
+    d->directSeconds = std::max(0, milliseconds) / 1000.0;
 }
 
 void Recompute::cancel()

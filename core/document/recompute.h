@@ -15,7 +15,7 @@ namespace ramure {
 /// - their draft is computed at once; edits that come meanwhile wait for it, and the last of them is next;
 /// - when the rest is over, or at once after New, Open, adding and undoing a removal, their full result;
 /// - then, unhurried, the second opinion of OpenMesh, which comes as a new report in the result.
-/// Where all full results together took under 30 ms the last time, they come at once and there is no draft.
+/// Where all full results together took little the last time, they come at once and there is no draft.
 /// The interface's thread only copies parameters (under 0.1 ms per tree) and takes results.
 class Recompute : public QObject
 {
@@ -29,6 +29,8 @@ public:
     [[nodiscard]] bool isBusy() const;
     /// Rest after the last edit before the full result starts, default 120 ms; 0 = at once, no drafts.
     void setRest(int milliseconds);
+    /// Trees whose full results together took less than this get no drafts; default 12 ms.
+    void setDirectLimit(int milliseconds);
     /// Blocks (with an event loop) until every node's full result is there; for the CLI and tests. False on
     /// time-out, and when the computation was cancelled.
     bool waitForFull(int timeoutMs);
