@@ -53,6 +53,8 @@ public:
     void setFilePath(const QString& path);
     /// Replaces everything (New, Open): clears undo, selection and results; emits changeReset.
     void reset(Scene scene, const QString& path, std::string extras = {});
+    /// What is open is nowhere on the disk, as after a recovery: modified, until saved.
+    void markModified() { m_undoStack.resetClean(); }
     /// Not undoable. Unknown ids and out-of-range branches are dropped. Silent where nothing changes.
     void setSelection(Selection selection);
     /// From the recompute object only. Ignored where there is no such node. Selected branches stay selected

@@ -3,12 +3,12 @@
 #include "core/document/document.h"
 #include "core/mesh/rough_model.h"
 
-#include <QCoreApplication>
 #include <algorithm>
-#include <array>
 #include <cctype>
+#include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 
 namespace ramure {
 
@@ -200,15 +200,27 @@ TreeSource pipelineSource(TreePipeline& pipeline)
     };
 }
 
+static Expected<TreeResult> currentResult(const Document& document, NodeId id)
+{
+    const NodeResult* result = document.result(id);
+    if (!result || !document.isCurrent(id))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("the tree is still being computed"));
+    if (result->error)
+        return fail(*result->error);
+    return result->tree;
+}
+
 TreeSource documentSource(const Document& document)
 {
-    return [&document](const Node& node, Stage, const Progress&) -> Expected<TreeResult> {
-        const NodeResult* result = document.result(node.id);
-        if (result && result->error)
-            return fail(*result->error);
-        if (!result || result->draft || !document.isCurrent(node.id))
-            return fail(ErrorCode::Invalid, RAMURE_NOOP("the tree is still being computed"));
-        return result->tree;
+    std::map<NodeId, Expected<TreeResult>> results;
+    for (const Node& node : document.scene().nodes())
+        if (node.kind == NodeKind::Tree)
+            results.emplace(node.id, currentResult(document, node.id));
+    return [kept = std::move(results)](const Node& node, Stage, const Progress&) -> Expected<TreeResult> {
+        const auto found = kept.find(node.id);
+        if (found == kept.end())
+            return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(node.id)});
+        return found->second;
     };
 }
 

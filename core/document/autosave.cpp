@@ -1,0 +1,207 @@
+#include "core/document/autosave.h"
+
+#include "core/document/project_json.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QLockFile>
+#include <QPointer>
+#include <QStandardPaths>
+#include <QTimer>
+#include <QUuid>
+#include <algorithm>
+#include <thread>
+
+namespace ramure {
+
+static const QLatin1String noteKey("recovery");
+static const QLatin1String ending(".ramure");
+
+/// Also given by the lock of a program that was killed, as soon as its process is gone; never by age.
+static std::shared_ptr<QLockFile> lockOf(const QString& recoveryPath)
+{
+    auto lock = std::make_shared<QLockFile>(recoveryPath + QStringLiteral(".lock"));
+    lock->setStaleLockTime(0);
+    return lock;
+}
+
+static QJsonObject objectOf(const std::string& extras)
+{
+    return QJsonDocument::fromJson(QByteArray::fromStdString(extras)).object();
+}
+
+static Project withNote(Project project, const QString& originalPath)
+{
+    QJsonObject extras = objectOf(project.extras);
+    extras.insert(noteKey, QJsonObject{{QStringLiteral("path"), originalPath},
+                                       {QStringLiteral("time"),
+                                        QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs)}});
+    project.extras = json::extrasText(extras);
+    return project;
+}
+
+struct Autosave::Private
+{
+    explicit Private(Autosave* autosave, Document* doc, const QString& folder)
+        : q(autosave)
+        , document(doc)
+        , path(QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + ending))
+    {
+        QDir().mkpath(folder);
+        lock = lockOf(path);
+        lock->tryLock(0);
+    }
+
+    [[nodiscard]] bool isDue() const
+    {
+        return document && document->isModified() && document->revision() != savedRevision;
+    }
+    void tick();
+    void finished(quint64 revision, const Expected<void>& result);
+    void discard();
+
+    Autosave* q;
+    QPointer<Document> document;
+    QString path;
+    std::shared_ptr<QLockFile> lock;
+    QTimer timer;
+    quint64 savedRevision = 0; ///< that the recovery file holds; 0 = there is none
+    bool writing = false;
+    bool failing = false;
+    std::jthread writer;
+};
+
+/// Writing waits for the disk, so another thread does it; it gets a copy of the scene.
+void Autosave::Private::tick()
+{
+    if (!isDue() || writing)
+        return;
+    writing = true;
+    writer = std::jthread([this, revision = document->revision(), file = path,
+                           project = withNote(document->project(), document->filePath())] {
+        const Expected<void> result = saveProjectFile(project, file);
+        QMetaObject::invokeMethod(
+            q, [this, revision, result] { finished(revision, result); }, Qt::QueuedConnection);
+    });
+}
+
+void Autosave::Private::finished(quint64 revision, const Expected<void>& result)
+{
+    writing = false;
+    if (!result) {
+        if (!std::exchange(failing, true))
+            emit q->failed(result.error());
+        return;
+    }
+    failing = false;
+    savedRevision = revision;
+    if (!document || !document->isModified())
+        discard(); // saved, or closed, while this was on its way
+    else
+        emit q->saved();
+}
+
+void Autosave::Private::discard()
+{
+    if (writer.joinable())
+        writer.join();
+    QFile::remove(path);
+    savedRevision = 0;
+}
+
+QString Autosave::defaultFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/recovery");
+}
+
+Autosave::Autosave(Document* document, const QString& folder, QObject* parent)
+    : QObject(parent)
+    , d(std::make_unique<Private>(this, document, folder))
+{
+    connect(&d->timer, &QTimer::timeout, this, [this] { d->tick(); });
+    connect(document, &Document::changed, this, [this](const Change& change) {
+        if (change.has(changeFile | changeReset) && !d->document->isModified())
+            d->discard();
+    });
+    setInterval(60000);
+}
+
+Autosave::~Autosave()
+{
+    d->discard();
+}
+
+void Autosave::setInterval(int milliseconds)
+{
+    if (milliseconds > 0)
+        d->timer.start(milliseconds);
+    else
+        d->timer.stop();
+}
+
+QString Autosave::recoveryPath() const
+{
+    return d->path;
+}
+
+Expected<void> Autosave::saveNow()
+{
+    if (d->writer.joinable())
+        d->writer.join();
+    if (!d->isDue())
+        return {};
+    const quint64 revision = d->document->revision();
+    const auto result = saveProjectFile(withNote(d->document->project(), d->document->filePath()), d->path);
+    if (result)
+        d->savedRevision = revision;
+    return result;
+}
+
+std::vector<Recoverable> recoverableProjects(const QString& folder)
+{
+    std::vector<Recoverable> found;
+    const QStringList pattern{QStringLiteral("*") + ending};
+    for (const QFileInfo& file : QDir(folder).entryInfoList(pattern, QDir::Files)) {
+        Recoverable entry;
+        entry.recoveryPath = file.absoluteFilePath();
+        entry.claim = lockOf(entry.recoveryPath);
+        if (!entry.claim->tryLock(0))
+            continue; // its program runs
+        const auto project = loadProjectFile(entry.recoveryPath);
+        if (!project)
+            continue;
+        const QJsonObject note = objectOf(project->extras).value(noteKey).toObject();
+        entry.originalPath = note.value(QLatin1String("path")).toString();
+        entry.time = QDateTime::fromString(note.value(QLatin1String("time")).toString(), Qt::ISODateWithMs);
+        found.push_back(std::move(entry));
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Recoverable& a, const Recoverable& b) { return a.time > b.time; });
+    return found;
+}
+
+Expected<Project> loadRecoverable(const Recoverable& recoverable)
+{
+    auto project = loadProjectFile(recoverable.recoveryPath);
+    if (!project)
+        return project;
+    QJsonObject extras = objectOf(project->extras);
+    extras.remove(noteKey);
+    project->extras = json::extrasText(extras);
+    return project;
+}
+
+void discardRecoverable(Recoverable& recoverable)
+{
+    const QFileInfo file(recoverable.recoveryPath);
+    // Also what a writing that was cut short left beside it.
+    const QStringList parts{file.fileName(), file.fileName() + QStringLiteral(".??????")};
+    for (const QFileInfo& part : file.absoluteDir().entryInfoList(parts, QDir::Files))
+        QFile::remove(part.absoluteFilePath());
+    recoverable.claim.reset();
+}
+
+} // namespace ramure
+
+#include "moc_autosave.cpp"
