@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <new>
 #include <type_traits>
@@ -15,6 +16,21 @@
 #endif
 
 namespace ramure {
+
+inline constexpr std::size_t hugePageSize = std::size_t(2) << 20;
+
+/// Asks for huge pages under the part of the memory that has room for whole ones. A wish: without them it is
+/// only slower.
+inline void adviseHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes)
+{
+#ifdef __linux__
+    const auto begin =
+        (reinterpret_cast<std::uintptr_t>(memory) + hugePageSize - 1) / hugePageSize * hugePageSize;
+    const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / hugePageSize * hugePageSize;
+    if (memory && begin < end)
+        ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#endif
+}
 
 /// An array of plain values whose contents are undefined until written. Movable, not copyable.
 /// Throws std::bad_alloc like std::vector.
@@ -31,15 +47,12 @@ public:
             return;
         if (count > std::size_t(-1) / 2 / sizeof(T))
             throw std::bad_alloc();
-        const std::size_t unit = count * sizeof(T) >= hugePage ? hugePage : alignof(std::max_align_t);
+        const std::size_t unit = count * sizeof(T) >= hugePageSize ? hugePageSize : alignof(std::max_align_t);
         const std::size_t bytes = (count * sizeof(T) + unit - 1) / unit * unit;
         m_data = static_cast<T*>(std::aligned_alloc(unit, bytes));
         if (!m_data)
             throw std::bad_alloc();
-#ifdef __linux__
-        if (unit == hugePage)
-            ::madvise(m_data, bytes, MADV_HUGEPAGE); // a wish: without huge pages it is only slower
-#endif
+        adviseHugePages(m_data, bytes);
     }
     LargeBuffer(LargeBuffer&& other) noexcept
         : m_data(std::exchange(other.m_data, nullptr))
@@ -52,34 +65,15 @@ public:
         std::swap(m_size, other.m_size);
         return *this;
     }
-    ~LargeBuffer()
-    {
-        std::free(m_data);
-    }
+    ~LargeBuffer() { std::free(m_data); }
 
-    [[nodiscard]] T* data()
-    {
-        return m_data;
-    }
-    [[nodiscard]] const T* data() const
-    {
-        return m_data;
-    }
-    [[nodiscard]] std::size_t size() const
-    {
-        return m_size;
-    }
-    T& operator[](std::size_t i)
-    {
-        return m_data[i];
-    }
-    const T& operator[](std::size_t i) const
-    {
-        return m_data[i];
-    }
+    [[nodiscard]] T* data() { return m_data; }
+    [[nodiscard]] const T* data() const { return m_data; }
+    [[nodiscard]] std::size_t size() const { return m_size; }
+    T& operator[](std::size_t i) { return m_data[i]; }
+    const T& operator[](std::size_t i) const { return m_data[i]; }
 
 private:
-    static constexpr std::size_t hugePage = std::size_t(2) << 20;
     T* m_data = nullptr;
     std::size_t m_size = 0;
 };

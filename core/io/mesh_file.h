@@ -1,5 +1,5 @@
 /// \file
-/// Mesh files: OBJ and PLY, written in one large block, numbers through std::to_chars, read as plainly.
+/// Mesh files: OBJ and PLY, written through one buffer with shortest round-trip numbers, and read.
 #pragma once
 
 #include "core/base/error.h"
@@ -46,11 +46,13 @@ struct PlyOptions
 };
 
 /// Writes PATH and, beside it, the .mtl with the same stem. Files are written under a temporary name and
-/// renamed, so that an error or a cancel leaves the old ones intact. Errors: Io (with file), Cancelled.
+/// renamed, so that an error or a cancel leaves the old ones intact. Devices and pipes are written directly,
+/// without an .mtl. Errors: Io (with file), Invalid (a position or normal is not finite), Cancelled.
 Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts,
                         const Progress& progress = {});
 Expected<void> writeObjLines(const std::string& path, const LinePart& lines, const Progress& progress = {});
-/// The parts joined into one vertex list with properties x y z nx ny nz red green blue branch level.
+/// The parts joined into one vertex list with properties x y z nx ny nz red green blue branch level; normals
+/// where all parts have them, branch and level where one has (noIndex, as an int -1, in the others).
 Expected<void> writePly(const std::string& path, std::span<const MeshPart> parts, const PlyOptions& options,
                         const Progress& progress = {});
 Expected<void> writePlyLines(const std::string& path, const LinePart& lines, const PlyOptions& options);
@@ -60,12 +62,14 @@ struct ReadObject
 {
     std::string name;
     TriangleMesh mesh;
+    /// Per vertex its number in the file, where objects share vertices; else empty.
+    std::vector<Index> fileVertex;
 };
 struct ReadMesh
 {
-    std::vector<ReadObject> objects;
-    std::vector<std::string> notes; ///< what was skipped or guessed, with line numbers
-    /// All objects as one mesh, for validation.
+    std::vector<ReadObject> objects; ///< at least one
+    std::vector<std::string> notes;  ///< what was skipped or guessed, with line numbers
+    /// All objects as one mesh, for validation: vertices that objects share in the file are one again.
     [[nodiscard]] TriangleMesh joined() const;
 };
 

@@ -1,0 +1,152 @@
+#include "core/io/file_writer.h"
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace ramure {
+
+namespace {
+
+/// The file that a chain of links ends in, also where that does not exist yet.
+std::string linkTarget(const std::string& path)
+{
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    if (!fs::is_symlink(path, ignored))
+        return path;
+    const fs::path resolved = fs::weakly_canonical(path, ignored);
+    return resolved.empty() ? path : resolved.string();
+}
+
+/// A name that nobody else has: exclusive creation tells.
+int openTemporary(const std::string& target, std::string& name)
+{
+    static std::atomic<unsigned> counter = 0;
+    for (int attempt = 0; attempt < 100; ++attempt) {
+        name = target + ".new-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+        const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (file >= 0 || errno != EEXIST)
+            return file;
+    }
+    return -1;
+}
+
+} // namespace
+
+FileWriter::FileWriter(std::string path)
+    : m_path(std::move(path))
+    , m_target(linkTarget(m_path))
+    , m_buffer(new char[bufferSize])
+{
+}
+
+FileWriter::FileWriter(FileWriter&& other) noexcept
+    : m_path(std::move(other.m_path))
+    , m_target(std::move(other.m_target))
+    , m_temporary(std::exchange(other.m_temporary, {}))
+    , m_file(std::exchange(other.m_file, -1))
+    , m_errno(other.m_errno)
+    , m_used(other.m_used)
+    , m_buffer(std::move(other.m_buffer))
+{
+}
+
+FileWriter::~FileWriter()
+{
+    if (m_file >= 0)
+        ::close(m_file);
+    if (!m_temporary.empty())
+        ::unlink(m_temporary.c_str());
+}
+
+Error FileWriter::error(int code) const
+{
+    Error out;
+    out.code = ErrorCode::Io;
+    out.text = RAMURE_NOOP("cannot be written: %1");
+    out.args = {std::generic_category().message(code)};
+    out.file = m_path;
+    return out;
+}
+
+Expected<FileWriter> FileWriter::open(const std::string& path)
+{
+    FileWriter out(path);
+    struct stat old = {};
+    const bool exists = ::stat(out.m_target.c_str(), &old) == 0;
+    if (exists && S_ISDIR(old.st_mode))
+        return fail(out.error(EISDIR));
+    if (exists && ::access(out.m_target.c_str(), W_OK) != 0)
+        return fail(out.error(errno)); // replacing it would go round its protection
+    if (exists && !S_ISREG(old.st_mode)) {
+        out.m_file = ::open(out.m_target.c_str(), O_WRONLY | O_CLOEXEC);
+        if (out.m_file < 0)
+            return fail(out.error(errno));
+        return out;
+    }
+    std::string name;
+    out.m_file = openTemporary(out.m_target, name);
+    if (out.m_file < 0)
+        return fail(out.error(errno));
+    out.m_temporary = std::move(name);
+    if (exists && ::fchmod(out.m_file, old.st_mode & 07777) != 0)
+        return fail(out.error(errno));
+    return out;
+}
+
+void FileWriter::append(std::string_view text)
+{
+    while (!text.empty()) {
+        const std::size_t part = std::min<std::size_t>(text.size(), 1u << 16);
+        char* const to = room(part);
+        std::memcpy(to, text.data(), part);
+        advance(to + part);
+        text.remove_prefix(part);
+    }
+}
+
+void FileWriter::flush()
+{
+    const char* from = m_buffer.get();
+    while (m_used > 0 && m_errno == 0) {
+        const ssize_t written = ::write(m_file, from, m_used);
+        if (written < 0 && errno == EINTR)
+            continue;
+        if (written <= 0) {
+            m_errno = written < 0 ? errno : ENOSPC;
+            break;
+        }
+        from += written;
+        m_used -= static_cast<std::size_t>(written);
+    }
+    m_used = 0;
+}
+
+Expected<void> FileWriter::finish()
+{
+    flush();
+    // Some file systems say only now that the disk is full.
+    if (::close(std::exchange(m_file, -1)) != 0 && m_errno == 0)
+        m_errno = errno;
+    if (m_errno != 0)
+        return fail(error(m_errno));
+    return {};
+}
+
+Expected<void> FileWriter::commit()
+{
+    if (m_temporary.empty())
+        return {};
+    if (::rename(m_temporary.c_str(), m_target.c_str()) != 0)
+        return fail(error(errno));
+    m_temporary.clear();
+    return {};
+}
+
+} // namespace ramure

@@ -1,0 +1,62 @@
+/// \file
+/// Files written so that an error leaves the old one intact. Internal to core/io.
+#pragma once
+
+#include "core/base/error.h"
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace ramure {
+
+/// Text or bytes into a temporary file beside the target; commit() puts it in the target's place. Everything
+/// goes through one buffer that stays in the cache: fresh memory of a whole file's size would cost more than
+/// the formatting.
+///
+/// A target that exists and is no regular file (a device, a pipe) is written directly. A symbolic link is
+/// followed.
+class FileWriter
+{
+public:
+    /// Errors: Io (missing or read-only folder, the target is a folder or read-only).
+    static Expected<FileWriter> open(const std::string& path);
+    FileWriter(FileWriter&& other) noexcept;
+    FileWriter& operator=(FileWriter&&) = delete;
+    ~FileWriter(); ///< removes the temporary file where there was no commit
+
+    /// \p bytes (at most 64 KiB) of room, to be claimed by advance().
+    char* room(std::size_t bytes)
+    {
+        if (m_used + bytes > bufferSize)
+            flush();
+        return m_buffer.get() + m_used;
+    }
+    /// \p end lies in the room given last.
+    void advance(const char* end) { m_used = static_cast<std::size_t>(end - m_buffer.get()); }
+    void append(std::string_view text);
+
+    /// False once writing has failed: finish() says why, and what follows is dropped.
+    [[nodiscard]] bool isGood() const { return m_errno == 0; }
+    [[nodiscard]] bool isRegular() const { return !m_temporary.empty(); }
+    /// Writes what is left and closes the file, without touching the target. Error: Io.
+    Expected<void> finish();
+    /// After finish(): the target becomes the new file. Error: Io.
+    Expected<void> commit();
+
+private:
+    static constexpr std::size_t bufferSize = std::size_t(1) << 20;
+
+    explicit FileWriter(std::string path);
+    void flush();
+    [[nodiscard]] Error error(int code) const;
+
+    std::string m_path;      ///< as the caller wrote it, for messages
+    std::string m_target;    ///< links followed
+    std::string m_temporary; ///< empty for devices, and once it is gone
+    int m_file = -1;
+    int m_errno = 0;
+    std::size_t m_used = 0;
+    std::unique_ptr<char[]> m_buffer;
+};
+
+} // namespace ramure

@@ -1,0 +1,323 @@
+#include "core/io/float_text.h"
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+namespace ramure {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "eight digits at a time: least address first");
+
+// --- writing
+// ---------------------------------------------------------------------------------------------------------
+
+/// The biased exponents of the floats from 2^-16 to 2^23: those of nearly every number of a mesh.
+constexpr int firstQuickExponent = 127 - 16;
+constexpr int quickExponents = 39;
+
+/// For all floats with one exponent: the power of ten that makes the distance between neighbours 1 or more,
+/// below 10, and half that distance, scaled by it. Both are exact: 5^12 * (2^25 - 1) < 2^53.
+struct Scale
+{
+    double power;
+    double halfGap;
+    int exponent;
+};
+
+constexpr std::array<Scale, quickExponents> scales()
+{
+    std::array<Scale, quickExponents> out{};
+    for (int i = 0; i < quickExponents; ++i) {
+        double gap = 1.0;
+        for (int e = firstQuickExponent + i; e < 150; ++e)
+            gap *= 0.5;
+        Scale& scale = out[static_cast<std::size_t>(i)];
+        scale.power = 1.0;
+        for (; gap * scale.power < 1.0; ++scale.exponent)
+            scale.power *= 10.0;
+        scale.halfGap = gap * scale.power * 0.5;
+    }
+    return out;
+}
+
+constexpr std::uint32_t powersOfTen[] = {1u,      10u,      100u,      1000u,      10000u,
+                                         100000u, 1000000u, 10000000u, 100000000u, 1000000000u};
+
+int digitCount(std::uint32_t value)
+{
+    const int guess = static_cast<int>(std::bit_width(value | 1u)) * 1233 >> 12; // 1233 / 4096 is log10 2
+    return guess + (value >= powersOfTen[guess] ? 1 : 0) + (value == 0 ? 1 : 0);
+}
+
+/// The eight decimal digits of a number below 10^8 as text, found in pairs and in pairs of pairs at once.
+std::uint64_t eightDigits(std::uint32_t value)
+{
+    const std::uint64_t fours = value / 10000u | std::uint64_t(value % 10000u) << 32;
+    const std::uint64_t hundreds = (fours * 10486u >> 20) & 0x0000007F0000007Fu;
+    const std::uint64_t twos = hundreds | (fours - 100u * hundreds) << 16;
+    const std::uint64_t tens = (twos * 103u >> 10) & 0x000F000F000F000Fu;
+    return (tens | (twos - 10u * tens) << 8) | 0x3030303030303030u;
+}
+
+void store8(char* to, std::uint64_t text)
+{
+    std::memcpy(to, &text, sizeof text);
+}
+
+/// digits / 10^decimals, with at most nine digits.
+struct Decimal
+{
+    std::uint32_t digits;
+    int decimals;
+};
+
+/// The decimal with the fewest digits among those that read back as \p value, and of these the nearest to it;
+/// exactly, since the value and the ends of its rounding interval, scaled, are doubles without an error.
+Decimal shortestDecimal(float value, const Scale& scale, bool isEven)
+{
+    const double scaled = static_cast<double>(value) * scale.power;
+    const double low = scaled - scale.halfGap;
+    const double high = scaled + scale.halfGap;
+    // The interval is shorter than 10: it holds one multiple of 10 at most. Its ends belong to it where the
+    // float is even: reading rounds them to even.
+    const std::uint32_t tens = static_cast<std::uint32_t>(static_cast<std::int64_t>(high)) / 10u;
+    const auto candidate = static_cast<double>(tens * 10u);
+    const bool isInside =
+        isEven ? candidate >= low && candidate <= high : candidate > low && candidate < high;
+    const auto nearest = static_cast<std::uint32_t>(static_cast<std::int64_t>(scaled + 0.5));
+    return {isInside ? tens : nearest, scale.exponent - (isInside ? 1 : 0)};
+}
+
+/// Lays the digits out with a point. False where an exponent would be shorter.
+bool appendDecimal(char*& to, Decimal decimal)
+{
+    while (decimal.digits % 10u == 0u) {
+        decimal.digits /= 10u;
+        --decimal.decimals;
+    }
+    const int count = digitCount(decimal.digits);
+    const int point = count - decimal.decimals; // digits before the decimal point
+    const std::uint64_t ninth = '0' + decimal.digits % 10u;
+    const std::uint32_t firstEight = count == 9 ? decimal.digits / 10u : decimal.digits;
+    const std::uint64_t digits = eightDigits(firstEight) >> (8 * (8 - (count == 9 ? 8 : count)));
+    const int exponentRoom = count > 1 ? 5 : 4;
+    if (point > 0 && point < 8 && decimal.decimals > 0) {
+        store8(to, digits);
+        to[point] = '.';
+        store8(to + point + 1, digits >> (8 * point));
+        to[9] = static_cast<char>(ninth);
+        to += count + 1;
+        return true;
+    }
+    if (point <= 0 && 2 - point <= exponentRoom) {
+        store8(to, 0x3030303030302E30u); // 0.000000
+        store8(to + 2 - point, digits);
+        to[10 - point] = static_cast<char>(ninth);
+        to += 2 - point + count;
+        return true;
+    }
+    if (decimal.decimals == 0 && count <= 8) {
+        store8(to, digits);
+        to += count;
+        return true;
+    }
+    return false;
+}
+
+} // namespace
+
+char* appendFloat(char* to, float value)
+{
+    static constexpr auto table = scales();
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    const auto quick = static_cast<std::uint32_t>((bits >> 23 & 0xFFu) - firstQuickExponent);
+    // A power of two has its lower neighbour at half the distance.
+    const bool isPowerOfTwo = (bits & 0x7FFFFFu) == 0;
+    if (quick < quickExponents && !isPowerOfTwo) {
+        const float size = std::bit_cast<float>(bits & 0x7FFFFFFFu);
+        char* end = to + (bits >> 31);
+        *to = '-';
+        if (appendDecimal(end, shortestDecimal(size, table[quick], (bits & 1u) == 0)))
+            return end;
+    }
+    return std::to_chars(to, to + maxFloatText, value).ptr;
+}
+
+char* appendIndex(char* to, Index value)
+{
+    const int count = digitCount(value);
+    if (count <= 8) {
+        store8(to, eightDigits(value) >> (8 * (8 - count)));
+        return to + count;
+    }
+    char* const end = to + count;
+    const std::uint32_t first = value / 100000000u;
+    if (first >= 10u)
+        *to++ = static_cast<char>('0' + first / 10u);
+    *to++ = static_cast<char>('0' + first % 10u);
+    store8(to, eightDigits(value % 100000000u));
+    return end;
+}
+
+// --- reading
+// ---------------------------------------------------------------------------------------------------------
+
+namespace {
+
+/// Powers of ten that a double holds exactly.
+constexpr double exactPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+/// A decimal number as it stands in the text.
+struct DecimalText
+{
+    std::uint64_t mantissa = 0;
+    int digits = 0;   ///< of the mantissa, leading zeros included; more than 19 may not have fitted
+    int exponent = 0; ///< of ten
+};
+
+bool isDigit(char c)
+{
+    return static_cast<unsigned char>(c - '0') < 10;
+}
+
+constexpr std::uint64_t exactPowers64[] = {1u,      10u,      100u,      1000u,     10000u,
+                                           100000u, 1000000u, 10000000u, 100000000u};
+
+/// How many of the next eight bytes are digits before the first that is none.
+int leadingDigits(std::uint64_t bytes)
+{
+    constexpr std::uint64_t high = 0xF0F0F0F0F0F0F0F0u;
+    const std::uint64_t beyondNine = (((bytes & ~high) + 0x0606060606060606u) & high) >> 4;
+    const std::uint64_t others = ((bytes & high) | beyondNine) ^ 0x3030303030303030u;
+    return others == 0 ? 8 : std::countr_zero(others) / 8;
+}
+
+/// The number that eight digits make.
+std::uint64_t eightDigitValue(std::uint64_t bytes)
+{
+    bytes &= 0x0F0F0F0F0F0F0F0Fu;
+    bytes = bytes * 10u + (bytes >> 8); // pairs in every other byte
+    constexpr std::uint64_t pairs = 0x000000FF000000FFu;
+    return ((bytes & pairs) * (100u + (std::uint64_t(1000000u) << 32)) +
+            (bytes >> 16 & pairs) * (1u + (std::uint64_t(10000u) << 32))) >>
+           32;
+}
+
+void takeDigit(const char*& p, DecimalText& text)
+{
+    text.mantissa = text.mantissa * 10u + static_cast<unsigned>(*p - '0');
+    ++text.digits;
+    ++p;
+}
+
+/// Digits before the point: few, and as many as in the number before.
+const char* takeWhole(const char* p, DecimalText& text)
+{
+    while (isDigit(*p))
+        takeDigit(p, text);
+    return p;
+}
+
+/// Digits behind the point: up to nine without a branch, since nobody can guess their number.
+const char* takeFraction(const char* p, DecimalText& text)
+{
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, p, sizeof bytes);
+    const int count = leadingDigits(bytes);
+    if (count == 0)
+        return p;
+    // Shifted to the end, with zero digits before.
+    text.mantissa = text.mantissa * exactPowers64[count] + eightDigitValue(bytes << (8 * (8 - count)));
+    const auto next = static_cast<unsigned char>(p[count] - '0');
+    const bool isNinth = next < 10;
+    text.mantissa = isNinth ? text.mantissa * 10u + next : text.mantissa;
+    text.digits += count + isNinth;
+    p += count + isNinth;
+    return takeWhole(p, text);
+}
+
+/// e and a number: without a digit it is no exponent.
+const char* takeExponent(const char* p, DecimalText& text)
+{
+    if (*p != 'e' && *p != 'E')
+        return p;
+    const char* q = p + 1;
+    const bool isNegative = *q == '-';
+    if (*q == '-' || *q == '+')
+        ++q;
+    if (!isDigit(*q))
+        return p;
+    int exponent = 0;
+    for (; isDigit(*q); ++q)
+        exponent = exponent < 100000 ? exponent * 10 + (*q - '0') : exponent;
+    text.exponent += isNegative ? -exponent : exponent;
+    return q;
+}
+
+/// Right by the rounding rules of double, except where the double lies just between two floats.
+bool scanQuickly(const DecimalText& text, bool isNegative, float& value)
+{
+    if (text.digits > 19 || text.mantissa > (std::uint64_t(1) << 53) || text.exponent < -22 ||
+        text.exponent > 22)
+        return false;
+    double wide = static_cast<double>(text.mantissa);
+    wide = text.exponent < 0 ? wide / exactPowers[-text.exponent] : wide * exactPowers[text.exponent];
+    constexpr std::uint64_t beyondFloat = (std::uint64_t(1) << 29) - 1;
+    const bool isBetween = (std::bit_cast<std::uint64_t>(wide) & beyondFloat) == (beyondFloat + 1) / 2;
+    const bool isNormal = wide >= static_cast<double>(std::numeric_limits<float>::min()) &&
+                          wide <= static_cast<double>(std::numeric_limits<float>::max());
+    if (text.mantissa != 0 && (isBetween || !isNormal))
+        return false;
+    value = static_cast<float>(isNegative ? -wide : wide);
+    return true;
+}
+
+bool isWordForNotFinite(const char* p)
+{
+    const auto is = [p](const char* word) {
+        for (int i = 0; i < 3; ++i)
+            if ((p[i] | 0x20) != word[i])
+                return false;
+        return true;
+    };
+    return is("nan") || is("inf");
+}
+
+} // namespace
+
+FloatScan scanFloat(const char*& from, float& value)
+{
+    const char* p = from;
+    const bool isNegative = *p == '-';
+    if (isNegative || *p == '+')
+        ++p;
+    const char* const begin = p;
+    DecimalText text;
+    p = takeWhole(p, text);
+    if (*p == '.') {
+        const int whole = text.digits;
+        p = takeFraction(p + 1, text);
+        text.exponent = whole - text.digits;
+    }
+    if (text.digits == 0)
+        return isWordForNotFinite(begin) ? FloatScan::NotFinite : FloatScan::NoNumber;
+    p = takeExponent(p, text);
+    if (!scanQuickly(text, isNegative, value)) {
+        const auto [end, error] = std::from_chars(begin, p, value);
+        if (error != std::errc()) {
+            if (text.digits + text.exponent > 20) // far from both ends: zeros in front count as digits
+                return FloatScan::NotFinite;
+            value = 0.0f;
+        }
+        value = isNegative ? -value : value;
+    }
+    from = p;
+    return FloatScan::Ok;
+}
+
+} // namespace ramure

@@ -1,0 +1,204 @@
+#include "core/io/obj_scan.h"
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <map>
+
+namespace ramure {
+
+namespace {
+
+using reading::ObjLists;
+using reading::ObjMark;
+
+/// One normal per vertex, from the normals of its corners; empty where a corner has none.
+std::vector<glm::vec3> vertexNormals(ObjLists& lists, std::vector<std::string>& notes)
+{
+    const std::size_t vertices = lists.positions.size();
+    if (lists.normalOf.empty() && lists.otherNormals.empty())
+        return {};
+    if (lists.cornersWithoutNormal > 0) {
+        notes.push_back(std::to_string(lists.cornersWithoutNormal) +
+                        " corners without a normal: normals left out");
+        return {};
+    }
+    lists.normalOf.resize(vertices, noIndex);
+    bool isParallel = lists.otherNormals.empty() && lists.normals.size() == vertices;
+    for (std::size_t v = 0; v < vertices && isParallel; ++v)
+        isParallel = lists.normalOf[v] == v || lists.normalOf[v] == noIndex;
+    if (isParallel)
+        return std::move(lists.normals);
+
+    std::vector<glm::vec3> out(vertices, glm::vec3(0.0f, 1.0f, 0.0f));
+    for (std::size_t v = 0; v < vertices; ++v)
+        if (lists.normalOf[v] != noIndex)
+            out[v] = lists.normals[lists.normalOf[v]];
+    // Where faces disagree: the mean of the different ones.
+    auto& others = lists.otherNormals;
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    std::size_t averaged = 0;
+    for (std::size_t i = 0; i < others.size();) {
+        const Index v = others[i].first;
+        const bool hasFirst = lists.normalOf[v] != noIndex;
+        glm::vec3 sum = hasFirst ? out[v] : glm::vec3(0.0f);
+        const glm::vec3 first = hasFirst ? out[v] : lists.normals[others[i].second];
+        for (; i < others.size() && others[i].first == v; ++i)
+            if (others[i].second != lists.normalOf[v])
+                sum += lists.normals[others[i].second];
+        const float length = glm::length(sum);
+        out[v] = length > 0.0f ? sum / length : first;
+        ++averaged;
+    }
+    if (averaged > 0)
+        notes.push_back(std::to_string(averaged) + " vertices with several normals: their mean is taken");
+    return out;
+}
+
+/// Which object a triangle and a vertex belong to, by the marks `o`, or `g` where there is none.
+struct Split
+{
+    struct Range
+    {
+        std::size_t object;
+        Index firstVertex, firstTriangle;
+    };
+    std::vector<std::string> names;
+    std::vector<Range> ranges; ///< in the order of the file
+};
+
+Split splitOf(const ObjLists& lists, const std::string& file)
+{
+    const bool byObjects = !lists.objects.empty();
+    Split out;
+    out.names = {reading::stem(file)};
+    out.ranges = {{0, 0, 0}};
+    std::map<std::string, std::size_t> byName;
+    for (const ObjMark& mark : byObjects ? lists.objects : lists.groups) {
+        const std::string name = mark.name.empty() ? "default" : mark.name;
+        // A group may be taken up again; two objects of one name are two.
+        const auto [place, isNew] = byName.try_emplace(name, out.names.size());
+        if (isNew || byObjects) {
+            place->second = out.names.size();
+            out.names.push_back(name);
+        }
+        out.ranges.push_back({place->second, mark.firstVertex, mark.firstTriangle});
+    }
+    return out;
+}
+
+/// Distributes vertices and triangles over the objects.
+class Splitter
+{
+public:
+    Splitter(const ObjLists& lists, const Split& split)
+        : m_lists(lists)
+        , m_split(split)
+        , m_local(lists.positions.size(), noIndex)
+        , m_user(lists.positions.size(), noIndex)
+    {
+    }
+
+    std::vector<ReadObject> run()
+    {
+        std::vector<std::vector<std::size_t>> rangesOf(m_split.names.size());
+        for (std::size_t r = 0; r < m_split.ranges.size(); ++r)
+            rangesOf[m_split.ranges[r].object].push_back(r);
+        std::vector<std::vector<Index>> vertices(m_split.names.size());
+        for (std::size_t object = 0; object < rangesOf.size(); ++object)
+            collectUsed(object, rangesOf[object], vertices[object]);
+        for (std::size_t r = 0; r < m_split.ranges.size(); ++r)
+            for (Index v = m_split.ranges[r].firstVertex; v < endVertex(r); ++v)
+                if (m_user[v] == noIndex)
+                    vertices[m_split.ranges[r].object].push_back(v);
+        std::vector<ReadObject> out;
+        for (std::size_t object = 0; object < rangesOf.size(); ++object)
+            if (!vertices[object].empty())
+                out.push_back(build(object, rangesOf[object], std::move(vertices[object])));
+        return out;
+    }
+
+private:
+    Index endVertex(std::size_t r) const
+    {
+        return r + 1 < m_split.ranges.size() ? m_split.ranges[r + 1].firstVertex
+                                             : static_cast<Index>(m_lists.positions.size());
+    }
+    Index endTriangle(std::size_t r) const
+    {
+        return r + 1 < m_split.ranges.size() ? m_split.ranges[r + 1].firstTriangle
+                                             : static_cast<Index>(m_lists.triangles.size());
+    }
+    template <class Use> void forTriangles(const std::vector<std::size_t>& ranges, Use&& use) const
+    {
+        for (const std::size_t r : ranges)
+            for (Index t = m_split.ranges[r].firstTriangle; t < endTriangle(r); ++t)
+                use(m_lists.triangles[t]);
+    }
+    void collectUsed(std::size_t object, const std::vector<std::size_t>& ranges, std::vector<Index>& to)
+    {
+        forTriangles(ranges, [&](const glm::uvec3& t) {
+            for (int k = 0; k < 3; ++k) {
+                Index& user = m_user[t[k]];
+                if (user == object)
+                    continue;
+                m_isShared = m_isShared || user != noIndex;
+                user = static_cast<Index>(object);
+                to.push_back(t[k]);
+            }
+        });
+    }
+    ReadObject build(std::size_t object, const std::vector<std::size_t>& ranges, std::vector<Index> vertices)
+    {
+        std::sort(vertices.begin(), vertices.end());
+        ReadObject out;
+        out.name = m_split.names[object];
+        for (const Index v : vertices) {
+            m_local[v] = out.mesh.vertexCount();
+            out.mesh.positions.push_back(m_lists.positions[v]);
+            if (!m_lists.normals.empty())
+                out.mesh.normals.push_back(m_lists.normals[v]);
+        }
+        forTriangles(ranges, [&](const glm::uvec3& t) {
+            out.mesh.triangles.emplace_back(m_local[t.x], m_local[t.y], m_local[t.z]);
+        });
+        if (m_isShared)
+            out.fileVertex = std::move(vertices);
+        return out;
+    }
+
+    const ObjLists& m_lists;
+    const Split& m_split;
+    std::vector<Index> m_local; ///< number of a vertex within the object being built
+    std::vector<Index> m_user;  ///< the last object that was found to use a vertex
+    bool m_isShared = false;
+};
+
+} // namespace
+
+Expected<ReadMesh> parseObj(std::string_view text, const std::string& file, const Progress& progress)
+{
+    auto lists = reading::scanObj(text, file, progress.part(0.0, 0.9));
+    if (!lists)
+        return fail(lists.error());
+    ReadMesh out;
+    out.notes = std::move(lists->notes);
+    lists->normals = vertexNormals(*lists, out.notes);
+    const Split split = splitOf(*lists, file);
+    const bool isWhole =
+        split.ranges.size() == 1 ||
+        (split.ranges.size() == 2 && split.ranges[1].firstVertex == 0 && split.ranges[1].firstTriangle == 0);
+    if (isWhole) {
+        ReadObject object;
+        object.name = split.names.back();
+        object.mesh.positions = std::move(lists->positions);
+        object.mesh.normals = std::move(lists->normals);
+        object.mesh.triangles = std::move(lists->triangles);
+        out.objects.push_back(std::move(object));
+    } else {
+        out.objects = Splitter(*lists, split).run();
+    }
+    progress.report(1.0);
+    return out;
+}
+
+} // namespace ramure

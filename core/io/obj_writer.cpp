@@ -1,0 +1,181 @@
+#include "core/io/write_parts.h"
+#include <algorithm>
+#include <filesystem>
+
+namespace ramure {
+
+namespace {
+
+using writing::appendText;
+using writing::forEach;
+using writing::oneLine;
+using writing::Ticker;
+
+/// PATH with the ending .mtl instead of its own.
+std::string materialPath(const std::string& path)
+{
+    std::filesystem::path out(path);
+    if (out.extension() == ".mtl")
+        out += ".mtl";
+    else
+        out.replace_extension(".mtl");
+    return out.string();
+}
+
+/// Number of \p v in the object's own vertices, counted through the file from 1.
+char* appendCorner(char* to, Index v, bool hasNormals, Index normalShift)
+{
+    char* end = appendIndex(to, v);
+    if (!hasNormals)
+        return end;
+    *end++ = '/';
+    *end++ = '/';
+    return appendIndex(end, v - normalShift);
+}
+
+/// One object. \p firstVertex and \p firstNormal: how many stand in the file before.
+bool writePart(FileWriter& out, const MeshPart& part, Index firstVertex, Index firstNormal, bool hasMaterials,
+               Ticker& ticker)
+{
+    const TriangleMesh& mesh = *part.mesh;
+    const bool hasNormals = writing::hasNormals(mesh);
+    out.append("o " + oneLine(part.name) + "\n");
+    const auto writeVectors = [&](std::string_view keyword, const std::vector<glm::vec3>& vectors) {
+        return forEach(vectors.size(), ticker, out, [&](std::size_t i) {
+            char* to = appendText(out.room(4 + 3 * maxFloatText), keyword);
+            to = writing::appendVector(to, vectors[i]);
+            *to++ = '\n';
+            out.advance(to);
+        });
+    };
+    if (!writeVectors("v ", mesh.positions) || (hasNormals && !writeVectors("vn ", mesh.normals)))
+        return false;
+    if (hasMaterials)
+        out.append("usemtl " + oneLine(part.material.name) + "\n");
+    if (hasNormals)
+        out.append("s 1\n"); // smooth: some programs look at this alone and not at the normals
+    const Index shift = firstVertex - firstNormal;
+    return forEach(mesh.triangles.size(), ticker, out, [&](std::size_t i) {
+        const glm::uvec3 t = mesh.triangles[i] + (firstVertex + 1u);
+        char* to = appendText(out.room(8 + 6 * (maxIndexText + 2)), "f ");
+        to = appendCorner(to, t.x, hasNormals, shift);
+        *to++ = ' ';
+        to = appendCorner(to, t.y, hasNormals, shift);
+        *to++ = ' ';
+        to = appendCorner(to, t.z, hasNormals, shift);
+        *to++ = '\n';
+        out.advance(to);
+    });
+}
+
+/// Colours in an .mtl have no stated space. Programs show Kd as it is, so that it holds the sRGB value that
+/// the user chose, divided by 255, and not a linear one.
+void writeMaterial(FileWriter& out, const Material& material)
+{
+    char buffer[16 + 3 * maxFloatText];
+    char* end = appendText(buffer, "Kd ");
+    end = writing::appendVector(end, glm::vec3(material.colour) / 255.0f);
+    out.append("\nnewmtl " + oneLine(material.name) + "\n");
+    if (material.twoSided)
+        out.append("# seen from both sides\n");
+    out.append({buffer, static_cast<std::size_t>(end - buffer)});
+    out.append(material.phong ? "\nKs 0.2 0.2 0.2\nNs 30\nillum 2\n" : "\nKs 0 0 0\nillum 1\n");
+}
+
+Expected<void> writeMaterials(FileWriter& out, std::span<const MeshPart> parts)
+{
+    out.append("# Ramure " RAMURE_VERSION "\n# Kd in sRGB\n");
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto isSame = [&](const MeshPart& p) { return p.material.name == parts[i].material.name; };
+        if (std::none_of(parts.begin(), parts.begin() + std::ptrdiff_t(i), isSame))
+            writeMaterial(out, parts[i].material);
+    }
+    return out.finish();
+}
+
+std::size_t elementCount(std::span<const MeshPart> parts)
+{
+    std::size_t sum = 0;
+    for (const MeshPart& part : parts)
+        sum += part.mesh->positions.size() + part.mesh->normals.size() + part.mesh->triangles.size();
+    return sum;
+}
+
+tl::unexpected<Error> cancelled(const std::string& path)
+{
+    auto out = fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+    out.value().file = path;
+    return out;
+}
+
+} // namespace
+
+Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts, const Progress& progress)
+{
+    if (const auto finite = writing::checkFinite(parts, path); !finite)
+        return finite;
+    auto out = FileWriter::open(path);
+    if (!out)
+        return fail(out.error());
+    const std::string library = materialPath(path);
+    out->append("# Ramure " RAMURE_VERSION "\n");
+    if (out->isRegular()) // a device has nothing beside it
+        out->append("mtllib " + oneLine(std::filesystem::path(library).filename().string()) + "\n");
+    Ticker ticker(progress, elementCount(parts));
+    Index vertices = 0;
+    Index normals = 0;
+    for (const MeshPart& part : parts) {
+        if (!writePart(*out, part, vertices, normals, out->isRegular(), ticker))
+            break;
+        vertices += part.mesh->vertexCount();
+        normals += writing::hasNormals(*part.mesh) ? part.mesh->vertexCount() : 0;
+    }
+    if (ticker.cancelled())
+        return cancelled(path);
+    const bool hasMaterials = out->isRegular();
+    if (const auto finished = out->finish(); !finished)
+        return finished;
+    if (!hasMaterials)
+        return {};
+    auto materials = FileWriter::open(library);
+    if (!materials)
+        return fail(materials.error());
+    if (const auto finished = writeMaterials(*materials, parts); !finished)
+        return finished;
+    if (const auto committed = materials->commit(); !committed)
+        return committed;
+    return out->commit();
+}
+
+Expected<void> writeObjLines(const std::string& path, const LinePart& lines, const Progress& progress)
+{
+    if (const auto finite = writing::checkFinite(lines, path); !finite)
+        return finite;
+    auto out = FileWriter::open(path);
+    if (!out)
+        return fail(out.error());
+    out->append("# Ramure " RAMURE_VERSION "\no " + oneLine(lines.name) + "\n");
+    Ticker ticker(progress, lines.positions.size() + lines.lines.size());
+    const bool wroteVertices = forEach(lines.positions.size(), ticker, *out, [&](std::size_t i) {
+        char* to = appendText(out->room(4 + 3 * maxFloatText), "v ");
+        to = writing::appendVector(to, lines.positions[i]);
+        *to++ = '\n';
+        out->advance(to);
+    });
+    if (wroteVertices)
+        forEach(lines.lines.size(), ticker, *out, [&](std::size_t i) {
+            char* to = appendText(out->room(8 + 2 * maxIndexText), "l ");
+            to = appendIndex(to, lines.lines[i].x + 1u);
+            *to++ = ' ';
+            to = appendIndex(to, lines.lines[i].y + 1u);
+            *to++ = '\n';
+            out->advance(to);
+        });
+    if (ticker.cancelled())
+        return cancelled(path);
+    if (const auto finished = out->finish(); !finished)
+        return finished;
+    return out->commit();
+}
+
+} // namespace ramure
