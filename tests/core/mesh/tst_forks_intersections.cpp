@@ -14,7 +14,29 @@ private slots:
     void init() { failOnAnyWarning(); }
     void aroundForks_data();
     void aroundForks();
+    void randomSmallTrees();
 };
+
+namespace {
+
+struct Counted
+{
+    Expected<BranchMesh> built;
+    SelfIntersections found;
+};
+
+Counted count(const Skeleton& skeleton, int radial)
+{
+    BranchMeshOptions options;
+    options.radialDivisions = radial;
+    Counted counted{buildBranchMesh(skeleton, options), {}};
+    if (counted.built)
+        counted.found =
+            findSelfIntersections(counted.built->mesh, repairedParents(skeleton, counted.built->repairs));
+    return counted;
+}
+
+} // namespace
 
 void TestForksIntersections::aroundForks_data()
 {
@@ -37,15 +59,30 @@ void TestForksIntersections::aroundForks()
     QFETCH(Index, bar);
     const Expected<Skeleton> skeleton = presetSkeleton({preset.toStdString()});
     QVERIFY2(skeleton, why(skeleton));
-    BranchMeshOptions options;
-    options.radialDivisions = radial;
-    const Expected<BranchMesh> built = buildBranchMesh(*skeleton, options);
-    QVERIFY2(built, why(built));
-    const SelfIntersections found =
-        findSelfIntersections(built->mesh, repairedParents(*skeleton, built->repairs));
+    const Counted counted = count(*skeleton, radial);
+    QVERIFY2(counted.built, why(counted.built));
+    const SelfIntersections& found = counted.found;
     qInfo("%s: %u triangles, same %u, siblings %u, parent-child %u, far %u", QTest::currentDataTag(),
-          built->mesh.faceCount(), found.same, found.siblings, found.parentChild, found.far);
-    QVERIFY2(found.aroundForks() <= bar, found.summary(built->mesh).c_str());
+          counted.built->mesh.faceCount(), found.same, found.siblings, found.parentChild, found.far);
+    QVERIFY2(found.aroundForks() <= bar, found.summary(counted.built->mesh).c_str());
+}
+
+/// The preset is one tree of its grammar among many: others fork at other angles.
+void TestForksIntersections::randomSmallTrees()
+{
+    for (std::uint64_t seed = 1; seed <= 10; ++seed)
+        for (const int radial : {5, 8}) {
+            PresetTree tree{"SmallTree"};
+            tree.stochastic = seed;
+            tree.iterations = 6;
+            const Expected<Skeleton> skeleton = presetSkeleton(tree);
+            QVERIFY2(skeleton, why(skeleton));
+            const Counted counted = count(*skeleton, radial);
+            QVERIFY2(counted.built, why(counted.built));
+            QVERIFY2(
+                counted.found.aroundForks() == 0,
+                ("seed " + std::to_string(seed) + ": " + counted.found.summary(counted.built->mesh)).c_str());
+        }
 }
 
 QTEST_GUILESS_MAIN(TestForksIntersections)
