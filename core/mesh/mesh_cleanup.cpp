@@ -1,8 +1,8 @@
 #include "core/mesh/mesh_cleanup.h"
 
+#include "core/mesh/duplicate_positions.h"
 #include "core/random/random.h"
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -14,15 +14,6 @@ namespace {
 constexpr double leastAreaShare = 2e-14; ///< of the squared diagonal; twice what the validation asks for
 constexpr double nudgeShare = 2e-6;      ///< of the diagonal
 constexpr int mostRounds = 80;
-
-std::uint64_t bitsOf(const glm::vec3& p)
-{
-    // + 0 turns a negative zero into zero: the two are one position.
-    const auto x = std::bit_cast<std::uint32_t>(p.x + 0.0f);
-    const auto y = std::bit_cast<std::uint32_t>(p.y + 0.0f);
-    const auto z = std::bit_cast<std::uint32_t>(p.z + 0.0f);
-    return ((std::uint64_t(x) << 32) | y) * 0x9E3779B97F4A7C15ull ^ mixBits(z);
-}
 
 class Separator
 {
@@ -43,7 +34,6 @@ private:
 
     std::vector<glm::vec3>& m_positions;
     const std::vector<glm::uvec3>& m_triangles;
-    std::vector<Index> m_table;
     double m_diagonal = 0.0, m_step = 0.0;
 };
 
@@ -80,23 +70,10 @@ void Separator::nudge(Index vertex, const glm::dvec3& direction, int round)
 /// Every vertex at the place of an earlier one moves. Returns how many.
 Index Separator::moveTwins(int round)
 {
-    const std::size_t size = std::bit_ceil(m_positions.size() * 2);
-    m_table.assign(size, noIndex);
-    Index moved = 0;
-    for (Index v = 0; v < m_positions.size(); ++v) {
-        for (std::size_t at = bitsOf(m_positions[v]) >> 20 & (size - 1);; at = (at + 1) & (size - 1)) {
-            if (m_table[at] == noIndex) {
-                m_table[at] = v;
-                break;
-            }
-            if (m_positions[m_table[at]] == m_positions[v]) {
-                nudge(v, anyDirection(v, round), round);
-                ++moved;
-                break;
-            }
-        }
-    }
-    return moved;
+    const std::vector<DuplicatePosition> twins = findDuplicatePositions(m_positions);
+    for (const DuplicatePosition& twin : twins)
+        nudge(twin.vertex, anyDirection(twin.vertex, round), round);
+    return static_cast<Index>(twins.size());
 }
 
 /// Triangles without area: the vertex opposite the longest edge moves away from that edge.
