@@ -69,23 +69,6 @@ void AxisTable::build(const std::vector<glm::dvec3>& points, const std::vector<d
     }
 }
 
-AxisTable::Place AxisTable::at(double along) const
-{
-    const double scaled = std::clamp(along * m_stepsPerMetre, 0.0, double(steps));
-    const auto cell = std::min(static_cast<std::size_t>(scaled), std::size_t(steps - 1));
-    const double part = scaled - static_cast<double>(cell);
-    return {m_points[cell] + (m_points[cell + 1] - m_points[cell]) * part,
-            m_tangents[cell] + (m_tangents[cell + 1] - m_tangents[cell]) * part,
-            m_radii[cell] + (m_radii[cell + 1] - m_radii[cell]) * part};
-}
-
-glm::dvec3 AxisTable::pointAt(double along) const
-{
-    const double scaled = std::clamp(along * m_stepsPerMetre, 0.0, double(steps));
-    const auto cell = std::min(static_cast<std::size_t>(scaled), std::size_t(steps - 1));
-    return m_points[cell] + (m_points[cell + 1] - m_points[cell]) * (scaled - static_cast<double>(cell));
-}
-
 double AxisTable::footOf(const glm::dvec3& point, double guess) const
 {
     double along = std::clamp(guess, 0.0, m_length);

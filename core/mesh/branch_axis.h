@@ -5,6 +5,7 @@
 
 #include "core/geometry/sections.h"
 #include "core/mesh/skeleton_normalise.h"
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -33,8 +34,23 @@ public:
     };
 
     /// \p along is clamped to the branch.
-    [[nodiscard]] Place at(double along) const;
-    [[nodiscard]] glm::dvec3 pointAt(double along) const;
+    [[nodiscard]] Place at(double along) const
+    {
+        const auto [cell, part] = cellOf(along);
+        return {m_points[cell] + (m_points[cell + 1] - m_points[cell]) * part,
+                m_tangents[cell] + (m_tangents[cell + 1] - m_tangents[cell]) * part,
+                m_radii[cell] + (m_radii[cell + 1] - m_radii[cell]) * part};
+    }
+    [[nodiscard]] glm::dvec3 pointAt(double along) const
+    {
+        const auto [cell, part] = cellOf(along);
+        return m_points[cell] + (m_points[cell + 1] - m_points[cell]) * part;
+    }
+    [[nodiscard]] double radiusAt(double along) const
+    {
+        const auto [cell, part] = cellOf(along);
+        return m_radii[cell] + (m_radii[cell + 1] - m_radii[cell]) * part;
+    }
     [[nodiscard]] double length() const { return m_length; }
     /// Distance of a point from the tube's surface (negative inside); \p guess: an arc length near the
     /// point's foot.
@@ -47,6 +63,18 @@ public:
                double a1);
 
 private:
+    struct Cell
+    {
+        std::size_t index;
+        double part;
+    };
+    [[nodiscard]] Cell cellOf(double along) const
+    {
+        const double scaled = std::clamp(along * m_stepsPerMetre, 0.0, double(steps));
+        const auto cell = std::min(static_cast<std::size_t>(scaled), std::size_t(steps - 1));
+        return {cell, scaled - static_cast<double>(cell)};
+    }
+
     std::array<glm::dvec3, steps + 1> m_points;
     std::array<glm::dvec3, steps + 1> m_tangents;
     std::array<double, steps + 1> m_radii;

@@ -4,14 +4,14 @@
 #include "core/mesh/mesh_cleanup.h"
 #include "core/mesh/normals.h"
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace ramure {
 
 namespace {
 
-constexpr double tipHeight = 0.35; ///< of the radius: how far a tip is rounded beyond the branch's end
-constexpr std::size_t pollEvery = 256;
+constexpr std::size_t pollEvery = 256; ///< branches
 constexpr int slimmings = 10; ///< at most so often are the radii of a tree halved that came out inside out
 
 /// Builds tube after tube. Depth first with its own stack, so that a skeleton may be as deep as it likes.
@@ -21,7 +21,8 @@ public:
     BranchMesher(const MesherContext& context, NormalSkeleton& skeleton)
         : m_context(context)
         , m_skeleton(skeleton)
-        , m_fork(context)
+        , m_tubes(context)
+        , m_forks(context, m_tubes)
     {
     }
     Expected<void> run(const Progress& progress);
@@ -31,116 +32,37 @@ private:
     [[nodiscard]] double volumeSince(std::size_t firstTriangle) const;
     void slimDown(Index root);
     void turnOver(std::size_t firstTriangle);
-    void startRoot(Index root);
-    void finishTube(const TubeStart& start);
-    void advance(const TubeStart& start, Index& ring, bool endsInFork);
-    void evenStrip(Index lower, Index upper);
-    void looseStrip(Index lower, double lowerAzimuth, std::span<const double> upperAzimuths, Index upper,
-                    const AxisSection& section);
-    void closeTip(Index ring, const AxisSection& end, Index owner);
-    [[nodiscard]] Index radial() const { return static_cast<Index>(m_context.options.radialDivisions); }
+    void buildRoot(Index root);
+    void continueChild(const TubeEnd& parent);
 
     const MesherContext& m_context;
-    NormalSkeleton& m_skeleton; ///< that of the context
-    std::size_t m_done = 0;
-    ForkBuilder m_fork;
+    NormalSkeleton& m_skeleton;              ///< that of the context
+    std::size_t m_done = 0, m_sincePoll = 0; ///< branches
+    TubeBuilder m_tubes;
+    ForkBuilder m_forks;
     AxisBuilder m_axes;
-    EndPlanner m_ends;
-    StripPatch m_strip;
-    std::vector<TubeStart> m_stack, m_starts;
+    std::vector<TubeEnd> m_ends; ///< a stack: the last is next
     std::vector<AxisSection> m_sections;
-    std::vector<double> m_regular;
-    std::vector<UnrolledVertex> m_lower, m_upper;
 };
 
-/// Two regular rings whose points face each other.
-void BranchMesher::evenStrip(Index lower, Index upper)
+void BranchMesher::buildRoot(Index root)
 {
-    const Index n = radial();
-    for (Index k = 0; k < n; ++k) {
-        const Index next = k + 1 < n ? k + 1 : 0;
-        m_context.sink.addTriangle(lower + k, lower + next, upper + k);
-        m_context.sink.addTriangle(lower + next, upper + next, upper + k);
-    }
-}
-
-/// A regular ring, turned by \p lowerAzimuth, and any other.
-void BranchMesher::looseStrip(Index lower, double lowerAzimuth, std::span<const double> upperAzimuths,
-                              Index upper, const AxisSection& section)
-{
-    m_lower.clear();
-    m_upper.clear();
-    for (Index k = 0; k < radial(); ++k)
-        m_lower.push_back({m_regular[k] + lowerAzimuth, 0.0, lower + k});
-    for (std::size_t k = 0; k < upperAzimuths.size(); ++k)
-        m_upper.push_back({upperAzimuths[k], section.radius, upper + static_cast<Index>(k)});
-    m_strip.zip(m_lower, m_upper, section.radius);
-    m_strip.write(m_context.sink);
-}
-
-void BranchMesher::closeTip(Index ring, const AxisSection& end, Index owner)
-{
-    const Index pole =
-        m_context.sink.addVertex(end.centre + tipHeight * end.radius * end.frame.tangent, owner);
-    for (Index k = 0; k < radial(); ++k)
-        m_context.sink.addTriangle(ring + k, ring + (k + 1) % radial(), pole);
-}
-
-/// The root's flat end and its first ring.
-void BranchMesher::startRoot(Index root)
-{
-    const MeshBranch& branch = m_context.skeleton.branches[root];
-    const BranchCurve curve = meshCurve(m_context.skeleton, root, m_context.options.clampOvershoot);
+    const MeshBranch& branch = m_skeleton.branches[root];
+    const BranchCurve curve = meshCurve(m_skeleton, root, m_context.options.clampOvershoot);
     const Frame frame = frameFromTangent(hermite(curve.h0, curve.h1, curve.v0, curve.v1, 0.0).tangent);
     m_axes.build(curve, branch, frame, m_context.options.lengthDivisions, m_sections, nullptr);
-    const Index pole = m_context.sink.addVertex(branch.p0, branch.source);
-    const Index ring = addRing(m_sections.front(), m_regular, branch.source, m_context.sink);
-    for (Index k = 0; k < radial(); ++k)
-        m_context.sink.addTriangle(ring + (k + 1) % radial(), ring + k, pole);
-    m_stack.push_back({root, frame, ring, 0});
+    const Index ring = m_tubes.startRoot(m_sections.front(), branch.p0, branch.source);
+    m_tubes.finish(root, m_sections, 0, ring, 0.0, m_ends);
 }
 
-/// Rings and strips from where the tube stands to its end; \p ring becomes the end ring.
-void BranchMesher::advance(const TubeStart& start, Index& ring, bool endsInFork)
+/// A single child goes on from its parent's last ring; its own roll turns its frames against it.
+void BranchMesher::continueChild(const TubeEnd& parent)
 {
-    const MeshBranch& branch = m_context.skeleton.branches[start.branch];
-    const std::size_t end = m_sections.size() - 1;
-    // A single child's first ring is its parent's last: its own roll turns the frame against it.
-    double lowerAzimuth = start.section == 0 && branch.parent != noIndex ? -branch.rollRad : 0.0;
-    std::size_t last = start.section;
-    for (std::size_t k = last + 1; k <= end; ++k) {
-        if (!keepsSection(m_sections, last, k))
-            continue;
-        last = k;
-        const bool split = k == end && endsInFork;
-        const std::vector<double>& azimuths = split ? m_ends.azimuths() : m_regular;
-        const Index next = addRing(m_sections[k], azimuths, branch.source, m_context.sink);
-        if (split || lowerAzimuth != 0.0)
-            looseStrip(ring, lowerAzimuth, azimuths, next, m_sections[k]);
-        else
-            evenStrip(ring, next);
-        ring = next;
-        lowerAzimuth = 0.0;
-    }
-}
-
-void BranchMesher::finishTube(const TubeStart& start)
-{
-    const MeshBranch& branch = m_context.skeleton.branches[start.branch];
-    m_axes.build(meshCurve(m_context.skeleton, start.branch, m_context.options.clampOvershoot), branch,
-                 start.frame, m_context.options.lengthDivisions, m_sections, nullptr);
-    const AxisSection end = m_sections.back();
-    const bool fork = m_ends.plan(m_context, start.branch, end);
-    Index ring = start.firstVertex;
-    advance(start, ring, fork);
-    if (branch.childCount == 0) {
-        closeTip(ring, end, branch.source);
-    } else if (!fork) {
-        m_stack.push_back({m_context.skeleton.childrenOf(start.branch).front(), end.frame, ring, 0});
-    } else {
-        m_fork.build(start.branch, end, m_ends.layout(), ring, m_starts);
-        m_stack.insert(m_stack.end(), m_starts.rbegin(), m_starts.rend());
-    }
+    const Index child = m_skeleton.childrenOf(parent.branch).front();
+    const MeshBranch& branch = m_skeleton.branches[child];
+    m_axes.build(meshCurve(m_skeleton, child, m_context.options.clampOvershoot), branch, parent.section.frame,
+                 m_context.options.lengthDivisions, m_sections, nullptr);
+    m_tubes.finish(child, m_sections, 0, parent.ring, -branch.rollRad, m_ends);
 }
 
 /// Six times the signed volume of what was added last.
@@ -181,25 +103,31 @@ void BranchMesher::turnOver(std::size_t firstTriangle)
 Expected<void> BranchMesher::buildTree(Index root, const Progress& progress)
 {
     const auto total = static_cast<double>(m_skeleton.branches.size());
-    startRoot(root);
-    while (!m_stack.empty()) {
-        if (m_done++ % pollEvery == 0) {
-            if (progress.cancelled())
-                return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
-            progress.report(std::min(1.0, static_cast<double>(m_done) / total));
-        }
-        const TubeStart start = m_stack.back();
-        m_stack.pop_back();
-        finishTube(start);
+    buildRoot(root);
+    while (!m_ends.empty()) {
+        const TubeEnd parent = m_ends.back();
+        m_ends.pop_back();
+        const Index children = m_skeleton.branches[parent.branch].childCount;
+        if (children == 1)
+            continueChild(parent);
+        else
+            m_forks.build(parent, m_ends);
+        m_sincePoll += children;
+        if (m_sincePoll < pollEvery)
+            continue;
+        m_done += m_sincePoll;
+        m_sincePoll = 0;
+        if (progress.cancelled())
+            return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
+        progress.report(std::min(1.0, static_cast<double>(m_done) / total));
     }
     return {};
 }
 
 Expected<void> BranchMesher::run(const Progress& progress)
 {
-    m_regular.clear();
-    for (Index k = 0; k < radial(); ++k)
-        m_regular.push_back(regularAzimuth(k, m_context.options.radialDivisions));
+    if (progress.cancelled())
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
     MeshSink& sink = m_context.sink;
     for (Index root = 0; root < m_skeleton.branches.size(); ++root) {
         if (m_skeleton.branches[root].parent != noIndex)
@@ -284,7 +212,7 @@ Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshO
         return fail(normal.error());
     MeshSink sink;
     reserve(sink, *normal, options);
-    const MesherContext context{*normal, options, sink};
+    const MesherContext context{*normal, options, sink, regularRing(options.radialDivisions)};
     BranchMesher mesher(context, *normal);
     if (auto done = mesher.run(progress.part(0.0, 0.85)); !done)
         return fail(done.error());

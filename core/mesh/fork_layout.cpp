@@ -1,5 +1,6 @@
 #include "core/mesh/fork_layout.h"
 
+#include "core/geometry/ring.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -64,43 +65,48 @@ void ForkPlanner::spread(double gap)
 }
 
 /// Adds the regular points of the ring that are not too near to a split point.
-void ForkPlanner::fillRing(int radialDivisions, ForkLayout& layout)
+void ForkPlanner::fillRing(std::span<const RingPoint> regular, ForkLayout& layout)
 {
-    const double pitch = turn / radialDivisions;
+    const double pitch = turn / static_cast<double>(regular.size());
     const double keepOff = 0.42 * pitch;
     const std::size_t count = m_splits.size();
-    layout.azimuths.clear();
+    const auto add = [&](double azimuth) {
+        layout.ring.push_back({azimuth, {std::cos(azimuth), std::sin(azimuth)}});
+    };
+    layout.ring.clear();
     layout.splitPoint.clear();
     for (std::size_t i = 0; i < count; ++i) {
         const double from = m_splits[i];
         const double to = i + 1 < count ? m_splits[i + 1] : m_splits[0] + turn;
-        layout.splitPoint.push_back(static_cast<Index>(layout.azimuths.size()));
-        layout.azimuths.push_back(from);
-        for (auto k = static_cast<std::int64_t>(std::floor(from / pitch)); double(k) * pitch < to; ++k) {
-            const double azimuth = static_cast<double>(k) * pitch;
-            if (azimuth > from + keepOff && azimuth < to - keepOff)
-                layout.azimuths.push_back(azimuth);
-        }
+        layout.splitPoint.push_back(static_cast<Index>(layout.ring.size()));
+        add(from);
+        const auto last = static_cast<std::int64_t>(regular.size());
+        for (auto k = static_cast<std::int64_t>(std::ceil((from + keepOff) / pitch));
+             static_cast<double>(k) * pitch < to - keepOff; ++k)
+            layout.ring.push_back({static_cast<double>(k) * pitch,
+                                   regular[static_cast<std::size_t>((k % last + last) % last)].direction});
     }
-    while (layout.azimuths.size() < 3) { // two split points and no room beside them: halve the wider side
-        const double first = layout.azimuths[0], second = layout.azimuths[1];
+    while (layout.ring.size() < 3) { // two split points and no room beside them: halve the wider side
+        const double first = layout.ring[0].azimuth, second = layout.ring[1].azimuth;
         if (second - first >= pi) {
-            layout.azimuths.insert(layout.azimuths.begin() + 1, 0.5 * (first + second));
+            add(second);
+            const double middle = 0.5 * (first + second);
+            layout.ring[1] = {middle, {std::cos(middle), std::sin(middle)}};
             layout.splitPoint[1] = 2;
         } else {
-            layout.azimuths.push_back(0.5 * (second + first + turn));
+            add(0.5 * (second + first + turn));
         }
     }
 }
 
-void ForkPlanner::plan(const Frame& frame, std::span<const glm::dvec3> directions, int radialDivisions,
-                       ForkLayout& layout)
+void ForkPlanner::addChild(const Frame& frame, const glm::dvec3& direction)
 {
-    m_sites.clear();
-    for (const glm::dvec3& direction : directions)
-        m_sites.push_back(stereographic(frame, direction));
-    layout.triangulation.build(m_sites);
+    m_sites.push_back(stereographic(frame, direction));
+}
 
+void ForkPlanner::plan(std::span<const RingPoint> regular, ForkLayout& layout)
+{
+    layout.triangulation.build(m_sites);
     const auto& hull = layout.triangulation.hull();
     m_splits.clear();
     for (const ForkTriangulation::HullEdge& edge : hull) {
@@ -113,9 +119,16 @@ void ForkPlanner::plan(const Frame& frame, std::span<const glm::dvec3> direction
         }
         m_splits.push_back(azimuth);
     }
-    const auto count = static_cast<double>(hull.size());
-    spread(std::min(pi / radialDivisions, 0.8 * turn / count));
-    fillRing(radialDivisions, layout);
+    spread(std::min(pi / static_cast<double>(regular.size()), 0.8 * turn / static_cast<double>(hull.size())));
+    fillRing(regular, layout);
+}
+
+std::vector<RingPoint> regularRing(int count)
+{
+    std::vector<RingPoint> ring;
+    for (int k = 0; k < count; ++k)
+        ring.push_back({turn * k / count, ringDirection(k, count)});
+    return ring;
 }
 
 } // namespace ramure

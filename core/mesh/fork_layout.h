@@ -9,29 +9,41 @@
 
 namespace ramure {
 
+/// A point of a ring, seen from its centre in its frame.
+struct RingPoint
+{
+    double azimuth;       ///< rad
+    glm::dvec2 direction; ///< (cos, sin) of the azimuth
+};
+
+/// The regular ring of \p count points.
+std::vector<RingPoint> regularRing(int count);
+
 /// The disc inside the end ring is cut into one cell per child; the cells' neighbourhoods are the dual of the
 /// triangulation of the children's directions. Every hull edge owns one point of the ring, where its wall
 /// begins.
 struct ForkLayout
 {
     ForkTriangulation triangulation;
-    std::vector<double>
-        azimuths; ///< of the ring's points, increasing from azimuths[0] over less than one turn
-    std::vector<Index>
-        splitPoint; ///< per hull edge: its point's number on the ring, increasing; the first is 0
+    /// Azimuths increase from the first point on, over less than one turn.
+    std::vector<RingPoint> ring;
+    /// Per hull edge: its point's number on the ring, increasing; the first is 0.
+    std::vector<Index> splitPoint;
 };
 
-/// Makes layouts; keeps its buffers.
+/// Makes layouts; keeps its buffers. Give it the children, then let it plan.
 class ForkPlanner
 {
 public:
-    /// \param frame at the parent's end; \param directions unit, towards the children's ends, at least two.
-    void plan(const Frame& frame, std::span<const glm::dvec3> directions, int radialDivisions,
-              ForkLayout& layout);
+    void begin() { m_sites.clear(); }
+    /// \param frame at the parent's end; \param direction unit, towards the child's end.
+    void addChild(const Frame& frame, const glm::dvec3& direction);
+    /// At least two children. \param regular the ring without a fork.
+    void plan(std::span<const RingPoint> regular, ForkLayout& layout);
 
 private:
     void spread(double gap);
-    void fillRing(int radialDivisions, ForkLayout& layout);
+    void fillRing(std::span<const RingPoint> regular, ForkLayout& layout);
 
     std::vector<glm::dvec2> m_sites;
     std::vector<double> m_splits; ///< azimuths of the hull edges' outward normals, unwrapped

@@ -61,7 +61,7 @@ bool ForkWalls::isOutside(const Between& between, const glm::dvec3& point, doubl
 {
     for (std::size_t i = 0; i < between.count; ++i) {
         const AxisTable& table = m_children[between.child[i]].table;
-        if (table.clearance(point, along) < wallMargin * table.at(along).radius)
+        if (table.clearance(point, along) < wallMargin * table.radiusAt(along))
             return false;
     }
     for (std::size_t j = 0; j < m_children.size(); ++j) {
@@ -198,7 +198,7 @@ void ForkWalls::build(const ForkLayout& layout, const ForkRing& ring, std::span<
 void ForkWalls::appendRing(Index point, std::vector<CellVertex>& boundary) const
 {
     boundary.push_back(
-        {m_ring->firstVertex + point, m_ring->points[point], 0.0, m_layout->azimuths[point], true});
+        {m_ring->firstVertex + point, m_ring->points[point], 0.0, m_layout->ring[point].azimuth, true});
 }
 
 /// The ring from the split point of a hull edge to that of the next.

@@ -14,14 +14,29 @@ struct MeshSink
     std::vector<Index> owner; ///< per vertex: branch of the input skeleton
     std::vector<glm::uvec3> triangles;
 
+    [[nodiscard]] Index nextVertex() const { return static_cast<Index>(positions.size()); }
     Index addVertex(const glm::dvec3& position, Index branch)
     {
-        const auto index = static_cast<Index>(positions.size());
+        const Index index = nextVertex();
         positions.emplace_back(position);
         owner.push_back(branch);
         return index;
     }
+    /// Room for \p count vertices of one branch; the caller writes the positions from the returned place on.
+    glm::vec3* addVertices(std::size_t count, Index branch)
+    {
+        const std::size_t first = positions.size();
+        positions.resize(first + count);
+        owner.resize(first + count, branch);
+        return positions.data() + first;
+    }
     void addTriangle(Index a, Index b, Index c) { triangles.emplace_back(a, b, c); }
+    /// Room for \p count triangles, which the caller writes.
+    glm::uvec3* addTriangles(std::size_t count)
+    {
+        triangles.resize(triangles.size() + count);
+        return triangles.data() + (triangles.size() - count);
+    }
 };
 
 } // namespace ramure

@@ -1,0 +1,68 @@
+/// \file
+/// Plain tubes: rings, the strips between them, and the caps of roots and tips.
+#pragma once
+
+#include "core/mesh/branch_axis.h"
+#include "core/mesh/fork_layout.h"
+#include "core/mesh/mesh_sink.h"
+
+namespace ramure {
+
+/// What all parts of the mesher share.
+struct MesherContext
+{
+    const NormalSkeleton& skeleton;
+    const BranchMeshOptions& options;
+    MeshSink& sink;
+    std::vector<RingPoint> regular; ///< the ring of radialDivisions points
+};
+
+/// A branch whose tube is in the mesh up to its last ring; its children are not.
+struct TubeEnd
+{
+    Index branch = noIndex;
+    Index ring = 0; ///< first vertex of the last ring
+    AxisSection section;
+};
+
+/// Adds a ring of a section; returns its first vertex.
+Index addRing(const AxisSection& section, std::span<const RingPoint> points, Index owner, MeshSink& sink);
+/// Where a ring's point lies.
+glm::dvec3 ringPosition(const AxisSection& section, const RingPoint& point);
+/// May section k follow section \p last of the same tube, and does it leave room for the end? The end always
+/// may.
+bool keepsSection(const std::vector<AxisSection>& sections, std::size_t last, std::size_t k);
+/// Plans the fork at the end of a branch with two children or more.
+void planFork(const MesherContext& context, Index branch, const AxisSection& end, ForkPlanner& planner,
+              ForkLayout& layout);
+
+class TubeBuilder
+{
+public:
+    explicit TubeBuilder(const MesherContext& context)
+        : m_context(context)
+    {
+    }
+    /// The flat end of a root; returns its ring's first vertex.
+    Index startRoot(const AxisSection& section, const glm::dvec3& pole, Index owner);
+    /// Continues a tube from its section \p from, the regular ring at \p ring whose points are turned by \p
+    /// turned against the section's frame, up to its end. Tips are closed; other ends are appended to \p
+    /// ends.
+    void finish(Index branch, const std::vector<AxisSection>& sections, std::size_t from, Index ring,
+                double turned, std::vector<TubeEnd>& ends);
+    /// The ring at the end of a branch: split where it forks, regular elsewhere. Valid until the next call.
+    std::span<const RingPoint> endRing(Index branch, const AxisSection& end);
+    /// Closes or hands on a tube that has reached its end.
+    void end(Index branch, const AxisSection& section, Index ring, std::vector<TubeEnd>& ends);
+
+private:
+    void evenStrip(Index lower, Index upper);
+    void looseStrip(Index lower, double turned, std::span<const RingPoint> upperPoints, Index upper);
+    [[nodiscard]] Index radial() const { return static_cast<Index>(m_context.regular.size()); }
+
+    const MesherContext& m_context;
+    ForkPlanner m_planner;
+    ForkLayout m_layout;
+};
+
+} // namespace ramure
