@@ -1,5 +1,6 @@
 #include "core/mesh/branch_mesh.h"
 
+#include "core/base/large_buffer.h"
 #include "core/mesh/fork_builder.h"
 #include "core/mesh/mesh_cleanup.h"
 #include "core/mesh/normals.h"
@@ -12,6 +13,9 @@ namespace ramure {
 namespace {
 
 constexpr std::size_t pollEvery = 256; ///< branches
+/// Of the squared scene: far above the share of the mesh's box that cleaning up goes by, the box is never ten
+/// times as wide.
+constexpr double smallAreaShare = 1e-11;
 constexpr int slimmings = 10; ///< at most so often are the radii of a tree halved that came out inside out
 
 /// Builds tube after tube. Depth first with its own stack, so that a skeleton may be as deep as it likes.
@@ -26,10 +30,12 @@ public:
     {
     }
     Expected<void> run(const Progress& progress);
+    /// Triangles that may be too small; all others are well above the limit.
+    [[nodiscard]] const std::vector<Index>& smallTriangles() const { return m_small; }
 
 private:
     Expected<void> buildTree(Index root, const Progress& progress);
-    [[nodiscard]] double volumeSince(std::size_t firstTriangle) const;
+    void inspect();
     void slimDown(Index root);
     void turnOver(std::size_t firstTriangle);
     void buildRoot(Index root);
@@ -43,6 +49,11 @@ private:
     AxisBuilder m_axes;
     std::vector<TubeEnd> m_ends; ///< a stack: the last is next
     std::vector<AxisSection> m_sections;
+    Index m_inspected = 0;       ///< triangles
+    double m_volume = 0.0;       ///< six times the signed volume of the tree at hand
+    double m_smallSquared = 0.0; ///< of a triangle's doubled area
+    glm::dvec3 m_base{0.0};
+    std::vector<Index> m_small;
 };
 
 void BranchMesher::buildRoot(Index root)
@@ -65,20 +76,21 @@ void BranchMesher::continueChild(const TubeEnd& parent)
     m_tubes.finish(child, m_sections, 0, parent.ring, -branch.rollRad, m_ends);
 }
 
-/// Six times the signed volume of what was added last.
-double BranchMesher::volumeSince(std::size_t firstTriangle) const
+/// Looks at what was added last while it is in the cache: its share of the signed volume, and triangles so
+/// small that the clean-up should look at them again.
+void BranchMesher::inspect()
 {
     const MeshSink& sink = m_context.sink;
-    const glm::dvec3 base(sink.positions[sink.triangles[firstTriangle].x]);
-    double volume = 0.0;
-    for (std::size_t t = firstTriangle; t < sink.triangles.size(); ++t) {
-        const glm::uvec3& triangle = sink.triangles[t];
-        const glm::dvec3 a = glm::dvec3(sink.positions[triangle.x]) - base;
-        const glm::dvec3 b = glm::dvec3(sink.positions[triangle.y]) - base;
-        const glm::dvec3 c = glm::dvec3(sink.positions[triangle.z]) - base;
-        volume += glm::dot(a, glm::cross(b, c));
+    const auto end = static_cast<Index>(sink.triangles.size());
+    for (; m_inspected < end; ++m_inspected) {
+        const glm::uvec3& triangle = sink.triangles[m_inspected];
+        const glm::dvec3 a(sink.positions[triangle.x]);
+        const glm::dvec3 normal = glm::cross(glm::dvec3(sink.positions[triangle.y]) - a,
+                                             glm::dvec3(sink.positions[triangle.z]) - a);
+        m_volume += glm::dot(a - m_base, normal);
+        if (!(glm::dot(normal, normal) > m_smallSquared))
+            m_small.push_back(m_inspected);
     }
-    return volume;
 }
 
 /// Halves the radii of a whole tree: branches much thicker than long can turn their tubes inside out.
@@ -103,7 +115,10 @@ void BranchMesher::turnOver(std::size_t firstTriangle)
 Expected<void> BranchMesher::buildTree(Index root, const Progress& progress)
 {
     const auto total = static_cast<double>(m_skeleton.branches.size());
+    m_volume = 0.0;
+    m_base = m_skeleton.branches[root].p0;
     buildRoot(root);
+    inspect();
     while (!m_ends.empty()) {
         const TubeEnd parent = m_ends.back();
         m_ends.pop_back();
@@ -112,6 +127,7 @@ Expected<void> BranchMesher::buildTree(Index root, const Progress& progress)
             continueChild(parent);
         else
             m_forks.build(parent, m_ends);
+        inspect();
         m_sincePoll += children;
         if (m_sincePoll < pollEvery)
             continue;
@@ -128,6 +144,8 @@ Expected<void> BranchMesher::run(const Progress& progress)
 {
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
+    const double small = 2.0 * smallAreaShare * m_skeleton.scene * m_skeleton.scene;
+    m_smallSquared = small * small;
     MeshSink& sink = m_context.sink;
     for (Index root = 0; root < m_skeleton.branches.size(); ++root) {
         if (m_skeleton.branches[root].parent != noIndex)
@@ -136,7 +154,7 @@ Expected<void> BranchMesher::run(const Progress& progress)
         for (int attempt = 0;; ++attempt) {
             if (auto built = buildTree(root, progress); !built)
                 return built;
-            if (volumeSince(triangles) > 0.0)
+            if (m_volume > 0.0)
                 break;
             if (attempt == slimmings) {
                 turnOver(triangles);
@@ -149,6 +167,9 @@ Expected<void> BranchMesher::run(const Progress& progress)
             sink.positions.resize(vertices);
             sink.owner.resize(vertices);
             sink.triangles.resize(triangles);
+            m_inspected = static_cast<Index>(triangles);
+            while (!m_small.empty() && m_small.back() >= m_inspected)
+                m_small.pop_back();
         }
     }
     return {};
@@ -173,14 +194,20 @@ Expected<void> checkOptions(const Skeleton& skeleton, const BranchMeshOptions& o
     return {};
 }
 
+template <class T> void reserveHuge(std::vector<T>& vector, std::size_t count)
+{
+    vector.reserve(count);
+    adviseHugePages(vector.data(), count * sizeof(T));
+}
+
 void reserve(MeshSink& sink, const NormalSkeleton& skeleton, const BranchMeshOptions& options)
 {
     const std::size_t rings =
         skeleton.branches.size() * static_cast<std::size_t>(options.lengthDivisions - 1);
     const std::size_t vertices = rings * static_cast<std::size_t>(options.radialDivisions) + 8 * rings / 3;
-    sink.positions.reserve(vertices);
-    sink.owner.reserve(vertices);
-    sink.triangles.reserve(2 * vertices);
+    reserveHuge(sink.positions, vertices);
+    reserveHuge(sink.owner, vertices);
+    reserveHuge(sink.triangles, 2 * vertices);
 }
 
 BranchMesh assemble(MeshSink& sink, NormalSkeleton& normal, const Skeleton& skeleton)
@@ -217,7 +244,10 @@ Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshO
     if (auto done = mesher.run(progress.part(0.0, 0.85)); !done)
         return fail(done.error());
     BranchMesh result = assemble(sink, *normal, skeleton);
-    separateVertices(result.mesh.positions, result.mesh.triangles, progress);
+    // Moved away from the origin, positions were rounded again: then every triangle is looked at.
+    const bool rounded = normal->origin != glm::dvec3(0.0);
+    separateVertices(result.mesh.positions, result.mesh.triangles, progress,
+                     rounded ? nullptr : &mesher.smallTriangles());
     progress.report(0.95);
     computeNormals(result.mesh);
     if (progress.cancelled())

@@ -23,12 +23,13 @@ public:
         , m_triangles(triangles)
     {
     }
-    Index run(const Progress& progress);
+    Index run(const std::vector<Index>* suspects, const Progress& progress);
 
 private:
     void measure();
     Index moveTwins(int round);
-    Index openFlat(int round);
+    Index openFlat(const std::vector<Index>* suspects, int round);
+    bool openFlat(const glm::uvec3& triangle, int round);
     void nudge(Index vertex, const glm::dvec3& direction, int round);
     [[nodiscard]] glm::dvec3 anyDirection(Index vertex, int round) const;
 
@@ -76,38 +77,47 @@ Index Separator::moveTwins(int round)
     return static_cast<Index>(twins.size());
 }
 
-/// Triangles without area: the vertex opposite the longest edge moves away from that edge.
-Index Separator::openFlat(int round)
+/// A triangle without area: the vertex opposite the longest edge moves away from that edge.
+bool Separator::openFlat(const glm::uvec3& triangle, int round)
 {
     const double least = 2.0 * leastAreaShare * m_diagonal * m_diagonal;
-    Index moved = 0;
-    for (const glm::uvec3& triangle : m_triangles) {
-        const glm::dvec3 a(m_positions[triangle.x]), b(m_positions[triangle.y]), c(m_positions[triangle.z]);
-        const glm::dvec3 normal = glm::cross(b - a, c - a);
-        if (glm::dot(normal, normal) > least * least)
-            continue;
-        const double ab = glm::length(b - a), bc = glm::length(c - b), ca = glm::length(a - c);
-        const glm::dvec3 base = ab >= bc && ab >= ca ? b - a : (bc >= ca ? c - b : a - c);
-        const Index apex = ab >= bc && ab >= ca ? triangle.z : (bc >= ca ? triangle.x : triangle.y);
-        glm::dvec3 direction = anyDirection(apex, round);
-        const double square = glm::dot(base, base);
-        if (square > 0.0) {
-            const glm::dvec3 across = direction - base * (glm::dot(direction, base) / square);
-            if (glm::dot(across, across) > 1e-4)
-                direction = glm::normalize(across);
-        }
-        nudge(apex, direction, round);
-        ++moved;
+    const glm::dvec3 a(m_positions[triangle.x]), b(m_positions[triangle.y]), c(m_positions[triangle.z]);
+    const glm::dvec3 normal = glm::cross(b - a, c - a);
+    if (glm::dot(normal, normal) > least * least)
+        return false;
+    const double ab = glm::length(b - a), bc = glm::length(c - b), ca = glm::length(a - c);
+    const glm::dvec3 base = ab >= bc && ab >= ca ? b - a : (bc >= ca ? c - b : a - c);
+    const Index apex = ab >= bc && ab >= ca ? triangle.z : (bc >= ca ? triangle.x : triangle.y);
+    glm::dvec3 direction = anyDirection(apex, round);
+    const double square = glm::dot(base, base);
+    if (square > 0.0) {
+        const glm::dvec3 across = direction - base * (glm::dot(direction, base) / square);
+        if (glm::dot(across, across) > 1e-4)
+            direction = glm::normalize(across);
     }
+    nudge(apex, direction, round);
+    return true;
+}
+
+Index Separator::openFlat(const std::vector<Index>* suspects, int round)
+{
+    Index moved = 0;
+    if (suspects) {
+        for (const Index triangle : *suspects)
+            moved += openFlat(m_triangles[triangle], round) ? 1 : 0;
+        return moved;
+    }
+    for (const glm::uvec3& triangle : m_triangles)
+        moved += openFlat(triangle, round) ? 1 : 0;
     return moved;
 }
 
-Index Separator::run(const Progress& progress)
+Index Separator::run(const std::vector<Index>* suspects, const Progress& progress)
 {
     measure();
     Index total = 0;
     for (int round = 0; round < mostRounds && !progress.cancelled(); ++round) {
-        const Index moved = moveTwins(round) + openFlat(round);
+        const Index moved = moveTwins(round) + openFlat(total == 0 ? suspects : nullptr, round);
         total += moved;
         if (moved == 0)
             break;
@@ -118,9 +128,9 @@ Index Separator::run(const Progress& progress)
 } // namespace
 
 Index separateVertices(std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
-                       const Progress& progress)
+                       const Progress& progress, const std::vector<Index>* suspects)
 {
-    return positions.empty() ? 0 : Separator(positions, triangles).run(progress);
+    return positions.empty() ? 0 : Separator(positions, triangles).run(suspects, progress);
 }
 
 } // namespace ramure

@@ -14,6 +14,6 @@ namespace ramure {
 /// of the box. Deterministic. Returns the number of moved vertices (0 on most meshes); stops early when
 /// cancelled.
 Index separateVertices(std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
-                       const Progress& progress);
+                       const Progress& progress, const std::vector<Index>* suspects = nullptr);
 
 } // namespace ramure
