@@ -13,11 +13,16 @@ uniform float uLineWidth; // pixels
 
 uniform vec3 uColour;      // sRGB
 uniform float uShininess;  // 0 = Lambert
+uniform float uGlint;      // strength of the highlight
 uniform float uThrough;    // share of the light that shines through, for leaves
 uniform bool uTwoSided;
 uniform vec4 uBackward;    // orthographic: direction to the eye, w = 1; perspective: w = 0
 
 out vec4 fragment;
+
+// The ground, level, shows exactly its colour; surfaces that stand get a little more light, so that a trunk is not dark
+// beside it.
+const float standing = 1.2;
 
 vec3 shaded(vec3 albedo, vec3 normal)
 {
@@ -30,9 +35,9 @@ vec3 shaded(vec3 albedo, vec3 normal)
     if (uShininess > 0.0) {
         vec3 toEye = uBackward.w > 0.5 ? uBackward.xyz : normalize(-v.relative);
         float glint = pow(max(dot(reflect(-uSun, normal), toEye), 0.0), uShininess);
-        colour += step(0.0, facing) * sun * glint * 0.16 * uSunLight;
+        colour += step(0.0, facing) * sun * glint * uGlint * uSunLight;
     }
-    return colour;
+    return standing * colour;
 }
 
 void main()

@@ -58,7 +58,7 @@ vec3 ground(vec3 relative, vec2 at, vec2 width)
     float mottle = (noise(at / uMottle) - 0.5) * (1.0 - smoothstep(0.2, 0.7, broad / uMottle));
     float fine = uMottle * 0.11;
     mottle += 0.7 * (noise(at / fine) - 0.5) * (1.0 - smoothstep(0.2, 0.7, broad / fine));
-    vec3 albedo = toLinear(groundGreen) * (1.0 + 0.20 * mottle);
+    vec3 albedo = toLinear(groundGreen) * (1.0 + 0.14 * mottle);
     float sun = sunlight(relative, vec3(0.0, 1.0, 0.0));
     vec3 colour = albedo * (uSkyLight + uSunLight * uSun.y * sun);
     if (uGridStep > 0.0) {
@@ -88,7 +88,7 @@ void main()
     vec2 width = fwidth(at);
     if (direction.y < -1e-5 && height > 0.0) {
         float far = length(at - uCentre) / uFade;
-        float melt = 1.0 - exp(-far * far);
+        float melt = 1.0 - exp(-pow(far, 1.6));
         if (melt < 0.998)
             colour = mix(ground(relative, at, width), colour, melt);
         vec4 clip = uClip * vec4(relative, 1.0);

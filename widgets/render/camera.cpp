@@ -1,8 +1,10 @@
 #include "widgets/render/camera.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <numbers>
 
 namespace ramure {
@@ -138,20 +140,40 @@ void Camera::frame(const Box& box, double aspect, double margin)
 {
     if (box.empty())
         return;
-    target = box.centre();
-    const double slope = std::tan(0.5 * fovRad);
-    double needed = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 offset = box.corner(i) - target;
-        const double across = std::abs(glm::dot(offset, right())) / (slope * aspect);
-        const double along = std::abs(glm::dot(offset, up())) / slope;
-        const double towardsEye = orthographic ? 0.0 : glm::dot(offset, backward());
-        needed = std::max(needed, margin * std::max(across, along) + towardsEye);
+    std::array<glm::dvec3, 8> corners;
+    for (int i = 0; i < 8; ++i)
+        corners[std::size_t(i)] = box.corner(i);
+    frame(corners, aspect, margin);
+}
+
+// Each side of the frustum touches the point that lies farthest out along its normal; two opposite sides give
+// the centre and the distance that both allow.
+void Camera::frame(std::span<const glm::dvec3> points, double aspect, double margin)
+{
+    if (points.empty())
+        return;
+    Box box;
+    for (const glm::dvec3& point : points)
+        box.add(point);
+    const double slopeY = std::tan(0.5 * fovRad) / margin;
+    const double slopeX = slopeY * aspect;
+    constexpr double lowest = -std::numeric_limits<double>::infinity();
+    double rightmost = lowest, leftmost = lowest, topmost = lowest, lowermost = lowest;
+    for (const glm::dvec3& point : points) {
+        const glm::dvec3 offset = point - box.centre();
+        const double x = glm::dot(offset, right());
+        const double y = glm::dot(offset, up());
+        const double z = orthographic ? 0.0 : glm::dot(offset, backward());
+        rightmost = std::max(rightmost, x + z * slopeX);
+        leftmost = std::max(leftmost, -x + z * slopeX);
+        topmost = std::max(topmost, y + z * slopeY);
+        lowermost = std::max(lowermost, -y + z * slopeY);
     }
-    // A single point still gets a picture: ten centimetres of it.
-    distance = std::clamp(needed, 0.1, maxDistance);
-    if (box.radius() > 0.0)
-        distance = std::clamp(needed, minDistance, maxDistance);
+    const double needed =
+        std::max((rightmost + leftmost) / (2.0 * slopeX), (topmost + lowermost) / (2.0 * slopeY));
+    target = box.centre() + 0.5 * (rightmost - leftmost) * right() + 0.5 * (topmost - lowermost) * up();
+    // A single point still gets a picture: some centimetres of it.
+    distance = std::clamp(needed, box.radius() > 0.0 ? minDistance : 0.1, maxDistance);
 }
 
 void Camera::setAxisView(AxisView view)

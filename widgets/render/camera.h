@@ -10,6 +10,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <optional>
+#include <span>
 
 namespace ramure {
 
@@ -69,7 +70,9 @@ public:
     [[nodiscard]] glm::dvec3 pointAtTargetDepth(const glm::dvec2& ndc, double aspect) const;
     /// Places target and distance so that the whole box fills the picture up to the margin. Empty boxes: no
     /// change.
-    void frame(const Box& box, double aspect, double margin = 1.06);
+    void frame(const Box& box, double aspect, double margin = 1.12);
+    /// The same for points: as close as they allow, centred in the picture. No points: no change.
+    void frame(std::span<const glm::dvec3> points, double aspect, double margin = 1.12);
     void setAxisView(AxisView view);
 
     bool operator==(const Camera&) const = default;

@@ -4,6 +4,7 @@
 #include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QSurfaceFormat>
 
 namespace ramure {
@@ -20,19 +21,26 @@ void prepareOpenGl()
     QSurfaceFormat::setDefaultFormat(format);
 }
 
-bool openGlAvailable(QString* reason)
+bool isSoftwareRenderer(const QByteArray& renderer)
 {
-    const auto refuse = [reason](const char* text) {
-        if (reason)
-            *reason = QCoreApplication::translate("render", text);
-        return false;
+    const QByteArray name = renderer.toLower();
+    return name.contains("llvmpipe") || name.contains("softpipe") || name.contains("swrast") ||
+           name.contains("software");
+}
+
+OpenGlProbe probeOpenGl()
+{
+    OpenGlProbe probe;
+    const auto refuse = [&probe](const char* text) {
+        probe.reason = QCoreApplication::translate("render", text);
+        return probe;
     };
     const QString platform = QGuiApplication::platformName();
     // These platforms crash when a window merely contains an OpenGL widget.
-    if (platform == QLatin1String("offscreen") || platform == QLatin1String("minimal") ||
-        platform == QLatin1String("minimalegl") || platform == QLatin1String("linuxfb") ||
-        platform == QLatin1String("vnc"))
-        return refuse(QT_TRANSLATE_NOOP("render", "This display cannot show OpenGL."));
+    for (const char* without : {"offscreen", "minimal", "minimalegl", "linuxfb", "vnc"}) {
+        if (platform == QLatin1String(without))
+            return refuse(QT_TRANSLATE_NOOP("render", "This display cannot show OpenGL."));
+    }
     QSurfaceFormat format = QSurfaceFormat::defaultFormat();
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
@@ -40,16 +48,27 @@ bool openGlAvailable(QString* reason)
     context.setFormat(format);
     if (!context.create())
         return refuse(QT_TRANSLATE_NOOP("render", "The graphics driver gives no OpenGL."));
-    const auto version = context.format().version();
-    if (context.isOpenGLES() || version < std::pair(3, 3))
+    if (context.isOpenGLES() || context.format().version() < std::pair(3, 3))
         return refuse(QT_TRANSLATE_NOOP("render", "The graphics driver's OpenGL is older than 3.3."));
     QOffscreenSurface surface;
     surface.setFormat(context.format());
     surface.create();
     if (!surface.isValid() || !context.makeCurrent(&surface))
         return refuse(QT_TRANSLATE_NOOP("render", "The graphics driver gives no OpenGL."));
+    const QByteArray renderer(reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER)));
     context.doneCurrent();
-    return true;
+    probe.available = true;
+    probe.software = isSoftwareRenderer(renderer);
+    probe.renderer = QString::fromLatin1(renderer);
+    return probe;
+}
+
+bool openGlAvailable(QString* reason)
+{
+    const OpenGlProbe probe = probeOpenGl();
+    if (reason)
+        *reason = probe.reason;
+    return probe.available;
 }
 
 } // namespace ramure

@@ -2,6 +2,7 @@
 /// OpenGL before and around the application object.
 #pragma once
 
+#include <QByteArray>
 #include <QString>
 
 namespace ramure {
@@ -10,9 +11,20 @@ namespace ramure {
 /// the application object is made.
 void prepareOpenGl();
 
-/// Can this process open a window with an OpenGL 3.3 core context? Where it cannot, \p reason says why
-/// (English, context "render"). Needs an application object. Asks once, then remembers nothing: cheap enough
-/// for a start-up.
+/// What OpenGL this process can open a window with.
+struct OpenGlProbe
+{
+    bool available = false; ///< a 3.3 core context
+    bool software = false;  ///< drawn by the processor (llvmpipe ...)
+    QString renderer;       ///< the driver's name for itself
+    QString reason;         ///< why it is not available, translated (context "render")
+};
+/// Makes a context and throws it away. Needs an application object.
+OpenGlProbe probeOpenGl();
+/// The probe's answer and reason alone.
 bool openGlAvailable(QString* reason = nullptr);
+
+/// Does this name of a renderer stand for a software rasteriser?
+bool isSoftwareRenderer(const QByteArray& renderer);
 
 } // namespace ramure

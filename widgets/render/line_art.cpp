@@ -12,7 +12,7 @@ using Colour = glm::u8vec4;
 constexpr Colour nodeColour{58, 40, 26, 255};
 constexpr Colour removedColour{226, 38, 38, 255};
 constexpr Colour circleColour{24, 78, 119, 230};
-constexpr Colour seamColour{214, 64, 52, 200};
+constexpr Colour seamColour{214, 64, 52, 120};
 constexpr Colour curveColour{74, 46, 22, 255};
 constexpr Colour tangentColour{36, 92, 232, 255};
 constexpr Colour normalColour{224, 44, 40, 255};

@@ -1,5 +1,7 @@
 #include "widgets/render/render_scene.h"
 
+#include <algorithm>
+
 namespace ramure {
 
 void RenderScene::updateBoxes()
@@ -16,6 +18,26 @@ void RenderScene::updateBoxes()
         box.add(item.lines->box.transformed(item.world));
     for (const PointItem& item : points)
         box.add(item.points->box.transformed(item.world));
+}
+
+std::vector<glm::dvec3> RenderScene::framePoints() const
+{
+    constexpr std::size_t perBlock = 4096;
+    std::vector<glm::dvec3> chosen;
+    const auto take = [&chosen](std::size_t count, const glm::dmat4& world, auto&& positionOf) {
+        const std::size_t step = std::max<std::size_t>(1, count / perBlock);
+        for (std::size_t i = 0; i < count; i += step)
+            chosen.emplace_back(world * glm::dvec4(glm::dvec3(positionOf(i)), 1.0));
+    };
+    for (const MeshItem& item : meshes)
+        take(item.mesh->positions.size(), item.world, [&](std::size_t i) { return item.mesh->positions[i]; });
+    for (const LineItem& item : lines) {
+        take(item.lines->segments.size(), item.world,
+             [&](std::size_t i) { return item.lines->segments[i].a; });
+        take(item.lines->segments.size(), item.world,
+             [&](std::size_t i) { return item.lines->segments[i].b; });
+    }
+    return chosen;
 }
 
 Box meshBox(const TriangleMesh& mesh)

@@ -94,6 +94,9 @@ struct RenderScene
 
     /// Recomputes the two boxes from the items.
     void updateBoxes();
+    /// Points of the scene (world) for Camera::frame, which then comes closer than the box allows: some
+    /// thousands, spread evenly over the blocks.
+    [[nodiscard]] std::vector<glm::dvec3> framePoints() const;
 };
 
 /// The box of a mesh's positions.

@@ -1,5 +1,6 @@
 #include "widgets/render/renderer.h"
 
+#include "widgets/render/gl_setup.h"
 #include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
@@ -60,6 +61,7 @@ Renderer::Renderer(Gl& gl)
     : m_gl(gl)
     , m_cache(gl)
     , m_shadowMap(gl)
+    , m_smoothing(gl)
 {
 }
 
@@ -83,9 +85,7 @@ Expected<std::unique_ptr<Renderer>> Renderer::make()
 
 Expected<void> Renderer::compile()
 {
-    const auto name = QByteArray(reinterpret_cast<const char*>(m_gl.glGetString(GL_RENDERER))).toLower();
-    m_software = name.contains("llvmpipe") || name.contains("softpipe") || name.contains("swrast") ||
-                 name.contains("software");
+    m_software = isSoftwareRenderer(reinterpret_cast<const char*>(m_gl.glGetString(GL_RENDERER)));
     const std::vector<const char*> surface{"colour.glsl", "lighting.glsl", "mesh.frag"};
     const auto add = [this](std::unique_ptr<ShaderProgram>& program,
                             const ShaderSources& sources) -> Expected<void> {
@@ -112,6 +112,9 @@ Expected<void> Renderer::compile()
         .and_then([&] {
             return add(m_point, {{"states.glsl", "point.vert"}, nullptr, {"point.frag"}, ""});
         })
+        .and_then([&] {
+            return add(m_smooth, {{"world.vert"}, nullptr, {"smooth.frag"}, ""});
+        })
         .map([&] {
             m_gl.glGenVertexArrays(1, &m_emptyArray);
             m_gl.glGenTextures(1, &m_noStates);
@@ -133,6 +136,37 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
     upload(scene);
     m_stats.uploadMs = 1e-6 * static_cast<double>(timer.nsecsElapsed());
 
+    Picture picture = arrange(scene, camera, size, options);
+    castShadows(picture);
+    m_shadowMap.bind(shadowUnit, shadowDepthUnit);
+    const GLuint aside = options.smoothing ? m_smoothing.begin(size) : 0;
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, aside != 0 ? aside : framebuffer);
+    beginState(size);
+    if (options.world)
+        drawWorld(picture);
+    if (options.shading == ShadingMode::Solid) // the wireframe's other program would not give the same depths
+        drawDepth(picture);
+    drawMeshes(picture);
+    m_gl.glEnable(GL_BLEND);
+    m_gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    drawLines(picture, true);
+    drawPoints(picture, true);
+    drawLines(picture, false);
+    drawPoints(picture, false);
+    m_cache.freeUnused();
+    resetState();
+    if (aside != 0) {
+        m_gl.glBindVertexArray(m_emptyArray);
+        m_smoothing.end(framebuffer, *m_smooth);
+        resetState();
+    }
+    ++m_stats.pictures;
+    m_stats.drawMs = 1e-6 * static_cast<double>(timer.nsecsElapsed()) - m_stats.uploadMs;
+}
+
+Renderer::Picture Renderer::arrange(const RenderScene& scene, const Camera& camera, QSize size,
+                                    const RenderOptions& options)
+{
     Picture picture{scene, camera, options};
     picture.viewport = {float(size.width()), float(size.height())};
     picture.aspect = double(size.width()) / std::max(1, size.height());
@@ -141,20 +175,28 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
     picture.projectedView = camera.projectionMatrix(picture.aspect, camera.depthRange(scene.box)) * rotation;
     picture.sun = glm::normalize(options.sun);
     picture.sunLight = (glm::vec3(1.0f) - skyLight) / float(std::max(picture.sun.y, 0.2));
+    return picture;
+}
 
-    if (options.shadows && options.shading != ShadingMode::Wire) {
-        if (const auto fit = m_shadowMap.update(scene, picture.sun, m_cache, *m_shadow)) {
-            const glm::dmat4 half(glm::dvec4(0.5, 0.0, 0.0, 0.0), glm::dvec4(0.0, 0.5, 0.0, 0.0),
-                                  glm::dvec4(0.0, 0.0, 0.5, 0.0), glm::dvec4(0.5, 0.5, 0.5, 1.0));
-            glm::dmat4 eye(1.0);
-            eye[3] = glm::dvec4(camera.eye(), 1.0);
-            picture.shadow = glm::mat4(half * fit->clip * eye);
-            picture.shadowScale = glm::vec3(fit->side / ShadowMap::size, fit->side, fit->depth);
-            picture.shadowTaps = options.shadowTaps > 0 ? options.shadowTaps : (m_software ? 6 : 16);
-        }
-    }
+void Renderer::castShadows(Picture& picture)
+{
+    const RenderOptions& options = picture.options;
+    if (!options.shadows || options.shading == ShadingMode::Wire)
+        return;
+    const auto fit = m_shadowMap.update(picture.scene, picture.sun, m_cache, *m_shadow);
+    if (!fit)
+        return;
+    const glm::dmat4 half(glm::dvec4(0.5, 0.0, 0.0, 0.0), glm::dvec4(0.0, 0.5, 0.0, 0.0),
+                          glm::dvec4(0.0, 0.0, 0.5, 0.0), glm::dvec4(0.5, 0.5, 0.5, 1.0));
+    glm::dmat4 eye(1.0);
+    eye[3] = glm::dvec4(picture.camera.eye(), 1.0);
+    picture.shadow = glm::mat4(half * fit->clip * eye);
+    picture.shadowScale = glm::vec3(fit->side / ShadowMap::size, fit->side, fit->depth);
+    picture.shadowTaps = options.shadowTaps > 0 ? options.shadowTaps : (m_software ? 6 : 16);
+}
 
-    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+void Renderer::beginState(QSize size)
+{
     m_gl.glViewport(0, 0, size.width(), size.height());
     m_gl.glEnable(GL_MULTISAMPLE);
     m_gl.glEnable(GL_DEPTH_TEST);
@@ -166,21 +208,6 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
     m_gl.glDisable(GL_SCISSOR_TEST);
     m_gl.glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     m_gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    m_shadowMap.bind(shadowUnit, shadowDepthUnit);
-
-    if (options.world)
-        drawWorld(picture);
-    drawMeshes(picture);
-    m_gl.glEnable(GL_BLEND);
-    m_gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    drawLines(picture, true);
-    drawPoints(picture, true);
-    drawLines(picture, false);
-    drawPoints(picture, false);
-    m_cache.freeUnused();
-    resetState();
-    ++m_stats.pictures;
-    m_stats.drawMs = 1e-6 * static_cast<double>(timer.nsecsElapsed()) - m_stats.uploadMs;
 }
 
 void Renderer::upload(const RenderScene& scene)
@@ -242,7 +269,7 @@ void Renderer::drawWorld(const Picture& picture)
     m_world->set("uOrthographic", camera.orthographic);
     m_world->set("uEye", glm::vec3(camera.eye()));
     m_world->set("uCentre", glm::vec2(box.centre().x, box.centre().z));
-    m_world->set("uFade", float(14.0 * reach + 4.0 * height + 2.0 * camera.distance));
+    m_world->set("uFade", float(9.0 * reach + 3.0 * height + 1.5 * camera.distance));
     const double step = gridStep(camera.heightAtTarget());
     m_world->set("uGridStep", picture.options.grid ? float(step) : 0.0f);
     m_world->set("uMottle", float(0.35 * reach));
@@ -251,6 +278,20 @@ void Renderer::drawWorld(const Picture& picture)
     m_gl.glDepthFunc(GL_ALWAYS);
     m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
     m_gl.glDepthFunc(GL_LEQUAL);
+}
+
+// Leaves cover each other many times over: with the depth known, only what is seen is shaded.
+void Renderer::drawDepth(const Picture& picture)
+{
+    m_shadow->bind();
+    m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (const MeshItem& item : picture.scene.meshes) {
+        const GpuBlock& block = m_cache.mesh(item.mesh);
+        m_shadow->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+        m_gl.glBindVertexArray(block.vertexArray);
+        m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
+    }
+    m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void Renderer::drawMeshes(const Picture& picture)
@@ -273,7 +314,8 @@ void Renderer::drawMeshes(const Picture& picture)
         program.set("uNormal", glm::mat3(glm::inverseTranspose(glm::dmat3(item.world))));
         program.set("uColour", srgb(item.material.colour));
         program.set("uShininess", item.material.phong ? 26.0f : 0.0f);
-        program.set("uThrough", item.material.phong && item.material.twoSided ? 0.45f : 0.0f);
+        program.set("uGlint", item.material.twoSided ? 0.07f : 0.22f);
+        program.set("uThrough", item.material.phong && item.material.twoSided ? 0.5f : 0.0f);
         program.set("uTwoSided", item.material.twoSided);
         m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
         m_gl.glBindVertexArray(block.vertexArray);
@@ -288,7 +330,7 @@ void Renderer::drawLines(const Picture& picture, bool hidden)
     m_line->set("uViewport", picture.viewport);
     m_line->set("uPixelRatio", float(picture.options.pixelRatio));
     m_line->set("uLift", hidden ? 0.0f : picture.lift());
-    m_line->set("uOpacity", hidden ? 0.28f : 1.0f);
+    m_line->set("uOpacity", hidden ? 0.42f : 1.0f);
     m_gl.glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
     m_gl.glDepthMask(hidden ? GL_FALSE : GL_TRUE);
     for (const LineItem& item : picture.scene.lines) {
@@ -308,7 +350,7 @@ void Renderer::drawPoints(const Picture& picture, bool hidden)
     m_point->set("uViewport", picture.viewport);
     m_point->set("uPixelRatio", float(picture.options.pixelRatio));
     m_point->set("uLift", hidden ? 0.0f : 1.5f * picture.lift());
-    m_point->set("uOpacity", hidden ? 0.28f : 1.0f);
+    m_point->set("uOpacity", hidden ? 0.42f : 1.0f);
     m_gl.glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
     m_gl.glDepthMask(hidden ? GL_FALSE : GL_TRUE);
     for (const PointItem& item : picture.scene.points) {

@@ -7,6 +7,7 @@
 #include "widgets/render/gpu_cache.h"
 #include "widgets/render/renderer_options.h"
 #include "widgets/render/shadow_map.h"
+#include "widgets/render/smoothing.h"
 #include <QSize>
 
 namespace ramure {
@@ -46,16 +47,21 @@ private:
     void upload(const RenderScene& scene);
     void setLight(ShaderProgram& program, const Picture& picture);
     void setStates(ShaderProgram& program, const RenderScene& scene, NodeId node);
+    Picture arrange(const RenderScene& scene, const Camera& camera, QSize size, const RenderOptions& options);
+    void castShadows(Picture& picture);
     void drawWorld(const Picture& picture);
+    void drawDepth(const Picture& picture);
     void drawMeshes(const Picture& picture);
     void drawLines(const Picture& picture, bool hidden);
     void drawPoints(const Picture& picture, bool hidden);
+    void beginState(QSize size);
     void resetState();
 
     Gl& m_gl;
     GpuCache m_cache;
     ShadowMap m_shadowMap;
-    std::unique_ptr<ShaderProgram> m_mesh, m_meshWire, m_shadow, m_world, m_line, m_point;
+    Smoothing m_smoothing;
+    std::unique_ptr<ShaderProgram> m_mesh, m_meshWire, m_shadow, m_world, m_line, m_point, m_smooth;
     GLuint m_emptyArray = 0;
     GLuint m_noStates = 0; ///< a texture of one plain branch
     bool m_software = false;

@@ -14,6 +14,7 @@ struct RenderOptions
     bool shadows = true;
     bool world = true;                ///< sky and ground; without: a transparent background
     int samples = 4;                  ///< of multisampling, where the renderer owns the target; 0 = none
+    bool smoothing = false;           ///< smooth the edges of the finished picture instead of multisampling
     double pixelRatio = 1.0;          ///< device pixels per logical pixel: line widths
     int shadowTaps = 0;               ///< per pixel; 0 = 16 on hardware, 6 on a software rasteriser
     glm::dvec3 sun{0.48, 0.72, 0.50}; ///< towards the sun, any length > 0

@@ -1,106 +1,455 @@
 #include "widgets/viewport/viewport.h"
 
-#include "core/document/document.h"
+#include "widgets/render/offscreen_renderer.h"
+#include "widgets/validation/defect_place.h"
+#include "widgets/viewport/navigation_cube.h"
+#include "widgets/viewport/viewport_private.h"
+#include <QClipboard>
+#include <QElapsedTimer>
+#include <QGuiApplication>
+#include <QImageWriter>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <QPainter>
+#include <QSaveFile>
+#include <numeric>
 
 namespace ramure {
+namespace {
 
-struct Viewport::Private
+constexpr int flightMs = 180;
+constexpr int hoverRestMs = 25;
+
+double milliseconds(const QElapsedTimer& timer)
 {
-    Document* document;
-    ViewSettings* settings;
-    Camera camera;
-    FrameTimes times;
-};
+    return 1e-6 * double(timer.nsecsElapsed());
+}
+
+/// The box of the selected branches, else of the selected nodes' trees; world.
+Box selectionBox(const Document& document, const RenderScene& scene)
+{
+    const Selection& selection = document.selection();
+    Box box;
+    const NodeResult* result = document.result(selection.branchNode);
+    if (result && result->tree.simplified) {
+        const Skeleton& skeleton = result->tree.simplified->skeleton;
+        const glm::dmat4 world = worldMatrix(document.scene(), selection.branchNode);
+        for (const Index branch : selection.branches) {
+            if (branch >= skeleton.size())
+                continue;
+            Box own;
+            own.add(skeleton.p0[branch]);
+            own.add(skeleton.p1[branch]);
+            box.add(own.grown(2.0 * skeleton.a0[branch]).transformed(world));
+        }
+    }
+    if (!box.empty())
+        return box;
+    for (const MeshItem& item : scene.meshes) {
+        if (std::ranges::find(selection.nodes, item.node) != selection.nodes.end())
+            box.add(item.box.transformed(item.world));
+    }
+    for (const LineItem& item : scene.lines) {
+        if (std::ranges::find(selection.nodes, item.node) != selection.nodes.end())
+            box.add(item.lines->box.transformed(item.world));
+    }
+    return box.empty() ? scene.box : box;
+}
+
+} // namespace
+
+SceneView Viewport::Private::sceneView() const
+{
+    const Selection& selection = document->selection();
+    SceneView view;
+    view.mode = settings->displayMode();
+    view.leaves = settings->leavesVisible();
+    view.apples = settings->applesVisible();
+    view.frames = settings->frameDisplay();
+    view.selectedNodes = selection.nodes;
+    view.branchNode = selection.branchNode;
+    view.branches = selection.branches;
+    view.activeBranch = selection.activeBranch;
+    view.hoverNode = hoverNode;
+    view.hoverBranch = hoverBranch;
+    view.inspected = inspected;
+    return view;
+}
+
+RenderOptions Viewport::Private::options(double pixelRatio) const
+{
+    RenderOptions options;
+    options.shading = settings->shadingMode();
+    options.grid = settings->gridVisible();
+    options.pixelRatio = pixelRatio;
+    options.smoothing = software;
+    return options;
+}
 
 Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     : QOpenGLWidget(parent)
-    , d(std::make_unique<Private>(Private{document, settings, {}, {}}))
+    , d(std::make_unique<Private>())
 {
+    d->document = document;
+    d->settings = settings;
+    d->camera.orthographic = settings->orthographic();
+    QSurfaceFormat wanted = format();
+    wanted.setVersion(3, 3);
+    wanted.setProfile(QSurfaceFormat::CoreProfile);
+    wanted.setDepthBufferSize(24);
+    wanted.setSamples(4);
+    setFormat(wanted);
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(160, 120);
+    setAccessibleName(tr("3D view"));
+
+    connect(document, &Document::changed, this, &Viewport::onDocumentChanged);
+    connect(settings, &ViewSettings::changed, this, &Viewport::onSettingsChanged);
+    connect(&d->picker, &BackgroundPicker::readyChanged, this, [this] {
+        if (underMouse())
+            hoverAt(d->hoverPosition);
+    });
+    d->flight.setDuration(flightMs);
+    d->flight.setStartValue(0.0);
+    d->flight.setEndValue(1.0);
+    d->flight.setEasingCurve(QEasingCurve::OutCubic);
+    connect(&d->flight, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
+        d->camera = mixed(d->from, d->to, value.toDouble());
+        emit cameraChanged();
+        update();
+    });
+    d->hoverRest.setSingleShot(true);
+    d->hoverRest.setInterval(hoverRestMs);
+    connect(&d->hoverRest, &QTimer::timeout, this, [this] { hoverAt(d->hoverPosition); });
 }
-Viewport::~Viewport() = default;
+
+Viewport::~Viewport()
+{
+    releaseRenderer();
+}
+
+void Viewport::releaseRenderer()
+{
+    disconnect(d->contextGone);
+    if (!d->renderer)
+        return;
+    makeCurrent();
+    d->renderer.reset();
+    doneCurrent();
+}
+
 const Camera& Viewport::camera() const
 {
     return d->camera;
 }
+
 FrameTimes Viewport::frameTimes() const
 {
     return d->times;
 }
+
 QSize Viewport::sizeHint() const
 {
-    return {900, 700};
+    return {960, 720};
 }
-QImage Viewport::screenshot()
+
+void Viewport::setSoftware(bool software)
 {
-    return grabFramebuffer();
+    d->software = software;
+    QSurfaceFormat wanted = format();
+    wanted.setSamples(software ? 0 : 4);
+    setFormat(wanted);
 }
-Expected<void> Viewport::saveScreenshot(const QString&)
+
+void Viewport::onDocumentChanged(const Change& change)
 {
-    return {};
+    if (change.has(changeReset)) {
+        d->frameNext = true;
+        d->hoverNode = noNode;
+        d->hoverBranch = noIndex;
+        d->inspected = {};
+        clearDefect();
+    }
+    if (change.kinds == changeFile)
+        return;
+    d->sceneStale = true;
+    update();
 }
-void Viewport::setCamera(const Camera& camera)
+
+void Viewport::onSettingsChanged()
 {
-    d->camera = camera;
+    if (d->camera.orthographic != d->settings->orthographic()) {
+        d->camera.orthographic = d->settings->orthographic();
+        d->to.orthographic = d->camera.orthographic;
+        emit cameraChanged();
+    }
+    d->sceneStale = true;
+    update();
 }
-void Viewport::frameAll()
+
+void Viewport::rebuildScene()
 {
+    d->sceneStale = false;
+    d->highlightsStale = false;
+    const auto resultOf = [this](NodeId id) { return d->resultOf(id); };
+    auto built =
+        std::make_shared<RenderScene>(d->builder.build(d->document->scene(), resultOf, d->sceneView()));
+    if (d->defectLines)
+        built->lines.push_back({d->defectLines, glm::dmat4(1.0), noNode, true, false});
+    if (d->defectPoints)
+        built->points.push_back({d->defectPoints, glm::dmat4(1.0), noNode, true});
+    d->scene = std::move(built);
+    d->picker.setScene(d->scene);
+    if (d->frameNext && !d->scene->box.empty()) {
+        d->frameNext = false;
+        d->flight.stop();
+        d->camera.frame(d->scene->framePoints(), double(width()) / std::max(1, height()));
+        emit cameraChanged();
+    }
 }
-void Viewport::frameSelection()
+
+void Viewport::rebuildHighlights()
 {
+    d->highlightsStale = false;
+    auto changed = std::make_shared<RenderScene>(*d->scene);
+    d->builder.updateHighlights(
+        *changed, [this](NodeId id) { return d->resultOf(id); }, d->sceneView());
+    d->scene = std::move(changed);
 }
-void Viewport::frameBox(const Box&)
-{
-}
-void Viewport::setAxisView(AxisView)
-{
-}
-void Viewport::clearSelection()
-{
-}
-void Viewport::selectAllBranches()
-{
-}
-void Viewport::copyScreenshot()
-{
-}
-void Viewport::setInspectedSection(NodeId, Index, Index)
-{
-}
-void Viewport::clearInspectedSection()
-{
-}
+
 void Viewport::initializeGL()
 {
+    // Called again whenever the widget got another context; the old one took its objects along.
+    d->renderer.reset();
+    auto made = Renderer::make();
+    if (!made) {
+        d->failure = QCoreApplication::translate("core", made.error().plain().c_str());
+        return;
+    }
+    d->failure.clear();
+    d->renderer = std::move(*made);
+    disconnect(d->contextGone);
+    d->contextGone = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseRenderer,
+                             Qt::DirectConnection);
 }
-void Viewport::paintGL()
-{
-}
+
 void Viewport::resizeGL(int, int)
 {
 }
-void Viewport::mousePressEvent(QMouseEvent* e)
+
+void Viewport::paintGL()
 {
-    QOpenGLWidget::mousePressEvent(e);
+    QElapsedTimer timer;
+    timer.start();
+    const bool rebuilt = d->sceneStale;
+    if (d->sceneStale)
+        rebuildScene();
+    else if (d->highlightsStale)
+        rebuildHighlights();
+    d->times.buildMs = milliseconds(timer);
+    if (!d->renderer) {
+        QPainter painter(this);
+        painter.fillRect(rect(), palette().window());
+        painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap, d->failure);
+        return;
+    }
+    const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+    d->renderer->draw(*d->scene, d->camera, pixels, defaultFramebufferObject(),
+                      d->options(devicePixelRatioF()));
+    const RenderStats stats = d->renderer->stats();
+    d->times.uploadMs = stats.uploadMs;
+    d->times.drawMs = stats.drawMs;
+    d->times.rebuilt = rebuilt;
+    ++d->times.frame;
+    paintOverlay();
+    emit frameDrawn(d->times);
 }
-void Viewport::mouseMoveEvent(QMouseEvent* e)
+
+void Viewport::paintOverlay()
 {
-    QOpenGLWidget::mouseMoveEvent(e);
+    QPainter painter(this);
+    NavigationCube::paint(painter, d->camera, size(), d->hoverSide);
+    if (d->gesture == Gesture::Select && d->dragging) {
+        const QColor colour = palette().color(QPalette::Highlight);
+        painter.setPen(QPen(colour, 1.0, Qt::DashLine));
+        painter.setBrush(QColor(colour.red(), colour.green(), colour.blue(), 40));
+        painter.drawRect(QRectF(d->pressed, d->last).normalized());
+    }
 }
-void Viewport::mouseReleaseEvent(QMouseEvent* e)
+
+QImage Viewport::screenshot()
 {
-    QOpenGLWidget::mouseReleaseEvent(e);
+    if (d->sceneStale)
+        rebuildScene();
+    const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+    RenderOptions options = d->options(devicePixelRatioF());
+    options.shadowTaps = 24;
+    options.smoothing = false;
+    auto image = renderImage(*d->scene, d->camera, pixels, options);
+    return image ? *image : QImage();
 }
-void Viewport::wheelEvent(QWheelEvent* e)
+
+Expected<void> Viewport::saveScreenshot(const QString& path)
 {
-    QOpenGLWidget::wheelEvent(e);
+    const auto refuse = [&path](ErrorCode code, const char* text, const QString& why) {
+        Error error = fail(code, text, {why.toStdString()}).value();
+        error.file = path.toStdString();
+        return fail(std::move(error));
+    };
+    const QByteArray ending = path.section(QLatin1Char('.'), -1).toLower().toLatin1();
+    if (!path.contains(QLatin1Char('.')) || !QImageWriter::supportedImageFormats().contains(ending))
+        return refuse(ErrorCode::Unknown, RAMURE_NOOP("Pictures cannot be written as '%1'"),
+                      QString::fromLatin1(ending));
+    const QImage image = screenshot();
+    if (image.isNull())
+        return refuse(ErrorCode::Unknown, RAMURE_NOOP("The graphics driver gave no picture"), {});
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return refuse(ErrorCode::Io, RAMURE_NOOP("Cannot write the picture: %1"), file.errorString());
+    QImageWriter writer(&file, ending);
+    if (!writer.write(image))
+        return refuse(ErrorCode::Io, RAMURE_NOOP("Cannot write the picture: %1"), writer.errorString());
+    if (!file.commit())
+        return refuse(ErrorCode::Io, RAMURE_NOOP("Cannot write the picture: %1"), file.errorString());
+    return {};
 }
-void Viewport::leaveEvent(QEvent* e)
+
+void Viewport::copyScreenshot()
 {
-    QOpenGLWidget::leaveEvent(e);
+    const QImage image = screenshot();
+    if (!image.isNull())
+        QGuiApplication::clipboard()->setImage(image);
 }
-bool Viewport::event(QEvent* e)
+
+void Viewport::setCamera(const Camera& camera)
 {
-    return QOpenGLWidget::event(e);
+    d->flight.stop();
+    d->frameNext = false;
+    d->camera = camera;
+    d->settings->setOrthographic(camera.orthographic);
+    emit cameraChanged();
+    update();
+}
+
+void Viewport::moveCamera(const Camera& to)
+{
+    d->flight.stop();
+    if (!isVisible()) {
+        setCamera(to);
+        return;
+    }
+    d->frameNext = false;
+    d->from = d->camera;
+    d->to = to;
+    d->flight.start();
+}
+
+void Viewport::frameBox(const Box& box)
+{
+    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    to.frame(box, double(width()) / std::max(1, height()));
+    moveCamera(to);
+}
+
+void Viewport::frameAll()
+{
+    if (d->sceneStale)
+        rebuildScene();
+    const std::vector<glm::dvec3> points = d->scene->framePoints();
+    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    to.frame(points, double(width()) / std::max(1, height()));
+    if (!points.empty())
+        moveCamera(to);
+}
+
+void Viewport::frameSelection()
+{
+    if (d->sceneStale)
+        rebuildScene();
+    const Box box = selectionBox(*d->document, *d->scene);
+    if (!box.empty())
+        frameBox(box);
+}
+
+void Viewport::setAxisView(AxisView view)
+{
+    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    to.setAxisView(view);
+    moveCamera(to);
+}
+
+void Viewport::clearSelection()
+{
+    Selection next = d->document->selection();
+    if (next.branches.empty())
+        next.nodes.clear();
+    next.branches.clear();
+    next.branchNode = noNode;
+    next.activeBranch = noIndex;
+    d->document->setSelection(std::move(next));
+}
+
+void Viewport::selectAllBranches()
+{
+    Selection next = d->document->selection();
+    const TreeResult* tree = d->resultOf(next.activeNode());
+    if (!tree || !tree->simplified)
+        return;
+    next.branchNode = next.activeNode();
+    next.branches.resize(tree->simplified->skeleton.size());
+    std::iota(next.branches.begin(), next.branches.end(), Index(0));
+    if (next.activeBranch >= next.branches.size())
+        next.activeBranch = next.branches.empty() ? noIndex : 0;
+    d->document->setSelection(std::move(next));
+}
+
+void Viewport::setInspectedSection(NodeId node, Index branch, Index section)
+{
+    const InspectedSection next{node, branch, section};
+    if (d->inspected == next)
+        return;
+    d->inspected = next;
+    d->sceneStale = true;
+    update();
+}
+
+void Viewport::clearInspectedSection()
+{
+    setInspectedSection(noNode, 0, 0);
+}
+
+void Viewport::showDefect(NodeId, const DefectPlace& place)
+{
+    constexpr glm::u8vec4 colour{255, 0, 170, 255};
+    auto lines = std::make_shared<LineSet>();
+    auto points = std::make_shared<PointSet>();
+    const auto line = [&](const glm::dvec3& a, const glm::dvec3& b) {
+        lines->segments.push_back({glm::vec3(a), glm::vec3(b), 4.0f, 4.0f, colour, noIndex});
+    };
+    for (const auto& edge : place.edges)
+        line(edge[0], edge[1]);
+    for (const auto& face : place.faces) {
+        for (std::size_t i = 0; i < 3; ++i)
+            line(face[i], face[(i + 1) % 3]);
+    }
+    for (const glm::dvec3& point : place.points)
+        points->points.push_back({glm::vec3(point), 12.0f, colour, noIndex});
+    d->defectLines = std::move(lines);
+    d->defectPoints = std::move(points);
+    d->sceneStale = true;
+    frameBox(place.box);
+    update();
+}
+
+void Viewport::clearDefect()
+{
+    if (!d->defectLines)
+        return;
+    d->defectLines.reset();
+    d->defectPoints.reset();
+    d->sceneStale = true;
+    update();
 }
 
 } // namespace ramure

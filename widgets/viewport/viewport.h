@@ -19,6 +19,7 @@ namespace ramure {
 
 class Document;
 struct Change;
+struct DefectPlace;
 
 /// Times of the last picture, in milliseconds; for the bench and the status bar.
 struct FrameTimes
@@ -26,6 +27,7 @@ struct FrameTimes
     double buildMs = 0.0;  ///< document to render scene
     double uploadMs = 0.0; ///< render scene to the graphics card
     double drawMs = 0.0;   ///< commands issued, not waited for
+    bool rebuilt = false;  ///< the scene was built for this picture
     quint64 frame = 0;     ///< counts pictures
 };
 
@@ -40,6 +42,8 @@ public:
     [[nodiscard]] const Camera& camera() const;
     [[nodiscard]] FrameTimes frameTimes() const;
     [[nodiscard]] QSize sizeHint() const override;
+    /// Before the widget is shown: the processor draws, so cheaper anti-aliasing is used.
+    void setSoftware(bool software);
 
     /// A picture of the scene as it is seen, without cube and overlays. Null image where there is no context.
     [[nodiscard]] QImage screenshot();
@@ -58,6 +62,9 @@ public slots:
     /// The section's plane, circle and frame are shown until cleared.
     void setInspectedSection(ramure::NodeId node, ramure::Index branch, ramure::Index section);
     void clearInspectedSection();
+    /// Frames the place and marks it until cleared.
+    void showDefect(ramure::NodeId node, const ramure::DefectPlace& place);
+    void clearDefect();
 
 signals:
     void cameraChanged();
@@ -78,6 +85,17 @@ protected:
     bool event(QEvent* event) override;
 
 private:
+    void onDocumentChanged(const Change& change);
+    void onSettingsChanged();
+    void rebuildScene();
+    void rebuildHighlights();
+    void moveCamera(const Camera& to);
+    void dragTo(QPointF position);
+    void finishSelecting(QPointF position, bool extend);
+    void hoverAt(QPointF position);
+    void paintOverlay();
+    void releaseRenderer();
+
     struct Private;
     std::unique_ptr<Private> d;
 };

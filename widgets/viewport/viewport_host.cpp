@@ -14,8 +14,10 @@ ViewportHost::ViewportHost(Document* document, QWidget* parent)
 {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    if (openGlAvailable(&m_reason)) {
+    const OpenGlProbe probe = probeOpenGl();
+    if (probe.available) {
         m_viewport = new Viewport(document, m_settings, this);
+        m_viewport->setSoftware(probe.software);
         layout->addWidget(m_viewport);
         return;
     }
@@ -40,10 +42,9 @@ void ViewportHost::retranslate()
 {
     if (!m_placeholder)
         return;
-    openGlAvailable(&m_reason);
     m_placeholder->setText(
         tr("<h3>No 3D view</h3><p>%1</p><p>Everything else works: parameters, undo, saving and export.</p>")
-            .arg(m_reason.toHtmlEscaped()));
+            .arg(probeOpenGl().reason.toHtmlEscaped()));
 }
 
 } // namespace ramure

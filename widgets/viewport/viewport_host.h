@@ -33,7 +33,6 @@ private:
     ViewSettings* m_settings;
     Viewport* m_viewport = nullptr;
     class QLabel* m_placeholder = nullptr;
-    QString m_reason;
 };
 
 } // namespace ramure

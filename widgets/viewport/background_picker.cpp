@@ -1,0 +1,84 @@
+#include "widgets/viewport/background_picker.h"
+
+#include <chrono>
+
+namespace ramure {
+namespace {
+constexpr int restMs = 150;
+}
+
+BackgroundPicker::BackgroundPicker(QObject* parent)
+    : QObject(parent)
+    , m_latest(std::make_shared<const PickScene>())
+{
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restMs);
+    connect(&m_rest, &QTimer::timeout, this, &BackgroundPicker::start);
+}
+
+BackgroundPicker::~BackgroundPicker()
+{
+    abandon(); // the members' destructors wait for what is still running
+}
+
+void BackgroundPicker::setScene(std::shared_ptr<const RenderScene> scene)
+{
+    abandon();
+    m_scene = std::move(scene);
+    m_current = false;
+    m_rest.start();
+}
+
+void BackgroundPicker::abandon()
+{
+    m_stop.request_stop();
+    m_stop = std::stop_source();
+    // A future of std::async waits when it is destroyed: keep those that are not done, the interface must not
+    // wait.
+    std::erase_if(m_abandoned, [](const auto& run) {
+        return run.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    });
+    if (m_running.valid())
+        m_abandoned.push_back(std::move(m_running));
+    m_running = {};
+}
+
+void BackgroundPicker::start()
+{
+    if (m_current || m_running.valid())
+        return;
+    const quint64 build = ++m_build;
+    m_running = std::async(std::launch::async,
+                           [this, build, scene = m_scene, previous = m_latest, stop = m_stop.get_token()] {
+                               auto made = std::make_shared<const PickScene>(*scene, previous.get(), stop);
+                               QMetaObject::invokeMethod(
+                                   this, [this, build] { finish(build); }, Qt::QueuedConnection);
+                               return made;
+                           });
+}
+
+void BackgroundPicker::finish(quint64 build)
+{
+    if (!m_running.valid() || build != m_build)
+        return;
+    m_latest = m_running.get();
+    m_current = true;
+    emit readyChanged();
+}
+
+std::shared_ptr<const PickScene> BackgroundPicker::ready()
+{
+    return m_current ? m_latest : nullptr;
+}
+
+std::shared_ptr<const PickScene> BackgroundPicker::wait()
+{
+    if (!m_current) {
+        m_rest.stop();
+        start();
+        finish(m_build);
+    }
+    return m_latest;
+}
+
+} // namespace ramure

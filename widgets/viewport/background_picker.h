@@ -1,0 +1,46 @@
+/// \file
+/// Builds the pick scene on a thread of its own, after the render scene has been still for a moment; a click
+/// that comes earlier waits for it.
+#pragma once
+
+#include "widgets/render/pick_scene.h"
+#include <QObject>
+#include <QTimer>
+#include <future>
+
+namespace ramure {
+
+class BackgroundPicker : public QObject
+{
+    Q_OBJECT
+public:
+    explicit BackgroundPicker(QObject* parent = nullptr);
+    ~BackgroundPicker() override;
+
+    /// The scene to pick in from now on.
+    void setScene(std::shared_ptr<const RenderScene> scene);
+    /// The structure for the present scene, or null while it is not built.
+    [[nodiscard]] std::shared_ptr<const PickScene> ready();
+    /// The same, built here and now if need be.
+    [[nodiscard]] std::shared_ptr<const PickScene> wait();
+
+signals:
+    void readyChanged();
+
+private:
+    void start();
+    void finish(quint64 build);
+    void abandon();
+
+    std::shared_ptr<const RenderScene> m_scene;
+    std::shared_ptr<const PickScene> m_latest; ///< built last, perhaps of an older scene
+    bool m_current = true;                     ///< m_latest belongs to m_scene
+    std::future<std::shared_ptr<const PickScene>> m_running;
+    std::vector<std::future<std::shared_ptr<const PickScene>>>
+        m_abandoned; ///< stopped, perhaps still unwinding
+    std::stop_source m_stop;
+    quint64 m_build = 0;
+    QTimer m_rest;
+};
+
+} // namespace ramure

@@ -1,0 +1,24 @@
+/// \file
+/// Which mouse gesture means what, in each navigation style; and what a gesture does to the camera.
+#pragma once
+
+#include "widgets/render/camera.h"
+#include "widgets/viewport/view_settings.h"
+#include <QPointF>
+#include <QSize>
+
+namespace ramure {
+
+enum class Gesture : quint8 { None, Orbit, Pan, Zoom, Select };
+
+/// The gesture that begins when \p button goes down. Left alone selects, Alt+left orbits, in both styles.
+Gesture gestureFor(NavigationStyle style, Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
+
+/// Applies a drag of \p pixels (logical, y down) in a picture of \p size. Gestures that do not move the
+/// camera change nothing.
+void applyDrag(Camera& camera, Gesture gesture, QPointF pixels, QSize size);
+
+/// Distance factor of a wheel turn in eighths of a degree: 120 = one notch of a usual mouse.
+double wheelFactor(double eighths);
+
+} // namespace ramure

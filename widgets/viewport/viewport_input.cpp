@@ -1,0 +1,183 @@
+#include "widgets/viewport/navigation_cube.h"
+#include "widgets/viewport/selection_edits.h"
+#include "widgets/viewport/viewport_private.h"
+#include <QGuiApplication>
+#include <QMouseEvent>
+#include <QNativeGestureEvent>
+#include <QStyleHints>
+#include <QWheelEvent>
+#include <cmath>
+
+namespace ramure {
+namespace {
+
+glm::dvec2 asVector(QPointF point)
+{
+    return {point.x(), point.y()};
+}
+
+PickView pickView(const Camera& camera, QSize size)
+{
+    return {camera, glm::dvec2(std::max(1, size.width()), std::max(1, size.height()))};
+}
+
+} // namespace
+
+void Viewport::mousePressEvent(QMouseEvent* event)
+{
+    if (d->gesture != Gesture::None)
+        return; // a second button during a gesture
+    d->gesture = gestureFor(d->settings->navigationStyle(), event->button(), event->modifiers());
+    d->button = event->button();
+    d->pressed = d->last = event->position();
+    d->dragging = false;
+    d->onCube = event->button() == Qt::LeftButton &&
+                NavigationCube::place(size()).contains(event->position()) &&
+                NavigationCube::sideAt(d->camera, size(), event->position());
+    if (d->onCube)
+        d->gesture = Gesture::Orbit;
+    if (d->gesture != Gesture::None && d->gesture != Gesture::Select)
+        d->flight.stop();
+    d->hoverRest.stop();
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event)
+{
+    d->hoverPosition = event->position();
+    if (d->gesture != Gesture::None) {
+        dragTo(event->position());
+        return;
+    }
+    if (!d->hoverRest.isActive())
+        d->hoverRest.start();
+}
+
+void Viewport::dragTo(QPointF position)
+{
+    if (!d->dragging) {
+        const bool far =
+            (position - d->pressed).manhattanLength() >= QGuiApplication::styleHints()->startDragDistance();
+        const bool waits = d->gesture == Gesture::Select || d->onCube;
+        if (waits && !far)
+            return;
+        d->dragging = true;
+    }
+    applyDrag(d->camera, d->gesture, position - d->last, size());
+    d->last = position;
+    if (d->gesture != Gesture::Select)
+        emit cameraChanged();
+    update();
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() != d->button || d->gesture == Gesture::None)
+        return;
+    const Gesture gesture = d->gesture;
+    const bool onCube = d->onCube;
+    d->gesture = Gesture::None;
+    d->button = Qt::NoButton;
+    d->onCube = false;
+    if (onCube && !d->dragging) {
+        if (const auto side = NavigationCube::sideAt(d->camera, size(), event->position()))
+            setAxisView(*side);
+    } else if (gesture == Gesture::Select) {
+        finishSelecting(event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
+    }
+    d->dragging = false;
+    update();
+}
+
+void Viewport::finishSelecting(QPointF position, bool extend)
+{
+    if (d->sceneStale)
+        rebuildScene(); // what is picked must belong to the results of now
+    const auto scene = d->picker.wait();
+    const PickView view = pickView(d->camera, size());
+    const Selection& selection = d->document->selection();
+    d->document->setSelection(
+        d->dragging
+            ? afterBox(selection, scene->inRectangle(view, asVector(d->pressed), asVector(position)), extend)
+            : afterClick(selection, scene->pick(view, asVector(position)), extend));
+}
+
+void Viewport::hoverAt(QPointF position)
+{
+    const auto side = NavigationCube::sideAt(d->camera, size(), position);
+    if (side != d->hoverSide) {
+        d->hoverSide = side;
+        update();
+    }
+    std::optional<PickHit> hit;
+    if (!side && !d->sceneStale) {
+        const auto scene = d->picker.ready();
+        if (!scene)
+            return; // readyChanged asks again
+        hit = scene->pick(pickView(d->camera, size()), asVector(position));
+    }
+    const PickHit now = hit.value_or(PickHit());
+    if (now.node == d->hoverNode && now.branch == d->hoverBranch)
+        return;
+    d->hoverNode = now.node;
+    d->hoverBranch = now.branch;
+    d->highlightsStale = true;
+    emit hovered(now.node, now.branch);
+    update();
+}
+
+void Viewport::wheelEvent(QWheelEvent* event)
+{
+    const double turn = event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
+    event->accept();
+    if (turn == 0.0)
+        return;
+    d->flight.stop();
+    const PickView view = pickView(d->camera, size());
+    const glm::dvec2 pixel = asVector(event->position());
+    glm::dvec3 fixed = d->camera.pointAtTargetDepth(view.ndc(pixel), view.aspect());
+    // Over a branch: towards that very point, so that zooming on and on arrives at it.
+    if (const auto scene = d->sceneStale ? nullptr : d->picker.ready()) {
+        if (const auto hit = scene->pick(view, pixel))
+            fixed = hit->point;
+    }
+    d->camera.zoom(wheelFactor(turn), fixed);
+    emit cameraChanged();
+    update();
+}
+
+void Viewport::leaveEvent(QEvent* event)
+{
+    d->hoverRest.stop();
+    if (d->hoverNode != noNode || d->hoverSide) {
+        d->hoverNode = noNode;
+        d->hoverBranch = noIndex;
+        d->hoverSide.reset();
+        d->highlightsStale = true;
+        emit hovered(noNode, noIndex);
+        update();
+    }
+    QOpenGLWidget::leaveEvent(event);
+}
+
+bool Viewport::event(QEvent* event)
+{
+    if (event->type() == QEvent::NativeGesture) {
+        const auto* gesture = static_cast<QNativeGestureEvent*>(event);
+        if (gesture->gestureType() == Qt::ZoomNativeGesture) {
+            const PickView view = pickView(d->camera, size());
+            d->camera.zoom(
+                std::exp(-gesture->value()),
+                d->camera.pointAtTargetDepth(view.ndc(asVector(gesture->position())), view.aspect()));
+            emit cameraChanged();
+            update();
+            return true;
+        }
+    }
+    if (event->type() == QEvent::LanguageChange) {
+        setAccessibleName(tr("3D view"));
+        update(); // the labels of the cube
+    }
+    return QOpenGLWidget::event(event);
+}
+
+} // namespace ramure
