@@ -1,0 +1,162 @@
+#include "app/cli/commands.h"
+#include "app/cli/input.h"
+#include "app/cli/work.h"
+#include "core/document/exporter.h"
+#include <algorithm>
+#include <iterator>
+
+namespace ramure::cli {
+
+namespace {
+
+constexpr CommandText text = {"export", "INPUT", "Writes a tree as a mesh, or a mesh file in another format.",
+                              "The ending of FILE says the format: .obj (with an .mtl beside it: objects "
+                              "branches, leaves, apples, with normals) or .ply "
+                              "(binary unless --ascii; vertices with normal, colour, branch id and level).\n"
+                              "All visible trees of a project are written together, where they stand in the "
+                              "world; of several trees the objects are "
+                              "branches_1, leaves_1, apples_1, branches_2 and so on. Files are written under "
+                              "another name and renamed: an error or Ctrl+C "
+                              "leaves the old file as it was."};
+
+/// A value of an option by its name.
+template <class Value> struct Choice
+{
+    const char* name;
+    Value value;
+};
+constexpr Choice<std::uint8_t> partChoices[] = {
+    {"branches", exportBranches}, {"leaves", exportLeaves}, {"apples", exportApples}, {"all", exportAll}};
+constexpr Choice<ExportModel> modelChoices[] = {
+    {"mesh", ExportModel::Mesh}, {"rough", ExportModel::Rough}, {"skeleton", ExportModel::Skeleton}};
+
+template <class Value, std::size_t n>
+Expected<Value> choose(const Choice<Value> (&choices)[n], const char* option, const QString& name)
+{
+    QStringList names;
+    for (const Choice<Value>& choice : choices) {
+        if (name == QLatin1String(choice.name))
+            return choice.value;
+        names << QLatin1String(choice.name);
+    }
+    return fail(ErrorCode::Unknown, "--%1 \"%2\": %3 expected",
+                {option, name.toStdString(), commaList(names).toStdString()});
+}
+
+/// What the options ask for; parts nowhere where the format decides.
+struct Request
+{
+    QStringList files;
+    std::optional<std::uint8_t> parts;
+    ExportModel model = ExportModel::Mesh;
+    bool ascii = false;
+    bool needsTree = false; ///< an option that says something about trees was given
+};
+
+Expected<Request> requestOf(const CommandLine& line)
+{
+    Request out;
+    out.files = line.values("o");
+    out.ascii = line.has("ascii");
+    out.needsTree = line.has("part") || line.has("model");
+    if (out.files.isEmpty())
+        return fail(ErrorCode::Invalid, "missing -o FILE: `ramure-cli export --help` shows what it takes");
+    for (const QString& file : out.files)
+        if (const auto known = checkExportEnding(systemPath(file)); !known)
+            return fail(known.error());
+    if (line.has("part")) {
+        const auto parts = choose(partChoices, "part", line.value("part"));
+        if (!parts)
+            return fail(parts.error());
+        out.parts = *parts;
+    }
+    if (line.has("model")) {
+        const auto model = choose(modelChoices, "model", line.value("model"));
+        if (!model)
+            return fail(model.error());
+        out.model = *model;
+    }
+    return out;
+}
+
+bool isPly(const QString& file)
+{
+    return file.endsWith(QLatin1String(".ply"), Qt::CaseInsensitive);
+}
+
+Expected<void> exportTrees(const Scene& scene, const Request& request, const Progress& progress)
+{
+    TreePipeline pipeline; // its cache serves the second file
+    const auto count = static_cast<double>(request.files.size());
+    for (qsizetype i = 0; i < request.files.size(); ++i) {
+        const QString& file = request.files.at(i);
+        ExportOptions options;
+        options.model = request.model;
+        options.parts = request.parts.value_or(isPly(file) ? exportBranches : exportAll);
+        options.ply.ascii = request.ascii;
+        const double from = static_cast<double>(i) / count;
+        const auto written = exportScene(scene, options, pipelineSource(pipeline), systemPath(file),
+                                         progress.part(from, from + 1.0 / count));
+        if (!written)
+            return written;
+    }
+    return {};
+}
+
+Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Progress& progress)
+{
+    if (request.needsTree)
+        return fail(ErrorCode::Invalid, "--part and --model need a tree: the input is a mesh");
+    std::vector<MeshPart> parts;
+    for (const ReadObject& object : mesh.objects)
+        parts.push_back({object.name, &object.mesh, barkMaterial()});
+    const TriangleMesh joined = mesh.joined();
+    // A PLY file is one mesh: vertices that the objects share stay shared.
+    const std::vector<MeshPart> whole{{"mesh", &joined, barkMaterial()}};
+    for (const QString& file : request.files) {
+        const auto written = isPly(file) ? writePly(systemPath(file), whole, {request.ascii}, progress)
+                                         : writeObj(systemPath(file), parts, progress);
+        if (!written)
+            return written;
+    }
+    return {};
+}
+
+} // namespace
+
+Expected<int> runExport(const QStringList& arguments)
+{
+    CommandLine line(text);
+    line.add({QStringLiteral("o"), QStringLiteral("output")},
+             QStringLiteral("Writes this file; may be repeated."), QStringLiteral("FILE"));
+    line.addInputOptions();
+    line.add({QStringLiteral("part")},
+             QStringLiteral("branches, leaves, apples or all. Without it .obj gets all, .ply the branches."),
+             QStringLiteral("PART"));
+    line.add({QStringLiteral("model")},
+             QStringLiteral("mesh (one continuous mesh; the default), rough (open cylinders, squares, cubes) "
+                            "or skeleton (line "
+                            "segments)."),
+             QStringLiteral("MODEL"));
+    line.add({QStringLiteral("ascii")}, QStringLiteral("Writes .ply as text."));
+    const auto done = line.parse(arguments, 1, 1);
+    if (!done)
+        return fail(done.error());
+    if (*done)
+        return **done;
+    const auto request = requestOf(line);
+    if (!request)
+        return fail(request.error());
+    const Work work("export");
+    const Progress progress = work.progress();
+    const auto input = loadInput(line.arguments().front(), line.values("set"), progress.part(0.0, 0.0));
+    if (!input)
+        return fail(input.error());
+    const auto written = input->scene() ? exportTrees(*input->scene(), *request, progress)
+                                        : exportMesh(*input->mesh(), *request, progress);
+    if (!written)
+        return fail(written.error());
+    return exitGood;
+}
+
+} // namespace ramure::cli

@@ -1,0 +1,223 @@
+#include "app/cli/commands.h"
+#include "app/cli/input.h"
+#include "core/geometry/box.h"
+#include <QJsonArray>
+#include <QJsonObject>
+#include <algorithm>
+
+namespace ramure::cli {
+
+namespace {
+
+constexpr CommandText text = {
+    "info", "INPUT",
+    "Counts and measures the skeleton of a tree, before and after simplification, or a mesh file.",
+    "Lengths are in metres and boxes in the tree's own space, before its placement. Of a project with "
+    "several trees the counts "
+    "and lengths are summed, maxChildren is the largest, min and max are the box of all trees in world "
+    "space, and \"trees\" "
+    "(JSON) lists each. Of an .obj or .ply file: vertices, faces, box and its objects."};
+
+/// What is said of one skeleton, or of several together.
+struct SkeletonFacts
+{
+    std::int64_t branches = 0, terminals = 0, maxChildren = 0;
+    double totalLength = 0.0, sumA1 = 0.0;
+    Box box;
+};
+
+struct TreeFacts
+{
+    std::string name;
+    std::int64_t symbols = 0;
+    SkeletonFacts full, simplified;
+};
+
+SkeletonFacts factsOf(const Skeleton& skeleton)
+{
+    const SkeletonStats stats = skeletonStats(skeleton);
+    SkeletonFacts out{stats.branches, stats.terminals, stats.maxChildren, stats.totalLength, stats.sumA1, {}};
+    out.box.add(stats.min);
+    out.box.add(stats.max);
+    return out;
+}
+
+/// \param world puts the box of \p more where it stands.
+void add(SkeletonFacts& sum, const SkeletonFacts& more, const glm::dmat4& world)
+{
+    sum.branches += more.branches;
+    sum.terminals += more.terminals;
+    sum.maxChildren = std::max(sum.maxChildren, more.maxChildren);
+    sum.totalLength += more.totalLength;
+    sum.sumA1 += more.sumA1;
+    sum.box.add(more.box.transformed(world));
+}
+
+QJsonArray jsonVector(const glm::dvec3& v)
+{
+    // A negative zero would be printed as such.
+    return {v.x + 0.0, v.y + 0.0, v.z + 0.0};
+}
+
+QJsonObject jsonFacts(const SkeletonFacts& facts)
+{
+    return {{QStringLiteral("branches"), qint64(facts.branches)},
+            {QStringLiteral("terminals"), qint64(facts.terminals)},
+            {QStringLiteral("maxChildren"), qint64(facts.maxChildren)},
+            {QStringLiteral("totalLength"), facts.totalLength},
+            {QStringLiteral("sumA1"), facts.sumA1},
+            {QStringLiteral("min"), jsonVector(facts.box.min)},
+            {QStringLiteral("max"), jsonVector(facts.box.max)}};
+}
+
+QJsonObject jsonTree(const TreeFacts& tree)
+{
+    QJsonObject out = jsonFacts(tree.full);
+    out.insert(QStringLiteral("symbols"), qint64(tree.symbols));
+    out.insert(QStringLiteral("simplified"), jsonFacts(tree.simplified));
+    return out;
+}
+
+QString number(double value)
+{
+    return QString::number(value, 'g', 9);
+}
+
+QString vectorText(const glm::dvec3& v)
+{
+    return QStringLiteral("%1 %2 %3").arg(number(v.x + 0.0), number(v.y + 0.0), number(v.z + 0.0));
+}
+
+QString row(const char* name, const QString& first, const QString& second = {})
+{
+    return (QStringLiteral("%1 %2 ").arg(QLatin1String(name), -12).arg(first, -36) + second).trimmed() +
+           QLatin1Char('\n');
+}
+
+QString textOf(const TreeFacts& tree)
+{
+    const SkeletonFacts& a = tree.full;
+    const SkeletonFacts& b = tree.simplified;
+    return row("", QStringLiteral("skeleton"), QStringLiteral("simplified"))
+               .prepend(QString(13, QLatin1Char(' '))) +
+           row("symbols", QString::number(tree.symbols)) +
+           row("branches", QString::number(a.branches), QString::number(b.branches)) +
+           row("terminals", QString::number(a.terminals), QString::number(b.terminals)) +
+           row("maxChildren", QString::number(a.maxChildren), QString::number(b.maxChildren)) +
+           row("totalLength", number(a.totalLength), number(b.totalLength)) +
+           row("sumA1", number(a.sumA1), number(b.sumA1)) +
+           row("min", vectorText(a.box.min), vectorText(b.box.min)) +
+           row("max", vectorText(a.box.max), vectorText(b.box.max));
+}
+
+Expected<std::vector<TreeFacts>> factsOfTrees(const std::vector<const Node*>& trees)
+{
+    TreePipeline pipeline;
+    std::vector<TreeFacts> out;
+    for (const Node* node : trees) {
+        const auto result = evaluateTree(pipeline, *node, trees.size() > 1, Stage::Simplified);
+        if (!result)
+            return fail(result.error());
+        out.push_back({node->name, std::int64_t(result->symbols->size()), factsOf(*result->skeleton),
+                       factsOf(result->simplified->skeleton)});
+    }
+    return out;
+}
+
+Expected<void> showScene(const Scene& scene, bool json)
+{
+    const auto nodes = treesOf(scene);
+    if (!nodes)
+        return fail(nodes.error());
+    const auto trees = factsOfTrees(*nodes);
+    if (!trees)
+        return fail(trees.error());
+    if (trees->size() == 1)
+        return json ? printJson(jsonTree(trees->front())) : print(textOf(trees->front()));
+    TreeFacts sum;
+    QJsonArray list;
+    QString texts;
+    for (std::size_t i = 0; i < trees->size(); ++i) {
+        const TreeFacts& tree = (*trees)[i];
+        const glm::dmat4 world = worldMatrix(scene, (*nodes)[i]->id);
+        sum.symbols += tree.symbols;
+        add(sum.full, tree.full, world);
+        add(sum.simplified, tree.simplified, world);
+        QJsonObject entry = jsonTree(tree);
+        entry.insert(QStringLiteral("name"), fromText(tree.name));
+        list.append(entry);
+        texts += QStringLiteral("%1\n%2\n").arg(fromText(tree.name), textOf(tree));
+    }
+    QJsonObject all = jsonTree(sum);
+    all.insert(QStringLiteral("trees"), list);
+    return json ? printJson(all)
+                : print(texts + QStringLiteral("%1 trees\n%2").arg(trees->size()).arg(textOf(sum)));
+}
+
+Box boxOf(const TriangleMesh& mesh)
+{
+    Box out;
+    for (const glm::vec3& p : mesh.positions)
+        out.add(glm::dvec3(p));
+    return out;
+}
+
+Expected<void> showMesh(const ReadMesh& mesh, bool json)
+{
+    Box all;
+    QJsonArray objects;
+    QString lines;
+    for (const ReadObject& object : mesh.objects) {
+        const Box box = boxOf(object.mesh);
+        all.add(box);
+        objects.append(QJsonObject{{QStringLiteral("name"), fromText(object.name)},
+                                   {QStringLiteral("vertices"), qint64(object.mesh.vertexCount())},
+                                   {QStringLiteral("faces"), qint64(object.mesh.faceCount())},
+                                   {QStringLiteral("min"), jsonVector(box.min)},
+                                   {QStringLiteral("max"), jsonVector(box.max)}});
+        lines += row("object", fromText(object.name),
+                     QStringLiteral("%1 vertices, %2 faces")
+                         .arg(object.mesh.vertexCount())
+                         .arg(object.mesh.faceCount()));
+    }
+    const TriangleMesh joined = mesh.joined();
+    QJsonArray notes;
+    for (const std::string& note : mesh.notes) {
+        notes.append(fromText(note));
+        lines += row("note", fromText(note));
+    }
+    if (json)
+        return printJson(QJsonObject{{QStringLiteral("vertices"), qint64(joined.vertexCount())},
+                                     {QStringLiteral("faces"), qint64(joined.faceCount())},
+                                     {QStringLiteral("min"), jsonVector(all.min)},
+                                     {QStringLiteral("max"), jsonVector(all.max)},
+                                     {QStringLiteral("objects"), objects},
+                                     {QStringLiteral("notes"), notes}});
+    return print(row("vertices", QString::number(joined.vertexCount())) +
+                 row("faces", QString::number(joined.faceCount())) + row("min", vectorText(all.min)) +
+                 row("max", vectorText(all.max)) + lines);
+}
+
+} // namespace
+
+Expected<int> runInfo(const QStringList& arguments)
+{
+    CommandLine line(text);
+    line.addInputOptions();
+    line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
+    const auto done = line.parse(arguments, 1, 1);
+    if (!done)
+        return fail(done.error());
+    if (*done)
+        return **done;
+    const auto input = loadInput(line.arguments().front(), line.values("set"));
+    if (!input)
+        return fail(input.error());
+    const auto shown = input->scene() ? showScene(*input->scene(), line.has("json"))
+                                      : showMesh(*input->mesh(), line.has("json"));
+    if (!shown)
+        return fail(shown.error());
+    return exitGood;
+}
+
+} // namespace ramure::cli

@@ -1,0 +1,75 @@
+/// \file
+/// Options, help and output that the commands of ramure-cli share.
+#pragma once
+
+#include "core/base/error.h"
+#include <QCommandLineParser>
+#include <QJsonValue>
+#include <QString>
+#include <QStringList>
+#include <optional>
+
+namespace ramure::cli {
+
+enum ExitCode : int {
+    exitGood = 0,
+    exitCheckFailed = 1,
+    exitBad = 2, ///< usage or input
+};
+
+/// What stands in a command's help.
+struct CommandText
+{
+    const char* name;      ///< "info"
+    const char* arguments; ///< "INPUT"
+    const char* summary;   ///< one line
+    const char* details;   ///< paragraphs, may be empty
+};
+
+/// One command's arguments. Every command has --help and --version.
+class CommandLine
+{
+public:
+    explicit CommandLine(const CommandText& text);
+
+    void add(const QStringList& names, const QString& description, const QString& valueName = {});
+    void addDefault(const QStringList& names, const QString& description, const QString& valueName,
+                    const QString& defaultValue);
+    /// The options that every command with an INPUT has.
+    void addInputOptions();
+
+    /// An exit code where there is nothing left to do: help and version were printed.
+    /// Errors: Invalid for an unknown option or a wrong number of arguments.
+    Expected<std::optional<int>> parse(const QStringList& arguments, int fewest, int most);
+
+    [[nodiscard]] bool has(const char* name) const { return m_parser.isSet(QString::fromLatin1(name)); }
+    [[nodiscard]] QString value(const char* name) const { return m_parser.value(QString::fromLatin1(name)); }
+    [[nodiscard]] QStringList values(const char* name) const
+    {
+        return m_parser.values(QString::fromLatin1(name));
+    }
+    [[nodiscard]] QStringList arguments() const { return m_parser.positionalArguments(); }
+    [[nodiscard]] QString help() const;
+
+private:
+    CommandText m_text;
+    QCommandLineParser m_parser;
+    QList<QCommandLineOption> m_options;
+};
+
+/// To the standard output. Error: Io.
+Expected<void> print(const QString& text);
+/// Indented, numbers in their shortest form.
+Expected<void> printJson(const QJsonValue& value);
+/// One line on the standard error, whatever the text.
+void printError(const QString& text);
+QString versionText();
+
+/// The bytes that the system knows the path by, and back.
+std::string systemPath(const QString& path);
+QString fromText(const std::string& text);
+
+/// "a, b, c"
+QString commaList(const QStringList& items);
+
+} // namespace ramure::cli

@@ -1,0 +1,198 @@
+#include "app/cli/commands.h"
+#include "core/params/param_def.h"
+#include "core/params/presets.h"
+#include <QJsonArray>
+#include <QJsonObject>
+#include <cmath>
+
+namespace ramure::cli {
+
+namespace {
+
+constexpr CommandText text = {
+    "list", "presets|params", "Lists the trees that ship with the program, or every parameter of a tree.",
+    "A parameter's key is its name in project files and for --set. Numbers outside its range are refused."};
+
+const char* unitName(ParamUnit unit)
+{
+    switch (unit) {
+    case ParamUnit::None:
+        return "";
+    case ParamUnit::Metre:
+        return "m";
+    case ParamUnit::Radian:
+        return "rad";
+    case ParamUnit::Ratio:
+        return "ratio";
+    case ParamUnit::Count:
+        return "count";
+    case ParamUnit::Degree:
+        return "deg";
+    }
+    return "";
+}
+
+const char* typeName(ParamType type)
+{
+    switch (type) {
+    case ParamType::Bool:
+        return "bool";
+    case ParamType::Int:
+        return "int";
+    case ParamType::Real:
+        return "real";
+    case ParamType::Text:
+        return "text";
+    case ParamType::Vec3:
+        return "vec3";
+    }
+    return "";
+}
+
+bool hasRange(const ParamDef& def)
+{
+    return def.type == ParamType::Int || def.type == ParamType::Real || def.type == ParamType::Vec3;
+}
+
+/// Bounds that are no bounds are not shown.
+QString rangeText(const ParamDef& def)
+{
+    if (!hasRange(def))
+        return {};
+    const auto number = [](double value) { return fromText(formatValue(ParamValue(value))); };
+    return number(def.hardMin) + QStringLiteral(" .. ") + number(def.hardMax);
+}
+
+QJsonValue jsonValue(const ParamValue& value)
+{
+    if (const auto* flag = std::get_if<bool>(&value))
+        return *flag;
+    if (const auto* whole = std::get_if<std::int64_t>(&value))
+        return qint64(*whole);
+    if (const auto* real = std::get_if<double>(&value))
+        return *real;
+    if (const auto* string = std::get_if<std::string>(&value))
+        return fromText(*string);
+    const auto& vector = std::get<glm::dvec3>(value);
+    return QJsonArray{vector.x, vector.y, vector.z};
+}
+
+QJsonArray presetsJson()
+{
+    QJsonArray out;
+    for (const Preset& preset : presets())
+        out.append(QJsonObject{{QStringLiteral("name"), QString::fromUtf8(preset.name)},
+                               {QStringLiteral("description"), QString::fromUtf8(preset.description)}});
+    return out;
+}
+
+QJsonArray paramsJson()
+{
+    QJsonArray out;
+    for (const ParamDef& def : paramTable()) {
+        QJsonObject row{{QStringLiteral("key"), QString::fromUtf8(def.key)},
+                        {QStringLiteral("group"), QString::fromUtf8(def.group)},
+                        {QStringLiteral("label"), QString::fromUtf8(def.label)},
+                        {QStringLiteral("description"), QString::fromUtf8(def.tooltip)},
+                        {QStringLiteral("type"), QLatin1String(typeName(def.type))},
+                        {QStringLiteral("unit"), QLatin1String(unitName(def.unit))},
+                        {QStringLiteral("default"), jsonValue(defaultValue(def))}};
+        if (hasRange(def)) {
+            row.insert(QStringLiteral("min"), def.hardMin);
+            row.insert(QStringLiteral("max"), def.hardMax);
+        }
+        out.append(row);
+    }
+    return out;
+}
+
+/// The value on one line, as --set takes it.
+QString defaultText(const ParamDef& def)
+{
+    QString out = fromText(formatValue(defaultValue(def)));
+    if (def.type == ParamType::Text)
+        out.replace(QLatin1Char('\\'), QStringLiteral("\\\\"))
+            .replace(QLatin1Char('\n'), QStringLiteral("\\n"));
+    return out;
+}
+
+QString presetsText()
+{
+    QString out;
+    for (const Preset& preset : presets())
+        out += QStringLiteral("%1 %2\n")
+                   .arg(QString::fromUtf8(preset.name), -12)
+                   .arg(QString::fromUtf8(preset.description));
+    return out;
+}
+
+QString paramsText()
+{
+    QString out;
+    for (const ParamDef& def : paramTable()) {
+        const QString unit = QLatin1String(unitName(def.unit));
+        out += QStringLiteral("%1 %2 %3 %4\n")
+                   .arg(QString::fromUtf8(def.key), -28)
+                   .arg(QLatin1String(typeName(def.type)) +
+                            (unit.isEmpty() ? unit : QStringLiteral(", ") + unit),
+                        -12)
+                   .arg(rangeText(def), -24)
+                   .arg(defaultText(def));
+    }
+    return out;
+}
+
+QString paramsMarkdown()
+{
+    QString out =
+        QStringLiteral("# Parameters\n\n"
+                       "Made by `./dev docs` from the parameter table: `ramure-cli list params --markdown`. "
+                       "The key is the name in "
+                       "project files and for `--set key=value`. Numbers outside the range are refused.\n");
+    const char* group = "";
+    for (const ParamDef& def : paramTable()) {
+        if (std::string_view(group) != def.group) {
+            group = def.group;
+            out += QStringLiteral("\n## %1\n").arg(QString::fromUtf8(group));
+        }
+        out += QStringLiteral("\n**%1** `%2`  \n%3\n")
+                   .arg(QString::fromUtf8(def.label), QString::fromUtf8(def.key),
+                        QString::fromUtf8(def.tooltip));
+        QStringList facts{QLatin1String(typeName(def.type))};
+        if (*unitName(def.unit))
+            facts << QLatin1String(unitName(def.unit));
+        if (hasRange(def))
+            facts << QStringLiteral("range %1").arg(rangeText(def));
+        out += QStringLiteral("\n- %1\n- default `` %2 ``\n").arg(commaList(facts), defaultText(def));
+    }
+    return out;
+}
+
+} // namespace
+
+Expected<int> runList(const QStringList& arguments)
+{
+    CommandLine line(text);
+    line.add({QStringLiteral("json")}, QStringLiteral("Prints JSON: an array with one object per entry."));
+    line.add({QStringLiteral("markdown")}, QStringLiteral("Prints the handbook's page of the parameters."));
+    const auto done = line.parse(arguments, 1, 1);
+    if (!done)
+        return fail(done.error());
+    if (*done)
+        return **done;
+    const QString what = line.arguments().front();
+    const bool isPresets = what == QLatin1String("presets");
+    if (!isPresets && what != QLatin1String("params"))
+        return fail(ErrorCode::Unknown, "cannot list \"%1\": presets or params expected",
+                    {what.toStdString()});
+    if (line.has("markdown") && (isPresets || line.has("json")))
+        return fail(ErrorCode::Invalid, "--markdown is for params, and not together with --json");
+    const auto printed = line.has("json")       ? printJson(isPresets ? presetsJson() : paramsJson())
+                         : line.has("markdown") ? print(paramsMarkdown())
+                                                : print(isPresets ? presetsText() : paramsText());
+    if (!printed)
+        return fail(printed.error());
+    return exitGood;
+}
+
+} // namespace ramure::cli

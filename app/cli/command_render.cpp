@@ -1,0 +1,192 @@
+#include "app/cli/commands.h"
+#include "app/cli/input.h"
+#include "app/cli/virtual_display.h"
+#include "widgets/render/offscreen_renderer.h"
+#include "widgets/render/scene_builder.h"
+#include <QBuffer>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QImageWriter>
+#include <QSaveFile>
+#include <map>
+
+namespace ramure::cli {
+
+namespace {
+
+constexpr CommandText text = {"render", "INPUT", "Draws a picture of a tree, a project or a mesh file.",
+                              "Without a display a virtual X server (Xvfb) is started for the time it takes. "
+                              "The camera shows all that is visible."};
+
+constexpr int smallestSide = 16;
+constexpr int largestSide = 8192;
+
+Expected<QSize> parseSize(const QString& value)
+{
+    const QStringList sides = value.toLower().split(QLatin1Char('x'));
+    bool isWidth = false;
+    bool isHeight = false;
+    const int width = sides.front().toInt(&isWidth);
+    const int height = sides.back().toInt(&isHeight);
+    const auto isSide = [](int side) { return side >= smallestSide && side <= largestSide; };
+    if (sides.size() != 2 || !isWidth || !isHeight || !isSide(width) || !isSide(height))
+        return fail(ErrorCode::Invalid, "--size \"%1\": WIDTHxHEIGHT expected, each %2 to %3 pixels",
+                    {value.toStdString(), std::to_string(smallestSide), std::to_string(largestSide)});
+    return QSize(width, height);
+}
+
+struct Request
+{
+    QString file;
+    QSize size;
+    DisplayMode mode = DisplayMode::Mesh;
+};
+
+Expected<Request> requestOf(const CommandLine& line)
+{
+    Request out;
+    out.file = line.value("o");
+    if (out.file.isEmpty() || line.values("o").size() != 1)
+        return fail(ErrorCode::Invalid,
+                    "one -o FILE.png expected: `ramure-cli render --help` shows what it takes");
+    if (QFileInfo(out.file).suffix().toLower() != QLatin1String("png"))
+        return fail(ErrorCode::Unknown, "%1: unknown file ending: pictures are written as .png",
+                    {out.file.toStdString()});
+    const auto size = parseSize(line.value("size"));
+    if (!size)
+        return fail(size.error());
+    out.size = *size;
+    const auto mode = displayModeFromName(line.value("mode").toStdString());
+    if (!mode) {
+        QStringList names;
+        for (const char* name : displayModeNames())
+            names << QLatin1String(name);
+        return fail(ErrorCode::Unknown, "--mode \"%1\": %2 expected",
+                    {line.value("mode").toStdString(), commaList(names).toStdString()});
+    }
+    out.mode = *mode;
+    return out;
+}
+
+Stage stageFor(DisplayMode mode)
+{
+    switch (mode) {
+    case DisplayMode::Skeleton:
+    case DisplayMode::Simplified:
+        return Stage::Simplified;
+    case DisplayMode::Sections:
+        return Stage::Sections;
+    case DisplayMode::Rough:
+    case DisplayMode::Mesh:
+        break;
+    }
+    return Stage::Foliage;
+}
+
+Expected<RenderScene> treeScene(const Scene& scene, DisplayMode mode)
+{
+    const auto nodes = treesOf(scene);
+    if (!nodes)
+        return fail(nodes.error());
+    TreePipeline pipeline;
+    std::map<NodeId, TreeResult> results;
+    for (const Node* node : *nodes) {
+        if (!scene.isShown(node->id))
+            continue;
+        auto result = evaluateTree(pipeline, *node, nodes->size() > 1, stageFor(mode));
+        if (!result)
+            return fail(result.error());
+        results.emplace(node->id, std::move(*result));
+    }
+    SceneView view;
+    view.mode = mode;
+    const auto resultOf = [&](NodeId id) {
+        const auto found = results.find(id);
+        return found == results.end() ? nullptr : &found->second;
+    };
+    return SceneBuilder().build(scene, resultOf, view);
+}
+
+Expected<RenderScene> sceneOf(const Input& input, const CommandLine& line, DisplayMode mode)
+{
+    if (input.scene())
+        return treeScene(*input.scene(), mode);
+    if (line.has("mode") && mode != DisplayMode::Mesh)
+        return fail(ErrorCode::Invalid, "--mode needs a tree: the input is a mesh");
+    return sceneOfMesh(input.mesh()->joined());
+}
+
+Expected<void> savePng(const QImage& image, const QString& file)
+{
+    // Encoded first: then all that can go wrong is writing.
+    QBuffer bytes;
+    bytes.open(QIODevice::WriteOnly);
+    QImageWriter writer(&bytes, "png");
+    if (!writer.write(image))
+        return fail(ErrorCode::Io, "%1: cannot be encoded: %2",
+                    {file.toStdString(), writer.errorString().toStdString()});
+    QSaveFile target(file);
+    target.setDirectWriteFallback(QFileInfo(file).exists() && !QFileInfo(file).isFile()); // devices
+    if (!target.open(QIODevice::WriteOnly) || target.write(bytes.data()) != bytes.data().size() ||
+        !target.commit())
+        return fail(ErrorCode::Io, "%1: cannot be written: %2",
+                    {file.toStdString(), target.errorString().toStdString()});
+    return {};
+}
+
+/// The platform without windows of Qt: all it needs is the X server behind DISPLAY, where it finds OpenGL.
+Expected<QImage> draw(const RenderScene& scene, QSize size)
+{
+    VirtualDisplay display;
+    if (const auto ensured = display.ensure(); !ensured)
+        return fail(ensured.error());
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    char name[] = "ramure-cli";
+    char* argv[] = {name, nullptr};
+    int argc = 1;
+    const QGuiApplication application(argc, argv);
+    Camera camera;
+    camera.frame(scene.box, double(size.width()) / double(size.height()));
+    return renderImage(scene, camera, size);
+}
+
+} // namespace
+
+Expected<int> runRender(const QStringList& arguments)
+{
+    CommandLine line(text);
+    line.add({QStringLiteral("o"), QStringLiteral("output")}, QStringLiteral("Writes this file."),
+             QStringLiteral("FILE.png"));
+    line.addDefault(
+        {QStringLiteral("size")},
+        QStringLiteral("Size of the picture in pixels, 16 to 8192 each way; 1280x800 without it."),
+        QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("1280x800"));
+    line.addDefault(
+        {QStringLiteral("mode")},
+        QStringLiteral("skeleton, simplified (removed nodes in red), rough, sections or mesh (the default)."),
+        QStringLiteral("MODE"), QStringLiteral("mesh"));
+    line.addInputOptions();
+    const auto done = line.parse(arguments, 1, 1);
+    if (!done)
+        return fail(done.error());
+    if (*done)
+        return **done;
+    const auto request = requestOf(line);
+    if (!request)
+        return fail(request.error());
+    const auto input = loadInput(line.arguments().front(), line.values("set"));
+    if (!input)
+        return fail(input.error());
+    const auto scene = sceneOf(*input, line, request->mode);
+    if (!scene)
+        return fail(scene.error());
+    const auto image = draw(*scene, request->size);
+    if (!image)
+        return fail(image.error());
+    if (const auto saved = savePng(*image, request->file); !saved)
+        return fail(saved.error());
+    return exitGood;
+}
+
+} // namespace ramure::cli

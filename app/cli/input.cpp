@@ -1,0 +1,122 @@
+#include "app/cli/input.h"
+#include "core/document/project_file.h"
+#include "core/params/param_def.h"
+#include "core/params/presets.h"
+#include <QFileInfo>
+
+namespace ramure::cli {
+
+namespace {
+
+Expected<Scene> presetScene(const QString& name)
+{
+    auto params = presetParams(name.toStdString());
+    if (!params)
+        return fail(params.error());
+    Scene scene;
+    Node node;
+    node.id = scene.newId();
+    node.kind = NodeKind::Tree;
+    node.name = name.toStdString();
+    node.params = std::move(*params);
+    if (const auto inserted = scene.insert({std::move(node)}, noNode, 0); !inserted)
+        return fail(inserted.error());
+    return scene;
+}
+
+struct Setting
+{
+    const ParamDef* def;
+    ParamValue value;
+};
+
+Expected<Setting> parseSetting(const QString& text)
+{
+    const auto equals = text.indexOf(QLatin1Char('='));
+    if (equals < 0)
+        return fail(ErrorCode::Syntax, "--set \"%1\": KEY=VALUE expected", {text.toStdString()});
+    const std::string key = text.left(equals).trimmed().toStdString();
+    const ParamDef* def = findParam(key);
+    if (!def)
+        return fail(ErrorCode::Unknown,
+                    "unknown parameter \"%1\": `ramure-cli list params` shows those there are", {key});
+    auto value = parseValue(*def, text.mid(equals + 1).toStdString(), true);
+    if (!value)
+        return fail(value.error());
+    return Setting{def, std::move(*value)};
+}
+
+Expected<void> applySettings(Scene& scene, const QStringList& sets)
+{
+    for (const QString& text : sets) {
+        const auto setting = parseSetting(text);
+        if (!setting)
+            return fail(setting.error());
+        for (const Node& listed : scene.nodes()) {
+            if (listed.kind != NodeKind::Tree || !hasParam(listed.kind, *setting->def))
+                continue;
+            if (const auto set = setParam(scene.find(listed.id)->params, *setting->def, setting->value); !set)
+                return set;
+        }
+    }
+    return {};
+}
+
+Expected<Scene> projectScene(const QString& path)
+{
+    auto project = loadProjectFile(path);
+    if (!project)
+        return fail(project.error());
+    return std::move(project->scene);
+}
+
+} // namespace
+
+Expected<Input> loadInput(const QString& text, const QStringList& sets, const Progress& progress)
+{
+    const QString presetPrefix = QStringLiteral("preset:");
+    const QString ending = QFileInfo(text).suffix().toLower();
+    const bool isPreset = text.startsWith(presetPrefix);
+    if (isPreset || ending == QLatin1String("ramure")) {
+        auto scene = isPreset ? presetScene(text.mid(presetPrefix.size())) : projectScene(text);
+        if (!scene)
+            return fail(scene.error());
+        if (const auto applied = applySettings(*scene, sets); !applied)
+            return fail(applied.error());
+        return Input{std::move(*scene)};
+    }
+    if (ending != QLatin1String("obj") && ending != QLatin1String("ply"))
+        return fail(ErrorCode::Unknown,
+                    "\"%1\" is no input: preset:NAME or a file .ramure, .obj or .ply expected",
+                    {text.toStdString()});
+    if (!sets.isEmpty())
+        return fail(ErrorCode::Invalid, "--set needs a tree: \"%1\" is a mesh", {text.toStdString()});
+    auto mesh = readMeshFile(systemPath(text), progress);
+    if (!mesh)
+        return fail(mesh.error());
+    return Input{std::move(*mesh)};
+}
+
+Expected<std::vector<const Node*>> treesOf(const Scene& scene)
+{
+    std::vector<const Node*> trees;
+    for (const Node& node : scene.nodes())
+        if (node.kind == NodeKind::Tree)
+            trees.push_back(&node);
+    if (trees.empty())
+        return fail(ErrorCode::Invalid, "the project holds no tree");
+    return trees;
+}
+
+Expected<TreeResult> evaluateTree(TreePipeline& pipeline, const Node& node, bool isOneOfSeveral, Stage last,
+                                  const Progress& progress)
+{
+    auto result = pipeline.evaluate(node.params, last, progress);
+    if (!result && isOneOfSeveral) {
+        Error& error = result.error();
+        error.path = node.name + (error.path.empty() ? "" : ": " + error.path);
+    }
+    return result;
+}
+
+} // namespace ramure::cli

@@ -1,0 +1,33 @@
+/// \file
+/// INPUT of the command line: preset:NAME, a .ramure, .obj or .ply file, with --set.
+#pragma once
+
+#include "app/cli/command_line.h"
+#include "core/io/mesh_file.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "core/scene/scene.h"
+#include <variant>
+
+namespace ramure::cli {
+
+/// Trees in a scene, or the mesh of a file.
+struct Input
+{
+    std::variant<Scene, ReadMesh> content;
+
+    [[nodiscard]] const Scene* scene() const { return std::get_if<Scene>(&content); }
+    [[nodiscard]] const ReadMesh* mesh() const { return std::get_if<ReadMesh>(&content); }
+};
+
+/// \param sets the values of --set, applied to every tree; refused for mesh files.
+/// Errors: Unknown (preset, ending, parameter), Invalid and Syntax (a value), and those of the files.
+Expected<Input> loadInput(const QString& text, const QStringList& sets, const Progress& progress = {});
+
+/// The trees of a scene, shown or not, in its order; at least one. Error: Invalid.
+Expected<std::vector<const Node*>> treesOf(const Scene& scene);
+
+/// Names of several trees stand before what an error is about.
+Expected<TreeResult> evaluateTree(TreePipeline& pipeline, const Node& node, bool isOneOfSeveral, Stage last,
+                                  const Progress& progress = {});
+
+} // namespace ramure::cli

@@ -1,0 +1,26 @@
+/// \file
+/// A display where there is none: an X server of our own that nobody sees.
+#pragma once
+
+#include "core/base/error.h"
+#include <QProcess>
+
+namespace ramure::cli {
+
+class VirtualDisplay
+{
+public:
+    VirtualDisplay() = default;
+    ~VirtualDisplay(); ///< ends the server
+    VirtualDisplay(const VirtualDisplay&) = delete;
+    VirtualDisplay& operator=(const VirtualDisplay&) = delete;
+
+    /// Nothing where DISPLAY is set; else starts Xvfb and sets DISPLAY. Call before any QGuiApplication.
+    /// Error: Unknown (Xvfb is missing or does not start).
+    Expected<void> ensure();
+
+private:
+    QProcess m_server;
+};
+
+} // namespace ramure::cli
