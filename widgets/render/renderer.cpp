@@ -138,8 +138,8 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
 
     Picture picture = arrange(scene, camera, size, options);
     castShadows(picture);
-    m_shadowMap.bind(shadowUnit, shadowDepthUnit);
     const GLuint aside = options.smoothing ? m_smoothing.begin(size) : 0;
+    m_shadowMap.bind(shadowUnit, shadowDepthUnit);
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, aside != 0 ? aside : framebuffer);
     beginState(size);
     if (options.world)
