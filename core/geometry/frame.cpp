@@ -6,12 +6,21 @@
 namespace ramure {
 namespace {
 
+/// v / |v|. What was turned is a unit vector up to rounding: one step of Newton's method then does without
+/// root and division, which a chain of frames would wait for at every link.
+glm::dvec3 normalised(const glm::dvec3& v)
+{
+    const double squared = glm::dot(v, v);
+    const bool almostUnit = std::abs(squared - 1.0) < 1e-8;
+    return v * (almostUnit ? 1.5 - 0.5 * squared : 1.0 / std::sqrt(squared));
+}
+
 /// The frame with this unit tangent and the normal's part across it.
 Frame orthonormal(const glm::dvec3& tangent, const glm::dvec3& normal)
 {
     Frame frame;
     frame.tangent = tangent;
-    frame.normal = glm::normalize(normal - glm::dot(normal, tangent) * tangent);
+    frame.normal = normalised(normal - glm::dot(normal, tangent) * tangent);
     frame.binormal = glm::cross(tangent, frame.normal);
     return frame;
 }
@@ -20,7 +29,15 @@ Frame orthonormal(const glm::dvec3& tangent, const glm::dvec3& normal)
 
 Frame frameFromTangent(const glm::dvec3& tangent)
 {
-    return transported(Frame(), tangent);
+    // The smallest rotation from +Y, spelled out; below the horizon by far it takes the careful way.
+    if (tangent.y < -0.5)
+        return transported(Frame(), tangent);
+    const double share = tangent.x / (1.0 + tangent.y);
+    Frame frame;
+    frame.tangent = tangent;
+    frame.normal = {1.0 - share * tangent.x, -tangent.x, -share * tangent.z};
+    frame.binormal = glm::cross(tangent, frame.normal);
+    return frame;
 }
 
 Frame transported(const Frame& frame, const glm::dvec3& tangent)

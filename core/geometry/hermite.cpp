@@ -49,12 +49,14 @@ glm::dvec3 unitTangent(const Steps& steps, double t)
 CurvePoint hermite(const glm::dvec3& h0, const glm::dvec3& h1, const glm::dvec3& v0, const glm::dvec3& v1,
                    double t)
 {
-    const glm::dvec3 b1 = h0 + v0 / 3.0;
-    const glm::dvec3 b2 = h1 - v1 / 3.0;
+    constexpr double third = 1.0 / 3.0;
+    const glm::dvec3 start = third * v0, end = third * v1;
+    const glm::dvec3 b1 = h0 + start;
+    const glm::dvec3 b2 = h1 - end;
     const glm::dvec3 left = mix(h0, b1, t), middle = mix(b1, b2, t), right = mix(b2, h1, t);
     // The steps come from the derivatives, not from differences of points, which lose digits far from the
     // origin.
-    const Steps steps{v0 / 3.0, (h1 - h0) - (v0 + v1) / 3.0, v1 / 3.0};
+    const Steps steps{start, (h1 - h0) - (start + end), end};
     return {mix(mix(left, middle, t), mix(middle, right, t), t), unitTangent(steps, t)};
 }
 

@@ -19,22 +19,19 @@ SectionSet buildSections(const Skeleton& skeleton, int lengthDivisions, std::spa
     const Index perBranch = static_cast<Index>(std::max(lengthDivisions, 2));
     SectionSet set;
     set.perBranch = perBranch;
-    set.sections.resize(std::size_t(skeleton.size()) * perBranch);
+    set.sections.reserve(std::size_t(skeleton.size()) * perBranch);
     for (Index branch = 0; branch < skeleton.size(); ++branch) {
         const Index parent = skeleton.parent[branch];
         const BranchCurve curve = branchCurve(skeleton, branch);
         Frame frame = parent == noIndex ? Frame() : set.of(parent).back().frame;
-        CrossSection* section = &set.sections[std::size_t(branch) * perBranch];
-        for (Index k = 0; k < perBranch; ++k, ++section) {
+        for (Index k = 0; k < perBranch; ++k) {
             const double t = static_cast<double>(k) / (perBranch - 1);
             const CurvePoint at = hermite(curve.h0, curve.h1, curve.v0, curve.v1, t);
             frame = transported(frame, at.tangent);
             if (k == 0 && branch < rollRad.size() && rollRad[branch] != 0.0)
                 frame = rolled(frame, rollRad[branch]);
-            section->centre = at.point;
-            section->frame = frame;
-            section->t = t;
-            section->radius = (1.0 - t) * skeleton.a0[branch] + t * skeleton.a1[branch];
+            const double radius = (1.0 - t) * skeleton.a0[branch] + t * skeleton.a1[branch];
+            set.sections.push_back({at.point, frame, t, radius});
         }
     }
     return set;
@@ -49,13 +46,14 @@ glm::dvec3 sectionPoint(const CrossSection& section, int k, int radialDivisions)
 std::vector<glm::vec3> sectionRings(const SectionSet& set, int radialDivisions)
 {
     const std::vector<glm::dvec2> circle = unitCircle(radialDivisions);
-    std::vector<glm::vec3> points(set.sections.size() * circle.size());
-    auto point = points.begin();
+    std::vector<glm::vec3> points, ring(circle.size());
+    points.reserve(set.sections.size() * circle.size());
     for (const CrossSection& section : set.sections) {
         const glm::dvec3 u = section.radius * section.frame.normal;
         const glm::dvec3 v = section.radius * section.frame.binormal;
-        for (const glm::dvec2& on : circle)
-            *point++ = glm::vec3(section.centre + on.x * u + on.y * v);
+        for (std::size_t k = 0; k < circle.size(); ++k)
+            ring[k] = glm::vec3(section.centre + circle[k].x * u + circle[k].y * v);
+        points.insert(points.end(), ring.begin(), ring.end());
     }
     return points;
 }

@@ -1,67 +1,147 @@
 #include "core/mesh/rough_model.h"
 
+#include "core/base/float4.h"
 #include "core/geometry/frame.h"
 #include "core/geometry/ring.h"
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 
 namespace ramure {
 namespace {
 
+/// Four points as they stand in memory: x y z x, y z x y, z x y z.
+constexpr std::size_t together = 12;
+struct Four
+{
+    Float4 at[3];
+
+    static Four same(const glm::dvec3& v)
+    {
+        const glm::vec3 p(v);
+        return {{Float4{p.x, p.y, p.z, p.x}, Float4{p.y, p.z, p.x, p.y}, Float4{p.z, p.x, p.y, p.z}}};
+    }
+    static Four load(const float* from)
+    {
+        return {{loadFloat4(from), loadFloat4(from + 4), loadFloat4(from + 8)}};
+    }
+    /// \param count floats to write, at most 12
+    void store(float* to, std::size_t count) const
+    {
+        if (count < together) {
+            std::memcpy(to, at, count * sizeof(float));
+            return;
+        }
+        for (int i = 0; i < 3; ++i)
+            storeFloat4(to + 4 * i, at[i]);
+    }
+};
+
+/// base + size * outward
+Four offset(const Four& base, float size, const Four& outward)
+{
+    return {{base.at[0] + size * outward.at[0], base.at[1] + size * outward.at[1],
+             base.at[2] + size * outward.at[2]}};
+}
+
+/// Writes cones into a small mesh that stays in the processor's cache, and appends it when it is full: large
+/// arrays are written once, not first with zeros.
 class ConeWriter
 {
 public:
-    ConeWriter(const Skeleton& skeleton, int sides, TriangleMesh& mesh)
+    ConeWriter(const Skeleton& skeleton, Index sides, TriangleMesh& mesh)
         : m_skeleton(skeleton)
         , m_mesh(mesh)
-        , m_sides(static_cast<Index>(sides))
+        , m_sides(sides)
     {
-        for (const glm::dvec2& on : unitCircle(sides))
-            m_circle.emplace_back(on);
+        const std::size_t padded = (3 * std::size_t(sides) + together - 1) / together * together;
+        for (std::size_t i = 0; i < padded; ++i) {
+            const glm::vec2 on(ringDirection(static_cast<int>(i / 3), static_cast<int>(sides)));
+            m_cosines.push_back(on.x);
+            m_sines.push_back(on.y);
+        }
+        for (Index k = 0; k < sides; ++k) {
+            const Index next = k + 1 == sides ? 0 : k + 1;
+            for (const Index corner : {k, next, next + sides, k, next + sides, k + sides})
+                m_corners.push_back(corner);
+        }
+        const std::size_t size = std::size_t(2) * sides * conesPerPart;
+        m_part.positions.resize(size);
+        m_part.normals.resize(size);
+        m_part.triangles.resize(size);
+        m_part.branch.resize(size);
+        m_part.level.resize(size);
     }
 
-    void add(Index branch)
+    /// \param axis p1 - p0, not zero
+    void add(Index branch, const glm::dvec3& axis, double length)
     {
-        const glm::dvec3 axis = m_skeleton.p1[branch] - m_skeleton.p0[branch];
-        const double length = glm::length(axis);
         const Frame frame = frameFromTangent(axis / length);
-        const double a0 = m_skeleton.a0[branch], a1 = m_skeleton.a1[branch];
         // The surface leans by the slope of the radius; its normal leans the other way.
-        const double slope = (a0 - a1) / length;
-        const double across = 1.0 / glm::length(glm::dvec2(1.0, slope));
-        const Index first = m_vertex;
-        addRing(m_skeleton.p0[branch], a0, frame, across, slope * across);
-        addRing(m_skeleton.p1[branch], a1, frame, across, slope * across);
-        for (Index i = first; i < m_vertex; ++i) {
-            m_mesh.branch[i] = branch;
-            m_mesh.level[i] = m_skeleton.level[branch];
-        }
-        for (Index k = 0; k < m_sides; ++k) {
-            const Index next = k + 1 == m_sides ? 0 : k + 1;
-            const Index low = first, high = first + m_sides;
-            m_mesh.triangles[m_face++] = {low + k, low + next, high + next};
-            m_mesh.triangles[m_face++] = {low + k, high + next, high + k};
-        }
+        const double slope = (m_skeleton.a0[branch] - m_skeleton.a1[branch]) / length;
+        const double across = 1.0 / std::sqrt(1.0 + slope * slope);
+        writeRings(branch, frame, across, slope * across);
+        writeFaces();
+        const Index vertices = 2 * m_sides;
+        std::fill_n(&m_part.branch[m_used], vertices, branch);
+        std::fill_n(&m_part.level[m_used], vertices, m_skeleton.level[branch]);
+        m_used += vertices;
+        if (m_used == m_part.positions.size())
+            flush();
+    }
+    void flush()
+    {
+        const auto append = [used = m_used](auto& to, const auto& from) {
+            to.insert(to.end(), from.begin(), from.begin() + used);
+        };
+        append(m_mesh.positions, m_part.positions);
+        append(m_mesh.normals, m_part.normals);
+        append(m_mesh.triangles, m_part.triangles);
+        append(m_mesh.branch, m_part.branch);
+        append(m_mesh.level, m_part.level);
+        m_used = 0;
     }
 
 private:
-    void addRing(const glm::dvec3& centre, double radius, const Frame& frame, double across, double along)
+    void writeRings(Index branch, const Frame& frame, double across, double along)
     {
-        const glm::vec3 middle(centre), lean(along * frame.tangent);
-        const glm::vec3 normal(frame.normal), binormal(frame.binormal);
-        const auto size = static_cast<float>(radius);
-        const auto part = static_cast<float>(across);
-        for (const glm::vec2& on : m_circle) {
-            const glm::vec3 outward = on.x * normal + on.y * binormal;
-            m_mesh.positions[m_vertex] = middle + size * outward;
-            m_mesh.normals[m_vertex++] = part * outward + lean;
+        const Four u = Four::same(frame.normal), v = Four::same(frame.binormal);
+        const Four p0 = Four::same(m_skeleton.p0[branch]), p1 = Four::same(m_skeleton.p1[branch]);
+        const Four lean = Four::same(along * frame.tangent);
+        const auto a0 = static_cast<float>(m_skeleton.a0[branch]),
+                   a1 = static_cast<float>(m_skeleton.a1[branch]);
+        float *low = &m_part.positions[m_used].x, *high = &m_part.positions[m_used + m_sides].x;
+        float *lowNormal = &m_part.normals[m_used].x, *highNormal = &m_part.normals[m_used + m_sides].x;
+        const std::size_t floats = 3 * std::size_t(m_sides);
+        for (std::size_t from = 0; from < floats; from += together) {
+            const Four c = Four::load(&m_cosines[from]), s = Four::load(&m_sines[from]);
+            Four outward;
+            for (int i = 0; i < 3; ++i)
+                outward.at[i] = c.at[i] * u.at[i] + s.at[i] * v.at[i];
+            const std::size_t count = std::min(together, floats - from);
+            offset(p0, a0, outward).store(low + from, count);
+            offset(p1, a1, outward).store(high + from, count);
+            const Four normal = offset(lean, static_cast<float>(across), outward);
+            normal.store(lowNormal + from, count);
+            normal.store(highNormal + from, count);
         }
     }
+    void writeFaces()
+    {
+        const Index first = m_mesh.vertexCount() + m_used;
+        Index* corner = &m_part.triangles[m_used].x;
+        for (std::size_t i = 0; i < m_corners.size(); ++i)
+            corner[i] = m_corners[i] + first;
+    }
 
+    static constexpr Index conesPerPart = 16;
     const Skeleton& m_skeleton;
     TriangleMesh& m_mesh;
     Index m_sides;
-    Index m_vertex = 0, m_face = 0;
-    std::vector<glm::vec2> m_circle;
+    std::vector<float> m_cosines, m_sines; ///< of each point around, three times; filled up to whole Fours
+    std::vector<Index> m_corners;          ///< of the faces of one cone
+    TriangleMesh m_part;
+    Index m_used = 0; ///< vertices of m_part in use; a cone has as many faces as vertices
 };
 
 } // namespace
@@ -69,21 +149,20 @@ private:
 TriangleMesh buildRoughBranches(const Skeleton& skeleton, int radialDivisions)
 {
     const int sides = std::max(radialDivisions, 3);
-    const auto hasLength = [&](Index branch) { return skeleton.length(branch) > 0.0; };
-    std::size_t count = 0;
-    for (Index i = 0; i < skeleton.size(); ++i)
-        count += hasLength(i) ? 1 : 0;
     TriangleMesh mesh;
-    const std::size_t vertices = count * 2 * static_cast<std::size_t>(sides);
-    mesh.positions.resize(vertices);
-    mesh.normals.resize(vertices);
-    mesh.branch.resize(vertices);
-    mesh.level.resize(vertices);
-    mesh.triangles.resize(vertices);
-    ConeWriter writer(skeleton, sides, mesh);
-    for (Index i = 0; i < skeleton.size(); ++i)
-        if (hasLength(i))
-            writer.add(i);
+    const std::size_t vertices = std::size_t(skeleton.size()) * 2 * static_cast<std::size_t>(sides);
+    mesh.positions.reserve(vertices);
+    mesh.normals.reserve(vertices);
+    mesh.branch.reserve(vertices);
+    mesh.level.reserve(vertices);
+    mesh.triangles.reserve(vertices);
+    ConeWriter writer(skeleton, static_cast<Index>(sides), mesh);
+    for (Index i = 0; i < skeleton.size(); ++i) {
+        const glm::dvec3 axis = skeleton.p1[i] - skeleton.p0[i];
+        if (const double length = glm::length(axis); length > 0.0)
+            writer.add(i, axis, length);
+    }
+    writer.flush();
     return mesh;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <ranges>
 
 namespace ramure {
 namespace {
@@ -74,6 +75,15 @@ std::vector<Run> findRuns(const Skeleton& skeleton, const AngleTest& angle, std:
     return runs;
 }
 
+/// Made in one go: memory is written once, not first with zeros.
+template <class T>
+std::vector<T> gathered(const std::vector<T>& from, const std::vector<Run>& runs, Index Run::*end)
+{
+    const auto picked =
+        runs | std::views::transform([&](const Run& run) -> const T& { return from[run.*end]; });
+    return {picked.begin(), picked.end()};
+}
+
 } // namespace
 
 SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRad)
@@ -82,19 +92,16 @@ SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRa
     result.mergedInto.resize(skeleton.size());
     const std::vector<Run> runs = findRuns(skeleton, AngleTest(rotationThresholdRad), result.mergedInto);
     Skeleton& out = result.skeleton;
-    out.resize(runs.size());
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-        const auto [first, last] = runs[i];
-        const Index parent = skeleton.parent[first];
-        out.parent[i] = parent == noIndex ? noIndex : result.mergedInto[parent];
-        out.p0[i] = skeleton.p0[first];
-        out.p1[i] = skeleton.p1[last];
-        out.a0[i] = skeleton.a0[first];
-        out.a1[i] = skeleton.a1[last];
-        out.level[i] = skeleton.level[first];
-        out.key[i] = skeleton.key[first];
-        out.source[i] = skeleton.source[first];
-    }
+    out.parent = gathered(skeleton.parent, runs, &Run::first);
+    for (Index& parent : out.parent)
+        parent = parent == noIndex ? noIndex : result.mergedInto[parent];
+    out.p0 = gathered(skeleton.p0, runs, &Run::first);
+    out.p1 = gathered(skeleton.p1, runs, &Run::last);
+    out.a0 = gathered(skeleton.a0, runs, &Run::first);
+    out.a1 = gathered(skeleton.a1, runs, &Run::last);
+    out.level = gathered(skeleton.level, runs, &Run::first);
+    out.key = gathered(skeleton.key, runs, &Run::first);
+    out.source = gathered(skeleton.source, runs, &Run::first);
     return result;
 }
 
