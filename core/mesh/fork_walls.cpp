@@ -81,9 +81,8 @@ bool ForkWalls::isOutside(const Between& between, const std::array<glm::dvec3, 3
     return true;
 }
 
-/// Goes up along the mean of the children's axes until the point leaves all tubes. Returns the vertex' number
-/// in m_vertices.
-Index ForkWalls::addLifted(const Between& between, const glm::dvec3& offset)
+/// Goes up along the mean of the children's axes until the point leaves all tubes.
+CellVertex ForkWalls::lift(const Between& between, const glm::dvec3& offset)
 {
     double reach = m_children[between.child[0]].table.length();
     for (std::size_t i = 1; i < between.count; ++i)
@@ -114,10 +113,13 @@ Index ForkWalls::addLifted(const Between& between, const glm::dvec3& offset)
         outside = reach;
         ++m_withoutExit;
     }
-    CellVertex vertex;
-    vertex.position = onPath(between, offset, outside);
-    vertex.lifted = outside;
-    vertex.vertex = m_sink->addVertex(vertex.position, m_children[between.child[0]].source);
+    return {noIndex, onPath(between, offset, outside), outside};
+}
+
+/// Returns the vertex' number in m_vertices.
+Index ForkWalls::add(CellVertex vertex, Index child)
+{
+    vertex.vertex = m_sink->addVertex(vertex.position, m_children[child].source);
     m_vertices.push_back(vertex);
     return static_cast<Index>(m_vertices.size() - 1);
 }
@@ -129,7 +131,7 @@ void ForkWalls::makeCorners()
         const auto& s = triangle.site;
         const Between between{s, circumcentreWeights(sites.place(s[0]), sites.place(s[1]), sites.place(s[2])),
                               3};
-        addLifted(between, glm::dvec3(0.0));
+        add(lift(between, glm::dvec3(0.0)), s[0]);
     }
 }
 
@@ -138,22 +140,25 @@ void ForkWalls::makeCorners()
 void ForkWalls::makeHullWalls()
 {
     const auto& hull = m_layout->triangulation.hull();
-    m_hullWall.assign(hull.size(), noIndex);
+    m_hullWall.assign(hull.size(), {});
     for (std::size_t e = 0; e < hull.size(); ++e) {
         const ForkTriangulation::HullEdge& edge = hull[e];
         const std::size_t opposite = hull.size() - 1 - e;
-        if (edge.triangle == noIndex && e > opposite) {
+        const bool across = edge.triangle == noIndex;
+        if (across && e > opposite) {
             m_hullWall[e] = m_hullWall[opposite];
             continue;
         }
-        const bool across = edge.triangle == noIndex;
         const std::size_t count = across ? 2 * m_midsPerWall + 1 : m_midsPerWall;
-        const glm::dvec3 reach = outward(edge.from, edge.to) * pairRadius(edge.from, edge.to);
-        m_hullWall[e] = static_cast<Index>(m_vertices.size());
+        const glm::dvec3 aside = outward(edge.from, edge.to);
+        const double reach = pairRadius(edge.from, edge.to);
+        m_hullWall[e].first = static_cast<Index>(m_vertices.size());
         for (std::size_t i = 1; i <= count; ++i) {
             const double part = static_cast<double>(i) / static_cast<double>(count + 1);
-            addLifted(pair(edge.from, edge.to), reach * std::cos(part * (across ? pi : 0.5 * pi)));
+            const double out = reach * std::cos(part * (across ? pi : 0.5 * pi));
+            add(lift(pair(edge.from, edge.to), aside * out), edge.from);
         }
+        m_hullWall[e].count = static_cast<Index>(m_vertices.size()) - m_hullWall[e].first;
     }
 }
 
@@ -175,7 +180,7 @@ void ForkWalls::makeInnerWalls()
                 offset += 0.5 * glm::dot(at.position - onPath(pair(u, v), glm::dvec3(0.0), at.lifted), aside);
             }
             const double most = innerReach * pairRadius(u, v);
-            const Index mid = addLifted(pair(u, v), aside * std::clamp(offset, -most, most));
+            const Index mid = add(lift(pair(u, v), aside * std::clamp(offset, -most, most)), u);
             m_innerWall[t][e] = mid;
             const auto& back = triangles[other].site;
             for (std::size_t i = 0; i < 3; ++i)
@@ -231,10 +236,9 @@ void ForkWalls::appendArc(std::size_t edge, std::vector<CellVertex>& boundary) c
 /// The mids of a hull edge's wall, from the ring (\p inwards) or towards it.
 void ForkWalls::appendWall(std::size_t edge, bool inwards, std::vector<CellVertex>& boundary) const
 {
-    const bool across = m_layout->triangulation.hull()[edge].triangle == noIndex;
-    const std::size_t count = across ? 2 * m_midsPerWall + 1 : m_midsPerWall;
-    for (std::size_t i = 0; i < count; ++i)
-        boundary.push_back(m_vertices[m_hullWall[edge] + (inwards ? i : count - 1 - i)]);
+    const Wall& wall = m_hullWall[edge];
+    for (Index i = 0; i < wall.count; ++i)
+        boundary.push_back(m_vertices[wall.first + (inwards ? i : wall.count - 1 - i)]);
 }
 
 /// Walls and corners around a child, from the hull edge that leaves it to one that reaches it, which is

@@ -60,10 +60,16 @@ private:
         std::array<double, 3> weight;
         std::size_t count;
     };
+    /// Vertices of m_vertices on a wall, from its hull edge's ring point on.
+    struct Wall
+    {
+        Index first = 0, count = 0;
+    };
     void makeCorners();
     void makeHullWalls();
     void makeInnerWalls();
-    Index addLifted(const Between& between, const glm::dvec3& offset);
+    CellVertex lift(const Between& between, const glm::dvec3& offset);
+    Index add(CellVertex vertex, Index child);
     [[nodiscard]] glm::dvec3 onPath(const Between& between, const glm::dvec3& offset, double along) const;
     [[nodiscard]] bool isOutside(const Between& between, const std::array<glm::dvec3, 3>& axes,
                                  const glm::dvec3& point, double along) const;
@@ -81,8 +87,8 @@ private:
     MeshSink* m_sink = nullptr;
     std::size_t m_midsPerWall = 2;
     Index m_withoutExit = 0;
-    std::vector<CellVertex> m_vertices;            ///< corners first, then the walls
-    std::vector<Index> m_hullWall;                 ///< per hull edge: its first mid in m_vertices
+    std::vector<CellVertex> m_vertices; ///< corners first, then the walls
+    std::vector<Wall> m_hullWall;
     std::vector<std::array<Index, 3>> m_innerWall; ///< per triangle and edge: its mid
     std::vector<Index> m_hullFrom, m_hullTo; ///< per child: a hull edge that leaves it, one that reaches it
     std::vector<Index> m_triangleOf;         ///< per child: a triangle at it

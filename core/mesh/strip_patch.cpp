@@ -142,22 +142,47 @@ double StripPatch::deltaX(Index from, Index to) const
                                      : (d < -0.5 * m_circumference ? d + m_circumference : d);
 }
 
-/// Does a triangle hold a vertex well inside? Its corners are seen from the vertex, which tells the right
-/// side of the tube from the far one only if the triangle does not reach halfway around.
-bool StripPatch::holds(const Triangle& triangle, Index vertex) const
+/// Does a triangle hold a vertex, well inside or on an edge with another triangle beyond it? Returns 3, the
+/// edge's number, or -1. The corners are seen from the vertex, which tells the right side of the tube from
+/// the far one only if the triangle does not reach halfway around.
+int StripPatch::holds(const Triangle& triangle, Index vertex) const
 {
     std::array<double, 3> x, y;
     for (std::size_t i = 0; i < 3; ++i) {
         x[i] = deltaX(vertex, triangle.corner[i]);
         y[i] = m_vertices[triangle.corner[i]].y - m_vertices[vertex].y;
     }
+    int place = 3;
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t next = (i + 1) % 3;
-        if (std::abs(x[next] - x[i]) > 0.5 * m_circumference ||
-            cross(x[i], y[i], x[next], y[next]) <= m_least)
-            return false;
+        if (std::abs(x[next] - x[i]) > 0.5 * m_circumference)
+            return -1;
+        const double area = cross(x[i], y[i], x[next], y[next]);
+        if (area > m_least)
+            continue;
+        if (area < -m_least || place != 3)
+            return -1;
+        place = static_cast<int>(i);
     }
-    return true;
+    return place;
+}
+
+/// Is the vertex beyond an edge of a triangle seen from a vertex on that edge, with room on both sides?
+bool StripPatch::seesBeyond(const Triangle& triangle, std::size_t edge, Index vertex) const
+{
+    const Index other = triangle.neighbour[edge];
+    if (other == noIndex)
+        return false;
+    const Index a = triangle.corner[edge], b = triangle.corner[(edge + 1) % 3];
+    const Triangle& beyond = m_triangles[other];
+    const std::size_t j = beyond.corner[0] == b ? 0 : (beyond.corner[1] == b ? 1 : 2);
+    const Index far = beyond.corner[(j + 2) % 3];
+    const double y = m_vertices[vertex].y;
+    const double fx = deltaX(vertex, far), fy = m_vertices[far].y - y;
+    const double ax = deltaX(vertex, a), bx = deltaX(vertex, b);
+    return std::abs(fx - ax) < 0.5 * m_circumference && std::abs(fx - bx) < 0.5 * m_circumference &&
+           far != triangle.corner[(edge + 2) % 3] && cross(ax, m_vertices[a].y - y, fx, fy) > m_least &&
+           cross(fx, fy, bx, m_vertices[b].y - y) > m_least;
 }
 
 void StripPatch::relink(Index triangle, Index old, Index now)
@@ -179,12 +204,19 @@ bool StripPatch::insert(const UnrolledVertex& vertex)
     double x = (vertex.azimuth - m_zero) * m_radius;
     x -= m_circumference * std::floor(x / m_circumference);
     m_vertices.push_back({x, vertex.along, vertex.vertex});
-    for (Index t = 0; t < m_triangles.size(); ++t)
-        if (holds(m_triangles[t], local)) {
-            split(t, local);
-            legalise(local);
-            return true;
-        }
+    for (Index t = 0; t < m_triangles.size(); ++t) {
+        const int place = holds(m_triangles[t], local);
+        if (place < 0)
+            continue;
+        const auto edge = static_cast<std::size_t>(place);
+        if (edge < 3 && !seesBeyond(m_triangles[t], edge, local))
+            continue;
+        split(t, local);
+        if (edge < 3) // the triangle over the edge it lies on is flat: it goes at once
+            exchange(m_suspects[edge], local);
+        legalise(local);
+        return true;
+    }
     m_vertices.pop_back();
     return false;
 }
@@ -216,31 +248,16 @@ bool StripPatch::joined(Index vertex, Index other, Index triangle) const
     return false;
 }
 
-/// Replaces the edge opposite an inserted vertex if the vertex beyond it lies inside the circle.
-bool StripPatch::flip(Index triangle, Index vertex)
+/// Replaces the edge opposite an inserted vertex by one to the vertex beyond it.
+void StripPatch::exchange(Index triangle, Index vertex)
 {
     Triangle& t = m_triangles[triangle];
     const std::size_t i = t.corner[0] == vertex ? 0 : (t.corner[1] == vertex ? 1 : 2);
     const Index a = t.corner[(i + 1) % 3], b = t.corner[(i + 2) % 3];
     const Index other = t.neighbour[(i + 1) % 3];
-    if (other == noIndex)
-        return false;
     Triangle& o = m_triangles[other];
     const std::size_t j = o.corner[0] == b ? 0 : (o.corner[1] == b ? 1 : 2);
     const Index far = o.corner[(j + 2) % 3];
-    const double ax = deltaX(vertex, a), ay = m_vertices[a].y - m_vertices[vertex].y;
-    const double bx = deltaX(vertex, b), by = m_vertices[b].y - m_vertices[vertex].y;
-    const double fx = deltaX(vertex, far), fy = m_vertices[far].y - m_vertices[vertex].y;
-    if (std::abs(fx - ax) > 0.5 * m_circumference || std::abs(fx - bx) > 0.5 * m_circumference)
-        return false;
-    if (cross(ax, ay, fx, fy) <= m_least || cross(fx, fy, bx, by) <= m_least)
-        return false;
-    // The vertex is the origin: the circle through it, a and b, tested with the far one.
-    const double aa = ax * ax + ay * ay, bb = bx * bx + by * by, ff = fx * fx + fy * fy;
-    const double inside =
-        aa * cross(bx, by, fx, fy) - bb * cross(ax, ay, fx, fy) + ff * cross(ax, ay, bx, by);
-    if (inside >= -1e-12 * ff * aa || joined(vertex, far, triangle))
-        return false;
     const Index beyondA = o.neighbour[(j + 1) % 3], beyondB = o.neighbour[(j + 2) % 3];
     const Index besideA = t.neighbour[i], besideB = t.neighbour[(i + 2) % 3];
     t = {{vertex, a, far}, {besideA, beyondA, other}};
@@ -249,7 +266,28 @@ bool StripPatch::flip(Index triangle, Index vertex)
     relink(besideB, triangle, other);
     m_suspects.push_back(triangle);
     m_suspects.push_back(other);
-    return true;
+}
+
+/// Is the vertex beyond the edge opposite an inserted one inside the circle, and may the edge be exchanged?
+bool StripPatch::isIllegal(Index triangle, Index vertex) const
+{
+    const Triangle& t = m_triangles[triangle];
+    const std::size_t i = t.corner[0] == vertex ? 0 : (t.corner[1] == vertex ? 1 : 2);
+    const std::size_t edge = (i + 1) % 3;
+    if (!seesBeyond(t, edge, vertex))
+        return false;
+    const Index a = t.corner[edge], b = t.corner[(edge + 1) % 3];
+    const Triangle& o = m_triangles[t.neighbour[edge]];
+    const std::size_t j = o.corner[0] == b ? 0 : (o.corner[1] == b ? 1 : 2);
+    const Index far = o.corner[(j + 2) % 3];
+    const double ax = deltaX(vertex, a), ay = m_vertices[a].y - m_vertices[vertex].y;
+    const double bx = deltaX(vertex, b), by = m_vertices[b].y - m_vertices[vertex].y;
+    const double fx = deltaX(vertex, far), fy = m_vertices[far].y - m_vertices[vertex].y;
+    // The vertex is the origin: the circle through it, a and b, tested with the far one.
+    const double aa = ax * ax + ay * ay, bb = bx * bx + by * by, ff = fx * fx + fy * fy;
+    const double inside =
+        aa * cross(bx, by, fx, fy) - bb * cross(ax, ay, fx, fy) + ff * cross(ax, ay, bx, by);
+    return inside < -1e-12 * ff * aa && !joined(vertex, far, triangle);
 }
 
 void StripPatch::legalise(Index vertex)
@@ -257,7 +295,8 @@ void StripPatch::legalise(Index vertex)
     while (!m_suspects.empty()) {
         const Index triangle = m_suspects.back();
         m_suspects.pop_back();
-        flip(triangle, vertex);
+        if (isIllegal(triangle, vertex))
+            exchange(triangle, vertex);
     }
 }
 

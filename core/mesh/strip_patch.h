@@ -51,10 +51,12 @@ private:
     [[nodiscard]] const Local& lowerAt(std::size_t i) const { return m_lowerRow[i]; }
     [[nodiscard]] const Local& upperAt(std::size_t j) const { return m_upperRow[j]; }
     [[nodiscard]] double deltaX(Index from, Index to) const;
-    [[nodiscard]] bool holds(const Triangle& triangle, Index vertex) const;
+    [[nodiscard]] int holds(const Triangle& triangle, Index vertex) const;
+    [[nodiscard]] bool seesBeyond(const Triangle& triangle, std::size_t edge, Index vertex) const;
     void split(Index triangle, Index vertex);
     void legalise(Index vertex);
-    bool flip(Index triangle, Index vertex);
+    void exchange(Index triangle, Index vertex);
+    [[nodiscard]] bool isIllegal(Index triangle, Index vertex) const;
     [[nodiscard]] bool joined(Index vertex, Index other, Index triangle) const;
     void relink(Index triangle, Index old, Index now);
 

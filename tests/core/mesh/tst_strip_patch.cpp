@@ -20,6 +20,7 @@ private slots:
     void threeAgainstMany();
     void oneRowInsideOneGapOfTheOther();
     void insertedVerticesAreKeptApart();
+    void verticesOnEdgesAreInserted();
     void farSideIsNotTakenForTheNearOne();
     void randomRows();
 };
@@ -132,6 +133,19 @@ void TestStripPatch::insertedVerticesAreKeptApart()
     QVERIFY(!patch.insert({0.3, -0.5, 17}));       // below
     QVERIFY(patch.insert({0.3 + turn, 0.25, 17})); // azimuths of another turn are the same
     QCOMPARE(faults(patch, lower, upper, 2), QByteArray());
+}
+
+void TestStripPatch::verticesOnEdgesAreInserted()
+{
+    // The columns of regular rings: every point lies on the edge from the row below to the row above.
+    StripPatch patch;
+    const auto lower = evenRow(8, 0.0, 0), upper = evenRow(8, 3.0, 8);
+    patch.zip(lower, upper, 1.0);
+    for (Index k = 0; k < 16; ++k)
+        QVERIFY(patch.insert({turn * (k % 8) / 8, k < 8 ? 1.0 : 2.0, 16 + k}));
+    QCOMPARE(faults(patch, lower, upper, 16), QByteArray());
+    QVERIFY(!patch.insert({turn / 16, 0.0, 32})); // on the lower row there is nothing beyond
+    QVERIFY(!patch.insert({turn / 16, 3.0, 32}));
 }
 
 void TestStripPatch::farSideIsNotTakenForTheNearOne()
