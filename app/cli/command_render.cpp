@@ -147,7 +147,7 @@ Expected<QImage> draw(const RenderScene& scene, QSize size)
     int argc = 1;
     const QGuiApplication application(argc, argv);
     Camera camera;
-    camera.frame(scene.box, double(size.width()) / double(size.height()));
+    camera.frame(scene.framePoints(), double(size.width()) / double(size.height()));
     return renderImage(scene, camera, size);
 }
 

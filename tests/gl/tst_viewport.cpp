@@ -1,0 +1,446 @@
+#include "core/document/document.h"
+#include "core/params/presets.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "tests/support/suite.h"
+#include "widgets/render/gl_setup.h"
+#include "widgets/validation/defect_place.h"
+#include "widgets/viewport/navigation_cube.h"
+#include "widgets/viewport/viewport.h"
+#include "widgets/viewport/viewport_host.h"
+#include <QApplication>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QWheelEvent>
+
+using namespace ramure;
+
+namespace {
+
+/// Trees beside each other, their results already there.
+Scene rowOfTrees(int count)
+{
+    Scene scene;
+    for (int i = 0; i < count; ++i) {
+        Node node;
+        node.id = scene.newId();
+        node.kind = NodeKind::Tree;
+        node.name = "tree";
+        node.params = *presetParams("TinyTree");
+        node.params.tree.translation.x = 3.0 * i;
+        (void)scene.insert({node}, noNode, i);
+    }
+    return scene;
+}
+
+void compute(Document& document)
+{
+    TreePipeline pipeline;
+    for (const Node& node : document.scene().nodes()) {
+        NodeResult result;
+        result.tree = *pipeline.evaluate(node.params);
+        document.setResult(node.id, std::move(result));
+    }
+}
+
+/// A window with a viewport of a document.
+struct Window
+{
+    Document document;
+    ViewportHost host{&document};
+    Viewport* view = host.viewport();
+
+    explicit Window(int trees = 1)
+    {
+        document.reset(rowOfTrees(trees), {});
+        compute(document);
+        host.resize(480, 360);
+        host.show();
+        if (!QTest::qWaitForWindowExposed(&host))
+            qWarning("the window does not appear");
+        waitForPicture();
+    }
+    void waitForPicture()
+    {
+        QSignalSpy drawn(view, &Viewport::frameDrawn);
+        view->update();
+        while (drawn.isEmpty() && drawn.wait(10'000)) {
+        }
+    }
+    [[nodiscard]] NodeId tree(std::size_t i) const { return document.scene().nodes()[i].id; }
+    [[nodiscard]] const Skeleton& skeleton(std::size_t i = 0) const
+    {
+        return document.result(tree(i))->tree.simplified->skeleton;
+    }
+    /// Where a point of the world is on the widget.
+    [[nodiscard]] QPoint pixelOf(const glm::dvec3& world) const
+    {
+        const double aspect = double(view->width()) / view->height();
+        const glm::dvec2 ndc = *view->camera().project(world, aspect);
+        return {qRound(0.5 * (ndc.x + 1.0) * view->width()), qRound(0.5 * (1.0 - ndc.y) * view->height())};
+    }
+    void drag(QPoint from, QPoint to, Qt::MouseButton button,
+              Qt::KeyboardModifiers modifiers = Qt::NoModifier) const
+    {
+        QTest::mousePress(view, button, modifiers, from);
+        for (int i = 1; i <= 4; ++i) {
+            const QPointF at = QPointF(from) + QPointF(to - from) * i / 4.0;
+            QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, button, modifiers);
+            QApplication::sendEvent(view, &move);
+        }
+        QTest::mouseRelease(view, button, modifiers, to);
+    }
+};
+
+/// Middle of a branch.
+glm::dvec3 middle(const Skeleton& skeleton, Index branch)
+{
+    return 0.5 * (skeleton.p0[branch] + skeleton.p1[branch]);
+}
+
+} // namespace
+
+class TestViewport : public QObject
+{
+    Q_OBJECT
+private slots:
+    void initTestCase()
+    {
+        const OpenGlProbe probe = probeOpenGl();
+        if (!probe.available)
+            QSKIP(qPrintable(probe.reason));
+    }
+    void init() { test::failOnAnyWarning(); }
+
+    void emptyDocument()
+    {
+        Document document;
+        ViewportHost host(&document);
+        host.resize(300, 200);
+        host.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&host));
+        Viewport* view = host.viewport();
+        QVERIFY(view);
+        const Camera before = view->camera();
+        view->frameAll();
+        view->frameSelection();
+        view->selectAllBranches();
+        view->clearSelection();
+        QTest::mouseClick(view, Qt::LeftButton, {}, {150, 100});
+        QCOMPARE(view->camera(), before);
+        QCOMPARE(document.selection(), Selection());
+    }
+    void treeIsFramedWhenItAppears()
+    {
+        Window window;
+        const glm::dvec3 trunk = middle(window.skeleton(), 0);
+        QVERIFY(window.view->rect().contains(window.pixelOf(trunk)));
+        const QImage image = window.view->grabFramebuffer();
+        const QColor colour = image.pixelColor(window.pixelOf(trunk));
+        QVERIFY2(colour.red() > colour.blue() + 20, qPrintable(colour.name()));
+        QVERIFY(window.view->frameTimes().frame > 0);
+    }
+    void cameraStaysWhenParametersChange()
+    {
+        Window window;
+        const Camera before = window.view->camera();
+        compute(window.document);
+        window.waitForPicture();
+        QCOMPARE(window.view->camera(), before);
+    }
+    void clickSelectsTheBranchUnderIt()
+    {
+        Window window;
+        window.host.settings()->setLeavesVisible(false);
+        window.host.settings()->setApplesVisible(false);
+        window.waitForPicture();
+        QTest::mouseClick(window.view, Qt::LeftButton, {}, window.pixelOf(middle(window.skeleton(), 0)));
+        Selection expected;
+        expected.nodes = {window.tree(0)};
+        expected.branchNode = window.tree(0);
+        expected.branches = {0};
+        expected.activeBranch = 0;
+        QCOMPARE(window.document.selection(), expected);
+        QTest::mouseClick(window.view, Qt::LeftButton, {}, {3, 3});
+        QVERIFY(window.document.selection().branches.empty());
+        QCOMPARE(window.document.selection().nodes, expected.nodes);
+    }
+    void everyDisplayModeCanBePicked()
+    {
+        Window window;
+        window.host.settings()->setLeavesVisible(false);
+        window.host.settings()->setApplesVisible(false);
+        for (const DisplayMode mode : {DisplayMode::Skeleton, DisplayMode::Simplified, DisplayMode::Rough,
+                                       DisplayMode::Sections, DisplayMode::Mesh}) {
+            window.host.settings()->setDisplayMode(mode);
+            window.waitForPicture();
+            window.document.setSelection({});
+            QTest::mouseClick(window.view, Qt::LeftButton, {}, window.pixelOf(middle(window.skeleton(), 0)));
+            QVERIFY2(window.document.selection().branches == std::vector<Index>{0}, displayModeName(mode));
+        }
+    }
+    void shiftAddsAndTakesOut()
+    {
+        Window window;
+        window.host.settings()->setDisplayMode(DisplayMode::Simplified);
+        window.waitForPicture();
+        const QPoint first = window.pixelOf(glm::mix(window.skeleton().p0[0], window.skeleton().p1[0], 0.3));
+        QTest::mouseClick(window.view, Qt::LeftButton, {}, first);
+        QTest::mouseClick(window.view, Qt::LeftButton, Qt::ShiftModifier,
+                          window.pixelOf(middle(window.skeleton(), 1)));
+        QCOMPARE(window.document.selection().branches.size(), std::size_t(2));
+        QTest::mouseClick(window.view, Qt::LeftButton, Qt::ShiftModifier, first);
+        QCOMPARE(window.document.selection().branches.size(), std::size_t(1));
+    }
+    void boxSelects()
+    {
+        Window window;
+        window.host.settings()->setDisplayMode(DisplayMode::Simplified);
+        window.waitForPicture();
+        window.drag({1, 1}, {478, 358}, Qt::LeftButton);
+        QCOMPARE(window.document.selection().branches.size(), std::size_t(window.skeleton().size()));
+        window.drag({1, 1}, {12, 12}, Qt::LeftButton);
+        QVERIFY(window.document.selection().branches.empty());
+    }
+    void hoverIsHeardAndHighlighted()
+    {
+        Window window;
+        window.host.settings()->setDisplayMode(DisplayMode::Skeleton);
+        window.waitForPicture();
+        const QPoint trunk = window.pixelOf(glm::mix(window.skeleton().p0[0], window.skeleton().p1[0], 0.2));
+        const QImage before = window.view->grabFramebuffer();
+        QSignalSpy hovered(window.view, &Viewport::hovered);
+        QTest::mouseMove(window.view, trunk + QPoint(40, 0));
+        QTest::mouseMove(window.view, trunk);
+        QTRY_VERIFY(!hovered.isEmpty());
+        QCOMPARE(hovered.last().at(1).value<Index>(), 0u);
+        window.waitForPicture();
+        QVERIFY(window.view->grabFramebuffer() != before);
+        QVERIFY(!window.view->frameTimes().rebuilt);
+    }
+    void navigationMovesTheCameraOnly_data()
+    {
+        QTest::addColumn<int>("button");
+        QTest::addColumn<int>("modifiers");
+        QTest::newRow("orbit") << int(Qt::MiddleButton) << int(Qt::NoModifier);
+        QTest::newRow("pan") << int(Qt::MiddleButton) << int(Qt::ShiftModifier);
+        QTest::newRow("zoom") << int(Qt::MiddleButton) << int(Qt::ControlModifier);
+        QTest::newRow("trackpad orbit") << int(Qt::LeftButton) << int(Qt::AltModifier);
+    }
+    void navigationMovesTheCameraOnly()
+    {
+        QFETCH(int, button);
+        QFETCH(int, modifiers);
+        Window window;
+        const Camera before = window.view->camera();
+        QSignalSpy changed(&window.document, &Document::changed);
+        window.drag({200, 200}, {260, 170}, Qt::MouseButton(button), Qt::KeyboardModifiers(modifiers));
+        QVERIFY(!(window.view->camera() == before));
+        QVERIFY(changed.isEmpty());
+    }
+    void wheelZoomsToTheCursor()
+    {
+        Window window;
+        const QPointF at(120.0, 90.0);
+        const double before = window.view->camera().distance;
+        const auto turn = [&](int eighths) {
+            QWheelEvent event(at, window.view->mapToGlobal(at), {}, {0, eighths}, Qt::NoButton,
+                              Qt::NoModifier, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(window.view, &event);
+        };
+        turn(240);
+        QVERIFY(window.view->camera().distance < before);
+        turn(-240);
+        QVERIFY(std::abs(window.view->camera().distance - before) < 1e-9);
+    }
+    void axisViewsAndFraming()
+    {
+        Window window;
+        window.view->setAxisView(AxisView::Top);
+        QTRY_VERIFY(glm::length(window.view->camera().backward() - glm::dvec3(0, 1, 0)) < 1e-12);
+        const double far = window.view->camera().distance;
+        Selection selection;
+        selection.nodes = {window.tree(0)};
+        selection.branchNode = window.tree(0);
+        selection.branches = {window.skeleton().size() - 1};
+        window.document.setSelection(selection);
+        window.view->frameSelection();
+        QTRY_VERIFY(window.view->camera().distance < 0.6 * far);
+        window.view->frameAll();
+        QTRY_VERIFY(window.view->camera().distance > 0.6 * far);
+    }
+    void cubeTurnsTheView()
+    {
+        Window window;
+        Camera camera = window.view->camera();
+        camera.yawRad = 0.3;
+        camera.pitchRad = 0.3;
+        window.view->setCamera(camera);
+        const QRectF place = NavigationCube::place(window.view->size());
+        const auto side = NavigationCube::sideAt(camera, window.view->size(), place.center());
+        QVERIFY(side);
+        QTest::mouseClick(window.view, Qt::LeftButton, {}, place.center().toPoint());
+        camera.setAxisView(*side);
+        QTRY_VERIFY(std::abs(window.view->camera().yawRad - camera.yawRad) < 1e-12);
+        QVERIFY(window.document.selection().branches.empty());
+    }
+    void settingsChangeThePicture()
+    {
+        Window window;
+        ViewSettings* settings = window.host.settings();
+        const auto shot = [&] {
+            window.waitForPicture();
+            return window.view->grabFramebuffer();
+        };
+        QImage last = shot();
+        const auto differs = [&](const char* what) {
+            const QImage now = shot();
+            QVERIFY2(now != last, what);
+            last = now;
+        };
+        settings->setLeavesVisible(false);
+        differs("leaves");
+        settings->setApplesVisible(false);
+        differs("apples");
+        settings->setGridVisible(false);
+        differs("grid");
+        settings->setShadingMode(ShadingMode::SolidWire);
+        differs("wireframe over solid");
+        settings->setShadingMode(ShadingMode::Wire);
+        differs("wireframe");
+        settings->setDisplayMode(DisplayMode::Skeleton);
+        differs("skeleton");
+        settings->setDisplayMode(DisplayMode::Simplified);
+        differs("simplified");
+        settings->setDisplayMode(DisplayMode::Sections);
+        differs("sections");
+        settings->setFrameDisplay(FrameDisplay::All);
+        differs("frames");
+        settings->setDisplayMode(DisplayMode::Rough);
+        differs("rough");
+        settings->setOrthographic(true);
+        differs("orthographic");
+        QVERIFY(window.view->camera().orthographic);
+    }
+    void inspectedSectionAndDefectAreMarked()
+    {
+        Window window;
+        window.waitForPicture();
+        const QImage plain = window.view->grabFramebuffer();
+        window.view->setInspectedSection(window.tree(0), 0, 1);
+        window.waitForPicture();
+        QVERIFY(window.view->grabFramebuffer() != plain);
+        window.view->setInspectedSection(window.tree(0), 9999, 1);
+        window.view->clearInspectedSection();
+        window.waitForPicture();
+        QCOMPARE(window.view->grabFramebuffer(), plain);
+
+        DefectPlace place;
+        place.points = {middle(window.skeleton(), 0)};
+        place.edges = {{window.skeleton().p0[0], window.skeleton().p1[0]}};
+        place.box.add(window.skeleton().p0[0]);
+        place.box.add(window.skeleton().p1[0]);
+        window.view->showDefect(window.tree(0), place);
+        QTRY_VERIFY(glm::length(window.view->camera().target - place.box.centre()) < 0.2);
+        window.waitForPicture();
+        const QColor mark = window.view->grabFramebuffer().pixelColor(window.pixelOf(place.points[0]));
+        QVERIFY2(mark.red() > 150 && mark.green() < 90 && mark.blue() > 90, qPrintable(mark.name()));
+        window.view->clearDefect();
+    }
+    void lockedAndHiddenTreesCannotBePicked()
+    {
+        Window window;
+        const QPoint trunk = window.pixelOf(middle(window.skeleton(), 0));
+        const NodeId id = window.tree(0);
+        Change change;
+        change.kinds = changeNodeState;
+        change.nodes = {id};
+        window.document.applyChange(change, [id](Scene& scene) { scene.find(id)->locked = true; });
+        QTest::mouseClick(window.view, Qt::LeftButton, {}, trunk);
+        QVERIFY(window.document.selection().branches.empty());
+        window.document.applyChange(change, [id](Scene& scene) {
+            scene.find(id)->locked = false;
+            scene.find(id)->visible = false;
+        });
+        QTest::mouseClick(window.view, Qt::LeftButton, {}, trunk);
+        QVERIFY(window.document.selection().branches.empty());
+    }
+    void placementMovesWithoutUploading()
+    {
+        Window window(2);
+        const NodeId id = window.tree(1);
+        const QPoint before = window.pixelOf(middle(window.skeleton(1), 0) + glm::dvec3(3.0, 0.0, 0.0));
+        Change change;
+        change.kinds = changeParams;
+        change.nodes = {id};
+        window.document.applyChange(change,
+                                    [id](Scene& scene) { scene.find(id)->params.tree.translation.x = 30.0; });
+        QTest::mouseClick(window.view, Qt::LeftButton, {}, before);
+        QVERIFY(window.document.selection().branches.empty());
+    }
+    void screenshots()
+    {
+        Window window;
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("tree.png"));
+        const auto saved = window.view->saveScreenshot(path);
+        QVERIFY2(saved, test::why(saved));
+        QCOMPARE(QImage(path).size(), window.view->size() * window.view->devicePixelRatioF());
+        QCOMPARE(window.view->saveScreenshot(folder.filePath(QStringLiteral("tree.nothing"))).error().code,
+                 ErrorCode::Unknown);
+        QCOMPARE(
+            window.view->saveScreenshot(folder.filePath(QStringLiteral("no/such/tree.png"))).error().code,
+            ErrorCode::Io);
+        QCOMPARE(window.view->saveScreenshot(QStringLiteral("tree")).error().code, ErrorCode::Unknown);
+        window.view->copyScreenshot();
+        QCOMPARE(QApplication::clipboard()->image().size(), QImage(path).size());
+    }
+    void survivesContextLoss()
+    {
+        // Floating a dock gives the widget another window, and where contexts are not shared another context.
+        Document document;
+        document.reset(rowOfTrees(1), {});
+        compute(document);
+        QMainWindow window;
+        auto* dock = new QDockWidget(&window);
+        auto* host = new ViewportHost(&document, dock);
+        dock->setWidget(host);
+        window.addDockWidget(Qt::LeftDockWidgetArea, dock);
+        window.resize(500, 400);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QSignalSpy drawn(host->viewport(), &Viewport::frameDrawn);
+        host->viewport()->update();
+        QTRY_VERIFY(!drawn.isEmpty());
+        for (const bool floating : {true, false, true}) {
+            dock->setFloating(floating);
+            drawn.clear();
+            host->viewport()->update();
+            QTRY_VERIFY(!drawn.isEmpty());
+        }
+        const QImage image = host->viewport()->grabFramebuffer();
+        QVERIFY(image.pixelColor(image.width() / 2, 2).blue() > 180);
+    }
+    void resetFramesAgain()
+    {
+        Window window;
+        Camera camera = window.view->camera();
+        camera.target.x += 100.0;
+        window.view->setCamera(camera);
+        window.document.reset(rowOfTrees(1), {});
+        compute(window.document);
+        window.waitForPicture();
+        QVERIFY(std::abs(window.view->camera().target.x) < 2.0);
+    }
+};
+
+int main(int argc, char** argv)
+{
+    prepareOpenGl();
+    QApplication app(argc, argv);
+    TestViewport suite;
+    return QTest::qExec(&suite, argc, argv);
+}
+#include "tst_viewport.moc"
