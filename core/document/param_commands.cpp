@@ -73,6 +73,25 @@ Expected<void> edit::setParams(Document& document, const std::vector<NodeId>& no
     return {};
 }
 
+Expected<void> edit::setComponent(Document& document, const std::vector<NodeId>& nodes, const ParamDef& def,
+                                  int axis, double value, GestureId gesture)
+{
+    const auto ids = editable(document.scene(), nodes);
+    if (!ids)
+        return fail(ids.error());
+    std::vector<ParamEntry> entries;
+    for (const NodeId id : *ids) {
+        auto vector = std::get<glm::dvec3>(def.get(document.scene().find(id)->params));
+        vector[axis] = value;
+        if (const auto allowed = checkParam(document.scene(), id, def, vector); !allowed)
+            return allowed;
+        entries.push_back({{id, &def}, vector});
+    }
+    const QString label = QCoreApplication::translate("core", def.label);
+    pushSet<ParamTarget>(document, std::move(entries), DocumentCommand::tr("Change %1").arg(label), gesture);
+    return {};
+}
+
 Expected<void> edit::newTree(Document& document, const std::vector<NodeId>& nodes)
 {
     std::vector<NodeId> trees;
