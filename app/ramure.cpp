@@ -1,6 +1,187 @@
+// The editor: ramure [FILE|preset:NAME] [--screenshot FILE.png] [--export FILE]...
+#include "core/document/exporter.h"
+#include "core/document/recompute.h"
+#include "widgets/actions/dialog_chooser.h"
+#include "widgets/actions/file_actions.h"
+#include "widgets/main_window/main_window.h"
+#include "widgets/main_window/message_banner.h"
+#include "widgets/render/gl_setup.h"
+#include "widgets/support/language.h"
+#include "widgets/support/preferences.h"
+#include "widgets/theme/theme.h"
+#include "widgets/viewport/viewport.h"
+#include "widgets/viewport/viewport_host.h"
 #include <QApplication>
+#include <QCommandLineParser>
+#include <QFileInfo>
+#include <QIcon>
+#include <QTimer>
+#include <cstdio>
+
+using namespace ramure;
+
+namespace {
+
+constexpr int fullResultMs = 120'000;
+constexpr int paintMs = 20'000;
+
+struct Arguments
+{
+    QString input;
+    QString screenshot;
+    QStringList exports;
+    QSize size;
+
+    [[nodiscard]] bool isBatch() const { return !screenshot.isEmpty() || !exports.isEmpty(); }
+};
+
+void say(const QString& text)
+{
+    std::fprintf(stdout, "%s\n", qPrintable(text));
+    std::fflush(stdout);
+}
+
+void complain(const QString& text)
+{
+    std::fprintf(stderr, "ramure: %s\n", qPrintable(text));
+}
+
+Arguments readArguments(const QApplication& application)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QStringLiteral("Editor for trees. Without arguments it opens the SmallTree."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("input"), QStringLiteral("A .ramure file, or preset:NAME."),
+                                 QStringLiteral("[FILE|preset:NAME]"));
+    const QCommandLineOption screenshot(
+        QStringLiteral("screenshot"),
+        QStringLiteral("Write a picture of the window when the tree is there, and quit."),
+        QStringLiteral("FILE.png"));
+    const QCommandLineOption exported(QStringLiteral("export"),
+                                      QStringLiteral("Write the tree as OBJ or PLY, and quit. May repeat."),
+                                      QStringLiteral("FILE"));
+    const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window."),
+                                  QStringLiteral("WxH"));
+    parser.addOptions({screenshot, exported, size});
+    parser.process(application);
+    Arguments arguments;
+    if (parser.positionalArguments().size() > 1) {
+        complain(QStringLiteral("one file at a time, please"));
+        std::exit(2);
+    }
+    if (!parser.positionalArguments().isEmpty())
+        arguments.input = parser.positionalArguments().constFirst();
+    arguments.screenshot = parser.value(screenshot);
+    arguments.exports = parser.values(exported);
+    const QStringList sides = parser.value(size).split(u'x');
+    if (sides.size() == 2)
+        arguments.size = {sides[0].toInt(), sides[1].toInt()};
+    return arguments;
+}
+
+bool openInput(FileActions& files, const QString& input)
+{
+    const QString prefix = QStringLiteral("preset:");
+    if (input.isEmpty())
+        return files.newFromPreset(QStringLiteral("SmallTree"));
+    if (input.startsWith(prefix))
+        return files.newFromPreset(input.mid(prefix.size()));
+    return files.openFile(input);
+}
+
+/// Lets the window show what is there: until the view has drawn once more, or at most a while.
+void waitForPicture(const MainWindow& window)
+{
+    QEventLoop loop;
+    QTimer::singleShot(paintMs, &loop, &QEventLoop::quit);
+    if (Viewport* view = window.viewportHost()->viewport()) {
+        QObject::connect(view, &Viewport::frameDrawn, &loop,
+                         [&loop] { QTimer::singleShot(200, &loop, &QEventLoop::quit); });
+        view->update();
+    } else {
+        QTimer::singleShot(200, &loop, &QEventLoop::quit);
+    }
+    loop.exec();
+}
+
+bool exportTo(const QString& path, const Document& document)
+{
+    ExportOptions options;
+    // A PLY file holds one mesh: the closed one.
+    if (path.endsWith(QStringLiteral(".ply"), Qt::CaseInsensitive))
+        options.parts = exportBranches;
+    const auto done = exportScene(document.scene(), options, documentSource(document), path.toStdString());
+    if (!done) {
+        complain(QString::fromStdString(done.error().message()));
+        return false;
+    }
+    say(QStringLiteral("Exported %1").arg(QFileInfo(path).absoluteFilePath()));
+    return true;
+}
+
+/// Writes what the command line asks for. Returns the exit code.
+int runBatch(const Arguments& arguments, MainWindow& window, const Document& document, Recompute& recompute)
+{
+    if (!recompute.waitForFull(fullResultMs)) {
+        complain(QStringLiteral("the tree was not computed in time"));
+        return 1;
+    }
+    bool good = true;
+    for (const QString& path : arguments.exports)
+        good = exportTo(path, document) && good;
+    if (!arguments.screenshot.isEmpty()) {
+        waitForPicture(window);
+        if (window.grab().save(arguments.screenshot)) {
+            say(QStringLiteral("Screenshot %1").arg(QFileInfo(arguments.screenshot).absoluteFilePath()));
+        } else {
+            complain(QStringLiteral("cannot write %1").arg(arguments.screenshot));
+            good = false;
+        }
+    }
+    return good ? 0 : 1;
+}
+
+} // namespace
+
 int main(int argc, char** argv)
 {
-    QApplication app(argc, argv);
-    return 0;
+    prepareOpenGl();
+    QApplication application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("ramure"));
+    QCoreApplication::setOrganizationName(QStringLiteral("Ramure"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(RAMURE_VERSION));
+    QGuiApplication::setApplicationDisplayName(QString());
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.ramure.Ramure"));
+    const Arguments arguments = readArguments(application);
+
+    Preferences preferences;
+    const Language language(&preferences);
+    new Theme(&application, &preferences);
+    QGuiApplication::setWindowIcon(QIcon(QStringLiteral(":/theme/org.ramure.Ramure.svg")));
+    Document document;
+    Recompute recompute(&document);
+    DialogChooser chooser;
+    MainWindow window(&document, &recompute, &preferences, &chooser);
+    chooser.setWindow(&window, window.banner());
+    if (!arguments.size.isEmpty())
+        window.resize(arguments.size);
+    window.show();
+    if (!openInput(*window.files(), arguments.input)) {
+        if (arguments.isBatch()) {
+            complain(window.banner()->text());
+            return 2;
+        }
+        window.files()->newFromPreset(QStringLiteral("SmallTree"));
+    }
+    if (!arguments.isBatch())
+        return QApplication::exec();
+    int code = 0;
+    QTimer::singleShot(0, &window, [&] {
+        code = runBatch(arguments, window, document, recompute);
+        QCoreApplication::exit(code);
+    });
+    QApplication::exec();
+    return code;
 }

@@ -1,0 +1,59 @@
+#include "widgets/actions/action_set.h"
+
+#include "widgets/theme/icons.h"
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace ramure {
+
+ActionSet::ActionSet(QObject* parent)
+    : QObject(parent)
+{
+}
+
+QAction* ActionSet::add(const ActionSpec& spec)
+{
+    auto* action = new QAction(this);
+    action->setObjectName(QString::fromLatin1(spec.id));
+    action->setShortcut(spec.shortcut);
+    if (spec.icon)
+        action->setIcon(icon(spec.icon));
+    m_entries.push_back({spec, action});
+    translate(m_entries.back());
+    return action;
+}
+
+QAction* ActionSet::find(const QString& id) const
+{
+    const auto found = std::ranges::find_if(
+        m_entries, [&](const Entry& entry) { return id == QLatin1String(entry.spec.id); });
+    return found == m_entries.end() ? nullptr : found->action;
+}
+
+QList<QAction*> ActionSet::actions() const
+{
+    QList<QAction*> all;
+    for (const Entry& entry : m_entries)
+        all += entry.action;
+    return all;
+}
+
+void ActionSet::retranslate()
+{
+    for (const Entry& entry : m_entries)
+        translate(entry);
+}
+
+void ActionSet::translate(const Entry& entry)
+{
+    const auto text = [](const char* english) { return QCoreApplication::translate("Actions", english); };
+    entry.action->setText(text(entry.spec.text));
+    QString tip = text(entry.spec.tip ? entry.spec.tip : entry.spec.text);
+    tip.remove(u'&').remove(QStringLiteral("…"));
+    entry.action->setStatusTip(entry.spec.tip ? tip : QString());
+    if (!entry.spec.shortcut.isEmpty())
+        tip += QStringLiteral(" (%1)").arg(entry.spec.shortcut.toString(QKeySequence::NativeText));
+    entry.action->setToolTip(tip);
+}
+
+} // namespace ramure

@@ -1,0 +1,29 @@
+/// \file
+/// What actions ask the user. The program shows dialogs and a banner; tests pass answers.
+#pragma once
+
+#include <QString>
+
+namespace ramure {
+
+enum class Severity { Info, Warning, Error };
+
+class Chooser
+{
+public:
+    enum class Unsaved { Save, Discard, Cancel };
+
+    virtual ~Chooser() = default;
+    /// The path of an existing file; empty: cancelled. \p filter as QFileDialog has it.
+    virtual QString openFile(const QString& title, const QString& folder, const QString& filter) = 0;
+    /// A path to write to, whose overwriting the user has agreed to; empty: cancelled.
+    /// \param suffix added where the user gave none, without its dot.
+    virtual QString saveFile(const QString& title, const QString& suggestion, const QString& filter,
+                             const QString& suffix) = 0;
+    /// The document would be lost: what now?
+    virtual Unsaved unsavedChanges(const QString& documentName) = 0;
+    /// Tells something without asking for an answer and without blocking.
+    virtual void report(Severity severity, const QString& text) = 0;
+};
+
+} // namespace ramure

@@ -1,0 +1,30 @@
+/// \file
+/// The chooser of the program: file dialogs, message boxes, and the banner of the main window.
+#pragma once
+
+#include "widgets/actions/chooser.h"
+#include <QPointer>
+#include <QWidget>
+
+namespace ramure {
+
+class MessageBanner;
+
+class DialogChooser : public Chooser
+{
+public:
+    /// The window the dialogs belong to and the banner for reports; may be given after the chooser was made.
+    void setWindow(QWidget* window, MessageBanner* banner);
+
+    QString openFile(const QString& title, const QString& folder, const QString& filter) override;
+    QString saveFile(const QString& title, const QString& suggestion, const QString& filter,
+                     const QString& suffix) override;
+    Unsaved unsavedChanges(const QString& documentName) override;
+    void report(Severity severity, const QString& text) override;
+
+private:
+    QPointer<QWidget> m_window;
+    QPointer<MessageBanner> m_banner;
+};
+
+} // namespace ramure

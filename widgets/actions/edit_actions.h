@@ -1,0 +1,76 @@
+/// \file
+/// The Edit menu: undo, redo, another random tree, and what happens to the selected nodes.
+#pragma once
+
+#include "core/document/document.h"
+#include "widgets/actions/chooser.h"
+#include <QObject>
+
+class QAction;
+class QMenu;
+
+namespace ramure {
+
+class ActionSet;
+
+class EditActions : public QObject
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the actions.
+    EditActions(Document* document, Chooser* chooser, ActionSet* set, QObject* parent);
+
+    void fillMenu(QMenu* menu);
+    [[nodiscard]] QAction* undoAction() const { return m_undo; }
+    [[nodiscard]] QAction* redoAction() const { return m_redo; }
+    [[nodiscard]] QAction* newTreeAction() const { return m_newTree; }
+    /// What a right click on a node offers.
+    [[nodiscard]] QList<QAction*> nodeActions() const;
+    void retranslate();
+
+    void newTree();
+    void addTree(const QString& preset);
+    void addGroup();
+
+signals:
+    void renameRequested();
+
+private:
+    void follow(const Change& change);
+    void update();
+    void updateUndoTexts();
+    void removeSelected();
+    void duplicateSelected();
+    void toggleVisible();
+    void toggleLocked();
+    void addNode(Node node);
+    void report(const Error& error);
+    [[nodiscard]] std::vector<NodeId> selected() const { return m_document->selection().nodes; }
+
+    Document* m_document;
+    Chooser* m_chooser;
+    QAction* m_undo;
+    QAction* m_redo;
+    QAction* m_newTree;
+    QAction* m_addGroup;
+    QAction* m_duplicate;
+    QAction* m_rename;
+    QAction* m_delete;
+    QAction* m_visible;
+    QAction* m_locked;
+    QMenu* m_addMenu = nullptr;
+};
+
+/// Keeps the space bar for the widgets that need it (check boxes, buttons), although it is the shortcut of
+/// "New tree".
+class SpaceKeeper : public QObject
+{
+    Q_OBJECT
+public:
+    using QObject::QObject;
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+};
+
+} // namespace ramure

@@ -1,0 +1,235 @@
+#include "widgets/actions/file_actions.h"
+
+#include "core/document/project_file.h"
+#include "core/params/presets.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/support/core_text.h"
+#include "widgets/support/preferences.h"
+#include "widgets/theme/icons.h"
+#include <QDir>
+#include <QFileInfo>
+#include <QMenu>
+
+namespace ramure {
+namespace {
+
+const QString projectSuffix = QStringLiteral("ramure");
+
+/// A scene with one tree.
+Expected<Scene> presetScene(const std::string& preset)
+{
+    auto params = presetParams(preset);
+    if (!params)
+        return fail(params.error());
+    Scene scene;
+    Node tree;
+    tree.id = scene.newId();
+    tree.kind = NodeKind::Tree;
+    tree.name = preset;
+    tree.params = std::move(*params);
+    if (auto done = scene.insert({std::move(tree)}, noNode, 0); !done)
+        return fail(done.error());
+    return scene;
+}
+
+} // namespace
+
+FileActions::FileActions(Document* document, Preferences* preferences, Chooser* chooser, ActionSet* set,
+                         QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+    , m_preferences(preferences)
+    , m_chooser(chooser)
+    , m_open(set->add({"file.open", QT_TRANSLATE_NOOP("Actions", "&Open…"), "open", QKeySequence::Open,
+                       QT_TRANSLATE_NOOP("Actions", "Open a Ramure file")}))
+    , m_save(set->add({"file.save", QT_TRANSLATE_NOOP("Actions", "&Save"), "save", QKeySequence::Save,
+                       QT_TRANSLATE_NOOP("Actions", "Save the scene")}))
+    , m_saveAs(set->add({"file.saveAs", QT_TRANSLATE_NOOP("Actions", "Save &as…"), "save-as",
+                         QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+                         QT_TRANSLATE_NOOP("Actions", "Save the scene under another name")}))
+    , m_export(set->add({"file.export", QT_TRANSLATE_NOOP("Actions", "&Export…"), "export",
+                         QKeySequence(Qt::CTRL | Qt::Key_E),
+                         QT_TRANSLATE_NOOP("Actions", "Write meshes as OBJ or PLY")}))
+    , m_quit(set->add({"file.quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), "quit", QKeySequence::Quit}))
+{
+    for (const Preset& preset : presets()) {
+        auto* action = new QAction(icon("tree"), QString::fromLatin1(preset.name), this);
+        action->setObjectName(QStringLiteral("file.new.") + QLatin1String(preset.name));
+        if (m_presets.empty())
+            action->setShortcut(QKeySequence::New);
+        const QString name = QString::fromLatin1(preset.name);
+        connect(action, &QAction::triggered, this, [this, name] { newFromPreset(name); });
+        m_presets.push_back(action);
+    }
+    connect(m_open, &QAction::triggered, this, &FileActions::open);
+    connect(m_save, &QAction::triggered, this, &FileActions::save);
+    connect(m_saveAs, &QAction::triggered, this, &FileActions::saveAs);
+    connect(m_export, &QAction::triggered, this, &FileActions::exportRequested);
+    connect(m_quit, &QAction::triggered, this, &FileActions::quitRequested);
+    m_quit->setMenuRole(QAction::QuitRole);
+}
+
+void FileActions::fillMenu(QMenu* menu)
+{
+    m_newMenu = menu->addMenu(icon("new"), QString());
+    m_newMenu->setToolTipsVisible(true);
+    for (QAction* preset : m_presets)
+        m_newMenu->addAction(preset);
+    menu->addAction(m_open);
+    m_recentMenu = menu->addMenu(QString());
+    connect(m_recentMenu, &QMenu::aboutToShow, this, &FileActions::fillRecentMenu);
+    menu->addSeparator();
+    menu->addAction(m_save);
+    menu->addAction(m_saveAs);
+    menu->addSeparator();
+    menu->addAction(m_export);
+    menu->addSeparator();
+    menu->addAction(m_quit);
+    fillRecentMenu();
+    retranslate();
+}
+
+void FileActions::retranslate()
+{
+    std::size_t at = 0;
+    for (const Preset& preset : presets()) {
+        m_presets[at]->setToolTip(coreText(preset.description));
+        m_presets[at++]->setStatusTip(coreText(preset.description));
+    }
+    if (m_newMenu)
+        m_newMenu->setTitle(tr("&New from preset"));
+    if (m_recentMenu)
+        m_recentMenu->setTitle(tr("Open &recent"));
+}
+
+void FileActions::fillRecentMenu()
+{
+    m_recentMenu->clear();
+    int number = 1;
+    for (const QString& path : m_preferences->recentFiles()) {
+        QString shown = QDir::toNativeSeparators(path);
+        const QString text =
+            QStringLiteral("&%1  %2").arg(number++).arg(shown.replace(u'&', QStringLiteral("&&")));
+        connect(m_recentMenu->addAction(text), &QAction::triggered, this, [this, path] { openFile(path); });
+    }
+    if (m_recentMenu->isEmpty()) {
+        m_recentMenu->addAction(tr("No files yet"))->setEnabled(false);
+        return;
+    }
+    m_recentMenu->addSeparator();
+    connect(m_recentMenu->addAction(tr("Forget these files")), &QAction::triggered, m_preferences,
+            &Preferences::clearRecentFiles);
+}
+
+QString FileActions::fileFilter() const
+{
+    return tr("Ramure files (*.ramure);;All files (*)");
+}
+
+QString FileActions::documentName() const
+{
+    const QString path = m_document->filePath();
+    return path.isEmpty() ? tr("Untitled") : QFileInfo(path).fileName();
+}
+
+void FileActions::reportError(const QString& what, const Error& error)
+{
+    m_chooser->report(Severity::Error, QStringLiteral("%1\n%2").arg(what, errorTextWithPlace(error)));
+}
+
+bool FileActions::mayDiscard()
+{
+    if (!m_document->isModified())
+        return true;
+    switch (m_chooser->unsavedChanges(documentName())) {
+    case Chooser::Unsaved::Save:
+        return save();
+    case Chooser::Unsaved::Discard:
+        return true;
+    case Chooser::Unsaved::Cancel:
+        break;
+    }
+    return false;
+}
+
+bool FileActions::newFromPreset(const QString& preset)
+{
+    auto scene = presetScene(preset.toStdString());
+    if (!scene) {
+        reportError(tr("There is no such preset."), scene.error());
+        return false;
+    }
+    if (!mayDiscard())
+        return false;
+    const NodeId tree = scene->nodes().front().id;
+    m_document->reset(std::move(*scene), QString());
+    Selection selection;
+    selection.nodes = {tree};
+    m_document->setSelection(selection);
+    return true;
+}
+
+bool FileActions::open()
+{
+    const QString path = m_chooser->openFile(tr("Open"), m_preferences->lastFolder(), fileFilter());
+    return !path.isEmpty() && openFile(path);
+}
+
+bool FileActions::openFile(const QString& path)
+{
+    // Read first: a file that cannot be read must not cost the open document a question.
+    auto project = loadProjectFile(path);
+    if (!project) {
+        reportError(tr("“%1” cannot be opened.").arg(QFileInfo(path).fileName()), project.error());
+        if (!QFileInfo::exists(path))
+            m_preferences->removeRecentFile(QFileInfo(path).absoluteFilePath());
+        return false;
+    }
+    if (!mayDiscard())
+        return false;
+    Selection selection;
+    if (!project->scene.empty())
+        selection.nodes = {project->scene.nodes().front().id};
+    m_document->reset(std::move(project->scene), QFileInfo(path).absoluteFilePath(),
+                      std::move(project->extras));
+    m_document->setSelection(selection);
+    m_preferences->addRecentFile(path);
+    m_preferences->setLastFolder(QFileInfo(path).absolutePath());
+    return true;
+}
+
+bool FileActions::save()
+{
+    return m_document->filePath().isEmpty() ? saveAs() : saveTo(m_document->filePath());
+}
+
+bool FileActions::saveAs()
+{
+    QString suggestion = m_document->filePath();
+    if (suggestion.isEmpty()) {
+        const auto& nodes = m_document->scene().nodes();
+        const QString name = nodes.empty() ? documentName() : QString::fromStdString(nodes.front().name);
+        suggestion = QDir(m_preferences->lastFolder()).filePath(name + u'.' + projectSuffix);
+    }
+    const QString path = m_chooser->saveFile(tr("Save as"), suggestion, fileFilter(), projectSuffix);
+    return !path.isEmpty() && saveTo(path);
+}
+
+bool FileActions::saveTo(const QString& path)
+{
+    if (const auto done = saveProjectFile(m_document->project(), path); !done) {
+        reportError(tr("“%1” could not be saved. Nothing is lost: the file on disk is as it was, and your "
+                       "changes are "
+                       "still open here.")
+                        .arg(QFileInfo(path).fileName()),
+                    done.error());
+        return false;
+    }
+    m_document->setFilePath(QFileInfo(path).absoluteFilePath());
+    m_document->undoStack()->setClean();
+    m_preferences->addRecentFile(path);
+    m_preferences->setLastFolder(QFileInfo(path).absolutePath());
+    return true;
+}
+
+} // namespace ramure

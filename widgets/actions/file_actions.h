@@ -1,0 +1,67 @@
+/// \file
+/// The File menu: new, open, save, recent files, and the question about unsaved changes.
+#pragma once
+
+#include "core/document/document.h"
+#include "widgets/actions/chooser.h"
+#include <QObject>
+
+class QAction;
+class QMenu;
+
+namespace ramure {
+
+class ActionSet;
+class Preferences;
+
+class FileActions : public QObject
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the actions.
+    FileActions(Document* document, Preferences* preferences, Chooser* chooser, ActionSet* set,
+                QObject* parent);
+
+    void fillMenu(QMenu* menu);
+    [[nodiscard]] QAction* saveAction() const { return m_save; }
+    [[nodiscard]] QAction* openAction() const { return m_open; }
+    [[nodiscard]] QAction* exportAction() const { return m_export; }
+    void retranslate();
+
+    /// Asks about unsaved changes where there are any. True: the document may go.
+    bool mayDiscard();
+    /// Each returns whether it was done; errors are reported to the chooser, and the document stays as it
+    /// was.
+    bool newFromPreset(const QString& preset);
+    bool openFile(const QString& path); ///< asks about unsaved changes first
+    bool open();
+    bool save(); ///< "save as" where the document has no file yet
+    bool saveAs();
+
+    /// "tree.ramure", or what a document without a file is called.
+    [[nodiscard]] QString documentName() const;
+
+signals:
+    void exportRequested();
+    void quitRequested();
+
+private:
+    bool saveTo(const QString& path);
+    void reportError(const QString& what, const Error& error);
+    void fillRecentMenu();
+    [[nodiscard]] QString fileFilter() const;
+
+    Document* m_document;
+    Preferences* m_preferences;
+    Chooser* m_chooser;
+    QAction* m_open;
+    QAction* m_save;
+    QAction* m_saveAs;
+    QAction* m_export;
+    QAction* m_quit;
+    QMenu* m_newMenu = nullptr;
+    QMenu* m_recentMenu = nullptr;
+    std::vector<QAction*> m_presets;
+};
+
+} // namespace ramure

@@ -1,0 +1,239 @@
+#include "widgets/actions/view_actions.h"
+
+#include "widgets/actions/action_set.h"
+#include "widgets/support/language.h"
+#include "widgets/support/preferences.h"
+#include "widgets/viewport/viewport.h"
+#include "widgets/viewport/viewport_host.h"
+#include <QActionGroup>
+#include <QMenu>
+
+namespace ramure {
+
+ViewActions::ViewActions(ViewportHost* host, Preferences* preferences, ActionSet* set, QObject* parent)
+    : QObject(parent)
+    , m_host(host)
+    , m_preferences(preferences)
+{
+    addFraming(set);
+    addModes(set);
+    addShading(set);
+    addSwitches(set);
+    addPreferences(set);
+    // Without OpenGL there is nothing to frame and no mode to see.
+    if (!host->viewport()) {
+        QList<QAction*> dead = m_axes + m_modes->actions() + m_shading->actions() + m_switches;
+        dead += {m_frameAll, m_frameSelection};
+        for (QAction* action : dead)
+            action->setEnabled(false);
+    }
+    connect(preferences, &Preferences::changed, this, &ViewActions::takePreferences);
+    takePreferences();
+}
+
+void ViewActions::addFraming(ActionSet* set)
+{
+    m_frameAll = set->add({"view.frameAll", QT_TRANSLATE_NOOP("Actions", "Frame &all"), "frame-all",
+                           QKeySequence(Qt::Key_Home)});
+    m_frameSelection = set->add({"view.frameSelection", QT_TRANSLATE_NOOP("Actions", "&Frame the selection"),
+                                 "frame-selection", QKeySequence(Qt::Key_F)});
+    Viewport* view = m_host->viewport();
+    struct Axis
+    {
+        ActionSpec spec;
+        AxisView view;
+    };
+    const Axis axes[] = {
+        {{"view.front", QT_TRANSLATE_NOOP("Actions", "&Front"), nullptr, QKeySequence(Qt::Key_1)},
+         AxisView::Front},
+        {{"view.back", QT_TRANSLATE_NOOP("Actions", "&Back"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_1)},
+         AxisView::Back},
+        {{"view.right", QT_TRANSLATE_NOOP("Actions", "&Right"), nullptr, QKeySequence(Qt::Key_3)},
+         AxisView::Right},
+        {{"view.left", QT_TRANSLATE_NOOP("Actions", "&Left"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_3)},
+         AxisView::Left},
+        {{"view.top", QT_TRANSLATE_NOOP("Actions", "&Top"), nullptr, QKeySequence(Qt::Key_7)}, AxisView::Top},
+        {{"view.bottom", QT_TRANSLATE_NOOP("Actions", "B&ottom"), nullptr,
+          QKeySequence(Qt::CTRL | Qt::Key_7)},
+         AxisView::Bottom},
+    };
+    for (const Axis& axis : axes) {
+        QAction* action = set->add(axis.spec);
+        m_axes += action;
+        if (view)
+            connect(action, &QAction::triggered, view, [view, side = axis.view] { view->setAxisView(side); });
+    }
+    if (view) {
+        connect(m_frameAll, &QAction::triggered, view, &Viewport::frameAll);
+        connect(m_frameSelection, &QAction::triggered, view, &Viewport::frameSelection);
+    }
+}
+
+void ViewActions::addModes(ActionSet* set)
+{
+    m_modes = new QActionGroup(this);
+    ViewSettings* settings = m_host->settings();
+    const std::pair<ActionSpec, DisplayMode> modes[] = {
+        {{"view.skeleton", QT_TRANSLATE_NOOP("Actions", "&Skeleton"), "mode-skeleton",
+          QKeySequence(Qt::ALT | Qt::Key_1)},
+         DisplayMode::Skeleton},
+        {{"view.simplified", QT_TRANSLATE_NOOP("Actions", "S&implified skeleton"), "mode-simplified",
+          QKeySequence(Qt::ALT | Qt::Key_2)},
+         DisplayMode::Simplified},
+        {{"view.rough", QT_TRANSLATE_NOOP("Actions", "&Rough model"), "mode-rough",
+          QKeySequence(Qt::ALT | Qt::Key_3)},
+         DisplayMode::Rough},
+        {{"view.sections", QT_TRANSLATE_NOOP("Actions", "&Cross-sections"), "mode-sections",
+          QKeySequence(Qt::ALT | Qt::Key_4)},
+         DisplayMode::Sections},
+        {{"view.mesh", QT_TRANSLATE_NOOP("Actions", "&Mesh"), "mode-mesh", QKeySequence(Qt::ALT | Qt::Key_5)},
+         DisplayMode::Mesh},
+    };
+    for (const auto& [spec, mode] : modes) {
+        QAction* action = set->add(spec);
+        action->setCheckable(true);
+        action->setChecked(settings->displayMode() == mode);
+        m_modes->addAction(action);
+        connect(action, &QAction::triggered, settings,
+                [settings, value = mode] { settings->setDisplayMode(value); });
+        connect(settings, &ViewSettings::displayModeChanged, action,
+                [action, value = mode](DisplayMode now) { action->setChecked(now == value); });
+    }
+}
+
+void ViewActions::addShading(ActionSet* set)
+{
+    m_shading = new QActionGroup(this);
+    ViewSettings* settings = m_host->settings();
+    const std::pair<ActionSpec, ShadingMode> modes[] = {
+        {{"view.solid", QT_TRANSLATE_NOOP("Actions", "S&olid"), "solid", {}}, ShadingMode::Solid},
+        {{"view.solidWire", QT_TRANSLATE_NOOP("Actions", "Solid with &edges"), "solid-wire", {}},
+         ShadingMode::SolidWire},
+        {{"view.wire", QT_TRANSLATE_NOOP("Actions", "&Wireframe"), "wire", {}}, ShadingMode::Wire},
+    };
+    for (const auto& [spec, mode] : modes) {
+        QAction* action = set->add(spec);
+        action->setCheckable(true);
+        action->setChecked(settings->shadingMode() == mode);
+        m_shading->addAction(action);
+        connect(action, &QAction::triggered, settings,
+                [settings, value = mode] { settings->setShadingMode(value); });
+        connect(settings, &ViewSettings::shadingModeChanged, action,
+                [action, value = mode](ShadingMode now) { action->setChecked(now == value); });
+    }
+}
+
+void ViewActions::addSwitches(ActionSet* set)
+{
+    ViewSettings* settings = m_host->settings();
+    const auto add = [&](const ActionSpec& spec, bool on, auto setter, auto signal) {
+        QAction* action = set->add(spec);
+        action->setCheckable(true);
+        action->setChecked(on);
+        connect(action, &QAction::toggled, settings, setter);
+        connect(settings, signal, action, &QAction::setChecked);
+        m_switches += action;
+    };
+    add({"view.leaves", QT_TRANSLATE_NOOP("Actions", "&Leaves"), "leaf", {}}, settings->leavesVisible(),
+        &ViewSettings::setLeavesVisible, &ViewSettings::leavesVisibleChanged);
+    add({"view.apples", QT_TRANSLATE_NOOP("Actions", "A&pples"), "apple", {}}, settings->applesVisible(),
+        &ViewSettings::setApplesVisible, &ViewSettings::applesVisibleChanged);
+    add({"view.grid", QT_TRANSLATE_NOOP("Actions", "&Grid"), "grid", QKeySequence(Qt::Key_G)},
+        settings->gridVisible(), &ViewSettings::setGridVisible, &ViewSettings::gridVisibleChanged);
+    add({"view.orthographic", QT_TRANSLATE_NOOP("Actions", "&Orthographic"), "orthographic",
+         QKeySequence(Qt::Key_5)},
+        settings->orthographic(), &ViewSettings::setOrthographic, &ViewSettings::orthographicChanged);
+}
+
+void ViewActions::addPreferences(ActionSet* set)
+{
+    m_themes = new QActionGroup(this);
+    m_units = new QActionGroup(this);
+    m_languages = new QActionGroup(this);
+    const auto add = [&](QActionGroup* group, const ActionSpec& spec, const QVariant& value) {
+        QAction* action = set->add(spec);
+        action->setCheckable(true);
+        action->setData(value);
+        group->addAction(action);
+    };
+    add(m_themes, {"view.theme.system", QT_TRANSLATE_NOOP("Actions", "As the &system"), nullptr, {}},
+        static_cast<int>(ThemeChoice::System));
+    add(m_themes, {"view.theme.light", QT_TRANSLATE_NOOP("Actions", "&Light"), nullptr, {}},
+        static_cast<int>(ThemeChoice::Light));
+    add(m_themes, {"view.theme.dark", QT_TRANSLATE_NOOP("Actions", "&Dark"), nullptr, {}},
+        static_cast<int>(ThemeChoice::Dark));
+    add(m_units, {"view.degrees", QT_TRANSLATE_NOOP("Actions", "&Degrees"), nullptr, {}},
+        static_cast<int>(AngleUnit::Degrees));
+    add(m_units, {"view.radians", QT_TRANSLATE_NOOP("Actions", "&Radians"), nullptr, {}},
+        static_cast<int>(AngleUnit::Radians));
+    add(m_languages, {"view.language.system", QT_TRANSLATE_NOOP("Actions", "As the &system"), nullptr, {}},
+        QString());
+    connect(m_themes, &QActionGroup::triggered, this, [this](QAction* action) {
+        m_preferences->setTheme(static_cast<ThemeChoice>(action->data().toInt()));
+    });
+    connect(m_units, &QActionGroup::triggered, this, [this](QAction* action) {
+        m_preferences->setAngleUnit(static_cast<AngleUnit>(action->data().toInt()));
+    });
+    // Languages are called by their own names in every language.
+    for (const auto& [code, name] : Language::available()) {
+        auto* action = new QAction(name, this);
+        action->setObjectName(QStringLiteral("view.language.") + code);
+        action->setCheckable(true);
+        action->setData(code);
+        m_languages->addAction(action);
+    }
+    connect(m_languages, &QActionGroup::triggered, this,
+            [this](QAction* action) { m_preferences->setLanguage(action->data().toString()); });
+}
+
+void ViewActions::takePreferences()
+{
+    const auto check = [](QActionGroup* group, const QVariant& value) {
+        for (QAction* action : group->actions())
+            action->setChecked(action->data() == value);
+    };
+    check(m_themes, static_cast<int>(m_preferences->theme()));
+    check(m_units, static_cast<int>(m_preferences->angleUnit()));
+    check(m_languages, m_preferences->language());
+}
+
+QList<QAction*> ViewActions::modeActions() const
+{
+    return m_modes->actions();
+}
+
+void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* resetLayout)
+{
+    menu->addActions({m_frameAll, m_frameSelection});
+    m_axisMenu = menu->addMenu(QString());
+    m_axisMenu->addActions(m_axes);
+    menu->addSeparator();
+    menu->addActions(m_modes->actions());
+    menu->addSeparator();
+    menu->addActions(m_shading->actions());
+    menu->addSeparator();
+    menu->addActions(m_switches);
+    menu->addSeparator();
+    menu->addActions(panels);
+    menu->addAction(resetLayout);
+    menu->addSeparator();
+    m_themeMenu = menu->addMenu(QString());
+    m_themeMenu->addActions(m_themes->actions());
+    m_unitMenu = menu->addMenu(QString());
+    m_unitMenu->addActions(m_units->actions());
+    m_languageMenu = menu->addMenu(QString());
+    m_languageMenu->addActions(m_languages->actions());
+    retranslate();
+}
+
+void ViewActions::retranslate()
+{
+    if (!m_axisMenu)
+        return;
+    m_axisMenu->setTitle(tr("&View from"));
+    m_themeMenu->setTitle(tr("&Theme"));
+    m_unitMenu->setTitle(tr("&Angles in"));
+    m_languageMenu->setTitle(tr("&Language"));
+}
+
+} // namespace ramure

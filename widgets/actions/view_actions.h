@@ -1,0 +1,56 @@
+/// \file
+/// The View menu: framing, display modes, what is shown, theme, units and language.
+#pragma once
+
+#include <QObject>
+
+class QAction;
+class QActionGroup;
+class QMenu;
+
+namespace ramure {
+
+class ActionSet;
+class Preferences;
+class ViewportHost;
+
+class ViewActions : public QObject
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the actions.
+    ViewActions(ViewportHost* host, Preferences* preferences, ActionSet* set, QObject* parent);
+
+    /// \param panels actions that show and hide the docks.
+    void fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* resetLayout);
+    [[nodiscard]] QList<QAction*> modeActions() const;
+    [[nodiscard]] QAction* frameAllAction() const { return m_frameAll; }
+    [[nodiscard]] QAction* frameSelectionAction() const { return m_frameSelection; }
+    void retranslate();
+
+private:
+    void addFraming(ActionSet* set);
+    void addModes(ActionSet* set);
+    void addShading(ActionSet* set);
+    void addSwitches(ActionSet* set);
+    void addPreferences(ActionSet* set);
+    void takePreferences();
+
+    ViewportHost* m_host;
+    Preferences* m_preferences;
+    QAction* m_frameAll = nullptr;
+    QAction* m_frameSelection = nullptr;
+    QList<QAction*> m_axes;
+    QActionGroup* m_modes = nullptr;
+    QActionGroup* m_shading = nullptr;
+    QActionGroup* m_themes = nullptr;
+    QActionGroup* m_units = nullptr;
+    QActionGroup* m_languages = nullptr;
+    QList<QAction*> m_switches;
+    QMenu* m_axisMenu = nullptr;
+    QMenu* m_themeMenu = nullptr;
+    QMenu* m_unitMenu = nullptr;
+    QMenu* m_languageMenu = nullptr;
+};
+
+} // namespace ramure

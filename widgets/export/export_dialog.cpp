@@ -1,0 +1,305 @@
+#include "widgets/export/export_dialog.h"
+
+#include "core/document/document.h"
+#include "core/document/recompute.h"
+#include "widgets/actions/chooser.h"
+#include "widgets/export/export_task.h"
+#include "widgets/support/core_text.h"
+#include "widgets/support/preferences.h"
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QEvent>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QStyle>
+
+namespace ramure {
+
+ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences* preferences,
+                           Chooser* chooser, QWidget* parent)
+    : QDialog(parent)
+    , m_document(document)
+    , m_recompute(recompute)
+    , m_preferences(preferences)
+    , m_chooser(chooser)
+    , m_task(new ExportTask(this))
+{
+    setObjectName(QStringLiteral("exportDialog"));
+    buildForm();
+    connect(m_format, &QComboBox::currentIndexChanged, this, &ExportDialog::takeFormat);
+    connect(m_model, &QComboBox::currentIndexChanged, this, &ExportDialog::updateWidgets);
+    for (QCheckBox* box : {m_branches, m_leaves, m_apples})
+        connect(box, &QCheckBox::toggled, this, &ExportDialog::updateWidgets);
+    connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::updateWidgets);
+    connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
+    connect(m_export, &QPushButton::clicked, this, &ExportDialog::startExport);
+    connect(m_cancel, &QPushButton::clicked, this, &ExportDialog::reject);
+    connect(m_task, &ExportTask::progress, this, [this](double fraction) {
+        m_progress->setValue(static_cast<int>(fraction * m_progress->maximum()));
+    });
+    connect(m_task, &ExportTask::finished, this, &ExportDialog::finish);
+    connect(m_recompute, &Recompute::busyChanged, this, [this](bool busy) {
+        if (m_waiting && !busy)
+            run();
+    });
+    const auto& nodes = document->scene().nodes();
+    QString name = QFileInfo(document->filePath()).completeBaseName();
+    if (name.isEmpty())
+        name = nodes.empty() ? QStringLiteral("tree") : QString::fromStdString(nodes.front().name);
+    m_path->setText(
+        QDir::toNativeSeparators(QDir(preferences->lastFolder()).filePath(name + QStringLiteral(".obj"))));
+    retranslate();
+    takeFormat();
+}
+
+ExportDialog::~ExportDialog() = default;
+
+void ExportDialog::buildForm()
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(18, 18, 18, 14);
+    layout->setSpacing(14);
+    m_form = new QFormLayout;
+    m_form->setHorizontalSpacing(14);
+    m_form->setVerticalSpacing(10);
+    m_form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    m_format = new QComboBox(this);
+    m_model = new QComboBox(this);
+    for (int i = 0; i < 3; ++i) {
+        m_format->addItem(QString());
+        m_model->addItem(QString());
+    }
+    m_branches = new QCheckBox(this);
+    m_leaves = new QCheckBox(this);
+    m_apples = new QCheckBox(this);
+    auto* parts = new QHBoxLayout;
+    parts->setSpacing(16);
+    for (QCheckBox* box : {m_branches, m_leaves, m_apples}) {
+        box->setChecked(true);
+        parts->addWidget(box);
+    }
+    parts->addStretch(1);
+    m_selection = new QCheckBox(this);
+    m_selection->setEnabled(!m_document->selection().nodes.empty());
+    m_hidden = new QCheckBox(this);
+    auto* scope = new QVBoxLayout;
+    scope->setSpacing(6);
+    scope->addWidget(m_selection);
+    scope->addWidget(m_hidden);
+    m_path = new QLineEdit(this);
+    m_path->setMinimumWidth(320);
+    m_browse = new QPushButton(this);
+    auto* file = new QHBoxLayout;
+    file->addWidget(m_path, 1);
+    file->addWidget(m_browse);
+    m_form->addRow(QString(), m_format);
+    m_form->addRow(QString(), m_model);
+    m_form->addRow(QString(), parts);
+    m_form->addRow(QString(), scope);
+    m_form->addRow(QString(), file);
+    layout->addLayout(m_form);
+    m_message = new QLabel(this);
+    m_message->setWordWrap(true);
+    m_message->hide();
+    layout->addWidget(m_message);
+    m_progress = new QProgressBar(this);
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    QSizePolicy policy = m_progress->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_progress->setSizePolicy(policy);
+    m_progress->hide();
+    layout->addWidget(m_progress);
+    auto* buttons = new QHBoxLayout;
+    m_export = new QPushButton(this);
+    m_export->setDefault(true);
+    m_cancel = new QPushButton(this);
+    m_cancel->setAutoDefault(false);
+    m_browse->setAutoDefault(false);
+    buttons->addStretch(1);
+    buttons->addWidget(m_cancel);
+    buttons->addWidget(m_export);
+    layout->addLayout(buttons);
+}
+
+ExportDialog::Format ExportDialog::format() const
+{
+    return static_cast<Format>(m_format->currentIndex());
+}
+
+QString ExportDialog::suffix() const
+{
+    return format() == Obj ? QStringLiteral("obj") : QStringLiteral("ply");
+}
+
+void ExportDialog::setFormat(Format format)
+{
+    m_format->setCurrentIndex(format);
+}
+
+void ExportDialog::setPath(const QString& path)
+{
+    m_path->setText(QDir::toNativeSeparators(path));
+}
+
+QString ExportDialog::path() const
+{
+    return QDir::fromNativeSeparators(m_path->text().trimmed());
+}
+
+ExportOptions ExportDialog::options() const
+{
+    ExportOptions options;
+    options.model = static_cast<ExportModel>(m_model->currentIndex());
+    options.parts = static_cast<std::uint8_t>((m_branches->isChecked() ? exportBranches : 0) |
+                                              (m_leaves->isChecked() ? exportLeaves : 0) |
+                                              (m_apples->isChecked() ? exportApples : 0));
+    if (m_selection->isChecked())
+        options.nodes = m_document->selection().nodes;
+    options.hidden = m_hidden->isChecked();
+    options.ply.ascii = format() == PlyAscii;
+    return options;
+}
+
+void ExportDialog::takeFormat()
+{
+    // PLY has no objects: by default it holds the branches, the one closed mesh.
+    const bool all = format() == Obj;
+    m_leaves->setChecked(all);
+    m_apples->setChecked(all);
+    const QFileInfo info(path());
+    const QString ending = info.suffix().toLower();
+    if (ending == QLatin1String("obj") || ending == QLatin1String("ply"))
+        setPath(info.path() + u'/' + info.completeBaseName() + u'.' + suffix());
+    updateWidgets();
+}
+
+void ExportDialog::updateWidgets()
+{
+    const bool running = m_waiting || m_task->isRunning();
+    const bool lines = static_cast<ExportModel>(m_model->currentIndex()) == ExportModel::Skeleton;
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_model), static_cast<QWidget*>(m_path),
+          static_cast<QWidget*>(m_browse), static_cast<QWidget*>(m_hidden)})
+        widget->setEnabled(!running);
+    for (QCheckBox* box : {m_branches, m_leaves, m_apples})
+        box->setEnabled(!running && !lines);
+    m_selection->setEnabled(!running && !m_document->selection().nodes.empty());
+    m_export->setEnabled(!running && !path().isEmpty() && (lines || options().parts != 0));
+    m_progress->setVisible(running);
+}
+
+void ExportDialog::browse()
+{
+    const QString filter = format() == Obj ? tr("Wavefront OBJ (*.obj)") : tr("Stanford PLY (*.ply)");
+    const QString chosen = m_chooser->saveFile(tr("Export"), path(), filter, suffix());
+    if (!chosen.isEmpty())
+        setPath(chosen);
+}
+
+void ExportDialog::startExport()
+{
+    if (QFileInfo(path()).suffix().isEmpty())
+        setPath(path() + u'.' + suffix());
+    if (const auto known = checkExportEnding(path().toStdString()); !known) {
+        setMessage(errorText(known.error()), true);
+        return;
+    }
+    m_progress->setValue(0);
+    if (m_recompute->isBusy()) {
+        m_waiting = true;
+        setMessage(tr("Waiting until the tree is computed…"), false);
+        updateWidgets();
+        return;
+    }
+    run();
+}
+
+void ExportDialog::run()
+{
+    m_waiting = false;
+    setMessage({}, false);
+    m_task->start(*m_document, options(), path());
+    updateWidgets();
+}
+
+void ExportDialog::finish(const std::optional<Error>& error)
+{
+    updateWidgets();
+    if (error && error->code == ErrorCode::Cancelled) {
+        setMessage(tr("Cancelled. No file was changed."), false);
+        return;
+    }
+    if (error) {
+        setMessage(errorTextWithPlace(*error), true);
+        return;
+    }
+    m_preferences->setLastFolder(QFileInfo(path()).absolutePath());
+    emit exported(path());
+    accept();
+}
+
+void ExportDialog::setMessage(const QString& text, bool isError)
+{
+    m_message->setObjectName(isError ? QStringLiteral("problem") : QStringLiteral("hint"));
+    m_message->style()->unpolish(m_message);
+    m_message->style()->polish(m_message);
+    m_message->setText(text);
+    m_message->setVisible(!text.isEmpty());
+}
+
+void ExportDialog::reject()
+{
+    if (m_waiting) {
+        m_waiting = false;
+        setMessage(tr("Cancelled. No file was changed."), false);
+        updateWidgets();
+    } else if (m_task->isRunning()) {
+        m_task->cancel();
+    } else {
+        QDialog::reject();
+    }
+}
+
+void ExportDialog::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QDialog::changeEvent(event);
+}
+
+void ExportDialog::retranslate()
+{
+    setWindowTitle(tr("Export"));
+    m_format->setItemText(Obj, tr("Wavefront OBJ, with materials"));
+    m_format->setItemText(PlyBinary, tr("PLY, binary"));
+    m_format->setItemText(PlyAscii, tr("PLY, text"));
+    m_model->setItemText(static_cast<int>(ExportModel::Mesh), tr("Finished mesh"));
+    m_model->setItemText(static_cast<int>(ExportModel::Rough), tr("Rough model"));
+    m_model->setItemText(static_cast<int>(ExportModel::Skeleton), tr("Skeleton as lines"));
+    m_branches->setText(tr("Branches"));
+    m_leaves->setText(tr("Leaves"));
+    m_apples->setText(tr("Apples"));
+    m_selection->setText(tr("Only what is selected"));
+    m_hidden->setText(tr("Hidden trees too"));
+    m_browse->setText(tr("Browse…"));
+    m_export->setText(tr("Export"));
+    m_cancel->setText(tr("Cancel"));
+    const QString labels[] = {tr("Format"), tr("Model"), tr("Parts"), tr("Trees"), tr("File")};
+    for (int row = 0; row < m_form->rowCount(); ++row) {
+        auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
+        label->setText(labels[row]);
+    }
+    m_format->setAccessibleName(labels[0]);
+    m_model->setAccessibleName(labels[1]);
+    m_path->setAccessibleName(labels[4]);
+    m_progress->setAccessibleName(tr("Progress of the export"));
+}
+
+} // namespace ramure

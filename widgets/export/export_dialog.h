@@ -1,0 +1,88 @@
+/// \file
+/// What to export, how and where to.
+#pragma once
+
+#include "core/document/exporter.h"
+#include <QDialog>
+#include <optional>
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QFormLayout;
+class QLabel;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+
+namespace ramure {
+
+class Chooser;
+class Document;
+class ExportTask;
+class Preferences;
+class Recompute;
+
+class ExportDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    enum Format { Obj, PlyBinary, PlyAscii };
+
+    /// Nothing is owned; all must outlive the dialog.
+    ExportDialog(Document* document, Recompute* recompute, Preferences* preferences, Chooser* chooser,
+                 QWidget* parent = nullptr);
+    ~ExportDialog() override;
+
+    void setFormat(Format format);
+    void setPath(const QString& path);
+    [[nodiscard]] QString path() const;
+    [[nodiscard]] ExportOptions options() const;
+    /// Waits for the full result where it is being computed, then writes on a thread.
+    void startExport();
+
+signals:
+    /// The file was written, and the dialog has closed itself.
+    void exported(const QString& path);
+
+public slots:
+    void reject() override; ///< cancels what is running first
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void buildForm();
+    void browse();
+    void takeFormat();
+    void updateWidgets();
+    void run();
+    void finish(const std::optional<Error>& error);
+    void setMessage(const QString& text, bool isError);
+    void retranslate();
+    [[nodiscard]] Format format() const;
+    [[nodiscard]] QString suffix() const;
+
+    Document* m_document;
+    Recompute* m_recompute;
+    Preferences* m_preferences;
+    Chooser* m_chooser;
+    ExportTask* m_task;
+    bool m_waiting = false;
+    QFormLayout* m_form = nullptr;
+    QComboBox* m_format = nullptr;
+    QComboBox* m_model = nullptr;
+    QCheckBox* m_branches = nullptr;
+    QCheckBox* m_leaves = nullptr;
+    QCheckBox* m_apples = nullptr;
+    QCheckBox* m_selection = nullptr;
+    QCheckBox* m_hidden = nullptr;
+    QLineEdit* m_path = nullptr;
+    QPushButton* m_browse = nullptr;
+    QProgressBar* m_progress = nullptr;
+    QLabel* m_message = nullptr;
+    QPushButton* m_export = nullptr;
+    QPushButton* m_cancel = nullptr;
+};
+
+} // namespace ramure

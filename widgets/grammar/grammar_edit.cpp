@@ -1,0 +1,276 @@
+#include "widgets/grammar/grammar_edit.h"
+
+#include "widgets/grammar/grammar_highlighter.h"
+#include "widgets/theme/theme.h"
+#include <QFontDatabase>
+#include <QKeyEvent>
+#include <QMimeData>
+#include <QScrollBar>
+#include <QTextBlock>
+#include <algorithm>
+
+namespace ramure {
+namespace {
+
+constexpr int mostLines = 14; ///< shown before the editor scrolls
+
+/// A column counted in bytes, as an index into the line's UTF-16 text.
+int characterOf(const QString& line, int byteColumn)
+{
+    return static_cast<int>(QString::fromUtf8(line.toUtf8().left(byteColumn - 1)).size());
+}
+
+bool isDeleting(const QKeyEvent* event)
+{
+    return event->key() == Qt::Key_Backspace || event->key() == Qt::Key_Delete;
+}
+
+bool isMoving(const QKeyEvent* event)
+{
+    switch (event->key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+    case Qt::Key_Home:
+    case Qt::Key_End:
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool isEscaped(const QString& text, int position)
+{
+    int quotes = 0;
+    while (position - quotes > 0 && text[position - quotes - 1] == u'`')
+        ++quotes;
+    return quotes % 2 == 1;
+}
+
+} // namespace
+
+int matchingBracket(const QString& text, int position)
+{
+    if (position < 0 || position >= text.size() || isEscaped(text, position))
+        return -1;
+    const bool forward = text[position] == u'[';
+    if (!forward && text[position] != u']')
+        return -1;
+    int depth = 0;
+    for (int i = position; i >= 0 && i < text.size(); i += forward ? 1 : -1) {
+        if (text[i] == u'\n')
+            return -1; // a rule ends with its line
+        if ((text[i] != u'[' && text[i] != u']') || isEscaped(text, i))
+            continue;
+        depth += (text[i] == u'[') == forward ? 1 : -1;
+        if (depth == 0)
+            return i;
+    }
+    return -1;
+}
+
+GrammarEdit::GrammarEdit(bool rules, QWidget* parent)
+    : QPlainTextEdit(parent)
+    , m_rules(rules)
+{
+    setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    setUndoRedoEnabled(false);
+    setTabChangesFocus(true);
+    setWordWrapMode(QTextOption::WrapAnywhere);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    document()->setDocumentMargin(5);
+    m_highlighter = new GrammarHighlighter(document(), rules);
+    m_highlighter->setColours(palette());
+    connect(this, &QPlainTextEdit::cursorPositionChanged, this, &GrammarEdit::updateMarks);
+    connect(this, &QPlainTextEdit::textChanged, this, [this] {
+        fitHeight();
+        if (!m_showing)
+            emit edited(toPlainText());
+    });
+}
+
+void GrammarEdit::showText(const QString& text)
+{
+    if (text == toPlainText())
+        return;
+    const int position = textCursor().position();
+    m_showing = true;
+    setPlainText(text);
+    m_showing = false;
+    QTextCursor cursor = textCursor();
+    cursor.setPosition(std::min(position, static_cast<int>(text.size())));
+    setTextCursor(cursor);
+    updateMarks();
+}
+
+void GrammarEdit::showProblem(int line, int column)
+{
+    std::pair<int, int> range{-1, -1};
+    const QTextBlock block = line > 0 ? document()->findBlockByNumber(line - 1) : QTextBlock();
+    if (block.isValid()) {
+        const int length = block.length() - 1;
+        if (column > 0) {
+            // At least one character is underlined; at the end of the line the last one.
+            const int at = std::clamp(characterOf(block.text(), column), 0, std::max(0, length - 1));
+            range = {block.position() + at, block.position() + std::min(at + 1, length)};
+        } else {
+            range = {block.position(), block.position() + length};
+        }
+    }
+    if (range == m_problem)
+        return;
+    m_problem = range;
+    updateMarks();
+}
+
+void GrammarEdit::updateMarks()
+{
+    QList<QTextEdit::ExtraSelection> marks;
+    const auto mark = [&](int from, int to, const QTextCharFormat& format) {
+        QTextEdit::ExtraSelection selection;
+        const int last = static_cast<int>(document()->characterCount()) - 1;
+        selection.cursor = textCursor();
+        selection.cursor.setPosition(std::min(from, last));
+        selection.cursor.setPosition(std::min(to, last), QTextCursor::KeepAnchor);
+        selection.format = format;
+        marks += selection;
+    };
+    const QString text = toPlainText();
+    const int cursor = textCursor().position();
+    QTextCharFormat pair;
+    pair.setBackground(isDark(palette()) ? QColor(0x4a, 0x56, 0x4e) : QColor(0xc9, 0xe3, 0xcf));
+    for (const int at : {cursor, cursor - 1}) {
+        const int other = matchingBracket(text, at);
+        if (other < 0)
+            continue;
+        mark(at, at + 1, pair);
+        mark(other, other + 1, pair);
+        break;
+    }
+    if (m_problem.first >= 0) {
+        QTextCharFormat wave;
+        wave.setUnderlineStyle(QTextCharFormat::WaveUnderline);
+        wave.setUnderlineColor(errorColour(palette()));
+        QColor wash = errorColour(palette());
+        wash.setAlpha(48);
+        wave.setBackground(wash);
+        mark(m_problem.first, m_problem.second, wave);
+    }
+    setExtraSelections(marks);
+}
+
+bool GrammarEdit::event(QEvent* event)
+{
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore(); // the document's undo, not the text's
+            return false;
+        }
+    }
+    return QPlainTextEdit::event(event);
+}
+
+void GrammarEdit::changeEvent(QEvent* event)
+{
+    QPlainTextEdit::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && m_highlighter) {
+        m_highlighter->setColours(palette());
+        updateMarks();
+    }
+}
+
+void GrammarEdit::keyPressEvent(QKeyEvent* event)
+{
+    const bool newLine = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (newLine && !m_rules)
+        return;
+    const bool deleting = isDeleting(event);
+    if (newLine || isMoving(event) ||
+        (deleting != m_lastWasDeleting && (deleting || !event->text().isEmpty())))
+        emit gestureBroken();
+    if (deleting || !event->text().isEmpty())
+        m_lastWasDeleting = deleting;
+    QPlainTextEdit::keyPressEvent(event);
+}
+
+void GrammarEdit::mousePressEvent(QMouseEvent* event)
+{
+    emit gestureBroken();
+    QPlainTextEdit::mousePressEvent(event);
+}
+
+void GrammarEdit::focusInEvent(QFocusEvent* event)
+{
+    QPlainTextEdit::focusInEvent(event);
+    emit gestureBroken();
+}
+
+void GrammarEdit::focusOutEvent(QFocusEvent* event)
+{
+    QPlainTextEdit::focusOutEvent(event);
+    emit gestureBroken();
+}
+
+void GrammarEdit::insertFromMimeData(const QMimeData* source)
+{
+    emit gestureBroken();
+    if (m_rules) {
+        QPlainTextEdit::insertFromMimeData(source);
+    } else {
+        QString text = source->text();
+        textCursor().insertText(text.remove(u'\n').remove(u'\r'));
+    }
+    emit gestureBroken();
+}
+
+void GrammarEdit::wheelEvent(QWheelEvent* event)
+{
+    // Without the focus, or with nothing to scroll, the wheel belongs to the panel.
+    if (!hasFocus() || verticalScrollBar()->maximum() == 0)
+        event->ignore();
+    else
+        QPlainTextEdit::wheelEvent(event);
+}
+
+void GrammarEdit::resizeEvent(QResizeEvent* event)
+{
+    QPlainTextEdit::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width())
+        fitHeight();
+}
+
+int GrammarEdit::contentHeight() const
+{
+    int lines = 0;
+    for (QTextBlock block = document()->begin(); block.isValid() && lines < mostLines; block = block.next()) {
+        block.layout();
+        lines += std::max(1, block.lineCount());
+    }
+    lines = std::clamp(lines, m_rules ? 3 : 1, mostLines);
+    const double margins = 2.0 * document()->documentMargin() + 2.0 * frameWidth();
+    return static_cast<int>(lines * fontMetrics().lineSpacing() + margins) + 2;
+}
+
+void GrammarEdit::fitHeight()
+{
+    const int height = contentHeight();
+    if (minimumHeight() != height || maximumHeight() != height)
+        setFixedHeight(height);
+}
+
+QSize GrammarEdit::sizeHint() const
+{
+    return {200, contentHeight()};
+}
+
+QSize GrammarEdit::minimumSizeHint() const
+{
+    return {60, contentHeight()};
+}
+
+} // namespace ramure

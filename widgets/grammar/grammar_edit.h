@@ -1,0 +1,64 @@
+/// \file
+/// A text editor for axioms and rules: colours, matching brackets, the place of an error underlined. It grows
+/// with its text. Undo belongs to the document.
+#pragma once
+
+#include <QPlainTextEdit>
+
+namespace ramure {
+
+class GrammarHighlighter;
+
+class GrammarEdit : public QPlainTextEdit
+{
+    Q_OBJECT
+public:
+    /// \param rules true: several lines of rules; false: an axiom, whose new lines are dropped.
+    GrammarEdit(bool rules, QWidget* parent);
+
+    /// Replaces the text and keeps the cursor's place where it can; never emits edited().
+    void showText(const QString& text);
+    /// Underlines the place of an error. \param line 1-based, 0 = no error. \param column 1-based, counted in
+    /// bytes as the core does; 0 = the whole line.
+    void showProblem(int line, int column);
+    /// First and last character that are underlined, for tests and the status bar; (-1, -1) without a
+    /// problem.
+    [[nodiscard]] std::pair<int, int> problemRange() const { return m_problem; }
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+    void edited(const QString& text);
+    /// A pause in typing: another line, deleting after writing, another place. What follows is another undo
+    /// step.
+    void gestureBroken();
+
+protected:
+    bool event(QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void insertFromMimeData(const QMimeData* source) override;
+
+private:
+    void updateMarks();
+    void fitHeight();
+    [[nodiscard]] int contentHeight() const;
+
+    bool m_rules;
+    bool m_showing = false;
+    bool m_lastWasDeleting = false;
+    std::pair<int, int> m_problem{-1, -1};
+    GrammarHighlighter* m_highlighter = nullptr;
+};
+
+/// The bracket that belongs to the one at \p position, or -1. Escaped brackets (after a backquote) do not
+/// count.
+int matchingBracket(const QString& text, int position);
+
+} // namespace ramure

@@ -1,0 +1,325 @@
+#include "widgets/main_window/main_window.h"
+
+#include "widgets/actions/action_set.h"
+#include "widgets/actions/chooser.h"
+#include "widgets/actions/edit_actions.h"
+#include "widgets/actions/file_actions.h"
+#include "widgets/actions/view_actions.h"
+#include "widgets/export/export_dialog.h"
+#include "widgets/history/history_dock.h"
+#include "widgets/inspector/branch_inspector.h"
+#include "widgets/main_window/about_dialog.h"
+#include "widgets/main_window/message_banner.h"
+#include "widgets/main_window/problem_button.h"
+#include "widgets/main_window/status_panel.h"
+#include "widgets/properties/properties_panel.h"
+#include "widgets/scene/scene_panel.h"
+#include "widgets/support/preferences.h"
+#include "widgets/validation/validation_panel.h"
+#include "widgets/viewport/viewport.h"
+#include "widgets/viewport/viewport_host.h"
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDir>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace ramure {
+namespace {
+
+constexpr int messageMs = 6000;
+constexpr int layoutVersion = 1; ///< of saveState; another one means another set of docks
+
+QString droppedFile(const QMimeData* data)
+{
+    const QList<QUrl> urls = data->urls();
+    if (urls.size() != 1 || !urls.front().isLocalFile())
+        return {};
+    const QString path = urls.front().toLocalFile();
+    return path.endsWith(QStringLiteral(".ramure"), Qt::CaseInsensitive) ? path : QString();
+}
+
+} // namespace
+
+MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* preferences, Chooser* chooser,
+                       QWidget* parent)
+    : QMainWindow(parent)
+    , m_document(document)
+    , m_recompute(recompute)
+    , m_preferences(preferences)
+    , m_chooser(chooser)
+    , m_actions(new ActionSet(this))
+    , m_banner(new MessageBanner(this))
+    , m_host(new ViewportHost(document, this))
+{
+    setObjectName(QStringLiteral("mainWindow"));
+    setAcceptDrops(true);
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks | GroupedDragging);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    auto* centre = new QWidget(this);
+    auto* layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_banner);
+    layout->addWidget(m_host, 1);
+    setCentralWidget(centre);
+
+    buildDocks();
+    buildActions();
+    buildMenus();
+    buildToolBar();
+    buildStatusBar();
+    connectPanels();
+    connect(m_document, &Document::changed, this, &MainWindow::follow);
+    connect(m_document->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
+    qApp->installEventFilter(new SpaceKeeper(this));
+    retranslate();
+    restoreLayout();
+}
+
+MainWindow::~MainWindow() = default;
+
+QDockWidget* MainWindow::addPanel(const QString& name, QWidget* content, Qt::DockWidgetArea area)
+{
+    auto* dock = new QDockWidget(this);
+    dock->setObjectName(name);
+    dock->setWidget(content);
+    addDockWidget(area, dock);
+    // Among tabs the tab is the title.
+    auto* noTitle = new QWidget(dock);
+    // An empty layout: without one the size hint, and with it the dock's height, would be negative.
+    (new QVBoxLayout(noTitle))->setContentsMargins(0, 0, 0, 0);
+    const auto chooseTitle = [this, dock, noTitle] {
+        const bool tabbed = !dock->isFloating() && !tabifiedDockWidgets(dock).isEmpty();
+        if (tabbed == (dock->titleBarWidget() == noTitle))
+            return;
+        dock->setTitleBarWidget(tabbed ? noTitle : nullptr);
+        noTitle->setVisible(tabbed);
+    };
+    connect(dock, &QDockWidget::topLevelChanged, dock, chooseTitle, Qt::QueuedConnection);
+    connect(dock, &QDockWidget::visibilityChanged, dock, chooseTitle, Qt::QueuedConnection);
+    connect(dock, &QDockWidget::dockLocationChanged, dock, chooseTitle, Qt::QueuedConnection);
+    return dock;
+}
+
+void MainWindow::buildDocks()
+{
+    m_scene = new ScenePanel(m_document, this);
+    m_properties = new PropertiesPanel(m_document, m_preferences, this);
+    m_history = new HistoryDock(m_document, this);
+    m_inspector = new BranchInspector(m_document, this);
+    m_validation = new ValidationPanel(m_document, this);
+    m_sceneDock = addPanel(QStringLiteral("sceneDock"), m_scene, Qt::RightDockWidgetArea);
+    m_historyDock = addPanel(QStringLiteral("historyDock"), m_history, Qt::RightDockWidgetArea);
+    m_propertiesDock = addPanel(QStringLiteral("propertiesDock"), m_properties, Qt::RightDockWidgetArea);
+    m_inspectorDock = addPanel(QStringLiteral("inspectorDock"), m_inspector, Qt::RightDockWidgetArea);
+    m_validationDock = addPanel(QStringLiteral("validationDock"), m_validation, Qt::RightDockWidgetArea);
+}
+
+void MainWindow::resetLayout()
+{
+    for (QDockWidget* dock :
+         {m_sceneDock, m_historyDock, m_propertiesDock, m_inspectorDock, m_validationDock}) {
+        dock->setFloating(false);
+        addDockWidget(Qt::RightDockWidgetArea, dock);
+        dock->show();
+    }
+    splitDockWidget(m_sceneDock, m_propertiesDock, Qt::Vertical);
+    tabifyDockWidget(m_sceneDock, m_historyDock);
+    tabifyDockWidget(m_propertiesDock, m_inspectorDock);
+    tabifyDockWidget(m_inspectorDock, m_validationDock);
+    m_sceneDock->raise();
+    m_propertiesDock->raise();
+    m_toolBar->show();
+    resizeDocks({m_sceneDock, m_propertiesDock}, {220, 520}, Qt::Vertical);
+    resizeDocks({m_sceneDock}, {384}, Qt::Horizontal);
+}
+
+void MainWindow::restoreLayout()
+{
+    resize(1280, 800);
+    resetLayout();
+    restoreGeometry(m_preferences->windowGeometry());
+    restoreState(m_preferences->windowState(), layoutVersion);
+}
+
+void MainWindow::buildActions()
+{
+    m_files = new FileActions(m_document, m_preferences, m_chooser, m_actions, this);
+    m_edits = new EditActions(m_document, m_chooser, m_actions, this);
+    m_views = new ViewActions(m_host, m_preferences, m_actions, this);
+    m_search = m_actions->add(
+        {"view.search", QT_TRANSLATE_NOOP("Actions", "Find a &parameter"), "search", QKeySequence::Find});
+    m_resetLayout =
+        m_actions->add({"view.resetLayout", QT_TRANSLATE_NOOP("Actions", "Reset the &layout"), nullptr, {}});
+    m_about = m_actions->add({"help.about", QT_TRANSLATE_NOOP("Actions", "&About Ramure"), "about", {}});
+    m_about->setMenuRole(QAction::AboutRole);
+    connect(m_search, &QAction::triggered, this, [this] {
+        m_propertiesDock->show();
+        m_propertiesDock->raise();
+        m_properties->focusSearch();
+    });
+    connect(m_resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
+    connect(m_about, &QAction::triggered, this, [this] {
+        auto* dialog = new AboutDialog(this);
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->open();
+    });
+    connect(m_files, &FileActions::exportRequested, this, &MainWindow::showExportDialog);
+    connect(m_files, &FileActions::quitRequested, this, &QWidget::close);
+    connect(m_edits, &EditActions::renameRequested, this, [this] {
+        m_sceneDock->show();
+        m_sceneDock->raise();
+        m_scene->renameActive();
+    });
+}
+
+void MainWindow::buildMenus()
+{
+    m_fileMenu = menuBar()->addMenu(QString());
+    m_files->fillMenu(m_fileMenu);
+    m_editMenu = menuBar()->addMenu(QString());
+    m_edits->fillMenu(m_editMenu);
+    m_editMenu->addSeparator();
+    m_editMenu->addAction(m_search);
+    m_viewMenu = menuBar()->addMenu(QString());
+    m_views->fillMenu(m_viewMenu,
+                      {m_sceneDock->toggleViewAction(), m_propertiesDock->toggleViewAction(),
+                       m_inspectorDock->toggleViewAction(), m_validationDock->toggleViewAction(),
+                       m_historyDock->toggleViewAction()},
+                      m_resetLayout);
+    m_helpMenu = menuBar()->addMenu(QString());
+    m_helpMenu->addAction(m_about);
+    m_scene->setMenuActions(m_edits->nodeActions());
+}
+
+void MainWindow::buildToolBar()
+{
+    m_toolBar = addToolBar(QString());
+    m_toolBar->setObjectName(QStringLiteral("mainToolBar"));
+    m_toolBar->setMovable(false);
+    m_toolBar->setIconSize({18, 18});
+    m_toolBar->addActions({m_files->openAction(), m_files->saveAction(), m_files->exportAction()});
+    m_toolBar->addSeparator();
+    m_toolBar->addActions({m_edits->undoAction(), m_edits->redoAction()});
+    m_toolBar->addSeparator();
+    m_toolBar->addAction(m_edits->newTreeAction());
+    m_toolBar->addSeparator();
+    m_toolBar->addActions(m_views->modeActions());
+    m_toolBar->addSeparator();
+    m_toolBar->addActions({m_views->frameAllAction(), m_views->frameSelectionAction()});
+    auto* newTree = qobject_cast<QToolButton*>(m_toolBar->widgetForAction(m_edits->newTreeAction()));
+    newTree->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+}
+
+void MainWindow::buildStatusBar()
+{
+    statusBar()->setSizeGripEnabled(false);
+    m_problem = new ProblemButton(m_document, this);
+    m_status = new StatusPanel(m_document, m_recompute, this);
+    statusBar()->addWidget(m_problem, 1);
+    statusBar()->addPermanentWidget(m_status);
+}
+
+void MainWindow::connectPanels()
+{
+    const auto say = [this](const QString& text) { statusBar()->showMessage(text, messageMs); };
+    connect(m_scene, &ScenePanel::messageRaised, this, say);
+    connect(m_inspector, &BranchInspector::messageRaised, this, say);
+    connect(m_validation, &ValidationPanel::messageRaised, this, say);
+    connect(m_problem, &ProblemButton::paramRequested, this, [this](const QString& key) {
+        m_propertiesDock->show();
+        m_propertiesDock->raise();
+        m_properties->showParam(key);
+    });
+    Viewport* view = m_host->viewport();
+    if (!view)
+        return;
+    connect(m_inspector, &BranchInspector::sectionInspected, view, &Viewport::setInspectedSection);
+    connect(m_inspector, &BranchInspector::sectionLeft, view, &Viewport::clearInspectedSection);
+    connect(m_validation, &ValidationPanel::defectActivated, view,
+            [view](NodeId, const DefectPlace& place) { view->frameBox(place.box); });
+}
+
+void MainWindow::follow(const Change& change)
+{
+    if (change.has(changeFile | changeReset))
+        updateTitle();
+}
+
+void MainWindow::updateTitle()
+{
+    setWindowTitle(QStringLiteral("%1[*] – Ramure").arg(m_files->documentName()));
+    setWindowFilePath(m_document->filePath());
+    setWindowModified(m_document->isModified());
+}
+
+void MainWindow::showExportDialog()
+{
+    auto* dialog = new ExportDialog(m_document, m_recompute, m_preferences, m_chooser, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &ExportDialog::exported, this, [this](const QString& path) {
+        statusBar()->showMessage(tr("Exported to %1").arg(QDir::toNativeSeparators(path)), messageMs);
+    });
+    dialog->open();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!m_files->mayDiscard()) {
+        event->ignore();
+        return;
+    }
+    m_preferences->setWindow(saveGeometry(), saveState(layoutVersion));
+    event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QMainWindow::changeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (!droppedFile(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    const QString path = droppedFile(event->mimeData());
+    if (path.isEmpty())
+        return;
+    event->acceptProposedAction();
+    // After the drag has ended: the question about unsaved changes must not hold the other program.
+    QMetaObject::invokeMethod(
+        this, [this, path] { m_files->openFile(path); }, Qt::QueuedConnection);
+}
+
+void MainWindow::retranslate()
+{
+    m_actions->retranslate();
+    m_files->retranslate();
+    m_edits->retranslate();
+    m_views->retranslate();
+    m_fileMenu->setTitle(tr("&File"));
+    m_editMenu->setTitle(tr("&Edit"));
+    m_viewMenu->setTitle(tr("&View"));
+    m_helpMenu->setTitle(tr("&Help"));
+    m_toolBar->setWindowTitle(tr("Toolbar"));
+    m_sceneDock->setWindowTitle(tr("Scene"));
+    m_propertiesDock->setWindowTitle(tr("Properties"));
+    m_historyDock->setWindowTitle(tr("History"));
+    m_inspectorDock->setWindowTitle(tr("Inspector"));
+    m_validationDock->setWindowTitle(tr("Validation"));
+    updateTitle();
+}
+
+} // namespace ramure

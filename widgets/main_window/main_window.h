@@ -1,0 +1,100 @@
+/// \file
+/// The window: builds menus, toolbar, docks and status bar, and connects them. Everything else is elsewhere.
+#pragma once
+
+#include "core/document/document.h"
+#include <QMainWindow>
+
+namespace ramure {
+
+class ActionSet;
+class BranchInspector;
+class Chooser;
+class EditActions;
+class FileActions;
+class HistoryDock;
+class MessageBanner;
+class Preferences;
+class ProblemButton;
+class PropertiesPanel;
+class Recompute;
+class ScenePanel;
+class StatusPanel;
+class ValidationPanel;
+class ViewActions;
+class ViewportHost;
+
+class MainWindow : public QMainWindow
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the window.
+    MainWindow(Document* document, Recompute* recompute, Preferences* preferences, Chooser* chooser,
+               QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    [[nodiscard]] FileActions* files() const { return m_files; }
+    [[nodiscard]] EditActions* edits() const { return m_edits; }
+    [[nodiscard]] ActionSet* actionSet() const { return m_actions; }
+    [[nodiscard]] MessageBanner* banner() const { return m_banner; }
+    [[nodiscard]] PropertiesPanel* properties() const { return m_properties; }
+    [[nodiscard]] ScenePanel* scenePanel() const { return m_scene; }
+    [[nodiscard]] StatusPanel* status() const { return m_status; }
+    [[nodiscard]] ProblemButton* problem() const { return m_problem; }
+    [[nodiscard]] ViewportHost* viewportHost() const { return m_host; }
+
+    void showExportDialog();
+    void resetLayout();
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    QDockWidget* addPanel(const QString& name, QWidget* content, Qt::DockWidgetArea area);
+    void buildDocks();
+    void buildActions();
+    void buildMenus();
+    void buildToolBar();
+    void buildStatusBar();
+    void connectPanels();
+    void follow(const Change& change);
+    void updateTitle();
+    void restoreLayout();
+    void retranslate();
+
+    Document* m_document;
+    Recompute* m_recompute;
+    Preferences* m_preferences;
+    Chooser* m_chooser;
+    ActionSet* m_actions;
+    MessageBanner* m_banner;
+    ViewportHost* m_host;
+    ScenePanel* m_scene = nullptr;
+    PropertiesPanel* m_properties = nullptr;
+    HistoryDock* m_history = nullptr;
+    BranchInspector* m_inspector = nullptr;
+    ValidationPanel* m_validation = nullptr;
+    StatusPanel* m_status = nullptr;
+    ProblemButton* m_problem = nullptr;
+    FileActions* m_files = nullptr;
+    EditActions* m_edits = nullptr;
+    ViewActions* m_views = nullptr;
+    QAction* m_resetLayout = nullptr;
+    QAction* m_search = nullptr;
+    QAction* m_about = nullptr;
+    QMenu* m_fileMenu = nullptr;
+    QMenu* m_editMenu = nullptr;
+    QMenu* m_viewMenu = nullptr;
+    QMenu* m_helpMenu = nullptr;
+    QToolBar* m_toolBar = nullptr;
+    QDockWidget* m_sceneDock = nullptr;
+    QDockWidget* m_propertiesDock = nullptr;
+    QDockWidget* m_historyDock = nullptr;
+    QDockWidget* m_inspectorDock = nullptr;
+    QDockWidget* m_validationDock = nullptr;
+};
+
+} // namespace ramure

@@ -1,0 +1,202 @@
+#include "widgets/main_window/status_panel.h"
+
+#include "core/document/recompute.h"
+#include "widgets/theme/icons.h"
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QStyle>
+#include <QTimer>
+#include <QToolButton>
+
+namespace ramure {
+namespace {
+
+constexpr int patienceMs = 300;
+constexpr int progressSteps = 1000;
+
+} // namespace
+
+SceneTotals sceneTotals(const Document& document)
+{
+    SceneTotals totals;
+    for (const Node& node : document.scene().nodes()) {
+        if (node.kind != NodeKind::Tree)
+            continue;
+        ++totals.trees;
+        const NodeResult* result = document.result(node.id);
+        if (!result)
+            continue;
+        totals.failed = totals.failed || result->error.has_value();
+        totals.draft = totals.draft || result->draft;
+        totals.seconds += result->tree.seconds;
+        if (result->tree.simplified)
+            totals.branches += result->tree.simplified->skeleton.size();
+        if (!result->tree.report)
+            continue;
+        ++totals.results;
+        const MeshReport& report = *result->tree.report;
+        totals.vertices += report.vertices;
+        totals.faces += report.faces;
+        totals.valid = totals.valid && report.valid;
+        totals.reports.emplace_back(QString::fromStdString(node.name), result->tree.report);
+    }
+    return totals;
+}
+
+StatusPanel::StatusPanel(Document* document, Recompute* recompute, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_recompute(recompute)
+    , m_progress(new QProgressBar(this))
+    , m_cancel(new QToolButton(this))
+    , m_counts(new QLabel(this))
+    , m_time(new QLabel(this))
+    , m_badge(new QLabel(this))
+    , m_patience(new QTimer(this))
+{
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(8, 3, 8, 3);
+    layout->setSpacing(12);
+    m_progress->setRange(0, progressSteps);
+    m_progress->setTextVisible(false);
+    m_progress->setFixedWidth(120);
+    m_cancel->setAutoRaise(true);
+    m_cancel->setIcon(icon("cancel"));
+    m_cancel->setIconSize({14, 14});
+    m_time->setObjectName(QStringLiteral("dim"));
+    m_badge->setObjectName(QStringLiteral("badge"));
+    for (QWidget* widget : {static_cast<QWidget*>(m_progress), static_cast<QWidget*>(m_cancel)}) {
+        layout->addWidget(widget);
+        widget->hide();
+    }
+    layout->addWidget(m_counts);
+    layout->addWidget(m_time);
+    layout->addWidget(m_badge);
+    m_patience->setSingleShot(true);
+    m_patience->setInterval(patienceMs);
+    connect(m_patience, &QTimer::timeout, this, [this] { showBusy(m_recompute->isBusy()); });
+    connect(m_cancel, &QToolButton::clicked, m_recompute, &Recompute::cancel);
+    connect(m_recompute, &Recompute::busyChanged, this, [this](bool busy) {
+        if (busy) {
+            m_progress->setValue(0);
+            m_patience->start();
+        } else {
+            m_patience->stop();
+            showBusy(false);
+        }
+        update();
+    });
+    connect(m_recompute, &Recompute::progress, this,
+            [this](double fraction) { m_progress->setValue(static_cast<int>(fraction * progressSteps)); });
+    connect(m_document, &Document::changed, this, [this](const Change& change) {
+        if (change.has(changeResults | changeReset | changeStructure))
+            update();
+    });
+    retranslate();
+}
+
+QString StatusPanel::countsText() const
+{
+    return m_counts->text();
+}
+
+QString StatusPanel::badgeState() const
+{
+    return m_badge->property("state").toString();
+}
+
+void StatusPanel::showBusy(bool busy)
+{
+    m_progress->setVisible(busy);
+    m_cancel->setVisible(busy);
+}
+
+void StatusPanel::setBadge(const QString& state, const QString& text, const QString& tip)
+{
+    m_badge->setText(text);
+    m_badge->setToolTip(tip);
+    m_badge->setAccessibleName(text);
+    if (badgeState() == state)
+        return;
+    m_badge->setProperty("state", state);
+    m_badge->style()->unpolish(m_badge);
+    m_badge->style()->polish(m_badge);
+}
+
+QString StatusPanel::reportTip(const SceneTotals& totals) const
+{
+    const QLocale locale;
+    QString tip;
+    for (const auto& [name, report] : totals.reports) {
+        const std::pair<QString, quint64> counts[] = {
+            {tr("Boundary edges"), report->boundaryEdges},
+            {tr("Non-manifold edges"), report->nonManifoldEdges},
+            {tr("Non-manifold vertices"), report->nonManifoldVertices},
+            {tr("Inconsistent edges"), report->inconsistentEdges},
+            {tr("Duplicate vertices"), report->duplicateVertices},
+            {tr("Duplicate faces"), report->duplicateFaces},
+            {tr("Degenerate faces"), report->degenerateFaces},
+            {tr("Isolated vertices"), report->isolatedVertices},
+            {tr("Components"), report->components},
+        };
+        QString rows;
+        for (const auto& [label, count] : counts)
+            rows += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td align=right>%2</td></tr>")
+                        .arg(label, locale.toString(count));
+        rows += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td align=right>%2</td></tr>")
+                    .arg(tr("Euler characteristic"), locale.toString(qint64{report->eulerCharacteristic}));
+        tip += QStringLiteral("<p><b>%1</b></p><table>%2</table>").arg(name.toHtmlEscaped(), rows);
+    }
+    return tip;
+}
+
+void StatusPanel::update()
+{
+    const SceneTotals totals = sceneTotals(*m_document);
+    const QLocale locale;
+    if (totals.results == 0) {
+        m_counts->setText(totals.trees == 0 ? tr("No trees") : QString());
+        m_time->clear();
+    } else {
+        m_counts->setText(tr("%1 branches  ·  %2 vertices  ·  %3 faces")
+                              .arg(locale.toString(totals.branches), locale.toString(totals.vertices),
+                                   locale.toString(totals.faces)));
+        const double ms = totals.seconds * 1000.0;
+        m_time->setText(ms < 1000.0 ? tr("%1 ms").arg(locale.toString(ms, 'f', ms < 10.0 ? 1 : 0))
+                                    : tr("%1 s").arg(locale.toString(totals.seconds, 'f', 1)));
+    }
+    m_badge->setVisible(totals.trees > 0);
+    if (totals.failed)
+        setBadge(QStringLiteral("bad"), tr("error"),
+                 tr("The parameters give no tree; you see the last one that worked."));
+    else if (totals.results < totals.trees || totals.draft || m_recompute->isBusy())
+        setBadge(QStringLiteral("busy"), tr("computing…"),
+                 tr("A quick draft is shown until the full result is there."));
+    else if (totals.valid)
+        setBadge(QStringLiteral("good"), tr("valid"),
+                 tr("<p>Closed, 2-manifold and outward: every edge has two faces.</p>") + reportTip(totals));
+    else
+        setBadge(QStringLiteral("bad"), tr("not valid"), reportTip(totals));
+}
+
+void StatusPanel::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+void StatusPanel::retranslate()
+{
+    m_cancel->setToolTip(tr("Stop computing; the draft stays"));
+    m_cancel->setAccessibleName(tr("Stop computing"));
+    m_progress->setAccessibleName(tr("Progress of the computation"));
+    m_time->setToolTip(tr("Time to build the trees, without drawing"));
+    m_counts->setToolTip(tr("Branches after simplification; vertices and faces of the branch meshes"));
+    update();
+}
+
+} // namespace ramure

@@ -1,0 +1,62 @@
+/// \file
+/// The right end of the status bar: progress with cancel, counts, build time, and whether the mesh is valid.
+#pragma once
+
+#include "core/document/document.h"
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QTimer;
+class QToolButton;
+
+namespace ramure {
+
+class Recompute;
+
+/// What the status bar counts, over all trees of the scene.
+struct SceneTotals
+{
+    Index trees = 0, results = 0;
+    quint64 branches = 0, vertices = 0, faces = 0;
+    double seconds = 0.0;
+    bool draft = false;
+    bool failed = false; ///< a tree has an error
+    bool valid = true;   ///< every report says so
+    /// By the tree's name; none is null.
+    std::vector<std::pair<QString, std::shared_ptr<const MeshReport>>> reports;
+};
+SceneTotals sceneTotals(const Document& document);
+
+class StatusPanel : public QWidget
+{
+    Q_OBJECT
+public:
+    /// Neither is owned; both must outlive the panel.
+    StatusPanel(Document* document, Recompute* recompute, QWidget* parent = nullptr);
+
+    [[nodiscard]] QString countsText() const;
+    /// "good", "bad", "warning" or "busy".
+    [[nodiscard]] QString badgeState() const;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void update();
+    void setBadge(const QString& state, const QString& text, const QString& tip);
+    void showBusy(bool busy);
+    void retranslate();
+    [[nodiscard]] QString reportTip(const SceneTotals& totals) const;
+
+    Document* m_document;
+    Recompute* m_recompute;
+    QProgressBar* m_progress;
+    QToolButton* m_cancel;
+    QLabel* m_counts;
+    QLabel* m_time;
+    QLabel* m_badge;
+    QTimer* m_patience; ///< short work shows no progress
+};
+
+} // namespace ramure

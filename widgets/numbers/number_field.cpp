@@ -1,0 +1,197 @@
+#include "widgets/numbers/number_field.h"
+
+#include "widgets/support/core_text.h"
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QStyle>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+namespace ramure {
+
+NumberField::NumberField(QWidget* parent)
+    : QAbstractSpinBox(parent)
+{
+    setButtonSymbols(NoButtons);
+    setKeyboardTracking(false);
+    setFocusPolicy(Qt::StrongFocus); // not by the wheel: scrolling a panel must change nothing
+    setAlignment(Qt::AlignRight);
+    lineEdit()->setPlaceholderText(QStringLiteral("—"));
+    showValue();
+}
+
+void NumberField::setFormat(const NumberFormat& format)
+{
+    m_format = format;
+    showValue();
+    updateGeometry();
+}
+
+void NumberField::setRange(double minimum, double maximum)
+{
+    m_minimum = minimum;
+    m_maximum = maximum;
+}
+
+void NumberField::setStep(double step)
+{
+    m_step = step;
+}
+
+void NumberField::setValue(std::optional<double> value)
+{
+    m_value = value;
+    if (!lineEdit()->isModified())
+        showValue();
+}
+
+void NumberField::showValue()
+{
+    const QString text = m_value ? m_format.text(*m_value) : QString();
+    if (lineEdit()->text() != text) {
+        const bool selected = lineEdit()->hasSelectedText();
+        lineEdit()->setText(text);
+        if (selected)
+            lineEdit()->selectAll();
+    }
+    lineEdit()->setModified(false);
+}
+
+void NumberField::edit(double value)
+{
+    const double held = std::clamp(m_format.whole ? std::round(value) : value, m_minimum, m_maximum);
+    const bool differs = !m_value || *m_value != held;
+    m_value = held;
+    showValue();
+    if (differs)
+        emit valueEdited(held);
+}
+
+void NumberField::commit(bool keepBadText)
+{
+    if (!lineEdit()->isModified())
+        return;
+    const auto value = m_format.parse(lineEdit()->text());
+    if (value) {
+        setRefusal({});
+        edit(*value);
+        return;
+    }
+    if (keepBadText) {
+        setRefusal(errorText(value.error()));
+        return;
+    }
+    setRefusal({});
+    showValue();
+}
+
+void NumberField::setRefusal(const QString& reason)
+{
+    if (!m_refused && reason.isEmpty())
+        return;
+    m_refused = !reason.isEmpty();
+    setProperty("refused", m_refused); // the style sheet draws a red frame
+    style()->unpolish(this);
+    style()->polish(this);
+    emit refused(reason);
+}
+
+void NumberField::stepBy(int steps)
+{
+    commit(false);
+    const double step = m_format.whole ? std::max(1.0, m_step * m_stepFactor) : m_step * m_stepFactor;
+    const double from = m_value.value_or(std::clamp(0.0, m_minimum, m_maximum));
+    edit(from + steps * step);
+}
+
+bool NumberField::event(QEvent* event)
+{
+    // Ctrl+Z belongs to the document unless a text is being typed.
+    if (event->type() == QEvent::ShortcutOverride && !lineEdit()->isModified()) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+            event->ignore();
+            return false;
+        }
+    }
+    return QAbstractSpinBox::event(event);
+}
+
+void NumberField::focusInEvent(QFocusEvent* event)
+{
+    QAbstractSpinBox::focusInEvent(event);
+    if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason)
+        selectAll();
+    emit gestureBegan();
+}
+
+void NumberField::focusOutEvent(QFocusEvent* event)
+{
+    commit(false);
+    QAbstractSpinBox::focusOutEvent(event);
+    emit gestureEnded();
+}
+
+void NumberField::keyPressEvent(QKeyEvent* event)
+{
+    switch (event->key()) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        commit(true);
+        if (!m_refused)
+            selectAll();
+        return;
+    case Qt::Key_Escape:
+        if (lineEdit()->isModified() || m_refused) {
+            setRefusal({});
+            showValue();
+            selectAll();
+            return;
+        }
+        event->ignore();
+        return;
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+        m_stepFactor = event->modifiers().testFlag(Qt::ShiftModifier)     ? 0.1
+                       : event->modifiers().testFlag(Qt::ControlModifier) ? 10.0
+                                                                          : 1.0;
+        stepBy(event->key() == Qt::Key_Up ? 1 : -1);
+        m_stepFactor = 1.0;
+        return;
+    case Qt::Key_PageUp:
+    case Qt::Key_PageDown:
+        stepBy(event->key() == Qt::Key_PageUp ? 10 : -10);
+        return;
+    default:
+        QAbstractSpinBox::keyPressEvent(event);
+    }
+}
+
+void NumberField::wheelEvent(QWheelEvent* event)
+{
+    if (!hasFocus()) {
+        event->ignore(); // the panel scrolls
+        return;
+    }
+    const int steps = event->angleDelta().y() / 120;
+    if (steps != 0)
+        stepBy(steps);
+    event->accept();
+}
+
+QSize NumberField::sizeHint() const
+{
+    QSize size = QAbstractSpinBox::sizeHint();
+    size.setWidth(fontMetrics().horizontalAdvance(QStringLiteral("−000.00 m")) + 16);
+    return size;
+}
+
+QSize NumberField::minimumSizeHint() const
+{
+    QSize size = QAbstractSpinBox::minimumSizeHint();
+    size.setWidth(fontMetrics().horizontalAdvance(QStringLiteral("0.000°")) + 14);
+    return size;
+}
+
+} // namespace ramure

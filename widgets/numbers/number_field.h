@@ -1,0 +1,65 @@
+/// \file
+/// The program's only field for numbers: typing with arithmetic and units, arrow keys, the wheel only with
+/// the focus.
+#pragma once
+
+#include "widgets/numbers/number_format.h"
+#include <QAbstractSpinBox>
+#include <optional>
+
+namespace ramure {
+
+class NumberField : public QAbstractSpinBox
+{
+    Q_OBJECT
+public:
+    explicit NumberField(QWidget* parent = nullptr);
+
+    void setFormat(const NumberFormat& format);
+    /// What arrow keys and typing are held to, in the program's unit.
+    void setRange(double minimum, double maximum);
+    /// One arrow key; with Shift a tenth, with Ctrl or Page Up and Down ten times as much.
+    void setStep(double step);
+
+    /// Shows a value; std::nullopt: several nodes differ. Never emits. A text being typed stays.
+    void setValue(std::optional<double> value);
+    [[nodiscard]] std::optional<double> value() const { return m_value; }
+
+    void stepBy(int steps) override;
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+    /// The user gave another value, in the program's unit and inside the range.
+    void valueEdited(double value);
+    /// The text that was entered is no number; \p reason says why, in the interface's language. Empty: all is
+    /// well again.
+    void refused(const QString& reason);
+    void gestureBegan();
+    void gestureEnded();
+
+protected:
+    bool event(QEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    [[nodiscard]] StepEnabled stepEnabled() const override { return StepUpEnabled | StepDownEnabled; }
+
+private:
+    void showValue();
+    /// \param keepBadText leaves a text that is no number in place for another try.
+    void commit(bool keepBadText);
+    void setRefusal(const QString& reason);
+    void edit(double value);
+
+    NumberFormat m_format;
+    double m_minimum = -1e12;
+    double m_maximum = 1e12;
+    double m_step = 1.0;
+    double m_stepFactor = 1.0;
+    std::optional<double> m_value = 0.0;
+    bool m_refused = false;
+};
+
+} // namespace ramure

@@ -1,0 +1,41 @@
+#include "widgets/properties/grammar_editor.h"
+
+#include "widgets/grammar/grammar_edit.h"
+#include <QVBoxLayout>
+
+namespace ramure {
+
+GrammarEditor::GrammarEditor(const ParamDef& def, QWidget* parent)
+    : ParamEditor(def, parent)
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_edit = new GrammarEdit((def.flags & paramMultiline) != 0, this);
+    layout->addWidget(m_edit);
+    setFocusProxy(m_edit);
+    connect(m_edit, &GrammarEdit::edited, this,
+            [this](const QString& text) { emitEdit(text.toStdString()); });
+    connect(m_edit, &GrammarEdit::gestureBroken, this, &GrammarEditor::nextGesture);
+}
+
+void GrammarEditor::showValues(std::span<const ParamValue> values)
+{
+    const auto value = commonValue(values);
+    m_edit->showText(value ? QString::fromStdString(std::get<std::string>(*value)) : QString());
+    m_edit->setPlaceholderText(value ? QString() : QStringLiteral("—"));
+}
+
+void GrammarEditor::showProblem(const std::optional<Error>& error)
+{
+    const bool here = error && error->path == def().key;
+    // The axiom is one line: its errors may come with a column alone.
+    const int line = here && error->line == 0 && error->column > 0 ? 1 : here ? error->line : 0;
+    m_edit->showProblem(line, here ? error->column : 0);
+}
+
+void GrammarEditor::retranslate(const QString& name)
+{
+    m_edit->setAccessibleName(name);
+}
+
+} // namespace ramure

@@ -1,0 +1,63 @@
+/// \file
+/// A group of rows under a heading that folds them away, with a menu to copy, paste and reset the group.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+class QToolButton;
+class QVBoxLayout;
+
+namespace ramure {
+
+class ParamRow;
+
+class GroupSection : public QWidget
+{
+    Q_OBJECT
+public:
+    /// \param group English label of the group, as in the parameter table.
+    GroupSection(const char* group, QWidget* parent);
+
+    [[nodiscard]] const char* group() const { return m_group; }
+    [[nodiscard]] const std::vector<ParamRow*>& rows() const { return m_rows; }
+    void addRow(ParamRow* row);
+
+    [[nodiscard]] bool isFolded() const { return m_folded; }
+    void setFolded(bool folded);
+    /// Shows the rows that exist for the selected nodes and hold all \p words. While searching, neither folds
+    /// nor the "advanced" rows hide anything. Returns how many rows are shown.
+    int filter(std::uint8_t kinds, const QStringList& words);
+    void updateHeading();
+
+signals:
+    void foldedChanged();
+    void copyRequested();
+    void pasteRequested();
+    void resetRequested();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void applyVisibility();
+    void buildMenu();
+
+    const char* m_group;
+    std::vector<ParamRow*> m_rows;
+    QToolButton* m_heading = nullptr;
+    QToolButton* m_menuButton = nullptr;
+    QToolButton* m_advanced = nullptr;
+    QWidget* m_content = nullptr;
+    QVBoxLayout* m_contentLayout = nullptr;
+    QAction* m_copy = nullptr;
+    QAction* m_paste = nullptr;
+    QAction* m_reset = nullptr;
+    std::uint8_t m_kinds = 0;
+    QStringList m_words;
+    bool m_folded = false;
+    bool m_showAdvanced = false;
+};
+
+} // namespace ramure

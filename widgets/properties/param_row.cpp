@@ -1,0 +1,204 @@
+#include "widgets/properties/param_row.h"
+
+#include "widgets/properties/param_editor_factory.h"
+#include "widgets/support/core_text.h"
+#include "widgets/theme/icons.h"
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QToolButton>
+
+namespace ramure {
+namespace {
+
+QString unitText(const ParamDef& def, AngleUnit unit)
+{
+    switch (def.unit) {
+    case ParamUnit::Metre:
+        return ParamRow::tr("metres; also cm, mm, km, in, ft");
+    case ParamUnit::Radian:
+        return unit == AngleUnit::Degrees ? ParamRow::tr("degrees; also rad, turn, pi")
+                                          : ParamRow::tr("radians; also deg, turn, pi");
+    case ParamUnit::Degree:
+        return ParamRow::tr("degrees");
+    case ParamUnit::Ratio:
+        return ParamRow::tr("a ratio; also %");
+    case ParamUnit::Count:
+        return ParamRow::tr("a count");
+    case ParamUnit::None:
+        break;
+    }
+    return {};
+}
+
+QString defaultText(const ParamDef& def, AngleUnit unit)
+{
+    const ParamValue value = defaultValue(def);
+    const NumberFormat format = numberFormat(def, unit);
+    if (const auto* flag = std::get_if<bool>(&value))
+        return *flag ? ParamRow::tr("on") : ParamRow::tr("off");
+    if (const auto* whole = std::get_if<std::int64_t>(&value))
+        return format.text(static_cast<double>(*whole));
+    if (const auto* real = std::get_if<double>(&value))
+        return format.text(*real);
+    if (const auto* vector = std::get_if<glm::dvec3>(&value))
+        return QStringLiteral("%1, %2, %3")
+            .arg(format.text(vector->x), format.text(vector->y), format.text(vector->z));
+    return {}; // texts are too long to say here; the reset arrow shows them
+}
+
+} // namespace
+
+QString paramToolTip(const ParamDef& def, AngleUnit unit)
+{
+    QString text = QStringLiteral("<p><b>%1</b><br>%2</p>")
+                       .arg(coreText(def.label).toHtmlEscaped(), coreText(def.tooltip).toHtmlEscaped());
+    QStringList facts;
+    const auto add = [&](const QString& name, const QString& value) {
+        if (!value.isEmpty())
+            facts += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>")
+                         .arg(name, value.toHtmlEscaped());
+    };
+    add(ParamRow::tr("Unit"), unitText(def, unit));
+    add(ParamRow::tr("Range"), rangeText(def, unit));
+    add(ParamRow::tr("Default"), defaultText(def, unit));
+    add(ParamRow::tr("Key"), QString::fromLatin1(def.key));
+    return text + QStringLiteral("<table>%1</table>").arg(facts.join(QString()));
+}
+
+ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
+    : QWidget(parent)
+    , m_label(new QLabel(this))
+    , m_editor(makeParamEditor(def, this))
+    , m_reset(new QToolButton(this))
+    , m_message(new QLabel(this))
+{
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(3);
+    if (m_editor->isWide()) {
+        grid->addWidget(m_label, 0, 0, 1, 2);
+        grid->addWidget(m_reset, 0, 2);
+        grid->addWidget(m_editor, 1, 0, 1, 3);
+        grid->addWidget(m_message, 2, 0, 1, 3);
+    } else {
+        grid->addWidget(m_label, 0, 0);
+        grid->addWidget(m_editor, 0, 1);
+        grid->addWidget(m_reset, 0, 2);
+        grid->addWidget(m_message, 1, 0, 1, 3);
+    }
+    grid->setColumnStretch(1, 1);
+    m_label->setBuddy(m_editor);
+    m_reset->setAutoRaise(true);
+    m_reset->setIcon(icon("reset"));
+    m_reset->setIconSize({14, 14});
+    m_reset->setFocusPolicy(Qt::TabFocus);
+    QSizePolicy keepsPlace = m_reset->sizePolicy();
+    keepsPlace.setRetainSizeWhenHidden(true);
+    m_reset->setSizePolicy(keepsPlace);
+    m_reset->hide();
+    m_message->setObjectName(QStringLiteral("problem"));
+    m_message->setWordWrap(true);
+    m_message->hide();
+    connect(m_reset, &QToolButton::clicked, this, &ParamRow::resetRequested);
+    connect(m_editor, &ParamEditor::refused, this, &ParamRow::showRefusal);
+    retranslate();
+}
+
+QString ParamRow::message() const
+{
+    return m_message->isHidden() ? QString() : m_message->text();
+}
+
+void ParamRow::showValues(std::span<const ParamValue> values)
+{
+    m_editor->showValues(values);
+    const ParamValue standard = defaultValue(def());
+    m_changed = std::ranges::any_of(values, [&](const ParamValue& value) { return value != standard; });
+    m_reset->setVisible(m_changed);
+    QFont font = m_label->font();
+    font.setBold(m_changed);
+    m_label->setFont(font);
+    showRefusal({});
+}
+
+void ParamRow::showProblem(const std::optional<Error>& error)
+{
+    m_problem = error;
+    m_editor->showProblem(error);
+    showMessage();
+}
+
+void ParamRow::showRefusal(const QString& reason)
+{
+    m_refusal = reason;
+    showMessage();
+}
+
+void ParamRow::showMessage()
+{
+    QString text = m_refusal;
+    if (text.isEmpty() && m_problem) {
+        Error error = *m_problem;
+        error.path.clear(); // the row itself is the place
+        text = errorTextWithPlace(error);
+    }
+    if (!text.isEmpty())
+        text[0] = text[0].toUpper();
+    m_message->setText(text);
+    m_message->setVisible(!text.isEmpty());
+}
+
+void ParamRow::setAngleUnit(AngleUnit unit)
+{
+    m_angleUnit = unit;
+    m_editor->setAngleUnit(unit);
+    retranslate();
+}
+
+int ParamRow::labelWidth() const
+{
+    if (m_editor->isWide())
+        return 0;
+    QFont bold = m_label->font();
+    bold.setBold(true); // a changed value must not move its neighbours
+    return QFontMetrics(bold).horizontalAdvance(coreText(def().label)) + 2;
+}
+
+void ParamRow::setLabelWidth(int width)
+{
+    if (!m_editor->isWide())
+        m_label->setFixedWidth(width);
+}
+
+bool ParamRow::matches(const QStringList& words) const
+{
+    const QString text = (coreText(def().label) + u' ' + coreText(def().group) + u' ' +
+                          coreText(def().tooltip) + u' ' + QString::fromLatin1(def().key))
+                             .toLower();
+    return std::ranges::all_of(words, [&](const QString& word) { return text.contains(word); });
+}
+
+void ParamRow::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+void ParamRow::retranslate()
+{
+    const QString name = coreText(def().label);
+    m_label->setText(name);
+    m_editor->retranslate(name);
+    const QString tip = paramToolTip(def(), m_angleUnit);
+    m_label->setToolTip(tip);
+    m_editor->setToolTip(tip);
+    m_reset->setToolTip(tr("Back to the default"));
+    m_reset->setAccessibleName(tr("%1: back to the default").arg(name));
+    showMessage();
+}
+
+} // namespace ramure

@@ -1,0 +1,59 @@
+/// \file
+/// One parameter in the panel: label, editor, reset arrow, and a line for what is wrong.
+#pragma once
+
+#include "widgets/properties/param_editor.h"
+
+class QLabel;
+class QToolButton;
+
+namespace ramure {
+
+class ParamRow : public QWidget
+{
+    Q_OBJECT
+public:
+    ParamRow(const ParamDef& def, QWidget* parent);
+
+    [[nodiscard]] const ParamDef& def() const { return m_editor->def(); }
+    [[nodiscard]] ParamEditor* editor() const { return m_editor; }
+    [[nodiscard]] QToolButton* resetButton() const { return m_reset; }
+    /// The message below the editor, empty where all is well.
+    [[nodiscard]] QString message() const;
+
+    void showValues(std::span<const ParamValue> values);
+    /// The error of the computation that concerns this parameter.
+    void showProblem(const std::optional<Error>& error);
+    /// Why the last value was not taken; empty: it was.
+    void showRefusal(const QString& reason);
+    void setAngleUnit(AngleUnit unit);
+    void setLabelWidth(int width);
+    [[nodiscard]] int labelWidth() const;
+    /// \param words lower case; true where label, tooltip, group and key together hold all of them.
+    [[nodiscard]] bool matches(const QStringList& words) const;
+    [[nodiscard]] bool isChanged() const { return m_changed; }
+
+signals:
+    void resetRequested();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void showMessage();
+
+    QLabel* m_label = nullptr;
+    ParamEditor* m_editor = nullptr;
+    QToolButton* m_reset = nullptr;
+    QLabel* m_message = nullptr;
+    std::optional<Error> m_problem;
+    QString m_refusal;
+    AngleUnit m_angleUnit = AngleUnit::Degrees;
+    bool m_changed = false;
+};
+
+/// The tooltip of a parameter: what it does, unit, range, default, key. Rich text.
+QString paramToolTip(const ParamDef& def, AngleUnit unit);
+
+} // namespace ramure

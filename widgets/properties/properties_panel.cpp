@@ -1,0 +1,337 @@
+#include "widgets/properties/properties_panel.h"
+
+#include "core/document/commands.h"
+#include "widgets/properties/group_section.h"
+#include "widgets/properties/param_row.h"
+#include "widgets/support/core_text.h"
+#include "widgets/support/preferences.h"
+#include "widgets/support/targets.h"
+#include "widgets/theme/icons.h"
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <string_view>
+
+namespace ramure {
+
+PropertiesPanel::PropertiesPanel(Document* document, Preferences* preferences, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_preferences(preferences)
+{
+    setObjectName(QStringLiteral("propertiesPanel"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+
+    auto* head = new QWidget(this);
+    auto* headLayout = new QVBoxLayout(head);
+    headLayout->setContentsMargins(12, 8, 8, 8);
+    headLayout->setSpacing(6);
+    m_title = new QLabel(head);
+    m_title->setObjectName(QStringLiteral("panelTitle"));
+    m_title->setTextFormat(Qt::PlainText);
+    m_search = new QLineEdit(head);
+    m_search->setClearButtonEnabled(true);
+    m_search->addAction(icon("search"), QLineEdit::LeadingPosition);
+    m_problem = new QLabel(head);
+    m_problem->setObjectName(QStringLiteral("problem"));
+    m_problem->setWordWrap(true);
+    m_problem->hide();
+    headLayout->addWidget(m_title);
+    headLayout->addWidget(m_search);
+    headLayout->addWidget(m_problem);
+    layout->addWidget(head);
+
+    m_scroll = new QScrollArea(this);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_content = new QWidget(m_scroll);
+    m_content->setObjectName(QStringLiteral("propertiesContent"));
+    m_scroll->setWidget(m_content);
+    m_empty = new QLabel(this);
+    m_empty->setObjectName(QStringLiteral("hint"));
+    m_empty->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    m_empty->setWordWrap(true);
+    m_empty->setContentsMargins(24, 32, 24, 24);
+    layout->addWidget(m_empty, 1);
+    layout->addWidget(m_scroll, 1);
+
+    buildRows();
+    connect(m_search, &QLineEdit::textChanged, this, &PropertiesPanel::applyFilter);
+    connect(m_document, &Document::changed, this, &PropertiesPanel::follow);
+    connect(m_preferences, &Preferences::changed, this, &PropertiesPanel::applyPreferences);
+    applyPreferences();
+    retranslate();
+    takeTargets();
+}
+
+void PropertiesPanel::buildRows()
+{
+    auto* layout = new QVBoxLayout(m_content);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    for (const ParamDef& def : paramTable()) {
+        const auto sameGroup = [&](const GroupSection* s) {
+            return std::string_view(s->group()) == def.group;
+        };
+        auto found = std::ranges::find_if(m_sections, sameGroup);
+        if (found == m_sections.end()) {
+            auto* section = new GroupSection(def.group, m_content);
+            layout->addWidget(section);
+            connect(section, &GroupSection::copyRequested, this, [this, section] { copyGroup(section); });
+            connect(section, &GroupSection::pasteRequested, this, [this, section] { pasteGroup(section); });
+            connect(section, &GroupSection::resetRequested, this, [this, section] { resetGroup(section); });
+            connect(section, &GroupSection::foldedChanged, this, [this] {
+                QStringList folded;
+                for (const GroupSection* each : m_sections) {
+                    if (each->isFolded())
+                        folded += QString::fromLatin1(each->group());
+                }
+                m_preferences->setFoldedGroups(folded);
+            });
+            found = m_sections.insert(m_sections.end(), section);
+        }
+        auto* row = new ParamRow(def, m_content);
+        (*found)->addRow(row);
+        m_rows.push_back(row);
+        connect(row->editor(), &ParamEditor::valueEdited, this,
+                [this, row](const ParamValue& value, GestureId gesture) { setValue(row, value, gesture); });
+        connect(row->editor(), &ParamEditor::componentEdited, this,
+                [this, row](int axis, double value, GestureId gesture) {
+                    setComponent(row, axis, value, gesture);
+                });
+        connect(row, &ParamRow::resetRequested, this,
+                [this, row] { setValue(row, defaultValue(row->def()), 0); });
+    }
+    layout->addStretch(1);
+}
+
+ParamRow* PropertiesPanel::row(const ParamDef& def) const
+{
+    return m_rows[paramId(def)];
+}
+
+void PropertiesPanel::follow(const Change& change)
+{
+    if (change.has(changeReset | changeSelection | changeStructure | changeNodeState)) {
+        takeTargets();
+        return;
+    }
+    const bool mine = change.nodes.empty() || std::ranges::any_of(change.nodes, [this](NodeId id) {
+                          return std::ranges::count(m_nodes, id) > 0;
+                      });
+    if (!mine)
+        return;
+    if (change.has(changeParams))
+        showValues(change.params);
+    if (change.has(changeResults))
+        showProblem();
+}
+
+void PropertiesPanel::takeTargets()
+{
+    std::vector<NodeId> nodes = targetNodes(*m_document);
+    std::erase_if(nodes, [this](NodeId id) { return !m_document->scene().find(id); });
+    m_kinds = 0;
+    bool locked = false;
+    for (const NodeId id : nodes) {
+        const Node* node = m_document->scene().find(id);
+        m_kinds = static_cast<std::uint8_t>(m_kinds | kindBit(node->kind));
+        locked = locked || node->locked;
+    }
+    m_nodes = std::move(nodes);
+    m_content->setEnabled(!locked);
+    showValues({});
+    showProblem();
+    applyFilter();
+    retranslate();
+}
+
+std::vector<ParamValue> PropertiesPanel::valuesOf(const ParamDef& def) const
+{
+    std::vector<ParamValue> values;
+    values.reserve(m_nodes.size());
+    for (const NodeId id : m_nodes)
+        values.push_back(def.get(m_document->scene().find(id)->params));
+    return values;
+}
+
+void PropertiesPanel::showValues(const std::vector<ParamId>& params)
+{
+    if (m_nodes.empty())
+        return;
+    for (const ParamDef& def : paramTable()) {
+        const ParamId id = paramId(def);
+        if (params.empty() || std::ranges::count(params, id) > 0)
+            m_rows[id]->showValues(valuesOf(def));
+    }
+    for (GroupSection* section : m_sections)
+        section->updateHeading();
+}
+
+void PropertiesPanel::showProblem()
+{
+    std::optional<Error> error;
+    for (const NodeId id : m_nodes) {
+        const NodeResult* result = m_document->result(id);
+        if (result && result->error) {
+            error = result->error;
+            break;
+        }
+    }
+    const ParamDef* culprit = error ? findParam(error->path) : nullptr;
+    for (ParamRow* row : m_rows)
+        row->showProblem(culprit == &row->def() ? error : std::nullopt);
+    m_problem->setVisible(error && !culprit);
+    if (error && !culprit)
+        m_problem->setText(errorTextWithPlace(*error));
+}
+
+void PropertiesPanel::applyFilter()
+{
+    const QStringList words = m_search->text().toLower().split(u' ', Qt::SkipEmptyParts);
+    int shown = 0;
+    for (GroupSection* section : m_sections)
+        shown += section->filter(m_kinds, words);
+    m_scroll->setVisible(m_kinds != 0 && shown > 0);
+    m_empty->setVisible(m_kinds == 0 || shown == 0);
+    m_empty->setText(m_kinds == 0 ? tr("Select a tree in the scene or in the view to change it.")
+                                  : tr("No parameter is called like this."));
+}
+
+void PropertiesPanel::applyPreferences()
+{
+    for (ParamRow* row : m_rows)
+        row->setAngleUnit(m_preferences->angleUnit());
+    const QStringList folded = m_preferences->foldedGroups();
+    for (GroupSection* section : m_sections)
+        section->setFolded(folded.contains(QString::fromLatin1(section->group())));
+}
+
+void PropertiesPanel::setValue(ParamRow* row, const ParamValue& value, quint64 gesture)
+{
+    const auto done = edit::setParam(*m_document, m_nodes, row->def(), value, gesture);
+    if (!done) {
+        row->showValues(valuesOf(row->def()));
+        row->showRefusal(errorText(done.error()));
+    }
+}
+
+void PropertiesPanel::setComponent(ParamRow* row, int axis, double value, quint64 gesture)
+{
+    const auto done = edit::setComponent(*m_document, m_nodes, row->def(), axis, value, gesture);
+    if (!done) {
+        row->showValues(valuesOf(row->def()));
+        row->showRefusal(errorText(done.error()));
+    }
+}
+
+void PropertiesPanel::copyGroup(const GroupSection* section)
+{
+    if (m_nodes.empty())
+        return;
+    // The active node's values: the last one selected.
+    const Node* node = m_document->scene().find(m_nodes.back());
+    ParamList values;
+    for (const ParamRow* row : section->rows()) {
+        if (hasParam(node->kind, row->def()))
+            values.emplace_back(&row->def(), row->def().get(node->params));
+    }
+    QGuiApplication::clipboard()->setText(writeParamList(values));
+}
+
+void PropertiesPanel::pasteGroup(const GroupSection* section)
+{
+    auto values = readParamList(QGuiApplication::clipboard()->text());
+    if (!values) {
+        section->rows().front()->showRefusal(errorText(values.error()));
+        return;
+    }
+    std::erase_if(*values, [&](const auto& entry) {
+        return std::string_view(entry.first->group) != section->group() ||
+               (entry.first->kinds & m_kinds) != m_kinds;
+    });
+    setList(section, *values, tr("Paste %1").arg(coreText(section->group())));
+}
+
+void PropertiesPanel::resetGroup(const GroupSection* section)
+{
+    ParamList values;
+    for (const ParamRow* row : section->rows()) {
+        if ((row->def().kinds & m_kinds) == m_kinds)
+            values.emplace_back(&row->def(), defaultValue(row->def()));
+    }
+    setList(section, values, tr("Reset %1").arg(coreText(section->group())));
+}
+
+void PropertiesPanel::setList(const GroupSection* section, const ParamList& values, const QString& text)
+{
+    const auto done = edit::setParams(*m_document, m_nodes, values, text);
+    if (!done) {
+        const ParamDef* culprit = findParam(done.error().path);
+        (culprit ? row(*culprit) : section->rows().front())->showRefusal(errorText(done.error()));
+    }
+}
+
+void PropertiesPanel::focusSearch()
+{
+    m_search->setFocus(Qt::ShortcutFocusReason);
+    m_search->selectAll();
+}
+
+void PropertiesPanel::showParam(const QString& key)
+{
+    const ParamDef* def = findParam(key.toStdString());
+    if (!def)
+        return;
+    m_search->clear();
+    for (GroupSection* section : m_sections) {
+        if (std::ranges::count(section->rows(), row(*def)) > 0)
+            section->setFolded(false);
+    }
+    m_scroll->ensureWidgetVisible(row(*def));
+    row(*def)->editor()->setFocus(Qt::ShortcutFocusReason);
+}
+
+void PropertiesPanel::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+void PropertiesPanel::alignLabels()
+{
+    int width = 0;
+    for (const ParamRow* row : m_rows)
+        width = std::max(width, row->labelWidth());
+    for (ParamRow* row : m_rows)
+        row->setLabelWidth(width);
+}
+
+void PropertiesPanel::retranslate()
+{
+    m_search->setPlaceholderText(tr("Search parameters"));
+    m_search->setAccessibleName(tr("Search parameters"));
+    if (m_nodes.empty()) {
+        m_title->setText(tr("Nothing selected"));
+    } else if (m_nodes.size() == 1) {
+        const Node* node = m_document->scene().find(m_nodes.front());
+        const QString name = QString::fromStdString(node->name);
+        m_title->setText(node->locked ? tr("%1 (locked)").arg(name) : name);
+    } else {
+        m_title->setText(tr("%n node(s) selected", nullptr, static_cast<int>(m_nodes.size())));
+    }
+    m_scroll->setAccessibleName(tr("Parameters"));
+    alignLabels();
+}
+
+} // namespace ramure

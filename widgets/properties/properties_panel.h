@@ -1,0 +1,72 @@
+/// \file
+/// The parameters of the selected nodes, made from the parameter table: grouped, foldable, searchable.
+#pragma once
+
+#include "core/document/document.h"
+#include "widgets/numbers/number_format.h"
+#include "widgets/properties/group_clipboard.h"
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QScrollArea;
+
+namespace ramure {
+
+class GroupSection;
+class ParamRow;
+class Preferences;
+
+class PropertiesPanel : public QWidget
+{
+    Q_OBJECT
+public:
+    /// Neither is owned; both must outlive the panel.
+    PropertiesPanel(Document* document, Preferences* preferences, QWidget* parent = nullptr);
+
+    /// The row of a parameter; every row of the table has one.
+    [[nodiscard]] ParamRow* row(const ParamDef& def) const;
+    [[nodiscard]] const std::vector<NodeId>& nodes() const { return m_nodes; }
+    [[nodiscard]] QSize sizeHint() const override { return {360, 640}; }
+
+public slots:
+    void focusSearch();
+    /// Unfolds what hides a parameter, scrolls to it and gives it the focus.
+    void showParam(const QString& key);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void buildRows();
+    void follow(const Change& change);
+    void takeTargets();
+    void showValues(const std::vector<ParamId>& params);
+    void showProblem();
+    void applyFilter();
+    void applyPreferences();
+    void retranslate();
+    void alignLabels();
+    void setValue(ParamRow* row, const ParamValue& value, quint64 gesture);
+    void setComponent(ParamRow* row, int axis, double value, quint64 gesture);
+    void copyGroup(const GroupSection* section);
+    void pasteGroup(const GroupSection* section);
+    void resetGroup(const GroupSection* section);
+    void setList(const GroupSection* section, const ParamList& values, const QString& text);
+    [[nodiscard]] std::vector<ParamValue> valuesOf(const ParamDef& def) const;
+
+    Document* m_document;
+    Preferences* m_preferences;
+    std::vector<NodeId> m_nodes;
+    std::uint8_t m_kinds = 0;      ///< bits of the kinds of m_nodes
+    std::vector<ParamRow*> m_rows; ///< by ParamId
+    std::vector<GroupSection*> m_sections;
+    QLabel* m_title = nullptr;
+    QLabel* m_problem = nullptr; ///< an error that belongs to no row
+    QLabel* m_empty = nullptr;
+    QLineEdit* m_search = nullptr;
+    QScrollArea* m_scroll = nullptr;
+    QWidget* m_content = nullptr;
+};
+
+} // namespace ramure

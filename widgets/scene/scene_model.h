@@ -1,0 +1,104 @@
+/// \file
+/// The scene as a tree for item views: nodes, and below a tree node its branches, fetched on demand.
+///
+/// An index carries no pointer: its internal id names a node, or a node and a branch. The model keeps its own
+/// copy of the hierarchy, compares it with the document after each change and tells views only of the rows
+/// that differ.
+#pragma once
+
+#include "core/document/document.h"
+#include "widgets/scene/branch_rows.h"
+#include <QAbstractItemModel>
+#include <map>
+#include <memory>
+
+namespace ramure {
+
+class SceneModel : public QAbstractItemModel
+{
+    Q_OBJECT
+public:
+    enum Column {
+        NameColumn,
+        VisibleColumn,
+        LockedColumn,
+        LengthColumn,
+        RadiusColumn,
+        ChildrenColumn,
+        LevelColumn
+    };
+    static constexpr int columns = 7;
+
+    /// \p document is not owned and must outlive the model.
+    explicit SceneModel(Document* document, QObject* parent = nullptr);
+    ~SceneModel() override;
+
+    /// noNode for the invalid index.
+    [[nodiscard]] NodeId nodeAt(const QModelIndex& index) const;
+    /// noIndex where the row is a node.
+    [[nodiscard]] Index branchAt(const QModelIndex& index) const;
+    [[nodiscard]] QModelIndex nodeIndex(NodeId node, int column = NameColumn) const;
+    /// Fetches the branches of the tree where they are not there yet; invalid where there is no such branch.
+    [[nodiscard]] QModelIndex branchIndex(NodeId node, Index branch, int column = NameColumn);
+    /// Null until the branches were fetched.
+    [[nodiscard]] const BranchRows* branches(NodeId node) const;
+
+    [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QModelIndex parent(const QModelIndex& index) const override;
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] bool hasChildren(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] bool canFetchMore(const QModelIndex& parent) const override;
+    void fetchMore(const QModelIndex& parent) override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    /// Name, visible and locked; through the document's commands.
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+    [[nodiscard]] QStringList mimeTypes() const override;
+    [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
+    [[nodiscard]] bool canDropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                                       const QModelIndex& parent) const override;
+    bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                      const QModelIndex& parent) override;
+    /// Texts in another language.
+    void retranslate();
+
+signals:
+    /// An edit was refused; the error's text in the interface's language.
+    void refused(const QString& text);
+    /// The branches of a tree were replaced by others, or came for the first time.
+    void branchesReplaced(ramure::NodeId node);
+
+private:
+    struct Item
+    {
+        NodeId parent = noNode;
+        std::vector<NodeId> children;
+        std::unique_ptr<BranchRows> branches;
+        bool fetched = false; ///< somebody asked for the branches
+    };
+
+    void follow(const Change& change);
+    void rebuild();
+    void syncStructure();
+    void removeGone(NodeId parent);
+    void arrange(NodeId parent);
+    void moveItem(NodeId node, NodeId newParent, int row);
+    void insertItem(NodeId node, NodeId parent, int row);
+    void takeOut(NodeId node);
+    void syncBranches(NodeId node);
+    void replaceBranches(NodeId node, const std::shared_ptr<const SimplifiedSkeleton>& skeleton);
+    [[nodiscard]] std::shared_ptr<const SimplifiedSkeleton> skeletonOf(NodeId node) const;
+    [[nodiscard]] int rowOf(NodeId node) const;
+    [[nodiscard]] const Item& item(NodeId node) const { return m_items.at(node); }
+    [[nodiscard]] QVariant nodeData(const Node& node, int column, int role) const;
+    [[nodiscard]] QVariant branchData(const BranchRows& rows, Index branch, int column, int role) const;
+    bool report(const Expected<void>& done);
+
+    Document* m_document;
+    std::map<NodeId, Item> m_items; ///< noNode is the invisible root
+};
+
+} // namespace ramure

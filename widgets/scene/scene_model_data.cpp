@@ -1,0 +1,260 @@
+// What the rows of the scene model say, and how they are edited and dragged.
+#include "core/document/commands.h"
+#include "widgets/scene/scene_model.h"
+#include "widgets/theme/icons.h"
+#include <QIODevice>
+#include <QLocale>
+#include <QMimeData>
+#include <algorithm>
+
+namespace ramure {
+namespace {
+
+const QString nodesMime = QStringLiteral("application/x-ramure-nodes");
+
+std::vector<NodeId> nodesOf(const QMimeData* data)
+{
+    std::vector<NodeId> nodes;
+    QDataStream stream(data->data(nodesMime));
+    while (!stream.atEnd() && stream.status() == QDataStream::Ok) {
+        NodeId node = noNode;
+        stream >> node;
+        nodes.push_back(node);
+    }
+    return nodes;
+}
+
+QString metres(double value)
+{
+    return QLocale().toString(value, 'f', value < 0.01 ? 4 : 3);
+}
+
+} // namespace
+
+QVariant SceneModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid())
+        return {};
+    if (role == Qt::TextAlignmentRole && index.column() >= LengthColumn)
+        return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
+    const Index branch = branchAt(index);
+    if (branch != noIndex)
+        return branchData(*item(nodeAt(index)).branches, branch, index.column(), role);
+    const Node* node = m_document->scene().find(nodeAt(index));
+    return node ? nodeData(*node, index.column(), role) : QVariant();
+}
+
+QVariant SceneModel::nodeData(const Node& node, int column, int role) const
+{
+    const bool shown = m_document->scene().isShown(node.id);
+    switch (column) {
+    case NameColumn:
+        if (role == Qt::DisplayRole || role == Qt::EditRole)
+            return QString::fromStdString(node.name);
+        if (role == Qt::DecorationRole)
+            return icon(node.kind == NodeKind::Tree ? "tree" : "group");
+        if (role == Qt::ToolTipRole)
+            return node.kind == NodeKind::Tree ? tr("Tree: %1").arg(QString::fromStdString(node.name))
+                                               : tr("Group: %1").arg(QString::fromStdString(node.name));
+        break;
+    case VisibleColumn:
+        if (role == Qt::DecorationRole)
+            return icon(node.visible ? "eye" : "eye-off");
+        if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
+            return !node.visible ? tr("Hidden") : shown ? tr("Visible") : tr("Hidden by its parent");
+        if (role == Qt::EditRole)
+            return node.visible;
+        break;
+    case LockedColumn:
+        if (role == Qt::DecorationRole)
+            return icon(node.locked ? "lock" : "unlock");
+        if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole)
+            return node.locked ? tr("Locked: cannot be changed") : tr("Not locked");
+        if (role == Qt::EditRole)
+            return node.locked;
+        break;
+    case ChildrenColumn:
+        // Of a tree: how many branches it has in all.
+        if (role == Qt::DisplayRole && node.kind == NodeKind::Tree) {
+            if (const auto skeleton = skeletonOf(node.id))
+                return QLocale().toString(skeleton->skeleton.size());
+        }
+        break;
+    default:
+        break;
+    }
+    return {};
+}
+
+QVariant SceneModel::branchData(const BranchRows& rows, Index branch, int column, int role) const
+{
+    const Skeleton& bones = rows.skeleton();
+    if (column == NameColumn && role == Qt::DecorationRole)
+        return icon("branch");
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (column) {
+    case NameColumn:
+        return tr("Branch %1").arg(branch);
+    case LengthColumn:
+        return metres(bones.length(branch));
+    case RadiusColumn:
+        return metres(bones.a0[branch]);
+    case ChildrenColumn:
+        return QLocale().toString(rows.childCount(branch));
+    case LevelColumn:
+        return QLocale().toString(bones.level[branch]);
+    default:
+        return {};
+    }
+}
+
+QVariant SceneModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal)
+        return {};
+    if (role == Qt::TextAlignmentRole && section >= LengthColumn)
+        return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
+    if (role == Qt::DisplayRole) {
+        switch (section) {
+        case NameColumn:
+            return tr("Name");
+        case LengthColumn:
+            return tr("Length");
+        case RadiusColumn:
+            return tr("Radius");
+        case ChildrenColumn:
+            return tr("Children");
+        case LevelColumn:
+            return tr("Level");
+        default:
+            return {};
+        }
+    }
+    if (role == Qt::ToolTipRole || role == Qt::AccessibleTextRole) {
+        switch (section) {
+        case VisibleColumn:
+            return tr("Visible");
+        case LockedColumn:
+            return tr("Locked");
+        case LengthColumn:
+            return tr("Length in metres");
+        case RadiusColumn:
+            return tr("Radius at the lower end, in metres");
+        case ChildrenColumn:
+            return tr("Branches that begin at its end; of a tree: all its branches");
+        case LevelColumn:
+            return tr("Depth of brackets: 0 is the trunk");
+        default:
+            break;
+        }
+    }
+    return {};
+}
+
+Qt::ItemFlags SceneModel::flags(const QModelIndex& index) const
+{
+    if (!index.isValid())
+        return Qt::ItemIsDropEnabled; // the top level
+    Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    if (branchAt(index) != noIndex)
+        return flags;
+    const Node* node = m_document->scene().find(nodeAt(index));
+    if (!node)
+        return flags;
+    flags |= Qt::ItemIsDropEnabled;
+    if (!node->locked)
+        flags |= Qt::ItemIsDragEnabled;
+    if (!node->locked && index.column() == NameColumn)
+        flags |= Qt::ItemIsEditable;
+    return flags;
+}
+
+bool SceneModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    if (role != Qt::EditRole || branchAt(index) != noIndex || nodeAt(index) == noNode)
+        return false;
+    const NodeId node = nodeAt(index);
+    switch (index.column()) {
+    case NameColumn:
+        return report(edit::setNodeName(*m_document, node, value.toString().trimmed()));
+    case VisibleColumn:
+        return report(edit::setNodeVisible(*m_document, {node}, value.toBool()));
+    case LockedColumn:
+        return report(edit::setNodeLocked(*m_document, {node}, value.toBool()));
+    default:
+        return false;
+    }
+}
+
+QStringList SceneModel::mimeTypes() const
+{
+    return {nodesMime};
+}
+
+QMimeData* SceneModel::mimeData(const QModelIndexList& indexes) const
+{
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    for (const QModelIndex& index : indexes) {
+        if (index.column() == NameColumn && branchAt(index) == noIndex)
+            stream << nodeAt(index);
+    }
+    if (bytes.isEmpty())
+        return nullptr;
+    auto* data = new QMimeData;
+    data->setData(nodesMime, bytes);
+    return data;
+}
+
+bool SceneModel::canDropMimeData(const QMimeData* data, Qt::DropAction action, int, int,
+                                 const QModelIndex& parent) const
+{
+    if (action != Qt::MoveAction || !data->hasFormat(nodesMime) || branchAt(parent) != noIndex)
+        return false;
+    const NodeId target = nodeAt(parent);
+    return std::ranges::none_of(nodesOf(data), [&](NodeId node) {
+        return node == target || m_document->scene().isAncestor(node, target);
+    });
+}
+
+bool SceneModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                              const QModelIndex& parent)
+{
+    if (!canDropMimeData(data, action, row, column, parent))
+        return false;
+    const Scene& scene = m_document->scene();
+    const NodeId target = nodeAt(parent);
+    std::vector<NodeId> nodes = nodesOf(data);
+    // Of a node and something below it only the upper one moves.
+    const std::vector<NodeId> all = nodes;
+    std::erase_if(nodes, [&](NodeId node) {
+        return !scene.find(node) ||
+               std::ranges::any_of(all, [&](NodeId other) { return scene.isAncestor(other, node); });
+    });
+    if (nodes.empty())
+        return false;
+    int to = row < 0 ? static_cast<int>(scene.children(target).size()) : row;
+    if (nodes.size() > 1)
+        m_document->undoStack()->beginMacro(tr("Move nodes"));
+    bool moved = true;
+    for (const NodeId node : nodes) {
+        // The document counts the row without the node itself.
+        if (scene.find(node)->parent == target && scene.row(node) < to)
+            --to;
+        moved = report(edit::moveNode(*m_document, node, target, to, true)) && moved;
+        ++to;
+    }
+    if (nodes.size() > 1)
+        m_document->undoStack()->endMacro();
+    return moved;
+}
+
+void SceneModel::retranslate()
+{
+    emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
+    if (rowCount() > 0)
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+}
+
+} // namespace ramure

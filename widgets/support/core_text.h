@@ -1,0 +1,17 @@
+/// \file
+/// Texts of the core in the interface's language (context "core").
+#pragma once
+
+#include "core/base/error.h"
+#include <QString>
+
+namespace ramure {
+
+/// \param english a RAMURE_NOOP literal or a text of the parameter table.
+QString coreText(const char* english);
+/// The error's template in the interface's language with its arguments, without the place.
+QString errorText(const Error& error);
+/// With the place in front: "tree.ramure, line 3, column 7: ...".
+QString errorTextWithPlace(const Error& error);
+
+} // namespace ramure

@@ -1,0 +1,33 @@
+#include "widgets/support/targets.h"
+
+#include <algorithm>
+
+namespace ramure {
+
+std::vector<NodeId> targetNodes(const Document& document)
+{
+    const Selection& selection = document.selection();
+    if (!selection.nodes.empty())
+        return selection.nodes;
+    if (selection.branchNode != noNode)
+        return {selection.branchNode};
+    const auto& nodes = document.scene().nodes();
+    return nodes.size() == 1 ? std::vector<NodeId>{nodes.front().id} : std::vector<NodeId>();
+}
+
+std::vector<NodeId> targetTrees(const Document& document)
+{
+    const Scene& scene = document.scene();
+    const std::vector<NodeId> targets = targetNodes(document);
+    std::vector<NodeId> trees;
+    for (const Node& node : scene.nodes()) {
+        const auto isMeant = [&](NodeId target) {
+            return target == node.id || scene.isAncestor(target, node.id);
+        };
+        if (node.kind == NodeKind::Tree && (targets.empty() || std::ranges::any_of(targets, isMeant)))
+            trees.push_back(node.id);
+    }
+    return trees;
+}
+
+} // namespace ramure
