@@ -1,0 +1,213 @@
+#include "tests/widgets/support/fixture.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/numbers/number_slider.h"
+#include <QLineEdit>
+
+using namespace ramure;
+
+namespace {
+
+NumberFormat lengthFormat()
+{
+    NumberFormat format;
+    format.unit = ParamUnit::Metre;
+    format.suffix = QStringLiteral(" m");
+    return format;
+}
+
+} // namespace
+
+class TestNumberField : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init()
+    {
+        test::failOnWidgetWarning();
+        QLocale::setDefault(QLocale::c());
+    }
+
+    void textsOfNumbers_data()
+    {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QString>("text");
+        QTest::newRow("zero") << 0.0 << "0.00 m";
+        QTest::newRow("usual") << 0.2 << "0.20 m";
+        QTest::newRow("three digits at least") << 0.0001234 << "0.000123 m";
+        QTest::newRow("no rest") << 0.0035 << "0.0035 m";
+        QTest::newRow("tiny") << 1.5e-12 << "1.5e-12 m";
+        QTest::newRow("large") << 12345.678 << "12345.68 m";
+        QTest::newRow("huge") << 1e12 << "1e+12 m";
+        QTest::newRow("negative") << -1.5 << "-1.50 m";
+    }
+    void textsOfNumbers()
+    {
+        QFETCH(const double, value);
+        QFETCH(const QString, text);
+        QCOMPARE(lengthFormat().text(value), text);
+        const auto back = lengthFormat().parse(text);
+        QVERIFY2(back, test::why(back).constData());
+    }
+
+    void badTextStaysUntilTheFocusGoes()
+    {
+        NumberField field;
+        field.setFormat(lengthFormat());
+        field.setValue(2.0);
+        QSignalSpy edited(&field, &NumberField::valueEdited);
+        QSignalSpy refused(&field, &NumberField::refused);
+        field.selectAll();
+        QTest::keyClicks(&field, "2 cats");
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(edited.count(), 0);
+        QCOMPARE(refused.count(), 1);
+        QVERIFY(!refused.back()[0].toString().isEmpty());
+        QTest::keyClick(&field, Qt::Key_Escape);
+        QCOMPARE(field.text(), QStringLiteral("2.00 m"));
+        QVERIFY(refused.back()[0].toString().isEmpty());
+    }
+
+    void typingIsOneEdit()
+    {
+        NumberField field;
+        field.setFormat(lengthFormat());
+        field.setRange(0.0, 10.0);
+        QSignalSpy edited(&field, &NumberField::valueEdited);
+        field.selectAll();
+        QTest::keyClicks(&field, "20cm + 5mm");
+        QCOMPARE(edited.count(), 0);
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(edited.count(), 1);
+        QVERIFY(std::abs(edited[0][0].toDouble() - 0.205) < 1e-12);
+        QTest::keyClick(&field, Qt::Key_Return); // the same again is no edit
+        QCOMPARE(edited.count(), 1);
+    }
+
+    void valuesAreHeldToTheRange()
+    {
+        NumberField field;
+        field.setRange(-1.0, 3.0);
+        QSignalSpy edited(&field, &NumberField::valueEdited);
+        field.selectAll();
+        QTest::keyClicks(&field, "1000");
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(edited[0][0].toDouble(), 3.0);
+        QCOMPARE(field.value(), std::optional(3.0));
+    }
+
+    void roundedDisplayNeverChangesTheValue()
+    {
+        NumberField field;
+        field.setFormat(lengthFormat());
+        field.setValue(0.31421234);
+        QSignalSpy edited(&field, &NumberField::valueEdited);
+        field.show();
+        QTest::keyClick(&field, Qt::Key_Return);
+        field.clearFocus();
+        QCOMPARE(edited.count(), 0);
+        QCOMPARE(field.value(), std::optional(0.31421234));
+    }
+
+    void keysStep_data()
+    {
+        QTest::addColumn<int>("key");
+        QTest::addColumn<int>("modifiers");
+        QTest::addColumn<double>("expected");
+        QTest::newRow("up") << int(Qt::Key_Up) << int(Qt::NoModifier) << 5.5;
+        QTest::newRow("down") << int(Qt::Key_Down) << int(Qt::NoModifier) << 4.5;
+        QTest::newRow("fine") << int(Qt::Key_Up) << int(Qt::ShiftModifier) << 5.05;
+        QTest::newRow("coarse") << int(Qt::Key_Up) << int(Qt::ControlModifier) << 10.0;
+        QTest::newRow("page") << int(Qt::Key_PageDown) << int(Qt::NoModifier) << 0.0;
+    }
+    void keysStep()
+    {
+        QFETCH(const int, key);
+        QFETCH(const int, modifiers);
+        QFETCH(const double, expected);
+        NumberField field;
+        field.setStep(0.5);
+        field.setValue(5.0);
+        QSignalSpy edited(&field, &NumberField::valueEdited);
+        QTest::keyClick(&field, static_cast<Qt::Key>(key), static_cast<Qt::KeyboardModifiers>(modifiers));
+        QCOMPARE(edited.count(), 1);
+        QVERIFY(std::abs(edited[0][0].toDouble() - expected) < 1e-12);
+    }
+
+    void theWheelNeedsTheFocus()
+    {
+        QWidget window;
+        auto* other = new QLineEdit(&window);
+        auto* field = new NumberField(&window);
+        field->setStep(1.0);
+        field->move(0, 40);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        other->setFocus();
+        QSignalSpy edited(field, &NumberField::valueEdited);
+        const auto wheel = [&] {
+            QWheelEvent event(QPointF(5, 5), field->mapToGlobal(QPointF(5, 5)), {}, {0, 120}, Qt::NoButton,
+                              Qt::NoModifier, Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(field, &event);
+            return event.isAccepted();
+        };
+        QVERIFY(!wheel());
+        QCOMPARE(edited.count(), 0);
+        field->setFocus();
+        QVERIFY(wheel());
+        QCOMPARE(edited.count(), 1);
+    }
+
+    void mixedValuesShowADash()
+    {
+        NumberField field;
+        field.setValue(std::nullopt);
+        QVERIFY(field.text().isEmpty());
+        QCOMPARE(field.findChild<QLineEdit*>()->placeholderText(), QStringLiteral("—"));
+        QSignalSpy edited(&field, &NumberField::valueEdited);
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(edited.count(), 0);
+        QTest::keyClicks(&field, "4");
+        QTest::keyClick(&field, Qt::Key_Return);
+        QCOMPARE(edited[0][0].toDouble(), 4.0);
+    }
+
+    void sliderKeepsValuesItCannotShow()
+    {
+        NumberSlider slider;
+        slider.setSoftRange(0.0, 1.0, 0.01, false);
+        QSignalSpy edited(&slider, &NumberSlider::numberEdited);
+        slider.setNumber(0.3142);
+        slider.setNumber(17.0);
+        QCOMPARE(edited.count(), 0);
+        QCOMPARE(slider.value(), slider.maximum());
+        QTest::keyClick(&slider, Qt::Key_Left);
+        QCOMPARE(edited.count(), 1);
+        QVERIFY(std::abs(edited[0][0].toDouble() - 16.99) < 1e-9);
+    }
+
+    void sliderOfWholeNumbersStepsByOne()
+    {
+        NumberSlider slider;
+        slider.setSoftRange(3, 32, 1, true);
+        slider.setNumber(8.0);
+        QSignalSpy edited(&slider, &NumberSlider::numberEdited);
+        QTest::keyClick(&slider, Qt::Key_Right);
+        QCOMPARE(edited.back()[0].toDouble(), 9.0);
+        QTest::keyClick(&slider, Qt::Key_Home);
+        QCOMPARE(edited.back()[0].toDouble(), 3.0);
+        slider.setValue(slider.maximum() / 2);
+        const double number = edited.back()[0].toDouble();
+        QCOMPARE(number, std::round(number));
+    }
+
+    void wideSlidersAreLogarithmic()
+    {
+        NumberSlider slider;
+        slider.setSoftRange(1e-4, 1e2, 0.01, false);
+        slider.setNumber(0.1);
+        QCOMPARE(slider.value(), slider.maximum() / 2);
+    }
+};
+
+QTEST_MAIN(TestNumberField)
+#include "tst_number_field.moc"

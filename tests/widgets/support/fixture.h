@@ -1,0 +1,105 @@
+/// \file
+/// What the suites of the editor share: settings of their own, documents, a chooser that knows its answers.
+#pragma once
+
+#include "core/document/commands.h"
+#include "core/document/document.h"
+#include "core/params/presets.h"
+#include "tests/support/suite.h"
+#include "widgets/actions/chooser.h"
+#include <QSettings>
+#include <QTemporaryDir>
+
+namespace ramure::test {
+
+/// Every warning but the one that the offscreen platform gives for each window with a limited size.
+inline void failOnWidgetWarning()
+{
+    QTest::failOnWarning(
+        QRegularExpression(QStringLiteral("^(?!This plugin does not support propagateSizeHints)")));
+}
+
+/// The settings of this object's life time lie in a folder of its own.
+class OwnSettings
+{
+public:
+    OwnSettings()
+    {
+        QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.path());
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+        QCoreApplication::setOrganizationName(QStringLiteral("Ramure"));
+        QCoreApplication::setApplicationName(QStringLiteral("ramure-test"));
+        QLocale::setDefault(QLocale::c());
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+/// Answers as the test says and remembers what it was told.
+class FakeChooser : public Chooser
+{
+public:
+    QString openFile(const QString&, const QString&, const QString&) override
+    {
+        ++opens;
+        return answer;
+    }
+    QString saveFile(const QString&, const QString& suggestion, const QString&, const QString&) override
+    {
+        ++saves;
+        lastSuggestion = suggestion;
+        return answer;
+    }
+    Unsaved unsavedChanges(const QString&) override
+    {
+        ++questions;
+        return unsaved;
+    }
+    void report(Severity, const QString& text) override { reports += text; }
+
+    QString answer;
+    Unsaved unsaved = Unsaved::Cancel;
+    int opens = 0, saves = 0, questions = 0;
+    QString lastSuggestion;
+    QStringList reports;
+};
+
+inline Node treeNode(NodeId id, const std::string& name, NodeId parent = noNode)
+{
+    Node node;
+    node.id = id;
+    node.parent = parent;
+    node.kind = NodeKind::Tree;
+    node.name = name;
+    node.params.grammar.iterations = 3;
+    return node;
+}
+
+inline Node groupNode(NodeId id, const std::string& name, NodeId parent = noNode)
+{
+    Node node;
+    node.id = id;
+    node.parent = parent;
+    node.name = name;
+    return node;
+}
+
+/// Opens a scene with these nodes, depth-first; the first one is selected.
+inline void openNodes(Document& document, const std::vector<Node>& nodes)
+{
+    Scene scene;
+    for (const Node& node : nodes) {
+        const auto done =
+            scene.insert({node}, node.parent, static_cast<int>(scene.children(node.parent).size()));
+        QVERIFY2(done, why(done).constData());
+    }
+    document.reset(std::move(scene), {});
+    if (!nodes.empty()) {
+        Selection selection;
+        selection.nodes = {nodes.front().id};
+        document.setSelection(selection);
+    }
+}
+
+} // namespace ramure::test
