@@ -1,13 +1,13 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/virtual_display.h"
+#include "core/io/file_writer.h"
 #include "widgets/render/offscreen_renderer.h"
 #include "widgets/render/scene_builder.h"
 #include <QBuffer>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QImageWriter>
-#include <QSaveFile>
 #include <map>
 
 namespace ramure::cli {
@@ -125,13 +125,13 @@ Expected<void> savePng(const QImage& image, const QString& file)
     if (!writer.write(image))
         return fail(ErrorCode::Io, "%1: cannot be encoded: %2",
                     {file.toStdString(), writer.errorString().toStdString()});
-    QSaveFile target(file);
-    target.setDirectWriteFallback(QFileInfo(file).exists() && !QFileInfo(file).isFile()); // devices
-    if (!target.open(QIODevice::WriteOnly) || target.write(bytes.data()) != bytes.data().size() ||
-        !target.commit())
-        return fail(ErrorCode::Io, "%1: cannot be written: %2",
-                    {file.toStdString(), target.errorString().toStdString()});
-    return {};
+    auto target = FileWriter::open(systemPath(file));
+    if (!target)
+        return fail(target.error());
+    target->append({bytes.data().constData(), static_cast<std::size_t>(bytes.data().size())});
+    if (const auto finished = target->finish(); !finished)
+        return finished;
+    return target->commit();
 }
 
 /// The platform without windows of Qt: all it needs is the X server behind DISPLAY, where it finds OpenGL.

@@ -1,5 +1,5 @@
 /// \file
-/// Files written so that an error leaves the old one intact. Internal to core/io.
+/// Files written so that an error leaves the old one intact.
 #pragma once
 
 #include "core/base/error.h"

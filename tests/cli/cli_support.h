@@ -1,0 +1,73 @@
+/// \file
+/// Runs ramure-cli as users do.
+#pragma once
+
+#include "tests/support/suite.h"
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+
+namespace ramure::test {
+
+struct CliRun
+{
+    int code = -1;
+    QString out;
+    QString err;
+
+    [[nodiscard]] QJsonObject json() const
+    {
+        QJsonParseError error;
+        const QJsonDocument document = QJsonDocument::fromJson(out.toUtf8(), &error);
+        if (error.error != QJsonParseError::NoError)
+            qFatal("no JSON: %s", qPrintable(out));
+        return document.object();
+    }
+    [[nodiscard]] QStringList keys() const
+    {
+        QStringList names = json().keys();
+        names.sort();
+        return names;
+    }
+};
+
+inline CliRun runCli(const QStringList& arguments,
+                     const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment())
+{
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(RAMURE_CLI), arguments);
+    if (!process.waitForFinished(120'000) || process.exitStatus() != QProcess::NormalExit)
+        qFatal("ramure-cli %s: crashed or hangs", qPrintable(arguments.join(QLatin1Char(' '))));
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+}
+
+/// Exit code 2, nothing on the standard output, one line on the standard error that holds \p part.
+inline bool isRefused(const CliRun& run, const QString& part)
+{
+    const bool isOneLine = run.err.count(QLatin1Char('\n')) == 1 && run.err.endsWith(QLatin1Char('\n'));
+    const bool isRight = run.code == 2 && run.out.isEmpty() && isOneLine &&
+                         run.err.startsWith(QStringLiteral("ramure-cli: ")) && run.err.contains(part);
+    if (!isRight)
+        qWarning("code %d, out \"%s\", err \"%s\"", run.code, qPrintable(run.out.left(200)),
+                 qPrintable(run.err));
+    return isRight;
+}
+
+inline QByteArray bytesOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+inline void write(const QString& path, const QByteArray& bytes)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+        qFatal("cannot write %s", qPrintable(path));
+}
+
+} // namespace ramure::test

@@ -1,0 +1,267 @@
+#include "core/io/mesh_file.h"
+#include "tests/cli/cli_support.h"
+#include <QDir>
+#include <QImage>
+#include <QJsonArray>
+#include <QStandardPaths>
+#include <csignal>
+#include <unistd.h>
+
+using namespace ramure;
+using test::isRefused;
+using test::runCli;
+
+/// Export, validate and render: what goes in and out as files.
+class TestRamureCliFiles : public QObject
+{
+    Q_OBJECT
+    QTemporaryDir m_folder;
+    const QStringList m_small = {"--set", "grammar.iterations=3",         "--set", "foliage.leavesCutoff=10",
+                                 "--set", "foliage.applesProbability=0.5"};
+
+    QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
+    static ReadMesh read(const QString& file)
+    {
+        auto mesh = readMeshFile(file.toStdString());
+        if (!mesh)
+            qFatal("%s", test::why(mesh).constData());
+        return *mesh;
+    }
+    static QStringList names(const ReadMesh& mesh)
+    {
+        QStringList out;
+        for (const ReadObject& object : mesh.objects)
+            out << QString::fromStdString(object.name);
+        return out;
+    }
+
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void unwritableFiles()
+    {
+        QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "-o", path("none/x.obj")}),
+                          "No such file or directory"));
+        QVERIFY(QFile::link(QStringLiteral("/dev/full"), path("full.obj")));
+        QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "-o", path("full.obj")}),
+                          "No space left on device"));
+        QVERIFY(QFile::link(QStringLiteral("/dev/full"), path("full.ply")));
+        QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "-o", path("full.ply")}),
+                          "No space left on device"));
+        if (::geteuid() == 0) {
+            QVERIFY(
+                isRefused(runCli({"export", "preset:TinyTree", "-o", "/sys/ramure.ply"}), "/sys/ramure.ply"));
+            return;
+        }
+        test::write(path("old.ply"), "old");
+        QVERIFY(QFile::setPermissions(path("old.ply"), QFile::ReadOwner));
+        QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "-o", path("old.ply")}), "Permission denied"));
+        QCOMPARE(test::bytesOf(path("old.ply")), QByteArray("old"));
+    }
+    void exportRefusesMuchBeforeItWrites()
+    {
+        // The second file's ending is wrong: the first is not written either.
+        QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "-o", path("a.obj"), "-o", path("b.stl")}),
+                          ".stl"));
+        QVERIFY(!QFile::exists(path("a.obj")));
+        QVERIFY(
+            isRefused(runCli({"export", "preset:TinyTree", "-o", path("a.obj"), "--set", "tree.scale=0,1,1"}),
+                      "tree.scale"));
+        QVERIFY(!QFile::exists(path("a.obj")));
+        QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "-o", path("a.ply"), "--part", "apples",
+                                  "--set", "foliage.applesProbability=0"}),
+                          "nothing to export"));
+    }
+    void exportWritesWhatIsAskedFor()
+    {
+        const auto exported = [&](const QStringList& options, const char* file) {
+            const test::CliRun run =
+                runCli(QStringList{"export", "preset:SmallTree", "-o", path(file)} + m_small + options);
+            if (run.code != 0 || !run.out.isEmpty() || !run.err.isEmpty())
+                qFatal("%s", qPrintable(run.err));
+            return read(path(file));
+        };
+        QCOMPARE(names(exported({}, "all.obj")), (QStringList{"branches", "leaves", "apples"}));
+        QVERIFY(QFile::exists(path("all.mtl")));
+        QCOMPARE(names(exported({"--part", "leaves"}, "leaves.obj")), QStringList{"leaves"});
+        const ReadMesh branches = exported({}, "branches.ply");
+        const TriangleMesh& mesh = branches.objects[0].mesh;
+        QCOMPARE(mesh.vertexCount(), read(path("all.obj")).objects[0].mesh.vertexCount());
+        QCOMPARE(mesh.normals.size(), mesh.positions.size());
+        QCOMPARE(mesh.branch.size(), mesh.positions.size());
+        QCOMPARE(mesh.level.size(), mesh.positions.size());
+        const TriangleMesh ascii = exported({"--ascii"}, "ascii.ply").objects[0].mesh;
+        QVERIFY(test::bytesOf(path("ascii.ply")).startsWith("ply\nformat ascii"));
+        QVERIFY(ascii == mesh);
+        QVERIFY(exported({"--part", "all"}, "joined.ply").objects[0].mesh.vertexCount() > mesh.vertexCount());
+        QCOMPARE(names(exported({"--model", "rough"}, "rough.obj")),
+                 (QStringList{"branches", "leaves", "apples"}));
+        const ReadMesh skeleton = exported({"--model", "skeleton"}, "skeleton.obj");
+        QCOMPARE(skeleton.objects[0].mesh.vertexCount(), 56u); // 55 branches after simplification
+        QVERIFY(skeleton.notes[0].find("l skipped, 55 lines") != std::string::npos);
+        QCOMPARE(exported({"--model", "skeleton"}, "skeleton.ply").objects[0].mesh.vertexCount(), 56u);
+        // Several files in one go are the same as one by one.
+        QCOMPARE(runCli(QStringList{"export", "preset:SmallTree", "-o", path("1.obj"), "-o", path("2.ply")} +
+                        m_small)
+                     .code,
+                 0);
+        QCOMPARE(test::bytesOf(path("2.ply")), test::bytesOf(path("branches.ply")));
+        QCOMPARE(test::bytesOf(path("1.obj")).replace("1.mtl", "all.mtl"), test::bytesOf(path("all.obj")));
+    }
+    void exportPlacesTheTree()
+    {
+        const QStringList base = {"export", "preset:TinyTree", "--part", "branches", "-o"};
+        QCOMPARE(runCli(base + QStringList{path("plain.ply")}).code, 0);
+        QCOMPARE(runCli(base + QStringList{path("moved.ply"), "--set", "tree.translation=1,2,3", "--set",
+                                           "tree.scale=2,2,2"})
+                     .code,
+                 0);
+        const TriangleMesh plain = read(path("plain.ply")).objects[0].mesh;
+        const TriangleMesh moved = read(path("moved.ply")).objects[0].mesh;
+        QCOMPARE(moved.vertexCount(), plain.vertexCount());
+        for (std::size_t i = 0; i < plain.positions.size(); ++i) {
+            const glm::vec3 expected = plain.positions[i] * 2.0f + glm::vec3(1, 2, 3);
+            QVERIFY(glm::length(moved.positions[i] - expected) < 1e-5f);
+            QVERIFY(glm::length(moved.normals[i] - plain.normals[i]) < 1e-4f);
+        }
+        const test::CliRun run = runCli({"validate", path("moved.ply"), "--json"});
+        QCOMPARE(run.code, 0);
+        QVERIFY(run.json()["volume"].toDouble() > 0.0);
+    }
+    void exportOfSeveralTreesAndOfMeshes()
+    {
+        test::write(path("two.ramure"), R"({"format": "ramure", "version": 1, "nodes": [
+            {"id": 2, "kind": "tree", "name": "Oak", "params": {"grammar.iterations": 2}},
+            {"id": 4, "kind": "tree", "name": "Ghost", "visible": false},
+            {"id": 3, "kind": "tree", "name": "Elm", "params": {"grammar.iterations": 1, "tree.translation": [9, 0, 0]}}]})");
+        QCOMPARE(runCli({"export", path("two.ramure"), "-o", path("two.obj"), "--part", "branches"}).code, 0);
+        QCOMPARE(names(read(path("two.obj"))), (QStringList{"branches_1", "branches_2"}));
+        // From one mesh format to the other and back.
+        QCOMPARE(runCli({"export", path("two.obj"), "-o", path("again.ply")}).code, 0);
+        QCOMPARE(runCli({"validate", path("again.ply"), "--json"}).json()["components"].toInt(), 2);
+        QVERIFY(isRefused(runCli({"export", path("two.obj"), "-o", path("x.ply"), "--part", "leaves"}),
+                          "need a tree"));
+        QVERIFY(
+            isRefused(runCli({"info", path("two.obj"), "--set", "turtle.alpha=1"}), "--set needs a tree"));
+    }
+    void interruptedExportLeavesNothing()
+    {
+        QTemporaryDir folder;
+        QProcess process;
+        process.start(QStringLiteral(RAMURE_CLI), {"export", "preset:SmallTree", "--set",
+                                                   "grammar.iterations=14", "-o", folder.filePath("x.obj")});
+        QVERIFY(process.waitForStarted());
+        QTest::qSleep(300);
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 2);
+        QVERIFY(process.readAllStandardError().endsWith("ancelled\n"));
+        QVERIFY(QDir(folder.path()).isEmpty());
+    }
+
+    void infoOfMeshFiles()
+    {
+        test::write(path("two.obj"), "o a\nv 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\no b\nv 5 0 0\nTRANSFORM 1\n");
+        const QJsonObject info = runCli({"info", path("two.obj"), "--json"}).json();
+        QCOMPARE(info["vertices"].toInt(), 4);
+        QCOMPARE(info["faces"].toInt(), 1);
+        QCOMPARE(info["max"].toArray(), (QJsonArray{5, 2, 0}));
+        QCOMPARE(info["objects"][1]["name"].toString(), QString("b"));
+        QCOMPARE(info["notes"][0].toString(), QString("line 8: TRANSFORM skipped"));
+        QVERIFY(runCli({"info", path("two.obj")}).out.contains("4"));
+    }
+    void validateSaysWhatIsWrong()
+    {
+        const QStringList keys = {"boundaryEdges",
+                                  "components",
+                                  "degenerateFaces",
+                                  "duplicateFaces",
+                                  "duplicateVertices",
+                                  "eulerCharacteristic",
+                                  "faces",
+                                  "inconsistentEdges",
+                                  "isolatedVertices",
+                                  "nonManifoldEdges",
+                                  "nonManifoldVertices",
+                                  "valid",
+                                  "vertices",
+                                  "volume"};
+        for (const char* preset : {"SmallTree", "FanTree", "TinyTree", "Fern2D"}) {
+            const test::CliRun run = runCli({"validate", QStringLiteral("preset:") + preset, "--json"});
+            QCOMPARE(run.code, 0);
+            QVERIFY(run.err.isEmpty());
+            QCOMPARE(run.keys(), keys);
+            const QJsonObject report = run.json();
+            QCOMPARE(report["valid"].toBool(), true);
+            QCOMPARE(report["components"].toInt(), 1);
+            QCOMPARE(report["eulerCharacteristic"].toInt(), 2);
+            QVERIFY(report["volume"].toDouble() > 0.0);
+        }
+        test::write(path("open.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        const test::CliRun open = runCli({"validate", path("open.obj"), "--json"});
+        QCOMPARE(open.code, 1);
+        QVERIFY(open.err.isEmpty());
+        QCOMPARE(open.keys(), keys);
+        QCOMPARE(open.json()["boundaryEdges"].toInt(), 3);
+        QCOMPARE(open.json()["valid"].toBool(), false);
+        QCOMPARE(runCli({"validate", path("open.obj")}).code, 1);
+        test::write(path("bad.obj"), "v 0 0 0\nf 1 2 3\n");
+        QVERIFY(isRefused(runCli({"validate", path("bad.obj")}), "bad.obj:2: vertex"));
+        test::write(path("bad.ply"),
+                    "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n");
+        QVERIFY(isRefused(runCli({"validate", path("bad.ply")}), "bad.ply:3: the file is too short"));
+    }
+    void validateSumsSeveralTrees()
+    {
+        test::write(path("grove.ramure"), R"({"format": "ramure", "version": 1, "nodes": [
+            {"id": 2, "kind": "tree", "name": "Oak", "params": {"grammar.iterations": 2}},
+            {"id": 3, "kind": "tree", "name": "Elm", "params": {"grammar.iterations": 2}}]})");
+        const test::CliRun run = runCli({"validate", path("grove.ramure"), "--json"});
+        QCOMPARE(run.code, 0);
+        const QJsonObject all = run.json();
+        QCOMPARE(all["components"].toInt(), 2);
+        QCOMPARE(all["eulerCharacteristic"].toInt(), 4);
+        QCOMPARE(all["trees"].toArray().size(), 2);
+        QCOMPARE(all["duplicateVertices"].toInt(), 0); // the trees stand in one place, and are two meshes
+        QVERIFY(runCli({"validate", path("grove.ramure")}).out.contains("2 trees"));
+    }
+
+    void renderNeedsADisplayAndFindsOne()
+    {
+        QProcessEnvironment bare = QProcessEnvironment::systemEnvironment();
+        bare.remove("DISPLAY");
+        bare.remove("WAYLAND_DISPLAY");
+        QProcessEnvironment without = bare;
+        without.insert("PATH", m_folder.path());
+        QVERIFY(isRefused(runCli({"render", "preset:TinyTree", "-o", path("x.png")}, without), "Xvfb"));
+        QVERIFY(!QFile::exists(path("x.png")));
+        if (QStandardPaths::findExecutable("Xvfb").isEmpty())
+            QSKIP("Xvfb is not installed");
+        QByteArray before;
+        for (const char* mode : {"skeleton", "simplified", "rough", "sections", "mesh"}) {
+            const test::CliRun run = runCli({"render", "preset:TinyTree", "-o", path("x.png"), "--size",
+                                             "200x150", "--mode", QLatin1String(mode)},
+                                            bare);
+            QVERIFY2(run.code == 0 && run.err.isEmpty(), qPrintable(run.err));
+            QCOMPARE(QImage(path("x.png")).size(), QSize(200, 150));
+            QVERIFY(test::bytesOf(path("x.png")) != before);
+            before = test::bytesOf(path("x.png"));
+        }
+        test::write(path("cone.obj"),
+                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+        QCOMPARE(runCli({"render", path("cone.obj"), "-o", path("cone.png"), "--size", "64x64"}, bare).code,
+                 0);
+        QVERIFY(isRefused(runCli({"render", path("cone.obj"), "-o", path("c.png"), "--mode", "rough"}, bare),
+                          "needs a tree"));
+        QVERIFY(
+            isRefused(runCli({"render", "preset:TinyTree", "-o", path("none/x.png")}, bare), "none/x.png"));
+        QVERIFY(QFile::link(QStringLiteral("/dev/full"), path("full.png")));
+        QVERIFY(
+            isRefused(runCli({"render", "preset:TinyTree", "-o", path("full.png"), "--size", "64x64"}, bare),
+                      "No space left on device"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestRamureCliFiles)
+#include "tst_ramure_cli_files.moc"
