@@ -212,6 +212,24 @@ private slots:
                     "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nend_header\n");
         QVERIFY(isRefused(runCli({"validate", path("bad.ply")}), "bad.ply:3: the file is too short"));
     }
+    void validateFindsEveryKindOfDefect()
+    {
+        const QDir folder(QStringLiteral(RAMURE_TEST_DATA "/defects"));
+        const QStringList files = folder.entryList(QDir::Files);
+        QCOMPARE(files.size(), 9);
+        for (const QString& file : files) {
+            const test::CliRun run = runCli({"validate", folder.filePath(file), "--json"});
+            const bool isClean = file == "clean.obj";
+            QCOMPARE(run.code, isClean ? 0 : 1);
+            // duplicate_face.ply: duplicateFaces
+            QString key = file.section('.', 0, 0);
+            for (auto at = key.indexOf('_'); at >= 0; at = key.indexOf('_'))
+                key.replace(at, 2, key[at + 1].toUpper());
+            key.replace("Vertex", "Vertice").append('s');
+            if (!isClean)
+                QVERIFY2(run.json()[key].toInt() > 0, qPrintable(key));
+        }
+    }
     void validateSumsSeveralTrees()
     {
         test::write(path("grove.ramure"), R"({"format": "ramure", "version": 1, "nodes": [
