@@ -88,7 +88,7 @@ void main()
     vec2 width = fwidth(at);
     if (direction.y < -1e-5 && height > 0.0) {
         float far = length(at - uCentre) / uFade;
-        float melt = 1.0 - exp(-pow(far, 1.6));
+        float melt = 1.0 - exp(-pow(far, 1.7));
         if (melt < 0.998)
             colour = mix(ground(relative, at, width), colour, melt);
         vec4 clip = uClip * vec4(relative, 1.0);

@@ -6,6 +6,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace ramure {
 namespace {
@@ -18,6 +19,43 @@ double wrapped(double angle)
 {
     const double turned = std::remainder(angle, 2.0 * pi);
     return turned <= -pi ? pi : turned;
+}
+
+/// How far points reach to both sides when each is moved onto the plane of the target along the frustum's
+/// side.
+struct Extent
+{
+    double low = -std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+};
+
+Extent extentOf(std::span<const glm::dvec2> points, double slope)
+{
+    Extent extent;
+    for (const glm::dvec2& p : points) {
+        extent.high = std::max(extent.high, p.x + p.y * slope);
+        extent.low = std::max(extent.low, -p.x + p.y * slope);
+    }
+    return extent;
+}
+
+/// Where the eye must stand, seen from \p distance, for equal room on both sides.
+double middleOf(std::span<const glm::dvec2> points, const Extent& extent, double slope, double distance)
+{
+    double from = extent.high - distance * slope;
+    double to = distance * slope - extent.low;
+    for (int round = 0; round < 20 && from < to; ++round) {
+        const double middle = 0.5 * (from + to);
+        double low = std::numeric_limits<double>::infinity();
+        double high = -low;
+        for (const glm::dvec2& p : points) {
+            const double at = (p.x - middle) / std::max(distance - p.y, 1e-9 * distance);
+            low = std::min(low, at);
+            high = std::max(high, at);
+        }
+        (low + high > 0.0 ? from : to) = middle;
+    }
+    return 0.5 * (from + to);
 }
 
 } // namespace
@@ -147,7 +185,8 @@ void Camera::frame(const Box& box, double aspect, double margin)
 }
 
 // Each side of the frustum touches the point that lies farthest out along its normal; two opposite sides give
-// the centre and the distance that both allow.
+// the distance that both allow. The pair that did not decide has room to spare: the middle is found by
+// halving.
 void Camera::frame(std::span<const glm::dvec3> points, double aspect, double margin)
 {
     if (points.empty())
@@ -155,23 +194,22 @@ void Camera::frame(std::span<const glm::dvec3> points, double aspect, double mar
     Box box;
     for (const glm::dvec3& point : points)
         box.add(point);
-    const double slopeY = std::tan(0.5 * fovRad) / margin;
-    const double slopeX = slopeY * aspect;
-    constexpr double lowest = -std::numeric_limits<double>::infinity();
-    double rightmost = lowest, leftmost = lowest, topmost = lowest, lowermost = lowest;
+    const double slope = std::tan(0.5 * fovRad) / margin;
+    std::vector<glm::dvec2> across, along; // offset on the screen, and towards the eye
+    across.reserve(points.size());
+    along.reserve(points.size());
     for (const glm::dvec3& point : points) {
         const glm::dvec3 offset = point - box.centre();
-        const double x = glm::dot(offset, right());
-        const double y = glm::dot(offset, up());
-        const double z = orthographic ? 0.0 : glm::dot(offset, backward());
-        rightmost = std::max(rightmost, x + z * slopeX);
-        leftmost = std::max(leftmost, -x + z * slopeX);
-        topmost = std::max(topmost, y + z * slopeY);
-        lowermost = std::max(lowermost, -y + z * slopeY);
+        const double near = orthographic ? 0.0 : glm::dot(offset, backward());
+        across.emplace_back(glm::dot(offset, right()), near);
+        along.emplace_back(glm::dot(offset, up()), near);
     }
+    const Extent x = extentOf(across, slope * aspect);
+    const Extent y = extentOf(along, slope);
     const double needed =
-        std::max((rightmost + leftmost) / (2.0 * slopeX), (topmost + lowermost) / (2.0 * slopeY));
-    target = box.centre() + 0.5 * (rightmost - leftmost) * right() + 0.5 * (topmost - lowermost) * up();
+        std::max((x.high + x.low) / (2.0 * slope * aspect), (y.high + y.low) / (2.0 * slope));
+    target = box.centre() + middleOf(across, x, slope * aspect, needed) * right() +
+             middleOf(along, y, slope, needed) * up();
     // A single point still gets a picture: some centimetres of it.
     distance = std::clamp(needed, box.radius() > 0.0 ? minDistance : 0.1, maxDistance);
 }

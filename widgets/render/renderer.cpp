@@ -192,7 +192,7 @@ void Renderer::castShadows(Picture& picture)
     eye[3] = glm::dvec4(picture.camera.eye(), 1.0);
     picture.shadow = glm::mat4(half * fit->clip * eye);
     picture.shadowScale = glm::vec3(fit->side / ShadowMap::size, fit->side, fit->depth);
-    picture.shadowTaps = options.shadowTaps > 0 ? options.shadowTaps : (m_software ? 6 : 16);
+    picture.shadowTaps = options.shadowTaps > 0 ? options.shadowTaps : (m_software ? 12 : 20);
 }
 
 void Renderer::beginState(QSize size)
@@ -269,7 +269,7 @@ void Renderer::drawWorld(const Picture& picture)
     m_world->set("uOrthographic", camera.orthographic);
     m_world->set("uEye", glm::vec3(camera.eye()));
     m_world->set("uCentre", glm::vec2(box.centre().x, box.centre().z));
-    m_world->set("uFade", float(9.0 * reach + 3.0 * height + 1.5 * camera.distance));
+    m_world->set("uFade", float(12.0 * reach + 4.0 * height + 2.0 * camera.distance));
     const double step = gridStep(camera.heightAtTarget());
     m_world->set("uGridStep", picture.options.grid ? float(step) : 0.0f);
     m_world->set("uMottle", float(0.35 * reach));

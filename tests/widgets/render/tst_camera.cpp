@@ -169,6 +169,28 @@ private slots:
             QVERIFY2(widest <= 1.0 && widest > 0.6, qPrintable(QString::number(widest)));
         }
     }
+    void framedPointsAreCentred()
+    {
+        Random random(16, RandomStream::Test);
+        for (int i = 0; i < 300; ++i) {
+            Camera camera = randomCamera(random);
+            std::vector<glm::dvec3> points;
+            for (int k = 0; k < 40; ++k)
+                points.emplace_back(random.range(-1.0, 3.0), random.range(0.0, 5.0), random.range(-1.0, 0.5));
+            const double aspect = random.range(0.4, 2.5);
+            camera.frame(points, aspect);
+            glm::dvec2 low(9.0);
+            glm::dvec2 high(-9.0);
+            for (const glm::dvec3& point : points) {
+                const auto at = camera.project(point, aspect);
+                QVERIFY(at);
+                low = glm::min(low, *at);
+                high = glm::max(high, *at);
+            }
+            QVERIFY(glm::length(low + high) < 0.02);
+            QVERIFY(std::max(high.x, high.y) > 0.85 && std::max(high.x, high.y) < 0.95);
+        }
+    }
     void framingAPointGivesAPicture()
     {
         Camera camera;
