@@ -1,0 +1,275 @@
+#include "core/params/presets.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "tests/support/suite.h"
+#include "widgets/render/scene_builder.h"
+#include <map>
+
+using namespace ramure;
+
+namespace {
+
+/// A scene of trees with their results.
+struct Trees
+{
+    Scene scene;
+    std::map<NodeId, TreeResult> results;
+    TreePipeline pipeline;
+
+    NodeId add(const char* preset = "TinyTree")
+    {
+        Node node;
+        node.id = scene.newId();
+        node.kind = NodeKind::Tree;
+        node.params = *presetParams(preset);
+        (void)scene.insert({node}, noNode, 99);
+        results[node.id] = *pipeline.evaluate(node.params);
+        return node.id;
+    }
+    [[nodiscard]] SceneBuilder::ResultOf of() const
+    {
+        return [this](NodeId id) {
+            const auto at = results.find(id);
+            return at == results.end() ? nullptr : &at->second;
+        };
+    }
+    [[nodiscard]] RenderScene build(const SceneView& view) const
+    {
+        SceneBuilder builder;
+        return builder.build(scene, of(), view);
+    }
+};
+
+std::vector<std::string> materials(const RenderScene& scene)
+{
+    std::vector<std::string> names;
+    for (const MeshItem& item : scene.meshes)
+        names.push_back(item.material.name);
+    return names;
+}
+
+SceneView in(DisplayMode mode)
+{
+    SceneView view;
+    view.mode = mode;
+    return view;
+}
+
+} // namespace
+
+class TestSceneBuilder : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void nothingForNothing()
+    {
+        Trees trees;
+        const RenderScene built = trees.build(SceneView());
+        QVERIFY(built.meshes.empty() && built.lines.empty() && built.points.empty() &&
+                built.highlights.empty());
+        QVERIFY(built.box.empty() && built.casters.empty());
+        QVERIFY(built.framePoints().empty());
+    }
+    void missingStagesAreLeftOut()
+    {
+        Trees trees;
+        const NodeId id = trees.add();
+        for (const Stage last :
+             {Stage::Symbols, Stage::Skeleton, Stage::Simplified, Stage::Sections, Stage::Mesh}) {
+            trees.results[id] = *trees.pipeline.evaluate(trees.scene.find(id)->params, last);
+            for (int mode = 0; mode < 5; ++mode) {
+                SceneView view = in(DisplayMode(mode));
+                view.frames = FrameDisplay::All;
+                view.branchNode = id;
+                view.branches = {0, 1, 9999};
+                view.inspected = {id, 9999, 0};
+                (void)trees.build(view);
+            }
+        }
+        trees.results.clear();
+        QVERIFY(trees.build(SceneView()).box.empty());
+    }
+    void meshModeHasThreeMaterials()
+    {
+        Trees trees;
+        trees.add();
+        SceneView view;
+        QCOMPARE(
+            materials(trees.build(view)),
+            (std::vector<std::string>{barkMaterial().name, leavesMaterial().name, applesMaterial().name}));
+        view.leaves = false;
+        view.apples = false;
+        const RenderScene bare = trees.build(view);
+        QCOMPARE(materials(bare), std::vector<std::string>{barkMaterial().name});
+        QVERIFY(bare.box == bare.casters);
+        QVERIFY(bare.meshes[0].pickable);
+    }
+    void roughModeHasItsOwnMeshes()
+    {
+        Trees trees;
+        const NodeId id = trees.add();
+        const RenderScene built = trees.build(in(DisplayMode::Rough));
+        QCOMPARE(built.meshes.size(), std::size_t(3));
+        QVERIFY(built.meshes[0].mesh.get() != &trees.results[id].branches->mesh);
+        QVERIFY2(built.meshes[0].material.twoSided, "the cones are open");
+    }
+    void removedNodesAreRed()
+    {
+        Trees trees;
+        const NodeId id = trees.add("SmallTree");
+        const TreeResult& tree = trees.results[id];
+        const RenderScene built = trees.build(in(DisplayMode::Simplified));
+        std::size_t red = 0;
+        for (const PointItem& item : built.points) {
+            for (const PointMark& mark : item.points->points)
+                red += mark.colour.r > 200 && mark.colour.g < 80 ? 1u : 0u;
+        }
+        QCOMPARE(red, std::size_t(tree.skeleton->size() - tree.simplified->skeleton.size()));
+        QCOMPARE(built.lines[0].lines->segments.size(), std::size_t(tree.simplified->skeleton.size()));
+    }
+    void skeletonModeNamesSimplifiedBranches()
+    {
+        Trees trees;
+        const NodeId id = trees.add("SmallTree");
+        const RenderScene built = trees.build(in(DisplayMode::Skeleton));
+        const auto& segments = built.lines[0].lines->segments;
+        const TreeResult& tree = trees.results[id];
+        QCOMPARE(segments.size(), std::size_t(tree.skeleton->size()));
+        for (std::size_t i = 0; i < segments.size(); ++i)
+            QCOMPARE(segments[i].branch, tree.simplified->mergedInto[i]);
+    }
+    void framesOfSelectionAndOfAll()
+    {
+        Trees trees;
+        const NodeId id = trees.add();
+        const auto arrows = [&](FrameDisplay frames, std::vector<Index> branches) {
+            SceneView view;
+            view.frames = frames;
+            view.branchNode = id;
+            view.branches = std::move(branches);
+            const RenderScene built = trees.build(view);
+            return built.lines.empty() ? std::size_t(0) : built.lines[0].lines->segments.size() / 6;
+        };
+        const std::size_t perBranch = trees.results[id].sections->perBranch;
+        QCOMPARE(arrows(FrameDisplay::None, {0}), std::size_t(0));
+        QCOMPARE(arrows(FrameDisplay::Selection, {}), std::size_t(0));
+        QCOMPARE(arrows(FrameDisplay::Selection, {0, 2}), 2 * perBranch);
+        QCOMPARE(arrows(FrameDisplay::All, {}), trees.results[id].simplified->skeleton.size() * perBranch);
+    }
+    void frameColours()
+    {
+        Trees trees;
+        const NodeId id = trees.add();
+        SceneView view;
+        view.frames = FrameDisplay::Selection;
+        view.branchNode = id;
+        view.branches = {0};
+        const RenderScene built = trees.build(view);
+        const auto& segments = built.lines[0].lines->segments;
+        const Frame& frame = trees.results[id].sections->of(0)[0].frame;
+        const auto along = [&](std::size_t i) {
+            return glm::normalize(glm::dvec3(segments[i].b) - glm::dvec3(segments[i].a));
+        };
+        QVERIFY(glm::length(along(0) - frame.tangent) < 1e-5 && segments[0].colour.b > 200);
+        QVERIFY(glm::length(along(2) - frame.normal) < 1e-5 && segments[2].colour.r > 200);
+        QVERIFY(glm::length(along(4) - frame.binormal) < 1e-5 && segments[4].colour.g > 140);
+    }
+    void inspectedSectionIsDrawn()
+    {
+        Trees trees;
+        const NodeId id = trees.add();
+        SceneView view;
+        view.inspected = {id, 3, 1};
+        const RenderScene built = trees.build(view);
+        QCOMPARE(built.lines.size(), std::size_t(1));
+        QVERIFY(built.lines[0].throughSurfaces && !built.lines[0].pickable);
+        view.inspected = {id, 3, 99};
+        QVERIFY(trees.build(view).lines.empty());
+    }
+    void blocksSurviveUnrelatedChanges()
+    {
+        Trees trees;
+        const NodeId id = trees.add("SmallTree");
+        SceneBuilder builder;
+        for (const DisplayMode mode : {DisplayMode::Mesh, DisplayMode::Rough, DisplayMode::Simplified,
+                                       DisplayMode::Sections, DisplayMode::Skeleton}) {
+            const RenderScene first = builder.build(trees.scene, trees.of(), in(mode));
+            trees.scene.find(id)->params.tree.translation.x += 1.0;
+            SceneView view = in(mode);
+            view.branchNode = id;
+            view.branches = {4};
+            const RenderScene second = builder.build(trees.scene, trees.of(), view);
+            for (std::size_t i = 0; i < first.meshes.size(); ++i)
+                QCOMPARE(first.meshes[i].mesh.get(), second.meshes[i].mesh.get());
+            for (std::size_t i = 0; i < first.lines.size(); ++i)
+                QCOMPARE(first.lines[i].lines.get(), second.lines[i].lines.get());
+            for (std::size_t i = 0; i < first.points.size(); ++i)
+                QCOMPARE(first.points[i].points.get(), second.points[i].points.get());
+            QVERIFY(std::abs(second.box.min.x - first.box.min.x - 1.0) < 1e-6);
+        }
+    }
+    void hiddenAndLocked()
+    {
+        Trees trees;
+        const NodeId id = trees.add();
+        trees.scene.find(id)->locked = true;
+        QVERIFY(!trees.build(SceneView()).meshes[0].pickable);
+        QVERIFY(!trees.build(in(DisplayMode::Skeleton)).lines[0].pickable);
+        trees.scene.find(id)->visible = false;
+        QVERIFY(trees.build(SceneView()).meshes.empty());
+    }
+    void highlights()
+    {
+        Trees trees;
+        const NodeId first = trees.add();
+        const NodeId second = trees.add();
+        SceneView view;
+        QVERIFY(trees.build(view).highlights.empty());
+        view.branchNode = first;
+        view.branches = {1, 2, 9999};
+        view.activeBranch = 2;
+        view.hoverNode = first;
+        view.hoverBranch = 1;
+        RenderScene built = trees.build(view);
+        QCOMPARE(built.highlights.size(), std::size_t(1));
+        const BranchStates& states = *built.highlights[0].states;
+        QCOMPARE(states.size(), std::size_t(trees.results[first].simplified->skeleton.size()));
+        QVERIFY(states[0] == BranchState::Plain && states[1] == BranchState::HoveredSelected);
+        QVERIFY(states[2] == BranchState::Active);
+        view.hoverNode = second;
+        view.hoverBranch = 5;
+        SceneBuilder().updateHighlights(built, trees.of(), view);
+        QCOMPARE(built.highlights.size(), std::size_t(2));
+        QVERIFY((*built.highlights[0].states)[5] == BranchState::Hovered ||
+                built.highlights[0].node == first);
+        view.hoverBranch = 9999;
+        view.branches.clear();
+        SceneBuilder().updateHighlights(built, trees.of(), view);
+        for (const Highlight& of : built.highlights)
+            QVERIFY(std::ranges::all_of(*of.states, [](BranchState s) { return s == BranchState::Plain; }));
+    }
+    void selectedTreesAreFramedAmongOthers()
+    {
+        Trees trees;
+        const NodeId first = trees.add();
+        SceneView view;
+        view.selectedNodes = {first};
+        QVERIFY(trees.build(view).lines.empty());
+        trees.add();
+        QCOMPARE(trees.build(view).lines.size(), std::size_t(1));
+    }
+    void foreignMeshGetsNormals()
+    {
+        TriangleMesh mesh;
+        mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+        mesh.triangles = {{0, 1, 2}};
+        const RenderScene scene = sceneOfMesh(mesh);
+        QCOMPARE(scene.meshes[0].mesh->normals.size(), std::size_t(3));
+        QCOMPARE(scene.box.max, glm::dvec3(1, 1, 0));
+        QVERIFY(sceneOfMesh({}).box.empty());
+    }
+};
+
+QTEST_MAIN(TestSceneBuilder)
+#include "tst_scene_builder.moc"
