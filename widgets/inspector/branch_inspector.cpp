@@ -1,52 +1,295 @@
 #include "widgets/inspector/branch_inspector.h"
 
 #include "core/document/document.h"
+#include "core/skeleton/branch_facts.h"
+#include "widgets/inspector/branch_fact_form.h"
+#include "widgets/inspector/only_branch.h"
+#include "widgets/inspector/roll_editor.h"
+#include "widgets/inspector/section_browser.h"
+#include "widgets/support/core_text.h"
+#include <QEvent>
+#include <QLabel>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QStyle>
+#include <QVBoxLayout>
+#include <algorithm>
 
 namespace ramure {
+namespace {
+
+constexpr quint32 newsThatMatter =
+    changeSelection | changeResults | changeReset | changeBranches | changeNodeState | changeStructure;
+
+constexpr int leastHeight = 160;
+
+/// What a whole skeleton has to be asked once for, however many of its branches are looked at.
+struct SkeletonCache
+{
+    std::shared_ptr<const SimplifiedSkeleton> simplified;
+    std::shared_ptr<const Foliage> foliage;
+    ChildLists children;
+    std::vector<double> masses;
+
+    void update(const TreeResult& tree)
+    {
+        if (tree.simplified == simplified && tree.foliage == foliage)
+            return;
+        simplified = tree.simplified;
+        foliage = tree.foliage;
+        children = childLists(simplified->skeleton);
+        masses = branchMasses(simplified->skeleton, foliage ? *foliage : Foliage());
+    }
+};
+
+} // namespace
 
 struct BranchInspector::Private
 {
-    Document* document = nullptr;
+    Private(BranchInspector* inspector, Document* ofDocument)
+        : q(inspector)
+        , document(ofDocument)
+    {
+    }
+
+    void build();
+    void refresh();
+    void showNothing(const QString& why);
+    void showBranch(const NodeResult& result);
+    void announce();
+    void retranslate();
+    void showTitle();
+    [[nodiscard]] QString whyEmpty() const;
+
+    BranchInspector* q;
+    Document* document;
+    QStackedWidget* pages = nullptr;
+    QLabel* empty = nullptr;
+    QWidget* content = nullptr;
+    QLabel* title = nullptr;
+    QLabel* subtitle = nullptr;
+    BranchFactForm* form = nullptr;
+    RollEditor* roll = nullptr;
+    SectionBrowser* sections = nullptr;
+    SkeletonCache cache;
+    NodeId node = noNode;   ///< what is shown
+    Index branch = noIndex; ///< what is shown
+    bool announced = false; ///< the viewport shows a section
 };
 
 BranchInspector::BranchInspector(Document* document, QWidget* parent)
     : QWidget(parent)
-    , d(std::make_unique<Private>(Private{document}))
+    , d(std::make_unique<Private>(this, document))
 {
+    setObjectName(QStringLiteral("branchInspector"));
+    d->build();
+    connect(document, &Document::changed, this, [this](const Change& change) {
+        if (change.has(newsThatMatter))
+            d->refresh();
+    });
+    d->retranslate();
 }
 
 BranchInspector::~BranchInspector() = default;
 
+void BranchInspector::Private::build()
+{
+    auto* outer = new QVBoxLayout(q);
+    outer->setContentsMargins(0, 0, 0, 0);
+    pages = new QStackedWidget(q);
+    outer->addWidget(pages);
+    auto* emptyPage = new QWidget(pages);
+    auto* emptyLayout = new QVBoxLayout(emptyPage);
+    emptyLayout->setContentsMargins(24, 32, 24, 24);
+    empty = new QLabel(emptyPage);
+    empty->setObjectName(QStringLiteral("hint"));
+    empty->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    empty->setWordWrap(true);
+    emptyLayout->addWidget(empty);
+    pages->addWidget(emptyPage);
+
+    auto* scroll = new QScrollArea(pages);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    content = new QWidget(scroll);
+    content->setObjectName(QStringLiteral("inspectorContent"));
+    scroll->setWidget(content);
+    pages->addWidget(scroll);
+
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(12, 8, 12, 8);
+    layout->setSpacing(6);
+    title = new QLabel(content);
+    title->setObjectName(QStringLiteral("panelTitle"));
+    title->setTextFormat(Qt::PlainText);
+    title->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    subtitle = new QLabel(content);
+    subtitle->setTextFormat(Qt::PlainText);
+    subtitle->setForegroundRole(QPalette::PlaceholderText);
+    subtitle->setWordWrap(true);
+    form = new BranchFactForm(content);
+    roll = new RollEditor(document, content);
+    sections = new SectionBrowser(content);
+    layout->addWidget(title);
+    layout->addWidget(subtitle);
+    layout->addWidget(form);
+    layout->addSpacing(8);
+    layout->addWidget(roll);
+    layout->addSpacing(8);
+    layout->addWidget(sections, 1);
+
+    QObject::connect(form, &BranchFactForm::branchChosen, q,
+                     [this](Index chosen) { document->setSelection(onlyBranch(node, chosen)); });
+    QObject::connect(sections, &SectionBrowser::currentSectionChanged, q, [this] { announce(); });
+    QObject::connect(sections, &SectionBrowser::messageRaised, q, &BranchInspector::messageRaised);
+    QObject::connect(roll, &RollEditor::refused, q, &BranchInspector::messageRaised);
+}
+
+void BranchInspector::Private::refresh()
+{
+    if (!q->isVisible())
+        return; // showEvent catches up
+    const Selection& selection = document->selection();
+    const NodeResult* result = document->result(selection.branchNode);
+    const bool exists = result && result->tree.simplified && selection.activeBranch != noIndex &&
+                        selection.activeBranch < result->tree.simplified->skeleton.size();
+    if (!exists)
+        return showNothing(whyEmpty());
+    node = selection.branchNode;
+    branch = selection.activeBranch;
+    showBranch(*result);
+    pages->setCurrentIndex(1);
+    announce();
+}
+
+/// A tree without a skeleton is another matter than a tree without a choice.
+QString BranchInspector::Private::whyEmpty() const
+{
+    const NodeResult* result = document->result(document->selection().activeNode());
+    if (result && result->error && !result->tree.simplified)
+        return tr("This tree has no branches: %1").arg(errorText(*result->error));
+    return tr("Select a branch in the viewport or in the scene panel.");
+}
+
+void BranchInspector::Private::showNothing(const QString& why)
+{
+    node = noNode;
+    branch = noIndex;
+    cache = {};
+    sections->setFacts({});
+    roll->showBranches(noNode, {});
+    empty->setText(why);
+    pages->setCurrentIndex(0);
+    announce();
+}
+
+void BranchInspector::Private::showBranch(const NodeResult& result)
+{
+    cache.update(result.tree);
+    const Skeleton& skeleton = cache.simplified->skeleton;
+    const SectionSet none;
+    const bool fits =
+        result.tree.sections && result.tree.sections->sections.size() ==
+                                    std::size_t(skeleton.size()) * result.tree.sections->perBranch;
+    const SectionSet& set = fits ? *result.tree.sections : none;
+    form->setFacts(branchFacts(skeleton, cache.children, set, cache.masses, branch));
+    sections->setFacts(sectionFacts(skeleton, set, branch));
+    std::vector<std::uint64_t> keys;
+    for (const Index selected : document->selection().branches)
+        keys.push_back(skeleton.key[selected]);
+    roll->showBranches(node, std::move(keys));
+    showTitle();
+}
+
+void BranchInspector::Private::showTitle()
+{
+    if (branch == noIndex)
+        return;
+    title->setText(tr("Branch %1").arg(branch));
+    const Node* tree = document->scene().find(node);
+    const QString name = tree ? QString::fromStdString(tree->name) : QString();
+    const auto selected = static_cast<int>(document->selection().branches.size());
+    subtitle->setText(selected > 1
+                          ? tr("%1 · the active one of %n selected branch(es)", nullptr, selected).arg(name)
+                          : name);
+}
+
+void BranchInspector::Private::announce()
+{
+    const int section = sections->currentSection();
+    if (branch != noIndex && section >= 0 && q->isVisible()) {
+        announced = true;
+        emit q->sectionInspected(node, branch, static_cast<Index>(section));
+    } else if (announced) {
+        announced = false;
+        emit q->sectionLeft();
+    }
+}
+
+void BranchInspector::Private::retranslate()
+{
+    form->retranslate();
+    roll->retranslate();
+    sections->retranslate();
+    q->setAccessibleName(tr("Branch inspector"));
+    showTitle();
+    empty->setText(whyEmpty());
+    q->updateGeometry();
+}
+
+QSize BranchInspector::minimumSizeHint() const
+{
+    // What scrolls only up and down must not be cut at the side.
+    const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
+    return {d->content->minimumSizeHint().width() + bar, leastHeight};
+}
+
 QSize BranchInspector::sizeHint() const
 {
-    return {320, 560};
+    return {340, 640};
+}
+
+void BranchInspector::setAngleUnit(AngleUnit unit)
+{
+    d->form->setAngleUnit(unit);
+    d->roll->setAngleUnit(unit);
+    d->sections->setAngleUnit(unit);
 }
 
 void BranchInspector::nextSection()
 {
+    d->sections->setCurrentSection(d->sections->currentSection() + 1);
 }
 
 void BranchInspector::previousSection()
 {
+    d->sections->setCurrentSection(d->sections->currentSection() - 1);
 }
 
 void BranchInspector::copyCsv()
 {
+    d->sections->copyCsv(false);
 }
 
 void BranchInspector::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        d->retranslate();
 }
 
 void BranchInspector::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
+    d->refresh();
 }
 
 void BranchInspector::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
+    d->announce();
 }
 
 } // namespace ramure

@@ -5,6 +5,7 @@
 
 #include "core/base/index.h"
 #include "core/scene/scene.h"
+#include "widgets/numbers/number_format.h"
 #include <QWidget>
 #include <memory>
 
@@ -21,8 +22,11 @@ public:
     ~BranchInspector() override;
 
     [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 public slots:
+    /// Degrees (as at first) or radians.
+    void setAngleUnit(ramure::AngleUnit unit);
     void nextSection();
     void previousSection();
     /// The sections of the active branch, comma-separated, on the clipboard.

@@ -1,0 +1,15 @@
+/// \file
+/// The selection that a link to one branch makes.
+#pragma once
+
+#include "core/document/selection.h"
+
+namespace ramure {
+
+/// The branch alone, and its tree as the active node: what a click on it in the viewport selects.
+inline Selection onlyBranch(NodeId node, Index branch)
+{
+    return {{node}, node, {branch}, branch};
+}
+
+} // namespace ramure
