@@ -8,6 +8,7 @@
 #include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 namespace ramure {
@@ -25,6 +26,8 @@ struct DefectPlace
 
 /// \param world from the mesh's space. Indices that the mesh does not have are left out.
 DefectPlace defectPlace(const TriangleMesh& mesh, const Defect& defect, const glm::dmat4& world);
+/// Its middle in the mesh's space; nothing where the mesh does not have it.
+std::optional<glm::dvec3> defectMiddle(const TriangleMesh& mesh, const Defect& defect);
 /// The branch that the defect's first vertex follows, or noIndex.
 Index defectBranch(const TriangleMesh& mesh, const Defect& defect);
 

@@ -1,39 +1,299 @@
 #include "widgets/validation/validation_panel.h"
 
 #include "core/document/document.h"
+#include "widgets/inspector/only_branch.h"
+#include "widgets/theme/icons.h"
+#include "widgets/validation/kind_texts.h"
+#include "widgets/validation/report_text.h"
+#include "widgets/validation/report_view.h"
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QHeaderView>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
 
 namespace ramure {
+namespace {
+
+constexpr quint32 newsThatMatter =
+    changeSelection | changeResults | changeReset | changeNodeState | changeStructure;
+
+/// The tree whose mesh is looked at: that of the selected branches, the active node, or, while something else
+/// or nothing is selected, the one before; else the first.
+NodeId treeToShow(const Document& document, NodeId before)
+{
+    const auto isTree = [&document](NodeId id) {
+        const Node* node = document.scene().find(id);
+        return node && node->kind == NodeKind::Tree;
+    };
+    for (const NodeId id : {document.selection().branchNode, document.selection().activeNode(), before})
+        if (isTree(id))
+            return id;
+    for (const Node& node : document.scene().nodes())
+        if (node.kind == NodeKind::Tree)
+            return node.id;
+    return noNode;
+}
+
+} // namespace
 
 struct ValidationPanel::Private
 {
-    Document* document = nullptr;
+    Private(ValidationPanel* panel, Document* ofDocument)
+        : q(panel)
+        , document(ofDocument)
+    {
+    }
+
+    void build();
+    QWidget* buildHead(QWidget* parent);
+    QWidget* buildExplanation(QWidget* parent);
+    void refresh();
+    void showSummary();
+    void explain();
+    void activate(const QModelIndex& index);
+    void selectBranch(Index branch);
+    void retranslate();
+    void leave();
+
+    ValidationPanel* q;
+    Document* document;
+    QStackedWidget* pages = nullptr;
+    QLabel* empty = nullptr;
+    StatusBadge* badge = nullptr;
+    QLabel* tree = nullptr;
+    QLabel* headline = nullptr;
+    QLabel* details = nullptr;
+    QToolButton* copy = nullptr;
+    ReportModel* model = nullptr;
+    ReportView* view = nullptr;
+    QLabel* explanation = nullptr;
+    NodeId node = noNode;
+    bool highlighted = false; ///< a defect was handed to the viewport
 };
 
 ValidationPanel::ValidationPanel(Document* document, QWidget* parent)
     : QWidget(parent)
-    , d(std::make_unique<Private>(Private{document}))
+    , d(std::make_unique<Private>(this, document))
 {
+    setObjectName(QStringLiteral("validationPanel"));
+    d->build();
+    connect(document, &Document::changed, this, [this](const Change& change) {
+        if (change.has(newsThatMatter))
+            d->refresh();
+    });
+    d->retranslate();
 }
 
 ValidationPanel::~ValidationPanel() = default;
 
+void ValidationPanel::Private::build()
+{
+    auto* outer = new QVBoxLayout(q);
+    outer->setContentsMargins(0, 0, 0, 0);
+    pages = new QStackedWidget(q);
+    outer->addWidget(pages);
+    auto* emptyPage = new QWidget(pages);
+    auto* emptyLayout = new QVBoxLayout(emptyPage);
+    emptyLayout->setContentsMargins(24, 32, 24, 24);
+    empty = new QLabel(emptyPage);
+    empty->setObjectName(QStringLiteral("hint"));
+    empty->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    empty->setWordWrap(true);
+    emptyLayout->addWidget(empty);
+    pages->addWidget(emptyPage);
+
+    auto* content = new QWidget(pages);
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(buildHead(content));
+    auto* splitter = new QSplitter(Qt::Vertical, content);
+    splitter->setChildrenCollapsible(false);
+    model = new ReportModel(q);
+    view = new ReportView(model, splitter);
+    splitter->addWidget(view);
+    splitter->addWidget(buildExplanation(splitter));
+    splitter->setStretchFactor(0, 1);
+    splitter->setSizes({300, 190});
+    layout->addWidget(splitter, 1);
+    pages->addWidget(content);
+
+    QObject::connect(view, &ReportView::chosen, q, [this](const QModelIndex& index) { activate(index); });
+    QObject::connect(view->selectionModel(), &QItemSelectionModel::currentChanged, q, [this] { explain(); });
+    QObject::connect(model, &QAbstractItemModel::modelReset, q, [this] {
+        leave();
+        explain();
+    });
+    QObject::connect(copy, &QToolButton::clicked, q, &ValidationPanel::copyReport);
+}
+
+QWidget* ValidationPanel::Private::buildHead(QWidget* parent)
+{
+    auto* head = new QWidget(parent);
+    auto* row = new QHBoxLayout(head);
+    row->setContentsMargins(12, 8, 8, 8);
+    row->setSpacing(10);
+    badge = new StatusBadge(head);
+    row->addWidget(badge, 0, Qt::AlignTop);
+    auto* texts = new QVBoxLayout;
+    texts->setSpacing(2);
+    headline = new QLabel(head);
+    headline->setObjectName(QStringLiteral("panelTitle"));
+    headline->setWordWrap(true);
+    tree = new QLabel(head);
+    tree->setTextFormat(Qt::PlainText);
+    tree->setForegroundRole(QPalette::PlaceholderText);
+    details = new QLabel(head);
+    details->setObjectName(QStringLiteral("reportDetails"));
+    details->setTextFormat(Qt::PlainText);
+    details->setWordWrap(true);
+    details->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    texts->addWidget(headline);
+    texts->addWidget(tree);
+    texts->addWidget(details);
+    row->addLayout(texts, 1);
+    copy = new QToolButton(head);
+    copy->setObjectName(QStringLiteral("copyReport"));
+    copy->setIcon(icon("copy"));
+    copy->setAutoRaise(true);
+    row->addWidget(copy, 0, Qt::AlignTop);
+    return head;
+}
+
+QWidget* ValidationPanel::Private::buildExplanation(QWidget* parent)
+{
+    auto* scroll = new QScrollArea(parent);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumHeight(80);
+    explanation = new QLabel(scroll);
+    explanation->setObjectName(QStringLiteral("explanation"));
+    explanation->setTextFormat(Qt::RichText);
+    explanation->setWordWrap(true);
+    explanation->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    explanation->setContentsMargins(12, 4, 12, 8);
+    explanation->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    scroll->setWidget(explanation);
+    return scroll;
+}
+
+void ValidationPanel::Private::refresh()
+{
+    if (!q->isVisible())
+        return; // showEvent catches up
+    const NodeId shown = treeToShow(*document, node);
+    if (shown != node)
+        leave();
+    node = shown;
+    pages->setCurrentIndex(node == noNode ? 0 : 1);
+    const NodeResult* result = document->result(node);
+    if (result && !result->error)
+        model->setSource({result->tree.report, result->tree.branches, result->tree.simplified});
+    else
+        model->setSource({});
+    view->setVisible(model->rowCount() > 0);
+    showSummary();
+}
+
+void ValidationPanel::Private::showSummary()
+{
+    const Node* shown = document->scene().find(node);
+    const ReportSummary state = summarise(document->result(node));
+    badge->setStatus(state.status);
+    badge->setAccessibleName(state.headline);
+    headline->setText(state.headline);
+    details->setText(state.details);
+    tree->setText(shown ? QString::fromStdString(shown->name) : QString());
+    explain();
+}
+
+void ValidationPanel::Private::explain()
+{
+    const QModelIndex current = view->currentIndex();
+    QString text;
+    if (current.isValid())
+        text = richText(std::visit([](auto kind) { return kindText(kind); }, model->kind(current)));
+    else if (badge->status() == StatusBadge::Status::Good)
+        text = richText(cleanText());
+    else if (model->rowCount() > 0)
+        text = richText(
+            {tr("What this means"), tr("Choose a kind above to read what it is and what it does."), {}, {}});
+    explanation->setText(text);
+}
+
+void ValidationPanel::Private::activate(const QModelIndex& index)
+{
+    const ReportSource& source = model->source();
+    if (const Defect* defect = model->defect(index)) {
+        const glm::dmat4 world = worldMatrix(document->scene(), node);
+        const DefectPlace place = defectPlace(source.branches->mesh, *defect, world);
+        selectBranch(defectBranch(source.branches->mesh, *defect));
+        highlighted = true;
+        emit q->defectActivated(node, place);
+    } else if (const RepairNote* note = model->repair(index)) {
+        leave();
+        selectBranch(note->branch);
+    }
+}
+
+void ValidationPanel::Private::selectBranch(Index branch)
+{
+    if (branch != noIndex)
+        document->setSelection(onlyBranch(node, branch));
+}
+
+void ValidationPanel::Private::leave()
+{
+    if (!highlighted)
+        return;
+    highlighted = false;
+    emit q->defectLeft();
+}
+
+void ValidationPanel::Private::retranslate()
+{
+    empty->setText(tr("The check of a tree's mesh stands here. There is no tree in the scene."));
+    copy->setToolTip(tr("Copy the report as text"));
+    copy->setAccessibleName(copy->toolTip());
+    view->setAccessibleName(tr("Defects and repairs"));
+    q->setAccessibleName(tr("Mesh check"));
+    model->retranslate();
+    showSummary();
+}
+
 QSize ValidationPanel::sizeHint() const
 {
-    return {320, 420};
+    return {340, 420};
 }
 
 void ValidationPanel::copyReport()
 {
+    if (d->node == noNode)
+        return;
+    const Node* tree = d->document->scene().find(d->node);
+    const QString name = tree ? QString::fromStdString(tree->name) : QString();
+    QGuiApplication::clipboard()->setText(reportText(name, d->document->result(d->node)));
+    emit messageRaised(tr("Report copied as text"));
 }
 
 void ValidationPanel::changeEvent(QEvent* event)
 {
     QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        d->retranslate();
 }
 
 void ValidationPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
+    d->refresh();
 }
 
 } // namespace ramure

@@ -1,0 +1,170 @@
+#include "widgets/validation/kind_texts.h"
+
+#include <QCoreApplication>
+
+namespace ramure {
+namespace {
+
+/// The context under which the translators find these texts.
+struct KindTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(KindTexts)
+public:
+    static KindText edges(DefectKind kind);
+    static KindText vertices(DefectKind kind);
+    static KindText faces(DefectKind kind);
+    static KindText repair(SkeletonRepair kind);
+    static KindText clean();
+    static QString rich(const KindText& text);
+};
+
+KindText KindTexts::edges(DefectKind kind)
+{
+    if (kind == DefectKind::BoundaryEdge)
+        return {
+            tr("Boundary edges"),
+            tr("An edge with a face on one side only: the surface is open there, like the rim of a cup."),
+            tr("A slicer cannot tell inside from outside. It leaves the hole open or fills it as it likes."),
+            tr("One looks into the branch through the hole, and light and shadow leak through it.")};
+    if (kind == DefectKind::NonManifoldEdge)
+        return {tr("Non-manifold edges"),
+                tr("Three faces or more meet in one edge, like the pages of a book in its spine."),
+                tr("No solid body has such an edge: walls go missing or come out twice."),
+                tr("Smoothing, subdividing and unwrapping go wrong around it; the shading shows a seam.")};
+    return {tr("Inconsistent edges"), tr("Two neighbouring faces do not agree on which side is outside."),
+            tr("Inside and outside change places: parts come out hollow or missing."),
+            tr("Where back faces are not drawn, one of the two is a hole; the light falls on it from the "
+               "wrong side.")};
+}
+
+KindText KindTexts::vertices(DefectKind kind)
+{
+    if (kind == DefectKind::NonManifoldVertex)
+        return {tr("Non-manifold vertices"),
+                tr("Two parts of the surface touch in a single point, like the halves of an hourglass."),
+                tr("A joint without thickness: it breaks, or the parts come out separate."),
+                tr("Smooth normals mix both parts and leave a dark spot; physics and level-of-detail tools "
+                   "may refuse "
+                   "the mesh.")};
+    if (kind == DefectKind::DuplicateVertex)
+        return {tr("Duplicate vertices"), tr("Two vertices stand at exactly the same place."),
+                tr("The surface looks closed and yet is slit there; programs that weld points may close it "
+                   "wrongly."),
+                tr("The shading may show a seam, and the surface tears open when it moves.")};
+    return {tr("Isolated vertices"), tr("A vertex that no face uses."),
+            tr("Nothing is printed there, but some programs refuse the file."),
+            tr("It takes memory and may enlarge the box around the tree, so that the view frames it badly.")};
+}
+
+KindText KindTexts::faces(DefectKind kind)
+{
+    if (kind == DefectKind::DuplicateFace)
+        return {tr("Duplicate faces"), tr("Two faces on the same three vertices."),
+                tr("A wall without thickness. Slicers drop both faces, or only one and leave a hole."),
+                tr("Both lie at the same depth and flicker.")};
+    return {tr("Degenerate faces"),
+            tr("A face without area: a vertex repeated, or its three vertices in line."),
+            tr("It faces nowhere. Slicers remove it, which may leave a crack."),
+            tr("It cannot be seen, costs time and has no normal: dark specks, and normal maps fail.")};
+}
+
+KindText KindTexts::repair(SkeletonRepair kind)
+{
+    switch (kind) {
+    case SkeletonRepair::ZeroLengthContracted:
+        return {tr("Branches without length"),
+                tr("A branch without length was passed over: its children start at its parent's end. Nothing "
+                   "that "
+                   "could be seen is lost."),
+                {},
+                {}};
+    case SkeletonRepair::RootStub:
+        return {tr("Roots without length"),
+                tr("A root without length was given a short stub, so that the branches have something to "
+                   "stand on."),
+                {},
+                {}};
+    case SkeletonRepair::SiblingsMerged:
+        return {tr("Siblings in one place"),
+                tr("Two branches of one parent lie in the same place, so one tube serves both. Two tubes "
+                   "there would "
+                   "cross each other all along."),
+                {},
+                {}};
+    case SkeletonRepair::SiblingChained:
+        return {tr("Siblings inside a longer one"),
+                tr("A branch lies inside a longer one of the same parent: the longer one goes on from its "
+                   "end, as one "
+                   "tube."),
+                {},
+                {}};
+    case SkeletonRepair::RadiusClamped:
+        return {tr("Radii too small"),
+                tr("The radius was so small against the size of the tree that the tube's points would fall "
+                   "together. "
+                   "It was raised to the smallest that works; no printer makes it that thin."),
+                {},
+                {}};
+    }
+    return {};
+}
+
+KindText KindTexts::clean()
+{
+    return {tr("What this means"),
+            tr("The branches are one closed skin without holes, seams or crossings of its edges: every edge "
+               "has exactly "
+               "two faces, and all faces look outward."),
+            tr("The mesh is a solid body; a slicer takes it as it is."),
+            tr("Smooth shading, subdividing, unwrapping and physics work without repair.")};
+}
+
+QString KindTexts::rich(const KindText& text)
+{
+    const auto paragraph = [](const QString& label, const QString& words) {
+        if (words.isEmpty())
+            return QString();
+        const QString head =
+            label.isEmpty() ? QString() : QStringLiteral("<i>%1</i> ").arg(label.toHtmlEscaped());
+        return QStringLiteral("<p>%1%2</p>").arg(head, words.toHtmlEscaped());
+    };
+    return QStringLiteral("<p><b>%1</b></p>").arg(text.name.toHtmlEscaped()) + paragraph({}, text.meaning) +
+           paragraph(tr("In a print:"), text.print) + paragraph(tr("In a game or a renderer:"), text.game);
+}
+
+} // namespace
+
+KindText kindText(DefectKind kind)
+{
+    switch (kind) {
+    case DefectKind::BoundaryEdge:
+    case DefectKind::NonManifoldEdge:
+    case DefectKind::InconsistentEdge:
+        return KindTexts::edges(kind);
+    case DefectKind::NonManifoldVertex:
+    case DefectKind::DuplicateVertex:
+    case DefectKind::IsolatedVertex:
+        return KindTexts::vertices(kind);
+    case DefectKind::DuplicateFace:
+    case DefectKind::DegenerateFace:
+        break;
+    }
+    return KindTexts::faces(kind);
+}
+
+KindText kindText(SkeletonRepair kind)
+{
+    return KindTexts::repair(kind);
+}
+
+KindText cleanText()
+{
+    return KindTexts::clean();
+}
+
+QString richText(const KindText& text)
+{
+    return KindTexts::rich(text);
+}
+
+} // namespace ramure

@@ -1,0 +1,28 @@
+/// \file
+/// What the kinds of defects and repairs are called and what they mean, in plain words.
+#pragma once
+
+#include "core/mesh/branch_mesh.h"
+#include "core/mesh/validate.h"
+#include <QString>
+
+namespace ramure {
+
+inline constexpr int repairKindCount = 5;
+
+struct KindText
+{
+    QString name;    ///< plural: "Boundary edges"
+    QString meaning; ///< what it is
+    QString print;   ///< what it does to a print; empty for repairs
+    QString game;    ///< what it does in a game or a renderer; empty for repairs
+};
+
+KindText kindText(DefectKind kind);
+KindText kindText(SkeletonRepair kind);
+/// What a mesh without defects is good for.
+KindText cleanText();
+/// As rich text for a label.
+QString richText(const KindText& text);
+
+} // namespace ramure

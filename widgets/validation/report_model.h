@@ -1,0 +1,81 @@
+/// \file
+/// A mesh's defects and the mesher's repairs as a tree: one row per kind that occurs, below it one row each,
+/// made when the kind is opened.
+#pragma once
+
+#include "core/mesh/branch_mesh.h"
+#include "core/mesh/validate.h"
+#include "core/skeleton/simplify.h"
+#include <QAbstractItemModel>
+#include <memory>
+#include <variant>
+#include <vector>
+
+namespace ramure {
+
+/// What the model shows, shared with the result it comes from. All may be null.
+struct ReportSource
+{
+    std::shared_ptr<const MeshReport> report;
+    std::shared_ptr<const BranchMesh> branches;
+    std::shared_ptr<const SimplifiedSkeleton> simplified;
+};
+
+/// "Edge 3–17", "Vertices 4 and 5" ...
+QString defectName(const Defect& defect);
+/// "Branch 12 with 14": a repair note in words.
+QString repairName(const RepairNote& note);
+
+class ReportModel : public QAbstractItemModel
+{
+    Q_OBJECT
+public:
+    enum Column { WhatColumn, BranchColumn, PlaceColumn, columnTotal };
+    using Kind = std::variant<DefectKind, SkeletonRepair>;
+    static constexpr Index mostRows = 10'000; ///< below one kind
+
+    using QAbstractItemModel::QAbstractItemModel;
+
+    /// Rows are kept where the same mesh comes with a report of the same defects (OpenMesh's opinion came
+    /// later).
+    void setSource(ReportSource source);
+    [[nodiscard]] const ReportSource& source() const { return m_source; }
+    void retranslate();
+
+    [[nodiscard]] Kind
+    kind(const QModelIndex& index) const; ///< of a row or of the row above it; index must be valid
+    [[nodiscard]] QModelIndex kindIndex(const Kind& kind) const;
+    /// Null for the rows of kinds.
+    [[nodiscard]] const Defect* defect(const QModelIndex& index) const;
+    [[nodiscard]] const RepairNote* repair(const QModelIndex& index) const;
+
+    [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QModelIndex parent(const QModelIndex& child) const override;
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] bool hasChildren(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] bool canFetchMore(const QModelIndex& parent) const override;
+    void fetchMore(const QModelIndex& parent) override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    struct Group
+    {
+        Kind kind;
+        Index total = 0;                ///< counted, also beyond mostRows
+        std::vector<std::size_t> items; ///< places in the report's or the mesh's list
+        bool fetched = false;
+    };
+
+    void makeGroups();
+    [[nodiscard]] bool isGroup(const QModelIndex& index) const { return index.internalId() == 0; }
+    [[nodiscard]] const Group& groupOf(const QModelIndex& index) const;
+    [[nodiscard]] QString groupText(const Group& group) const;
+    [[nodiscard]] QString itemText(const QModelIndex& index) const;
+
+    ReportSource m_source;
+    std::vector<Group> m_groups;
+};
+
+} // namespace ramure

@@ -1,0 +1,153 @@
+#include "widgets/validation/report_text.h"
+
+#include "widgets/inspector/fact_text.h"
+#include "widgets/support/core_text.h"
+#include "widgets/validation/defect_place.h"
+#include "widgets/validation/kind_texts.h"
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+namespace ramure {
+namespace {
+
+constexpr int placeDecimals = 4;
+
+/// The context under which the translators find these texts.
+struct ReportTexts
+{
+    Q_DECLARE_TR_FUNCTIONS(ReportTexts)
+public:
+    static QString counts(const MeshReport& report);
+    static QString openMesh(const MeshReport& report, bool draft);
+    static ReportSummary judge(const MeshReport& report, Index roots);
+    static ReportSummary summary(const NodeResult* result);
+    static QStringList defectLines(const TreeResult& tree);
+    static QStringList repairLines(const TreeResult& tree);
+    static QString whole(const QString& treeName, const NodeResult* result);
+};
+
+qulonglong defectTotal(const MeshReport& report)
+{
+    qulonglong total = 0;
+    for (int kind = 0; kind < defectKindCount; ++kind)
+        total += report.count(static_cast<DefectKind>(kind));
+    return total;
+}
+
+QString ReportTexts::counts(const MeshReport& report)
+{
+    const QLocale locale;
+    NumberFormat volume;
+    volume.decimals = 4;
+    volume.suffix = QStringLiteral("\u00a0m³");
+    return tr("%1 vertices, %2 faces, volume %3, Euler characteristic %4, %n piece(s)", nullptr,
+              static_cast<int>(report.components))
+        .arg(locale.toString(report.vertices), locale.toString(report.faces), volume.text(report.volume),
+             locale.toString(static_cast<qlonglong>(report.eulerCharacteristic)));
+}
+
+QString ReportTexts::openMesh(const MeshReport& report, bool draft)
+{
+    if (report.openMeshChecked)
+        return report.openMeshAgrees ? tr("Confirmed by OpenMesh.") : tr("OpenMesh refuses the mesh.");
+    return draft ? tr("A draft: the full mesh follows.") : tr("OpenMesh has not been asked yet.");
+}
+
+ReportSummary ReportTexts::judge(const MeshReport& report, Index roots)
+{
+    using Status = StatusBadge::Status;
+    const qulonglong defects = defectTotal(report);
+    if (defects > 0)
+        return {Status::Bad, tr("%n defect(s)", nullptr, static_cast<int>(defects)), {}};
+    if (report.faces == 0)
+        return {Status::Bad, tr("The mesh has no faces"), {}};
+    if (!report.valid)
+        return {Status::Bad, tr("Closed, but inside out"), {}};
+    if (report.components != roots)
+        return {Status::Bad, tr("More or fewer pieces than roots (%1)").arg(roots), {}};
+    if (report.openMeshChecked && !report.openMeshAgrees)
+        return {Status::Bad, tr("The two checks do not agree"), {}};
+    return {Status::Good, tr("Closed, manifold, oriented"), {}};
+}
+
+ReportSummary ReportTexts::summary(const NodeResult* result)
+{
+    using Status = StatusBadge::Status;
+    if (!result)
+        return {Status::Unknown, tr("Not checked yet"), tr("The mesh is being made.")};
+    if (result->error)
+        return {Status::Warning, tr("No mesh to check"), errorText(*result->error)};
+    if (!result->tree.report || !result->tree.branches)
+        return {Status::Unknown, tr("Not checked yet"), tr("The mesh is being made.")};
+    const MeshReport& report = *result->tree.report;
+    ReportSummary summary = judge(report, result->tree.branches->roots);
+    summary.details = counts(report) + QStringLiteral(". ") + openMesh(report, result->draft);
+    return summary;
+}
+
+QStringList ReportTexts::defectLines(const TreeResult& tree)
+{
+    QStringList lines;
+    for (int k = 0; k < defectKindCount; ++k) {
+        const auto kind = static_cast<DefectKind>(k);
+        lines += QStringLiteral("%1: %2").arg(kindText(kind).name).arg(tree.report->count(kind));
+        for (const Defect& defect : tree.report->defects) {
+            if (defect.kind != kind)
+                continue;
+            QStringList parts{defectName(defect)};
+            if (const Index branch = defectBranch(tree.branches->mesh, defect); branch != noIndex)
+                parts += tr("branch %1").arg(branch);
+            if (const auto place = defectMiddle(tree.branches->mesh, defect))
+                parts += tr("at %1").arg(facttext::vector(*place, placeDecimals));
+            lines += QStringLiteral("    ") + parts.join(QStringLiteral(", "));
+        }
+    }
+    return lines;
+}
+
+QStringList ReportTexts::repairLines(const TreeResult& tree)
+{
+    QStringList lines;
+    for (int k = 0; k < repairKindCount; ++k) {
+        const auto kind = static_cast<SkeletonRepair>(k);
+        QStringList notes;
+        for (const RepairNote& note : tree.branches->repairs)
+            if (note.kind == kind)
+                notes += QStringLiteral("    ") + repairName(note);
+        if (!notes.empty())
+            lines += QStringLiteral("%1: %2").arg(kindText(kind).name).arg(notes.size());
+        lines += notes;
+    }
+    if (lines.empty())
+        lines += tr("none");
+    return lines;
+}
+
+QString ReportTexts::whole(const QString& treeName, const NodeResult* result)
+{
+    const ReportSummary state = summary(result);
+    QStringList lines{tr("Check of the mesh of \"%1\"").arg(treeName), state.headline, state.details};
+    if (result && !result->error && result->tree.report && result->tree.branches) {
+        lines += QString();
+        lines += defectLines(result->tree);
+        lines += QString();
+        lines += tr("Repairs of the mesher:");
+        lines += repairLines(result->tree);
+    }
+    return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
+}
+
+} // namespace
+
+ReportSummary summarise(const NodeResult* result)
+{
+    return ReportTexts::summary(result);
+}
+
+QString reportText(const QString& treeName, const NodeResult* result)
+{
+    return ReportTexts::whole(treeName, result);
+}
+
+} // namespace ramure
