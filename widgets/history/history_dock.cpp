@@ -3,11 +3,14 @@
 #include "core/document/document.h"
 #include <QEvent>
 #include <QPainter>
+#include <QStyledItemDelegate>
 #include <QUndoView>
 #include <QVBoxLayout>
 
 namespace ramure {
 namespace {
+
+constexpr int dotSide = 16;
 
 /// A filled dot in the accent colour: the state that is in the file.
 QPixmap cleanDot(const QColor& colour, int side, qreal scale)
@@ -24,6 +27,30 @@ QPixmap cleanDot(const QColor& colour, int side, qreal scale)
     return pixmap;
 }
 
+/// Rows that keep the place of the dot free, and steps that were undone in a fainter colour.
+class StepDelegate : public QStyledItemDelegate
+{
+public:
+    StepDelegate(const QUndoStack* stack, QObject* parent)
+        : QStyledItemDelegate(parent)
+        , m_stack(stack)
+    {
+    }
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override
+    {
+        QStyledItemDelegate::initStyleOption(option, index);
+        option->features |= QStyleOptionViewItem::HasDecoration;
+        option->decorationSize = {dotSide, dotSide};
+        if (index.row() > m_stack->index())
+            option->palette.setColor(QPalette::Text, option->palette.color(QPalette::PlaceholderText));
+    }
+
+private:
+    const QUndoStack* m_stack;
+};
+
 } // namespace
 
 HistoryDock::HistoryDock(Document* document, QWidget* parent)
@@ -33,6 +60,7 @@ HistoryDock::HistoryDock(Document* document, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_view);
+    m_view->setItemDelegate(new StepDelegate(document->undoStack(), this));
     m_view->setFrameShape(QFrame::NoFrame);
     m_view->setUniformItemSizes(true);
     m_view->setTextElideMode(Qt::ElideMiddle);
@@ -51,7 +79,7 @@ void HistoryDock::drawCleanIcon()
 {
     QIcon icon;
     for (const qreal scale : {1.0, 1.5, 2.0, 3.0})
-        icon.addPixmap(cleanDot(palette().color(QPalette::Highlight), 16, scale));
+        icon.addPixmap(cleanDot(palette().color(QPalette::Highlight), dotSide, scale));
     m_view->setCleanIcon(icon);
 }
 
