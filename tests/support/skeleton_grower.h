@@ -90,4 +90,7 @@ private:
     Skeleton m_skeleton;
 };
 
+/// ZooFamily::Grammar: a random grammar, rewritten and drawn until it has at most 400 branches.
+void growGrammar(Grower& g);
+
 } // namespace ramure::test
