@@ -13,7 +13,7 @@ namespace ramure {
 /// Undo and redo are the same: what the command holds and what the scene holds are swapped.
 class DocumentCommand : public QUndoCommand
 {
-    Q_DECLARE_TR_FUNCTIONS(Commands)
+    Q_DECLARE_TR_FUNCTIONS(DocumentCommand)
 public:
     DocumentCommand(Document& document, CommandId id, GestureId gesture, const QString& text)
         : QUndoCommand(text)

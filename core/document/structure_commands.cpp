@@ -75,7 +75,7 @@ public:
     };
 
     MoveCommand(Document& document, NodeId node, const Place& place)
-        : DocumentCommand(document, CommandId::MoveNode, 0, tr("Move"))
+        : DocumentCommand(document, CommandId::MoveNode, 0, DocumentCommand::tr("Move"))
         , m_node(node)
         , m_place(place)
     {
