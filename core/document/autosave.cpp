@@ -117,44 +117,45 @@ QString Autosave::defaultFolder()
 
 Autosave::Autosave(Document* document, const QString& folder, QObject* parent)
     : QObject(parent)
-    , d(std::make_unique<Private>(this, document, folder))
+    , m_private(std::make_unique<Private>(this, document, folder))
 {
-    connect(&d->timer, &QTimer::timeout, this, [this] { d->tick(); });
+    connect(&m_private->timer, &QTimer::timeout, this, [this] { m_private->tick(); });
     connect(document, &Document::changed, this, [this](const Change& change) {
-        if (change.has(changeFile | changeReset) && !d->document->isModified())
-            d->discard();
+        if (change.has(changeFile | changeReset) && !m_private->document->isModified())
+            m_private->discard();
     });
     setInterval(60000);
 }
 
 Autosave::~Autosave()
 {
-    d->discard();
+    m_private->discard();
 }
 
 void Autosave::setInterval(int milliseconds)
 {
     if (milliseconds > 0)
-        d->timer.start(milliseconds);
+        m_private->timer.start(milliseconds);
     else
-        d->timer.stop();
+        m_private->timer.stop();
 }
 
 QString Autosave::recoveryPath() const
 {
-    return d->path;
+    return m_private->path;
 }
 
 Expected<void> Autosave::saveNow()
 {
-    if (d->writer.joinable())
-        d->writer.join();
-    if (!d->isDue())
+    if (m_private->writer.joinable())
+        m_private->writer.join();
+    if (!m_private->isDue())
         return {};
-    const quint64 revision = d->document->revision();
-    const auto result = saveProjectFile(withNote(d->document->project(), d->document->filePath()), d->path);
+    const quint64 revision = m_private->document->revision();
+    const auto result = saveProjectFile(
+        withNote(m_private->document->project(), m_private->document->filePath()), m_private->path);
     if (result)
-        d->savedRevision = revision;
+        m_private->savedRevision = revision;
     return result;
 }
 

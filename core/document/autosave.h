@@ -46,7 +46,7 @@ signals:
 
 private:
     struct Private;
-    std::unique_ptr<Private> d;
+    std::unique_ptr<Private> m_private;
 };
 
 /// A recovery file left behind, claimed: as long as this object (or a copy) lives no other program is offered

@@ -113,46 +113,47 @@ Recompute::Recompute(Document* document, QObject* parent)
 
 Recompute::Recompute(Document* document, Evaluation evaluation, QObject* parent)
     : QObject(parent)
-    , d(std::make_unique<Private>(this, document, std::move(evaluation)))
+    , m_private(std::make_unique<Private>(this, document, std::move(evaluation)))
 {
-    d->rest.setSingleShot(true);
-    connect(&d->rest, &QTimer::timeout, this, [this] {
-        d->startFull();
-        d->updateBusy();
+    m_private->rest.setSingleShot(true);
+    connect(&m_private->rest, &QTimer::timeout, this, [this] {
+        m_private->startFull();
+        m_private->updateBusy();
     });
-    connect(document, &Document::changed, this, [this](const Change& change) { d->documentChanged(change); });
-    d->schedule(true);
+    connect(document, &Document::changed, this,
+            [this](const Change& change) { m_private->documentChanged(change); });
+    m_private->schedule(true);
 }
 
 Recompute::~Recompute() = default;
 
 bool Recompute::isBusy() const
 {
-    return d->busy;
+    return m_private->busy;
 }
 
 void Recompute::setRest(int milliseconds)
 {
-    d->restMs = std::max(0, milliseconds);
+    m_private->restMs = std::max(0, milliseconds);
 }
 
 void Recompute::setDirectLimit(int milliseconds)
 {
-    d->directSeconds = std::max(0, milliseconds) / 1000.0;
+    m_private->directSeconds = std::max(0, milliseconds) / 1000.0;
 }
 
 void Recompute::cancel()
 {
-    d->rest.stop();
-    d->worker.stop({JobKind::Full});
-    d->updateBusy();
+    m_private->rest.stop();
+    m_private->worker.stop({JobKind::Full});
+    m_private->updateBusy();
 }
 
 bool Recompute::waitForFull(int timeoutMs)
 {
-    if (d->rest.isActive()) {
-        d->rest.stop();
-        d->startFull();
+    if (m_private->rest.isActive()) {
+        m_private->rest.stop();
+        m_private->startFull();
     }
     QEventLoop loop;
     bool inTime = true;
@@ -163,7 +164,7 @@ bool Recompute::waitForFull(int timeoutMs)
     connect(this, &Recompute::busyChanged, &loop, &QEventLoop::quit);
     while (inTime && isBusy())
         loop.exec();
-    return d->staleTrees().empty();
+    return m_private->staleTrees().empty();
 }
 
 void Recompute::Private::documentChanged(const Change& change)
