@@ -237,13 +237,16 @@ void MainWindow::connectPanels()
         m_propertiesDock->raise();
         m_properties->showParam(key);
     });
+    const auto applyUnits = [this] { m_inspector->setAngleUnit(m_preferences->angleUnit()); };
+    connect(m_preferences, &Preferences::changed, this, applyUnits);
+    applyUnits();
     Viewport* view = m_host->viewport();
     if (!view)
         return;
     connect(m_inspector, &BranchInspector::sectionInspected, view, &Viewport::setInspectedSection);
     connect(m_inspector, &BranchInspector::sectionLeft, view, &Viewport::clearInspectedSection);
-    connect(m_validation, &ValidationPanel::defectActivated, view,
-            [view](NodeId, const DefectPlace& place) { view->frameBox(place.box); });
+    connect(m_validation, &ValidationPanel::defectActivated, view, &Viewport::showDefect);
+    connect(m_validation, &ValidationPanel::defectLeft, view, &Viewport::clearDefect);
 }
 
 void MainWindow::follow(const Change& change)

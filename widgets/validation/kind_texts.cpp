@@ -111,12 +111,13 @@ KindText KindTexts::repair(SkeletonRepair kind)
 
 KindText KindTexts::clean()
 {
-    return {tr("What this means"),
-            tr("The branches are one closed skin without holes, seams or crossings of its edges: every edge "
-               "has exactly "
-               "two faces, and all faces look outward."),
-            tr("The mesh is a solid body; a slicer takes it as it is."),
-            tr("Smooth shading, subdividing, unwrapping and physics work without repair.")};
+    return {
+        tr("What this means"),
+        tr("The branches are one closed skin without holes or seams: every edge has exactly two faces, and "
+           "all "
+           "faces look outward. Whether branches reach into each other is another question, not asked here."),
+        tr("The mesh is a solid body; a slicer takes it as it is."),
+        tr("Smooth shading, subdividing, unwrapping and physics work without repair.")};
 }
 
 QString KindTexts::rich(const KindText& text)
