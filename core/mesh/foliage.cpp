@@ -4,12 +4,9 @@
 #include "core/mesh/foliage_shapes.h"
 #include "core/random/random.h"
 #include <cmath>
-#include <numbers>
 
 namespace ramure {
 namespace {
-
-constexpr double twoPi = 2.0 * std::numbers::pi;
 
 /// The branches' lines and where foliage may stand around them.
 class Placer
@@ -34,24 +31,35 @@ public:
     FoliageItem draw(Random& random) const
     {
         const double along = m_reach * random.unit();
-        const double across = 0.5 * m_alpha * std::sqrt(random.unit());
-        const double around = twoPi * random.unit();
+        const glm::dvec2 across = 0.5 * m_alpha * drawOnDisc(random);
         FoliageItem item;
         item.branch = m_branch;
-        item.position = m_skeleton.p0[m_branch] + along * m_frame.tangent +
-                        across * (std::cos(around) * m_frame.normal + std::sin(around) * m_frame.binormal);
+        item.position = m_skeleton.p0[m_branch] + along * m_frame.tangent + across.x * m_frame.normal +
+                        across.y * m_frame.binormal;
         item.orientation = drawOrientation(random);
         return item;
     }
 
 private:
-    /// Uniform over all rotations: K. Shoemake, "Uniform random rotations", Graphics Gems III, 1992.
+    /// Even over the open unit disc, by rejection: plain arithmetic, the same on every machine.
+    static glm::dvec2 drawOnDisc(Random& random)
+    {
+        for (;;) {
+            const double x = random.range(-1.0, 1.0), y = random.range(-1.0, 1.0);
+            if (x * x + y * y < 1.0)
+                return {x, y};
+        }
+    }
+    /// Even over all rotations: G. Marsaglia, "Choosing a point from the surface of a sphere", 1972, his
+    /// point of the sphere in four dimensions.
     static glm::dquat drawOrientation(Random& random)
     {
-        const double share = random.unit();
-        const double a = twoPi * random.unit(), b = twoPi * random.unit();
-        const double r0 = std::sqrt(1.0 - share), r1 = std::sqrt(share);
-        return {r1 * std::cos(b), r0 * std::sin(a), r0 * std::cos(a), r1 * std::sin(b)};
+        const glm::dvec2 a = drawOnDisc(random), b = drawOnDisc(random);
+        const double inA = glm::dot(a, a), inB = glm::dot(b, b);
+        if (inB == 0.0)
+            return {1.0, 0.0, 0.0, 0.0};
+        const double share = std::sqrt((1.0 - inA) / inB);
+        return {a.x, a.y, share * b.x, share * b.y};
     }
 
     const Skeleton& m_skeleton;
@@ -83,25 +91,27 @@ TriangleMesh scatter(const Skeleton& skeleton, const std::vector<FoliageItem>& i
                      const TriangleMesh& shape, double scale)
 {
     const std::size_t vertices = shape.positions.size(), faces = shape.triangles.size();
+    std::vector<glm::vec3> scaled = shape.positions;
+    for (glm::vec3& position : scaled)
+        position *= static_cast<float>(scale);
     TriangleMesh mesh;
-    mesh.positions.resize(items.size() * vertices);
-    mesh.normals.resize(mesh.positions.size());
-    mesh.branch.resize(mesh.positions.size());
-    mesh.level.resize(mesh.positions.size());
-    mesh.triangles.resize(items.size() * faces);
-    std::size_t vertex = 0, face = 0;
+    mesh.positions.reserve(items.size() * vertices);
+    mesh.normals.reserve(items.size() * vertices);
+    mesh.branch.reserve(items.size() * vertices);
+    mesh.level.reserve(items.size() * vertices);
+    mesh.triangles.reserve(items.size() * faces);
     for (const FoliageItem& item : items) {
-        const glm::dmat3 turn = glm::mat3_cast(item.orientation);
-        const auto first = static_cast<Index>(vertex);
-        for (std::size_t i = 0; i < vertices; ++i, ++vertex) {
-            mesh.positions[vertex] =
-                glm::vec3(item.position + turn * (scale * glm::dvec3(shape.positions[i])));
-            mesh.normals[vertex] = glm::vec3(turn * glm::dvec3(shape.normals[i]));
-            mesh.branch[vertex] = item.branch;
-            mesh.level[vertex] = skeleton.level[item.branch];
+        const glm::mat3 turn(glm::mat3_cast(item.orientation));
+        const glm::vec3 centre(item.position);
+        const Index first = mesh.vertexCount();
+        for (std::size_t i = 0; i < vertices; ++i) {
+            mesh.positions.push_back(centre + turn * scaled[i]);
+            mesh.normals.push_back(turn * shape.normals[i]);
         }
+        mesh.branch.insert(mesh.branch.end(), vertices, item.branch);
+        mesh.level.insert(mesh.level.end(), vertices, skeleton.level[item.branch]);
         for (const glm::uvec3& triangle : shape.triangles)
-            mesh.triangles[face++] = triangle + first;
+            mesh.triangles.push_back(triangle + first);
     }
     return mesh;
 }
