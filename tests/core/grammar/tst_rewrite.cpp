@@ -64,6 +64,7 @@ private slots:
     void ruleOfTheDefinition_data();
     void ruleOfTheDefinition();
     void randomGrammars();
+    void randomBytesNeverCrash();
     void longTexts();
     void chanceOnlyWhereAsked();
     void chanceIsRepeatable();
@@ -181,6 +182,36 @@ void TestRewrite::randomGrammars()
             QCOMPARE(*out, plainRewrite(grammar, iterations));
         }
     }
+}
+
+void TestRewrite::randomBytesNeverCrash()
+{
+    Random random(4, RandomStream::Test);
+    const auto text = [&](std::uint32_t longest) {
+        std::string out(random.below(longest + 1), ' ');
+        for (char& c : out)
+            c = static_cast<char>(random.unit() < 0.5 ? 'A' + static_cast<char>(random.below(3))
+                                                      : random.below(256));
+        return out;
+    };
+    int grown = 0;
+    for (int i = 0; i < 20'000; ++i) {
+        Grammar grammar{text(8), {}};
+        for (std::uint32_t k = random.below(4); k > 0; --k) {
+            Rule rule{text(1).append("A")[0], text(6), {}, {}};
+            for (std::uint32_t choice = random.below(3); choice > 0; --choice) {
+                rule.probabilities.push_back(random.range(-0.1, 1.0));
+                rule.replacements.push_back(text(6));
+            }
+            grammar.rules.push_back(std::move(rule));
+        }
+        const int iterations = static_cast<int>(random.below(40)) - 2;
+        const auto out = rewrite(grammar, {iterations, random.unit() < 0.5, random.next(), 5'000});
+        QCOMPARE(checkGrammar(grammar).has_value(), out.has_value() || out.error().code == ErrorCode::Limit);
+        QVERIFY(!out || out->size() <= 5'000);
+        grown += out ? 1 : 0;
+    }
+    QVERIFY(grown > 1000);
 }
 
 void TestRewrite::longTexts()

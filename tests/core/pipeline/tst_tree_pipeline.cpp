@@ -3,6 +3,7 @@
 #include "core/pipeline/stage_cache.h"
 #include "core/pipeline/stage_hash.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/random/random.h"
 #include "tests/support/suite.h"
 
 #include <cmath>
@@ -46,6 +47,53 @@ ParamValue otherValue(const ParamDef& def, const NodeParams& params)
     return std::get<glm::dvec3>(now) + glm::dvec3(0.5);
 }
 
+/// Anywhere in the range of the row, often at its ends.
+ParamValue randomValue(const ParamDef& def, Random& random)
+{
+    const auto number = [&] {
+        const double kind = random.unit();
+        if (kind < 0.1)
+            return random.unit() < 0.5 ? def.hardMin : def.hardMax;
+        return kind < 0.3 ? random.range(def.hardMin, def.hardMax) : random.range(def.softMin, def.softMax);
+    };
+    switch (def.type) {
+    case ParamType::Bool:
+        return random.unit() < 0.5;
+    case ParamType::Int:
+        return static_cast<std::int64_t>(number());
+    case ParamType::Real:
+        return number();
+    case ParamType::Vec3:
+        return glm::dvec3(number(), number(), number());
+    case ParamType::Text:
+        break;
+    }
+    return defaultValue(def);
+}
+
+/// A grammar of turns, brackets and branches that grows by chance.
+GrammarParams randomGrammar(Random& random)
+{
+    static constexpr std::string_view alphabet = "ABCFF+-/\\^_[]";
+    const auto text = [&](std::uint32_t longest) {
+        std::string out;
+        int open = 0;
+        for (std::uint32_t i = random.below(longest) + 1; i > 0; --i) {
+            const char symbol = alphabet[random.below(std::uint32_t(alphabet.size()))];
+            if (symbol == ']' && open == 0)
+                continue;
+            open += (symbol == '[') - (symbol == ']');
+            out += symbol;
+        }
+        return out + std::string(std::size_t(open), ']');
+    };
+    GrammarParams grammar{{}, {}, random.below(5)};
+    grammar.axiom = text(6).append("F");
+    for (const char* const head : {"A -> 0.3:", "| 0.7:", "\nB ->"})
+        grammar.rules.append(head).append(text(8));
+    return grammar;
+}
+
 /// What each stage gave, by address: equal addresses = from the cache.
 std::array<const void*, 6> resultsOf(const TreeResult& tree)
 {
@@ -85,6 +133,7 @@ private slots:
     void draftIsCheaper();
     void progressRises();
     void sameResultEveryTime();
+    void randomParametersGiveValidMeshes();
     void cacheHasABudget();
     void hashesTellInputsApart();
 };
@@ -364,6 +413,34 @@ void TestTreePipeline::sameResultEveryTime()
     QVERIFY(*a->symbols == *b->symbols && *a->skeleton == *b->skeleton);
     QVERIFY(a->branches->mesh == b->branches->mesh);
     QVERIFY(*a->leaves == *b->leaves && *a->apples == *b->apples);
+}
+
+void TestTreePipeline::randomParametersGiveValidMeshes()
+{
+    Random random(11, RandomStream::Test);
+    TreePipeline pipeline;
+    int valid = 0;
+    for (int i = 0; i < 300; ++i) {
+        NodeParams params;
+        for (const ParamDef& def : paramTable())
+            QVERIFY(setParam(params, def, randomValue(def, random)));
+        const GrammarParams grammar = randomGrammar(random);
+        params.grammar.axiom = grammar.axiom;
+        params.grammar.rules = grammar.rules;
+        params.grammar.iterations = grammar.iterations;
+        const auto tree = pipeline.evaluate(params);
+        if (!tree) {
+            QVERIFY2(tree.error().code == ErrorCode::Limit, test::why(tree));
+            continue;
+        }
+        const QByteArray said =
+            QByteArray::number(i) + ": " + QByteArray::fromStdString(grammar.axiom + ", " + grammar.rules);
+        QVERIFY2(tree->report->valid, said);
+        QCOMPARE(tree->report->components, tree->branches->roots);
+        QCOMPARE(tree->report->eulerCharacteristic, 2 * std::int64_t(tree->branches->roots));
+        ++valid;
+    }
+    QVERIFY(valid > 200);
 }
 
 void TestTreePipeline::cacheHasABudget()
