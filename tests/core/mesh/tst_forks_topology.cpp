@@ -1,3 +1,4 @@
+#include "core/random/random.h"
 #include "tests/support/fork_judge.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/skeleton_zoo.h"
@@ -21,6 +22,7 @@ private slots:
     void randomTreesOfAGrammar_data();
     void randomTreesOfAGrammar();
     void zoo();
+    void zooAtTheExtremes();
     void sameSkeletonSameMesh();
     void theSkeletonsOwnRepairsAreReported();
 };
@@ -53,6 +55,16 @@ private:
     std::uint64_t m_count = 0;
     std::string m_text;
 };
+
+void resize(Skeleton& skeleton, double scale, const glm::dvec3& offset)
+{
+    for (Index i = 0; i < skeleton.size(); ++i) {
+        skeleton.p0[i] = skeleton.p0[i] * scale + offset;
+        skeleton.p1[i] = skeleton.p1[i] * scale + offset;
+        skeleton.a0[i] *= scale;
+        skeleton.a1[i] *= scale;
+    }
+}
 
 } // namespace
 
@@ -144,6 +156,35 @@ void TestForksTopology::zoo()
     for (std::uint64_t number = 0; number < count; ++number) {
         const Specimen animal = specimen(number);
         faults.add(animal.name, branchMeshFaults(animal.skeleton, animal.meshOptions()));
+    }
+    QVERIFY2(faults.none(), faults.text(count));
+}
+
+/// From an atom's size to a planet's, up to ten million times its size from the origin, with the finest
+/// divisions: where floats no longer hold the shape an error is fine, a broken mesh never.
+void TestForksTopology::zooAtTheExtremes()
+{
+    const std::uint64_t count = 300 / slowness;
+    Faults faults;
+    for (std::uint64_t number = 0; number < count; ++number) {
+        Specimen animal = specimen(number);
+        if (animal.skeleton.size() > 300)
+            continue;
+        Random random(number, RandomStream::Test, 1);
+        const double scale = std::pow(10.0, random.range(-10.0, 10.0));
+        const double away = scale * std::pow(10.0, random.range(0.0, 7.0));
+        const glm::dvec3 offset(random.range(-away, away), random.range(-away, away),
+                                random.range(-away, away));
+        resize(animal.skeleton, scale, offset);
+        BranchMeshOptions options = animal.meshOptions();
+        options.radialDivisions = random.below(4) == 0 ? 128 : options.radialDivisions;
+        options.lengthDivisions = random.below(8) == 0 ? 64 : options.lengthDivisions;
+        options.nearTwinRatio = random.below(4) == 0 ? random.range(0.0, 3.0) : options.nearTwinRatio;
+        const Expected<BranchMesh> built = buildBranchMesh(animal.skeleton, options);
+        if (built)
+            faults.add(animal.name + " at the extremes", branchMeshFaults(animal.skeleton, *built));
+        else
+            QCOMPARE(static_cast<int>(built.error().code), static_cast<int>(ErrorCode::Invalid));
     }
     QVERIFY2(faults.none(), faults.text(count));
 }
