@@ -1,7 +1,8 @@
 /// \file
 /// Skeletons that break meshers. Every animal is made from its family and a seed alone, by the program's own
-/// generator (RandomStream::Test), so that a number in a test report names the same skeleton on every
-/// machine.
+/// generator (RandomStream::Test), so that a number in a test report names the same skeleton again on every
+/// machine (with another compiler than GCC, which draws arguments in another order, it may name another one
+/// of the family).
 #pragma once
 
 #include "core/mesh/branch_mesh.h"

@@ -173,8 +173,8 @@ void TestForksTopology::zooAtTheExtremes()
         Random random(number, RandomStream::Test, 1);
         const double scale = std::pow(10.0, random.range(-10.0, 10.0));
         const double away = scale * std::pow(10.0, random.range(0.0, 7.0));
-        const glm::dvec3 offset(random.range(-away, away), random.range(-away, away),
-                                random.range(-away, away));
+        const glm::dvec3 offset{random.range(-away, away), random.range(-away, away),
+                                random.range(-away, away)};
         resize(animal.skeleton, scale, offset);
         BranchMeshOptions options = animal.meshOptions();
         options.radialDivisions = random.below(4) == 0 ? 128 : options.radialDivisions;
