@@ -1,22 +1,12 @@
 #include "widgets/actions/dialog_chooser.h"
 
 #include "widgets/main_window/message_banner.h"
-#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
 
 namespace ramure {
-namespace {
-
-QString tr(const char* text)
-{
-    return QCoreApplication::translate("DialogChooser", text);
-}
-
-} // namespace
-
 void DialogChooser::setWindow(QWidget* window, MessageBanner* banner)
 {
     m_window = window;
@@ -44,15 +34,12 @@ Chooser::Unsaved DialogChooser::unsavedChanges(const QString& documentName)
 {
     QMessageBox box(m_window);
     box.setIcon(QMessageBox::Warning);
-    box.setWindowTitle(tr(QT_TRANSLATE_NOOP("DialogChooser", "Unsaved changes")));
-    box.setText(tr(QT_TRANSLATE_NOOP("DialogChooser", "Save the changes to “%1”?")).arg(documentName));
-    box.setInformativeText(tr(QT_TRANSLATE_NOOP("DialogChooser", "They are lost if you do not save them.")));
-    QPushButton* save =
-        box.addButton(tr(QT_TRANSLATE_NOOP("DialogChooser", "Save")), QMessageBox::AcceptRole);
-    QPushButton* discard =
-        box.addButton(tr(QT_TRANSLATE_NOOP("DialogChooser", "Don’t save")), QMessageBox::DestructiveRole);
-    QPushButton* cancel =
-        box.addButton(tr(QT_TRANSLATE_NOOP("DialogChooser", "Cancel")), QMessageBox::RejectRole);
+    box.setWindowTitle(tr("Unsaved changes"));
+    box.setText(tr("Save the changes to “%1”?").arg(documentName));
+    box.setInformativeText(tr("They are lost if you do not save them."));
+    QPushButton* save = box.addButton(tr("Save"), QMessageBox::AcceptRole);
+    QPushButton* discard = box.addButton(tr("Don’t save"), QMessageBox::DestructiveRole);
+    QPushButton* cancel = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
     box.setDefaultButton(save);
     box.setEscapeButton(cancel);
     box.exec();

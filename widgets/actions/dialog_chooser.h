@@ -3,6 +3,7 @@
 #pragma once
 
 #include "widgets/actions/chooser.h"
+#include <QCoreApplication>
 #include <QPointer>
 #include <QWidget>
 
@@ -12,6 +13,7 @@ class MessageBanner;
 
 class DialogChooser : public Chooser
 {
+    Q_DECLARE_TR_FUNCTIONS(DialogChooser)
 public:
     /// The window the dialogs belong to and the banner for reports; may be given after the chooser was made.
     void setWindow(QWidget* window, MessageBanner* banner);

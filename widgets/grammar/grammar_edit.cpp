@@ -12,7 +12,9 @@
 namespace ramure {
 namespace {
 
-constexpr int mostLines = 14; ///< shown before the editor scrolls
+// Lines shown before the editor scrolls.
+constexpr int mostRuleLines = 14;
+constexpr int mostAxiomLines = 5;
 
 /// A column counted in bytes, as an index into the line's UTF-16 text.
 int characterOf(const QString& line, int byteColumn)
@@ -246,6 +248,7 @@ void GrammarEdit::resizeEvent(QResizeEvent* event)
 
 int GrammarEdit::contentHeight() const
 {
+    const int mostLines = m_rules ? mostRuleLines : mostAxiomLines;
     int lines = 0;
     for (QTextBlock block = document()->begin(); block.isValid() && lines < mostLines; block = block.next()) {
         block.layout();

@@ -31,8 +31,8 @@ QString NumberFormat::text(double value) const
     if (digits > decimals + 6)
         return locale.toString(shown, 'g', 3) + suffix;
     QString result = locale.toString(shown, 'f', digits);
-    // Decimals beyond the usual ones only where they say something: 0.3142, but 0.20 and not 0.200.
-    for (; digits > decimals && result.endsWith(u'0'); --digits)
+    // Decimals beyond the second only where they say something: 0.3142, but 0.20 and not 0.2000.
+    for (; digits > std::min(decimals, 2) && result.endsWith(u'0'); --digits)
         result.chop(1);
     return result + suffix;
 }
@@ -82,14 +82,13 @@ QString rangeText(const ParamDef& def, AngleUnit angles)
     const NumberFormat format = numberFormat(def, angles);
     const bool low = def.hardMin > -openEnd;
     const bool high = def.hardMax < openEnd;
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Numbers", text); };
     if (low && high)
-        return tr(QT_TRANSLATE_NOOP("Numbers", "%1 to %2"))
+        return QCoreApplication::translate("Numbers", "%1 to %2")
             .arg(format.text(def.hardMin), format.text(def.hardMax));
     if (low)
-        return tr(QT_TRANSLATE_NOOP("Numbers", "at least %1")).arg(format.text(def.hardMin));
+        return QCoreApplication::translate("Numbers", "at least %1").arg(format.text(def.hardMin));
     if (high)
-        return tr(QT_TRANSLATE_NOOP("Numbers", "at most %1")).arg(format.text(def.hardMax));
+        return QCoreApplication::translate("Numbers", "at most %1").arg(format.text(def.hardMax));
     return {};
 }
 

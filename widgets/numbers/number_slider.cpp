@@ -1,6 +1,9 @@
 #include "widgets/numbers/number_slider.h"
 
+#include "widgets/theme/theme.h"
 #include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +13,7 @@ namespace {
 
 constexpr int resolution = 10000;
 constexpr double logarithmicFrom = 1000.0; ///< maximum / minimum
+constexpr double knobMargin = 8.0;         ///< of the handle's centre from the ends
 
 } // namespace
 
@@ -18,8 +22,7 @@ NumberSlider::NumberSlider(QWidget* parent)
 {
     setRange(0, resolution);
     setFocusPolicy(Qt::StrongFocus);
-    connect(this, &QSlider::sliderPressed, this, &NumberSlider::gestureBegan);
-    connect(this, &QSlider::sliderReleased, this, &NumberSlider::gestureEnded);
+    setAttribute(Qt::WA_Hover); // the handle grows under the mouse
     connect(this, &QSlider::valueChanged, this, [this](int position) {
         if (!m_showing)
             edit(numberAt(position));
@@ -62,12 +65,14 @@ int NumberSlider::positionOf(double value) const
 void NumberSlider::setNumber(std::optional<double> value)
 {
     m_number = value;
-    if (isSliderDown() && value)
-        return; // the handle stays under the hand
+    if (m_dragging && value) {
+        update();
+        return;
+    }
     m_showing = true;
     QSlider::setValue(value ? positionOf(*value) : 0);
     m_showing = false;
-    setProperty("mixed", !value.has_value());
+    update();
 }
 
 void NumberSlider::edit(double value)
@@ -128,6 +133,52 @@ void NumberSlider::keyPressEvent(QKeyEvent* event)
     }
 }
 
+double NumberSlider::knobAt() const
+{
+    const double t = static_cast<double>(QSlider::value()) / resolution;
+    return knobMargin + (layoutDirection() == Qt::RightToLeft ? 1.0 - t : t) * (width() - 2.0 * knobMargin);
+}
+
+void NumberSlider::dragTo(double x)
+{
+    const double t = std::clamp((x - knobMargin) / std::max(1.0, width() - 2.0 * knobMargin), 0.0, 1.0);
+    QSlider::setValue(
+        static_cast<int>(std::lround((layoutDirection() == Qt::RightToLeft ? 1.0 - t : t) * resolution)));
+}
+
+void NumberSlider::mousePressEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton) {
+        event->ignore();
+        return;
+    }
+    m_dragging = true;
+    emit gestureBegan();
+    // The handle is taken where it is; a press beside it brings it there.
+    m_grip =
+        std::abs(event->position().x() - knobAt()) <= knobMargin ? event->position().x() - knobAt() : 0.0;
+    dragTo(event->position().x() - m_grip);
+}
+
+void NumberSlider::mouseMoveEvent(QMouseEvent* event)
+{
+    if (m_dragging)
+        dragTo(event->position().x() - m_grip);
+    else
+        event->ignore();
+}
+
+void NumberSlider::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton || !m_dragging) {
+        event->ignore();
+        return;
+    }
+    m_dragging = false;
+    setNumber(m_number); // a whole number's own place
+    emit gestureEnded();
+}
+
 void NumberSlider::wheelEvent(QWheelEvent* event)
 {
     if (!hasFocus()) {
@@ -138,6 +189,37 @@ void NumberSlider::wheelEvent(QWheelEvent* event)
     if (steps != 0)
         moveBy(steps);
     event->accept();
+}
+
+void NumberSlider::paintEvent(QPaintEvent*)
+{
+    const QPointF knob(knobAt(), height() / 2.0);
+    const double radius = underMouse() || m_dragging ? 7.0 : 6.0;
+    const bool dark = isDark(palette());
+    QColor groove = palette().color(QPalette::WindowText);
+    groove.setAlphaF(isEnabled() ? 0.22f : 0.12f);
+    QColor filled = palette().color(isEnabled() ? QPalette::Active : QPalette::Disabled, QPalette::Highlight);
+    QColor edge = palette().color(QPalette::WindowText);
+    edge.setAlphaF(0.4f);
+
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    const QRectF whole(2.0, knob.y() - 2.0, width() - 4.0, 4.0);
+    painter.setBrush(groove);
+    painter.drawRoundedRect(whole, 2.0, 2.0);
+    if (!m_number)
+        return; // several values: no handle to believe
+    QRectF part = whole;
+    if (layoutDirection() == Qt::RightToLeft)
+        part.setLeft(knob.x());
+    else
+        part.setRight(knob.x());
+    painter.setBrush(filled);
+    painter.drawRoundedRect(part, 2.0, 2.0);
+    painter.setBrush(dark ? QColor(0xd5, 0xdb, 0xd6) : QColor(Qt::white));
+    painter.setPen(QPen(hasFocus() ? filled : edge, hasFocus() ? 2.0 : 1.0));
+    painter.drawEllipse(knob, radius, radius);
 }
 
 QSize NumberSlider::sizeHint() const

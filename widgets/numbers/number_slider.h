@@ -29,12 +29,18 @@ protected:
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
 
 private:
     [[nodiscard]] double numberAt(int position) const;
     [[nodiscard]] int positionOf(double value) const;
     void moveBy(double steps);
+    [[nodiscard]] double knobAt() const;
+    void dragTo(double x);
     void edit(double value);
 
     double m_minimum = 0.0;
@@ -42,7 +48,9 @@ private:
     double m_step = 0.01;
     bool m_whole = false;
     bool m_logarithmic = false;
-    bool m_showing = false; ///< setNumber is moving the handle
+    bool m_showing = false;  ///< setNumber is moving the handle
+    bool m_dragging = false; ///< between press and release: the handle stays under the hand
+    double m_grip = 0.0;     ///< from the handle's centre to where it was taken
     std::optional<double> m_number;
 };
 

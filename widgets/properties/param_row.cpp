@@ -91,6 +91,7 @@ ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
     }
     grid->setColumnStretch(1, 1);
     m_label->setBuddy(m_editor);
+    m_label->setWordWrap(!m_editor->isWide()); // long names in a narrow panel
     m_reset->setAutoRaise(true);
     m_reset->setIcon(icon("reset"));
     m_reset->setIconSize({14, 14});

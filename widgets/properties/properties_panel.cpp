@@ -18,6 +18,11 @@
 #include <string_view>
 
 namespace ramure {
+namespace {
+
+constexpr int longestLabel = 18; ///< characters of average width
+
+} // namespace
 
 PropertiesPanel::PropertiesPanel(Document* document, Preferences* preferences, QWidget* parent)
     : QWidget(parent)
@@ -310,9 +315,11 @@ void PropertiesPanel::changeEvent(QEvent* event)
 
 void PropertiesPanel::alignLabels()
 {
+    // The longest names are broken into two lines rather than starving the sliders.
     int width = 0;
     for (const ParamRow* row : m_rows)
         width = std::max(width, row->labelWidth());
+    width = std::min(width, fontMetrics().averageCharWidth() * longestLabel);
     for (ParamRow* row : m_rows)
         row->setLabelWidth(width);
 }

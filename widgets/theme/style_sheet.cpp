@@ -37,7 +37,6 @@ QString themeStyleSheet(const QPalette& palette)
         {"@accent@", accent},
         {"@accent-soft@", mixed(window, accent, dark ? 0.45 : 0.3)},
         {"@accent-text@", palette.color(QPalette::HighlightedText)},
-        {"@handle@", dark ? QColor(0xcf, 0xd6, 0xd0) : QColor(0xff, 0xff, 0xff)},
         {"@error@", errorColour(palette)},
         {"@good@", goodColour(palette)},
         {"@warning@", warningColour(palette)},

@@ -1,10 +1,10 @@
 #include "widgets/theme/theme.h"
 
+#include "widgets/theme/ramure_style.h"
 #include <QApplication>
 #include <QEvent>
 #include <QIcon>
 #include <QStyle>
-#include <QStyleFactory>
 
 namespace ramure {
 namespace {
@@ -103,7 +103,7 @@ Theme::Theme(QApplication* application, Preferences* preferences)
 {
     m_systemDark = systemIsDark();
     QIcon::setThemeSearchPaths(QIcon::themeSearchPaths() << QStringLiteral(":/icons"));
-    m_application->setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+    m_application->setStyle(new RamureStyle);
     m_application->installEventFilter(this);
     connect(m_preferences, &Preferences::changed, this, &Theme::apply);
     apply();

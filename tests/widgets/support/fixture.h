@@ -7,8 +7,10 @@
 #include "core/params/presets.h"
 #include "tests/support/suite.h"
 #include "widgets/actions/chooser.h"
+#include <QMouseEvent>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QWidget>
 
 namespace ramure::test {
 
@@ -35,6 +37,23 @@ public:
 private:
     QTemporaryDir m_folder;
 };
+
+/// A press, moves and a release. QTest::mouseMove moves the cursor of the screen instead, which not every
+/// platform has.
+inline void drag(QWidget* widget, const QPoint& from, const QPoint& to)
+{
+    const auto send = [widget](QEvent::Type type, const QPoint& at, Qt::MouseButton button,
+                               Qt::MouseButtons buttons) {
+        QMouseEvent event(type, QPointF(at), widget->mapToGlobal(QPointF(at)), button, buttons,
+                          Qt::NoModifier);
+        QCoreApplication::sendEvent(widget, &event);
+    };
+    send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+    constexpr int steps = 5;
+    for (int i = 1; i <= steps; ++i)
+        send(QEvent::MouseMove, from + (to - from) * i / steps, Qt::NoButton, Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+}
 
 /// Answers as the test says and remembers what it was told.
 class FakeChooser : public Chooser

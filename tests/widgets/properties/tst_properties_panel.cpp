@@ -1,0 +1,371 @@
+#include "tests/widgets/support/fixture.h"
+#include "widgets/grammar/grammar_edit.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/numbers/number_slider.h"
+#include "widgets/properties/group_section.h"
+#include "widgets/properties/param_row.h"
+#include "widgets/properties/properties_panel.h"
+#include "widgets/support/preferences.h"
+#include <numbers>
+
+using namespace ramure;
+
+namespace {
+
+const ParamDef& param(const char* key)
+{
+    return *findParam(key);
+}
+
+ParamValue valueOf(const Document& document, NodeId id, const ParamDef& def)
+{
+    return def.get(document.scene().find(id)->params);
+}
+
+} // namespace
+
+class TestPropertiesPanel : public QObject
+{
+    Q_OBJECT
+private:
+    test::OwnSettings m_settings;
+    std::unique_ptr<Preferences> m_preferences;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<PropertiesPanel> m_panel;
+
+    void addEveryParam()
+    {
+        QTest::addColumn<QString>("key");
+        for (const ParamDef& def : paramTable())
+            QTest::newRow(def.key) << QString::fromLatin1(def.key);
+    }
+    /// The parameter of the present row of data.
+    const ParamDef& fetched()
+    {
+        const auto* key = static_cast<QString*>(QTest::qData("key", qMetaTypeId<QString>()));
+        return *findParam(key->toStdString());
+    }
+
+    /// Types something else into the first editor of the row.
+    void typeAnother(ParamRow* row)
+    {
+        if (auto* field = row->findChild<NumberField*>()) {
+            const ParamDef& def = row->def();
+            const double wish =
+                def.hardMin + 0.25 * (std::min(def.hardMax, def.hardMin + 100.0) - def.hardMin);
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field,
+                             QString::number(def.type == ParamType::Int ? std::round(wish) + 1 : wish));
+            QTest::keyClick(field, Qt::Key_Return);
+        } else if (auto* box = row->findChild<QCheckBox*>()) {
+            box->setFocus();
+            QTest::keyClick(box, Qt::Key_Space);
+        } else if (auto* text = row->findChild<GrammarEdit*>()) {
+            text->setFocus();
+            QTest::keyClicks(text, "B");
+        } else {
+            QFAIL("no editor that a key can reach");
+        }
+    }
+    /// A press, a move and a release, or a click.
+    void changeByMouse(ParamRow* row)
+    {
+        if (auto* slider = row->findChild<NumberSlider*>()) {
+            slider->setFocus();
+            test::drag(slider, {slider->width() / 4, slider->height() / 2},
+                       {slider->width() * 3 / 5, slider->height() / 2});
+        } else if (auto* box = row->findChild<QCheckBox*>()) {
+            QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+        } else if (auto* dice = row->editor()->findChild<QToolButton*>()) {
+            QTest::mouseClick(dice, Qt::LeftButton);
+        } else if (auto* field = row->findChild<NumberField*>()) {
+            QTest::mouseClick(field, Qt::LeftButton);
+            QWheelEvent wheel(QPointF(5, 5), field->mapToGlobal(QPointF(5, 5)), {}, {0, 120}, Qt::NoButton,
+                              Qt::NoModifier, Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(field, &wheel);
+        }
+    }
+
+private slots:
+    void init()
+    {
+        test::failOnWidgetWarning();
+        m_preferences = std::make_unique<Preferences>();
+        m_preferences->setAngleUnit(AngleUnit::Degrees);
+        m_preferences->setFoldedGroups({});
+        m_document = std::make_unique<Document>();
+        test::openNodes(*m_document,
+                        {test::treeNode(1, "One"), test::treeNode(2, "Two"), test::groupNode(3, "Group")});
+        m_panel = std::make_unique<PropertiesPanel>(m_document.get(), m_preferences.get());
+        m_panel->resize(380, 900);
+        m_panel->show();
+        QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+        for (GroupSection* section : m_panel->findChildren<GroupSection*>()) {
+            if (auto* more = section->findChild<QToolButton*>(QStringLiteral("advanced"));
+                more && !more->isHidden())
+                more->click();
+        }
+    }
+    void cleanup()
+    {
+        m_panel.reset();
+        m_document.reset();
+    }
+
+    void refusedTextsSayWhy()
+    {
+        ParamRow* row = m_panel->row(param("turtle.alpha"));
+        auto* field = row->findChild<NumberField*>();
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, "long");
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY(!row->message().isEmpty());
+        QCOMPARE(m_document->undoStack()->count(), 0);
+        QTest::keyClick(field, Qt::Key_Escape);
+        QVERIFY(row->message().isEmpty());
+    }
+
+    void lockedNodesCannotBeChanged()
+    {
+        QVERIFY(edit::setNodeLocked(*m_document, {1}, true));
+        const int steps = m_document->undoStack()->count();
+        QVERIFY(!m_panel->row(param("turtle.alpha"))->editor()->isEnabled());
+        QCOMPARE(m_document->undoStack()->count(), steps);
+        QVERIFY(edit::setNodeLocked(*m_document, {1}, false));
+        QVERIFY(m_panel->row(param("turtle.alpha"))->editor()->isEnabled());
+    }
+
+    void everyParamHasAnEditorAndATooltip_data() { addEveryParam(); }
+    void everyParamHasAnEditorAndATooltip()
+    {
+        const ParamDef& def = fetched();
+        ParamRow* row = m_panel->row(def);
+        QVERIFY(row);
+        QVERIFY(row->isVisibleTo(m_panel.get()));
+        QVERIFY(row->editor()->focusProxy());
+        QVERIFY(row->editor()->toolTip().contains(QLatin1String(def.key)));
+        QVERIFY(row->editor()->toolTip().contains(QString::fromLatin1(def.label).toHtmlEscaped()));
+        for (QWidget* widget : row->editor()->findChildren<QWidget*>()) {
+            if (widget->focusPolicy() != Qt::NoFocus && widget->parentWidget() == row->editor())
+                QVERIFY2(!widget->accessibleName().isEmpty(), widget->metaObject()->className());
+        }
+    }
+
+    void everyParamChangesByKeysAndUndo_data() { addEveryParam(); }
+    void everyParamChangesByKeysAndUndo()
+    {
+        const ParamDef& def = fetched();
+        ParamRow* row = m_panel->row(def);
+        const ParamValue before = valueOf(*m_document, 1, def);
+        typeAnother(row);
+        const ParamValue after = valueOf(*m_document, 1, def);
+        QVERIFY2(after != before, formatValue(after).c_str());
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QCOMPARE(row->isChanged(), after != defaultValue(def));
+        m_document->undoStack()->undo();
+        QVERIFY(valueOf(*m_document, 1, def) == before);
+        m_document->undoStack()->redo();
+        QVERIFY(valueOf(*m_document, 1, def) == after);
+    }
+
+    void everyParamChangesByMouseInOneStep_data() { addEveryParam(); }
+    void everyParamChangesByMouseInOneStep()
+    {
+        const ParamDef& def = fetched();
+        const ParamValue before = valueOf(*m_document, 1, def);
+        if (def.type == ParamType::Text)
+            QSKIP("a text is not changed by the mouse alone");
+        changeByMouse(m_panel->row(def));
+        QVERIFY(valueOf(*m_document, 1, def) != before);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        m_document->undoStack()->undo();
+        QVERIFY(valueOf(*m_document, 1, def) == before);
+    }
+
+    void everyParamIsResetByItsArrow_data() { addEveryParam(); }
+    void everyParamIsResetByItsArrow()
+    {
+        const ParamDef& def = fetched();
+        ParamRow* row = m_panel->row(def);
+        QVERIFY(row->resetButton()->isHidden() == !row->isChanged());
+        typeAnother(row);
+        if (!row->isChanged())
+            QSKIP("the value typed happens to be the default");
+        row->resetButton()->click();
+        QVERIFY(valueOf(*m_document, 1, def) == defaultValue(def));
+        QVERIFY(!row->isChanged());
+        QVERIFY(row->resetButton()->isHidden());
+    }
+
+    void everyParamOfManyNodesIsSetAtOnce_data() { addEveryParam(); }
+    void everyParamOfManyNodesIsSetAtOnce()
+    {
+        const ParamDef& def = fetched();
+        Selection both;
+        both.nodes = {1, 2};
+        m_document->setSelection(both);
+        typeAnother(m_panel->row(def));
+        QVERIFY(valueOf(*m_document, 1, def) == valueOf(*m_document, 2, def));
+        QCOMPARE(m_document->undoStack()->count(), 1);
+    }
+
+    void componentsOfManyNodesStayTheirOwn()
+    {
+        const ParamDef& def = param("tree.translation");
+        QVERIFY(edit::setParam(*m_document, {2}, def, glm::dvec3(1.0, 2.0, 3.0)));
+        Selection both;
+        both.nodes = {1, 2};
+        m_document->setSelection(both);
+        const auto fields = m_panel->row(def)->findChildren<NumberField*>();
+        QVERIFY(!fields[1]->value());
+        fields[0]->setFocus();
+        QTest::keyClicks(fields[0], "7");
+        QTest::keyClick(fields[0], Qt::Key_Return);
+        QVERIFY(valueOf(*m_document, 1, def) == ParamValue(glm::dvec3(7.0, 0.0, 0.0)));
+        QVERIFY(valueOf(*m_document, 2, def) == ParamValue(glm::dvec3(7.0, 2.0, 3.0)));
+    }
+
+    void differentValuesAreShownAsADash()
+    {
+        QVERIFY(edit::setParam(*m_document, {2}, param("turtle.alpha"), 0.5));
+        QVERIFY(edit::setParam(*m_document, {2}, param("simplify.enabled"), false));
+        QVERIFY(edit::setParam(*m_document, {2}, param("grammar.axiom"), std::string("X")));
+        Selection both;
+        both.nodes = {1, 2};
+        m_document->setSelection(both);
+        QVERIFY(!m_panel->row(param("turtle.alpha"))->findChild<NumberField*>()->value());
+        QCOMPARE(m_panel->row(param("simplify.enabled"))->findChild<QCheckBox*>()->checkState(),
+                 Qt::PartiallyChecked);
+        QVERIFY(m_panel->row(param("grammar.axiom"))->findChild<GrammarEdit*>()->toPlainText().isEmpty());
+        QCOMPARE(m_document->undoStack()->count(), 3);
+    }
+
+    void kindsWithoutAParamDoNotShowIt()
+    {
+        Selection both;
+        both.nodes = {1, 3};
+        m_document->setSelection(both);
+        QVERIFY(!m_panel->row(param("turtle.alpha"))->isVisibleTo(m_panel.get()));
+        QVERIFY(m_panel->row(param("tree.translation"))->isVisibleTo(m_panel.get()));
+        m_document->setSelection({});
+        QVERIFY(m_panel->nodes().empty());
+    }
+
+    void sliderDragIsOneUndoStepAndTwoDragsAreTwo()
+    {
+        auto* slider = m_panel->row(param("turtle.theta"))->findChild<NumberSlider*>();
+        for (int drag = 1; drag <= 2; ++drag) {
+            test::drag(slider, {10 * drag, slider->height() / 2}, {60 + 5 * drag, slider->height() / 2});
+            QCOMPARE(m_document->undoStack()->count(), drag);
+        }
+    }
+
+    void anglesAreShownInTheUnitOfTheUser()
+    {
+        auto* field = m_panel->row(param("turtle.theta"))->findChild<NumberField*>();
+        QVERIFY(edit::setParam(*m_document, {1}, param("turtle.theta"), std::numbers::pi / 6.0));
+        QCOMPARE(field->text(), QStringLiteral("30.00°"));
+        m_preferences->setAngleUnit(AngleUnit::Radians);
+        QCOMPARE(field->text(), QStringLiteral("0.5236 rad"));
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, "18 deg");
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY(std::abs(std::get<double>(valueOf(*m_document, 1, param("turtle.theta"))) -
+                         0.1 * std::numbers::pi) < 1e-12);
+    }
+
+    void groupsAreCopiedFromNodeToNode()
+    {
+        QVERIFY(edit::setParam(*m_document, {1}, param("turtle.alpha"), 0.37));
+        QVERIFY(edit::setParam(*m_document, {1}, param("turtle.decay"), 0.77));
+        auto* turtle = m_panel->findChild<GroupSection*>(QStringLiteral("group/Turtle"));
+        emit turtle->copyRequested();
+        Selection other;
+        other.nodes = {2};
+        m_document->setSelection(other);
+        emit turtle->pasteRequested();
+        QVERIFY(valueOf(*m_document, 2, param("turtle.alpha")) == ParamValue(0.37));
+        QVERIFY(valueOf(*m_document, 2, param("turtle.decay")) == ParamValue(0.77));
+        QCOMPARE(m_document->undoStack()->count(), 3);
+        emit turtle->resetRequested();
+        QVERIFY(valueOf(*m_document, 2, param("turtle.alpha")) == defaultValue(param("turtle.alpha")));
+        QGuiApplication::clipboard()->setText(QStringLiteral("{}"));
+        emit turtle->pasteRequested();
+        QCOMPARE(m_document->undoStack()->count(), 4);
+        QVERIFY(!turtle->rows().front()->message().isEmpty());
+    }
+
+    void searchFindsByNameGroupAndKey()
+    {
+        auto* search = m_panel->findChild<QLineEdit*>();
+        const auto shown = [&](const char* key) {
+            return m_panel->row(param(key))->isVisibleTo(m_panel.get());
+        };
+        search->setText(QStringLiteral("radialDiv"));
+        QVERIFY(shown("sections.radialDivisions"));
+        QVERIFY(!shown("turtle.alpha"));
+        search->setText(QStringLiteral("foliage seed"));
+        QVERIFY(shown("foliage.seed"));
+        QVERIFY(!shown("grammar.seed"));
+        search->setText(QStringLiteral("no such thing"));
+        QVERIFY(!shown("foliage.seed"));
+        search->clear();
+        QVERIFY(shown("turtle.alpha"));
+    }
+
+    void foldsAreRemembered()
+    {
+        auto* turtle = m_panel->findChild<GroupSection*>(QStringLiteral("group/Turtle"));
+        turtle->findChild<QToolButton*>(QStringLiteral("groupHeading"))->click();
+        QVERIFY(!m_panel->row(param("turtle.alpha"))->isVisibleTo(m_panel.get()));
+        PropertiesPanel another(m_document.get(), m_preferences.get());
+        QVERIFY(another.findChild<GroupSection*>(QStringLiteral("group/Turtle"))->isFolded());
+        m_panel->showParam(QStringLiteral("turtle.alpha"));
+        QVERIFY(m_panel->row(param("turtle.alpha"))->isVisibleTo(m_panel.get()));
+    }
+
+    void grammarErrorsStandAtTheirPlace()
+    {
+        NodeResult result;
+        Error error;
+        error.code = ErrorCode::Syntax;
+        error.text = "all probabilities of the rule are zero";
+        error.path = "grammar.rules";
+        error.line = 2;
+        error.column = 6;
+        result.error = error;
+        m_document->setResult(1, result);
+        ParamRow* row = m_panel->row(param("grammar.rules"));
+        QVERIFY2(row->message().contains(QStringLiteral("ine 2, column 6")), qPrintable(row->message()));
+        const auto* text = row->findChild<GrammarEdit*>();
+        const int line = static_cast<int>(text->toPlainText().indexOf(u'\n')) + 1;
+        QCOMPARE(text->problemRange(), std::pair(line + 5, line + 6));
+        m_document->setResult(1, {});
+        QVERIFY(row->message().isEmpty());
+        QCOMPARE(text->problemRange().first, -1);
+    }
+
+    void tabReachesEveryEditor()
+    {
+        QSet<QWidget*> reached;
+        QWidget* start = m_panel->findChild<QLineEdit*>();
+        start->setFocus();
+        for (int i = 0; i < 300; ++i) {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+            if (QApplication::focusWidget() == start)
+                break;
+            reached += QApplication::focusWidget();
+        }
+        for (const ParamDef& def : paramTable()) {
+            const bool hit = std::ranges::any_of(
+                reached, [&](QWidget* widget) { return m_panel->row(def)->editor()->isAncestorOf(widget); });
+            QVERIFY2(hit, def.key);
+        }
+    }
+};
+
+QTEST_MAIN(TestPropertiesPanel)
+#include "tst_properties_panel.moc"

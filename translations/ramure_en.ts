@@ -1,0 +1,105 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en" sourcelanguage="en">
+<context>
+    <name>DocumentCommand</name>
+    <message numerus="yes">
+        <source>Roll %n branch(es)</source>
+        <translation>
+            <numerusform>Roll %n branch</numerusform>
+            <numerusform>Roll %n branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n node(s)</source>
+        <translation>
+            <numerusform>Delete %n node</numerusform>
+            <numerusform>Delete %n nodes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n node(s)</source>
+        <translation>
+            <numerusform>Duplicate %n node</numerusform>
+            <numerusform>Duplicate %n nodes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ReportTexts</name>
+    <message numerus="yes">
+        <source>%1 vertices, %2 faces, volume %3, Euler characteristic %4, %n piece(s)</source>
+        <translation>
+            <numerusform>%1 vertices, %2 faces, volume %3, Euler characteristic %4, %n piece</numerusform>
+            <numerusform>%1 vertices, %2 faces, volume %3, Euler characteristic %4, %n pieces</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n defect(s)</source>
+        <translation>
+            <numerusform>%n defect</numerusform>
+            <numerusform>%n defects</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::BranchFactForm</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::BranchInspector</name>
+    <message numerus="yes">
+        <source>%1 · the active one of %n selected branch(es)</source>
+        <translation>
+            <numerusform>%1 · the active one of %n selected branch</numerusform>
+            <numerusform>%1 · the active one of %n selected branches</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::GroupSection</name>
+    <message numerus="yes">
+        <source>%n value(s) changed from the default</source>
+        <translation>
+            <numerusform>%n value changed from the default</numerusform>
+            <numerusform>%n values changed from the default</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::PropertiesPanel</name>
+    <message numerus="yes">
+        <source>%n node(s) selected</source>
+        <translation>
+            <numerusform>%n node selected</numerusform>
+            <numerusform>%n nodes selected</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::RollEditor</name>
+    <message numerus="yes">
+        <source>For all %n selected branch(es).</source>
+        <translation>
+            <numerusform>For the selected branch.</numerusform>
+            <numerusform>For all %n selected branches.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::SectionBrowser</name>
+    <message numerus="yes">
+        <source>%n section(s) copied as CSV</source>
+        <translation>
+            <numerusform>%n section copied as CSV</numerusform>
+            <numerusform>%n sections copied as CSV</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

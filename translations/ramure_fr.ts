@@ -1,0 +1,2430 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+<context>
+    <name>Actions</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>&amp;New tree</source>
+        <translation>&amp;Nouvel arbre</translation>
+    </message>
+    <message>
+        <source>Grow another random tree from the same grammar</source>
+        <translation>Faire pousser un autre arbre au hasard avec la même grammaire</translation>
+    </message>
+    <message>
+        <source>&amp;Group</source>
+        <translation>&amp;Groupe</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Dupliquer</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me</source>
+        <translation>Reno&amp;mmer</translation>
+    </message>
+    <message>
+        <source>De&amp;lete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Hide or show</source>
+        <translation>Masquer ou a&amp;fficher</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k or unlock</source>
+        <translation>&amp;Verrouiller ou déverrouiller</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Open a Ramure file</source>
+        <translation>Ouvrir un fichier Ramure</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Enregistrer</translation>
+    </message>
+    <message>
+        <source>Save the scene</source>
+        <translation>Enregistrer la scène</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Enregistrer &amp;sous…</translation>
+    </message>
+    <message>
+        <source>Save the scene under another name</source>
+        <translation>Enregistrer la scène sous un autre nom</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>E&amp;xporter…</translation>
+    </message>
+    <message>
+        <source>Write meshes as OBJ or PLY</source>
+        <translation>Écrire les maillages en OBJ ou PLY</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>Frame &amp;all</source>
+        <translation>Cadrer &amp;tout</translation>
+    </message>
+    <message>
+        <source>&amp;Frame the selection</source>
+        <translation>&amp;Cadrer la sélection</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Face</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Arrière</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>&amp;Droite</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Gauche</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>De&amp;ssus</translation>
+    </message>
+    <message>
+        <source>B&amp;ottom</source>
+        <translation>D&amp;essous</translation>
+    </message>
+    <message>
+        <source>&amp;Skeleton</source>
+        <translation>&amp;Squelette</translation>
+    </message>
+    <message>
+        <source>S&amp;implified skeleton</source>
+        <translation>Squelette s&amp;implifié</translation>
+    </message>
+    <message>
+        <source>&amp;Rough model</source>
+        <translation>Modèle &amp;ébauché</translation>
+    </message>
+    <message>
+        <source>&amp;Cross-sections</source>
+        <translation>Se&amp;ctions</translation>
+    </message>
+    <message>
+        <source>&amp;Mesh</source>
+        <translation>&amp;Maillage</translation>
+    </message>
+    <message>
+        <source>S&amp;olid</source>
+        <translation>&amp;Plein</translation>
+    </message>
+    <message>
+        <source>Solid with &amp;edges</source>
+        <translation>Plein avec a&amp;rêtes</translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>&amp;Fil de fer</translation>
+    </message>
+    <message>
+        <source>&amp;Leaves</source>
+        <translation>Fe&amp;uilles</translation>
+    </message>
+    <message>
+        <source>A&amp;pples</source>
+        <translation>&amp;Pommes</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Grille</translation>
+    </message>
+    <message>
+        <source>&amp;Orthographic</source>
+        <translation>&amp;Orthographique</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Comme le &amp;système</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Clair</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>S&amp;ombre</translation>
+    </message>
+    <message>
+        <source>&amp;Degrees</source>
+        <translation>&amp;Degrés</translation>
+    </message>
+    <message>
+        <source>&amp;Radians</source>
+        <translation>&amp;Radians</translation>
+    </message>
+    <message>
+        <source>Find a &amp;parameter</source>
+        <translation>Chercher un &amp;paramètre</translation>
+    </message>
+    <message>
+        <source>Reset the &amp;layout</source>
+        <translation>Réinitialiser la &amp;disposition</translation>
+    </message>
+    <message>
+        <source>&amp;About Ramure</source>
+        <translation>À &amp;propos de Ramure</translation>
+    </message>
+</context>
+<context>
+    <name>DialogChooser</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Modifications non enregistrées</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Enregistrer les modifications de «&#xa0;%1&#xa0;»&#xa0;?</translation>
+    </message>
+    <message>
+        <source>They are lost if you do not save them.</source>
+        <translation>Elles seront perdues si vous ne les enregistrez pas.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Don’t save</source>
+        <translation>Ne pas enregistrer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>DocumentCommand</name>
+    <message numerus="yes">
+        <source>Roll %n branch(es)</source>
+        <translation>
+            <numerusform>Tourner %n branche</numerusform>
+            <numerusform>Tourner %n branches</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Afficher</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Masquer</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Verrouiller</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Déverrouiller</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Modifier %1</translation>
+    </message>
+    <message>
+        <source>New tree</source>
+        <translation>Nouvel arbre</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Déplacer</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Ajouter %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n node(s)</source>
+        <translation>
+            <numerusform>Supprimer %n nœud</numerusform>
+            <numerusform>Supprimer %n nœuds</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Duplicate %n node(s)</source>
+        <translation>
+            <numerusform>Dupliquer %n nœud</numerusform>
+            <numerusform>Dupliquer %n nœuds</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Errors</name>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>colonne %1</translation>
+    </message>
+</context>
+<context>
+    <name>KindTexts</name>
+    <message>
+        <source>Boundary edges</source>
+        <translation>Arêtes de bord</translation>
+    </message>
+    <message>
+        <source>An edge with a face on one side only: the surface is open there, like the rim of a cup.</source>
+        <translation>Une arête avec une face d’un seul côté&#xa0;: la surface y est ouverte, comme le bord d’une tasse.</translation>
+    </message>
+    <message>
+        <source>A slicer cannot tell inside from outside. It leaves the hole open or fills it as it likes.</source>
+        <translation>Un trancheur ne distingue plus l’intérieur de l’extérieur. Il laisse le trou ouvert ou le comble à sa guise.</translation>
+    </message>
+    <message>
+        <source>One looks into the branch through the hole, and light and shadow leak through it.</source>
+        <translation>On voit dans la branche par le trou&#xa0;; lumière et ombre y fuient.</translation>
+    </message>
+    <message>
+        <source>Non-manifold edges</source>
+        <translation>Arêtes non-variété</translation>
+    </message>
+    <message>
+        <source>Three faces or more meet in one edge, like the pages of a book in its spine.</source>
+        <translation>Trois faces ou plus se rejoignent en une arête, comme les pages d’un livre à sa reliure.</translation>
+    </message>
+    <message>
+        <source>No solid body has such an edge: walls go missing or come out twice.</source>
+        <translation>Aucun corps solide n’a une telle arête&#xa0;: des parois manquent ou sortent en double.</translation>
+    </message>
+    <message>
+        <source>Smoothing, subdividing and unwrapping go wrong around it; the shading shows a seam.</source>
+        <translation>Lissage, subdivision et dépliage échouent autour d’elle&#xa0;; l’éclairage montre une couture.</translation>
+    </message>
+    <message>
+        <source>Inconsistent edges</source>
+        <translation>Arêtes incohérentes</translation>
+    </message>
+    <message>
+        <source>Two neighbouring faces do not agree on which side is outside.</source>
+        <translation>Deux faces voisines ne s’accordent pas sur le côté extérieur.</translation>
+    </message>
+    <message>
+        <source>Inside and outside change places: parts come out hollow or missing.</source>
+        <translation>Intérieur et extérieur s’échangent&#xa0;: des parties sortent creuses ou manquent.</translation>
+    </message>
+    <message>
+        <source>Where back faces are not drawn, one of the two is a hole; the light falls on it from the wrong side.</source>
+        <translation>Là où les faces arrière ne sont pas dessinées, l’une des deux est un trou&#xa0;; la lumière y tombe du mauvais côté.</translation>
+    </message>
+    <message>
+        <source>Non-manifold vertices</source>
+        <translation>Sommets non-variété</translation>
+    </message>
+    <message>
+        <source>Two parts of the surface touch in a single point, like the halves of an hourglass.</source>
+        <translation>Deux parties de la surface se touchent en un seul point, comme les moitiés d’un sablier.</translation>
+    </message>
+    <message>
+        <source>A joint without thickness: it breaks, or the parts come out separate.</source>
+        <translation>Une jointure sans épaisseur&#xa0;: elle casse, ou les parties sortent séparées.</translation>
+    </message>
+    <message>
+        <source>Smooth normals mix both parts and leave a dark spot; physics and level-of-detail tools may refuse the mesh.</source>
+        <translation>Les normales lissées mélangent les deux parties et laissent une tache sombre&#xa0;; les outils de physique ou de niveau de détail peuvent refuser le maillage.</translation>
+    </message>
+    <message>
+        <source>Duplicate vertices</source>
+        <translation>Sommets en double</translation>
+    </message>
+    <message>
+        <source>Two vertices stand at exactly the same place.</source>
+        <translation>Deux sommets sont exactement au même endroit.</translation>
+    </message>
+    <message>
+        <source>The surface looks closed and yet is slit there; programs that weld points may close it wrongly.</source>
+        <translation>La surface paraît fermée mais y est fendue&#xa0;; les programmes qui soudent les points peuvent la refermer de travers.</translation>
+    </message>
+    <message>
+        <source>The shading may show a seam, and the surface tears open when it moves.</source>
+        <translation>L’éclairage peut montrer une couture, et la surface se déchire quand elle bouge.</translation>
+    </message>
+    <message>
+        <source>Isolated vertices</source>
+        <translation>Sommets isolés</translation>
+    </message>
+    <message>
+        <source>A vertex that no face uses.</source>
+        <translation>Un sommet qu’aucune face n’utilise.</translation>
+    </message>
+    <message>
+        <source>Nothing is printed there, but some programs refuse the file.</source>
+        <translation>Rien n’y est imprimé, mais certains programmes refusent le fichier.</translation>
+    </message>
+    <message>
+        <source>It takes memory and may enlarge the box around the tree, so that the view frames it badly.</source>
+        <translation>Il prend de la mémoire et peut agrandir la boîte autour de l’arbre, si bien que la vue le cadre mal.</translation>
+    </message>
+    <message>
+        <source>Duplicate faces</source>
+        <translation>Faces en double</translation>
+    </message>
+    <message>
+        <source>Two faces on the same three vertices.</source>
+        <translation>Deux faces sur les mêmes trois sommets.</translation>
+    </message>
+    <message>
+        <source>A wall without thickness. Slicers drop both faces, or only one and leave a hole.</source>
+        <translation>Une paroi sans épaisseur. Les trancheurs retirent les deux faces, ou une seule et laissent un trou.</translation>
+    </message>
+    <message>
+        <source>Both lie at the same depth and flicker.</source>
+        <translation>Les deux sont à la même profondeur et scintillent.</translation>
+    </message>
+    <message>
+        <source>Degenerate faces</source>
+        <translation>Faces dégénérées</translation>
+    </message>
+    <message>
+        <source>A face without area: a vertex repeated, or its three vertices in line.</source>
+        <translation>Une face sans aire&#xa0;: un sommet répété, ou ses trois sommets alignés.</translation>
+    </message>
+    <message>
+        <source>It faces nowhere. Slicers remove it, which may leave a crack.</source>
+        <translation>Elle ne regarde nulle part. Les trancheurs la retirent, ce qui peut laisser une fissure.</translation>
+    </message>
+    <message>
+        <source>It cannot be seen, costs time and has no normal: dark specks, and normal maps fail.</source>
+        <translation>Elle est invisible, coûte du temps et n’a pas de normale&#xa0;: points sombres, et les cartes de normales échouent.</translation>
+    </message>
+    <message>
+        <source>Branches without length</source>
+        <translation>Branches sans longueur</translation>
+    </message>
+    <message>
+        <source>A branch without length was passed over: its children start at its parent&apos;s end. Nothing that could be seen is lost.</source>
+        <translation>Une branche sans longueur a été sautée&#xa0;: ses enfants partent du bout de son parent. Rien de visible n’est perdu.</translation>
+    </message>
+    <message>
+        <source>Roots without length</source>
+        <translation>Racines sans longueur</translation>
+    </message>
+    <message>
+        <source>A root without length was given a short stub, so that the branches have something to stand on.</source>
+        <translation>Une racine sans longueur a reçu un court moignon, pour que les branches aient où se tenir.</translation>
+    </message>
+    <message>
+        <source>Siblings in one place</source>
+        <translation>Sœurs au même endroit</translation>
+    </message>
+    <message>
+        <source>Two branches of one parent lie in the same place, so one tube serves both. Two tubes there would cross each other all along.</source>
+        <translation>Deux branches d’un même parent sont au même endroit&#xa0;: un seul tube sert aux deux. Deux tubes s’y croiseraient tout du long.</translation>
+    </message>
+    <message>
+        <source>Siblings inside a longer one</source>
+        <translation>Sœurs dans une plus longue</translation>
+    </message>
+    <message>
+        <source>A branch lies inside a longer one of the same parent: the longer one goes on from its end, as one tube.</source>
+        <translation>Une branche est à l’intérieur d’une plus longue du même parent&#xa0;: la plus longue continue depuis son bout, en un seul tube.</translation>
+    </message>
+    <message>
+        <source>Radii too small</source>
+        <translation>Rayons trop petits</translation>
+    </message>
+    <message>
+        <source>The radius was so small against the size of the tree that the tube&apos;s points would fall together. It was raised to the smallest that works; no printer makes it that thin.</source>
+        <translation>Le rayon était si petit devant la taille de l’arbre que les points du tube se confondraient. Il a été porté au plus petit qui marche&#xa0;; aucune imprimante ne fait si fin.</translation>
+    </message>
+    <message>
+        <source>What this means</source>
+        <translation>Ce que cela veut dire</translation>
+    </message>
+    <message>
+        <source>The mesh is a solid body; a slicer takes it as it is.</source>
+        <translation>Le maillage est un corps solide&#xa0;; un trancheur le prend tel quel.</translation>
+    </message>
+    <message>
+        <source>Smooth shading, subdividing, unwrapping and physics work without repair.</source>
+        <translation>Lissage, subdivision, dépliage et physique marchent sans réparation.</translation>
+    </message>
+    <message>
+        <source>In a print:</source>
+        <translation>À l’impression&#xa0;:</translation>
+    </message>
+    <message>
+        <source>In a game or a renderer:</source>
+        <translation>Dans un jeu ou un moteur de rendu&#xa0;:</translation>
+    </message>
+    <message>
+        <source>The branches are one closed skin without holes or seams: every edge has exactly two faces, and all faces look outward. Whether branches reach into each other is another question, not asked here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>Numbers</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>de %1 à %2</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
+</context>
+<context>
+    <name>ReportTexts</name>
+    <message numerus="yes">
+        <source>%1 vertices, %2 faces, volume %3, Euler characteristic %4, %n piece(s)</source>
+        <translation>
+            <numerusform>%1 sommets, %2 faces, volume %3, caractéristique d’Euler %4, %n morceau</numerusform>
+            <numerusform>%1 sommets, %2 faces, volume %3, caractéristique d’Euler %4, %n morceaux</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Confirmed by OpenMesh.</source>
+        <translation>Confirmé par OpenMesh.</translation>
+    </message>
+    <message>
+        <source>OpenMesh refuses the mesh.</source>
+        <translation>OpenMesh refuse le maillage.</translation>
+    </message>
+    <message>
+        <source>A draft: the full mesh follows.</source>
+        <translation>Une ébauche&#xa0;: le maillage complet suit.</translation>
+    </message>
+    <message>
+        <source>OpenMesh has not been asked yet.</source>
+        <translation>OpenMesh n’a pas encore été consulté.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n defect(s)</source>
+        <translation>
+            <numerusform>%n défaut</numerusform>
+            <numerusform>%n défauts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The mesh has no faces</source>
+        <translation>Le maillage n’a pas de faces</translation>
+    </message>
+    <message>
+        <source>Closed, but inside out</source>
+        <translation>Fermé, mais retourné</translation>
+    </message>
+    <message>
+        <source>More or fewer pieces than roots (%1)</source>
+        <translation>Plus ou moins de morceaux que de racines (%1)</translation>
+    </message>
+    <message>
+        <source>The two checks do not agree</source>
+        <translation>Les deux vérifications ne s’accordent pas</translation>
+    </message>
+    <message>
+        <source>Closed, manifold, oriented</source>
+        <translation>Fermé, variété, orienté</translation>
+    </message>
+    <message>
+        <source>Not checked yet</source>
+        <translation>Pas encore vérifié</translation>
+    </message>
+    <message>
+        <source>The mesh is being made.</source>
+        <translation>Le maillage est en cours de construction.</translation>
+    </message>
+    <message>
+        <source>No mesh to check</source>
+        <translation>Pas de maillage à vérifier</translation>
+    </message>
+    <message>
+        <source>branch %1</source>
+        <translation>branche %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>à %1</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>Check of the mesh of &quot;%1&quot;</source>
+        <translation>Vérification du maillage de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Repairs of the mesher:</source>
+        <translation>Réparations du mailleur&#xa0;:</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>&quot;%1&quot; has no branches</source>
+        <translation>«&#xa0;%1&#xa0;» n’a pas de branches</translation>
+    </message>
+    <message>
+        <source>a roll must be a finite angle</source>
+        <translation>un roulis doit être un angle fini</translation>
+    </message>
+    <message>
+        <source>there is no node %1</source>
+        <translation>il n’y a pas de nœud %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is locked</source>
+        <translation>«&#xa0;%1&#xa0;» est verrouillé</translation>
+    </message>
+    <message>
+        <source>there is no visible tree to export</source>
+        <translation>il n’y a pas d’arbre visible à exporter</translation>
+    </message>
+    <message>
+        <source>a scale of zero leaves nothing to export</source>
+        <translation>une échelle nulle ne laisse rien à exporter</translation>
+    </message>
+    <message>
+        <source>unknown file ending &quot;%1&quot;: meshes are written as .obj or .ply</source>
+        <translation>extension inconnue «&#xa0;%1&#xa0;»&#xa0;: les maillages s’écrivent en .obj ou .ply</translation>
+    </message>
+    <message>
+        <source>the tree is still being computed</source>
+        <translation>l’arbre est encore en cours de calcul</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>annulé</translation>
+    </message>
+    <message>
+        <source>the chosen parts are empty: there is nothing to export</source>
+        <translation>les parties choisies sont vides&#xa0;: il n’y a rien à exporter</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no such parameter</source>
+        <translation>«&#xa0;%1&#xa0;» n’a pas ce paramètre</translation>
+    </message>
+    <message>
+        <source>there is no tree that could be drawn anew</source>
+        <translation>il n’y a pas d’arbre à tirer de nouveau</translation>
+    </message>
+    <message>
+        <source>the file is larger than %1 MiB</source>
+        <translation>le fichier dépasse %1 Mio</translation>
+    </message>
+    <message>
+        <source>not readable as JSON: %1</source>
+        <translation>illisible comme JSON&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>this is no Ramure project: an object is expected</source>
+        <translation>ce n’est pas un projet Ramure&#xa0;: un objet est attendu</translation>
+    </message>
+    <message>
+        <source>an array is expected here</source>
+        <translation>un tableau est attendu ici</translation>
+    </message>
+    <message>
+        <source>an object is expected here</source>
+        <translation>un objet est attendu ici</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>ouverture impossible&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>lecture impossible&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the project would be larger than %1 MiB</source>
+        <translation>le projet dépasserait %1 Mio</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>écriture impossible&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>unknown kind of node &quot;%1&quot;</source>
+        <translation>genre de nœud inconnu «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a text, or an array of its lines, is expected here</source>
+        <translation>un texte, ou le tableau de ses lignes, est attendu ici</translation>
+    </message>
+    <message>
+        <source>a text is expected here</source>
+        <translation>un texte est attendu ici</translation>
+    </message>
+    <message>
+        <source>an array of three numbers is expected here</source>
+        <translation>un tableau de trois nombres est attendu ici</translation>
+    </message>
+    <message>
+        <source>a number is expected here</source>
+        <translation>un nombre est attendu ici</translation>
+    </message>
+    <message>
+        <source>a whole number is expected here</source>
+        <translation>un nombre entier est attendu ici</translation>
+    </message>
+    <message>
+        <source>true or false is expected here</source>
+        <translation>true ou false est attendu ici</translation>
+    </message>
+    <message>
+        <source>the key of a branch has 16 digits 0-9, a-f</source>
+        <translation>la clé d’une branche a 16 chiffres 0-9, a-f</translation>
+    </message>
+    <message>
+        <source>this is no Ramure project: &quot;ramure&quot; is expected here</source>
+        <translation>ce n’est pas un projet Ramure&#xa0;: «&#xa0;ramure&#xa0;» est attendu ici</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 is expected here</source>
+        <translation>un nombre entier à partir de 1 est attendu ici</translation>
+    </message>
+    <message>
+        <source>the file has version %1, this program reads versions up to %2; a newer Ramure is needed</source>
+        <translation>le fichier est de version %1, ce programme lit jusqu’à la version %2&#xa0;; il faut un Ramure plus récent</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 4294967295 is expected here</source>
+        <translation>un nombre entier de 1 à 4294967295 est attendu ici</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for this tree</source>
+        <translation>la mémoire ne suffit pas pour cet arbre</translation>
+    </message>
+    <message>
+        <source>the new parent is flat: a scale is zero</source>
+        <translation>le nouveau parent est plat&#xa0;: une échelle est nulle</translation>
+    </message>
+    <message>
+        <source>the backquote takes the next character as it is, but the line ends here</source>
+        <translation>l’accent grave prend le caractère suivant tel quel, mais la ligne finit ici</translation>
+    </message>
+    <message>
+        <source>this &quot;]&quot; has no &quot;[&quot; before it</source>
+        <translation>ce «&#xa0;]&#xa0;» n’a pas de «&#xa0;[&#xa0;» avant lui</translation>
+    </message>
+    <message>
+        <source>this &quot;[&quot; is never closed</source>
+        <translation>ce «&#xa0;[&#xa0;» n’est jamais fermé</translation>
+    </message>
+    <message>
+        <source>a probability must be a finite number</source>
+        <translation>une probabilité doit être un nombre fini</translation>
+    </message>
+    <message>
+        <source>a probability cannot be negative</source>
+        <translation>une probabilité ne peut être négative</translation>
+    </message>
+    <message>
+        <source>all probabilities of the rule are zero</source>
+        <translation>toutes les probabilités de la règle sont nulles</translation>
+    </message>
+    <message>
+        <source>the probabilities add up to more than a number holds</source>
+        <translation>la somme des probabilités dépasse ce qu’un nombre contient</translation>
+    </message>
+    <message>
+        <source>there is no symbol before &quot;-&gt;&quot;</source>
+        <translation>il n’y a pas de symbole avant «&#xa0;-&gt;&#xa0;»</translation>
+    </message>
+    <message>
+        <source>&quot;-&gt;&quot; must follow the symbol %1</source>
+        <translation>«&#xa0;-&gt;&#xa0;» doit suivre le symbole %1</translation>
+    </message>
+    <message>
+        <source>each choice needs a probability and a colon: &quot;0.5: text&quot;</source>
+        <translation>chaque choix demande une probabilité et deux-points&#xa0;: «&#xa0;0.5: texte&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a second colon; write `: for the symbol</source>
+        <translation>un deuxième deux-points&#xa0;; écrivez `: pour le symbole</translation>
+    </message>
+    <message>
+        <source>the rule has two defaults</source>
+        <translation>la règle a deux choix par défaut</translation>
+    </message>
+    <message>
+        <source>the number %1 is out of all range</source>
+        <translation>le nombre %1 est hors de toute limite</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a probability nor &quot;default&quot;</source>
+        <translation>«&#xa0;%1&#xa0;» n’est ni une probabilité ni «&#xa0;default&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the symbol %1 already has a rule, in line %2</source>
+        <translation>le symbole %1 a déjà une règle, à la ligne %2</translation>
+    </message>
+    <message>
+        <source>a line feed cannot be a symbol</source>
+        <translation>un saut de ligne ne peut être un symbole</translation>
+    </message>
+    <message>
+        <source>the rule for %1 has %2 probabilities for %3 replacements</source>
+        <translation>la règle de %1 a %2 probabilités pour %3 remplacements</translation>
+    </message>
+    <message>
+        <source>iteration %1 of %2 would make more than %3 symbols; use fewer iterations or shorter rules</source>
+        <translation>l’itération %1 sur %2 donnerait plus de %3 symboles&#xa0;; prenez moins d’itérations ou des règles plus courtes</translation>
+    </message>
+    <message>
+        <source>brackets are nested deeper than %1</source>
+        <translation>les crochets sont imbriqués sur plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>&quot;]&quot; without &quot;[&quot; before it, symbol %1 of the rewritten string</source>
+        <translation>«&#xa0;]&#xa0;» sans «&#xa0;[&#xa0;» avant lui, symbole %1 de la chaîne réécrite</translation>
+    </message>
+    <message>
+        <source>&quot;[&quot; is never closed, symbol %1 of the rewritten string</source>
+        <translation>«&#xa0;[&#xa0;» jamais fermé, symbole %1 de la chaîne réécrite</translation>
+    </message>
+    <message>
+        <source>the turtle&apos;s angle, step and taper must be finite numbers</source>
+        <translation>l’angle, le pas et l’amincissement de la tortue doivent être des nombres finis</translation>
+    </message>
+    <message>
+        <source>the turtle&apos;s step and taper cannot be negative</source>
+        <translation>le pas et l’amincissement de la tortue ne peuvent être négatifs</translation>
+    </message>
+    <message>
+        <source>the string draws %1 branches, more than the limit of %2</source>
+        <translation>la chaîne trace %1 branches, plus que la limite de %2</translation>
+    </message>
+    <message>
+        <source>the grammar draws no branch at all</source>
+        <translation>la grammaire ne trace aucune branche</translation>
+    </message>
+    <message>
+        <source>unknown file ending &quot;%1&quot;: .obj and .ply can be read</source>
+        <translation>extension inconnue «&#xa0;%1&#xa0;»&#xa0;: .obj et .ply peuvent être lus</translation>
+    </message>
+    <message>
+        <source>more than 1 GiB from a pipe or device</source>
+        <translation>plus de 1 Gio depuis un tube ou un périphérique</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a finite number</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>three numbers expected, found &quot;%1&quot;</source>
+        <translation>trois nombres attendus, trouvé «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>more than %1 vertices</source>
+        <translation>plus de %1 sommets</translation>
+    </message>
+    <message>
+        <source>vertex %1 does not exist (there are %2)</source>
+        <translation>le sommet %1 n’existe pas (il y en a %2)</translation>
+    </message>
+    <message>
+        <source>normal %1 does not exist (there are %2)</source>
+        <translation>la normale %1 n’existe pas (il y en a %2)</translation>
+    </message>
+    <message>
+        <source>a corner v, v/vt, v//vn or v/vt/vn expected, found &quot;%1&quot;</source>
+        <translation>un coin v, v/vt, v//vn ou v/vt/vn attendu, trouvé «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a face of fewer than three corners</source>
+        <translation>une face de moins de trois coins</translation>
+    </message>
+    <message>
+        <source>more than %1 triangles</source>
+        <translation>plus de %1 triangles</translation>
+    </message>
+    <message>
+        <source>not a line of an OBJ file: &quot;%1&quot;</source>
+        <translation>ce n’est pas une ligne d’un fichier OBJ&#xa0;: «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the file holds no vertices</source>
+        <translation>le fichier ne contient aucun sommet</translation>
+    </message>
+    <message>
+        <source>not a PLY file: it does not begin with &quot;ply&quot;</source>
+        <translation>ce n’est pas un fichier PLY&#xa0;: il ne commence pas par «&#xa0;ply&#xa0;»</translation>
+    </message>
+    <message>
+        <source>the header has no end</source>
+        <translation>l’en-tête n’a pas de fin</translation>
+    </message>
+    <message>
+        <source>the header states no format</source>
+        <translation>l’en-tête n’indique pas de format</translation>
+    </message>
+    <message>
+        <source>not a line of a PLY header: &quot;%1&quot;</source>
+        <translation>ce n’est pas une ligne d’un en-tête PLY&#xa0;: «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>unknown format &quot;%1&quot;</source>
+        <translation>format inconnu «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number of elements</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre d’éléments</translation>
+    </message>
+    <message>
+        <source>two elements &quot;%1&quot;</source>
+        <translation>deux éléments «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>more than %1 elements</source>
+        <translation>plus de %1 éléments</translation>
+    </message>
+    <message>
+        <source>a property before the first element</source>
+        <translation>une propriété avant le premier élément</translation>
+    </message>
+    <message>
+        <source>unknown type of property &quot;%1&quot;</source>
+        <translation>type inconnu pour la propriété «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>two properties &quot;%1&quot;</source>
+        <translation>deux propriétés «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>more than %1 properties</source>
+        <translation>plus de %1 propriétés</translation>
+    </message>
+    <message>
+        <source>the file is too short for %1 elements &quot;%2&quot;</source>
+        <translation>le fichier est trop court pour %1 éléments «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>vertices without x, y and z</source>
+        <translation>sommets sans x, y et z</translation>
+    </message>
+    <message>
+        <source>vertex %1 is not a finite number</source>
+        <translation>le sommet %1 n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>the faces&apos; vertices are no list of integers</source>
+        <translation>les sommets des faces ne sont pas une liste d’entiers</translation>
+    </message>
+    <message>
+        <source>face %1 has fewer than three corners</source>
+        <translation>la face %1 a moins de trois coins</translation>
+    </message>
+    <message>
+        <source>a number expected, found &quot;%1&quot;</source>
+        <translation>un nombre attendu, trouvé «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>a list of %1 values</source>
+        <translation>une liste de %1 valeurs</translation>
+    </message>
+    <message>
+        <source>the file ends within element %1 of &quot;%2&quot;</source>
+        <translation>le fichier s’arrête dans l’élément %1 de «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>an integer expected</source>
+        <translation>un entier attendu</translation>
+    </message>
+    <message>
+        <source>vertex %1 of %2 is not a finite number</source>
+        <translation>le sommet %1 de %2 n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Annulé</translation>
+    </message>
+    <message>
+        <source>Length divisions must be between 2 and 64</source>
+        <translation>Les divisions en longueur doivent être entre 2 et 64</translation>
+    </message>
+    <message>
+        <source>Radial divisions must be between 3 and 128</source>
+        <translation>Les divisions radiales doivent être entre 3 et 128</translation>
+    </message>
+    <message>
+        <source>There must be one roll per branch</source>
+        <translation>Il faut un roulis par branche</translation>
+    </message>
+    <message>
+        <source>A roll or the near-twin ratio is not a usable number</source>
+        <translation>Un roulis ou le rapport des jumelles proches n’est pas un nombre utilisable</translation>
+    </message>
+    <message>
+        <source>The mesh would have more than 2^31 faces</source>
+        <translation>Le maillage aurait plus de 2^31 faces</translation>
+    </message>
+    <message>
+        <source>the tree would carry more than %1 leaves</source>
+        <translation>l’arbre porterait plus de %1 feuilles</translation>
+    </message>
+    <message>
+        <source>the tree would carry more than %1 apples</source>
+        <translation>l’arbre porterait plus de %1 pommes</translation>
+    </message>
+    <message>
+        <source>Branch %1 has a coordinate or a radius that is not finite</source>
+        <translation>La branche %1 a une coordonnée ou un rayon qui n’est pas fini</translation>
+    </message>
+    <message>
+        <source>Branch %1 has a negative radius</source>
+        <translation>La branche %1 a un rayon négatif</translation>
+    </message>
+    <message>
+        <source>Branch %1 comes before its parent</source>
+        <translation>La branche %1 vient avant son parent</translation>
+    </message>
+    <message>
+        <source>Branch %1 is too large for a mesh</source>
+        <translation>La branche %1 est trop grande pour un maillage</translation>
+    </message>
+    <message>
+        <source>No branch of the skeleton has a length or a radius</source>
+        <translation>Aucune branche du squelette n’a de longueur ni de rayon</translation>
+    </message>
+    <message>
+        <source>The skeleton is too small for a mesh</source>
+        <translation>Le squelette est trop petit pour un maillage</translation>
+    </message>
+    <message>
+        <source>The skeleton has no branch</source>
+        <translation>Le squelette n’a pas de branche</translation>
+    </message>
+    <message>
+        <source>the mesh has too many faces to be checked</source>
+        <translation>le maillage a trop de faces pour être vérifié</translation>
+    </message>
+    <message>
+        <source>face %1 refers to a vertex that does not exist (%2 vertices)</source>
+        <translation>la face %1 renvoie à un sommet qui n’existe pas (%2 sommets)</translation>
+    </message>
+    <message>
+        <source>Grammar</source>
+        <translation>Grammaire</translation>
+    </message>
+    <message>
+        <source>Turtle</source>
+        <translation>Tortue</translation>
+    </message>
+    <message>
+        <source>Simplification</source>
+        <translation>Simplification</translation>
+    </message>
+    <message>
+        <source>Cross-sections</source>
+        <translation>Sections</translation>
+    </message>
+    <message>
+        <source>Foliage</source>
+        <translation>Feuillage</translation>
+    </message>
+    <message>
+        <source>Placement</source>
+        <translation>Placement</translation>
+    </message>
+    <message>
+        <source>Axiom</source>
+        <translation>Axiome</translation>
+    </message>
+    <message>
+        <source>The seed the tree grows from: the symbols that stand there before any rule is used.</source>
+        <translation>Le germe de l’arbre&#xa0;: les symboles présents avant toute règle.</translation>
+    </message>
+    <message>
+        <source>Rules</source>
+        <translation>Règles</translation>
+    </message>
+    <message>
+        <source>How symbols grow, one rule a line: &quot;A -&gt; [+A]B&quot; puts [+A]B in the place of every A. Several outcomes by chance: &quot;B -&gt; 0.7: B | 0.3: BB&quot;.</source>
+        <translation>Comment poussent les symboles, une règle par ligne&#xa0;: «&#xa0;A -&gt; [+A]B&#xa0;» met [+A]B à la place de chaque A. Plusieurs issues au hasard&#xa0;: «&#xa0;B -&gt; 0.7: B | 0.3: BB&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>Itérations</translation>
+    </message>
+    <message>
+        <source>How often the rules are used. Each round makes the tree finer; the number of branches grows quickly.</source>
+        <translation>Combien de fois les règles s’appliquent. Chaque tour affine l’arbre&#xa0;; le nombre de branches croît vite.</translation>
+    </message>
+    <message>
+        <source>By chance</source>
+        <translation>Au hasard</translation>
+    </message>
+    <message>
+        <source>Let chance choose among the outcomes of a rule, so that every seed gives another tree. Off: each rule always gives its default.</source>
+        <translation>Laisse le hasard choisir parmi les issues d’une règle&#xa0;: chaque graine donne un autre arbre. Sinon, chaque règle donne toujours son issue par défaut.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Graine</translation>
+    </message>
+    <message>
+        <source>Names one tree among all that chance can give. The same seed always grows the same tree.</source>
+        <translation>Désigne un arbre parmi tous ceux que le hasard peut donner. La même graine donne toujours le même arbre.</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Angle</translation>
+    </message>
+    <message>
+        <source>The angle of every turn a symbol asks for. Small angles give slender trees, large ones spreading trees.</source>
+        <translation>L’angle de chaque rotation demandée par un symbole. Petit, il donne des arbres élancés&#xa0;; grand, des arbres étalés.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Length of each piece of branch, and the radius of the trunk at the ground. Leaves and apples take their size from it too: it scales the whole tree.</source>
+        <translation>Longueur de chaque morceau de branche, et rayon du tronc au sol. Feuilles et pommes en tirent aussi leur taille&#xa0;: il règle l’échelle de tout l’arbre.</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Amincissement</translation>
+    </message>
+    <message>
+        <source>What remains of the radius at the end of each piece of branch. 1 keeps branches as thick as the trunk.</source>
+        <translation>Ce qui reste du rayon au bout de chaque morceau de branche. 1 garde les branches aussi épaisses que le tronc.</translation>
+    </message>
+    <message>
+        <source>Merge straight runs</source>
+        <translation>Fusionner les suites droites</translation>
+    </message>
+    <message>
+        <source>Make one branch of pieces that follow each other without a turn. The shape stays, the mesh gets lighter.</source>
+        <translation>Fait une seule branche des morceaux qui se suivent sans tourner. La forme reste, le maillage s’allège.</translation>
+    </message>
+    <message>
+        <source>Straight below</source>
+        <translation>Droit en dessous de</translation>
+    </message>
+    <message>
+        <source>Pieces that turn by less than this angle count as straight and are merged. Larger angles remove bends too.</source>
+        <translation>Les morceaux qui tournent de moins que cet angle comptent comme droits et sont fusionnés. Un angle plus grand supprime aussi des courbes.</translation>
+    </message>
+    <message>
+        <source>Along the branch</source>
+        <translation>Le long de la branche</translation>
+    </message>
+    <message>
+        <source>Cross-sections of each branch, both ends included. More make smoother bends.</source>
+        <translation>Sections de chaque branche, extrémités comprises. Plus il y en a, plus les courbes sont douces.</translation>
+    </message>
+    <message>
+        <source>Around the branch</source>
+        <translation>Autour de la branche</translation>
+    </message>
+    <message>
+        <source>Points of each cross-section. More make rounder branches.</source>
+        <translation>Points de chaque section. Plus il y en a, plus les branches sont rondes.</translation>
+    </message>
+    <message>
+        <source>Twig thickness</source>
+        <translation>Finesse des rameaux</translation>
+    </message>
+    <message>
+        <source>Branches thinner than this share of the trunk&apos;s radius carry leaves and apples. 0 leaves the tree bare.</source>
+        <translation>Les branches plus fines que cette part du rayon du tronc portent feuilles et pommes. 0 laisse l’arbre nu.</translation>
+    </message>
+    <message>
+        <source>Leaves per twig</source>
+        <translation>Feuilles par rameau</translation>
+    </message>
+    <message>
+        <source>How many leaves grow on each branch that is thin enough.</source>
+        <translation>Combien de feuilles poussent sur chaque branche assez fine.</translation>
+    </message>
+    <message>
+        <source>Apples</source>
+        <translation>Pommes</translation>
+    </message>
+    <message>
+        <source>The chance that a branch which is thin enough carries an apple: 0 for none, 1 for one on each.</source>
+        <translation>La chance qu’une branche assez fine porte une pomme&#xa0;: 0 pour aucune, 1 pour une sur chacune.</translation>
+    </message>
+    <message>
+        <source>Another seed arranges leaves and apples anew; the branches stay as they are.</source>
+        <translation>Une autre graine redispose feuilles et pommes&#xa0;; les branches restent telles quelles.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Where it stands, measured from its parent.</source>
+        <translation>Où il se tient, mesuré depuis son parent.</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>How it is turned: first about the parent&apos;s X axis, then Y, then Z. Y points up.</source>
+        <translation>Comment il est tourné&#xa0;: d’abord autour de l’axe X du parent, puis Y, puis Z. Y pointe vers le haut.</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>How large it is along its own axes; 1 is its natural size.</source>
+        <translation>Sa taille le long de ses propres axes&#xa0;; 1 est sa taille naturelle.</translation>
+    </message>
+    <message>
+        <source>must be between %1 and %2, not %3</source>
+        <translation>doit être entre %1 et %2, pas %3</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>doit être un nombre fini</translation>
+    </message>
+    <message>
+        <source>the text is longer than %1 bytes</source>
+        <translation>le texte dépasse %1 octets</translation>
+    </message>
+    <message>
+        <source>the text holds a zero byte</source>
+        <translation>le texte contient un octet nul</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a whole number</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither true nor false</source>
+        <translation>«&#xa0;%1&#xa0;» n’est ni vrai ni faux</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not three numbers with commas between</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas trois nombres séparés par des virgules</translation>
+    </message>
+    <message>
+        <source>has a value of another type</source>
+        <translation>a une valeur d’un autre type</translation>
+    </message>
+    <message>
+        <source>A tree that forks in two, again and again</source>
+        <translation>Un arbre qui fourche en deux, encore et encore</translation>
+    </message>
+    <message>
+        <source>Slender branches with fans of twigs</source>
+        <translation>Des branches élancées aux éventails de rameaux</translation>
+    </message>
+    <message>
+        <source>A small tree, drawn once by chance and kept</source>
+        <translation>Un petit arbre, tiré une fois au hasard et gardé</translation>
+    </message>
+    <message>
+        <source>A fern that grows in one plane</source>
+        <translation>Une fougère qui pousse dans un plan</translation>
+    </message>
+    <message>
+        <source>there is no preset &quot;%1&quot;; there are %2</source>
+        <translation>il n’y a pas de modèle «&#xa0;%1&#xa0;»&#xa0;; il y a %2</translation>
+    </message>
+    <message>
+        <source>%1 branches would make a mesh of about %2 triangles, more than the limit of %3</source>
+        <translation>%1 branches feraient un maillage d’environ %2 triangles, plus que la limite de %3</translation>
+    </message>
+    <message>
+        <source>the place in the world is not a finite one</source>
+        <translation>la place dans le monde n’est pas finie</translation>
+    </message>
+    <message>
+        <source>the place in the world is a projection</source>
+        <translation>la place dans le monde est une projection</translation>
+    </message>
+    <message>
+        <source>the place in the world is flat: a scale is zero</source>
+        <translation>la place dans le monde est plate&#xa0;: une échelle est nulle</translation>
+    </message>
+    <message>
+        <source>the place in the world is sheared: no rotation and scale give it</source>
+        <translation>la place dans le monde est cisaillée&#xa0;: aucune rotation et échelle ne la donnent</translation>
+    </message>
+    <message>
+        <source>there is no node to insert</source>
+        <translation>il n’y a pas de nœud à insérer</translation>
+    </message>
+    <message>
+        <source>the parent of node %1 does not stand before it</source>
+        <translation>le parent du nœud %1 n’est pas placé avant lui</translation>
+    </message>
+    <message>
+        <source>another node has the id %1 as well</source>
+        <translation>un autre nœud a aussi l’identifiant %1</translation>
+    </message>
+    <message>
+        <source>a node cannot be moved below itself</source>
+        <translation>un nœud ne peut être déplacé sous lui-même</translation>
+    </message>
+    <message>
+        <source>%1 is no id of a node</source>
+        <translation>%1 n’est pas un identifiant de nœud</translation>
+    </message>
+    <message>
+        <source>the parents of node %1 go round in a circle</source>
+        <translation>les parents du nœud %1 tournent en rond</translation>
+    </message>
+    <message>
+        <source>this cannot be read as a number</source>
+        <translation>ceci ne se lit pas comme un nombre</translation>
+    </message>
+    <message>
+        <source>the result is not a finite number</source>
+        <translation>le résultat n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>two units cannot be multiplied here</source>
+        <translation>deux unités ne peuvent être multipliées ici</translation>
+    </message>
+    <message>
+        <source>too many levels</source>
+        <translation>trop de niveaux</translation>
+    </message>
+    <message>
+        <source>a unit cannot have a power here</source>
+        <translation>une unité ne peut avoir de puissance ici</translation>
+    </message>
+    <message>
+        <source>this number has a unit already</source>
+        <translation>ce nombre a déjà une unité</translation>
+    </message>
+    <message>
+        <source>unknown unit</source>
+        <translation>unité inconnue</translation>
+    </message>
+    <message>
+        <source>a number is missing here</source>
+        <translation>il manque un nombre ici</translation>
+    </message>
+    <message>
+        <source>a closing bracket is missing</source>
+        <translation>il manque une parenthèse fermante</translation>
+    </message>
+    <message>
+        <source>unknown function</source>
+        <translation>fonction inconnue</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no copied parameters</source>
+        <translation>Le presse-papiers ne contient pas de paramètres copiés</translation>
+    </message>
+    <message>
+        <source>The picture&apos;s sides must be 1 to %1 pixels</source>
+        <translation>Les côtés de l’image doivent mesurer de 1 à %1 pixels</translation>
+    </message>
+    <message>
+        <source>No OpenGL 3.3 context is available here</source>
+        <translation>Aucun contexte OpenGL 3.3 n’est disponible ici</translation>
+    </message>
+    <message>
+        <source>The graphics driver refuses a picture of %1 x %2 pixels</source>
+        <translation>Le pilote graphique refuse une image de %1 x %2 pixels</translation>
+    </message>
+    <message>
+        <source>The graphics driver refuses a shader: %1</source>
+        <translation>Le pilote graphique refuse un shader&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Pictures cannot be written as &apos;%1&apos;</source>
+        <translation>Les images ne peuvent être écrites en «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>The graphics driver gave no picture</source>
+        <translation>Le pilote graphique n’a donné aucune image</translation>
+    </message>
+    <message>
+        <source>Cannot write the picture: %1</source>
+        <translation>Impossible d’écrire l’image&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::AboutDialog</name>
+    <message>
+        <source>not available</source>
+        <translation>non disponible</translation>
+    </message>
+    <message>
+        <source>About Ramure</source>
+        <translation>À propos de Ramure</translation>
+    </message>
+    <message>
+        <source>An editor for trees: from a grammar to one clean mesh.</source>
+        <translation>Un éditeur d’arbres&#xa0;: d’une grammaire à un maillage propre.</translation>
+    </message>
+    <message>
+        <source>Free software under the MIT licence.</source>
+        <translation>Logiciel libre sous licence MIT.</translation>
+    </message>
+    <message>
+        <source>Copy versions</source>
+        <translation>Copier les versions</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::BoolEditor</name>
+    <message>
+        <source>on</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>non</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::BranchFactForm</name>
+    <message>
+        <source>none: a root</source>
+        <translation>aucun&#xa0;: une racine</translation>
+    </message>
+    <message>
+        <source>none: a tip</source>
+        <translation>aucun&#xa0;: un bout</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>et %n de plus</numerusform>
+            <numerusform>et %n de plus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Parent</source>
+        <translation>Parent</translation>
+    </message>
+    <message>
+        <source>The branch at whose end this one starts. Click to select it.</source>
+        <translation>La branche au bout de laquelle celle-ci commence. Cliquez pour la sélectionner.</translation>
+    </message>
+    <message>
+        <source>Children</source>
+        <translation>Enfants</translation>
+    </message>
+    <message>
+        <source>The branches that start at this one&apos;s end. Click to select one.</source>
+        <translation>Les branches qui partent du bout de celle-ci. Cliquez pour en sélectionner une.</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>How many brackets of the grammar are around the branch: 0 is the trunk.</source>
+        <translation>Combien de crochets de la grammaire entourent la branche&#xa0;: 0 est le tronc.</translation>
+    </message>
+    <message>
+        <source>Start (p0)</source>
+        <translation>Début (p0)</translation>
+    </message>
+    <message>
+        <source>In the tree&apos;s space, Y up.</source>
+        <translation>Dans l’espace de l’arbre, Y vers le haut.</translation>
+    </message>
+    <message>
+        <source>End (p1)</source>
+        <translation>Fin (p1)</translation>
+    </message>
+    <message>
+        <source>Start radius (a0)</source>
+        <translation>Rayon au début (a0)</translation>
+    </message>
+    <message>
+        <source>End radius (a1)</source>
+        <translation>Rayon à la fin (a1)</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>From the start straight to the end.</source>
+        <translation>Du début à la fin, en ligne droite.</translation>
+    </message>
+    <message>
+        <source>Angle to the parent</source>
+        <translation>Angle au parent</translation>
+    </message>
+    <message>
+        <source>Between the branch&apos;s direction and its parent&apos;s; of a root, between it and up (+Y).</source>
+        <translation>Entre la direction de la branche et celle de son parent&#xa0;; pour une racine, entre elle et le haut (+Y).</translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation>Azimut</translation>
+    </message>
+    <message>
+        <source>Which way the branch leans around its parent: from the normal of the parent&apos;s last section towards its binormal. A root is measured from +X towards −Z.</source>
+        <translation>De quel côté du parent la branche penche&#xa0;: de la normale de la dernière section du parent vers sa binormale. Une racine se mesure de +X vers −Z.</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>For the movement in the wind, without unit: the radius at the end, 0.075 for an apple, and the masses of all it carries.</source>
+        <translation>Pour le mouvement dans le vent, sans unité&#xa0;: le rayon à la fin, 0,075 pour une pomme, et les masses de tout ce qu’elle porte.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::BranchInspector</name>
+    <message>
+        <source>This tree has no branches: %1</source>
+        <translation>Cet arbre n’a pas de branches&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Select a branch in the viewport or in the scene panel.</source>
+        <translation>Sélectionnez une branche dans la vue ou dans le panneau Scène.</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Branche %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · the active one of %n selected branch(es)</source>
+        <translation>
+            <numerusform>%1 · l’active, %n branche sélectionnée</numerusform>
+            <numerusform>%1 · l’active parmi %n branches sélectionnées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Branch inspector</source>
+        <translation>Inspecteur de branche</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::EditActions</name>
+    <message>
+        <source>&amp;Add to the scene</source>
+        <translation>A&amp;jouter à la scène</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Groupe</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::ExportDialog</name>
+    <message>
+        <source>Wavefront OBJ (*.obj)</source>
+        <translation>Wavefront OBJ (*.obj)</translation>
+    </message>
+    <message>
+        <source>Stanford PLY (*.ply)</source>
+        <translation>Stanford PLY (*.ply)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Waiting until the tree is computed…</source>
+        <translation>En attente du calcul de l’arbre…</translation>
+    </message>
+    <message>
+        <source>Cancelled. No file was changed.</source>
+        <translation>Annulé. Aucun fichier n’a été modifié.</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ, with materials</source>
+        <translation>Wavefront OBJ, avec matériaux</translation>
+    </message>
+    <message>
+        <source>PLY, binary</source>
+        <translation>PLY, binaire</translation>
+    </message>
+    <message>
+        <source>PLY, text</source>
+        <translation>PLY, texte</translation>
+    </message>
+    <message>
+        <source>Finished mesh</source>
+        <translation>Maillage fini</translation>
+    </message>
+    <message>
+        <source>Rough model</source>
+        <translation>Modèle ébauché</translation>
+    </message>
+    <message>
+        <source>Skeleton as lines</source>
+        <translation>Squelette en lignes</translation>
+    </message>
+    <message>
+        <source>Branches</source>
+        <translation>Branches</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Feuilles</translation>
+    </message>
+    <message>
+        <source>Apples</source>
+        <translation>Pommes</translation>
+    </message>
+    <message>
+        <source>Only what is selected</source>
+        <translation>Seulement la sélection</translation>
+    </message>
+    <message>
+        <source>Hidden trees too</source>
+        <translation>Les arbres masqués aussi</translation>
+    </message>
+    <message>
+        <source>Browse…</source>
+        <translation>Parcourir…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Parties</translation>
+    </message>
+    <message>
+        <source>Trees</source>
+        <translation>Arbres</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Progression de l’export</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::FileActions</name>
+    <message>
+        <source>&amp;New from preset</source>
+        <translation>&amp;Nouveau d’après un modèle</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Fichiers &amp;récents</translation>
+    </message>
+    <message>
+        <source>No files yet</source>
+        <translation>Aucun fichier</translation>
+    </message>
+    <message>
+        <source>Forget these files</source>
+        <translation>Oublier ces fichiers</translation>
+    </message>
+    <message>
+        <source>Ramure files (*.ramure);;All files (*)</source>
+        <translation>Fichiers Ramure (*.ramure);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+    <message>
+        <source>There is no such preset.</source>
+        <translation>Ce modèle n’existe pas.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be opened.</source>
+        <translation>«&#xa0;%1&#xa0;» ne peut être ouvert.</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Enregistrer sous</translation>
+    </message>
+    <message>
+        <source>“%1” could not be saved. Nothing is lost: the file on disk is as it was, and your changes are still open here.</source>
+        <translation>«&#xa0;%1&#xa0;» n’a pas pu être enregistré. Rien n’est perdu&#xa0;: le fichier sur le disque est intact et vos modifications sont toujours ouvertes ici.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::GroupSection</name>
+    <message numerus="yes">
+        <source>%n value(s) changed from the default</source>
+        <translation>
+            <numerusform>%n valeur modifiée</numerusform>
+            <numerusform>%n valeurs modifiées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All values are the defaults</source>
+        <translation>Toutes les valeurs sont celles par défaut</translation>
+    </message>
+    <message>
+        <source>Copy, paste or reset this group</source>
+        <translation>Copier, coller ou réinitialiser ce groupe</translation>
+    </message>
+    <message>
+        <source>%1: menu</source>
+        <translation>%1&#xa0;: menu</translation>
+    </message>
+    <message>
+        <source>Less</source>
+        <translation>Moins</translation>
+    </message>
+    <message>
+        <source>More…</source>
+        <translation>Plus…</translation>
+    </message>
+    <message>
+        <source>Copy values</source>
+        <translation>Copier les valeurs</translation>
+    </message>
+    <message>
+        <source>Paste values</source>
+        <translation>Coller les valeurs</translation>
+    </message>
+    <message>
+        <source>Reset to defaults</source>
+        <translation>Valeurs par défaut</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::HistoryDock</name>
+    <message>
+        <source>Start</source>
+        <translation>Début</translation>
+    </message>
+    <message>
+        <source>History of changes</source>
+        <translation>Historique des modifications</translation>
+    </message>
+    <message>
+        <source>Click a step to go back or forth to it. The dot marks what is in the file.</source>
+        <translation>Cliquez une étape pour y revenir ou y avancer. Le point marque ce qui est dans le fichier.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::MainWindow</name>
+    <message>
+        <source>Exported to %1</source>
+        <translation>Exporté vers %1</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Édition</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>A&amp;ide</translation>
+    </message>
+    <message>
+        <source>Toolbar</source>
+        <translation>Barre d’outils</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
+    </message>
+    <message>
+        <source>Properties</source>
+        <translation>Propriétés</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historique</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspecteur</translation>
+    </message>
+    <message>
+        <source>Validation</source>
+        <translation>Validation</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::MessageBanner</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Fermer ce message</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::NavigationCube</name>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Arrière</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Droite</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Gauche</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Dessous</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::NumberEditor</name>
+    <message>
+        <source>%1 slider</source>
+        <translation>%1, curseur</translation>
+    </message>
+    <message>
+        <source>Another random seed</source>
+        <translation>Une autre graine au hasard</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::ParamRow</name>
+    <message>
+        <source>metres; also cm, mm, km, in, ft</source>
+        <translation>mètres&#xa0;; aussi cm, mm, km, in, ft</translation>
+    </message>
+    <message>
+        <source>degrees; also rad, turn, pi</source>
+        <translation>degrés&#xa0;; aussi rad, turn, pi</translation>
+    </message>
+    <message>
+        <source>radians; also deg, turn, pi</source>
+        <translation>radians&#xa0;; aussi deg, turn, pi</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>degrés</translation>
+    </message>
+    <message>
+        <source>a ratio; also %</source>
+        <translation>un rapport&#xa0;; aussi %</translation>
+    </message>
+    <message>
+        <source>a count</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Limites</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Défaut</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Clé</translation>
+    </message>
+    <message>
+        <source>Back to the default</source>
+        <translation>Revenir à la valeur par défaut</translation>
+    </message>
+    <message>
+        <source>%1: back to the default</source>
+        <translation>%1&#xa0;: revenir à la valeur par défaut</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::PropertiesPanel</name>
+    <message>
+        <source>Select a tree in the scene or in the view to change it.</source>
+        <translation>Sélectionnez un arbre dans la scène ou dans la vue pour le modifier.</translation>
+    </message>
+    <message>
+        <source>No parameter is called like this.</source>
+        <translation>Aucun paramètre ne s’appelle ainsi.</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>Coller %1</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>Réinitialiser %1</translation>
+    </message>
+    <message>
+        <source>Search parameters</source>
+        <translation>Chercher un paramètre</translation>
+    </message>
+    <message>
+        <source>Nothing selected</source>
+        <translation>Rien de sélectionné</translation>
+    </message>
+    <message>
+        <source>%1 (locked)</source>
+        <translation>%1 (verrouillé)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s) selected</source>
+        <translation>
+            <numerusform>%n nœud sélectionné</numerusform>
+            <numerusform>%n nœuds sélectionnés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Paramètres</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::ReportModel</name>
+    <message>
+        <source>Edge %1–%2</source>
+        <translation>Arête %1–%2</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>Sommet %1</translation>
+    </message>
+    <message>
+        <source>Vertices %1 and %2</source>
+        <translation>Sommets %1 et %2</translation>
+    </message>
+    <message>
+        <source>Faces %1 and %2</source>
+        <translation>Faces %1 et %2</translation>
+    </message>
+    <message>
+        <source>Face %1</source>
+        <translation>Face %1</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Branche %1</translation>
+    </message>
+    <message>
+        <source>Branch %1, now with %2</source>
+        <translation>Branche %1, désormais avec %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2, the first %3 listed</source>
+        <translation>%1&#xa0;: %2, les %3 premiers listés</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Branche</translation>
+    </message>
+    <message>
+        <source>Place (m)</source>
+        <translation>Place (m)</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::RollEditor</name>
+    <message>
+        <source>Roll by hand</source>
+        <translation>Roulis à la main</translation>
+    </message>
+    <message>
+        <source>Turns the branch&apos;s frames about its curve. The branches it carries turn along, and the mesh follows.</source>
+        <translation>Tourne les repères de la branche autour de sa courbe. Les branches qu’elle porte tournent avec elle, et le maillage suit.</translation>
+    </message>
+    <message>
+        <source>Roll by hand, slider</source>
+        <translation>Roulis à la main, curseur</translation>
+    </message>
+    <message>
+        <source>Back to no roll</source>
+        <translation>Revenir sans roulis</translation>
+    </message>
+    <message>
+        <source>The tree is locked.</source>
+        <translation>L’arbre est verrouillé.</translation>
+    </message>
+    <message numerus="yes">
+        <source>For all %n selected branch(es).</source>
+        <translation>
+            <numerusform>Pour la branche sélectionnée.</numerusform>
+            <numerusform>Pour les %n branches sélectionnées.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::SceneModel</name>
+    <message>
+        <source>Tree: %1</source>
+        <translation>Arbre&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Group: %1</source>
+        <translation>Groupe&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Hidden</source>
+        <translation>Masqué</translation>
+    </message>
+    <message>
+        <source>Visible</source>
+        <translation>Visible</translation>
+    </message>
+    <message>
+        <source>Hidden by its parent</source>
+        <translation>Masqué par son parent</translation>
+    </message>
+    <message>
+        <source>Locked: cannot be changed</source>
+        <translation>Verrouillé&#xa0;: ne peut être modifié</translation>
+    </message>
+    <message>
+        <source>Not locked</source>
+        <translation>Non verrouillé</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Branche %1</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Children</source>
+        <translation>Enfants</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Verrouillé</translation>
+    </message>
+    <message>
+        <source>Length in metres</source>
+        <translation>Longueur en mètres</translation>
+    </message>
+    <message>
+        <source>Radius at the lower end, in metres</source>
+        <translation>Rayon à l’extrémité basse, en mètres</translation>
+    </message>
+    <message>
+        <source>Branches that begin at its end; of a tree: all its branches</source>
+        <translation>Branches qui partent de son bout&#xa0;; pour un arbre&#xa0;: toutes ses branches</translation>
+    </message>
+    <message>
+        <source>Depth of brackets: 0 is the trunk</source>
+        <translation>Profondeur des crochets&#xa0;: 0 est le tronc</translation>
+    </message>
+    <message>
+        <source>Move nodes</source>
+        <translation>Déplacer des nœuds</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::ScenePanel</name>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::SectionBrowser</name>
+    <message>
+        <source>of %1</source>
+        <translation>sur %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n section(s) copied as CSV</source>
+        <translation>
+            <numerusform>%n section copiée en CSV</numerusform>
+            <numerusform>%n sections copiées en CSV</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Section</source>
+        <translation>Section</translation>
+    </message>
+    <message>
+        <source>Section, slider</source>
+        <translation>Section, curseur</translation>
+    </message>
+    <message>
+        <source>Steps through the sections. The viewport shows the section&apos;s plane and frame.</source>
+        <translation>Parcourt les sections. La vue montre le plan et le repère de la section.</translation>
+    </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Copier en CSV</translation>
+    </message>
+    <message>
+        <source>Copies all sections as comma-separated values for a spreadsheet. Ctrl+C in the table does the same, or copies the selected rows where there are several.</source>
+        <translation>Copie toutes les sections en valeurs séparées par des virgules, pour un tableur. Ctrl+C dans le tableau fait de même, ou copie les lignes sélectionnées s’il y en a plusieurs.</translation>
+    </message>
+    <message>
+        <source>All sections</source>
+        <translation>Toutes les sections</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::SectionModel</name>
+    <message>
+        <source>Section</source>
+        <translation>Section</translation>
+    </message>
+    <message>
+        <source>Parameter t</source>
+        <translation>Paramètre t</translation>
+    </message>
+    <message>
+        <source>Arc length</source>
+        <translation>Abscisse curviligne</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Centre</translation>
+    </message>
+    <message>
+        <source>Tangent</source>
+        <translation>Tangente</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Binormal</source>
+        <translation>Binormale</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <translation>Courbure</translation>
+    </message>
+    <message>
+        <source>Twist per metre</source>
+        <translation>Torsion par mètre</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Torsion</translation>
+    </message>
+    <message>
+        <source>Counted from 1 at the branch&apos;s start.</source>
+        <translation>Comptée à partir de 1 au début de la branche.</translation>
+    </message>
+    <message>
+        <source>Where the section is on the branch&apos;s curve: 0 at its start, 1 at its end.</source>
+        <translation>Où se trouve la section sur la courbe de la branche&#xa0;: 0 au début, 1 à la fin.</translation>
+    </message>
+    <message>
+        <source>Way along the curve from the branch&apos;s start.</source>
+        <translation>Chemin le long de la courbe depuis le début de la branche.</translation>
+    </message>
+    <message>
+        <source>In the tree&apos;s space, Y up.</source>
+        <translation>Dans l’espace de l’arbre, Y vers le haut.</translation>
+    </message>
+    <message>
+        <source>Where the curve goes; the section lies across it.</source>
+        <translation>Où va la courbe&#xa0;; la section lui est perpendiculaire.</translation>
+    </message>
+    <message>
+        <source>Points from the centre to the first point of the section&apos;s circle.</source>
+        <translation>Pointe du centre vers le premier point du cercle de la section.</translation>
+    </message>
+    <message>
+        <source>Tangent × normal: a quarter turn on from the normal.</source>
+        <translation>Tangente × normale&#xa0;: un quart de tour après la normale.</translation>
+    </message>
+    <message>
+        <source>Of the section&apos;s circle.</source>
+        <translation>Du cercle de la section.</translation>
+    </message>
+    <message>
+        <source>One over the radius of the circle that fits the curve here; 0 where it is straight.</source>
+        <translation>L’inverse du rayon du cercle qui épouse la courbe ici&#xa0;; 0 là où elle est droite.</translation>
+    </message>
+    <message>
+        <source>How fast the frame turns about the curve beyond what carrying it along needs: 0 for rotation-minimising frames.</source>
+        <translation>À quelle vitesse le repère tourne autour de la courbe au-delà de ce que son transport demande&#xa0;: 0 pour les repères à rotation minimale.</translation>
+    </message>
+    <message>
+        <source>How far the frame is turned about the curve since the parent&apos;s end: the roll by hand and the twist up to here.</source>
+        <translation>De combien le repère a tourné autour de la courbe depuis le bout du parent&#xa0;: le roulis à la main et la torsion jusqu’ici.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::StatusPanel</name>
+    <message>
+        <source>Boundary edges</source>
+        <translation>Arêtes de bord</translation>
+    </message>
+    <message>
+        <source>Non-manifold edges</source>
+        <translation>Arêtes non-variété</translation>
+    </message>
+    <message>
+        <source>Non-manifold vertices</source>
+        <translation>Sommets non-variété</translation>
+    </message>
+    <message>
+        <source>Inconsistent edges</source>
+        <translation>Arêtes incohérentes</translation>
+    </message>
+    <message>
+        <source>Duplicate vertices</source>
+        <translation>Sommets en double</translation>
+    </message>
+    <message>
+        <source>Duplicate faces</source>
+        <translation>Faces en double</translation>
+    </message>
+    <message>
+        <source>Degenerate faces</source>
+        <translation>Faces dégénérées</translation>
+    </message>
+    <message>
+        <source>Isolated vertices</source>
+        <translation>Sommets isolés</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Composantes</translation>
+    </message>
+    <message>
+        <source>Euler characteristic</source>
+        <translation>Caractéristique d’Euler</translation>
+    </message>
+    <message>
+        <source>No trees</source>
+        <translation>Pas d’arbre</translation>
+    </message>
+    <message>
+        <source>%1 branches  ·  %2 vertices  ·  %3 faces</source>
+        <translation>%1 branches  ·  %2 sommets  ·  %3 faces</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>erreur</translation>
+    </message>
+    <message>
+        <source>The parameters give no tree; you see the last one that worked.</source>
+        <translation>Les paramètres ne donnent pas d’arbre&#xa0;; vous voyez le dernier qui marchait.</translation>
+    </message>
+    <message>
+        <source>computing…</source>
+        <translation>calcul…</translation>
+    </message>
+    <message>
+        <source>A quick draft is shown until the full result is there.</source>
+        <translation>Une ébauche rapide est affichée en attendant le résultat complet.</translation>
+    </message>
+    <message>
+        <source>valid</source>
+        <translation>valide</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Closed, 2-manifold and outward: every edge has two faces.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Fermé, 2-variété, tourné vers l’extérieur&#xa0;: chaque arête a deux faces.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>not valid</source>
+        <translation>non valide</translation>
+    </message>
+    <message>
+        <source>Stop computing; the draft stays</source>
+        <translation>Arrêter le calcul&#xa0;; l’ébauche reste</translation>
+    </message>
+    <message>
+        <source>Stop computing</source>
+        <translation>Arrêter le calcul</translation>
+    </message>
+    <message>
+        <source>Progress of the computation</source>
+        <translation>Progression du calcul</translation>
+    </message>
+    <message>
+        <source>Time to build the trees, without drawing</source>
+        <translation>Temps de construction des arbres, sans l’affichage</translation>
+    </message>
+    <message>
+        <source>Branches after simplification; vertices and faces of the branch meshes</source>
+        <translation>Branches après simplification&#xa0;; sommets et faces des maillages de branches</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::ValidationPanel</name>
+    <message>
+        <source>What this means</source>
+        <translation>Ce que cela veut dire</translation>
+    </message>
+    <message>
+        <source>Choose a kind above to read what it is and what it does.</source>
+        <translation>Choisissez un genre ci-dessus pour lire ce qu’il est et ce qu’il fait.</translation>
+    </message>
+    <message>
+        <source>The check of a tree&apos;s mesh stands here. There is no tree in the scene.</source>
+        <translation>La vérification du maillage d’un arbre se trouve ici. Il n’y a pas d’arbre dans la scène.</translation>
+    </message>
+    <message>
+        <source>Copy the report as text</source>
+        <translation>Copier le rapport en texte</translation>
+    </message>
+    <message>
+        <source>Defects and repairs</source>
+        <translation>Défauts et réparations</translation>
+    </message>
+    <message>
+        <source>Mesh check</source>
+        <translation>Vérification du maillage</translation>
+    </message>
+    <message>
+        <source>Report copied as text</source>
+        <translation>Rapport copié en texte</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::ViewActions</name>
+    <message>
+        <source>&amp;View from</source>
+        <translation>&amp;Vue de</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Thème</translation>
+    </message>
+    <message>
+        <source>&amp;Angles in</source>
+        <translation>An&amp;gles en</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::Viewport</name>
+    <message>
+        <source>3D view</source>
+        <translation>Vue 3D</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::ViewportHost</name>
+    <message>
+        <source>&lt;h3&gt;No 3D view&lt;/h3&gt;&lt;p&gt;%1&lt;/p&gt;&lt;p&gt;Everything else works: parameters, undo, saving and export.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Pas de vue 3D&lt;/h3&gt;&lt;p&gt;%1&lt;/p&gt;&lt;p&gt;Tout le reste fonctionne&#xa0;: paramètres, annulation, enregistrement et export.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>render</name>
+    <message>
+        <source>This display cannot show OpenGL.</source>
+        <translation>Cet affichage ne peut montrer OpenGL.</translation>
+    </message>
+    <message>
+        <source>The graphics driver gives no OpenGL.</source>
+        <translation>Le pilote graphique ne fournit pas OpenGL.</translation>
+    </message>
+    <message>
+        <source>The graphics driver&apos;s OpenGL is older than 3.3.</source>
+        <translation>L’OpenGL du pilote graphique est antérieur à la version 3.3.</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,27 @@
+#include "widgets/theme/ramure_style.h"
+
+#include <QPainter>
+#include <QStyleFactory>
+
+namespace ramure {
+
+RamureStyle::RamureStyle()
+    : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion")))
+{
+}
+
+QPixmap RamureStyle::generatedIconPixmap(QIcon::Mode mode, const QPixmap& pixmap,
+                                         const QStyleOption* option) const
+{
+    if (mode != QIcon::Disabled)
+        return QProxyStyle::generatedIconPixmap(mode, pixmap, option);
+    QPixmap faint(pixmap.size());
+    faint.setDevicePixelRatio(pixmap.devicePixelRatio());
+    faint.fill(Qt::transparent);
+    QPainter painter(&faint);
+    painter.setOpacity(0.35);
+    painter.drawPixmap(0, 0, pixmap);
+    return faint;
+}
+
+} // namespace ramure
