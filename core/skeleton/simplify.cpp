@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <ranges>
 
 namespace ramure {
 namespace {
@@ -75,13 +74,15 @@ std::vector<Run> findRuns(const Skeleton& skeleton, const AngleTest& angle, std:
     return runs;
 }
 
-/// Made in one go: memory is written once, not first with zeros.
+/// Memory is written once, not first with zeros.
 template <class T>
 std::vector<T> gathered(const std::vector<T>& from, const std::vector<Run>& runs, Index Run::*end)
 {
-    const auto picked =
-        runs | std::views::transform([&](const Run& run) -> const T& { return from[run.*end]; });
-    return {picked.begin(), picked.end()};
+    std::vector<T> picked;
+    picked.reserve(runs.size());
+    for (const Run& run : runs)
+        picked.push_back(from[run.*end]);
+    return picked;
 }
 
 } // namespace
