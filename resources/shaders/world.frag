@@ -10,6 +10,7 @@ uniform vec3 uEye;         // world
 uniform vec2 uCentre;      // of the scene, x and z
 uniform float uFade;       // distance at which the ground melts into the sky, m
 uniform float uGridStep;   // 0 = no grid
+uniform float uPixelRatio;  // device pixels per logical one
 uniform float uMottle;     // size of the ground's patches, m
 uniform mat4 uClip;        // eye-relative -> clip space
 
@@ -85,7 +86,7 @@ void main()
     float steps = height / max(-direction.y, 1e-5);
     vec3 relative = offset + direction * clamp(steps, 0.0, 400.0 * uFade);
     vec2 at = uEye.xz + relative.xz;
-    vec2 width = fwidth(at);
+    vec2 width = uPixelRatio * fwidth(at);
     if (direction.y < -1e-5 && height > 0.0) {
         float far = length(at - uCentre) / uFade;
         float melt = 1.0 - exp(-pow(far, 1.7));

@@ -75,6 +75,10 @@ struct Window
         return document.result(tree(i))->tree.simplified->skeleton;
     }
     /// Where a point of the world is on the widget.
+    [[nodiscard]] QColor colourAt(const glm::dvec3& world) const
+    {
+        return view->grabFramebuffer().pixelColor(pixelOf(world) * view->devicePixelRatioF());
+    }
     [[nodiscard]] QPoint pixelOf(const glm::dvec3& world) const
     {
         const double aspect = double(view->width()) / view->height();
@@ -137,8 +141,7 @@ private slots:
         Window window;
         const glm::dvec3 trunk = middle(window.skeleton(), 0);
         QVERIFY(window.view->rect().contains(window.pixelOf(trunk)));
-        const QImage image = window.view->grabFramebuffer();
-        const QColor colour = image.pixelColor(window.pixelOf(trunk));
+        const QColor colour = window.colourAt(trunk);
         QVERIFY2(colour.red() > colour.blue() + 20, qPrintable(colour.name()));
         QVERIFY(window.view->frameTimes().frame > 0);
     }
@@ -345,7 +348,7 @@ private slots:
         window.view->showDefect(window.tree(0), place);
         QTRY_VERIFY(glm::length(window.view->camera().target - place.box.centre()) < 0.2);
         window.waitForPicture();
-        const QColor mark = window.view->grabFramebuffer().pixelColor(window.pixelOf(place.points[0]));
+        const QColor mark = window.colourAt(place.points[0]);
         QVERIFY2(mark.red() > 150 && mark.green() < 90 && mark.blue() > 90, qPrintable(mark.name()));
         window.view->clearDefect();
     }

@@ -74,6 +74,19 @@ Index idOf(std::span<const Index> ids, Index branch)
     return branch < ids.size() ? ids[branch] : branch;
 }
 
+constexpr int curveSteps = 8;
+
+void addCurve(LineSet& set, const Skeleton& skeleton, Index branch, float width, Colour colour, Index id)
+{
+    const BranchCurve curve = branchCurve(skeleton, branch);
+    glm::dvec3 last = curve.h0;
+    for (int k = 1; k <= curveSteps; ++k) {
+        const glm::dvec3 next = hermite(curve.h0, curve.h1, curve.v0, curve.v1, double(k) / curveSteps).point;
+        addLine(set, last, next, width, colour, id);
+        last = next;
+    }
+}
+
 /// The sections must be those of this skeleton; results of two stages may differ for a moment.
 bool fits(const Skeleton& skeleton, const SectionSet& sections)
 {
@@ -137,18 +150,10 @@ LineSet sectionLines(const Skeleton& skeleton, const SectionSet& sections, int r
     if (!fits(skeleton, sections))
         return set;
     const int points = std::max(3, radialDivisions);
-    constexpr int curveSteps = 8;
     set.segments.reserve(skeleton.size() *
                          (curveSteps + std::size_t(sections.perBranch) * std::size_t(points + 1)));
     for (Index i = 0; i < skeleton.size(); ++i) {
-        const BranchCurve curve = branchCurve(skeleton, i);
-        glm::dvec3 last = curve.h0;
-        for (int k = 1; k <= curveSteps; ++k) {
-            const glm::dvec3 next =
-                hermite(curve.h0, curve.h1, curve.v0, curve.v1, double(k) / curveSteps).point;
-            addLine(set, last, next, 1.6f, curveColour, i);
-            last = next;
-        }
+        addCurve(set, skeleton, i, 1.6f, curveColour, i);
         const auto ofBranch = sections.of(i);
         for (std::size_t k = 0; k < ofBranch.size(); ++k) {
             addCircle(set, ofBranch[k], points, 1.3f, circleColour, i);
@@ -197,6 +202,16 @@ LineSet inspectedLines(const Skeleton& skeleton, const SectionSet& sections, Ind
                 colour, noIndex);
     }
     addFrame(set, at, 1.35 * std::max(length, half), 2.6f);
+    return set;
+}
+
+LineSet branchCurves(const Skeleton& skeleton, std::span<const Index> branches)
+{
+    LineSet set;
+    for (const Index branch : branches) {
+        if (branch < skeleton.size())
+            addCurve(set, skeleton, branch, 2.0f, inspectColour, noIndex);
+    }
     return set;
 }
 

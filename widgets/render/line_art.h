@@ -26,6 +26,8 @@ LineSet frameArrows(const Skeleton& skeleton, const SectionSet& sections, std::s
 /// One section: its circle, a square of its plane, its frame.
 LineSet inspectedLines(const Skeleton& skeleton, const SectionSet& sections, Index branch, Index section,
                        int radialDivisions);
+/// The curves of these branches in the colour of the selection, to be seen through leaves and bark.
+LineSet branchCurves(const Skeleton& skeleton, std::span<const Index> branches);
 /// The corners of a box, for a selected node.
 LineSet boxCorners(const Box& box);
 

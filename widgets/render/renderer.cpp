@@ -272,6 +272,7 @@ void Renderer::drawWorld(const Picture& picture)
     m_world->set("uFade", float(12.0 * reach + 4.0 * height + 2.0 * camera.distance));
     const double step = gridStep(camera.heightAtTarget());
     m_world->set("uGridStep", picture.options.grid ? float(step) : 0.0f);
+    m_world->set("uPixelRatio", float(picture.options.pixelRatio));
     m_world->set("uMottle", float(0.35 * reach));
     m_world->set("uClip", glm::mat4(picture.projectedView));
     m_gl.glBindVertexArray(m_emptyArray);

@@ -15,6 +15,9 @@ std::vector<double> asNumbers(const std::vector<Index>& indices)
     return {indices.begin(), indices.end()};
 }
 
+/// More selected branches than these are no help to find one.
+constexpr std::size_t mostCurves = 2000;
+
 /// Appends the items of one tree.
 struct TreeItems
 {
@@ -120,6 +123,18 @@ struct TreeItems
                      [&] { return sectionLines(tree.simplified->skeleton, *tree.sections, sides); }),
                  false, true);
     }
+    /// Where the selected branches are behind the leaves.
+    void selectedCurves()
+    {
+        const bool solid = view.mode == DisplayMode::Mesh || view.mode == DisplayMode::Rough;
+        if (!solid || !tree.simplified || view.branchNode != node.id || view.branches.empty() ||
+            view.branches.size() > mostCurves)
+            return;
+        addLines(cache.get<LineSet>(ScenePart::SelectedCurves, tree.simplified, tree.simplified,
+                                    asNumbers(view.branches),
+                                    [&] { return branchCurves(tree.simplified->skeleton, view.branches); }),
+                 true, false);
+    }
     void frames()
     {
         if (!tree.simplified || !tree.sections)
@@ -167,6 +182,7 @@ struct TreeItems
             fine();
             break;
         }
+        selectedCurves();
         frames();
     }
 };

@@ -23,6 +23,7 @@ enum class ScenePart : std::uint8_t {
     SectionLines,
     FrameArrows,
     Inspected,
+    SelectedCurves,
 };
 
 /// What a part was made from: two blocks and some numbers.

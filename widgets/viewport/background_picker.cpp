@@ -1,5 +1,6 @@
 #include "widgets/viewport/background_picker.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace ramure {
@@ -21,8 +22,32 @@ BackgroundPicker::~BackgroundPicker()
     abandon(); // the members' destructors wait for what is still running
 }
 
+bool BackgroundPicker::picksTheSame(const RenderScene& scene) const
+{
+    const auto sameMesh = [](const MeshItem& a, const MeshItem& b) {
+        return a.mesh == b.mesh && a.world == b.world && a.node == b.node && a.pickable == b.pickable;
+    };
+    const auto linesOf = [](const RenderScene& of) {
+        std::vector<const LineItem*> lines;
+        for (const LineItem& item : of.lines) {
+            if (item.pickable)
+                lines.push_back(&item);
+        }
+        return lines;
+    };
+    const auto sameLines = [](const LineItem* a, const LineItem* b) {
+        return a->lines == b->lines && a->world == b->world && a->node == b->node;
+    };
+    return m_scene && std::ranges::equal(m_scene->meshes, scene.meshes, sameMesh) &&
+           std::ranges::equal(linesOf(*m_scene), linesOf(scene), sameLines);
+}
+
 void BackgroundPicker::setScene(std::shared_ptr<const RenderScene> scene)
 {
+    if (picksTheSame(*scene)) {
+        m_scene = std::move(scene);
+        return;
+    }
     abandon();
     m_scene = std::move(scene);
     m_current = false;

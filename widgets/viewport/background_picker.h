@@ -17,7 +17,7 @@ public:
     explicit BackgroundPicker(QObject* parent = nullptr);
     ~BackgroundPicker() override;
 
-    /// The scene to pick in from now on.
+    /// The scene to pick in from now on. Where nothing that can be picked differs, what was built stays.
     void setScene(std::shared_ptr<const RenderScene> scene);
     /// The structure for the present scene, or null while it is not built.
     [[nodiscard]] std::shared_ptr<const PickScene> ready();
@@ -28,6 +28,7 @@ signals:
     void readyChanged();
 
 private:
+    [[nodiscard]] bool picksTheSame(const RenderScene& scene) const;
     void start();
     void finish(quint64 build);
     void abandon();

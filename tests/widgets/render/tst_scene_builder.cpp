@@ -47,6 +47,14 @@ std::vector<std::string> materials(const RenderScene& scene)
     return names;
 }
 
+std::size_t segmentCount(const RenderScene& scene)
+{
+    std::size_t count = 0;
+    for (const LineItem& item : scene.lines)
+        count += item.lines->segments.size();
+    return count;
+}
+
 SceneView in(DisplayMode mode)
 {
     SceneView view;
@@ -139,6 +147,18 @@ private slots:
         for (std::size_t i = 0; i < segments.size(); ++i)
             QCOMPARE(segments[i].branch, tree.simplified->mergedInto[i]);
     }
+    void selectedBranchesAreSeenThroughTheLeaves()
+    {
+        Trees trees;
+        SceneView view;
+        view.branchNode = trees.add();
+        view.branches = {2, 5, 9999};
+        const RenderScene built = trees.build(view);
+        QCOMPARE(built.lines.size(), std::size_t(1));
+        QVERIFY(built.lines[0].throughSurfaces && !built.lines[0].pickable);
+        view.mode = DisplayMode::Skeleton;
+        QCOMPARE(trees.build(view).lines.size(), std::size_t(1)); // the skeleton's own
+    }
     void framesOfSelectionAndOfAll()
     {
         Trees trees;
@@ -148,8 +168,9 @@ private slots:
             view.frames = frames;
             view.branchNode = id;
             view.branches = std::move(branches);
-            const RenderScene built = trees.build(view);
-            return built.lines.empty() ? std::size_t(0) : built.lines[0].lines->segments.size() / 6;
+            const std::size_t with = segmentCount(trees.build(view));
+            view.frames = FrameDisplay::None;
+            return (with - segmentCount(trees.build(view))) / 6;
         };
         const std::size_t perBranch = trees.results[id].sections->perBranch;
         QCOMPARE(arrows(FrameDisplay::None, {0}), std::size_t(0));
@@ -166,7 +187,7 @@ private slots:
         view.branchNode = id;
         view.branches = {0};
         const RenderScene built = trees.build(view);
-        const auto& segments = built.lines[0].lines->segments;
+        const auto& segments = built.lines.back().lines->segments;
         const Frame& frame = trees.results[id].sections->of(0)[0].frame;
         const auto along = [&](std::size_t i) {
             return glm::normalize(glm::dvec3(segments[i].b) - glm::dvec3(segments[i].a));
