@@ -273,6 +273,18 @@ private:
             note(m_result, m_result.badOwners, "levels", m_mesh.level.size(), "for vertices", count);
     }
 
+    /// Is the face higher than the rounding of its coordinates? If not, which way it looks is chance.
+    [[nodiscard]] bool hasSide(const glm::uvec3& t) const
+    {
+        double edge = 0.0, coordinate = 0.0;
+        for (int k = 0; k < 3; ++k) {
+            const glm::dvec3 p = glm::abs(point(t[k]));
+            edge = std::max(edge, glm::distance(point(t[k]), point(t[(k + 1) % 3])));
+            coordinate = std::max({coordinate, p.x, p.y, p.z});
+        }
+        return 2.0 * glm::length(areaVector(t)) > edge * coordinate * 0x1p-22;
+    }
+
     void normals()
     {
         if (m_mesh.normals.size() != m_mesh.positions.size()) {
@@ -281,17 +293,19 @@ private:
             return;
         }
         std::vector<glm::dvec3> mean(m_mesh.positions.size(), glm::dvec3(0.0));
-        std::vector<double> total(m_mesh.positions.size(), 0.0);
+        std::vector<double> total(m_mesh.positions.size(), 0.0), doubtful(total);
         for (const Index f : m_faces) {
             const glm::uvec3& t = m_mesh.triangles[f];
             const glm::dvec3 normal = areaVector(t);
-            if (!(glm::length(normal) > 0.0))
-                continue;
+            const bool sure = hasSide(t);
             for (int k = 0; k < 3; ++k) {
                 const glm::dvec3 a = point(t[(k + 1) % 3]) - point(t[k]),
                                  b = point(t[(k + 2) % 3]) - point(t[k]);
                 const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-                mean[t[k]] += angle * glm::normalize(normal);
+                if (sure)
+                    mean[t[k]] += angle * glm::normalize(normal);
+                else
+                    doubtful[t[k]] += angle;
                 total[t[k]] += angle;
             }
         }
@@ -300,8 +314,9 @@ private:
             if (!(std::abs(glm::length(n) - 1.0) < 1e-4))
                 note(m_result, m_result.badNormals, "normal of length", glm::length(n), "vertex", v,
                      owner(v));
-            // Faces that cancel each other (a folded leaf of area) leave no outward side to speak of.
-            else if (glm::length(mean[v]) > 0.05 * total[v] && glm::dot(n, mean[v]) <= 0.0)
+            // Faces that cancel each other (a folded leaf of area) leave no outward side to speak of; faces
+            // of chance may have looked the normal's way.
+            else if (glm::length(mean[v]) > 0.05 * total[v] && glm::dot(n, mean[v]) + doubtful[v] <= 0.0)
                 note(m_result, m_result.inwardNormals, "inward normal, vertex", v, at(m_mesh.positions[v]),
                      owner(v));
         }
