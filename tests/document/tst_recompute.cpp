@@ -24,7 +24,7 @@ struct Fake
     /// False where it was told to stop.
     bool work(int milliseconds, const Progress& progress)
     {
-        offMainThread = offMainThread && QThread::currentThread() != qApp->thread();
+        offMainThread = offMainThread && QThread::currentThread() != QCoreApplication::instance()->thread();
         for (int i = 0; i < milliseconds; ++i) {
             if (progress.cancelled())
                 return false;
