@@ -85,7 +85,8 @@ std::size_t partition(std::span<PrimitiveBounds> primitives, bool halve)
         const float atB = b.min[axis] + b.max[axis];
         return atA < atB || (atA == atB && a.primitive < b.primitive);
     };
-    if (!halve && extent[axis] > 0.0f) {
+    // Bins need a width that floats can divide by.
+    if (!halve && extent[axis] > 1e-30f && std::isfinite(extent[axis])) {
         const float low = middles.min[axis];
         const float scale = float(binCount) * 0.9999f / extent[axis];
         std::array<Bin, binCount> bins;

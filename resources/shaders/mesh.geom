@@ -10,6 +10,7 @@ in Surface
     vec3 normal;
     vec3 local;
     vec4 tint;
+    float shade;
 } vIn[];
 
 out Surface
@@ -18,6 +19,7 @@ out Surface
     vec3 normal;
     vec3 local;
     vec4 tint;
+    float shade;
 } v;
 noperspective out vec3 edgeDistance;
 
@@ -36,6 +38,7 @@ void main()
         v.normal = vIn[i].normal;
         v.local = vIn[i].local;
         v.tint = vIn[i].tint;
+        v.shade = vIn[i].shade;
         edgeDistance = vec3(behind ? 1e6 : 0.0);
         if (!behind)
             edgeDistance[i] = area / max(length(p[(i + 1) % 3] - p[(i + 2) % 3]), 1e-6);

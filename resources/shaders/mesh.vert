@@ -8,6 +8,7 @@ invariant gl_Position;
 uniform mat4 uClip;     // item -> clip space
 uniform mat4 uRelative; // item -> world axes, relative to the eye
 uniform mat3 uNormal;   // inverse transposed
+uniform float uVariety; // how much leaves of different branches differ
 
 out Surface
 {
@@ -15,6 +16,7 @@ out Surface
     vec3 normal;
     vec3 local;
     vec4 tint;
+    float shade;
 } v;
 
 void main()
@@ -23,5 +25,7 @@ void main()
     v.relative = (uRelative * vec4(aPosition, 1.0)).xyz;
     v.normal = uNormal * aNormal;
     v.local = aPosition;
+    // A branch's leaves are a little lighter or darker than its neighbour's: the crown gets depth.
+    v.shade = 1.0 + uVariety * (fract(float(aBranch) * 0.6180340) - 0.5);
     v.tint = stateTint(branchState(aBranch));
 }

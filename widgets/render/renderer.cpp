@@ -314,9 +314,11 @@ void Renderer::drawMeshes(const Picture& picture)
         program.set("uRelative", glm::mat4(relative));
         program.set("uNormal", glm::mat3(glm::inverseTranspose(glm::dmat3(item.world))));
         program.set("uColour", srgb(item.material.colour));
+        const bool isLeaf = item.material.phong && item.material.twoSided;
         program.set("uShininess", item.material.phong ? 26.0f : 0.0f);
-        program.set("uGlint", item.material.twoSided ? 0.07f : 0.22f);
-        program.set("uThrough", item.material.phong && item.material.twoSided ? 0.5f : 0.0f);
+        program.set("uGlint", isLeaf ? 0.05f : 0.22f);
+        program.set("uThrough", isLeaf ? 0.5f : 0.0f);
+        program.set("uVariety", isLeaf && !item.mesh->branch.empty() ? 0.45f : 0.0f);
         program.set("uTwoSided", item.material.twoSided);
         m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
         m_gl.glBindVertexArray(block.vertexArray);

@@ -379,6 +379,22 @@ void Viewport::setAxisView(AxisView view)
     moveCamera(to);
 }
 
+void Viewport::orbitBy(double yawRad, double pitchRad)
+{
+    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    to.orbit(yawRad, pitchRad);
+    moveCamera(to);
+}
+
+void Viewport::zoomBy(double factor)
+{
+    if (!(factor > 0.0))
+        return;
+    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    to.zoom(factor, to.target);
+    moveCamera(to);
+}
+
 void Viewport::clearSelection()
 {
     Selection next = d->document->selection();

@@ -56,6 +56,9 @@ public slots:
     void frameSelection();                        ///< F: branches, else nodes, else all
     void frameBox(const ramure::Box& box);        ///< world
     void setAxisView(ramure::AxisView view);
+    /// For keys: steps of the camera without the mouse.
+    void orbitBy(double yawRad, double pitchRad);
+    void zoomBy(double factor);
     void clearSelection();
     void selectAllBranches(); ///< of the active tree
     void copyScreenshot();

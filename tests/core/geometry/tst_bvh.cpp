@@ -126,6 +126,19 @@ private slots:
         Bvh(bounds).inPlanes({}, [&](Index, bool certain) { seen += certain ? 1 : 0; });
         QCOMPARE(seen, 20'000u);
     }
+    void extremeExtents()
+    {
+        for (const float size : {1e-44f, 1e-38f, 1e30f, 3e38f}) {
+            std::vector<PrimitiveBounds> bounds;
+            for (Index i = 0; i < 100; ++i) {
+                const glm::vec3 at(i % 2 == 0 ? size : -size, 0.0f, 0.0f);
+                bounds.push_back({at, at, i});
+            }
+            Index seen = 0;
+            Bvh(bounds).inPlanes({}, [&](Index, bool) { ++seen; });
+            QCOMPARE(seen, 100u);
+        }
+    }
     void raysAgreeWithBruteForce()
     {
         Random random(2, RandomStream::Test);
