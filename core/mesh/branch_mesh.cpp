@@ -16,13 +16,14 @@ constexpr std::size_t pollEvery = 256; ///< branches
 /// Of the squared scene: far above the share of the mesh's box that cleaning up goes by, the box is never ten
 /// times as wide.
 constexpr double smallAreaShare = 1e-11;
+constexpr double thinnest = 1e-4; ///< of the scene: no radius is halved to less
 constexpr int slimmings = 10; ///< at most so often are the radii of a tree halved that came out inside out
 
 /// Builds tube after tube. Depth first with its own stack, so that a skeleton may be as deep as it likes.
 class BranchMesher
 {
 public:
-    BranchMesher(const MesherContext& context, NormalSkeleton& skeleton)
+    BranchMesher(MesherContext& context, NormalSkeleton& skeleton)
         : m_context(context)
         , m_skeleton(skeleton)
         , m_tubes(context)
@@ -41,7 +42,7 @@ private:
     void buildRoot(Index root);
     void continueChild(const TubeEnd& parent);
 
-    const MesherContext& m_context;
+    MesherContext& m_context;
     NormalSkeleton& m_skeleton;              ///< that of the context
     std::size_t m_done = 0, m_sincePoll = 0; ///< branches
     TubeBuilder m_tubes;
@@ -59,7 +60,7 @@ private:
 void BranchMesher::buildRoot(Index root)
 {
     const MeshBranch& branch = m_skeleton.branches[root];
-    const BranchCurve curve = meshCurve(m_skeleton, root, m_context.options.clampOvershoot);
+    const BranchCurve curve = meshCurve(m_skeleton, root, m_context.clampOvershoot);
     const Frame frame = frameFromTangent(hermite(curve.h0, curve.h1, curve.v0, curve.v1, 0.0).tangent);
     m_axes.build(curve, branch, frame, m_context.options.lengthDivisions, m_sections, nullptr);
     const Index ring = m_tubes.startRoot(m_sections.front(), branch.p0, branch.source);
@@ -71,7 +72,7 @@ void BranchMesher::continueChild(const TubeEnd& parent)
 {
     const Index child = m_skeleton.childrenOf(parent.branch).front();
     const MeshBranch& branch = m_skeleton.branches[child];
-    m_axes.build(meshCurve(m_skeleton, child, m_context.options.clampOvershoot), branch, parent.section.frame,
+    m_axes.build(meshCurve(m_skeleton, child, m_context.clampOvershoot), branch, parent.section.frame,
                  m_context.options.lengthDivisions, m_sections, nullptr);
     m_tubes.finish(child, m_sections, 0, parent.ring, -branch.rollRad, m_ends);
 }
@@ -99,8 +100,8 @@ void BranchMesher::slimDown(Index root)
     std::vector<MeshBranch>& branches = m_skeleton.branches;
     Index branch = root;
     do {
-        branches[branch].a0 *= 0.5;
-        branches[branch].a1 *= 0.5;
+        for (double* radius : {&branches[branch].a0, &branches[branch].a1})
+            *radius = std::max(0.5 * *radius, std::min(*radius, thinnest * m_skeleton.scene));
         ++branch;
     } while (branch < branches.size() && branches[branch].parent != noIndex);
 }
@@ -151,6 +152,7 @@ Expected<void> BranchMesher::run(const Progress& progress)
         if (m_skeleton.branches[root].parent != noIndex)
             continue;
         const std::size_t vertices = sink.positions.size(), triangles = sink.triangles.size();
+        m_context.clampOvershoot = m_context.options.clampOvershoot;
         for (int attempt = 0;; ++attempt) {
             if (auto built = buildTree(root, progress); !built)
                 return built;
@@ -163,7 +165,10 @@ Expected<void> BranchMesher::run(const Progress& progress)
             if (attempt == 0)
                 m_skeleton.repairs.push_back(
                     {SkeletonRepair::RadiusClamped, m_skeleton.branches[root].source, noIndex});
-            slimDown(root);
+            // Overshooting curves are tamed first; thick tubes that still turn inside out are made thinner.
+            if (m_context.clampOvershoot)
+                slimDown(root);
+            m_context.clampOvershoot = true;
             sink.positions.resize(vertices);
             sink.owner.resize(vertices);
             sink.triangles.resize(triangles);
@@ -239,7 +244,7 @@ Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshO
         return fail(normal.error());
     MeshSink sink;
     reserve(sink, *normal, options);
-    const MesherContext context{*normal, options, sink, regularRing(options.radialDivisions)};
+    MesherContext context{*normal, options, sink, regularRing(options.radialDivisions), false};
     BranchMesher mesher(context, *normal);
     if (auto done = mesher.run(progress.part(0.0, 0.85)); !done)
         return fail(done.error());

@@ -33,8 +33,10 @@ enum class SkeletonRepair : std::uint8_t {
     RootStub,             ///< a root without length was replaced by a short stub
     SiblingsMerged,       ///< two siblings coincide: one tube serves both
     SiblingChained,       ///< a sibling lies inside a longer one: the longer one continues from its end
-    RadiusClamped, ///< the radius was too small for the scene; on a root: the tree was so much thicker than
-                   ///< long that its tubes turned inside out, so all its radii were made smaller
+    /// The radius was too small for the scene. On a root: the tree turned itself inside out, being much
+    /// thicker than long or its curves overshooting their branches; the curves were tamed and, if need be,
+    /// all radii made smaller.
+    RadiusClamped,
 };
 struct RepairNote
 {

@@ -7,16 +7,20 @@ namespace ramure {
 
 namespace {
 
-constexpr double roomAboveFront =
-    0.25;                           ///< of the radius, between a fork's highest wall and the first full ring
-constexpr double roomInFront = 0.5; ///< of the radius, between a wall and a point of a partial ring
+// Shares of the radius.
+constexpr double roomAboveFront = 0.25; ///< between a fork's highest wall and the first full ring
+constexpr double roomInFront = 0.65;    ///< between a wall and a point of a partial ring
+constexpr double freeRoom = 0.25;       ///< between a sibling's tube and such a point
+constexpr double trimMargin = 0.02;     ///< between a trimmed ring and the plane it is trimmed to
+constexpr double leastTrimmed = 0.05;   ///< no point is drawn nearer to the centre
 
 } // namespace
 
 bool ForkBuilder::isFree(Index child, const glm::dvec3& point, double along) const
 {
     for (std::size_t j = 0; j < m_count; ++j)
-        if (j != child && m_children[j].table.clearance(point, along) <= 0.0)
+        if (j != child &&
+            m_children[j].table.clearance(point, along) <= freeRoom * m_children[j].sections[0].radius)
             return false;
     return true;
 }
@@ -57,6 +61,44 @@ std::size_t ForkBuilder::firstFullSection(const ForkChild& tube) const
     return full;
 }
 
+/// The last section below the first full one that can have points: the one the full one follows.
+std::size_t ForkBuilder::lastSectionBelow(const ForkChild& tube, std::size_t full) const
+{
+    std::size_t last = 0;
+    for (std::size_t k = 1; k < full; ++k)
+        if (keepsSection(tube.sections, last, k))
+            last = k;
+    return last;
+}
+
+/// Tubes that never come apart end inside each other: the points of a last ring that lie in a sibling's tube
+/// draw back towards the centre, to the plane between the two axes.
+void ForkBuilder::trimEndRing(Index child, const AxisSection& section, Index ring, std::size_t count)
+{
+    std::vector<glm::vec3>& positions = m_context.sink.positions;
+    for (std::size_t j = 0; j < m_count; ++j) {
+        if (j == child)
+            continue;
+        const AxisTable& other = m_children[j].table;
+        const double foot = other.footOf(section.centre, section.along);
+        const AxisTable::Place place = other.at(foot);
+        const glm::dvec3 between = place.point - section.centre;
+        const double apart = glm::length(between);
+        if (apart >= section.radius + place.radius || apart < 1e-3 * section.radius)
+            continue;
+        const glm::dvec3 direction = between / apart;
+        const double plane =
+            std::max(leastTrimmed * section.radius,
+                     apart * section.radius / (section.radius + place.radius) - trimMargin * section.radius);
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::dvec3 away = glm::dvec3(positions[ring + i]) - section.centre;
+            const double along = glm::dot(away, direction);
+            if (along > plane && other.clearance(section.centre + away, foot) < 0.0)
+                positions[ring + i] = glm::vec3(section.centre + away * (plane / along));
+        }
+    }
+}
+
 void ForkBuilder::startTube(Index child, std::vector<TubeEnd>& ends)
 {
     const ForkChild& tube = m_children[child];
@@ -68,9 +110,13 @@ void ForkBuilder::startTube(Index child, std::vector<TubeEnd>& ends)
     const std::span<const RingPoint> points =
         atEnd ? m_tubes.endRing(tube.branch, section) : m_context.regular;
     const Index ring = addRing(section, points, tube.source, m_context.sink);
+    if (atEnd)
+        trimEndRing(child, section, ring, points.size());
     m_upper.clear();
+    const std::size_t below = lastSectionBelow(tube, full);
+    const double twist = below + 1 == full ? 0.0 : twistBetween(tube.sections[below], section);
     for (std::size_t i = 0; i < points.size(); ++i)
-        m_upper.push_back({points[i].azimuth, section.along, ring + static_cast<Index>(i)});
+        m_upper.push_back({points[i].azimuth + twist, section.along, ring + static_cast<Index>(i)});
     // A wall as high as the end itself would turn the strip upside down in the unrolled plane.
     const double most = section.along - 0.05 * section.radius;
     for (UnrolledVertex& vertex : m_front)
@@ -96,7 +142,7 @@ void ForkBuilder::build(const TubeEnd& parent, std::vector<TubeEnd>& ends)
         const MeshBranch& own = m_context.skeleton.branches[ids[i]];
         child.branch = ids[i];
         child.source = own.source;
-        m_axes.build(meshCurve(m_context.skeleton, ids[i], m_context.options.clampOvershoot), own, end.frame,
+        m_axes.build(meshCurve(m_context.skeleton, ids[i], m_context.clampOvershoot), own, end.frame,
                      m_context.options.lengthDivisions, child.sections, &child.table);
     }
     planFork(m_context, parent.branch, end, m_planner, m_layout);
@@ -105,8 +151,8 @@ void ForkBuilder::build(const TubeEnd& parent, std::vector<TubeEnd>& ends)
     m_ring.radius = end.radius;
     m_ring.firstVertex = parent.ring;
     m_ring.points.clear();
-    for (const RingPoint& point : m_layout.ring)
-        m_ring.points.push_back(ringPosition(end, point));
+    for (std::size_t i = 0; i < m_layout.ring.size(); ++i)
+        m_ring.points.emplace_back(m_context.sink.positions[parent.ring + i]);
     m_walls.build(m_layout, m_ring, {m_children.data(), m_count}, m_context.options.radialDivisions,
                   m_context.sink);
     for (Index i = 0; i < m_count; ++i)

@@ -24,6 +24,8 @@ public:
 private:
     void startTube(Index child, std::vector<TubeEnd>& ends);
     std::size_t firstFullSection(const ForkChild& tube) const;
+    std::size_t lastSectionBelow(const ForkChild& tube, std::size_t full) const;
+    void trimEndRing(Index child, const AxisSection& section, Index ring, std::size_t count);
     void insertPartialRings(Index child, std::size_t full);
     [[nodiscard]] bool isFree(Index child, const glm::dvec3& point, double along) const;
 

@@ -9,7 +9,7 @@ namespace ramure {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double searchShare = 0.85; ///< of the shortest child: how far up the search for a valley goes
+constexpr double searchShare = 0.95; ///< of the shortest child: how far up the search for a valley goes
 constexpr int searchSteps = 12;
 constexpr int bisections = 3;
 constexpr double wallMargin = 0.06; ///< of a tube's radius: how far outside its own tubes a wall lies
@@ -110,7 +110,7 @@ CellVertex ForkWalls::lift(const Between& between, const glm::dvec3& offset)
             (leaves(middle) ? outside : inside) = middle;
         }
     } else {
-        outside = reach;
+        outside = reach / searchShare; // never apart: the wall ends where the shorter tube does
         ++m_withoutExit;
     }
     return {noIndex, onPath(between, offset, outside), outside};

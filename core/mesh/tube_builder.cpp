@@ -50,6 +50,13 @@ bool keepsSection(const std::vector<AxisSection>& sections, std::size_t last, st
            !ringsCross(sections[last], section) && !ringsCross(section, end);
 }
 
+double twistBetween(const AxisSection& first, const AxisSection& second)
+{
+    const Frame carried = transported(first.frame, second.frame.tangent);
+    return std::atan2(glm::dot(second.frame.normal, carried.binormal),
+                      glm::dot(second.frame.normal, carried.normal));
+}
+
 void planFork(const MesherContext& context, Index branch, const AxisSection& end, ForkPlanner& planner,
               ForkLayout& layout)
 {

@@ -15,6 +15,7 @@ struct MesherContext
     const BranchMeshOptions& options;
     MeshSink& sink;
     std::vector<RingPoint> regular; ///< the ring of radialDivisions points
+    bool clampOvershoot = false;    ///< for the tree at hand
 };
 
 /// A branch whose tube is in the mesh up to its last ring; its children are not.
@@ -32,6 +33,10 @@ glm::dvec3 ringPosition(const AxisSection& section, const RingPoint& point);
 /// May section k follow section \p last of the same tube, and does it leave room for the end? The end always
 /// may.
 bool keepsSection(const std::vector<AxisSection>& sections, std::size_t last, std::size_t k);
+/// How far the second section's frame is turned, about its tangent, against the first one's carried straight
+/// to it. Nothing for neighbours; where sections in between were left out, the way around them may have
+/// turned the frame.
+double twistBetween(const AxisSection& first, const AxisSection& second);
 /// Plans the fork at the end of a branch with two children or more.
 void planFork(const MesherContext& context, Index branch, const AxisSection& end, ForkPlanner& planner,
               ForkLayout& layout);
