@@ -482,7 +482,7 @@
     </message>
     <message>
         <source>The branches are one closed skin without holes or seams: every edge has exactly two faces, and all faces look outward. Whether branches reach into each other is another question, not asked here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les branches forment une peau fermée, sans trou ni couture&#xa0;: chaque arête a exactement deux faces, et toutes regardent vers l’extérieur. Que des branches se pénètrent est une autre question, non posée ici.</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,153 @@
+// The real window under a virtual X server: it opens, paints, follows keys, undoes; and the program itself,
+// from its command line.
+#include "core/document/recompute.h"
+#include "tests/widgets/support/fixture.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/actions/file_actions.h"
+#include "widgets/main_window/main_window.h"
+#include "widgets/main_window/status_panel.h"
+#include "widgets/render/gl_setup.h"
+#include "widgets/support/preferences.h"
+#include "widgets/viewport/viewport.h"
+#include "widgets/viewport/viewport_host.h"
+#include <QProcess>
+#include <set>
+
+using namespace ramure;
+
+namespace {
+
+constexpr int patienceMs = 60'000;
+
+/// How many colours a picture has, looked at in a grid: 1 is a picture of nothing.
+std::size_t colours(const QImage& image)
+{
+    std::set<QRgb> seen;
+    for (int y = 0; y < image.height(); y += 4)
+        for (int x = 0; x < image.width(); x += 4)
+            seen.insert(image.pixel(x, y));
+    return seen.size();
+}
+
+} // namespace
+
+class TestEditorSession : public QObject
+{
+    Q_OBJECT
+private:
+    test::OwnSettings m_settings;
+    QTemporaryDir m_folder;
+    test::FakeChooser m_chooser;
+    Preferences m_preferences;
+    Document m_document;
+    Recompute m_recompute{&m_document};
+    std::unique_ptr<MainWindow> m_window;
+
+    Viewport* view() { return m_window->viewportHost()->viewport(); }
+    /// The whole window once the present tree is there and drawn.
+    QImage picture()
+    {
+        if (!m_recompute.waitForFull(patienceMs))
+            return {};
+        QSignalSpy drawn(view(), &Viewport::frameDrawn);
+        view()->update();
+        if (!drawn.wait(patienceMs))
+            return {};
+        return m_window->grab().toImage();
+    }
+
+private slots:
+    void initTestCase()
+    {
+        if (!openGlAvailable())
+            QSKIP("no OpenGL on this display");
+        m_window = std::make_unique<MainWindow>(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        QVERIFY(view());
+        QVERIFY(m_window->files()->newFromPreset(QStringLiteral("SmallTree")));
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+    }
+    void init() { test::failOnWidgetWarning(); }
+    void cleanupTestCase() { m_window.reset(); }
+
+    void theWindowShowsTheTree()
+    {
+        const QImage image = picture();
+        QVERIFY(image.width() >= 1000);
+        const QRect place(view()->mapTo(m_window.get(), QPoint(0, 0)), view()->size());
+        QVERIFY2(colours(image.copy(place)) > 200, "the view is empty");
+        QCOMPARE(m_window->status()->badgeState(), QStringLiteral("good"));
+    }
+
+    void spaceDrawsAnotherTreeAndUndoTheFirstAgain()
+    {
+        const QImage before = picture();
+        const QString counts = m_window->status()->countsText();
+        m_window->actionSet()->find(QStringLiteral("edit.newTree"))->trigger();
+        QVERIFY(picture() != before);
+        m_window->actionSet()->find(QStringLiteral("edit.undo"))->trigger();
+        QVERIFY(m_recompute.waitForFull(patienceMs));
+        QTRY_COMPARE(m_window->status()->countsText(), counts);
+        QVERIFY(!m_document.isModified());
+    }
+
+    void theViewSurvivesFloatingDocks()
+    {
+        for (QDockWidget* dock : m_window->findChildren<QDockWidget*>()) {
+            dock->setFloating(true);
+            dock->setFloating(false);
+        }
+        m_window->resetLayout();
+        QVERIFY(colours(picture()) > 200);
+    }
+
+    void everyDisplayModePaints()
+    {
+        for (const char* mode : {"skeleton", "simplified", "rough", "sections", "mesh"}) {
+            m_window->actionSet()->find(QStringLiteral("view.") + QLatin1String(mode))->trigger();
+            QVERIFY2(colours(picture()) > 100, mode);
+        }
+    }
+
+    void theProgramRunsFromItsCommandLine()
+    {
+        const QString picturePath = m_folder.filePath(QStringLiteral("editor.png"));
+        const QString obj = m_folder.filePath(QStringLiteral("tree.obj"));
+        const QString ply = m_folder.filePath(QStringLiteral("tree.ply"));
+        QProcess program;
+        program.start(QStringLiteral(RAMURE_EDITOR),
+                      {QStringLiteral("preset:TinyTree"), QStringLiteral("--screenshot"), picturePath,
+                       QStringLiteral("--export"), obj, QStringLiteral("--export"), ply});
+        QVERIFY(program.waitForFinished(patienceMs));
+        QCOMPARE(program.exitCode(), 0);
+        const QByteArray said = program.readAllStandardOutput();
+        for (const QString& path : {picturePath, obj, ply}) {
+            QVERIFY2(QFileInfo(path).size() > 1000, qPrintable(path));
+            QVERIFY2(said.contains(path.toUtf8()), said.constData());
+        }
+        QVERIFY(colours(QImage(picturePath)) > 200);
+    }
+
+    void theProgramSaysWhatItCannotOpen()
+    {
+        QProcess program;
+        for (const char* input : {"preset:Baobab", "/no/such/file.ramure"}) {
+            program.start(QStringLiteral(RAMURE_EDITOR),
+                          {QLatin1String(input), QStringLiteral("--screenshot"),
+                           m_folder.filePath(QStringLiteral("none.png"))});
+            QVERIFY(program.waitForFinished(patienceMs));
+            QCOMPARE(program.exitCode(), 2);
+            QVERIFY(!program.readAllStandardError().isEmpty());
+        }
+        QVERIFY(!QFileInfo::exists(m_folder.filePath(QStringLiteral("none.png"))));
+    }
+};
+
+int main(int argc, char** argv)
+{
+    prepareOpenGl();
+    QApplication application(argc, argv);
+    TestEditorSession test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_editor_session.moc"

@@ -1,0 +1,232 @@
+#include "core/document/project_file.h"
+#include "tests/widgets/support/fixture.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/actions/file_actions.h"
+#include "widgets/support/preferences.h"
+#include <QMenu>
+#include <unistd.h>
+
+using namespace ramure;
+
+namespace {
+
+QByteArray bytesOf(const QString& path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+class TestFileActions : public QObject
+{
+    Q_OBJECT
+private:
+    test::OwnSettings m_settings;
+    std::unique_ptr<QTemporaryDir> m_folder;
+    std::unique_ptr<Preferences> m_preferences;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<test::FakeChooser> m_chooser;
+    std::unique_ptr<ActionSet> m_set;
+    std::unique_ptr<FileActions> m_files;
+
+    [[nodiscard]] QString path(const char* name) const
+    {
+        return m_folder->filePath(QString::fromLatin1(name));
+    }
+    void edit()
+    {
+        const NodeId id = m_document->scene().nodes().front().id;
+        QVERIFY(edit::setParam(*m_document, {id}, *findParam("turtle.alpha"),
+                               0.1 + 0.001 * m_document->undoStack()->count()));
+        QVERIFY(m_document->isModified());
+    }
+
+private slots:
+    void init()
+    {
+        test::failOnWidgetWarning();
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_preferences = std::make_unique<Preferences>();
+        m_preferences->clearRecentFiles();
+        m_document = std::make_unique<Document>();
+        m_chooser = std::make_unique<test::FakeChooser>();
+        m_set = std::make_unique<ActionSet>();
+        m_files = std::make_unique<FileActions>(m_document.get(), m_preferences.get(), m_chooser.get(),
+                                                m_set.get(), nullptr);
+        QVERIFY(m_files->newFromPreset(QStringLiteral("TinyTree")));
+    }
+    void cleanup()
+    {
+        m_files.reset();
+        m_document.reset();
+    }
+
+    void unknownPresetsLeaveTheDocument()
+    {
+        edit();
+        QVERIFY(!m_files->newFromPreset(QStringLiteral("Baobab")));
+        QCOMPARE(m_chooser->reports.size(), 1);
+        QCOMPARE(m_chooser->questions, 0);
+        QVERIFY(m_document->isModified());
+    }
+
+    void filesThatCannotBeReadLeaveTheDocument_data()
+    {
+        QTest::addColumn<QByteArray>("bytes");
+        QTest::newRow("empty") << QByteArray();
+        QTest::newRow("random") << QByteArray("\x01\xff\x80 no json", 12);
+        QTest::newRow("truncated") << QByteArray("{\"format\": \"ramure\", \"version\": 1, \"nodes\": [");
+        QTest::newRow("newer") << QByteArray("{\"format\": \"ramure\", \"version\": 999, \"nodes\": []}");
+    }
+    void filesThatCannotBeReadLeaveTheDocument()
+    {
+        QFETCH(const QByteArray, bytes);
+        QFile file(path("bad.ramure"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        file.close();
+        edit();
+        const Scene before = m_document->scene();
+        QVERIFY(!m_files->openFile(file.fileName()));
+        QCOMPARE(m_chooser->reports.size(), 1);
+        QVERIFY(m_chooser->reports[0].contains(QStringLiteral("bad.ramure")));
+        QCOMPARE(m_chooser->questions, 0); // a bad file costs no question
+        QVERIFY(m_document->scene() == before);
+        QVERIFY(m_document->isModified());
+        QVERIFY(m_document->filePath().isEmpty());
+    }
+
+    void missingFilesAreForgotten()
+    {
+        m_preferences->addRecentFile(path("gone.ramure"));
+        QVERIFY(!m_files->openFile(path("gone.ramure")));
+        QVERIFY(m_preferences->recentFiles().isEmpty());
+    }
+
+    void failedSavingKeepsTheFileAndTheStar()
+    {
+        m_chooser->answer = path("tree.ramure");
+        QVERIFY(m_files->save());
+        const QByteArray before = bytesOf(path("tree.ramure"));
+        edit();
+        // A folder in the file's place, a missing folder: refused for every user, root too.
+        for (const QString& bad : {m_folder->path(), path("no/such/folder/tree.ramure")}) {
+            m_chooser->answer = bad;
+            m_chooser->reports.clear();
+            QVERIFY(!m_files->saveAs());
+            QCOMPARE(m_chooser->reports.size(), 1);
+            QVERIFY(m_document->isModified());
+            QCOMPARE(m_document->filePath(), path("tree.ramure"));
+        }
+        QCOMPARE(bytesOf(path("tree.ramure")), before);
+    }
+
+    void readOnlyFoldersKeepTheStar()
+    {
+        if (geteuid() == 0)
+            QSKIP("root may write everywhere");
+        m_chooser->answer = path("tree.ramure");
+        QVERIFY(m_files->save());
+        edit();
+        QVERIFY(QFile::setPermissions(m_folder->path(), QFile::ReadOwner | QFile::ExeOwner));
+        QVERIFY(!m_files->save());
+        QVERIFY(m_document->isModified());
+        QVERIFY(
+            QFile::setPermissions(m_folder->path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+        QVERIFY(m_files->save());
+        QVERIFY(!m_document->isModified());
+    }
+
+    void savedFilesOpenAsTheyWere()
+    {
+        edit();
+        m_chooser->answer = path("tree.ramure");
+        m_set->find(QStringLiteral("file.save"))->trigger(); // asks for a name: there is none yet
+        QCOMPARE(m_chooser->saves, 1);
+        QVERIFY(m_chooser->lastSuggestion.endsWith(QStringLiteral("TinyTree.ramure")));
+        QVERIFY(!m_document->isModified());
+        QCOMPARE(m_document->filePath(), path("tree.ramure"));
+        const Scene saved = m_document->scene();
+        edit();
+        m_set->find(QStringLiteral("file.save"))->trigger();
+        QCOMPARE(m_chooser->saves, 1);
+        m_document->undoStack()->undo();
+        QVERIFY(m_document->isModified());
+        QVERIFY(m_files->newFromPreset(QStringLiteral("SmallTree")) == false); // asked: Cancel
+        m_chooser->unsaved = Chooser::Unsaved::Save;
+        QVERIFY(m_files->newFromPreset(QStringLiteral("SmallTree")));
+        m_chooser->answer = path("tree.ramure");
+        m_set->find(QStringLiteral("file.open"))->trigger();
+        QVERIFY(m_document->scene().nodes() == saved.nodes());
+        QVERIFY(!m_document->isModified());
+        QVERIFY(!m_document->selection().nodes.empty());
+    }
+
+    void theQuestionDecides()
+    {
+        edit();
+        QVERIFY(!m_files->mayDiscard());
+        m_chooser->unsaved = Chooser::Unsaved::Discard;
+        QVERIFY(m_files->mayDiscard());
+        m_chooser->unsaved = Chooser::Unsaved::Save;
+        m_chooser->answer.clear(); // and then cancels the file dialog
+        QVERIFY(!m_files->mayDiscard());
+        m_chooser->answer = path("asked.ramure");
+        QVERIFY(m_files->mayDiscard());
+        QVERIFY(QFileInfo::exists(path("asked.ramure")));
+        m_chooser->questions = 0;
+        QVERIFY(m_files->mayDiscard());
+        QCOMPARE(m_chooser->questions, 0); // nothing to lose
+    }
+
+    void unknownKeysSurviveOpenAndSave()
+    {
+        m_chooser->answer = path("tree.ramure");
+        QVERIFY(m_files->save());
+        QByteArray bytes = bytesOf(path("tree.ramure"));
+        bytes.replace(bytes.indexOf('{'), 1, "{\"future\": {\"key\": 1},");
+        QFile file(path("tree.ramure"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+        file.close();
+        QVERIFY(m_files->openFile(path("tree.ramure")));
+        edit();
+        QVERIFY(m_files->save());
+        QVERIFY(bytesOf(path("tree.ramure")).contains("future"));
+    }
+
+    void recentFilesAreListedAndOpen()
+    {
+        QMenu menu;
+        m_files->fillMenu(&menu);
+        for (const char* name : {"a.ramure", "b.ramure"}) {
+            m_chooser->answer = path(name);
+            QVERIFY(m_files->saveAs());
+        }
+        QCOMPARE(m_preferences->recentFiles(), QStringList({path("b.ramure"), path("a.ramure")}));
+        QMenu* recent = nullptr;
+        for (QMenu* each : menu.findChildren<QMenu*>()) {
+            if (each->title().contains(QStringLiteral("recent")))
+                recent = each;
+        }
+        QVERIFY(recent);
+        emit recent->aboutToShow();
+        recent->actions().at(1)->trigger();
+        QCOMPARE(m_document->filePath(), path("a.ramure"));
+        for (int i = 0; i < 2 * Preferences::maxRecentFiles; ++i)
+            m_preferences->addRecentFile(path("x") + QString::number(i));
+        QCOMPARE(m_preferences->recentFiles().size(), Preferences::maxRecentFiles);
+    }
+
+    void everyActionHasTextAndTooltip()
+    {
+        for (const QAction* action : m_set->actions()) {
+            QVERIFY2(!action->text().isEmpty(), qPrintable(action->objectName()));
+            QVERIFY2(!action->toolTip().isEmpty(), qPrintable(action->objectName()));
+        }
+    }
+};
+
+QTEST_MAIN(TestFileActions)
+#include "tst_file_actions.moc"

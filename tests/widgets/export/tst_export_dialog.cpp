@@ -1,0 +1,134 @@
+#include "core/document/recompute.h"
+#include "tests/widgets/support/fixture.h"
+#include "widgets/export/export_dialog.h"
+#include "widgets/export/export_task.h"
+#include "widgets/support/preferences.h"
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+
+using namespace ramure;
+
+class TestExportDialog : public QObject
+{
+    Q_OBJECT
+private:
+    test::OwnSettings m_settings;
+    QTemporaryDir m_folder;
+    Preferences m_preferences;
+    Document m_document;
+    Recompute m_recompute{&m_document};
+    test::FakeChooser m_chooser;
+
+    [[nodiscard]] QString path(const char* name) const
+    {
+        return m_folder.filePath(QString::fromLatin1(name));
+    }
+
+private slots:
+    void init()
+    {
+        test::failOnWidgetWarning();
+        test::openNodes(m_document, {test::treeNode(1, "T")});
+        QVERIFY(m_recompute.waitForFull(20'000));
+    }
+
+    void foldersThatDoNotExistAreTold()
+    {
+        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        dialog.setPath(path("no/folder/tree.obj"));
+        dialog.show();
+        dialog.startExport();
+        auto* message = dialog.findChild<QLabel*>(QStringLiteral("problem"));
+        QTRY_VERIFY((message = dialog.findChild<QLabel*>(QStringLiteral("problem"))) != nullptr);
+        QVERIFY(!message->text().isEmpty());
+        QVERIFY(dialog.isVisible());
+    }
+
+    void unknownEndingsAreTold()
+    {
+        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        dialog.setPath(path("tree.stl"));
+        dialog.startExport();
+        QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("problem")));
+        QVERIFY(!QFileInfo::exists(path("tree.stl")));
+    }
+
+    void filesAreWritten_data()
+    {
+        QTest::addColumn<int>("format");
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QByteArray>("begin");
+        QTest::newRow("obj") << int(ExportDialog::Obj) << "a.obj" << QByteArray("#");
+        QTest::newRow("ply") << int(ExportDialog::PlyBinary) << "b.ply"
+                             << QByteArray("ply\nformat binary_little_endian");
+        QTest::newRow("text ply") << int(ExportDialog::PlyAscii) << "c.ply"
+                                  << QByteArray("ply\nformat ascii");
+        QTest::newRow("without ending")
+            << int(ExportDialog::PlyAscii) << "d" << QByteArray("ply\nformat ascii");
+    }
+    void filesAreWritten()
+    {
+        QFETCH(const int, format);
+        QFETCH(const QString, name);
+        QFETCH(const QByteArray, begin);
+        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        QSignalSpy exported(&dialog, &ExportDialog::exported);
+        dialog.setFormat(static_cast<ExportDialog::Format>(format));
+        dialog.setPath(m_folder.filePath(name));
+        dialog.startExport();
+        QTRY_COMPARE(exported.count(), 1);
+        QFile file(exported[0][0].toString());
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        QVERIFY(file.read(200).startsWith(begin));
+    }
+
+    void aTreeBeingComputedIsWaitedFor()
+    {
+        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        QSignalSpy exported(&dialog, &ExportDialog::exported);
+        dialog.setPath(path("waited.obj"));
+        QVERIFY(edit::setParam(m_document, {1}, *findParam("turtle.alpha"), 0.31));
+        QTRY_VERIFY(m_recompute.isBusy());
+        dialog.startExport();
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, 20'000);
+        QVERIFY(QFileInfo(path("waited.obj")).size() > 1000);
+    }
+
+    void choicesFollowTheFormat()
+    {
+        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        dialog.setPath(path("tree.obj"));
+        QCOMPARE(dialog.options().parts, std::uint8_t(exportAll));
+        dialog.setFormat(ExportDialog::PlyBinary);
+        QCOMPARE(dialog.options().parts, std::uint8_t(exportBranches));
+        QVERIFY(dialog.path().endsWith(QStringLiteral("tree.ply")));
+        m_chooser.answer = path("chosen.ply");
+        for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
+            if (button->text().startsWith(QStringLiteral("Browse")))
+                button->click();
+        }
+        QCOMPARE(dialog.path(), path("chosen.ply"));
+    }
+
+    void aTaskCanBeCancelled()
+    {
+        ExportTask task;
+        std::optional<Error> error;
+        bool done = false;
+        connect(&task, &ExportTask::finished, this, [&](const std::optional<Error>& e) {
+            error = e;
+            done = true;
+        });
+        task.start(m_document, {}, path("cancelled.obj"));
+        task.cancel();
+        QVERIFY(task.isRunning());
+        QTRY_VERIFY(done);
+        QVERIFY(!task.isRunning());
+        // Cancelled in time, or done already: in both cases the file is whole or not there.
+        QCOMPARE(QFileInfo::exists(path("cancelled.obj")), !error.has_value());
+    }
+};
+
+QTEST_MAIN(TestExportDialog)
+#include "tst_export_dialog.moc"

@@ -1,0 +1,225 @@
+#include "core/document/recompute.h"
+#include "tests/widgets/support/fixture.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/actions/edit_actions.h"
+#include "widgets/actions/file_actions.h"
+#include "widgets/grammar/grammar_edit.h"
+#include "widgets/main_window/main_window.h"
+#include "widgets/main_window/problem_button.h"
+#include "widgets/main_window/status_panel.h"
+#include "widgets/properties/param_row.h"
+#include "widgets/properties/properties_panel.h"
+#include "widgets/scene/scene_panel.h"
+#include "widgets/support/language.h"
+#include "widgets/support/preferences.h"
+#include "widgets/theme/theme.h"
+#include <QDropEvent>
+
+using namespace ramure;
+
+class TestMainWindow : public QObject
+{
+    Q_OBJECT
+private:
+    test::OwnSettings m_settings;
+    std::unique_ptr<Preferences> m_preferences;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<Recompute> m_recompute;
+    test::FakeChooser m_chooser;
+    std::unique_ptr<MainWindow> m_window;
+
+    QAction* action(const char* id) { return m_window->actionSet()->find(QString::fromLatin1(id)); }
+    NodeId tree() { return m_document->scene().nodes().front().id; }
+
+private slots:
+    void init()
+    {
+        test::failOnWidgetWarning();
+        m_chooser = {};
+        m_preferences = std::make_unique<Preferences>();
+        m_document = std::make_unique<Document>();
+        m_recompute = std::make_unique<Recompute>(m_document.get());
+        m_recompute->setRest(0);
+        m_window = std::make_unique<MainWindow>(m_document.get(), m_recompute.get(), m_preferences.get(),
+                                                &m_chooser);
+        QVERIFY(m_window->files()->newFromPreset(QStringLiteral("TinyTree")));
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(m_recompute->waitForFull(20'000));
+    }
+    void cleanup()
+    {
+        m_chooser.unsaved = Chooser::Unsaved::Discard;
+        m_window.reset();
+        m_recompute.reset();
+        m_document.reset();
+    }
+
+    void wrongGrammarsShowWhereAndKeepTheTree()
+    {
+        const QString counts = m_window->status()->countsText();
+        QVERIFY(!counts.isEmpty());
+        QVERIFY(m_window->problem()->message().isEmpty());
+        const ParamDef& rules = *findParam("grammar.rules");
+        QVERIFY(edit::setParam(*m_document, {tree()}, rules, std::string("B -> B\nA -> [[B]")));
+        QTRY_VERIFY(!m_window->problem()->message().isEmpty());
+        QVERIFY2(m_window->problem()->message().contains(QStringLiteral("line 2, column 6")),
+                 qPrintable(m_window->problem()->message()));
+        QVERIFY(m_window->properties()->row(rules)->message().contains(QStringLiteral("ine 2, column 6")));
+        QCOMPARE(m_window->status()->badgeState(), QStringLiteral("bad"));
+        QCOMPARE(m_window->status()->countsText(), counts); // the last good tree
+        m_window->problem()->click();
+        QTRY_VERIFY(m_window->properties()->row(rules)->isAncestorOf(QApplication::focusWidget()));
+        action("edit.undo")->trigger();
+        QTRY_VERIFY(m_window->problem()->message().isEmpty());
+        QTRY_COMPARE(m_window->status()->badgeState(), QStringLiteral("good"));
+    }
+
+    void rulesThatExplodeStopWithAMessage()
+    {
+        QVERIFY(edit::setParams(*m_document, {tree()},
+                                {{findParam("grammar.axiom"), std::string("A")},
+                                 {findParam("grammar.rules"), std::string("A -> AAAAAAAA")},
+                                 {findParam("grammar.iterations"), std::int64_t{30}}},
+                                QStringLiteral("explode")));
+        QTRY_VERIFY(!m_window->problem()->message().isEmpty());
+    }
+
+    void spaceGrowsAnotherTreeAndUndoBringsItBack()
+    {
+        QVERIFY(m_window->files()->newFromPreset(QStringLiteral("SmallTree")));
+        const NodeParams before = m_document->scene().nodes().front().params;
+        m_window->setFocus();
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QVERIFY(m_document->scene().nodes().front().params.grammar.stochastic);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(m_document->scene().nodes().front().params == before);
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(!(m_document->scene().nodes().front().params == before));
+    }
+
+    void spaceStillTicksBoxesAndTypes()
+    {
+        auto* box = m_window->properties()->row(*findParam("simplify.enabled"))->findChild<QCheckBox*>();
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Space);
+        QVERIFY(!m_document->scene().nodes().front().params.simplify.enabled);
+        QVERIFY(!m_document->scene().nodes().front().params.grammar.stochastic);
+        auto* text = m_window->properties()->row(*findParam("grammar.rules"))->findChild<GrammarEdit*>();
+        text->setFocus();
+        QTest::keyClicks(text, "A -> B");
+        QVERIFY(text->toPlainText().contains(QStringLiteral("A -> B")));
+        QTest::keyClick(text, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(!text->toPlainText().contains(QStringLiteral("A -> B")));
+    }
+
+    void nodesAreAddedDuplicatedHiddenAndDeleted()
+    {
+        m_window->edits()->addTree(QStringLiteral("Fern2D"));
+        QCOMPARE(m_document->scene().nodes().size(), std::size_t(2));
+        action("edit.duplicate")->trigger();
+        QCOMPARE(m_document->scene().nodes().size(), std::size_t(3));
+        action("edit.visible")->trigger();
+        QVERIFY(!m_document->scene().find(m_document->selection().activeNode())->visible);
+        action("edit.locked")->trigger();
+        action("edit.delete")->trigger(); // locked: refused
+        QCOMPARE(m_document->scene().nodes().size(), std::size_t(3));
+        QCOMPARE(m_chooser.reports.size(), 1);
+        action("edit.locked")->trigger();
+        action("edit.delete")->trigger();
+        QCOMPARE(m_document->scene().nodes().size(), std::size_t(2));
+        action("edit.addGroup")->trigger();
+        QCOMPARE(m_document->scene().nodes().size(), std::size_t(3));
+        while (m_document->undoStack()->canUndo())
+            action("edit.undo")->trigger();
+        QCOMPARE(m_document->scene().nodes().size(), std::size_t(1));
+    }
+
+    void theTitleNamesTheFileAndMarksChanges()
+    {
+        QVERIFY(m_window->windowTitle().contains(QStringLiteral("[*]")));
+        QVERIFY(!m_window->isWindowModified());
+        m_window->edits()->addGroup();
+        QVERIFY(m_window->isWindowModified());
+        QTemporaryDir folder;
+        m_chooser.answer = folder.filePath(QStringLiteral("oak.ramure"));
+        action("file.save")->trigger();
+        QVERIFY(!m_window->isWindowModified());
+        QVERIFY(m_window->windowTitle().startsWith(QStringLiteral("oak.ramure")));
+    }
+
+    void closingAsksAboutUnsavedChanges()
+    {
+        m_window->edits()->addGroup();
+        m_chooser.unsaved = Chooser::Unsaved::Cancel;
+        QVERIFY(!m_window->close());
+        QCOMPARE(m_chooser.questions, 1);
+        m_chooser.unsaved = Chooser::Unsaved::Discard;
+        QVERIFY(m_window->close());
+    }
+
+    void droppedFilesOpen()
+    {
+        QTemporaryDir folder;
+        m_chooser.answer = folder.filePath(QStringLiteral("oak.ramure"));
+        action("file.saveAs")->trigger();
+        QVERIFY(m_window->files()->newFromPreset(QStringLiteral("Fern2D")));
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(folder.filePath(QStringLiteral("picture.png")))});
+        QDragEnterEvent wrong({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        wrong.setAccepted(false);
+        QCoreApplication::sendEvent(m_window.get(), &wrong);
+        QVERIFY(!wrong.isAccepted());
+        data.setUrls({QUrl::fromLocalFile(m_chooser.answer)});
+        QDragEnterEvent right({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &right);
+        QVERIFY(right.isAccepted());
+        QDropEvent drop({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &drop);
+        QTRY_COMPARE(m_document->filePath(), m_chooser.answer);
+    }
+
+    void everyActionHasTextAndNoShortcutTwice()
+    {
+        QMap<QString, QString> shortcuts;
+        for (const QAction* each : m_window->actionSet()->actions()) {
+            QVERIFY2(!each->text().isEmpty() && !each->toolTip().isEmpty(), qPrintable(each->objectName()));
+            const QString keys = each->shortcut().toString();
+            if (keys.isEmpty())
+                continue;
+            QVERIFY2(!shortcuts.contains(keys),
+                     qPrintable(keys + u' ' + each->objectName() + u' ' + shortcuts[keys]));
+            shortcuts[keys] = each->objectName();
+        }
+    }
+
+    void textsChangeWithTheLanguage()
+    {
+        m_preferences->setLanguage(QStringLiteral("en"));
+        const Language language(m_preferences.get());
+        m_preferences->setLanguage(QStringLiteral("fr"));
+        QTRY_COMPARE(action("file.open")->text(), QStringLiteral("&Ouvrir…"));
+        QVERIFY(m_window->menuBar()->actions().constFirst()->text().contains(QStringLiteral("Fichier")));
+        const auto* label = m_window->properties()->row(*findParam("turtle.decay"))->findChild<QLabel*>();
+        QCOMPARE(label->text(), QStringLiteral("Amincissement"));
+        m_preferences->setLanguage(QStringLiteral("en"));
+        QTRY_COMPARE(action("file.open")->text(), QStringLiteral("&Open…"));
+    }
+
+    void themesSwitchWhileRunning()
+    {
+        Theme theme(qApp, m_preferences.get());
+        m_preferences->setTheme(ThemeChoice::Dark);
+        QVERIFY(isDark(m_window->palette()));
+        QVERIFY(!action("file.open")->icon().isNull());
+        const QImage dark = action("file.open")->icon().pixmap(16, 16).toImage();
+        m_preferences->setTheme(ThemeChoice::Light);
+        QVERIFY(!isDark(m_window->palette()));
+        QVERIFY(dark != action("file.open")->icon().pixmap(16, 16).toImage());
+        m_preferences->setTheme(ThemeChoice::System);
+    }
+};
+
+QTEST_MAIN(TestMainWindow)
+#include "tst_main_window.moc"

@@ -1,0 +1,150 @@
+#include "tests/widgets/support/fixture.h"
+#include "widgets/scene/scene_model.h"
+#include "widgets/scene/scene_panel.h"
+#include "widgets/scene/scene_tree.h"
+
+using namespace ramure;
+
+namespace {
+
+NodeResult twoForks(std::uint64_t firstKey)
+{
+    auto simplified = std::make_shared<SimplifiedSkeleton>();
+    Skeleton& bones = simplified->skeleton;
+    const Index parents[] = {noIndex, 0, 0, 1, 1};
+    for (Index i = 0; i < 5; ++i) {
+        const glm::dvec3 from = parents[i] == noIndex ? glm::dvec3(0.0) : bones.p1[parents[i]];
+        bones.add(parents[i], from, from + glm::dvec3(0.1 * i, 1.0, 0.0), 0.1, 0.09);
+        bones.key[i] = firstKey + i;
+    }
+    NodeResult result;
+    result.tree.simplified = std::move(simplified);
+    return result;
+}
+
+} // namespace
+
+class TestScenePanel : public QObject
+{
+    Q_OBJECT
+private:
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<ScenePanel> m_panel;
+
+private slots:
+    void init()
+    {
+        test::failOnWidgetWarning();
+        m_document = std::make_unique<Document>();
+        test::openNodes(*m_document, {test::treeNode(1, "One"), test::treeNode(2, "Two")});
+        m_document->setResult(1, twoForks(10));
+        m_panel = std::make_unique<ScenePanel>(m_document.get());
+        m_panel->resize(420, 300);
+        m_panel->show();
+        QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+    }
+    void cleanup()
+    {
+        m_panel.reset();
+        m_document.reset();
+    }
+
+    void lockedNodesSayWhyTheyKeepTheirName()
+    {
+        QVERIFY(edit::setNodeLocked(*m_document, {1}, true));
+        QSignalSpy said(m_panel.get(), &ScenePanel::messageRaised);
+        QVERIFY(
+            !m_panel->model()->setData(m_panel->model()->nodeIndex(1), QStringLiteral("X"), Qt::EditRole));
+        QCOMPARE(said.count(), 1);
+    }
+
+    void selectionGoesBothWays()
+    {
+        SceneTree* view = m_panel->view();
+        QVERIFY(view->selectionModel()->isRowSelected(0, {}));
+        view->selectionModel()->setCurrentIndex(
+            m_panel->model()->nodeIndex(2), QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+        QCOMPARE(m_document->selection().nodes, std::vector<NodeId>{2});
+        Selection branches;
+        branches.branchNode = 1;
+        branches.branches = {1, 3};
+        branches.activeBranch = 3;
+        m_document->setSelection(branches);
+        QCOMPARE(view->selectionModel()->selectedRows().size(), 2);
+        QCOMPARE(m_panel->model()->branchAt(view->currentIndex()), Index(3));
+        QVERIFY(view->isExpanded(m_panel->model()->branchIndex(1, 1)));
+        m_document->setSelection({});
+        QVERIFY(view->selectionModel()->selectedRows().isEmpty());
+    }
+
+    void keysWalkThroughBranches()
+    {
+        SceneTree* view = m_panel->view();
+        view->setFocus();
+        QTest::keyClick(view, Qt::Key_Right); // unfolds the tree
+        QTest::keyClick(view, Qt::Key_Right); // goes to its first branch
+        QCOMPARE(m_document->selection().branchNode, NodeId(1));
+        QCOMPARE(m_document->selection().activeBranch, Index(0));
+        QVERIFY(m_document->selection().nodes.empty());
+    }
+
+    void unfoldedBranchesStayUnfoldedInTheNextTree()
+    {
+        SceneModel* model = m_panel->model();
+        m_panel->view()->expand(model->nodeIndex(1));
+        m_panel->view()->expand(model->branchIndex(1, 0));
+        m_panel->view()->expand(model->branchIndex(1, 1));
+        m_document->setResult(1, NodeResult());
+        m_document->setResult(1, twoForks(10));
+        QVERIFY(m_panel->view()->isExpanded(model->branchIndex(1, 0)));
+        QVERIFY(m_panel->view()->isExpanded(model->branchIndex(1, 1)));
+        m_document->setResult(1, twoForks(900)); // other branches
+        QVERIFY(!m_panel->view()->isExpanded(model->branchIndex(1, 0)));
+    }
+
+    void eyesAndLocksSwitchWithoutSelecting()
+    {
+        SceneTree* view = m_panel->view();
+        const auto click = [&](NodeId node, SceneModel::Column column) {
+            const QRect cell = view->visualRect(m_panel->model()->nodeIndex(node, column));
+            QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, cell.center());
+        };
+        click(2, SceneModel::VisibleColumn);
+        QVERIFY(!m_document->scene().find(2)->visible);
+        QVERIFY(m_document->scene().find(1)->visible);
+        QCOMPARE(m_document->selection().nodes, std::vector<NodeId>{1});
+        Selection both;
+        both.nodes = {1, 2};
+        m_document->setSelection(both);
+        click(2, SceneModel::LockedColumn);
+        QVERIFY(m_document->scene().find(1)->locked && m_document->scene().find(2)->locked);
+        m_document->undoStack()->undo();
+        QVERIFY(!m_document->scene().find(1)->locked && !m_document->scene().find(2)->locked);
+    }
+
+    void deletingKeepsTheSelectionOfTheDocument()
+    {
+        QSignalSpy changed(m_document.get(), &Document::changed);
+        QVERIFY(edit::removeNodes(*m_document, {1}));
+        const Selection after = m_document->selection();
+        QCOMPARE(m_panel->model()->rowCount(), 1);
+        m_document->undoStack()->undo();
+        QCOMPARE(m_panel->model()->rowCount(), 2);
+        for (const NodeId node : after.nodes)
+            QVERIFY(m_document->scene().find(node));
+    }
+
+    void renamingStartsByAction()
+    {
+        m_panel->renameActive();
+        auto* editor = m_panel->view()->findChild<QLineEdit*>();
+        QVERIFY(editor);
+        editor->selectAll();
+        QTest::keyClicks(editor, "Oak");
+        QTest::keyClick(editor, Qt::Key_Return);
+        QTRY_COMPARE(m_document->scene().find(1)->name, std::string("Oak"));
+    }
+};
+
+QTEST_MAIN(TestScenePanel)
+#include "tst_scene_panel.moc"
