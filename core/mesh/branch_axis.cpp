@@ -58,14 +58,16 @@ void AxisTable::build(const std::vector<glm::dvec3>& points, const std::vector<d
             ++at;
         const double span = distances[at + 1] - distances[at];
         const double part = span > 0.0 ? std::min((wanted - distances[at]) / span, 1.0) : 0.0;
-        m_points[step] = points[at] + (points[at + 1] - points[at]) * part;
+        m_places[step].point = points[at] + (points[at + 1] - points[at]) * part;
         const double t = (static_cast<double>(at) + part) / static_cast<double>(last);
-        m_radii[step] = a0 + (a1 - a0) * t;
+        m_places[step].radius = a0 + (a1 - a0) * t;
     }
     for (std::size_t i = 0; i <= steps; ++i) {
-        const glm::dvec3 way = m_points[std::min<std::size_t>(i + 1, steps)] - m_points[i > 0 ? i - 1 : 0];
-        const double length = glm::length(way);
-        m_tangents[i] = length > 0.0 ? way / length : (i > 0 ? m_tangents[i - 1] : glm::dvec3(0.0, 1.0, 0.0));
+        const glm::dvec3 way =
+            m_places[std::min<std::size_t>(i + 1, steps)].point - m_places[i > 0 ? i - 1 : 0].point;
+        const double square = glm::dot(way, way);
+        m_places[i].tangent = square > 0.0 ? way * (1.0 / std::sqrt(square))
+                                           : (i > 0 ? m_places[i - 1].tangent : glm::dvec3(0.0, 1.0, 0.0));
     }
 }
 
@@ -82,10 +84,9 @@ double AxisTable::footOf(const glm::dvec3& point, double guess) const
     return along;
 }
 
-double AxisTable::clearance(const glm::dvec3& point, double guess) const
+double AxisTable::clearanceFrom(Place place, const glm::dvec3& point, double guess) const
 {
     double along = std::clamp(guess, 0.0, m_length);
-    Place place = at(along);
     glm::dvec3 away = point - place.point;
     double ahead = glm::dot(away, place.tangent);
     if (std::abs(ahead) > 0.25 * place.radius) {

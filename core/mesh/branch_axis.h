@@ -29,32 +29,34 @@ public:
 
     struct Place
     {
-        glm::dvec3 point, tangent;
+        glm::dvec3 point;
         double radius;
+        glm::dvec3 tangent;
     };
 
     /// \p along is clamped to the branch.
     [[nodiscard]] Place at(double along) const
     {
         const auto [cell, part] = cellOf(along);
-        return {m_points[cell] + (m_points[cell + 1] - m_points[cell]) * part,
-                m_tangents[cell] + (m_tangents[cell + 1] - m_tangents[cell]) * part,
-                m_radii[cell] + (m_radii[cell + 1] - m_radii[cell]) * part};
+        const Place &a = m_places[cell], &b = m_places[cell + 1];
+        return {a.point + (b.point - a.point) * part, a.radius + (b.radius - a.radius) * part,
+                a.tangent + (b.tangent - a.tangent) * part};
     }
     [[nodiscard]] glm::dvec3 pointAt(double along) const
     {
         const auto [cell, part] = cellOf(along);
-        return m_points[cell] + (m_points[cell + 1] - m_points[cell]) * part;
-    }
-    [[nodiscard]] double radiusAt(double along) const
-    {
-        const auto [cell, part] = cellOf(along);
-        return m_radii[cell] + (m_radii[cell + 1] - m_radii[cell]) * part;
+        const glm::dvec3 &a = m_places[cell].point, &b = m_places[cell + 1].point;
+        return a + (b - a) * part;
     }
     [[nodiscard]] double length() const { return m_length; }
     /// Distance of a point from the tube's surface (negative inside); \p guess: an arc length near the
     /// point's foot.
-    [[nodiscard]] double clearance(const glm::dvec3& point, double guess) const;
+    [[nodiscard]] double clearance(const glm::dvec3& point, double guess) const
+    {
+        return clearanceFrom(at(guess), point, guess);
+    }
+    /// The same where the place at \p guess is known already.
+    [[nodiscard]] double clearanceFrom(Place place, const glm::dvec3& point, double guess) const;
     /// Arc length of the point of the axis nearest to \p point, found from \p guess.
     [[nodiscard]] double footOf(const glm::dvec3& point, double guess) const;
 
@@ -75,9 +77,7 @@ private:
         return {cell, scaled - static_cast<double>(cell)};
     }
 
-    std::array<glm::dvec3, steps + 1> m_points;
-    std::array<glm::dvec3, steps + 1> m_tangents;
-    std::array<double, steps + 1> m_radii;
+    std::array<Place, steps + 1> m_places;
     double m_length = 0.0, m_stepsPerMetre = 0.0;
 };
 

@@ -57,23 +57,27 @@ glm::dvec3 ForkWalls::onPath(const Between& between, const glm::dvec3& offset, d
     return point;
 }
 
-/// \param axes the places of the children in between at that arc length.
-bool ForkWalls::isOutside(const Between& between, const std::array<glm::dvec3, 3>& axes,
-                          const glm::dvec3& point, double along) const
+/// Is the path's point at an arc length outside all tubes?
+bool ForkWalls::isOutside(const Between& between, const glm::dvec3& offset, double along) const
 {
+    std::array<AxisTable::Place, 3> places;
+    glm::dvec3 point = offset;
+    for (std::size_t i = 0; i < between.count; ++i) {
+        places[i] = m_children[between.child[i]].table.at(along);
+        point += between.weight[i] * places[i].point;
+    }
     // The foot of a point is at most as far as the axis at the same arc length: most points are found inside
     // so.
     for (std::size_t i = 0; i < between.count; ++i) {
-        const double least = (1.0 + wallMargin) * m_children[between.child[i]].table.radiusAt(along);
-        const glm::dvec3 away = point - axes[i];
+        const double least = (1.0 + wallMargin) * places[i].radius;
+        const glm::dvec3 away = point - places[i].point;
         if (glm::dot(away, away) < least * least)
             return false;
     }
-    for (std::size_t i = 0; i < between.count; ++i) {
-        const AxisTable& table = m_children[between.child[i]].table;
-        if (table.clearance(point, along) < wallMargin * table.radiusAt(along))
+    for (std::size_t i = 0; i < between.count; ++i)
+        if (m_children[between.child[i]].table.clearanceFrom(places[i], point, along) <
+            wallMargin * places[i].radius)
             return false;
-    }
     for (std::size_t j = 0; j < m_children.size(); ++j)
         if (j != between.child[0] && j != between.child[1] && j != between.child[2] &&
             m_children[j].table.clearance(point, along) < 0.0)
@@ -90,24 +94,15 @@ CellVertex ForkWalls::lift(const Between& between, const glm::dvec3& offset)
     reach *= searchShare;
     double inside = 0.0, outside = reach;
     bool found = false;
-    const auto leaves = [&](double along) {
-        std::array<glm::dvec3, 3> axes;
-        glm::dvec3 point = offset;
-        for (std::size_t i = 0; i < between.count; ++i) {
-            axes[i] = m_children[between.child[i]].table.pointAt(along);
-            point += between.weight[i] * axes[i];
-        }
-        return isOutside(between, axes, point, along);
-    };
     for (int step = 1; step <= searchSteps && !found; ++step) {
         const double along = reach * step / searchSteps;
-        found = leaves(along);
+        found = isOutside(between, offset, along);
         (found ? outside : inside) = along;
     }
     if (found) {
         for (int round = 0; round < bisections; ++round) {
             const double middle = 0.5 * (inside + outside);
-            (leaves(middle) ? outside : inside) = middle;
+            (isOutside(between, offset, middle) ? outside : inside) = middle;
         }
     } else {
         outside = reach / searchShare; // never apart: the wall ends where the shorter tube does
