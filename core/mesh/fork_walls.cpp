@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace ramure {
@@ -9,11 +10,12 @@ namespace ramure {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double searchShare = 0.95; ///< of the shortest child: how far up the search for a valley goes
-constexpr int searchSteps = 12;
-constexpr int bisections = 3;
-constexpr double wallMargin = 0.06; ///< of a tube's radius: how far outside its own tubes a wall lies
-constexpr double innerReach = 0.6;  ///< of the radius: how far aside the middle of an inner wall may lie
+/// Of the shortest child: where the search for a valley looks.
+constexpr std::array<double, 7> searchShares{0.08, 0.16, 0.28, 0.44, 0.62, 0.8, 0.95};
+constexpr int mostRefinements = 5;
+constexpr double closeEnough = 0.02; ///< of the radius: a wall vertex needs no more room than that
+constexpr double wallMargin = 0.06;  ///< of a tube's radius: how far outside its own tubes a wall lies
+constexpr double innerReach = 0.6;   ///< of the radius: how far aside the middle of an inner wall may lie
 
 /// Weights of a triangle's circumcentre, kept positive: at obtuse angles the true one lies outside.
 std::array<double, 3> circumcentreWeights(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
@@ -57,8 +59,9 @@ glm::dvec3 ForkWalls::onPath(const Between& between, const glm::dvec3& offset, d
     return point;
 }
 
-/// Is the path's point at an arc length outside all tubes?
-bool ForkWalls::isOutside(const Between& between, const glm::dvec3& offset, double along) const
+/// How far the path's point at an arc length is outside all tubes, those it lies between with their margin;
+/// negative inside.
+double ForkWalls::room(const Between& between, const glm::dvec3& offset, double along) const
 {
     std::array<AxisTable::Place, 3> places;
     glm::dvec3 point = offset;
@@ -68,45 +71,51 @@ bool ForkWalls::isOutside(const Between& between, const glm::dvec3& offset, doub
     }
     // The foot of a point is at most as far as the axis at the same arc length: most points are found inside
     // so.
+    double least = std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < between.count; ++i) {
-        const double least = (1.0 + wallMargin) * places[i].radius;
         const glm::dvec3 away = point - places[i].point;
-        if (glm::dot(away, away) < least * least)
-            return false;
+        least = std::min(least, std::sqrt(glm::dot(away, away)) - (1.0 + wallMargin) * places[i].radius);
     }
-    for (std::size_t i = 0; i < between.count; ++i)
-        if (m_children[between.child[i]].table.clearanceFrom(places[i], point, along) <
-            wallMargin * places[i].radius)
-            return false;
-    for (std::size_t j = 0; j < m_children.size(); ++j)
-        if (j != between.child[0] && j != between.child[1] && j != between.child[2] &&
-            m_children[j].table.clearance(point, along) < 0.0)
-            return false;
-    return true;
+    if (least < 0.0)
+        return least;
+    for (std::size_t i = 0; i < between.count; ++i) {
+        const double clear = m_children[between.child[i]].table.clearanceFrom(places[i], point, along);
+        least = std::min(least, clear - wallMargin * places[i].radius);
+    }
+    for (std::size_t j = 0; j < m_children.size() && least >= 0.0; ++j)
+        if (j != between.child[0] && j != between.child[1] && j != between.child[2])
+            least = std::min(least, m_children[j].table.clearance(point, along));
+    return least;
 }
 
-/// Goes up along the mean of the children's axes until the point leaves all tubes.
+/// Goes up along the mean of the children's axes until the point leaves all tubes: in growing steps, then by
+/// false position between the last one inside and the first one outside.
 CellVertex ForkWalls::lift(const Between& between, const glm::dvec3& offset)
 {
     double reach = m_children[between.child[0]].table.length();
     for (std::size_t i = 1; i < between.count; ++i)
         reach = std::min(reach, m_children[between.child[i]].table.length());
-    reach *= searchShare;
-    double inside = 0.0, outside = reach;
-    bool found = false;
-    for (int step = 1; step <= searchSteps && !found; ++step) {
-        const double along = reach * step / searchSteps;
-        found = isOutside(between, offset, along);
-        (found ? outside : inside) = along;
+    double inside = 0.0, outside = 0.0, roomInside = -pairRadius(between.child[0], between.child[1]);
+    const double enough = -closeEnough * roomInside;
+    double roomOutside = -1.0;
+    for (const double share : searchShares) {
+        outside = reach * share;
+        roomOutside = room(between, offset, outside);
+        if (roomOutside >= 0.0)
+            break;
+        inside = outside;
+        roomInside = roomOutside;
     }
-    if (found) {
-        for (int round = 0; round < bisections; ++round) {
-            const double middle = 0.5 * (inside + outside);
-            (isOutside(between, offset, middle) ? outside : inside) = middle;
-        }
-    } else {
-        outside = reach / searchShare; // never apart: the wall ends where the shorter tube does
+    if (roomOutside < 0.0) { // never apart: the wall ends where the shorter tube does
         ++m_withoutExit;
+        outside = reach;
+    }
+    for (int round = 0; round < mostRefinements && roomOutside > enough; ++round) {
+        const double part = std::clamp(roomInside / (roomInside - roomOutside), 0.1, 0.9);
+        const double middle = inside + (outside - inside) * part;
+        const double roomThere = room(between, offset, middle);
+        (roomThere < 0.0 ? inside : outside) = middle;
+        (roomThere < 0.0 ? roomInside : roomOutside) = roomThere;
     }
     return {noIndex, onPath(between, offset, outside), outside};
 }

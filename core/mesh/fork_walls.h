@@ -71,7 +71,7 @@ private:
     CellVertex lift(const Between& between, const glm::dvec3& offset);
     Index add(CellVertex vertex, Index child);
     [[nodiscard]] glm::dvec3 onPath(const Between& between, const glm::dvec3& offset, double along) const;
-    [[nodiscard]] bool isOutside(const Between& between, const glm::dvec3& offset, double along) const;
+    [[nodiscard]] double room(const Between& between, const glm::dvec3& offset, double along) const;
     [[nodiscard]] Between pair(Index u, Index v) const { return {{u, v, noIndex}, {0.5, 0.5, 0.0}, 2}; }
     [[nodiscard]] glm::dvec3 outward(Index from, Index to) const;
     [[nodiscard]] double pairRadius(Index u, Index v) const;
