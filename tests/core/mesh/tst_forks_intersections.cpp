@@ -25,10 +25,11 @@ struct Counted
     SelfIntersections found;
 };
 
-Counted count(const Skeleton& skeleton, int radial)
+Counted count(const Skeleton& skeleton, int radial, int length)
 {
     BranchMeshOptions options;
     options.radialDivisions = radial;
+    options.lengthDivisions = length;
     Counted counted{buildBranchMesh(skeleton, options), {}};
     if (counted.built)
         counted.found =
@@ -42,24 +43,33 @@ void TestForksIntersections::aroundForks_data()
 {
     QTest::addColumn<QString>("preset");
     QTest::addColumn<int>("radial");
+    QTest::addColumn<int>("length");
     QTest::addColumn<Index>("bar");
-    for (const int radial : {5, 8}) {
-        QTest::addRow("SmallTree %d radial", radial) << "SmallTree" << radial << 0u;
-        QTest::addRow("TinyTree %d radial", radial) << "TinyTree" << radial << 0u;
-        QTest::addRow("Fern2D %d radial", radial) << "Fern2D" << radial << 0u;
-        // 14 children on one branch, some of which never separate within their length.
-        QTest::addRow("FanTree %d radial", radial) << "FanTree" << radial << 3000u;
+    const auto row = [](const char* preset, int radial, int length, Index bar) {
+        QTest::addRow("%s %d radial x %d length", preset, radial, length)
+            << preset << radial << length << bar;
+    };
+    for (const char* preset : {"SmallTree", "TinyTree", "Fern2D"}) {
+        row(preset, 5, 4, 0);
+        row(preset, 8, 4, 0);
+        row(preset, 16, 4, 0);
+        row(preset, 8, 2, 0);
+        row(preset, 8, 8, 0);
     }
+    // 14 children on one branch, some of which never separate within their length.
+    row("FanTree", 5, 4, 300);
+    row("FanTree", 8, 4, 300);
 }
 
 void TestForksIntersections::aroundForks()
 {
     QFETCH(QString, preset);
     QFETCH(int, radial);
+    QFETCH(int, length);
     QFETCH(Index, bar);
     const Expected<Skeleton> skeleton = presetSkeleton({preset.toStdString()});
     QVERIFY2(skeleton, why(skeleton));
-    const Counted counted = count(*skeleton, radial);
+    const Counted counted = count(*skeleton, radial, length);
     QVERIFY2(counted.built, why(counted.built));
     const SelfIntersections& found = counted.found;
     qInfo("%s: %u triangles, same %u, siblings %u, parent-child %u, far %u", QTest::currentDataTag(),
@@ -77,7 +87,7 @@ void TestForksIntersections::randomSmallTrees()
             tree.iterations = 6;
             const Expected<Skeleton> skeleton = presetSkeleton(tree);
             QVERIFY2(skeleton, why(skeleton));
-            const Counted counted = count(*skeleton, radial);
+            const Counted counted = count(*skeleton, radial, 4);
             QVERIFY2(counted.built, why(counted.built));
             QVERIFY2(
                 counted.found.aroundForks() == 0,
