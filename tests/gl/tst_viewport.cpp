@@ -85,6 +85,12 @@ struct Window
         const glm::dvec2 ndc = *view->camera().project(world, aspect);
         return {qRound(0.5 * (ndc.x + 1.0) * view->width()), qRound(0.5 * (1.0 - ndc.y) * view->height())};
     }
+    void click(QPoint at, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const
+    {
+        QTest::mouseClick(view, Qt::LeftButton, modifiers, at);
+        if (!QTest::qWaitFor([this] { return !view->isPickPending(); }))
+            qWarning("the click has no effect");
+    }
     void drag(QPoint from, QPoint to, Qt::MouseButton button,
               Qt::KeyboardModifiers modifiers = Qt::NoModifier) const
     {
@@ -95,6 +101,8 @@ struct Window
             QApplication::sendEvent(view, &move);
         }
         QTest::mouseRelease(view, button, modifiers, to);
+        if (!QTest::qWaitFor([this] { return !view->isPickPending(); }))
+            qWarning("the box has no effect");
     }
 };
 
@@ -159,14 +167,14 @@ private slots:
         window.host.settings()->setLeavesVisible(false);
         window.host.settings()->setApplesVisible(false);
         window.waitForPicture();
-        QTest::mouseClick(window.view, Qt::LeftButton, {}, window.pixelOf(middle(window.skeleton(), 0)));
+        window.click(window.pixelOf(middle(window.skeleton(), 0)));
         Selection expected;
         expected.nodes = {window.tree(0)};
         expected.branchNode = window.tree(0);
         expected.branches = {0};
         expected.activeBranch = 0;
         QCOMPARE(window.document.selection(), expected);
-        QTest::mouseClick(window.view, Qt::LeftButton, {}, {3, 3});
+        window.click({3, 3});
         QVERIFY(window.document.selection().branches.empty());
         QCOMPARE(window.document.selection().nodes, expected.nodes);
     }
@@ -180,7 +188,7 @@ private slots:
             window.host.settings()->setDisplayMode(mode);
             window.waitForPicture();
             window.document.setSelection({});
-            QTest::mouseClick(window.view, Qt::LeftButton, {}, window.pixelOf(middle(window.skeleton(), 0)));
+            window.click(window.pixelOf(middle(window.skeleton(), 0)));
             QVERIFY2(window.document.selection().branches == std::vector<Index>{0}, displayModeName(mode));
         }
     }
@@ -190,11 +198,10 @@ private slots:
         window.host.settings()->setDisplayMode(DisplayMode::Simplified);
         window.waitForPicture();
         const QPoint first = window.pixelOf(glm::mix(window.skeleton().p0[0], window.skeleton().p1[0], 0.3));
-        QTest::mouseClick(window.view, Qt::LeftButton, {}, first);
-        QTest::mouseClick(window.view, Qt::LeftButton, Qt::ShiftModifier,
-                          window.pixelOf(middle(window.skeleton(), 1)));
+        window.click(first);
+        window.click(window.pixelOf(middle(window.skeleton(), 1)), Qt::ShiftModifier);
         QCOMPARE(window.document.selection().branches.size(), std::size_t(2));
-        QTest::mouseClick(window.view, Qt::LeftButton, Qt::ShiftModifier, first);
+        window.click(first, Qt::ShiftModifier);
         QCOMPARE(window.document.selection().branches.size(), std::size_t(1));
     }
     void boxSelects()
@@ -284,7 +291,7 @@ private slots:
         const QRectF place = NavigationCube::place(window.view->size());
         const auto side = NavigationCube::sideAt(camera, window.view->size(), place.center());
         QVERIFY(side);
-        QTest::mouseClick(window.view, Qt::LeftButton, {}, place.center().toPoint());
+        window.click(place.center().toPoint());
         camera.setAxisView(*side);
         QTRY_VERIFY(std::abs(window.view->camera().yawRad - camera.yawRad) < 1e-12);
         QVERIFY(window.document.selection().branches.empty());
@@ -361,13 +368,13 @@ private slots:
         change.kinds = changeNodeState;
         change.nodes = {id};
         window.document.applyChange(change, [id](Scene& scene) { scene.find(id)->locked = true; });
-        QTest::mouseClick(window.view, Qt::LeftButton, {}, trunk);
+        window.click(trunk);
         QVERIFY(window.document.selection().branches.empty());
         window.document.applyChange(change, [id](Scene& scene) {
             scene.find(id)->locked = false;
             scene.find(id)->visible = false;
         });
-        QTest::mouseClick(window.view, Qt::LeftButton, {}, trunk);
+        window.click(trunk);
         QVERIFY(window.document.selection().branches.empty());
     }
     void placementMovesWithoutUploading()
@@ -380,7 +387,7 @@ private slots:
         change.nodes = {id};
         window.document.applyChange(change,
                                     [id](Scene& scene) { scene.find(id)->params.tree.translation.x = 30.0; });
-        QTest::mouseClick(window.view, Qt::LeftButton, {}, before);
+        window.click(before);
         QVERIFY(window.document.selection().branches.empty());
     }
     void screenshots()

@@ -1,7 +1,6 @@
 #include "widgets/viewport/background_picker.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace ramure {
 namespace {
@@ -96,14 +95,15 @@ std::shared_ptr<const PickScene> BackgroundPicker::ready()
     return m_current ? m_latest : nullptr;
 }
 
-std::shared_ptr<const PickScene> BackgroundPicker::wait()
+std::shared_ptr<const PickScene> BackgroundPicker::readyWithin(std::chrono::milliseconds patience)
 {
-    if (!m_current) {
+    if (!m_current && m_scene) {
         m_rest.stop();
         start();
-        finish(m_build);
+        if (m_running.wait_for(patience) == std::future_status::ready)
+            finish(m_build);
     }
-    return m_latest;
+    return ready();
 }
 
 } // namespace ramure

@@ -6,6 +6,7 @@
 #include "widgets/render/pick_scene.h"
 #include <QObject>
 #include <QTimer>
+#include <chrono>
 #include <future>
 
 namespace ramure {
@@ -21,8 +22,9 @@ public:
     void setScene(std::shared_ptr<const RenderScene> scene);
     /// The structure for the present scene, or null while it is not built.
     [[nodiscard]] std::shared_ptr<const PickScene> ready();
-    /// The same, built here and now if need be.
-    [[nodiscard]] std::shared_ptr<const PickScene> wait();
+    /// The same; where it is not built, building starts at once and gets this long. Null where that is not
+    /// enough: readyChanged follows.
+    [[nodiscard]] std::shared_ptr<const PickScene> readyWithin(std::chrono::milliseconds patience);
 
 signals:
     void readyChanged();

@@ -107,6 +107,8 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     connect(document, &Document::changed, this, &Viewport::onDocumentChanged);
     connect(settings, &ViewSettings::changed, this, &Viewport::onSettingsChanged);
     connect(&d->picker, &BackgroundPicker::readyChanged, this, [this] {
+        if (d->pending)
+            finishSelecting();
         if (underMouse())
             hoverAt(d->hoverPosition);
     });
@@ -142,6 +144,11 @@ void Viewport::releaseRenderer()
 const Camera& Viewport::camera() const
 {
     return d->camera;
+}
+
+bool Viewport::isPickPending() const
+{
+    return d->pending.has_value();
 }
 
 FrameTimes Viewport::frameTimes() const

@@ -45,6 +45,9 @@ public:
     /// Before the widget is shown: the processor draws, so cheaper anti-aliasing is used.
     void setSoftware(bool software);
 
+    /// A click on a large tree takes effect when the structure to pick in is ready; true until then.
+    [[nodiscard]] bool isPickPending() const;
+
     /// A picture of the scene as it is seen, without cube and overlays. Null image where there is no context.
     [[nodiscard]] QImage screenshot();
     /// The picture as a file (PNG by the ending). Errors: Io, Unknown (ending).
@@ -94,7 +97,7 @@ private:
     void rebuildHighlights();
     void moveCamera(const Camera& to);
     void dragTo(QPointF position);
-    void finishSelecting(QPointF position, bool extend);
+    void finishSelecting();
     void hoverAt(QPointF position);
     void paintOverlay();
     void releaseRenderer();

@@ -7,9 +7,13 @@
 #include <QStyleHints>
 #include <QWheelEvent>
 #include <cmath>
+#include <utility>
 
 namespace ramure {
 namespace {
+
+/// How long a click may hold the interface up.
+constexpr std::chrono::milliseconds patience(12);
 
 glm::dvec2 asVector(QPointF point)
 {
@@ -39,6 +43,7 @@ void Viewport::mousePressEvent(QMouseEvent* event)
     if (d->gesture != Gesture::None && d->gesture != Gesture::Select)
         d->flight.stop();
     d->hoverRest.stop();
+    d->pending.reset();
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
@@ -82,23 +87,28 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
         if (const auto side = NavigationCube::sideAt(d->camera, size(), event->position()))
             setAxisView(*side);
     } else if (gesture == Gesture::Select) {
-        finishSelecting(event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
+        d->pending = {d->pressed, event->position(), d->dragging,
+                      event->modifiers().testFlag(Qt::ShiftModifier)};
+        finishSelecting();
     }
     d->dragging = false;
     update();
 }
 
-void Viewport::finishSelecting(QPointF position, bool extend)
+void Viewport::finishSelecting()
 {
     if (d->sceneStale)
         rebuildScene(); // what is picked must belong to the results of now
-    const auto scene = d->picker.wait();
+    const auto scene = d->picker.readyWithin(patience);
+    if (!scene || !d->pending)
+        return; // readyChanged comes back here
+    const Private::Pending pick = *std::exchange(d->pending, std::nullopt);
     const PickView view = pickView(d->camera, size());
     const Selection& selection = d->document->selection();
     d->document->setSelection(
-        d->dragging
-            ? afterBox(selection, scene->inRectangle(view, asVector(d->pressed), asVector(position)), extend)
-            : afterClick(selection, scene->pick(view, asVector(position)), extend));
+        pick.isBox ? afterBox(selection, scene->inRectangle(view, asVector(pick.from), asVector(pick.to)),
+                              pick.extend)
+                   : afterClick(selection, scene->pick(view, asVector(pick.to)), pick.extend));
 }
 
 void Viewport::hoverAt(QPointF position)

@@ -48,6 +48,14 @@ struct Viewport::Private
     Gesture gesture = Gesture::None;
     Qt::MouseButton button = Qt::NoButton;
     QPointF pressed, last;
+    /// A finished click or box that waits for the pick scene of a large tree.
+    struct Pending
+    {
+        QPointF from, to;
+        bool isBox = false;
+        bool extend = false;
+    };
+    std::optional<Pending> pending;
     bool dragging = false; ///< the pointer has left the place of the press
     bool onCube = false;   ///< the press was on the navigation cube
 
