@@ -68,7 +68,9 @@ void ExportDialog::buildForm()
     m_form = new QFormLayout;
     m_form->setHorizontalSpacing(14);
     m_form->setVerticalSpacing(10);
-    m_form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    // An empty text would make no label: retranslate() fills it.
+    const auto addRow = [this](auto* field) { m_form->addRow(new QLabel(this), field); };
     m_format = new QComboBox(this);
     m_model = new QComboBox(this);
     for (int i = 0; i < 3; ++i) {
@@ -96,13 +98,14 @@ void ExportDialog::buildForm()
     m_path->setMinimumWidth(320);
     m_browse = new QPushButton(this);
     auto* file = new QHBoxLayout;
+    file->setSpacing(8);
     file->addWidget(m_path, 1);
     file->addWidget(m_browse);
-    m_form->addRow(QString(), m_format);
-    m_form->addRow(QString(), m_model);
-    m_form->addRow(QString(), parts);
-    m_form->addRow(QString(), scope);
-    m_form->addRow(QString(), file);
+    addRow(m_format);
+    addRow(m_model);
+    addRow(parts);
+    addRow(scope);
+    addRow(file);
     layout->addLayout(m_form);
     m_message = new QLabel(this);
     m_message->setWordWrap(true);
@@ -117,6 +120,7 @@ void ExportDialog::buildForm()
     m_progress->hide();
     layout->addWidget(m_progress);
     auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
     m_export = new QPushButton(this);
     m_export->setDefault(true);
     m_cancel = new QPushButton(this);

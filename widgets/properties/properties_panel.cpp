@@ -20,7 +20,7 @@
 namespace ramure {
 namespace {
 
-constexpr int longestLabel = 18; ///< characters of average width
+constexpr int longestLabel = 20; ///< characters of average width
 
 } // namespace
 

@@ -32,9 +32,7 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
     m_view->setObjectName(QStringLiteral("sceneTree"));
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     QHeaderView* header = m_view->header();
-    header->setStretchLastSection(false);
     header->setSectionResizeMode(QHeaderView::Interactive);
-    header->setSectionResizeMode(SceneModel::NameColumn, QHeaderView::Stretch);
     for (const int column : {SceneModel::VisibleColumn, SceneModel::LockedColumn}) {
         header->setSectionResizeMode(column, QHeaderView::Fixed);
         header->resizeSection(column, 26);
@@ -216,8 +214,10 @@ void ScenePanel::showHeaderMenu(const QPoint& position)
             menu.addAction(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
         action->setCheckable(true);
         action->setChecked(!m_view->isColumnHidden(column));
-        connect(action, &QAction::toggled, this,
-                [this, column](bool on) { m_view->setColumnHidden(column, !on); });
+        connect(action, &QAction::toggled, this, [this, column](bool on) {
+            m_view->setColumnHidden(column, !on);
+            m_view->fitNames();
+        });
     }
     menu.exec(m_view->header()->mapToGlobal(position));
 }
@@ -240,6 +240,7 @@ void ScenePanel::retranslate()
         m_view->header()->resizeSection(column,
                                         std::max(figure, fontMetrics().horizontalAdvance(heading)) + 18);
     }
+    m_view->fitNames();
 }
 
 } // namespace ramure

@@ -3,6 +3,7 @@
 #include "widgets/scene/scene_model.h"
 #include <QHeaderView>
 #include <QMouseEvent>
+#include <QScrollBar>
 
 namespace ramure {
 
@@ -15,10 +16,34 @@ SceneTree::SceneTree(QWidget* parent)
     setDefaultDropAction(Qt::MoveAction);
     setEditTriggers(EditKeyPressed);
     setExpandsOnDoubleClick(false);
-    setIndentation(14);
+    setIndentation(12);
     setAllColumnsShowFocus(true);
     header()->setSectionsMovable(false);
     header()->setMinimumSectionSize(24);
+    header()->setStretchLastSection(false);
+    // Queued: the rows are laid out by then.
+    connect(this, &QTreeView::expanded, this, &SceneTree::fitNames, Qt::QueuedConnection);
+    connect(this, &QTreeView::collapsed, this, &SceneTree::fitNames, Qt::QueuedConnection);
+    connect(verticalScrollBar(), &QScrollBar::valueChanged, this, &SceneTree::fitNames, Qt::QueuedConnection);
+    connect(header(), &QHeaderView::sectionCountChanged, this, &SceneTree::fitNames, Qt::QueuedConnection);
+}
+
+void SceneTree::fitNames()
+{
+    if (!model())
+        return;
+    int others = 0;
+    for (int column = 1; column < header()->count(); ++column)
+        others += isColumnHidden(column) ? 0 : columnWidth(column);
+    const int width = std::max(viewport()->width() - others, sizeHintForColumn(SceneModel::NameColumn));
+    if (columnWidth(SceneModel::NameColumn) != width)
+        setColumnWidth(SceneModel::NameColumn, width);
+}
+
+void SceneTree::resizeEvent(QResizeEvent* event)
+{
+    QTreeView::resizeEvent(event);
+    fitNames();
 }
 
 QModelIndex SceneTree::stateAt(const QMouseEvent* event) const

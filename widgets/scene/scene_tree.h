@@ -15,7 +15,12 @@ public:
 signals:
     void stateClicked(const QModelIndex& index);
 
+public slots:
+    /// Gives the names the room that is left, or as much as the deepest visible one needs.
+    void fitNames();
+
 protected:
+    void resizeEvent(QResizeEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
 

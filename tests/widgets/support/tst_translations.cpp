@@ -132,8 +132,8 @@ private slots:
         QCOMPARE(QCoreApplication::translate("core", "Grammar"), QStringLiteral("Grammaire"));
         preferences.setLanguage(QStringLiteral("en"));
         QCOMPARE(QCoreApplication::translate("core", "Grammar"), QStringLiteral("Grammar"));
-        QCOMPARE(QCoreApplication::translate("Commands", "Delete %n node(s)", nullptr, 1),
-                 QStringLiteral("Delete 1 node"));
+        QCOMPARE(QCoreApplication::translate("ramure::PropertiesPanel", "%n node(s) selected", nullptr, 1),
+                 QStringLiteral("1 node selected"));
         preferences.setLanguage(QStringLiteral("xx")); // not there: English
         QCOMPARE(language.current(), QStringLiteral("en"));
     }
