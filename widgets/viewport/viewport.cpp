@@ -1,17 +1,10 @@
 #include "widgets/viewport/viewport.h"
 
-#include "widgets/render/offscreen_renderer.h"
-#include "widgets/validation/defect_place.h"
 #include "widgets/viewport/navigation_cube.h"
 #include "widgets/viewport/viewport_private.h"
-#include <QClipboard>
 #include <QElapsedTimer>
-#include <QGuiApplication>
-#include <QImageWriter>
 #include <QOpenGLContext>
-#include <QOpenGLFramebufferObject>
 #include <QPainter>
-#include <QSaveFile>
 #include <numeric>
 
 namespace ramure {
@@ -285,50 +278,6 @@ void Viewport::paintOverlay()
     }
 }
 
-QImage Viewport::screenshot()
-{
-    if (d->sceneStale)
-        rebuildScene();
-    const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
-    RenderOptions options = d->options(devicePixelRatioF());
-    options.shadowTaps = 24;
-    options.smoothing = false;
-    auto image = renderImage(*d->scene, d->camera, pixels, options);
-    return image ? *image : QImage();
-}
-
-Expected<void> Viewport::saveScreenshot(const QString& path)
-{
-    const auto refuse = [&path](ErrorCode code, const char* text, const QString& why) {
-        Error error = fail(code, text, {why.toStdString()}).value();
-        error.file = path.toStdString();
-        return fail(std::move(error));
-    };
-    const QByteArray ending = path.section(QLatin1Char('.'), -1).toLower().toLatin1();
-    if (!path.contains(QLatin1Char('.')) || !QImageWriter::supportedImageFormats().contains(ending))
-        return refuse(ErrorCode::Unknown, RAMURE_NOOP("Pictures cannot be written as '%1'"),
-                      QString::fromLatin1(ending));
-    const QImage image = screenshot();
-    if (image.isNull())
-        return refuse(ErrorCode::Unknown, RAMURE_NOOP("The graphics driver gave no picture"), {});
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return refuse(ErrorCode::Io, RAMURE_NOOP("Cannot write the picture: %1"), file.errorString());
-    QImageWriter writer(&file, ending);
-    if (!writer.write(image))
-        return refuse(ErrorCode::Io, RAMURE_NOOP("Cannot write the picture: %1"), writer.errorString());
-    if (!file.commit())
-        return refuse(ErrorCode::Io, RAMURE_NOOP("Cannot write the picture: %1"), file.errorString());
-    return {};
-}
-
-void Viewport::copyScreenshot()
-{
-    const QImage image = screenshot();
-    if (!image.isNull())
-        QGuiApplication::clipboard()->setImage(image);
-}
-
 void Viewport::setCamera(const Camera& camera)
 {
     d->flight.stop();
@@ -425,54 +374,6 @@ void Viewport::selectAllBranches()
     if (next.activeBranch >= next.branches.size())
         next.activeBranch = next.branches.empty() ? noIndex : 0;
     d->document->setSelection(std::move(next));
-}
-
-void Viewport::setInspectedSection(NodeId node, Index branch, Index section)
-{
-    const InspectedSection next{node, branch, section};
-    if (d->inspected == next)
-        return;
-    d->inspected = next;
-    d->sceneStale = true;
-    update();
-}
-
-void Viewport::clearInspectedSection()
-{
-    setInspectedSection(noNode, 0, 0);
-}
-
-void Viewport::showDefect(NodeId, const DefectPlace& place)
-{
-    constexpr glm::u8vec4 colour{255, 0, 170, 255};
-    auto lines = std::make_shared<LineSet>();
-    auto points = std::make_shared<PointSet>();
-    const auto line = [&](const glm::dvec3& a, const glm::dvec3& b) {
-        lines->segments.push_back({glm::vec3(a), glm::vec3(b), 4.0f, 4.0f, colour, noIndex});
-    };
-    for (const auto& edge : place.edges)
-        line(edge[0], edge[1]);
-    for (const auto& face : place.faces) {
-        for (std::size_t i = 0; i < 3; ++i)
-            line(face[i], face[(i + 1) % 3]);
-    }
-    for (const glm::dvec3& point : place.points)
-        points->points.push_back({glm::vec3(point), 12.0f, colour, noIndex});
-    d->defectLines = std::move(lines);
-    d->defectPoints = std::move(points);
-    d->sceneStale = true;
-    frameBox(place.box);
-    update();
-}
-
-void Viewport::clearDefect()
-{
-    if (!d->defectLines)
-        return;
-    d->defectLines.reset();
-    d->defectPoints.reset();
-    d->sceneStale = true;
-    update();
 }
 
 } // namespace ramure
