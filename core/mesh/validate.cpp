@@ -74,13 +74,12 @@ Volumes measureFaces(const TriangleMesh& mesh, const Components& components, Def
     double onlyVolume = 0.0;
     for (Index face = 0; face < mesh.faceCount(); ++face) {
         const glm::uvec3& t = mesh.triangles[face];
-        const glm::dvec3 a = glm::dvec3(mesh.positions[t.x]) - box.centre;
-        const glm::dvec3 b = glm::dvec3(mesh.positions[t.y]) - box.centre;
-        const glm::dvec3 c = glm::dvec3(mesh.positions[t.z]) - box.centre;
-        const glm::dvec3 normal = glm::cross(b - a, c - a);
+        const glm::dvec3 a(mesh.positions[t.x]);
+        const glm::dvec3 normal =
+            glm::cross(glm::dvec3(mesh.positions[t.y]) - a, glm::dvec3(mesh.positions[t.z]) - a);
         if (!(glm::dot(normal, normal) > smallestSquared)) // so written that NaN is degenerate too
             log.add(DefectKind::DegenerateFace, face);
-        const double sixfold = glm::dot(a, normal);
+        const double sixfold = glm::dot(a - box.centre, normal);
         if (isOne)
             onlyVolume += sixfold;
         else if (const Index component = components.of[t.x]; component != noIndex)
@@ -107,7 +106,7 @@ void findIsolatedVertices(const TriangleMesh& mesh, const Corners& corners, Defe
                 inLeftOut[t.x] = inLeftOut[t.y] = inLeftOut[t.z] = true;
     }
     for (Index v = 0; v < mesh.vertexCount(); ++v)
-        if (corners.degree(v) == 0 && (inLeftOut.empty() || !inLeftOut[v]))
+        if (corners.degree[v] == 0 && (inLeftOut.empty() || !inLeftOut[v]))
             log.add(DefectKind::IsolatedVertex, v);
 }
 
@@ -115,7 +114,7 @@ std::int64_t verticesWithCorners(const TriangleMesh& mesh, const Corners& corner
 {
     std::int64_t used = 0;
     for (Index v = 0; v < mesh.vertexCount(); ++v)
-        used += corners.degree(v) != 0;
+        used += corners.degree[v] != 0;
     return used;
 }
 
@@ -190,14 +189,12 @@ Expected<MeshReport> validateMesh(const TriangleMesh& mesh, const Progress& prog
     if (!corners)
         return fail(corners.error());
     DefectLog log;
-    const auto edges = validation::checkFans(mesh, *corners, log, progress.part(0.3, 0.6));
-    if (!edges)
-        return fail(edges.error());
-    const Components components = validation::findComponents(mesh, *corners);
-    progress.report(0.7);
+    const auto fans = validation::checkFans(mesh, *corners, log, progress.part(0.3, 0.7));
+    if (!fans)
+        return fail(fans.error());
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-    const Volumes volumes = measureFaces(mesh, components, log);
+    const Volumes volumes = measureFaces(mesh, fans->components, log);
     progress.report(0.9);
     validation::findDuplicateVertices(mesh.positions, log);
     findIsolatedVertices(mesh, *corners, log);
@@ -206,8 +203,9 @@ Expected<MeshReport> validateMesh(const TriangleMesh& mesh, const Progress& prog
     report.vertices = mesh.vertexCount();
     report.faces = mesh.faceCount();
     fillCounts(report, log);
-    report.components = components.count;
-    report.eulerCharacteristic = verticesWithCorners(mesh, *corners) - *edges + std::int64_t(corners->faces);
+    report.components = fans->components.count;
+    report.eulerCharacteristic =
+        verticesWithCorners(mesh, *corners) - fans->edges + std::int64_t(corners->faces);
     report.volume = volumes.sum;
     report.valid = report.defects.empty() && report.faces > 0 && volumes.allPositive;
     progress.report(1.0);

@@ -1,44 +1,50 @@
 #include "core/mesh/validate_parts.h"
 #include <algorithm>
-#include <numeric>
 
 namespace ramure::validation {
 
-// Union-find in which the smaller index is the parent: parents come first, so that one pass from the front
-// gives every vertex its root, and the components are numbered by their first vertex whatever the order of
-// the faces.
-Components findComponents(const TriangleMesh& mesh, const Corners& corners)
+ComponentFinder::ComponentFinder(Index vertices)
+    : m_label(vertices)
 {
-    const Index vertices = mesh.vertexCount();
-    Components out;
-    out.of = LargeBuffer<Index>(vertices);
-    Index* const parent = out.of.data();
-    std::iota(parent, parent + vertices, Index(0));
-    const auto rootOf = [parent](Index v) {
-        while (parent[v] != v)
-            v = parent[v] = parent[parent[v]];
-        return v;
-    };
-    const auto join = [&](Index a, Index b) {
-        a = rootOf(a);
-        b = rootOf(b);
-        parent[std::max(a, b)] = std::min(a, b);
-    };
-    for (const glm::uvec3& t : mesh.triangles) {
-        if (parent[t.x] == parent[t.y] && parent[t.y] == parent[t.z])
-            continue; // known to hang together
-        if (hasRepeatedVertex(t))
+    std::fill_n(m_label.data(), vertices, 0u);
+}
+
+Index ComponentFinder::newLabel()
+{
+    m_parent.push_back(static_cast<Index>(m_parent.size()));
+    return static_cast<Index>(m_parent.size());
+}
+
+Index ComponentFinder::rootOf(Index label)
+{
+    while (m_parent[label] != label)
+        label = m_parent[label] = m_parent[m_parent[label]];
+    return label;
+}
+
+void ComponentFinder::joinAll(const Index* neighbours, Index count, Index label)
+{
+    Index root = rootOf(label);
+    for (Index i = 0; i < count; ++i) {
+        if (m_label[neighbours[i]] == 0)
             continue;
-        join(t.x, t.y);
-        join(t.y, t.z);
+        // The smaller label is the parent: the number of a component does not depend on the order of its
+        // edges.
+        const Index other = rootOf(m_label[neighbours[i]] - 1u);
+        m_parent[std::max(root, other)] = std::min(root, other);
+        root = std::min(root, other);
     }
-    // Roots first get their number; the parent of every other vertex has been renamed before it.
-    for (Index v = 0; v < vertices; ++v) {
-        if (corners.degree(v) == 0)
-            parent[v] = noIndex;
-        else
-            parent[v] = parent[v] == v ? out.count++ : parent[parent[v]];
-    }
+}
+
+Components ComponentFinder::finish()
+{
+    Components out;
+    // Parents come before their children, and have their number when these ask for it.
+    for (Index label = 0; label < m_parent.size(); ++label)
+        m_parent[label] = m_parent[label] == label ? out.count++ : m_parent[m_parent[label]];
+    for (std::size_t v = 0; v < m_label.size(); ++v)
+        m_label[v] = m_label[v] == 0 ? noIndex : m_parent[m_label[v] - 1u];
+    out.of = std::move(m_label);
     return out;
 }
 

@@ -8,8 +8,6 @@ namespace ramure::validation {
 
 namespace {
 
-/// Most faces around a vertex that the quick look takes: two SSE registers of neighbours.
-constexpr Index quickDegree = 8;
 /// Vertices or faces between two looks at the stop token.
 constexpr Index chunk = 1u << 16;
 
@@ -37,7 +35,7 @@ bool isClosedFan(const Index* next, const Index* previous, Index degree)
         lowMatches |= Lanes(low == wanted) & bit;
         highMatches |= Lanes(high == wanted) & bit;
     }
-    Index followers[quickDegree]; // of face i: the set of faces that may come after it
+    Index followers[nearDegree]; // of face i: the set of faces that may come after it
     std::memcpy(followers, &lowMatches, sizeof lowMatches);
     std::memcpy(followers + 4, &highMatches, sizeof highMatches);
     Index seen = 0;
@@ -182,64 +180,90 @@ Expected<Corners> collectCorners(const TriangleMesh& mesh, const Progress& progr
 {
     const Index vertices = mesh.vertexCount();
     Corners out;
-    out.first = LargeBuffer<Index>(std::size_t(vertices) + 1);
-    std::fill_n(out.first.data(), std::size_t(vertices) + 1, 0u);
-    Index* const end = out.first.data() + 1;
-    for (const glm::uvec3& t : mesh.triangles) {
-        if (hasRepeatedVertex(t))
-            continue;
-        ++out.faces;
-        ++end[t.x];
-        ++end[t.y];
-        ++end[t.z];
-    }
-    progress.report(0.3);
-    // Exclusive sums, one place late: end[v] holds the beginning of v and runs to its end while corners are
-    // filled in.
-    Index sum = 0;
-    for (Index v = 0; v < vertices; ++v)
-        sum += std::exchange(end[v], sum);
-    const std::size_t padded = std::size_t(sum) + quickDegree;
-    out.next = LargeBuffer<Index>(padded);
-    out.previous = LargeBuffer<Index>(padded);
-    std::fill_n(out.next.data() + sum, quickDegree, noIndex);
-    std::fill_n(out.previous.data() + sum, quickDegree, noIndex);
-    const auto put = [&](Index v, Index next, Index previous) {
-        const Index at = end[v]++;
-        out.next[at] = next;
-        out.previous[at] = previous;
+    out.degree = LargeBuffer<std::uint8_t>(vertices);
+    out.near = LargeBuffer<NearCorners>(vertices);
+    std::fill_n(out.degree.data(), vertices, std::uint8_t(0));
+    const auto put = [&out, degree = out.degree.data(), near = out.near.data()](Index v, Index next,
+                                                                                Index previous) {
+        const Index at = degree[v];
+        if (at < nearDegree) {
+            near[v].next[at] = next;
+            near[v].previous[at] = previous;
+            degree[v] = static_cast<std::uint8_t>(at + 1);
+        } else {
+            degree[v] = nearDegree + 1;
+            out.far.push_back({v, next, previous});
+        }
     };
-    for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
-        if (face % chunk == 0 && progress.cancelled())
+    const Index faces = mesh.faceCount();
+    for (Index begin = 0; begin < faces; begin += chunk) {
+        if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        const glm::uvec3& t = mesh.triangles[face];
-        if (hasRepeatedVertex(t))
-            continue;
-        put(t.x, t.y, t.z);
-        put(t.y, t.z, t.x);
-        put(t.z, t.x, t.y);
+        for (Index face = begin; face < std::min(faces, begin + chunk); ++face) {
+            const glm::uvec3& t = mesh.triangles[face];
+            if (hasRepeatedVertex(t))
+                continue;
+            ++out.faces;
+            put(t.x, t.y, t.z);
+            put(t.y, t.z, t.x);
+            put(t.z, t.x, t.y);
+        }
+        progress.report(double(begin) / double(faces));
     }
-    progress.report(1.0);
+    std::stable_sort(out.far.begin(), out.far.end(),
+                     [](const FarCorner& a, const FarCorner& b) { return a.vertex < b.vertex; });
     return out;
 }
 
-Expected<std::int64_t> checkFans(const TriangleMesh& mesh, const Corners& corners, DefectLog& log,
-                                 const Progress& progress)
+namespace {
+
+/// All faces around a vertex that has more than lie near.
+struct GatheredFan
+{
+    std::vector<Index> next, previous;
+
+    /// \p far is moved behind the vertex's corners.
+    void gather(Index v, const NearCorners& near, Index nearCount, const FarCorner*& far,
+                const FarCorner* end)
+    {
+        next.assign(near.next, near.next + nearCount);
+        previous.assign(near.previous, near.previous + nearCount);
+        for (; far != end && far->vertex == v; ++far) {
+            next.push_back(far->next);
+            previous.push_back(far->previous);
+        }
+    }
+};
+
+} // namespace
+
+Expected<FanResult> checkFans(const TriangleMesh& mesh, const Corners& corners, DefectLog& log,
+                              const Progress& progress)
 {
     FanInspector inspector(log);
+    ComponentFinder components(mesh.vertexCount());
+    GatheredFan fan;
     std::vector<bool> isSmallestOfTwins;
     std::int64_t edgeEnds = 0;
+    const FarCorner* far = corners.far.data();
+    const FarCorner* const farEnd = far + corners.far.size();
     for (Index v = 0; v < mesh.vertexCount(); ++v) {
         if (v % chunk == 0 && progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        const Index degree = corners.degree(v);
-        const Index* const next = corners.next.data() + corners.first[v];
-        const Index* const previous = corners.previous.data() + corners.first[v];
-        if (degree >= 3 && degree <= quickDegree && isClosedFan(next, previous, degree)) {
+        const Index degree = corners.degree[v];
+        const NearCorners& near = corners.near[v];
+        if (degree >= 3 && degree <= nearDegree && isClosedFan(near.next, near.previous, degree)) {
+            components.visit(v, near.next, degree);
             edgeEnds += degree;
             continue;
         }
-        edgeEnds += inspector.inspect(v, next, previous, degree);
+        if (degree == 0)
+            continue;
+        fan.gather(v, near, std::min(degree, nearDegree), far, farEnd);
+        const auto count = static_cast<Index>(fan.next.size());
+        edgeEnds += inspector.inspect(v, fan.next.data(), fan.previous.data(), count);
+        fan.next.insert(fan.next.end(), fan.previous.begin(), fan.previous.end());
+        components.visit(v, fan.next.data(), 2 * count);
         if (inspector.hasDuplicates()) {
             isSmallestOfTwins.resize(mesh.positions.size());
             isSmallestOfTwins[v] = true;
@@ -248,7 +272,7 @@ Expected<std::int64_t> checkFans(const TriangleMesh& mesh, const Corners& corner
     if (!isSmallestOfTwins.empty())
         logDuplicateFaces(mesh, isSmallestOfTwins, log);
     progress.report(1.0);
-    return edgeEnds / 2;
+    return FanResult{edgeEnds / 2, components.finish()};
 }
 
 } // namespace ramure::validation
