@@ -1,4 +1,5 @@
 #include "core/mesh/validate.h"
+#include "core/base/float4.h"
 #include "core/mesh/validate_parts.h"
 #include <algorithm>
 #include <cmath>
@@ -24,35 +25,30 @@ struct Box
     double squaredDiagonal = 0.0;
 };
 
+/// The box of the finite positions. Four numbers at a time: the fourth is the next position's first, and
+/// ignored.
 Box boxOf(std::span<const glm::vec3> positions)
 {
     constexpr float far = std::numeric_limits<float>::max();
-    glm::vec3 low(far);
-    glm::vec3 high(-far);
-    for (const glm::vec3& p : positions) {
-        // Written so that NaN is passed over; positions beyond all bounds are cut off below.
-        low = {p.x < low.x ? p.x : low.x, p.y < low.y ? p.y : low.y, p.z < low.z ? p.z : low.z};
-        high = {p.x > high.x ? p.x : high.x, p.y > high.y ? p.y : high.y, p.z > high.z ? p.z : high.z};
-    }
-    if (low.x > high.x || low.y > high.y || low.z > high.z)
-        return {};
-    const auto isFinite = [](const glm::vec3& p) {
-        return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    Float4 low = Float4{} + far;
+    Float4 high = Float4{} - far;
+    const auto add = [&](Float4 p) {
+        const auto isFinite = (p < infinity) & (p > -infinity); // NaN is neither
+        low = (p < low) & isFinite ? p : low;
+        high = (p > high) & isFinite ? p : high;
     };
-    if (!isFinite(low) || !isFinite(high)) {
-        low = glm::vec3(far);
-        high = glm::vec3(-far);
-        for (const glm::vec3& p : positions) {
-            if (!isFinite(p))
-                continue;
-            low = {std::min(p.x, low.x), std::min(p.y, low.y), std::min(p.z, low.z)};
-            high = {std::max(p.x, high.x), std::max(p.y, high.y), std::max(p.z, high.z)};
-        }
-        if (low.x > high.x)
-            return {};
-    }
-    const glm::dvec3 size = glm::dvec3(high) - glm::dvec3(low);
-    return {(glm::dvec3(low) + glm::dvec3(high)) * 0.5, glm::dot(size, size)};
+    if (positions.empty())
+        return {};
+    for (std::size_t i = 0; i + 1 < positions.size(); ++i)
+        add(loadFloat4(&positions[i].x));
+    const glm::vec3& last = positions.back();
+    add(Float4{last.x, last.y, last.z, 0.0f});
+    if (low[0] > high[0] || low[1] > high[1] || low[2] > high[2])
+        return {};
+    const glm::dvec3 from(low[0], low[1], low[2]);
+    const glm::dvec3 to(high[0], high[1], high[2]);
+    return {(from + to) * 0.5, glm::dot(to - from, to - from)};
 }
 
 struct Volumes

@@ -252,6 +252,8 @@ Expected<FanResult> checkFans(const TriangleMesh& mesh, const Corners& corners, 
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         const Index degree = corners.degree[v];
         const NearCorners& near = corners.near[v];
+        __builtin_prefetch(&near +
+                           24); // the only large array of this pass; the processor may look past its end
         if (degree >= 3 && degree <= nearDegree && isClosedFan(near.next, near.previous, degree)) {
             components.visit(v, near.next, degree);
             edgeEnds += degree;
