@@ -102,8 +102,11 @@ bool appendDecimal(char*& to, Decimal decimal)
     const int count = digitCount(decimal.digits);
     const int point = count - decimal.decimals; // digits before the decimal point
     const std::uint64_t ninth = '0' + decimal.digits % 10u;
-    const std::uint32_t firstEight = count == 9 ? decimal.digits / 10u : decimal.digits;
-    const std::uint64_t digits = eightDigits(firstEight) >> (8 * (8 - (count == 9 ? 8 : count)));
+    const std::uint32_t hasNinth = count == 9 ? 1u : 0u;
+    const std::uint32_t keep = 0u - hasNinth;
+    const std::uint32_t firstEight = decimal.digits ^ ((decimal.digits ^ decimal.digits / 10u) & keep);
+    const std::uint64_t digits =
+        eightDigits(firstEight) >> (8u * (8u + hasNinth - static_cast<unsigned>(count)));
     const int exponentRoom = count > 1 ? 5 : 4;
     if (point > 0 && point < 8 && decimal.decimals > 0) {
         store8(to, digits);
@@ -289,6 +292,22 @@ bool isWordForNotFinite(const char* p)
 }
 
 } // namespace
+
+bool scanDigits(const char*& from, std::uint64_t& value)
+{
+    std::uint64_t bytes = 0;
+    std::memcpy(&bytes, from, sizeof bytes);
+    const int count = leadingDigits(bytes);
+    if (count == 0)
+        return false;
+    value = eightDigitValue(bytes << (8 * (8 - count)));
+    from += count;
+    if (count == 8)
+        for (; isDigit(*from); ++from)
+            value = value < largestScanned / 10u ? value * 10u + static_cast<unsigned>(*from - '0')
+                                                 : largestScanned;
+    return true;
+}
 
 FloatScan scanFloat(const char*& from, float& value)
 {

@@ -8,6 +8,7 @@
 
 #include "core/base/index.h"
 #include <cstddef>
+#include <cstdint>
 
 namespace ramure {
 
@@ -35,5 +36,11 @@ enum class FloatScan {
 /// On Ok \p from is moved behind the number. The text must end in a byte that cannot belong to a number, and
 /// 8 bytes behind it must be readable.
 FloatScan scanFloat(const char*& from, float& value);
+
+/// Numbers that scanDigits finds too large become this one.
+inline constexpr std::uint64_t largestScanned = 1'000'000'000'000'000u;
+/// Reads decimal digits at \p from and moves it behind them; false where there is none. The same must hold of
+/// the text.
+bool scanDigits(const char*& from, std::uint64_t& value);
 
 } // namespace ramure

@@ -39,6 +39,7 @@ private:
     bool scanVector(std::vector<glm::vec3>& to);
     bool scanFace();
     bool scanCorner(Index& vertex);
+    bool scanPlainCorner(Index& vertex);
     bool scanIndex(std::int64_t& value);
     bool resolve(std::int64_t written, std::size_t count, const char* what, std::optional<Index>& out);
     void giveNormal(Index vertex, Index normal);
@@ -239,13 +240,36 @@ bool ObjScanner::scanIndex(std::int64_t& value)
     const bool isNegative = *m_at == '-';
     if (isNegative || *m_at == '+')
         ++m_at;
-    const char* const begin = m_at;
-    std::int64_t size = 0;
-    for (; static_cast<unsigned char>(*m_at - '0') < 10; ++m_at)
-        if (size < std::int64_t(1) << 40) // far out of range, whatever follows
-            size = size * 10 + (*m_at - '0');
-    value = isNegative ? -size : size;
-    return m_at != begin;
+    std::uint64_t size = 0;
+    if (!scanDigits(m_at, size))
+        return false;
+    value = isNegative ? -static_cast<std::int64_t>(size) : static_cast<std::int64_t>(size);
+    return true;
+}
+
+/// v or v//v with a vertex that is known, and a normal of the same number: most corners of most files.
+bool ObjScanner::scanPlainCorner(Index& vertex)
+{
+    const char* at = m_at;
+    std::uint64_t number = 0;
+    if (!scanDigits(at, number) || number == 0 || number > m_lists.positions.size())
+        return false;
+    const std::ptrdiff_t length = at - m_at;
+    vertex = static_cast<Index>(number - 1);
+    if (*at == '/') {
+        const bool isSame = at[1] == '/' && length <= 8 && number <= m_lists.normals.size() &&
+                            std::memcmp(m_at, at + 2, static_cast<std::size_t>(length)) == 0;
+        if (!isSame || !endsWord(at[2 + length]))
+            return false;
+        at += 2 + length;
+        giveNormal(vertex, vertex);
+    } else if (endsWord(*at)) {
+        ++m_lists.cornersWithoutNormal;
+    } else {
+        return false;
+    }
+    m_at = at;
+    return true;
 }
 
 /// Counted from 1, or from the end of what was read so far where it is negative.
@@ -331,7 +355,7 @@ bool ObjScanner::scanFace()
     int corners = 0;
     for (skipBlanks(); *m_at != '\n' && *m_at != '#'; skipBlanks(), ++corners) {
         Index vertex = 0;
-        if (!scanCorner(vertex))
+        if (!scanPlainCorner(vertex) && !scanCorner(vertex))
             return false;
         if (corners == 0)
             first = vertex;

@@ -1,5 +1,6 @@
 #include "core/io/write_parts.h"
 #include <algorithm>
+#include <cstring>
 #include <filesystem>
 
 namespace ramure {
@@ -28,9 +29,13 @@ char* appendCorner(char* to, Index v, bool hasNormals, Index normalShift)
     char* end = appendIndex(to, v);
     if (!hasNormals)
         return end;
+    const std::ptrdiff_t length = end - to;
     *end++ = '/';
     *end++ = '/';
-    return appendIndex(end, v - normalShift);
+    if (normalShift != 0)
+        return appendIndex(end, v - normalShift);
+    std::memcpy(end, to, maxIndexText); // the same number: copied
+    return end + length;
 }
 
 /// One object. \p firstVertex and \p firstNormal: how many stand in the file before.
@@ -57,7 +62,7 @@ bool writePart(FileWriter& out, const MeshPart& part, Index firstVertex, Index f
     const Index shift = firstVertex - firstNormal;
     return forEach(mesh.triangles.size(), ticker, out, [&](std::size_t i) {
         const glm::uvec3 t = mesh.triangles[i] + (firstVertex + 1u);
-        char* to = appendText(out.room(8 + 6 * (maxIndexText + 2)), "f ");
+        char* to = appendText(out.room(32 + 6 * (maxIndexText + 2)), "f ");
         to = appendCorner(to, t.x, hasNormals, shift);
         *to++ = ' ';
         to = appendCorner(to, t.y, hasNormals, shift);

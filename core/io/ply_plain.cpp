@@ -1,4 +1,5 @@
 #include "core/io/ply_source.h"
+#include <iterator>
 
 namespace ramure::reading {
 
@@ -57,14 +58,83 @@ bool isPlainFace(const PlyElement& face)
            sizeOf(list.countType) == 1 && isInteger(list.type) && sizeOf(list.type) == sizeof(Index);
 }
 
-template <class T>
-void copyStrided(std::vector<T>& to, const char* from, std::size_t stride, std::size_t count)
+/// Walks over records of equal size and gives a value that stands in each: a vector built from two of these
+/// is written once, and not filled with zeros before.
+template <class T> class StridedIterator
+{
+public:
+    using iterator_category = std::random_access_iterator_tag; // so that the size is known before
+    using value_type = T;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const T*;
+    using reference = T;
+
+    StridedIterator(const char* at, std::size_t stride)
+        : m_at(at)
+        , m_stride(static_cast<std::ptrdiff_t>(stride))
+    {
+    }
+    T operator*() const
+    {
+        T value;
+        std::memcpy(&value, m_at, sizeof value);
+        return value;
+    }
+    StridedIterator& operator++()
+    {
+        m_at += m_stride;
+        return *this;
+    }
+    StridedIterator& operator--()
+    {
+        m_at -= m_stride;
+        return *this;
+    }
+    StridedIterator& operator+=(difference_type n)
+    {
+        m_at += n * m_stride;
+        return *this;
+    }
+    difference_type operator-(const StridedIterator& other) const { return (m_at - other.m_at) / m_stride; }
+    bool operator==(const StridedIterator& other) const { return m_at == other.m_at; }
+
+private:
+    const char* m_at;
+    std::ptrdiff_t m_stride;
+};
+
+template <class T> void reserveHuge(std::vector<T>& to, std::size_t count)
 {
     to.reserve(count);
     adviseHugePages(to.data(), count * sizeof(T));
-    to.resize(count);
-    for (std::size_t i = 0; i < count; ++i)
-        std::memcpy(&to[i], from + i * stride, sizeof(T));
+}
+
+/// Appends the values at \p offset of \p count records; nothing where there is no such property.
+template <class T>
+void appendStrided(std::vector<T>& to, const char* from, std::ptrdiff_t offset, std::size_t stride,
+                   std::size_t count)
+{
+    if (offset >= 0)
+        to.insert(to.end(), StridedIterator<T>(from + offset, stride),
+                  StridedIterator<T>(from + offset + static_cast<std::ptrdiff_t>(stride * count), stride));
+}
+
+/// All properties of a block of vertices while it is in the cache.
+void copyVertices(TriangleMesh& mesh, const char* from, const PlainLayout& layout, std::size_t count)
+{
+    reserveHuge(mesh.positions, count);
+    reserveHuge(mesh.normals, layout.normal >= 0 ? count : 0);
+    reserveHuge(mesh.branch, layout.branch >= 0 ? count : 0);
+    reserveHuge(mesh.level, layout.level >= 0 ? count : 0);
+    constexpr std::size_t block = 512;
+    for (std::size_t begin = 0; begin < count; begin += block) {
+        const std::size_t size = std::min(block, count - begin);
+        const char* const at = from + begin * layout.stride;
+        appendStrided(mesh.positions, at, layout.position, layout.stride, size);
+        appendStrided(mesh.normals, at, layout.normal, layout.stride, size);
+        appendStrided(mesh.branch, at, layout.branch, layout.stride, size);
+        appendStrided(mesh.level, at, layout.level, layout.stride, size);
+    }
 }
 
 bool areFinite(const std::vector<glm::vec3>& vectors)
@@ -79,17 +149,17 @@ bool areFinite(const std::vector<glm::vec3>& vectors)
 bool copyFaces(std::vector<glm::uvec3>& to, const char* from, std::size_t count, Index vertices)
 {
     constexpr std::size_t stride = 1 + sizeof(glm::uvec3);
-    to.reserve(count);
-    adviseHugePages(to.data(), count * sizeof(glm::uvec3));
-    to.resize(count);
+    reserveHuge(to, count);
     bool areTriangles = true;
     Index largest = 0;
-    for (std::size_t i = 0; i < count; ++i, from += stride) {
-        glm::uvec3 t;
-        std::memcpy(&t, from + 1, sizeof t);
-        areTriangles &= *from == 3;
-        largest = std::max(largest, std::max(t.x, std::max(t.y, t.z)));
-        to[i] = t;
+    constexpr std::size_t block = 1024;
+    for (std::size_t begin = 0; begin < count; begin += block) {
+        const std::size_t end = std::min(count, begin + block);
+        appendStrided(to, from + begin * stride, 1, stride, end - begin);
+        for (std::size_t i = begin; i < end; ++i) {
+            areTriangles &= from[i * stride] == 3;
+            largest = std::max(largest, std::max(to[i].x, std::max(to[i].y, to[i].z)));
+        }
     }
     return areTriangles && (count == 0 || largest < vertices);
 }
@@ -117,13 +187,7 @@ std::optional<Expected<ReadMesh>> readPlainPly(std::string_view bytes, const Ply
     TriangleMesh mesh;
     const char* const from = bytes.data() + header.bytes;
     const auto count = static_cast<std::size_t>(vertices);
-    copyStrided(mesh.positions, from + layout->position, layout->stride, count);
-    if (layout->normal >= 0)
-        copyStrided(mesh.normals, from + layout->normal, layout->stride, count);
-    if (layout->branch >= 0)
-        copyStrided(mesh.branch, from + layout->branch, layout->stride, count);
-    if (layout->level >= 0)
-        copyStrided(mesh.level, from + layout->level, layout->stride, count);
+    copyVertices(mesh, from, *layout, count);
     if (!areFinite(mesh.positions) || !areFinite(mesh.normals))
         return std::nullopt;
     progress.report(0.5);

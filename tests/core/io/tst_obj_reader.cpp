@@ -54,7 +54,7 @@ private slots:
         row("index too large at the end", four + "f 1 2 5", "f.obj:5: vertex 5 does not exist (there are 4)");
         row("negative too large", four + "f 1 2 -5", "f.obj:5: vertex -5 does not exist (there are 4)");
         row("overflowing index", four + "f 1 2 99999999999999999999999",
-            "f.obj:5: vertex 9999999999999 does not exist (there are 4)");
+            "f.obj:5: vertex 1000000000000000 does not exist (there are 4)");
         row("bad corner", four + "f 1 2 3/x",
             "f.obj:5: a corner v, v/vt, v//vn or v/vt/vn expected, found \"3/x\"");
         row("corner with a point", four + "f 1 2 3.5",
