@@ -34,7 +34,7 @@ char* appendCorner(char* to, Index v, bool hasNormals, Index normalShift)
     *end++ = '/';
     if (normalShift != 0)
         return appendIndex(end, v - normalShift);
-    std::memcpy(end, to, maxIndexText); // the same number: copied
+    std::memmove(end, to, maxIndexText); // the same number: copied, and what lies behind it
     return end + length;
 }
 
