@@ -5,6 +5,7 @@
 #include "widgets/actions/file_actions.h"
 #include "widgets/main_window/main_window.h"
 #include "widgets/main_window/message_banner.h"
+#include "widgets/recovery/recovery.h"
 #include "widgets/render/gl_setup.h"
 #include "widgets/support/language.h"
 #include "widgets/support/preferences.h"
@@ -143,6 +144,13 @@ int runBatch(const Arguments& arguments, MainWindow& window, const Document& doc
     return good ? 0 : 1;
 }
 
+/// The start of a session at the desk: what a crash left, else the welcome page.
+void greet(MainWindow& window, Recovery& recovery, const Preferences& preferences, const Arguments& arguments)
+{
+    if (!recovery.offer() && arguments.input.isEmpty() && preferences.welcomeAtStart())
+        window.showWelcome();
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -175,8 +183,11 @@ int main(int argc, char** argv)
         }
         window.files()->newFromPreset(QStringLiteral("SmallTree"));
     }
-    if (!arguments.isBatch())
+    if (!arguments.isBatch()) {
+        Recovery recovery(&document, &preferences, &chooser);
+        QTimer::singleShot(0, &window, [&] { greet(window, recovery, preferences, arguments); });
         return QApplication::exec();
+    }
     int code = 0;
     QTimer::singleShot(0, &window, [&] {
         code = runBatch(arguments, window, document, recompute);

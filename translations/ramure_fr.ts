@@ -191,6 +191,62 @@
         <source>&amp;About Ramure</source>
         <translation>À &amp;propos de Ramure</translation>
     </message>
+    <message>
+        <source>Save a &amp;picture…</source>
+        <translation>Enregistrer une &amp;image…</translation>
+    </message>
+    <message>
+        <source>Write the view as a picture</source>
+        <translation>Écrire la vue sous forme d’image</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the picture</source>
+        <translation>&amp;Copier l’image</translation>
+    </message>
+    <message>
+        <source>Put the view on the clipboard as a picture</source>
+        <translation>Placer la vue dans le presse-papiers sous forme d’image</translation>
+    </message>
+    <message>
+        <source>Select all &amp;branches</source>
+        <translation>Sélectionner toutes les &amp;branches</translation>
+    </message>
+    <message>
+        <source>Select every branch of the active tree</source>
+        <translation>Sélectionner toutes les branches de l’arbre actif</translation>
+    </message>
+    <message>
+        <source>Select n&amp;othing</source>
+        <translation>Ne rien sélecti&amp;onner</translation>
+    </message>
+    <message>
+        <source>Take the selection of branches and nodes back</source>
+        <translation>Retirer la sélection des branches et des nœuds</translation>
+    </message>
+    <message>
+        <source>&amp;Welcome page</source>
+        <translation>Page d’accuei&amp;l</translation>
+    </message>
+    <message>
+        <source>Presets as pictures, recent files, first keys</source>
+        <translation>Modèles en images, fichiers récents, premières touches</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences…</source>
+        <translation>&amp;Préférences…</translation>
+    </message>
+    <message>
+        <source>Theme, language, units, mouse, autosave</source>
+        <translation>Thème, langue, unités, souris, enregistrement automatique</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts…</source>
+        <translation>&amp;Raccourcis clavier…</translation>
+    </message>
+    <message>
+        <source>See and change the keys of all actions</source>
+        <translation>Voir et modifier les touches de toutes les actions</translation>
+    </message>
 </context>
 <context>
     <name>DialogChooser</name>
@@ -1398,6 +1454,16 @@
         <source>Copy versions</source>
         <translation>Copier les versions</translation>
     </message>
+    <message>
+        <source>Ramure %1
+Qt %2 (compiled with %3)
+OpenGL: %4
+%5</source>
+        <translation>Ramure %1
+Qt %2 (compilé avec %3)
+OpenGL&#xa0;: %4
+%5</translation>
+    </message>
 </context>
 <context>
     <name>ramure::BoolEditor</name>
@@ -1904,6 +1970,116 @@
     </message>
 </context>
 <context>
+    <name>ramure::PictureActions</name>
+    <message>
+        <source>The picture is on the clipboard</source>
+        <translation>L’image est dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>Save a picture</source>
+        <translation>Enregistrer une image</translation>
+    </message>
+    <message>
+        <source>tree</source>
+        <translation>arbre</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg);;All files (*)</source>
+        <translation>Images (*.png *.jpg);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Picture written to %1</source>
+        <translation>Image écrite dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::PreferencesDialog</name>
+    <message>
+        <source>Alt with the left button orbits, with the middle one pans, with the right one zooms.</source>
+        <translation>Alt avec le bouton gauche tourne autour, avec celui du milieu déplace, avec le droit zoome.</translation>
+    </message>
+    <message>
+        <source>The middle button orbits, with Shift it pans, with Ctrl it zooms.</source>
+        <translation>Le bouton du milieu tourne autour, avec Maj il déplace, avec Ctrl il zoome.</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Préférences</translation>
+    </message>
+    <message>
+        <source>&amp;Theme:</source>
+        <translation>&amp;Thème&#xa0;:</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Comme le système</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>&amp;Language:</source>
+        <translation>&amp;Langue&#xa0;:</translation>
+    </message>
+    <message>
+        <source>&amp;Angles in:</source>
+        <translation>&amp;Angles en&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Degrees</source>
+        <translation>Degrés</translation>
+    </message>
+    <message>
+        <source>Radians</source>
+        <translation>Radians</translation>
+    </message>
+    <message>
+        <source>&amp;Navigation:</source>
+        <translation>&amp;Navigation&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Like Blender</source>
+        <translation>Comme Blender</translation>
+    </message>
+    <message>
+        <source>Like Maya</source>
+        <translation>Comme Maya</translation>
+    </message>
+    <message>
+        <source>A&amp;utosave every:</source>
+        <translation>Sa&amp;uvegarde toutes les&#xa0;:</translation>
+    </message>
+    <message>
+        <source> min</source>
+        <translation> min</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Jamais</translation>
+    </message>
+    <message>
+        <source>Unsaved changes are kept aside, so that a crash costs no more than that. Your own file is written only when you save it.</source>
+        <translation>Les modifications non enregistrées sont gardées à part, pour qu’un plantage ne coûte pas davantage. Votre fichier n’est écrit que lorsque vous l’enregistrez.</translation>
+    </message>
+    <message>
+        <source>Show the &amp;welcome page at the start</source>
+        <translation>Afficher la page d’&amp;accueil au démarrage</translation>
+    </message>
+    <message>
+        <source>Restore defaults</source>
+        <translation>Valeurs d’origine</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
     <name>ramure::PropertiesPanel</name>
     <message>
         <source>Select a tree in the scene or in the view to change it.</source>
@@ -1943,6 +2119,64 @@
     <message>
         <source>Parameters</source>
         <translation>Paramètres</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::Recovery</name>
+    <message>
+        <source>Unsaved changes cannot be kept aside, so a crash would lose them. Please save often.</source>
+        <translation>Les modifications non enregistrées ne peuvent pas être gardées à part&#xa0;: un plantage les perdrait. Enregistrez souvent.</translation>
+    </message>
+    <message>
+        <source>The unsaved work could not be read.</source>
+        <translation>Le travail non enregistré n’a pas pu être lu.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::RecoveryDialog</name>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>Récupérer le travail non enregistré</translation>
+    </message>
+    <message>
+        <source>Ramure did not end in good order last time. These changes had not been saved:</source>
+        <translation>Ramure ne s’est pas terminé normalement la dernière fois. Ces modifications n’avaient pas été enregistrées&#xa0;:</translation>
+    </message>
+    <message>
+        <source>“Recover” opens the selected one; nothing is written to its file until you save. “Later” asks again at the next start.</source>
+        <translation>«&#xa0;Récupérer&#xa0;» ouvre l’élément sélectionné&#xa0;; rien n’est écrit dans son fichier avant que vous n’enregistriez. «&#xa0;Plus tard&#xa0;» repose la question au prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Récupérer</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Plus tard</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Last change kept</source>
+        <translation>Dernier état gardé</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+    <message>
+        <source>never saved</source>
+        <translation>jamais enregistré</translation>
     </message>
 </context>
 <context>
@@ -2242,6 +2476,57 @@
     </message>
 </context>
 <context>
+    <name>ramure::ShortcutsDialog</name>
+    <message>
+        <source>Changed; as supplied: %1</source>
+        <translation>Modifié&#xa0;; à l’origine&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>no keys</source>
+        <translation>aucune touche</translation>
+    </message>
+    <message>
+        <source>%1 already belongs to “%2”. Take it away there first, or choose other keys.</source>
+        <translation>%1 appartient déjà à «&#xa0;%2&#xa0;». Retirez-le d’abord à cet endroit, ou choisissez d’autres touches.</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Raccourcis clavier</translation>
+    </message>
+    <message>
+        <source>Search actions or keys</source>
+        <translation>Chercher une action ou une touche</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Action</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+    <message>
+        <source>&amp;Keys:</source>
+        <translation>&amp;Touches&#xa0;:</translation>
+    </message>
+    <message>
+        <source>No keys</source>
+        <translation>Aucune touche</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>Reset all</source>
+        <translation>Tout rétablir</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
     <name>ramure::StatusPanel</name>
     <message>
         <source>Boundary edges</source>
@@ -2410,6 +2695,49 @@
     <message>
         <source>&lt;h3&gt;No 3D view&lt;/h3&gt;&lt;p&gt;%1&lt;/p&gt;&lt;p&gt;Everything else works: parameters, undo, saving and export.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Pas de vue 3D&lt;/h3&gt;&lt;p&gt;%1&lt;/p&gt;&lt;p&gt;Tout le reste fonctionne&#xa0;: paramètres, annulation, enregistrement et export.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::WelcomePanel</name>
+    <message>
+        <source>No files yet</source>
+        <translation>Pas encore de fichier</translation>
+    </message>
+    <message>
+        <source>Welcome to Ramure</source>
+        <translation>Bienvenue dans Ramure</translation>
+    </message>
+    <message>
+        <source>From a grammar to one clean mesh. The tree beside this page is ready to be changed.</source>
+        <translation>D’une grammaire à un maillage propre. L’arbre à côté de cette page n’attend que vos changements.</translation>
+    </message>
+    <message>
+        <source>Close this page (File menu: Welcome page)</source>
+        <translation>Fermer cette page (menu Fichier&#xa0;: Page d’accueil)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Begin with a tree</source>
+        <translation>Commencer par un arbre</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Fichiers récents</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Ouvrir un fichier…</translation>
+    </message>
+    <message>
+        <source>Keys to begin with</source>
+        <translation>Touches pour commencer</translation>
+    </message>
+    <message>
+        <source>Show this page at the start</source>
+        <translation>Afficher cette page au démarrage</translation>
     </message>
 </context>
 <context>

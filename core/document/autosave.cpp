@@ -58,7 +58,7 @@ struct Autosave::Private
         return document && document->isModified() && document->revision() != savedRevision;
     }
     void tick();
-    void finished(quint64 revision, const Expected<void>& result);
+    void finished(quint64 number, quint64 revision, const Expected<void>& result);
     void discard();
 
     Autosave* q;
@@ -68,6 +68,8 @@ struct Autosave::Private
     QTimer timer;
     quint64 savedRevision = 0; ///< that the recovery file holds; 0 = there is none
     bool writing = false;
+    quint64 writes = 0;        ///< begun by the timer; what an older one tells is no longer news
+    bool discardLater = false; ///< what is being written is no longer wanted
     bool failing = false;
     std::jthread writer;
 };
@@ -78,34 +80,39 @@ void Autosave::Private::tick()
     if (!isDue() || writing)
         return;
     writing = true;
-    writer = std::jthread([this, revision = document->revision(), file = path,
+    writer = std::jthread([this, number = ++writes, revision = document->revision(), file = path,
                            project = withNote(document->project(), document->filePath())] {
         const Expected<void> result = saveProjectFile(project, file);
         QMetaObject::invokeMethod(
-            q, [this, revision, result] { finished(revision, result); }, Qt::QueuedConnection);
+            q, [this, number, revision, result] { finished(number, revision, result); },
+            Qt::QueuedConnection);
     });
 }
 
-void Autosave::Private::finished(quint64 revision, const Expected<void>& result)
+void Autosave::Private::finished(quint64 number, quint64 revision, const Expected<void>& result)
 {
+    if (number != writes)
+        return;
     writing = false;
+    const bool unwanted = std::exchange(discardLater, false);
     if (!result) {
         if (!std::exchange(failing, true))
             emit q->failed(result.error());
         return;
     }
     failing = false;
+    if (unwanted) { // saved, or another document, while this was on its way
+        QFile::remove(path);
+        return;
+    }
     savedRevision = revision;
-    if (!document || !document->isModified())
-        discard(); // saved, or closed, while this was on its way
-    else
-        emit q->saved();
+    emit q->saved();
 }
 
+/// The interface must not wait for the disk: what is on its way is removed when it has arrived.
 void Autosave::Private::discard()
 {
-    if (writer.joinable())
-        writer.join();
+    discardLater = writing;
     QFile::remove(path);
     savedRevision = 0;
 }
@@ -129,6 +136,8 @@ Autosave::Autosave(Document* document, const QString& folder, QObject* parent)
 
 Autosave::~Autosave()
 {
+    if (m_private->writer.joinable())
+        m_private->writer.join();
     m_private->discard();
 }
 
@@ -140,6 +149,11 @@ void Autosave::setInterval(int milliseconds)
         m_private->timer.stop();
 }
 
+int Autosave::interval() const
+{
+    return m_private->timer.isActive() ? m_private->timer.interval() : 0;
+}
+
 QString Autosave::recoveryPath() const
 {
     return m_private->path;
@@ -149,6 +163,12 @@ Expected<void> Autosave::saveNow()
 {
     if (m_private->writer.joinable())
         m_private->writer.join();
+    if (std::exchange(m_private->writing, false)) {
+        ++m_private->writes;
+        m_private->savedRevision = 0;
+        if (std::exchange(m_private->discardLater, false))
+            QFile::remove(m_private->path);
+    }
     if (!m_private->isDue())
         return {};
     const quint64 revision = m_private->document->revision();

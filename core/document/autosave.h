@@ -33,6 +33,8 @@ public:
 
     /// Default 60 s; 0 = off.
     void setInterval(int milliseconds);
+    /// Milliseconds; 0 = off.
+    [[nodiscard]] int interval() const;
     /// At once and to the end, where there are unsaved changes. Errors: Io.
     Expected<void> saveNow();
     /// Of the recovery file, whether it exists or not.

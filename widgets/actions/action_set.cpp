@@ -23,10 +23,32 @@ QAction* ActionSet::add(const ActionSpec& spec)
     return action;
 }
 
+void ActionSet::adopt(QAction* action)
+{
+    if (action->objectName().isEmpty() || find(action->objectName()))
+        return;
+    m_entries.push_back({{nullptr, nullptr, nullptr, action->shortcut()}, action});
+}
+
+QKeySequence ActionSet::defaultShortcut(const QAction* action) const
+{
+    const auto found =
+        std::ranges::find_if(m_entries, [action](const Entry& entry) { return entry.action == action; });
+    return found == m_entries.end() ? QKeySequence() : found->spec.shortcut;
+}
+
+void ActionSet::setShortcuts(const QMap<QString, QKeySequence>& changed)
+{
+    for (const Entry& entry : m_entries) {
+        entry.action->setShortcut(changed.value(entry.action->objectName(), entry.spec.shortcut));
+        translate(entry);
+    }
+}
+
 QAction* ActionSet::find(const QString& id) const
 {
-    const auto found = std::ranges::find_if(
-        m_entries, [&](const Entry& entry) { return id == QLatin1String(entry.spec.id); });
+    const auto found =
+        std::ranges::find_if(m_entries, [&](const Entry& entry) { return entry.action->objectName() == id; });
     return found == m_entries.end() ? nullptr : found->action;
 }
 
@@ -46,13 +68,15 @@ void ActionSet::retranslate()
 
 void ActionSet::translate(const Entry& entry)
 {
+    if (!entry.spec.text)
+        return; // its maker translates it
     const auto text = [](const char* english) { return QCoreApplication::translate("Actions", english); };
     entry.action->setText(text(entry.spec.text));
     QString tip = text(entry.spec.tip ? entry.spec.tip : entry.spec.text);
     tip.remove(u'&').remove(QStringLiteral("…"));
     entry.action->setStatusTip(entry.spec.tip ? tip : QString());
-    if (!entry.spec.shortcut.isEmpty())
-        tip += QStringLiteral(" (%1)").arg(entry.spec.shortcut.toString(QKeySequence::NativeText));
+    if (const QKeySequence keys = entry.action->shortcut(); !keys.isEmpty())
+        tip += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
     entry.action->setToolTip(tip);
 }
 

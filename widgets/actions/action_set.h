@@ -5,6 +5,7 @@
 
 #include <QAction>
 #include <QKeySequence>
+#include <QMap>
 #include <QObject>
 #include <vector>
 
@@ -27,6 +28,14 @@ public:
 
     /// The action belongs to the set.
     QAction* add(const ActionSpec& spec);
+    /// Takes in an action that was made elsewhere and keeps its own texts (presets, panels, languages). It
+    /// needs an objectName; the shortcut it has now is its default. Does nothing where the set has it
+    /// already.
+    void adopt(QAction* action);
+    /// The keys an action has without the user's changes.
+    [[nodiscard]] QKeySequence defaultShortcut(const QAction* action) const;
+    /// Gives every action its default, or what \p changed says by the action's id.
+    void setShortcuts(const QMap<QString, QKeySequence>& changed);
     /// Null where there is none.
     [[nodiscard]] QAction* find(const QString& id) const;
     [[nodiscard]] QList<QAction*> actions() const;
@@ -36,7 +45,7 @@ public:
 private:
     struct Entry
     {
-        ActionSpec spec;
+        ActionSpec spec; ///< of adopted actions only the shortcut
         QAction* action;
     };
     static void translate(const Entry& entry);

@@ -2,11 +2,27 @@
 /// What actions ask the user. The program shows dialogs and a banner; tests pass answers.
 #pragma once
 
+#include <QDateTime>
+#include <QList>
 #include <QString>
 
 namespace ramure {
 
 enum class Severity { Info, Warning, Error };
+
+/// A document that a crash left behind.
+struct RecoveryEntry
+{
+    QString file;   ///< path of its own file; empty: it was never saved
+    QDateTime time; ///< of the last change that was kept
+};
+
+struct RecoveryAnswer
+{
+    enum class Action { Recover, Discard, Later };
+    Action action = Action::Later;
+    int index = 0; ///< which entry
+};
 
 class Chooser
 {
@@ -22,6 +38,12 @@ public:
                              const QString& suffix) = 0;
     /// The document would be lost: what now?
     virtual Unsaved unsavedChanges(const QString& documentName) = 0;
+    /// Documents from before a crash are there: what now? Asked again after a Discard, while there are any.
+    virtual RecoveryAnswer recovery(const QList<RecoveryEntry>& entries)
+    {
+        Q_UNUSED(entries);
+        return {};
+    }
     /// Tells something without asking for an answer and without blocking.
     virtual void report(Severity severity, const QString& text) = 0;
 };

@@ -1,6 +1,7 @@
 #include "widgets/actions/dialog_chooser.h"
 
 #include "widgets/main_window/message_banner.h"
+#include "widgets/recovery/recovery_dialog.h"
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -46,6 +47,13 @@ Chooser::Unsaved DialogChooser::unsavedChanges(const QString& documentName)
     if (box.clickedButton() == save)
         return Unsaved::Save;
     return box.clickedButton() == discard ? Unsaved::Discard : Unsaved::Cancel;
+}
+
+RecoveryAnswer DialogChooser::recovery(const QList<RecoveryEntry>& entries)
+{
+    RecoveryDialog dialog(entries, m_window);
+    dialog.exec();
+    return dialog.answer();
 }
 
 void DialogChooser::report(Severity severity, const QString& text)

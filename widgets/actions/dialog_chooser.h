@@ -22,6 +22,7 @@ public:
     QString saveFile(const QString& title, const QString& suggestion, const QString& filter,
                      const QString& suffix) override;
     Unsaved unsavedChanges(const QString& documentName) override;
+    RecoveryAnswer recovery(const QList<RecoveryEntry>& entries) override;
     void report(Severity severity, const QString& text) override;
 
 private:

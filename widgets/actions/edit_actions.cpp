@@ -62,8 +62,9 @@ void EditActions::fillMenu(QMenu* menu)
     m_addMenu = menu->addMenu(QString());
     for (const Preset& preset : presets()) {
         const QString name = QString::fromLatin1(preset.name);
-        connect(m_addMenu->addAction(icon("tree"), name), &QAction::triggered, this,
-                [this, name] { addTree(name); });
+        QAction* add = m_addMenu->addAction(icon("tree"), name);
+        add->setObjectName(QStringLiteral("edit.add.") + name);
+        connect(add, &QAction::triggered, this, [this, name] { addTree(name); });
     }
     m_addMenu->addSeparator();
     m_addMenu->addAction(m_addGroup);

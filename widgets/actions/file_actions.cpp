@@ -69,7 +69,7 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
     m_quit->setMenuRole(QAction::QuitRole);
 }
 
-void FileActions::fillMenu(QMenu* menu)
+void FileActions::fillMenu(QMenu* menu, QAction* welcome, const QList<QAction*>& pictures)
 {
     m_newMenu = menu->addMenu(icon("new"), QString());
     m_newMenu->setToolTipsVisible(true);
@@ -78,11 +78,14 @@ void FileActions::fillMenu(QMenu* menu)
     menu->addAction(m_open);
     m_recentMenu = menu->addMenu(QString());
     connect(m_recentMenu, &QMenu::aboutToShow, this, &FileActions::fillRecentMenu);
+    if (welcome)
+        menu->addAction(welcome);
     menu->addSeparator();
     menu->addAction(m_save);
     menu->addAction(m_saveAs);
     menu->addSeparator();
     menu->addAction(m_export);
+    menu->addActions(pictures);
     menu->addSeparator();
     menu->addAction(m_quit);
     fillRecentMenu();

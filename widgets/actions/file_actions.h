@@ -4,6 +4,7 @@
 
 #include "core/document/document.h"
 #include "widgets/actions/chooser.h"
+#include <QList>
 #include <QObject>
 
 class QAction;
@@ -22,7 +23,8 @@ public:
     FileActions(Document* document, Preferences* preferences, Chooser* chooser, ActionSet* set,
                 QObject* parent);
 
-    void fillMenu(QMenu* menu);
+    /// \param welcome, pictures actions from elsewhere that belong into this menu, may be none.
+    void fillMenu(QMenu* menu, QAction* welcome = nullptr, const QList<QAction*>& pictures = {});
     [[nodiscard]] QAction* saveAction() const { return m_save; }
     [[nodiscard]] QAction* openAction() const { return m_open; }
     [[nodiscard]] QAction* exportAction() const { return m_export; }

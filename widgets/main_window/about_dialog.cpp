@@ -37,9 +37,9 @@ QString openGlText()
 
 QString AboutDialog::versions()
 {
-    return QStringLiteral("Ramure %1\nQt %2\nOpenGL: %3\n%4")
-        .arg(QStringLiteral(RAMURE_VERSION), QString::fromLatin1(qVersion()), openGlText(),
-             QSysInfo::prettyProductName());
+    return tr("Ramure %1\nQt %2 (compiled with %3)\nOpenGL: %4\n%5")
+        .arg(QStringLiteral(RAMURE_VERSION), QString::fromLatin1(qVersion()), QStringLiteral(QT_VERSION_STR),
+             openGlText(), QSysInfo::prettyProductName());
 }
 
 AboutDialog::AboutDialog(QWidget* parent)

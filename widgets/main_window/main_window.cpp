@@ -4,11 +4,12 @@
 #include "widgets/actions/chooser.h"
 #include "widgets/actions/edit_actions.h"
 #include "widgets/actions/file_actions.h"
+#include "widgets/actions/picture_actions.h"
+#include "widgets/actions/program_actions.h"
 #include "widgets/actions/view_actions.h"
 #include "widgets/export/export_dialog.h"
 #include "widgets/history/history_dock.h"
 #include "widgets/inspector/branch_inspector.h"
-#include "widgets/main_window/about_dialog.h"
 #include "widgets/main_window/message_banner.h"
 #include "widgets/main_window/problem_button.h"
 #include "widgets/main_window/status_panel.h"
@@ -18,6 +19,7 @@
 #include "widgets/validation/validation_panel.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/viewport_host.h"
+#include "widgets/welcome/welcome_panel.h"
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDir>
@@ -66,7 +68,10 @@ MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* pr
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_banner);
-    layout->addWidget(m_host, 1);
+    auto* beside = new QHBoxLayout; // the welcome page and the view
+    beside->setSpacing(0);
+    beside->addWidget(m_host, 1);
+    layout->addLayout(beside, 1);
     setCentralWidget(centre);
 
     buildDocks();
@@ -74,6 +79,7 @@ MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* pr
     buildMenus();
     buildToolBar();
     buildStatusBar();
+    beside->insertWidget(0, m_welcome);
     connectPanels();
     connect(m_document, &Document::changed, this, &MainWindow::follow);
     connect(m_document->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
@@ -88,6 +94,7 @@ QDockWidget* MainWindow::addPanel(const QString& name, QWidget* content, Qt::Doc
 {
     auto* dock = new QDockWidget(this);
     dock->setObjectName(name);
+    dock->toggleViewAction()->setObjectName(QStringLiteral("view.panel.") + name);
     dock->setWidget(content);
     addDockWidget(area, dock);
     // Among tabs the tab is the title.
@@ -157,19 +164,16 @@ void MainWindow::buildActions()
         {"view.search", QT_TRANSLATE_NOOP("Actions", "Find a &parameter"), "search", QKeySequence::Find});
     m_resetLayout =
         m_actions->add({"view.resetLayout", QT_TRANSLATE_NOOP("Actions", "Reset the &layout"), nullptr, {}});
-    m_about = m_actions->add({"help.about", QT_TRANSLATE_NOOP("Actions", "&About Ramure"), "about", {}});
-    m_about->setMenuRole(QAction::AboutRole);
+    m_pictures = new PictureActions(m_host, m_preferences, m_chooser, m_actions, this);
+    m_program = new ProgramActions(m_actions, m_preferences, m_host->settings(), this);
+    m_welcome = new WelcomePanel(m_files, m_actions, m_preferences, this);
     connect(m_search, &QAction::triggered, this, [this] {
         m_propertiesDock->show();
         m_propertiesDock->raise();
         m_properties->focusSearch();
     });
     connect(m_resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
-    connect(m_about, &QAction::triggered, this, [this] {
-        auto* dialog = new AboutDialog(this);
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        dialog->open();
-    });
+    connect(m_program->welcomeAction(), &QAction::triggered, this, &MainWindow::showWelcome);
     connect(m_files, &FileActions::exportRequested, this, &MainWindow::showExportDialog);
     connect(m_files, &FileActions::quitRequested, this, &QWidget::close);
     connect(m_edits, &EditActions::renameRequested, this, [this] {
@@ -182,11 +186,14 @@ void MainWindow::buildActions()
 void MainWindow::buildMenus()
 {
     m_fileMenu = menuBar()->addMenu(QString());
-    m_files->fillMenu(m_fileMenu);
+    m_files->fillMenu(m_fileMenu, m_program->welcomeAction(), m_pictures->pictureActions());
     m_editMenu = menuBar()->addMenu(QString());
     m_edits->fillMenu(m_editMenu);
     m_editMenu->addSeparator();
+    m_editMenu->addActions(m_pictures->selectionActions());
     m_editMenu->addAction(m_search);
+    m_editMenu->addSeparator();
+    m_editMenu->addAction(m_program->preferencesAction());
     m_viewMenu = menuBar()->addMenu(QString());
     m_views->fillMenu(m_viewMenu,
                       {m_sceneDock->toggleViewAction(), m_propertiesDock->toggleViewAction(),
@@ -194,7 +201,8 @@ void MainWindow::buildMenus()
                        m_historyDock->toggleViewAction()},
                       m_resetLayout);
     m_helpMenu = menuBar()->addMenu(QString());
-    m_helpMenu->addAction(m_about);
+    m_helpMenu->addActions(m_program->helpActions());
+    m_program->setMenus({m_fileMenu, m_editMenu, m_viewMenu, m_helpMenu});
     m_scene->setMenuActions(m_edits->nodeActions());
 }
 
@@ -229,6 +237,8 @@ void MainWindow::buildStatusBar()
 void MainWindow::connectPanels()
 {
     const auto say = [this](const QString& text) { statusBar()->showMessage(text, messageMs); };
+    connect(m_pictures, &PictureActions::messageRaised, this, say);
+    connect(m_welcome, &WelcomePanel::closed, this, [this] { m_host->setFocus(); });
     connect(m_scene, &ScenePanel::messageRaised, this, say);
     connect(m_inspector, &BranchInspector::messageRaised, this, say);
     connect(m_validation, &ValidationPanel::messageRaised, this, say);
@@ -260,6 +270,11 @@ void MainWindow::updateTitle()
     setWindowTitle(QStringLiteral("%1[*] – Ramure").arg(m_files->documentName()));
     setWindowFilePath(m_document->filePath());
     setWindowModified(m_document->isModified());
+}
+
+void MainWindow::showWelcome()
+{
+    m_welcome->open();
 }
 
 void MainWindow::showExportDialog()

@@ -14,8 +14,10 @@ class EditActions;
 class FileActions;
 class HistoryDock;
 class MessageBanner;
+class PictureActions;
 class Preferences;
 class ProblemButton;
+class ProgramActions;
 class PropertiesPanel;
 class Recompute;
 class ScenePanel;
@@ -23,6 +25,7 @@ class StatusPanel;
 class ValidationPanel;
 class ViewActions;
 class ViewportHost;
+class WelcomePanel;
 
 class MainWindow : public QMainWindow
 {
@@ -43,6 +46,7 @@ public:
     [[nodiscard]] ProblemButton* problem() const { return m_problem; }
     [[nodiscard]] ViewportHost* viewportHost() const { return m_host; }
 
+    void showWelcome();
     void showExportDialog();
     void resetLayout();
 
@@ -82,9 +86,11 @@ private:
     FileActions* m_files = nullptr;
     EditActions* m_edits = nullptr;
     ViewActions* m_views = nullptr;
+    PictureActions* m_pictures = nullptr;
+    ProgramActions* m_program = nullptr;
+    WelcomePanel* m_welcome = nullptr;
     QAction* m_resetLayout = nullptr;
     QAction* m_search = nullptr;
-    QAction* m_about = nullptr;
     QMenu* m_fileMenu = nullptr;
     QMenu* m_editMenu = nullptr;
     QMenu* m_viewMenu = nullptr;

@@ -2,6 +2,8 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QVariantMap>
+#include <algorithm>
 
 namespace ramure {
 namespace {
@@ -9,6 +11,10 @@ namespace {
 const QString angleKey = QStringLiteral("units/angle");
 const QString themeKey = QStringLiteral("view/theme");
 const QString languageKey = QStringLiteral("view/language");
+const QString navigationKey = QStringLiteral("view/navigation");
+const QString autosaveKey = QStringLiteral("files/autosaveMinutes");
+const QString welcomeKey = QStringLiteral("view/welcomeAtStart");
+const QString shortcutsKey = QStringLiteral("shortcuts");
 const QString recentKey = QStringLiteral("files/recent");
 const QString folderKey = QStringLiteral("files/folder");
 const QString foldedKey = QStringLiteral("properties/folded");
@@ -64,6 +70,70 @@ QString Preferences::language() const
 void Preferences::setLanguage(const QString& language)
 {
     store(languageKey, language);
+}
+
+NavigationStyle Preferences::navigationStyle() const
+{
+    return m_settings.value(navigationKey) == QVariant(QStringLiteral("maya")) ? NavigationStyle::Maya
+                                                                               : NavigationStyle::Blender;
+}
+
+void Preferences::setNavigationStyle(NavigationStyle style)
+{
+    store(navigationKey, style == NavigationStyle::Maya ? QStringLiteral("maya") : QStringLiteral("blender"));
+}
+
+int Preferences::autosaveMinutes() const
+{
+    bool good = false;
+    const int minutes = m_settings.value(autosaveKey).toInt(&good);
+    return good ? std::clamp(minutes, 0, maxAutosaveMinutes) : defaultAutosaveMinutes;
+}
+
+void Preferences::setAutosaveMinutes(int minutes)
+{
+    store(autosaveKey, std::clamp(minutes, 0, maxAutosaveMinutes));
+}
+
+bool Preferences::welcomeAtStart() const
+{
+    return m_settings.value(welcomeKey, true).toBool();
+}
+
+void Preferences::setWelcomeAtStart(bool on)
+{
+    store(welcomeKey, on);
+}
+
+void Preferences::restoreDefaults()
+{
+    for (const QString& key : {angleKey, themeKey, languageKey, navigationKey, autosaveKey, welcomeKey})
+        m_settings.remove(key);
+    emit changed();
+}
+
+QMap<QString, QKeySequence> Preferences::shortcuts() const
+{
+    QMap<QString, QKeySequence> found;
+    const QVariantMap stored = m_settings.value(shortcutsKey).toMap();
+    for (auto it = stored.begin(); it != stored.end(); ++it)
+        found.insert(it.key(), QKeySequence::fromString(it.value().toString(), QKeySequence::PortableText));
+    return found;
+}
+
+void Preferences::setShortcut(const QString& action, const std::optional<QKeySequence>& keys)
+{
+    QVariantMap stored = m_settings.value(shortcutsKey).toMap();
+    if (keys)
+        stored.insert(action, keys->toString(QKeySequence::PortableText));
+    else
+        stored.remove(action);
+    store(shortcutsKey, stored);
+}
+
+void Preferences::clearShortcuts()
+{
+    store(shortcutsKey, QVariantMap());
 }
 
 QStringList Preferences::recentFiles() const

@@ -3,9 +3,13 @@
 #pragma once
 
 #include "widgets/numbers/number_format.h"
+#include "widgets/viewport/view_settings.h"
+#include <QKeySequence>
+#include <QMap>
 #include <QObject>
 #include <QSettings>
 #include <QStringList>
+#include <optional>
 
 namespace ramure {
 
@@ -16,6 +20,8 @@ class Preferences : public QObject
     Q_OBJECT
 public:
     static constexpr int maxRecentFiles = 10;
+    static constexpr int defaultAutosaveMinutes = 1;
+    static constexpr int maxAutosaveMinutes = 60;
 
     explicit Preferences(QObject* parent = nullptr);
 
@@ -26,6 +32,22 @@ public:
     /// "en", "fr"; empty: that of the system.
     [[nodiscard]] QString language() const;
     void setLanguage(const QString& language);
+    [[nodiscard]] NavigationStyle navigationStyle() const;
+    void setNavigationStyle(NavigationStyle style);
+    /// Minutes between two recovery files; 0: none are written.
+    [[nodiscard]] int autosaveMinutes() const;
+    void setAutosaveMinutes(int minutes);
+    /// Whether the welcome page comes up when the program starts without a file.
+    [[nodiscard]] bool welcomeAtStart() const;
+    void setWelcomeAtStart(bool on);
+    /// All of the above as they were when the program was new. Files, window and shortcuts stay.
+    void restoreDefaults();
+
+    /// The keys that the user gave to actions, by the action's id; an empty sequence: no key.
+    [[nodiscard]] QMap<QString, QKeySequence> shortcuts() const;
+    /// Without a value the action has its default again.
+    void setShortcut(const QString& action, const std::optional<QKeySequence>& keys);
+    void clearShortcuts();
 
     /// The latest first; absolute paths.
     [[nodiscard]] QStringList recentFiles() const;

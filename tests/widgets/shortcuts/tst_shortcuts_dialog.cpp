@@ -1,0 +1,189 @@
+#include "core/document/recompute.h"
+#include "tests/widgets/support/fixture.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/main_window/main_window.h"
+#include "widgets/shortcuts/shortcuts_dialog.h"
+#include "widgets/support/language.h"
+#include "widgets/support/preferences.h"
+
+using namespace ramure;
+
+class TestShortcutsDialog : public QObject
+{
+    Q_OBJECT
+private:
+    test::OwnSettings m_settings;
+    std::unique_ptr<Preferences> m_preferences;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<Recompute> m_recompute;
+    test::FakeChooser m_chooser;
+    std::unique_ptr<MainWindow> m_window;
+
+    QAction* action(const char* id) { return m_window->actionSet()->find(QString::fromLatin1(id)); }
+    QList<QMenu*> menus()
+    {
+        QList<QMenu*> found;
+        for (const QAction* top : m_window->menuBar()->actions())
+            found += top->menu();
+        return found;
+    }
+    std::unique_ptr<ShortcutsDialog> dialog()
+    {
+        return std::make_unique<ShortcutsDialog>(m_window->actionSet(), menus(), m_preferences.get());
+    }
+    void openWindow()
+    {
+        m_window = std::make_unique<MainWindow>(m_document.get(), m_recompute.get(), m_preferences.get(),
+                                                &m_chooser);
+    }
+
+private slots:
+    void init()
+    {
+        test::failOnWidgetWarning();
+        QSettings().clear();
+        m_preferences = std::make_unique<Preferences>();
+        m_document = std::make_unique<Document>();
+        m_recompute = std::make_unique<Recompute>(m_document.get());
+        openWindow();
+    }
+    void cleanup()
+    {
+        m_window.reset();
+        m_recompute.reset();
+        m_document.reset();
+    }
+
+    void everyActionIsInAMenuAndSaysWhatItIs()
+    {
+        const QList<ListedAction> listed = listedActions(*m_window->actionSet(), menus());
+        QSet<const QAction*> inMenus;
+        for (const ListedAction& each : listed)
+            inMenus += each.action;
+        for (const QAction* each : m_window->actionSet()->actions()) {
+            const QByteArray id = each->objectName().toUtf8();
+            QVERIFY2(!id.isEmpty(), qPrintable(each->text()));
+            QVERIFY2(!each->text().isEmpty(), id);
+            QVERIFY2(!each->toolTip().isEmpty() || !each->statusTip().isEmpty(), id);
+            QVERIFY2(inMenus.contains(each), id); // Alt and arrow keys lead to it
+        }
+        // No entry of a menu is left out, but for those made anew each time (recent files).
+        for (QMenu* menu : menus())
+            for (const QAction* each : menu->actions())
+                if (!each->isSeparator() && !each->menu())
+                    QVERIFY2(inMenus.contains(each), qPrintable(each->text()));
+    }
+
+    void noTwoActionsShareKeys()
+    {
+        QMap<QString, QString> owners;
+        for (const QAction* each : m_window->actionSet()->actions()) {
+            for (const QKeySequence& keys : each->shortcuts()) {
+                const QString text = keys.toString();
+                QVERIFY2(!owners.contains(text),
+                         qPrintable(text + u' ' + each->objectName() + u' ' + owners.value(text)));
+                owners.insert(text, each->objectName());
+            }
+        }
+        QVERIFY(owners.size() > 20);
+    }
+
+    void everyMenuHasAKeyOfItsOwn()
+    {
+        const Language language(m_preferences.get());
+        for (const char* code : {"en", "fr"}) {
+            m_preferences->setLanguage(QString::fromLatin1(code));
+            QCoreApplication::processEvents();
+            QSet<QString> keys;
+            for (const QAction* top : m_window->menuBar()->actions()) {
+                const QString key = QKeySequence::mnemonic(top->text()).toString();
+                QVERIFY2(!key.isEmpty() && !keys.contains(key), qPrintable(top->text()));
+                keys += key;
+            }
+        }
+    }
+
+    void keysAreChangedStoredAndRestored()
+    {
+        const QKeySequence keys(Qt::CTRL | Qt::ALT | Qt::Key_G);
+        const QKeySequence before = action("view.grid")->shortcut();
+        auto shown = dialog();
+        shown->select(QStringLiteral("view.grid"));
+        QVERIFY(shown->assign(keys));
+        QCOMPARE(action("view.grid")->shortcut(), keys);
+        QVERIFY(action("view.grid")->toolTip().contains(keys.toString(QKeySequence::NativeText)));
+        shown.reset();
+        openWindow(); // as at the next start
+        QCOMPARE(action("view.grid")->shortcut(), keys);
+        QCOMPARE(m_window->actionSet()->defaultShortcut(action("view.grid")), before);
+        shown = dialog();
+        shown->select(QStringLiteral("view.grid"));
+        shown->resetSelected();
+        QCOMPARE(action("view.grid")->shortcut(), before);
+        QVERIFY(m_preferences->shortcuts().isEmpty());
+    }
+
+    void keysOfOthersAreRefused()
+    {
+        auto shown = dialog();
+        shown->select(QStringLiteral("view.grid"));
+        const QKeySequence before = action("view.grid")->shortcut();
+        QVERIFY(!shown->assign(action("file.save")->shortcut()));
+        QVERIFY(shown->conflict().contains(QStringLiteral("Save")));
+        QCOMPARE(action("view.grid")->shortcut(), before);
+        // Also where one is the beginning of the other.
+        QVERIFY(!shown->assign(QKeySequence(QStringLiteral("Ctrl+S, A"))));
+        // Taken away there, they are free; and the reset of the old owner is then refused.
+        const QKeySequence save = action("file.save")->shortcut();
+        shown->select(QStringLiteral("file.save"));
+        QVERIFY(shown->assign({}));
+        QVERIFY(action("file.save")->shortcut().isEmpty());
+        shown->select(QStringLiteral("view.grid"));
+        QVERIFY(shown->assign(save));
+        shown->select(QStringLiteral("file.save"));
+        shown->resetSelected();
+        QVERIFY(action("file.save")->shortcut().isEmpty());
+        QVERIFY(!shown->conflict().isEmpty());
+        shown->resetAll();
+        QCOMPARE(action("file.save")->shortcut(), save);
+        QCOMPARE(action("view.grid")->shortcut(), before);
+    }
+
+    void keysAreTyped()
+    {
+        auto shown = dialog();
+        shown->show();
+        QVERIFY(QTest::qWaitForWindowActive(shown.get()));
+        shown->select(QStringLiteral("view.mesh"));
+        auto* edit = shown->findChild<QKeySequenceEdit*>(QStringLiteral("keys"));
+        edit->setFocus();
+        QTest::keyClick(edit, Qt::Key_J, Qt::ControlModifier);
+        QTRY_COMPARE(action("view.mesh")->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_J));
+    }
+
+    void searchingHidesTheRest()
+    {
+        auto shown = dialog();
+        auto* tree = shown->findChild<QTreeWidget*>(QStringLiteral("shortcutList"));
+        const auto visible = [tree] {
+            QStringList texts;
+            for (QTreeWidgetItemIterator it(tree, QTreeWidgetItemIterator::NotHidden); *it; ++it)
+                if ((*it)->parent())
+                    texts += (*it)->text(0);
+            return texts;
+        };
+        const auto all = visible().size();
+        QVERIFY(all > 40);
+        auto* search = shown->findChild<QLineEdit*>();
+        search->setText(QStringLiteral("ctrl+s"));
+        QVERIFY(visible().contains(QStringLiteral("Save")));
+        QVERIFY(visible().size() < all / 4);
+        search->setText(QStringLiteral("nothing like this"));
+        QVERIFY(visible().isEmpty());
+        search->clear();
+        QCOMPARE(visible().size(), all);
+    }
+};
+
+QTEST_MAIN(TestShortcutsDialog)
+#include "tst_shortcuts_dialog.moc"

@@ -1,0 +1,79 @@
+#include "widgets/actions/picture_actions.h"
+
+#include "widgets/actions/action_set.h"
+#include "widgets/actions/chooser.h"
+#include "widgets/support/core_text.h"
+#include "widgets/support/preferences.h"
+#include "widgets/viewport/viewport.h"
+#include "widgets/viewport/viewport_host.h"
+#include <QDir>
+#include <QFileInfo>
+
+namespace ramure {
+
+PictureActions::PictureActions(ViewportHost* host, Preferences* preferences, Chooser* chooser, ActionSet* set,
+                               QObject* parent)
+    : QObject(parent)
+    , m_host(host)
+    , m_preferences(preferences)
+    , m_chooser(chooser)
+    , m_save(set->add({"view.savePicture", QT_TRANSLATE_NOOP("Actions", "Save a &picture…"), "camera",
+                       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P),
+                       QT_TRANSLATE_NOOP("Actions", "Write the view as a picture")}))
+    , m_copy(set->add({"view.copyPicture", QT_TRANSLATE_NOOP("Actions", "&Copy the picture"), "copy",
+                       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
+                       QT_TRANSLATE_NOOP("Actions", "Put the view on the clipboard as a picture")}))
+    , m_selectAll(set->add({"edit.selectAll", QT_TRANSLATE_NOOP("Actions", "Select all &branches"), nullptr,
+                            QKeySequence(Qt::CTRL | Qt::Key_A),
+                            QT_TRANSLATE_NOOP("Actions", "Select every branch of the active tree")}))
+    , m_clearSelection(
+          set->add({"edit.clearSelection", QT_TRANSLATE_NOOP("Actions", "Select n&othing"), nullptr,
+                    QKeySequence(Qt::Key_Escape),
+                    QT_TRANSLATE_NOOP("Actions", "Take the selection of branches and nodes back")}))
+{
+    // Only in the view: lists, fields and messages have their own Ctrl+A and Escape.
+    for (QAction* action : selectionActions()) {
+        action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        host->addAction(action);
+    }
+    Viewport* view = host->viewport();
+    if (!view) {
+        for (QAction* action : pictureActions() + selectionActions())
+            action->setEnabled(false);
+        return;
+    }
+    connect(m_save, &QAction::triggered, this, &PictureActions::save);
+    connect(m_copy, &QAction::triggered, this, [this, view] {
+        view->copyScreenshot();
+        emit messageRaised(tr("The picture is on the clipboard"));
+    });
+    connect(m_selectAll, &QAction::triggered, view, &Viewport::selectAllBranches);
+    connect(m_clearSelection, &QAction::triggered, view, &Viewport::clearSelection);
+}
+
+QList<QAction*> PictureActions::pictureActions() const
+{
+    return {m_save, m_copy};
+}
+
+QList<QAction*> PictureActions::selectionActions() const
+{
+    return {m_selectAll, m_clearSelection};
+}
+
+void PictureActions::save()
+{
+    const QString path = m_chooser->saveFile(
+        tr("Save a picture"), QDir(m_preferences->lastFolder()).filePath(tr("tree") + QStringLiteral(".png")),
+        tr("Pictures (*.png *.jpg);;All files (*)"), QStringLiteral("png"));
+    if (path.isEmpty())
+        return;
+    if (const auto done = m_host->viewport()->saveScreenshot(path); !done) {
+        m_chooser->report(Severity::Error, errorTextWithPlace(done.error()));
+        return;
+    }
+    m_preferences->setLastFolder(QFileInfo(path).absolutePath());
+    emit messageRaised(tr("Picture written to %1").arg(QDir::toNativeSeparators(path)));
+}
+
+} // namespace ramure

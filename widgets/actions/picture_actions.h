@@ -1,0 +1,44 @@
+/// \file
+/// Pictures of the view, to a file and to the clipboard; and the selection of branches by keyboard.
+#pragma once
+
+#include <QObject>
+
+class QAction;
+class QMenu;
+
+namespace ramure {
+
+class ActionSet;
+class Chooser;
+class Preferences;
+class ViewportHost;
+
+class PictureActions : public QObject
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the actions.
+    PictureActions(ViewportHost* host, Preferences* preferences, Chooser* chooser, ActionSet* set,
+                   QObject* parent);
+
+    [[nodiscard]] QList<QAction*> pictureActions() const;
+    [[nodiscard]] QList<QAction*> selectionActions() const;
+
+signals:
+    /// Something was done that cannot be seen: a line for the status bar.
+    void messageRaised(const QString& text);
+
+private:
+    void save();
+
+    ViewportHost* m_host;
+    Preferences* m_preferences;
+    Chooser* m_chooser;
+    QAction* m_save;
+    QAction* m_copy;
+    QAction* m_selectAll;
+    QAction* m_clearSelection;
+};
+
+} // namespace ramure

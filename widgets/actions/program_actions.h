@@ -1,0 +1,49 @@
+/// \file
+/// What concerns the program and not the scene: welcome page, preferences, shortcuts, About.
+#pragma once
+
+#include <QList>
+#include <QObject>
+
+class QAction;
+class QMenu;
+class QWidget;
+
+namespace ramure {
+
+class ActionSet;
+class Preferences;
+class ViewSettings;
+
+class ProgramActions : public QObject
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the actions. \p window is the parent of dialogs.
+    ProgramActions(ActionSet* set, Preferences* preferences, ViewSettings* view, QWidget* window);
+
+    /// When the menus are filled: takes their actions into the set and gives them the user's shortcuts.
+    void setMenus(const QList<QMenu*>& menus);
+    [[nodiscard]] QAction* welcomeAction() const { return m_welcome; }
+    [[nodiscard]] QAction* preferencesAction() const { return m_editPreferences; }
+    [[nodiscard]] QList<QAction*> helpActions() const { return {m_shortcuts, m_about}; }
+
+    void showPreferences();
+    void showShortcuts();
+    void showAbout();
+
+private:
+    void takePreferences();
+
+    ActionSet* m_set;
+    Preferences* m_preferences;
+    ViewSettings* m_view;
+    QWidget* m_window;
+    QList<QMenu*> m_menus;
+    QAction* m_welcome;
+    QAction* m_editPreferences;
+    QAction* m_shortcuts;
+    QAction* m_about;
+};
+
+} // namespace ramure

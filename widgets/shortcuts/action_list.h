@@ -1,0 +1,28 @@
+/// \file
+/// The actions as the menus hold them, for the dialog of shortcuts.
+#pragma once
+
+#include <QKeySequence>
+#include <QList>
+#include <QMenu>
+#include <QString>
+
+namespace ramure {
+
+class ActionSet;
+
+struct ListedAction
+{
+    QAction* action = nullptr;
+    QString menu; ///< title of the top menu, without its mnemonic
+    QString text; ///< "View from › Front": the way below that menu
+};
+
+/// Adds the actions of the menus that have a name to the set, with those of submenus.
+void adoptMenuActions(ActionSet& set, const QList<QMenu*>& menus);
+/// In the order of the menus; only actions of the set.
+QList<ListedAction> listedActions(const ActionSet& set, const QList<QMenu*>& menus);
+/// Without mnemonics and dots.
+QString plainText(QString text);
+
+} // namespace ramure

@@ -1,0 +1,66 @@
+/// \file
+/// The welcome page: beside the view, which already shows a tree. Presets as pictures, recent files, first
+/// keys.
+#pragma once
+
+#include <QFrame>
+
+class QCheckBox;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QToolButton;
+class QVBoxLayout;
+
+namespace ramure {
+
+class ActionSet;
+class FileActions;
+class Preferences;
+
+class WelcomePanel : public QFrame
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the panel. It is made hidden.
+    WelcomePanel(FileActions* files, ActionSet* set, Preferences* preferences, QWidget* parent = nullptr);
+
+    /// With the files and keys of this moment, and the focus on the first picture.
+    void open();
+    void retranslate();
+
+signals:
+    void closed();
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    void build();
+    [[nodiscard]] QGridLayout* gallery();
+    void takePreferences();
+    void fillRecent();
+    void fillHints();
+    [[nodiscard]] QLabel* heading();
+
+    FileActions* m_files;
+    ActionSet* m_set;
+    Preferences* m_preferences;
+    QWidget* m_page;
+    QLabel* m_title;
+    QLabel* m_intro;
+    QToolButton* m_close;
+    QLabel* m_newHeading;
+    QLabel* m_recentHeading;
+    QVBoxLayout* m_recent;
+    QPushButton* m_open;
+    QLabel* m_keysHeading;
+    QGridLayout* m_hints;
+    QCheckBox* m_atStart;
+    QList<QWidget*> m_pictures;
+    QStringList m_shownRecent;
+};
+
+} // namespace ramure
