@@ -12,10 +12,31 @@ namespace {
 constexpr double pi = std::numbers::pi;
 /// Of the shortest child: where the search for a valley looks.
 constexpr std::array<double, 7> searchShares{0.08, 0.16, 0.28, 0.44, 0.62, 0.8, 0.95};
+constexpr double growth = 1.3; ///< of the steps away from a guess
 constexpr int mostRefinements = 5;
 constexpr double closeEnough = 0.02; ///< of the radius: a wall vertex needs no more room than that
 constexpr double wallMargin = 0.06;  ///< of a tube's radius: how far outside its own tubes a wall lies
 constexpr double innerReach = 0.6;   ///< of the radius: how far aside the middle of an inner wall may lie
+
+/// Where the search for a valley stands: inside the tubes below, outside above.
+struct Stretch
+{
+    double inside, roomInside;
+    double outside, roomOutside;
+
+    /// The upper place is inside as well: a higher one takes its part.
+    void rise(double higher)
+    {
+        inside = outside;
+        roomInside = roomOutside;
+        outside = higher;
+    }
+    void narrow(double middle, double roomThere)
+    {
+        (roomThere < 0.0 ? inside : outside) = middle;
+        (roomThere < 0.0 ? roomInside : roomOutside) = roomThere;
+    }
+};
 
 /// Weights of a triangle's circumcentre, kept positive: at obtuse angles the true one lies outside.
 std::array<double, 3> circumcentreWeights(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
@@ -59,9 +80,9 @@ glm::dvec3 ForkWalls::onPath(const Between& between, const glm::dvec3& offset, d
     return point;
 }
 
-/// How far the path's point at an arc length is outside all tubes, those it lies between with their margin;
-/// negative inside.
-double ForkWalls::room(const Between& between, const glm::dvec3& offset, double along) const
+/// How far the path's point at an arc length is outside the tubes it lies between, margin included, and, if
+/// wanted, all others; negative inside.
+double ForkWalls::room(const Between& between, const glm::dvec3& offset, double along, Tubes tubes) const
 {
     std::array<AxisTable::Place, 3> places;
     glm::dvec3 point = offset;
@@ -82,42 +103,71 @@ double ForkWalls::room(const Between& between, const glm::dvec3& offset, double 
         const double clear = m_children[between.child[i]].table.clearanceFrom(places[i], point, along);
         least = std::min(least, clear - wallMargin * places[i].radius);
     }
+    if (tubes == Tubes::Between)
+        return least;
     for (std::size_t j = 0; j < m_children.size() && least >= 0.0; ++j)
         if (j != between.child[0] && j != between.child[1] && j != between.child[2])
             least = std::min(least, m_children[j].table.clearance(point, along));
     return least;
 }
 
-/// Goes up along the mean of the children's axes until the point leaves all tubes: in growing steps, then by
-/// false position between the last one inside and the first one outside.
-CellVertex ForkWalls::lift(const Between& between, const glm::dvec3& offset)
+/// Goes up along the mean of the children's axes until the point leaves the tubes: in growing steps, or from
+/// a guess up or down, then by false position between the last place inside and the first one outside.
+/// \returns the arc length, or nothing if the point never leaves.
+std::optional<double> ForkWalls::exitHeight(const Between& between, const glm::dvec3& offset, double reach,
+                                            double guess, Tubes tubes) const
+{
+    const double radius = pairRadius(between.child[0], between.child[1]), enough = closeEnough * radius;
+    const double most = reach * searchShares.back();
+    Stretch stretch{0.0, -radius, std::min(guess, most), -1.0};
+    if (guess > 0.0) {
+        stretch.roomOutside = room(between, offset, stretch.outside, tubes);
+        while (stretch.roomOutside < 0.0 && stretch.outside < most) {
+            stretch.rise(std::min(most, stretch.outside * growth));
+            stretch.roomOutside = room(between, offset, stretch.outside, tubes);
+        }
+        if (stretch.inside == 0.0 && stretch.roomOutside > enough) { // the guess was too high
+            const double lower = stretch.outside / growth;
+            const double roomThere = room(between, offset, lower, tubes);
+            stretch.narrow(lower, roomThere);
+        }
+    } else {
+        for (const double share : searchShares) {
+            stretch.outside = reach * share;
+            stretch.roomOutside = room(between, offset, stretch.outside, tubes);
+            if (stretch.roomOutside >= 0.0)
+                break;
+            stretch.rise(stretch.outside);
+        }
+    }
+    if (stretch.roomOutside < 0.0)
+        return std::nullopt;
+    for (int round = 0; round < mostRefinements && stretch.roomOutside > enough; ++round) {
+        const double part =
+            std::clamp(stretch.roomInside / (stretch.roomInside - stretch.roomOutside), 0.1, 0.9);
+        const double middle = stretch.inside + (stretch.outside - stretch.inside) * part;
+        stretch.narrow(middle, room(between, offset, middle, tubes));
+    }
+    return stretch.outside;
+}
+
+/// Where a point's path leaves all tubes; tubes that never come apart there end their wall where the shorter
+/// one ends. \param guess the height found last for a vertex of the same kind: forks are often symmetric.
+CellVertex ForkWalls::lift(const Between& between, const glm::dvec3& offset, double& guess)
 {
     double reach = m_children[between.child[0]].table.length();
     for (std::size_t i = 1; i < between.count; ++i)
         reach = std::min(reach, m_children[between.child[i]].table.length());
-    double inside = 0.0, outside = 0.0, roomInside = -pairRadius(between.child[0], between.child[1]);
-    const double enough = -closeEnough * roomInside;
-    double roomOutside = -1.0;
-    for (const double share : searchShares) {
-        outside = reach * share;
-        roomOutside = room(between, offset, outside);
-        if (roomOutside >= 0.0)
-            break;
-        inside = outside;
-        roomInside = roomOutside;
-    }
-    if (roomOutside < 0.0) { // never apart: the wall ends where the shorter tube does
+    // Seldom does a third tube cover the place where two come apart: it is asked only there.
+    std::optional<double> along = exitHeight(between, offset, reach, guess, Tubes::Between);
+    if (along && m_children.size() > between.count && room(between, offset, *along, Tubes::All) < 0.0)
+        along = exitHeight(between, offset, reach, 0.0, Tubes::All);
+    if (along)
+        guess = *along;
+    else
         ++m_withoutExit;
-        outside = reach;
-    }
-    for (int round = 0; round < mostRefinements && roomOutside > enough; ++round) {
-        const double part = std::clamp(roomInside / (roomInside - roomOutside), 0.1, 0.9);
-        const double middle = inside + (outside - inside) * part;
-        const double roomThere = room(between, offset, middle);
-        (roomThere < 0.0 ? inside : outside) = middle;
-        (roomThere < 0.0 ? roomInside : roomOutside) = roomThere;
-    }
-    return {noIndex, onPath(between, offset, outside), outside};
+    const double height = along.value_or(reach);
+    return {noIndex, onPath(between, offset, height), height};
 }
 
 /// Returns the vertex' number in m_vertices.
@@ -131,11 +181,12 @@ Index ForkWalls::add(CellVertex vertex, Index child)
 void ForkWalls::makeCorners()
 {
     const auto& sites = m_layout->triangulation;
+    double guess = 0.0;
     for (const ForkTriangulation::Triangle& triangle : sites.triangles()) {
         const auto& s = triangle.site;
         const Between between{s, circumcentreWeights(sites.place(s[0]), sites.place(s[1]), sites.place(s[2])),
                               3};
-        add(lift(between, glm::dvec3(0.0)), s[0]);
+        add(lift(between, glm::dvec3(0.0), guess), s[0]);
     }
 }
 
@@ -145,6 +196,7 @@ void ForkWalls::makeHullWalls()
 {
     const auto& hull = m_layout->triangulation.hull();
     m_hullWall.assign(hull.size(), {});
+    m_guesses.assign(2 * m_midsPerWall + 2, 0.0);
     for (std::size_t e = 0; e < hull.size(); ++e) {
         const ForkTriangulation::HullEdge& edge = hull[e];
         const std::size_t opposite = hull.size() - 1 - e;
@@ -160,7 +212,8 @@ void ForkWalls::makeHullWalls()
         for (std::size_t i = 1; i <= count; ++i) {
             const double part = static_cast<double>(i) / static_cast<double>(count + 1);
             const double out = reach * std::cos(part * (across ? pi : 0.5 * pi));
-            add(lift(pair(edge.from, edge.to), aside * out), edge.from);
+            double& guess = m_guesses[across ? std::min(i, count + 1 - i) : i];
+            add(lift(pair(edge.from, edge.to), aside * out, guess), edge.from);
         }
         m_hullWall[e].count = static_cast<Index>(m_vertices.size()) - m_hullWall[e].first;
     }
@@ -171,6 +224,7 @@ void ForkWalls::makeInnerWalls()
 {
     const auto& triangles = m_layout->triangulation.triangles();
     m_innerWall.assign(triangles.size(), {noIndex, noIndex, noIndex});
+    double guess = 0.0;
     for (Index t = 0; t < triangles.size(); ++t)
         for (std::size_t e = 0; e < 3; ++e) {
             const Index other = triangles[t].neighbour[e];
@@ -184,7 +238,7 @@ void ForkWalls::makeInnerWalls()
                 offset += 0.5 * glm::dot(at.position - onPath(pair(u, v), glm::dvec3(0.0), at.lifted), aside);
             }
             const double most = innerReach * pairRadius(u, v);
-            const Index mid = add(lift(pair(u, v), aside * std::clamp(offset, -most, most)), u);
+            const Index mid = add(lift(pair(u, v), aside * std::clamp(offset, -most, most), guess), u);
             m_innerWall[t][e] = mid;
             const auto& back = triangles[other].site;
             for (std::size_t i = 0; i < 3; ++i)

@@ -6,6 +6,7 @@
 #include "core/mesh/branch_axis.h"
 #include "core/mesh/fork_layout.h"
 #include "core/mesh/mesh_sink.h"
+#include <optional>
 
 namespace ramure {
 
@@ -68,10 +69,14 @@ private:
     void makeCorners();
     void makeHullWalls();
     void makeInnerWalls();
-    CellVertex lift(const Between& between, const glm::dvec3& offset);
+    CellVertex lift(const Between& between, const glm::dvec3& offset, double& guess);
     Index add(CellVertex vertex, Index child);
     [[nodiscard]] glm::dvec3 onPath(const Between& between, const glm::dvec3& offset, double along) const;
-    [[nodiscard]] double room(const Between& between, const glm::dvec3& offset, double along) const;
+    enum class Tubes { Between, All };
+    [[nodiscard]] double room(const Between& between, const glm::dvec3& offset, double along,
+                              Tubes tubes) const;
+    std::optional<double> exitHeight(const Between& between, const glm::dvec3& offset, double reach,
+                                     double guess, Tubes tubes) const;
     [[nodiscard]] Between pair(Index u, Index v) const { return {{u, v, noIndex}, {0.5, 0.5, 0.0}, 2}; }
     [[nodiscard]] glm::dvec3 outward(Index from, Index to) const;
     [[nodiscard]] double pairRadius(Index u, Index v) const;
@@ -87,6 +92,7 @@ private:
     std::size_t m_midsPerWall = 2;
     Index m_withoutExit = 0;
     std::vector<CellVertex> m_vertices; ///< corners first, then the walls
+    std::vector<double> m_guesses;      ///< per mid of a hull wall: the height found last
     std::vector<Wall> m_hullWall;
     std::vector<std::array<Index, 3>> m_innerWall; ///< per triangle and edge: its mid
     std::vector<Index> m_hullFrom, m_hullTo; ///< per child: a hull edge that leaves it, one that reaches it
