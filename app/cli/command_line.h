@@ -11,11 +11,9 @@
 
 namespace ramure::cli {
 
-enum ExitCode : int {
-    exitGood = 0,
-    exitCheckFailed = 1,
-    exitBad = 2, ///< usage or input
-};
+inline constexpr int exitGood = 0;
+inline constexpr int exitCheckFailed = 1;
+inline constexpr int exitBad = 2; ///< usage or input
 
 /// What stands in a command's help.
 struct CommandText

@@ -16,8 +16,8 @@ class TestRamureCliFiles : public QObject
 {
     Q_OBJECT
     QTemporaryDir m_folder;
-    const QStringList m_small = {"--set", "grammar.iterations=3",         "--set", "foliage.leavesCutoff=10",
-                                 "--set", "foliage.applesProbability=0.5"};
+    QStringList m_small = {"--set", "grammar.iterations=3",         "--set", "foliage.leavesCutoff=10",
+                           "--set", "foliage.applesProbability=0.5"};
 
     QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
     static ReadMesh read(const QString& file)

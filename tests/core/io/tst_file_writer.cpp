@@ -22,8 +22,8 @@ Error errorOf(const QString& path, const MeshPart& part)
 class TestFileWriter : public QObject
 {
     Q_OBJECT
-    const TriangleMesh m_mesh = test::tetrahedron();
-    const MeshPart m_part{"branches", &m_mesh, barkMaterial()};
+    TriangleMesh m_mesh = test::tetrahedron();
+    MeshPart m_part{"branches", &m_mesh, barkMaterial()};
 
 private slots:
     void init() { test::failOnAnyWarning(); }

@@ -19,7 +19,7 @@ class TestValidateFiles : public QObject
         double volume;
         bool openMesh; ///< its structure knows connections, not positions
     };
-    const std::vector<Expected> m_files = {
+    std::vector<Expected> m_files = {
         {"clean.obj", {}, 8, 12, 1, 2, 1.0, true},
         {"boundary_edge.obj", {{DefectKind::BoundaryEdge, 3}}, 8, 11, 1, 1, 11.0 / 12.0, false},
         {"non_manifold_edge.obj", {{DefectKind::NonManifoldEdge, 1}}, 14, 24, 1, 3, 2.0, false},
