@@ -23,14 +23,14 @@ ProgramActions::ProgramActions(ActionSet* set, Preferences* preferences, ViewSet
     , m_preferences(preferences)
     , m_view(view)
     , m_window(window)
-    , m_welcome(set->add({"file.welcome", QT_TRANSLATE_NOOP("Actions", "&Welcome page"), nullptr,
+    , m_welcome(set->add({"file.welcome", QT_TRANSLATE_NOOP("Actions", "&Welcome page"), "welcome",
                           QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W),
                           QT_TRANSLATE_NOOP("Actions", "Presets as pictures, recent files, first keys")}))
-    , m_editPreferences(set->add({"edit.preferences", QT_TRANSLATE_NOOP("Actions", "&Preferences…"), nullptr,
-                                  QKeySequence(Qt::CTRL | Qt::Key_Comma),
+    , m_editPreferences(set->add({"edit.preferences", QT_TRANSLATE_NOOP("Actions", "&Preferences…"),
+                                  "preferences", QKeySequence(Qt::CTRL | Qt::Key_Comma),
                                   QT_TRANSLATE_NOOP("Actions", "Theme, language, units, mouse, autosave")}))
-    , m_shortcuts(set->add({"help.shortcuts", QT_TRANSLATE_NOOP("Actions", "&Keyboard shortcuts…"), nullptr,
-                            QKeySequence(Qt::Key_F1),
+    , m_shortcuts(set->add({"help.shortcuts", QT_TRANSLATE_NOOP("Actions", "&Keyboard shortcuts…"),
+                            "keyboard", QKeySequence(Qt::Key_F1),
                             QT_TRANSLATE_NOOP("Actions", "See and change the keys of all actions")}))
     , m_about(set->add({"help.about", QT_TRANSLATE_NOOP("Actions", "&About Ramure"), "about", {}}))
 {

@@ -17,7 +17,7 @@
 namespace ramure {
 namespace {
 
-enum Column { TextColumn, KeysColumn, columnCount };
+enum Column { TextColumn, KeysColumn, ColumnCount };
 constexpr int actionRole = Qt::UserRole;
 constexpr QSize startSize(640, 620);
 
@@ -75,7 +75,7 @@ void ShortcutsDialog::build()
     m_search->setClearButtonEnabled(true);
     m_search->addAction(icon("search"), QLineEdit::LeadingPosition);
     m_tree->setObjectName(QStringLiteral("shortcutList"));
-    m_tree->setColumnCount(columnCount);
+    m_tree->setColumnCount(ColumnCount);
     m_tree->setUniformRowHeights(true);
     m_tree->header()->setStretchLastSection(false);
     m_tree->header()->setSectionResizeMode(TextColumn, QHeaderView::Stretch);

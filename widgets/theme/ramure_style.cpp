@@ -24,4 +24,12 @@ QPixmap RamureStyle::generatedIconPixmap(QIcon::Mode mode, const QPixmap& pixmap
     return faint;
 }
 
+int RamureStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                           QStyleHintReturn* data) const
+{
+    if (hint == SH_DialogButtonBox_ButtonsHaveIcons)
+        return 0;
+    return QProxyStyle::styleHint(hint, option, widget, data);
+}
+
 } // namespace ramure

@@ -15,6 +15,9 @@ public:
     /// Disabled icons are the same, only fainter: Fusion's own way makes light icons lighter.
     QPixmap generatedIconPixmap(QIcon::Mode mode, const QPixmap& pixmap,
                                 const QStyleOption* option) const override;
+    /// No icons on the buttons of dialogs: those of the base style are not drawn for a dark theme.
+    int styleHint(StyleHint hint, const QStyleOption* option = nullptr, const QWidget* widget = nullptr,
+                  QStyleHintReturn* data = nullptr) const override;
 };
 
 } // namespace ramure
