@@ -93,6 +93,23 @@
     </message>
 </context>
 <context>
+    <name>ramure::SceneSearch</name>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation>
+            <numerusform>%n node</numerusform>
+            <numerusform>%n nodes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln branch(es)</source>
+        <translation>
+            <numerusform>%Ln branch</numerusform>
+            <numerusform>%Ln branches</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::SectionBrowser</name>
     <message numerus="yes">
         <source>%n section(s) copied as CSV</source>

@@ -247,6 +247,74 @@
         <source>See and change the keys of all actions</source>
         <translation>Voir et modifier les touches de toutes les actions</translation>
     </message>
+    <message>
+        <source>&amp;Parents</source>
+        <translation>&amp;Parents</translation>
+    </message>
+    <message>
+        <source>Select what the selected ones spring from</source>
+        <translation>Sélectionner ce dont partent les éléments sélectionnés</translation>
+    </message>
+    <message>
+        <source>&amp;Children</source>
+        <translation>&amp;Enfants</translation>
+    </message>
+    <message>
+        <source>Select what springs from the selected ones</source>
+        <translation>Sélectionner ce qui part des éléments sélectionnés</translation>
+    </message>
+    <message>
+        <source>&amp;Siblings</source>
+        <translation>&amp;Frères</translation>
+    </message>
+    <message>
+        <source>Select all with the same parent</source>
+        <translation>Sélectionner tout ce qui a le même parent</translation>
+    </message>
+    <message>
+        <source>Sub&amp;tree</source>
+        <translation>&amp;Sous-arbre</translation>
+    </message>
+    <message>
+        <source>Add everything that grows from the selected ones</source>
+        <translation>Ajouter tout ce qui pousse sur les éléments sélectionnés</translation>
+    </message>
+    <message>
+        <source>All of the &amp;level</source>
+        <translation>Tout le &amp;niveau</translation>
+    </message>
+    <message>
+        <source>Select all as deep as the selected ones</source>
+        <translation>Sélectionner tout ce qui est à la même profondeur</translation>
+    </message>
+    <message>
+        <source>&amp;Find in the scene</source>
+        <translation>&amp;Chercher dans la scène</translation>
+    </message>
+    <message>
+        <source>&amp;Isolate</source>
+        <translation>&amp;Isoler</translation>
+    </message>
+    <message>
+        <source>Show only the selected nodes; again: show all</source>
+        <translation>N’afficher que les nœuds sélectionnés ; une seconde fois : tout afficher</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w all</source>
+        <translation>T&amp;out afficher</translation>
+    </message>
+    <message>
+        <source>Move &amp;up</source>
+        <translation>&amp;Monter</translation>
+    </message>
+    <message>
+        <source>Move &amp;down</source>
+        <translation>&amp;Descendre</translation>
+    </message>
+    <message>
+        <source>Copy the na&amp;me</source>
+        <translation>Copier le no&amp;m</translation>
+    </message>
 </context>
 <context>
     <name>DialogChooser</name>
@@ -542,6 +610,17 @@
     </message>
 </context>
 <context>
+    <name>NodeEdits</name>
+    <message>
+        <source>Move nodes</source>
+        <translation>Déplacer des nœuds</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>Isoler</translation>
+    </message>
+</context>
+<context>
     <name>Numbers</name>
     <message>
         <source>%1 to %2</source>
@@ -639,6 +718,29 @@
     <message>
         <source>Repairs of the mesher:</source>
         <translation>Réparations du mailleur&#xa0;:</translation>
+    </message>
+</context>
+<context>
+    <name>SceneQuery</name>
+    <message>
+        <source>length</source>
+        <translation>longueur</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>rayon</translation>
+    </message>
+    <message>
+        <source>level</source>
+        <translation>niveau</translation>
+    </message>
+    <message>
+        <source>children</source>
+        <translation>enfants</translation>
+    </message>
+    <message>
+        <source>terminal</source>
+        <translation>terminale</translation>
     </message>
 </context>
 <context>
@@ -1431,6 +1533,14 @@
         <source>Cannot write the picture: %1</source>
         <translation>Impossible d’écrire l’image&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>“%1” cannot be compared</source>
+        <translation>« %1 » ne peut pas être comparé</translation>
+    </message>
+    <message>
+        <source>a number is missing after “%1”</source>
+        <translation>il manque un nombre après « %1 »</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>
@@ -1863,6 +1973,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Validation</source>
         <translation>Validation</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>&amp;Sélection</translation>
     </message>
 </context>
 <context>
@@ -2344,6 +2458,99 @@ OpenGL&#xa0;: %4
     <message>
         <source>Scene</source>
         <translation>Scène</translation>
+    </message>
+    <message>
+        <source>Branches of one tree are selected at a time: now those of %1.</source>
+        <translation>On sélectionne les branches d’un seul arbre à la fois : à présent celles de %1.</translation>
+    </message>
+    <message>
+        <source>Frame in the view</source>
+        <translation>Cadrer dans la vue</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Sélectionner</translation>
+    </message>
+    <message>
+        <source>Unfold all below</source>
+        <translation>Déplier tout ce qui est dessous</translation>
+    </message>
+    <message>
+        <source>Fold everything</source>
+        <translation>Tout replier</translation>
+    </message>
+    <message>
+        <source>Found in the scene</source>
+        <translation>Trouvé dans la scène</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::SceneSearch</name>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation>
+            <numerusform>%n nœud</numerusform>
+            <numerusform>%n nœuds</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln branch(es)</source>
+        <translation>
+            <numerusform>%Ln branche</numerusform>
+            <numerusform>%Ln branches</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Aucun résultat</translation>
+    </message>
+    <message>
+        <source>Search: name, %1 &gt; %2, %3</source>
+        <translation>Chercher : nom, %1 &gt; %2, %3</translation>
+    </message>
+    <message>
+        <source>Search the scene</source>
+        <translation>Chercher dans la scène</translation>
+    </message>
+    <message>
+        <source>oak</source>
+        <translation>chêne</translation>
+    </message>
+    <message>
+        <source>nodes and branches whose name has this</source>
+        <translation>les nœuds et branches dont le nom contient ceci</translation>
+    </message>
+    <message>
+        <source>branches longer than that, in metres</source>
+        <translation>les branches plus longues, en mètres</translation>
+    </message>
+    <message>
+        <source>thinner at the lower end; mm, cm, m, in, ft</source>
+        <translation>plus minces à la base ; mm, cm, m, in, ft</translation>
+    </message>
+    <message>
+        <source>of this depth of brackets; 0 is the trunk</source>
+        <translation>à cette profondeur de crochets ; 0 est le tronc</translation>
+    </message>
+    <message>
+        <source>with so many branches at the end</source>
+        <translation>avec autant de branches à l’extrémité</translation>
+    </message>
+    <message>
+        <source>with none at the end</source>
+        <translation>sans branche à l’extrémité</translation>
+    </message>
+    <message>
+        <source>Several must all hold: %1. Enter selects everything found.</source>
+        <translation>Plusieurs conditions doivent toutes être vraies : %1. Entrée sélectionne tout ce qui est trouvé.</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Tout sélectionner</translation>
+    </message>
+    <message>
+        <source>Select everything found (Enter in the field)</source>
+        <translation>Sélectionner tout ce qui est trouvé (Entrée dans le champ)</translation>
     </message>
 </context>
 <context>

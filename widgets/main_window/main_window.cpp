@@ -15,6 +15,7 @@
 #include "widgets/main_window/status_panel.h"
 #include "widgets/properties/properties_panel.h"
 #include "widgets/scene/scene_panel.h"
+#include "widgets/scene/select_actions.h"
 #include "widgets/support/preferences.h"
 #include "widgets/validation/validation_panel.h"
 #include "widgets/viewport/viewport.h"
@@ -159,6 +160,7 @@ void MainWindow::buildActions()
 {
     m_files = new FileActions(m_document, m_preferences, m_chooser, m_actions, this);
     m_edits = new EditActions(m_document, m_chooser, m_actions, this);
+    m_selects = new SelectActions(m_document, m_actions, this);
     m_views = new ViewActions(m_host, m_preferences, m_actions, this);
     m_search = m_actions->add(
         {"view.search", QT_TRANSLATE_NOOP("Actions", "Find a &parameter"), "search", QKeySequence::Find});
@@ -190,10 +192,12 @@ void MainWindow::buildMenus()
     m_editMenu = menuBar()->addMenu(QString());
     m_edits->fillMenu(m_editMenu);
     m_editMenu->addSeparator();
-    m_editMenu->addActions(m_pictures->selectionActions());
     m_editMenu->addAction(m_search);
     m_editMenu->addSeparator();
     m_editMenu->addAction(m_program->preferencesAction());
+    m_selectMenu = menuBar()->addMenu(QString());
+    m_selectMenu->addActions(m_pictures->selectionActions());
+    m_selects->fillMenu(m_selectMenu);
     m_viewMenu = menuBar()->addMenu(QString());
     m_views->fillMenu(m_viewMenu,
                       {m_sceneDock->toggleViewAction(), m_propertiesDock->toggleViewAction(),
@@ -202,8 +206,8 @@ void MainWindow::buildMenus()
                       m_resetLayout);
     m_helpMenu = menuBar()->addMenu(QString());
     m_helpMenu->addActions(m_program->helpActions());
-    m_program->setMenus({m_fileMenu, m_editMenu, m_viewMenu, m_helpMenu});
-    m_scene->setMenuActions(m_edits->nodeActions());
+    m_program->setMenus({m_fileMenu, m_editMenu, m_selectMenu, m_viewMenu, m_helpMenu});
+    m_scene->setMenuActions(m_edits->nodeActions(), m_selects);
 }
 
 void MainWindow::buildToolBar()
@@ -240,6 +244,13 @@ void MainWindow::connectPanels()
     connect(m_pictures, &PictureActions::messageRaised, this, say);
     connect(m_welcome, &WelcomePanel::closed, this, [this] { m_host->setFocus(); });
     connect(m_scene, &ScenePanel::messageRaised, this, say);
+    connect(m_scene, &ScenePanel::frameRequested, m_views->frameSelectionAction(), &QAction::trigger);
+    connect(m_selects, &SelectActions::messageRaised, this, say);
+    connect(m_selects, &SelectActions::searchRequested, this, [this] {
+        m_sceneDock->show();
+        m_sceneDock->raise();
+        m_scene->focusSearch();
+    });
     connect(m_inspector, &BranchInspector::messageRaised, this, say);
     connect(m_validation, &ValidationPanel::messageRaised, this, say);
     connect(m_problem, &ProblemButton::paramRequested, this, [this](const QString& key) {
@@ -329,6 +340,7 @@ void MainWindow::retranslate()
     m_views->retranslate();
     m_fileMenu->setTitle(tr("&File"));
     m_editMenu->setTitle(tr("&Edit"));
+    m_selectMenu->setTitle(tr("&Select"));
     m_viewMenu->setTitle(tr("&View"));
     m_helpMenu->setTitle(tr("&Help"));
     m_toolBar->setWindowTitle(tr("Toolbar"));

@@ -21,6 +21,7 @@ class ProgramActions;
 class PropertiesPanel;
 class Recompute;
 class ScenePanel;
+class SelectActions;
 class StatusPanel;
 class ValidationPanel;
 class ViewActions;
@@ -85,6 +86,7 @@ private:
     ProblemButton* m_problem = nullptr;
     FileActions* m_files = nullptr;
     EditActions* m_edits = nullptr;
+    SelectActions* m_selects = nullptr;
     ViewActions* m_views = nullptr;
     PictureActions* m_pictures = nullptr;
     ProgramActions* m_program = nullptr;
@@ -93,6 +95,7 @@ private:
     QAction* m_search = nullptr;
     QMenu* m_fileMenu = nullptr;
     QMenu* m_editMenu = nullptr;
+    QMenu* m_selectMenu = nullptr;
     QMenu* m_viewMenu = nullptr;
     QMenu* m_helpMenu = nullptr;
     QToolBar* m_toolBar = nullptr;

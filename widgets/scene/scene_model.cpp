@@ -58,17 +58,23 @@ QModelIndex SceneModel::nodeIndex(NodeId node, int column) const
 
 QModelIndex SceneModel::branchIndex(NodeId node, Index branch, int column)
 {
-    if (node == noNode || !m_items.contains(node))
-        return {};
-    if (canFetchMore(nodeIndex(node)))
-        fetchMore(nodeIndex(node));
-    const BranchRows* rows = branches(node);
+    const BranchRows* rows = fetchBranches(node);
     if (!rows || branch >= rows->skeleton().size())
         return {};
     int row = static_cast<int>(rows->row(branch));
-    if (rows->skeleton().parent[branch] == noIndex)
+    if (rows->above(branch) == noIndex)
         row += static_cast<int>(item(node).children.size());
     return createIndex(row, column, branchId(node, branch));
+}
+
+const BranchRows* SceneModel::fetchBranches(NodeId node)
+{
+    if (node == noNode || !m_items.contains(node))
+        return nullptr;
+    // Without an index where they are there: that would cost a search among the siblings for each branch.
+    if (!item(node).fetched)
+        fetchMore(nodeIndex(node));
+    return branches(node);
 }
 
 const BranchRows* SceneModel::branches(NodeId node) const
@@ -86,11 +92,11 @@ QModelIndex SceneModel::index(int row, int column, const QModelIndex& parent) co
     const auto at = static_cast<std::size_t>(row);
     if (above != noIndex)
         return createIndex(row, column,
-                           branchId(node, item(node).branches->child(above, static_cast<Index>(row))));
+                           branchId(node, item(node).branches->at(above, static_cast<Index>(row))));
     const auto& children = item(node).children;
     if (at < children.size())
         return createIndex(row, column, quintptr{children[at]});
-    return createIndex(row, column, branchId(node, item(node).branches->roots()[at - children.size()]));
+    return createIndex(row, column, branchId(node, item(node).branches->tops()[at - children.size()]));
 }
 
 QModelIndex SceneModel::parent(const QModelIndex& index) const
@@ -102,11 +108,11 @@ QModelIndex SceneModel::parent(const QModelIndex& index) const
     if (branch == noIndex)
         return nodeIndex(item(node).parent);
     const BranchRows& rows = *item(node).branches;
-    const Index above = rows.skeleton().parent[branch];
+    const Index above = rows.above(branch);
     if (above == noIndex)
         return nodeIndex(node);
     int row = static_cast<int>(rows.row(above));
-    if (rows.skeleton().parent[above] == noIndex)
+    if (rows.above(above) == noIndex)
         row += static_cast<int>(item(node).children.size());
     return createIndex(row, 0, branchId(node, above));
 }
@@ -118,8 +124,8 @@ int SceneModel::rowCount(const QModelIndex& parent) const
     const Item& above = item(nodeAt(parent));
     const Index branch = branchAt(parent);
     if (branch != noIndex)
-        return static_cast<int>(above.branches->childCount(branch));
-    return static_cast<int>(above.children.size() + (above.branches ? above.branches->roots().size() : 0));
+        return static_cast<int>(above.branches->rowCount(branch));
+    return static_cast<int>(above.children.size() + (above.branches ? above.branches->tops().size() : 0));
 }
 
 int SceneModel::columnCount(const QModelIndex&) const
@@ -180,8 +186,8 @@ void SceneModel::replaceBranches(NodeId node, const std::shared_ptr<const Simpli
     Item& tree = m_items.at(node);
     const int first = static_cast<int>(tree.children.size());
     const QModelIndex parent = nodeIndex(node);
-    if (tree.branches && !tree.branches->roots().empty()) {
-        beginRemoveRows(parent, first, first + static_cast<int>(tree.branches->roots().size()) - 1);
+    if (tree.branches && !tree.branches->tops().empty()) {
+        beginRemoveRows(parent, first, first + static_cast<int>(tree.branches->tops().size()) - 1);
         tree.branches.reset();
         endRemoveRows();
     }
@@ -189,7 +195,7 @@ void SceneModel::replaceBranches(NodeId node, const std::shared_ptr<const Simpli
     if (!skeleton || skeleton->skeleton.empty())
         return;
     auto rows = std::make_unique<BranchRows>(skeleton);
-    beginInsertRows(parent, first, first + static_cast<int>(rows->roots().size()) - 1);
+    beginInsertRows(parent, first, first + static_cast<int>(rows->tops().size()) - 1);
     tree.branches = std::move(rows);
     endInsertRows();
     emit branchesReplaced(node);

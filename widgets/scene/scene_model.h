@@ -28,6 +28,8 @@ public:
         LevelColumn
     };
     static constexpr int columns = 7;
+    /// Besides Qt's roles: is this the eye or the lock of a node?
+    static constexpr int IsSwitchRole = Qt::UserRole;
 
     /// \p document is not owned and must outlive the model.
     explicit SceneModel(Document* document, QObject* parent = nullptr);
@@ -42,6 +44,10 @@ public:
     [[nodiscard]] QModelIndex branchIndex(NodeId node, Index branch, int column = NameColumn);
     /// Null until the branches were fetched.
     [[nodiscard]] const BranchRows* branches(NodeId node) const;
+    /// Fetches them where they are not there yet; null where the node has none.
+    const BranchRows* fetchBranches(NodeId node);
+    /// What a branch is called.
+    [[nodiscard]] static QString branchName(Index branch);
 
     [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
     [[nodiscard]] QModelIndex parent(const QModelIndex& index) const override;

@@ -35,6 +35,9 @@ QVariant SceneModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid())
         return {};
+    if (role == IsSwitchRole)
+        return branchAt(index) == noIndex &&
+               (index.column() == VisibleColumn || index.column() == LockedColumn);
     if (role == Qt::TextAlignmentRole && index.column() >= LengthColumn)
         return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
     const Index branch = branchAt(index);
@@ -86,22 +89,27 @@ QVariant SceneModel::nodeData(const Node& node, int column, int role) const
     return {};
 }
 
+QString SceneModel::branchName(Index branch)
+{
+    return tr("Branch %1").arg(branch);
+}
+
 QVariant SceneModel::branchData(const BranchRows& rows, Index branch, int column, int role) const
 {
     const Skeleton& bones = rows.skeleton();
     if (column == NameColumn && role == Qt::DecorationRole)
-        return icon("branch");
+        return icon(rows.leadsOn(branch) ? "branch-on" : "branch");
     if (role != Qt::DisplayRole)
         return {};
     switch (column) {
     case NameColumn:
-        return tr("Branch %1").arg(branch);
+        return branchName(branch);
     case LengthColumn:
         return metres(bones.length(branch));
     case RadiusColumn:
         return metres(bones.a0[branch]);
     case ChildrenColumn:
-        return QLocale().toString(rows.childCount(branch));
+        return QLocale().toString(rows.forks(branch));
     case LevelColumn:
         return QLocale().toString(bones.level[branch]);
     default:

@@ -2,45 +2,64 @@
 
 #include "core/document/commands.h"
 #include "widgets/scene/scene_model.h"
+#include "widgets/scene/scene_results.h"
+#include "widgets/scene/scene_search.h"
 #include "widgets/scene/scene_tree.h"
+#include "widgets/scene/select_actions.h"
 #include "widgets/support/core_text.h"
+#include "widgets/support/targets.h"
+#include "widgets/theme/icons.h"
 #include <QEvent>
 #include <QHeaderView>
+#include <QLineEdit>
 #include <QMenu>
+#include <QStackedLayout>
 #include <QVBoxLayout>
 #include <algorithm>
 
 namespace ramure {
+namespace {
+
+/// From so many ranges on the old selection is dropped before the new one comes: comparing them, which Qt
+/// does to tell what differs, takes the product of both.
+constexpr int manyRanges = 64;
+
+} // namespace
 
 ScenePanel::ScenePanel(Document* document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_model(new SceneModel(document, this))
+    , m_results(new SceneResults(document, m_model, this))
+    , m_search(new SceneSearch(this))
     , m_view(new SceneTree(this))
+    , m_list(new SceneTree(this))
 {
     setObjectName(QStringLiteral("scenePanel"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_view);
-    // Rows that go take their selection with them: that is no wish of the user. Connected before the view's
-    // own selection model, which reacts to the same signals.
-    connect(m_model, &QAbstractItemModel::rowsAboutToBeRemoved, this, [this] { m_syncing = true; });
-    connect(m_model, &QAbstractItemModel::modelAboutToBeReset, this, [this] { m_syncing = true; });
-    m_view->setModel(m_model);
-    connect(m_model, &QAbstractItemModel::rowsRemoved, this, [this] { m_syncing = false; });
-    connect(m_model, &QAbstractItemModel::modelReset, this, [this] { m_syncing = false; });
-    m_view->setObjectName(QStringLiteral("sceneTree"));
-    m_view->setContextMenuPolicy(Qt::CustomContextMenu);
-    QHeaderView* header = m_view->header();
-    header->setSectionResizeMode(QHeaderView::Interactive);
-    for (const int column : {SceneModel::VisibleColumn, SceneModel::LockedColumn}) {
-        header->setSectionResizeMode(column, QHeaderView::Fixed);
-        header->resizeSection(column, 26);
+    layout->setSpacing(0);
+    layout->addWidget(m_search);
+    m_stack = new QStackedLayout;
+    layout->addLayout(m_stack, 1);
+    // Rows that go take their selection with them: that is no wish of the user. Connected before the views'
+    // own selection models, which react to the same signals.
+    for (QAbstractItemModel* model :
+         {static_cast<QAbstractItemModel*>(m_model), static_cast<QAbstractItemModel*>(m_results)}) {
+        connect(model, &QAbstractItemModel::rowsAboutToBeRemoved, this, [this] { m_syncing = true; });
+        connect(model, &QAbstractItemModel::modelAboutToBeReset, this, [this] { m_syncing = true; });
     }
-    header->setContextMenuPolicy(Qt::CustomContextMenu);
-    // In a narrow panel names matter most; the rest is a right click on the header away.
-    m_view->setColumnHidden(SceneModel::RadiusColumn, true);
-    m_view->setColumnHidden(SceneModel::LevelColumn, true);
+    m_view->setModel(m_model);
+    m_list->setModel(m_results);
+    for (QAbstractItemModel* model :
+         {static_cast<QAbstractItemModel*>(m_model), static_cast<QAbstractItemModel*>(m_results)}) {
+        connect(model, &QAbstractItemModel::rowsRemoved, this, [this] { m_syncing = false; });
+        connect(model, &QAbstractItemModel::modelReset, this, [this] { m_syncing = false; });
+    }
+    prepareView(m_view, "sceneTree");
+    prepareView(m_list, "sceneResults");
+    m_list->setRootIsDecorated(false);
+    m_list->setDragDropMode(QAbstractItemView::NoDragDrop);
 
     connect(m_document, &Document::changed, this, &ScenePanel::follow);
     connect(m_model, &SceneModel::refused, this, &ScenePanel::messageRaised);
@@ -48,32 +67,79 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
         restoreExpanded(node);
         showSelection();
     });
-    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            &ScenePanel::takeSelection);
-    connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, &ScenePanel::takeSelection);
-    connect(m_view, &SceneTree::stateClicked, this, &ScenePanel::toggleState);
+    connect(m_results, &QAbstractItemModel::modelReset, this, &ScenePanel::showResults);
     connect(m_view, &QTreeView::expanded, this,
             [this](const QModelIndex& index) { noteExpanded(index, true); });
     connect(m_view, &QTreeView::collapsed, this,
             [this](const QModelIndex& index) { noteExpanded(index, false); });
-    connect(m_view, &QWidget::customContextMenuRequested, this, &ScenePanel::showMenu);
-    connect(header, &QWidget::customContextMenuRequested, this, &ScenePanel::showHeaderMenu);
+    connect(m_search, &SceneSearch::queryChanged, this, [this](const SceneQuery& query) {
+        m_searching = !query.isEmpty();
+        m_results->setQuery(query);
+    });
+    connect(m_search, &SceneSearch::selectAllRequested, this, &ScenePanel::selectResults);
+    connect(m_search, &SceneSearch::leftDownwards, this,
+            [this] { presentView()->setFocus(Qt::OtherFocusReason); });
     retranslate();
     showSelection();
 }
 
+void ScenePanel::prepareView(SceneTree* view, const char* name)
+{
+    view->setObjectName(QLatin1String(name));
+    view->prepareColumns();
+    // In a narrow panel names matter most; the rest is a right click on the header away.
+    view->setColumnHidden(SceneModel::RadiusColumn, true);
+    view->setColumnHidden(SceneModel::LevelColumn, true);
+    m_stack->addWidget(view);
+    connect(view->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this, view] {
+        if (view == presentView())
+            takeSelection();
+    });
+    connect(view->selectionModel(), &QItemSelectionModel::currentChanged, this, [this, view] {
+        if (view == presentView())
+            takeSelection();
+    });
+    connect(view, &SceneTree::stateClicked, this, &ScenePanel::toggleState);
+    connect(view, &SceneTree::frameRequested, this, &ScenePanel::frameRequested);
+    connect(view, &QWidget::customContextMenuRequested, this, &ScenePanel::showMenu);
+    connect(view->header(), &QWidget::customContextMenuRequested, this, &ScenePanel::showHeaderMenu);
+}
+
+void ScenePanel::setMenuActions(const QList<QAction*>& actions, const SelectActions* selects)
+{
+    m_menuActions = actions;
+    m_selects = selects;
+}
+
 void ScenePanel::follow(const Change& change)
 {
-    if (change.has(changeReset))
+    if (change.has(changeReset)) {
         m_expanded.clear();
+        m_search->clear();
+    }
     if (change.has(changeReset | changeStructure | changeSelection))
         showSelection();
+}
+
+QModelIndex ScenePanel::toScene(const QModelIndex& index) const
+{
+    return index.model() == m_results ? m_results->toScene(index) : index;
+}
+
+QModelIndex ScenePanel::nodeRow(NodeId node) const
+{
+    return isSearching() ? m_results->nodeIndex(node) : m_model->nodeIndex(node);
+}
+
+QModelIndex ScenePanel::branchRow(NodeId node, Index branch) const
+{
+    return isSearching() ? m_results->branchIndex(node, branch) : m_model->branchIndex(node, branch);
 }
 
 Selection ScenePanel::viewSelection() const
 {
     Selection selection;
-    const QItemSelectionModel* chosen = m_view->selectionModel();
+    const QItemSelectionModel* chosen = presentView()->selectionModel();
     const QModelIndex current = chosen->currentIndex().siblingAtColumn(0);
     const auto note = [&](const QModelIndex& index) {
         const NodeId node = m_model->nodeAt(index);
@@ -87,16 +153,21 @@ Selection ScenePanel::viewSelection() const
     };
     // The tree of the active row first: branches of one tree only can be selected.
     const bool currentChosen = current.isValid() && chosen->isSelected(current);
-    if (currentChosen && m_model->branchAt(current) != noIndex)
-        selection.branchNode = m_model->nodeAt(current);
-    for (const QModelIndex& index : chosen->selectedRows()) {
-        if (index != current)
-            note(index);
+    const QModelIndex active = toScene(current);
+    if (currentChosen && m_model->branchAt(active) != noIndex)
+        selection.branchNode = m_model->nodeAt(active);
+    // Range by range: whole rows are selected, and selectedRows() would look through all ranges for each row.
+    for (const QItemSelectionRange& range : chosen->selection()) {
+        for (int row = range.top(); row <= range.bottom(); ++row) {
+            const QModelIndex index = range.model()->index(row, 0, range.parent());
+            if (index != current)
+                note(toScene(index));
+        }
     }
     if (currentChosen) {
-        note(current);
-        if (m_model->branchAt(current) != noIndex)
-            selection.activeBranch = m_model->branchAt(current);
+        note(active);
+        if (m_model->branchAt(active) != noIndex)
+            selection.activeBranch = m_model->branchAt(active);
     }
     std::ranges::sort(selection.branches);
     if (selection.activeBranch == noIndex && !selection.branches.empty())
@@ -118,14 +189,31 @@ QItemSelection ScenePanel::documentSelection() const
 {
     const Selection& wanted = m_document->selection();
     QItemSelection selection;
-    const auto add = [&](const QModelIndex& index) {
-        if (index.isValid())
-            selection.select(index, index.siblingAtColumn(SceneModel::columns - 1));
+    const auto add = [&](const QModelIndex& first, const QModelIndex& last) {
+        if (first.isValid() && last.isValid())
+            selection.append({first, last.siblingAtColumn(SceneModel::columns - 1)});
     };
     for (const NodeId node : wanted.nodes)
-        add(m_model->nodeIndex(node));
+        add(nodeRow(node), nodeRow(node));
+    std::vector<QModelIndex> rows;
+    rows.reserve(wanted.branches.size());
     for (const Index branch : wanted.branches)
-        add(m_model->branchIndex(wanted.branchNode, branch));
+        rows.push_back(branchRow(wanted.branchNode, branch));
+    // Neighbours become one range: thousands of branches are a few hundred of them.
+    const auto above = [this](const QModelIndex& index) {
+        const BranchRows* tree = isSearching() ? nullptr : m_model->branches(m_model->nodeAt(index));
+        return tree ? tree->above(m_model->branchAt(index)) : noIndex;
+    };
+    std::erase_if(rows, [](const QModelIndex& index) { return !index.isValid(); });
+    std::ranges::sort(rows, {},
+                      [&](const QModelIndex& index) { return std::pair(above(index), index.row()); });
+    for (std::size_t first = 0, last = 0; first < rows.size(); first = last + 1) {
+        last = first;
+        while (last + 1 < rows.size() && rows[last + 1].row() == rows[last].row() + 1 &&
+               above(rows[last + 1]) == above(rows[last]))
+            ++last;
+        add(rows[first], rows[last]);
+    }
     return selection;
 }
 
@@ -135,21 +223,46 @@ void ScenePanel::showSelection()
         return;
     m_syncing = true;
     const Selection& wanted = m_document->selection();
-    m_view->selectionModel()->select(documentSelection(), QItemSelectionModel::ClearAndSelect);
+    SceneTree* view = presentView();
+    const QItemSelection ranges = documentSelection();
+    if (std::max(ranges.size(), view->selectionModel()->selection().size()) > manyRanges) {
+        view->selectionModel()->reset();
+        view->viewport()->update();
+    }
+    view->selectionModel()->select(ranges, QItemSelectionModel::ClearAndSelect);
     const QModelIndex active = wanted.activeBranch != noIndex
-                                   ? m_model->branchIndex(wanted.branchNode, wanted.activeBranch)
-                                   : m_model->nodeIndex(wanted.activeNode());
+                                   ? branchRow(wanted.branchNode, wanted.activeBranch)
+                                   : nodeRow(wanted.activeNode());
     if (active.isValid()) {
-        m_view->selectionModel()->setCurrentIndex(active, QItemSelectionModel::NoUpdate);
-        m_view->scrollTo(active);
+        view->selectionModel()->setCurrentIndex(active, QItemSelectionModel::NoUpdate);
+        view->scrollTo(active);
     }
     m_syncing = false;
+}
+
+void ScenePanel::showResults()
+{
+    m_stack->setCurrentWidget(presentView());
+    m_search->showCounts(m_results->nodeCount(), m_results->branchCount());
+    showSelection();
+}
+
+void ScenePanel::selectResults()
+{
+    if (!isSearching() || m_results->rowCount() == 0)
+        return;
+    const std::vector<NodeId> targets = targetNodes(*m_document);
+    const Selection all = m_results->everything(targets.empty() ? noNode : targets.back());
+    m_document->setSelection(all);
+    if (static_cast<int>(all.branches.size()) < m_results->branchCount())
+        emit messageRaised(tr("Branches of one tree are selected at a time: now those of %1.")
+                               .arg(m_model->nodeIndex(all.branchNode).data().toString()));
 }
 
 void ScenePanel::toggleState(const QModelIndex& index)
 {
     const bool lock = index.column() == SceneModel::LockedColumn;
-    const NodeId clicked = m_model->nodeAt(index);
+    const NodeId clicked = m_model->nodeAt(toScene(index));
     // A row of the selection speaks for all of it.
     std::vector<NodeId> nodes = m_document->selection().nodes;
     if (std::ranges::count(nodes, clicked) == 0)
@@ -190,36 +303,63 @@ void ScenePanel::restoreExpanded(NodeId node)
 
 void ScenePanel::renameActive()
 {
-    const QModelIndex index = m_model->nodeIndex(m_document->selection().activeNode());
-    if (!index.isValid())
+    const NodeId active = m_document->selection().activeNode();
+    if (!m_model->nodeIndex(active).isValid())
         return;
-    m_view->setFocus(Qt::ShortcutFocusReason);
-    m_view->scrollTo(index);
-    m_view->edit(index);
+    if (!nodeRow(active).isValid())
+        m_search->clear();
+    SceneTree* view = presentView();
+    view->setFocus(Qt::ShortcutFocusReason);
+    view->scrollTo(nodeRow(active));
+    view->edit(nodeRow(active));
+}
+
+void ScenePanel::focusSearch()
+{
+    m_search->field()->setFocus(Qt::ShortcutFocusReason);
+    m_search->field()->selectAll();
 }
 
 void ScenePanel::showMenu(const QPoint& position)
 {
     QMenu menu(this);
+    const QIcon frameIcon = icon("frame-selection");
+    QAction* frame = menu.addAction(frameIcon, tr("Frame in the view"), this, &ScenePanel::frameRequested);
+    frame->setEnabled(m_document->selection() != Selection());
+    if (m_selects) {
+        menu.addMenu(tr("Select"))->addActions(m_selects->stepActions());
+        menu.addSeparator();
+        menu.addActions(m_selects->rowActions());
+    }
+    menu.addSeparator();
     menu.addActions(m_menuActions);
-    if (!menu.isEmpty())
-        menu.exec(m_view->viewport()->mapToGlobal(position));
+    if (!isSearching()) {
+        menu.addSeparator();
+        const QModelIndex current = m_view->currentIndex();
+        QAction* unfold = menu.addAction(tr("Unfold all below"), m_view,
+                                         [this, current] { m_view->expandRecursively(current); });
+        unfold->setEnabled(current.isValid());
+        menu.addAction(tr("Fold everything"), m_view, &QTreeView::collapseAll);
+    }
+    menu.exec(presentView()->viewport()->mapToGlobal(position));
 }
 
 void ScenePanel::showHeaderMenu(const QPoint& position)
 {
     QMenu menu(this);
-    for (int column = SceneModel::LengthColumn; column < SceneModel::columns; ++column) {
-        QAction* action =
-            menu.addAction(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+    for (int column = SceneModel::VisibleColumn; column < SceneModel::columns; ++column) {
+        QString name = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        if (name.isEmpty())
+            name = m_model->headerData(column, Qt::Horizontal, Qt::AccessibleTextRole).toString();
+        QAction* action = menu.addAction(name);
         action->setCheckable(true);
         action->setChecked(!m_view->isColumnHidden(column));
         connect(action, &QAction::toggled, this, [this, column](bool on) {
             m_view->setColumnHidden(column, !on);
-            m_view->fitNames();
+            m_list->setColumnHidden(column, !on);
         });
     }
-    menu.exec(m_view->header()->mapToGlobal(position));
+    menu.exec(presentView()->header()->mapToGlobal(position));
 }
 
 void ScenePanel::changeEvent(QEvent* event)
@@ -232,15 +372,17 @@ void ScenePanel::changeEvent(QEvent* event)
 void ScenePanel::retranslate()
 {
     m_view->setAccessibleName(tr("Scene"));
+    m_list->setAccessibleName(tr("Found in the scene"));
     m_model->retranslate();
+    m_results->retranslate();
     // As wide as their headings and usual figures.
     for (int column = SceneModel::LengthColumn; column < SceneModel::columns; ++column) {
         const QString heading = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
         const int figure = fontMetrics().horizontalAdvance(QStringLiteral("000.000"));
-        m_view->header()->resizeSection(column,
-                                        std::max(figure, fontMetrics().horizontalAdvance(heading)) + 18);
+        const int width = std::max(figure, fontMetrics().horizontalAdvance(heading)) + 18;
+        m_view->header()->resizeSection(column, width);
+        m_list->header()->resizeSection(column, width);
     }
-    m_view->fitNames();
 }
 
 } // namespace ramure

@@ -1,5 +1,5 @@
 /// \file
-/// The scene panel: nodes and the branches of trees; selection both ways with the document.
+/// The scene panel: nodes and the branches of trees, a search, selection both ways with the document.
 #pragma once
 
 #include "core/document/document.h"
@@ -8,11 +8,15 @@
 
 class QItemSelection;
 class QModelIndex;
+class QStackedLayout;
 
 namespace ramure {
 
 class SceneModel;
+class SceneResults;
+class SceneSearch;
 class SceneTree;
+class SelectActions;
 
 class ScenePanel : public QWidget
 {
@@ -23,27 +27,42 @@ public:
 
     [[nodiscard]] SceneModel* model() const { return m_model; }
     [[nodiscard]] SceneTree* view() const { return m_view; }
-    /// The menu of a right click, besides the panel's own entries.
-    void setMenuActions(const QList<QAction*>& actions) { m_menuActions = actions; }
+    /// What a search found.
+    [[nodiscard]] SceneResults* results() const { return m_results; }
+    [[nodiscard]] SceneTree* resultView() const { return m_list; }
+    [[nodiscard]] SceneSearch* search() const { return m_search; }
+    /// The menu of a right click: actions on nodes, and those of the Select menu.
+    void setMenuActions(const QList<QAction*>& actions, const SelectActions* selects = nullptr);
     [[nodiscard]] QSize sizeHint() const override { return {360, 260}; }
 
 public slots:
     /// Starts editing the name of the active node.
     void renameActive();
+    void focusSearch();
 
 signals:
     /// For the status bar: why an edit was refused.
     void messageRaised(const QString& text);
+    /// The selection should be brought into the middle of the view.
+    void frameRequested();
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void prepareView(SceneTree* view, const char* name);
     void follow(const Change& change);
     void takeSelection(); ///< from the view to the document
     void showSelection(); ///< from the document to the view
+    [[nodiscard]] bool isSearching() const { return m_searching; }
+    [[nodiscard]] SceneTree* presentView() const { return isSearching() ? m_list : m_view; }
+    [[nodiscard]] QModelIndex toScene(const QModelIndex& index) const;
+    [[nodiscard]] QModelIndex nodeRow(NodeId node) const;
+    [[nodiscard]] QModelIndex branchRow(NodeId node, Index branch) const;
     [[nodiscard]] Selection viewSelection() const;
     [[nodiscard]] QItemSelection documentSelection() const;
+    void selectResults();
+    void showResults();
     void toggleState(const QModelIndex& index);
     void noteExpanded(const QModelIndex& index, bool expanded);
     void restoreExpanded(NodeId node);
@@ -53,9 +72,15 @@ private:
 
     Document* m_document;
     SceneModel* m_model;
+    SceneResults* m_results;
+    SceneSearch* m_search;
     SceneTree* m_view;
+    SceneTree* m_list;
+    QStackedLayout* m_stack;
     QList<QAction*> m_menuActions;
+    const SelectActions* m_selects = nullptr;
     bool m_syncing = false;
+    bool m_searching = false;
     /// Unfolded branches by node and key: they stay unfolded when the tree is computed anew.
     std::set<std::pair<NodeId, std::uint64_t>> m_expanded;
 };

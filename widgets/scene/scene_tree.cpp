@@ -4,11 +4,19 @@
 #include <QHeaderView>
 #include <QMouseEvent>
 #include <QScrollBar>
+#include <QTimer>
+#include <algorithm>
 
 namespace ramure {
+namespace {
+
+constexpr int shortestName = 14; ///< characters of average width that a name always has
+
+} // namespace
 
 SceneTree::SceneTree(QWidget* parent)
     : QTreeView(parent)
+    , m_fitTimer(new QTimer(this))
 {
     setUniformRowHeights(true); // 10,000 rows are laid out without measuring each
     setSelectionMode(ExtendedSelection);
@@ -18,43 +26,92 @@ SceneTree::SceneTree(QWidget* parent)
     setExpandsOnDoubleClick(false);
     setIndentation(12);
     setAllColumnsShowFocus(true);
+    setHorizontalScrollMode(ScrollPerPixel);
+    setAutoScroll(true);
     header()->setSectionsMovable(false);
     header()->setMinimumSectionSize(24);
     header()->setStretchLastSection(false);
-    // Queued: the rows are laid out by then.
-    connect(this, &QTreeView::expanded, this, &SceneTree::fitNames, Qt::QueuedConnection);
-    connect(this, &QTreeView::collapsed, this, &SceneTree::fitNames, Qt::QueuedConnection);
-    connect(verticalScrollBar(), &QScrollBar::valueChanged, this, &SceneTree::fitNames, Qt::QueuedConnection);
-    connect(header(), &QHeaderView::sectionCountChanged, this, &SceneTree::fitNames, Qt::QueuedConnection);
+    header()->setContextMenuPolicy(Qt::CustomContextMenu);
+    // Of the rows in sight: measuring thousands would cost more than it tells.
+    header()->setResizeContentsPrecision(0);
+    setContextMenuPolicy(Qt::CustomContextMenu);
+
+    // The names get what the other columns leave, and more where what is in sight stands deep; then the view
+    // scrolls sideways. Measured once the view has laid out its rows.
+    m_fitTimer->setSingleShot(true);
+    m_fitTimer->setInterval(0);
+    connect(m_fitTimer, &QTimer::timeout, this, [this] { fitNames(std::exchange(m_mayShrink, false)); });
+    const auto anew = [this] {
+        m_mayShrink = true;
+        m_fitTimer->start();
+    };
+    connect(this, &QTreeView::expanded, this, anew);
+    connect(this, &QTreeView::collapsed, this, anew);
+    connect(header(), &QHeaderView::sectionResized, this, [this](int section) {
+        if (section != SceneModel::NameColumn)
+            m_fitTimer->start();
+    });
+    // While scrolling the column only grows: a breathing one would be no rest for the eye.
+    connect(verticalScrollBar(), &QScrollBar::valueChanged, m_fitTimer, qOverload<>(&QTimer::start));
+    connect(verticalScrollBar(), &QScrollBar::rangeChanged, m_fitTimer, qOverload<>(&QTimer::start));
 }
 
-void SceneTree::fitNames()
+void SceneTree::prepareColumns()
+{
+    header()->setSectionResizeMode(QHeaderView::Interactive);
+    header()->setSectionResizeMode(SceneModel::NameColumn, QHeaderView::Fixed);
+    for (const int column : {SceneModel::VisibleColumn, SceneModel::LockedColumn}) {
+        header()->setSectionResizeMode(column, QHeaderView::Fixed);
+        header()->resizeSection(column, 26);
+    }
+    m_fitTimer->start();
+}
+
+void SceneTree::fitNames(bool mayShrink)
 {
     if (!model())
         return;
-    int others = 0;
-    for (int column = 1; column < header()->count(); ++column)
-        others += isColumnHidden(column) ? 0 : columnWidth(column);
-    const int width = std::max(viewport()->width() - others, sizeHintForColumn(SceneModel::NameColumn));
-    if (columnWidth(SceneModel::NameColumn) != width)
-        setColumnWidth(SceneModel::NameColumn, width);
+    const int present = header()->sectionSize(SceneModel::NameColumn);
+    const int others = header()->length() - present;
+    const int least = fontMetrics().averageCharWidth() * shortestName;
+    int width = std::max({viewport()->width() - others, least, sizeHintForColumn(SceneModel::NameColumn)});
+    if (!mayShrink && header()->length() > viewport()->width())
+        width = std::max(width, present);
+    if (width != present)
+        header()->resizeSection(SceneModel::NameColumn, width);
 }
 
 void SceneTree::resizeEvent(QResizeEvent* event)
 {
     QTreeView::resizeEvent(event);
-    fitNames();
+    m_mayShrink = true;
+    m_fitTimer->start();
+}
+
+void SceneTree::changeEvent(QEvent* event)
+{
+    QTreeView::changeEvent(event);
+    if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+        m_fitTimer->start();
 }
 
 QModelIndex SceneTree::stateAt(const QMouseEvent* event) const
 {
     const QModelIndex index = indexAt(event->position().toPoint());
-    const auto* scene = qobject_cast<const SceneModel*>(model());
-    const bool state =
-        index.column() == SceneModel::VisibleColumn || index.column() == SceneModel::LockedColumn;
-    if (!state || !scene || scene->branchAt(index) != noIndex || event->button() != Qt::LeftButton)
+    if (event->button() != Qt::LeftButton || !index.data(SceneModel::IsSwitchRole).toBool())
         return {};
     return index;
+}
+
+void SceneTree::keyPressEvent(QKeyEvent* event)
+{
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enter && state() != EditingState && currentIndex().isValid()) {
+        emit frameRequested();
+        event->accept();
+        return;
+    }
+    QTreeView::keyPressEvent(event);
 }
 
 void SceneTree::mousePressEvent(QMouseEvent* event)
@@ -74,9 +131,12 @@ void SceneTree::mouseDoubleClickEvent(QMouseEvent* event)
     }
     QTreeView::mouseDoubleClickEvent(event);
     const QModelIndex index = indexAt(event->position().toPoint());
-    if (index.isValid() && index.column() == SceneModel::NameColumn &&
-        (model()->flags(index) & Qt::ItemIsEditable))
+    if (!index.isValid() || event->button() != Qt::LeftButton)
+        return;
+    if (index.column() == SceneModel::NameColumn && (model()->flags(index) & Qt::ItemIsEditable))
         edit(index);
+    else
+        emit frameRequested();
 }
 
 } // namespace ramure

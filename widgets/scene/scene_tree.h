@@ -1,8 +1,11 @@
 /// \file
-/// The item view of the scene panel: a click on an eye or a lock switches it and selects nothing.
+/// The item views of the scene panel, the tree and the list of what a search found: a click on an eye or a
+/// lock switches it and selects nothing, and the names are never squeezed away.
 #pragma once
 
 #include <QTreeView>
+
+class QTimer;
 
 namespace ramure {
 
@@ -12,20 +15,27 @@ class SceneTree : public QTreeView
 public:
     explicit SceneTree(QWidget* parent = nullptr);
 
+    /// The headings' sizes and the columns of names, eyes and locks; to be called once the model is set.
+    void prepareColumns();
+
 signals:
     void stateClicked(const QModelIndex& index);
-
-public slots:
-    /// Gives the names the room that is left, or as much as the deepest visible one needs.
-    void fitNames();
+    /// Enter was pressed, or a branch double-clicked.
+    void frameRequested();
 
 protected:
-    void resizeEvent(QResizeEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     [[nodiscard]] QModelIndex stateAt(const QMouseEvent* event) const;
+    void fitNames(bool mayShrink);
+
+    QTimer* m_fitTimer;
+    bool m_mayShrink = false;
 };
 
 } // namespace ramure

@@ -35,6 +35,37 @@ QStringList shownRows(const SceneModel& model, const QModelIndex& parent = {}, i
     return rows;
 }
 
+/// Where a branch stands, said in another way than the model does it: a branch that leads its parent on (the
+/// first of its children of the same level) stands where its parent does, a side branch below its parent.
+Index standsBelow(const Skeleton& bones, Index branch)
+{
+    Index parent = bones.parent[branch];
+    while (parent != noIndex) {
+        Index first = 0;
+        while (bones.parent[first] != parent || bones.level[first] != bones.level[parent]) {
+            if (++first == bones.size())
+                return parent;
+        }
+        if (first != branch)
+            return parent;
+        branch = parent;
+        parent = bones.parent[branch];
+    }
+    return noIndex;
+}
+
+QStringList expectedBranches(const Skeleton& bones, Index below, int depth)
+{
+    QStringList rows;
+    for (Index branch = 0; branch < bones.size(); ++branch) {
+        if (standsBelow(bones, branch) != below)
+            continue;
+        rows += QString(depth, u'.') + QStringLiteral("Branch %1").arg(branch);
+        rows += expectedBranches(bones, branch, depth + 1);
+    }
+    return rows;
+}
+
 /// The same, from the document.
 QStringList expectedRows(const Document& document, NodeId parent = noNode, int depth = 0)
 {
@@ -42,8 +73,36 @@ QStringList expectedRows(const Document& document, NodeId parent = noNode, int d
     for (const NodeId id : document.scene().children(parent)) {
         rows += QString(depth, u'.') + QString::fromStdString(document.scene().find(id)->name);
         rows += expectedRows(document, id, depth + 1);
+        const NodeResult* result = document.result(id);
+        if (result && result->tree.simplified)
+            rows += expectedBranches(result->tree.simplified->skeleton, noIndex, depth + 1);
     }
     return rows;
+}
+
+/// A result of what the parameters say, for every tree that has none or an older one.
+void computeTrees(Document& document, TreePipeline& pipeline)
+{
+    for (const Node& node : std::vector(document.scene().nodes())) {
+        if (node.kind != NodeKind::Tree || document.isCurrent(node.id))
+            continue;
+        NodeResult result;
+        result.revision = document.revision();
+        if (auto tree = pipeline.evaluate(node.params, Stage::Simplified))
+            result.tree = *tree;
+        else
+            result.error = tree.error();
+        document.setResult(node.id, std::move(result));
+    }
+}
+
+Node bushNode(const QString& name)
+{
+    Node node = test::treeNode(1, name.toStdString());
+    node.params.grammar.axiom = std::string("AF");
+    node.params.grammar.rules = "A -> F[+A][-FF]F";
+    node.params.grammar.iterations = 1;
+    return node;
 }
 
 /// Keeps its own copy of the rows, made of nothing but the model's signals.
@@ -198,8 +257,8 @@ private slots:
         for (Index branch = 0; branch < 10; ++branch) {
             const QModelIndex index = model.branchIndex(1, branch);
             QCOMPARE(model.branchAt(index), branch);
-            const Index parent = document.result(1)->tree.simplified->skeleton.parent[branch];
-            QCOMPARE(model.branchAt(index.parent()), parent);
+            QCOMPARE(model.branchAt(index.parent()),
+                     standsBelow(document.result(1)->tree.simplified->skeleton, branch));
             QCOMPARE(model.index(index.row(), 0, index.parent()), index);
         }
         QVERIFY(!model.branchIndex(1, 10).isValid());
@@ -290,6 +349,8 @@ private slots:
         SceneModel model(&document);
         const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
         const Shadow shadow(&model);
+        TreePipeline pipeline;
+        QSignalSpy replaced(&model, &SceneModel::branchesReplaced);
         std::mt19937 random(7);
         const auto any = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
         for (int step = 0; step < 1000; ++step) {
@@ -301,12 +362,21 @@ private slots:
                 nodes.empty() || any(4) == 0
                     ? noNode
                     : nodes[static_cast<std::size_t>(any(static_cast<int>(nodes.size())))].id;
-            switch (any(9)) {
+            const QString name = QStringLiteral("n%1").arg(step);
+            switch (any(12)) {
+            case 9:
+                (void)edit::insertNodes(document, {bushNode(name)}, node, any(5));
+                break;
+            case 10:
+                (void)edit::setParam(document, {node}, *findParam("grammar.iterations"),
+                                     std::int64_t{any(3)});
+                break;
+            case 11:
+                (void)edit::setParam(document, {node}, *findParam("turtle.alpha"), 0.1 + 0.1 * any(5));
+                break;
             case 0:
             case 1:
-                (void)edit::insertNodes(document,
-                                        {test::groupNode(1, QStringLiteral("n%1").arg(step).toStdString())},
-                                        node, any(5));
+                (void)edit::insertNodes(document, {test::groupNode(1, name.toStdString())}, node, any(5));
                 break;
             case 2:
                 if (document.scene().nodes().size() > 30 || any(4) == 0)
@@ -329,11 +399,17 @@ private slots:
                 document.undoStack()->redo();
                 break;
             }
+            // Sometimes edits come before the trees of the last ones are there.
+            if (any(5) != 0)
+                computeTrees(document, pipeline);
+            for (const Node& each : document.scene().nodes())
+                (void)model.fetchBranches(each.id);
             const QStringList expected = expectedRows(document);
             QCOMPARE(shownRows(model), expected);
             QCOMPARE(shadow.rows(), expected);
         }
         QVERIFY(document.scene().nodes().size() > 5);
+        QVERIFY(replaced.count() > 50);
     }
 
     void anotherDocumentStartsAnew()

@@ -1,7 +1,10 @@
 #include "tests/widgets/support/fixture.h"
 #include "widgets/scene/scene_model.h"
 #include "widgets/scene/scene_panel.h"
+#include "widgets/scene/scene_results.h"
+#include "widgets/scene/scene_search.h"
 #include "widgets/scene/scene_tree.h"
+#include <QAbstractItemModelTester>
 
 using namespace ramure;
 
@@ -14,7 +17,8 @@ NodeResult twoForks(std::uint64_t firstKey)
     const Index parents[] = {noIndex, 0, 0, 1, 1};
     for (Index i = 0; i < 5; ++i) {
         const glm::dvec3 from = parents[i] == noIndex ? glm::dvec3(0.0) : bones.p1[parents[i]];
-        bones.add(parents[i], from, from + glm::dvec3(0.1 * i, 1.0, 0.0), 0.1, 0.09);
+        bones.add(parents[i], from, from + glm::dvec3(0.1 * i, 1.0, 0.0), 0.1, 0.09,
+                  i == 0 ? 0 : 1 + (i - 1) / 2);
         bones.key[i] = firstKey + i;
     }
     NodeResult result;
@@ -132,6 +136,82 @@ private slots:
         QCOMPARE(m_panel->model()->rowCount(), 2);
         for (const NodeId node : after.nodes)
             QVERIFY(m_document->scene().find(node));
+    }
+
+    void searchesListAndSelectWhatTheyFind()
+    {
+        const QAbstractItemModelTester tester(m_panel->results(),
+                                              QAbstractItemModelTester::FailureReportingMode::QtTest);
+        QLineEdit* field = m_panel->search()->field();
+        m_panel->focusSearch();
+        QTest::keyClicks(field, "two");
+        QVERIFY(m_panel->resultView()->isVisible());
+        QCOMPARE(m_panel->results()->nodeCount(), 1);
+        QCOMPARE(m_panel->results()->branchCount(), 0);
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(m_document->selection().nodes, std::vector<NodeId>{2});
+        field->setText(QStringLiteral("length >")); // no question yet: the last answer stays
+        QCOMPARE(m_panel->results()->rowCount(), 1);
+        field->setText(QStringLiteral("terminal"));
+        QCOMPARE(m_panel->results()->rowCount(), 3);
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(m_document->selection().branchNode, NodeId(1));
+        QCOMPARE(m_document->selection().branches, (std::vector<Index>{2, 3, 4}));
+        QCOMPARE(m_panel->resultView()->selectionModel()->selectedRows().size(), 3);
+        m_panel->resultView()->selectionModel()->setCurrentIndex(
+            m_panel->results()->index(1, 0), QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+        QCOMPARE(m_document->selection().branches, std::vector<Index>{3});
+        m_document->setResult(1, NodeResult());
+        QCOMPARE(m_panel->results()->rowCount(), 0);
+        m_document->setResult(1, twoForks(10));
+        QCOMPARE(m_panel->results()->rowCount(), 3);
+        QTest::keyClick(field, Qt::Key_Escape);
+        QVERIFY(m_panel->view()->isVisible());
+        QCOMPARE(m_panel->results()->rowCount(), 0);
+    }
+
+    void thousandsOfBranchesAreSelectedAtOnce()
+    {
+        auto simplified = std::make_shared<SimplifiedSkeleton>();
+        Skeleton& bones = simplified->skeleton;
+        for (Index i = 0; i < 20'000; ++i)
+            bones.add(i == 0 ? noIndex : (i - 1) / 3, {}, {0.0, 1.0, 0.0}, 0.1, 0.09, i % 5);
+        for (Index i = 0; i < bones.size(); ++i)
+            bones.key[i] = i + 1;
+        NodeResult result;
+        result.tree.simplified = std::move(simplified);
+        m_document->setResult(2, std::move(result));
+        const auto rows = [this] {
+            int count = 0;
+            for (const QItemSelectionRange& range : m_panel->view()->selectionModel()->selection())
+                count += range.height();
+            return count;
+        };
+        Selection all;
+        all.branchNode = 2;
+        for (Index i = 0; i < 20'000; ++i)
+            all.branches.push_back(i);
+        all.activeBranch = 7;
+        m_document->setSelection(all);
+        QCOMPARE(rows(), 20'000);
+        QCOMPARE(m_document->selection().branches.size(), std::size_t{20'000});
+        all.branches.resize(10'000);
+        m_document->setSelection(all);
+        QCOMPARE(rows(), 10'000);
+    }
+
+    void namesAreNeverSqueezedAway()
+    {
+        m_panel->resize(200, 200);
+        m_panel->view()->expandAll();
+        QTest::qWait(50);
+        SceneTree* view = m_panel->view();
+        for (Index branch = 0; branch < 5; ++branch) {
+            const QModelIndex index = m_panel->model()->branchIndex(1, branch);
+            const int needed =
+                view->fontMetrics().horizontalAdvance(index.data().toString()) + view->iconSize().width();
+            QVERIFY2(view->visualRect(index).width() >= needed, qPrintable(index.data().toString()));
+        }
     }
 
     void renamingStartsByAction()

@@ -1,0 +1,142 @@
+#include "widgets/scene/scene_results.h"
+
+#include "widgets/scene/scene_model.h"
+#include <algorithm>
+
+namespace ramure {
+
+SceneResults::SceneResults(Document* document, SceneModel* scene, QObject* parent)
+    : QAbstractTableModel(parent)
+    , m_document(document)
+    , m_scene(scene)
+{
+    // After the scene model, which is connected already: its rows are what this list shows.
+    connect(m_document, &Document::changed, this, &SceneResults::follow);
+}
+
+void SceneResults::setQuery(const SceneQuery& query)
+{
+    m_query = query;
+    search();
+}
+
+void SceneResults::follow(const Change& change)
+{
+    if (change.has(changeReset | changeStructure | changeNodeState | changeResults) &&
+        (!m_query.isEmpty() || m_rows > 0))
+        search();
+}
+
+void SceneResults::search()
+{
+    std::vector<NodeId> nodes;
+    std::vector<Found> trees;
+    int rows = 0;
+    for (const Node& node : m_document->scene().nodes()) {
+        if (m_query.matchesNode(QString::fromStdString(node.name)))
+            nodes.push_back(node.id);
+    }
+    rows = static_cast<int>(nodes.size());
+    for (const Node& node : m_document->scene().nodes()) {
+        const BranchRows* branches = m_query.isEmpty() ? nullptr : m_scene->fetchBranches(node.id);
+        if (!branches)
+            continue;
+        Found found{node.id, rows, m_query.matches(*branches, &SceneModel::branchName)};
+        if (found.branches.empty())
+            continue;
+        rows += static_cast<int>(found.branches.size());
+        trees.push_back(std::move(found));
+    }
+    beginResetModel();
+    m_nodes = std::move(nodes);
+    m_trees = std::move(trees);
+    m_rows = rows;
+    endResetModel();
+}
+
+Selection SceneResults::everything(NodeId preferred) const
+{
+    Selection selection;
+    selection.nodes = m_nodes;
+    if (m_trees.empty())
+        return selection;
+    auto tree = std::ranges::find(m_trees, preferred, &Found::node);
+    if (tree == m_trees.end())
+        tree = m_trees.begin();
+    selection.branchNode = tree->node;
+    selection.branches = tree->branches;
+    selection.activeBranch = tree->branches.back();
+    return selection;
+}
+
+QModelIndex SceneResults::toScene(const QModelIndex& index) const
+{
+    if (!index.isValid() || index.row() >= m_rows)
+        return {};
+    if (index.row() < nodeCount())
+        return m_scene->nodeIndex(m_nodes[static_cast<std::size_t>(index.row())], index.column());
+    const auto after = std::ranges::upper_bound(m_trees, index.row(), {}, &Found::first);
+    const Found& tree = *std::prev(after);
+    return m_scene->branchIndex(tree.node, tree.branches[static_cast<std::size_t>(index.row() - tree.first)],
+                                index.column());
+}
+
+QModelIndex SceneResults::nodeIndex(NodeId node) const
+{
+    const auto found = std::ranges::find(m_nodes, node);
+    return found == m_nodes.end() ? QModelIndex() : index(static_cast<int>(found - m_nodes.begin()), 0);
+}
+
+QModelIndex SceneResults::branchIndex(NodeId node, Index branch) const
+{
+    const auto tree = std::ranges::find(m_trees, node, &Found::node);
+    if (tree == m_trees.end())
+        return {};
+    const auto found = std::ranges::lower_bound(tree->branches, branch);
+    if (found == tree->branches.end() || *found != branch)
+        return {};
+    return index(tree->first + static_cast<int>(found - tree->branches.begin()), 0);
+}
+
+int SceneResults::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : m_rows;
+}
+
+int SceneResults::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : SceneModel::columns;
+}
+
+QVariant SceneResults::data(const QModelIndex& index, int role) const
+{
+    const QModelIndex there = toScene(index);
+    return there.isValid() ? m_scene->data(there, role) : QVariant();
+}
+
+QVariant SceneResults::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    return m_scene->headerData(section, orientation, role);
+}
+
+Qt::ItemFlags SceneResults::flags(const QModelIndex& index) const
+{
+    const QModelIndex there = toScene(index);
+    const Qt::ItemFlags dragging = Qt::ItemIsDragEnabled | Qt::ItemIsDropEnabled;
+    return there.isValid() ? (m_scene->flags(there) & ~dragging) | Qt::ItemNeverHasChildren
+                           : Qt::ItemFlags(Qt::NoItemFlags);
+}
+
+bool SceneResults::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    const QModelIndex there = toScene(index);
+    return there.isValid() && m_scene->setData(there, value, role);
+}
+
+void SceneResults::retranslate()
+{
+    emit headerDataChanged(Qt::Horizontal, 0, SceneModel::columns - 1);
+    search(); // branches have their names in the interface's language
+}
+
+} // namespace ramure
