@@ -1,0 +1,84 @@
+#include "core/document/recompute.h"
+#include "tests/widgets/support/fixture.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/actions/picture_actions.h"
+#include "widgets/render/gl_setup.h"
+#include "widgets/support/preferences.h"
+#include "widgets/viewport/viewport.h"
+#include "widgets/viewport/viewport_host.h"
+#include <QClipboard>
+
+using namespace ramure;
+
+class TestPictureActions : public QObject
+{
+    Q_OBJECT
+private:
+    test::OwnSettings m_settings;
+
+private slots:
+    void init() { test::failOnWidgetWarning(); }
+
+    void picturesGoToFilesAndToTheClipboard()
+    {
+        if (!openGlAvailable(nullptr))
+            QSKIP("no OpenGL here");
+        Preferences preferences;
+        Document document;
+        Recompute recompute(&document);
+        test::openNodes(document, {test::treeNode(1, "Oak")});
+        QVERIFY(recompute.waitForFull(20'000));
+        test::FakeChooser chooser;
+        ActionSet set;
+        ViewportHost host(&document);
+        const PictureActions pictures(&host, &preferences, &chooser, &set, nullptr);
+        QSignalSpy messages(&pictures, &PictureActions::messageRaised);
+        host.resize(320, 200);
+        host.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&host));
+        QAction* save = set.find(QStringLiteral("view.savePicture"));
+        save->trigger(); // cancelled
+        QCOMPARE(chooser.saves, 1);
+        QVERIFY(chooser.reports.isEmpty() && messages.isEmpty());
+        QTemporaryDir folder;
+        for (const char* bad : {"tree.nonsense", "no/such/folder/tree.png"}) {
+            chooser.reports.clear();
+            chooser.answer = folder.filePath(QString::fromLatin1(bad));
+            save->trigger();
+            QCOMPARE(chooser.reports.size(), 1);
+            QVERIFY(!QFile::exists(chooser.answer));
+        }
+        chooser.answer = folder.filePath(QStringLiteral("tree.png"));
+        save->trigger();
+        QCOMPARE(messages.count(), 1);
+        QCOMPARE(QImage(chooser.answer).size(), QSize(320, 200));
+        QCOMPARE(preferences.lastFolder(), folder.path());
+        set.find(QStringLiteral("view.copyPicture"))->trigger();
+        QCOMPARE(messages.count(), 2);
+        QCOMPARE(QGuiApplication::clipboard()->image().size(), QSize(320, 200));
+    }
+
+    void branchesAreSelectedByKeysInTheViewOnly()
+    {
+        if (!openGlAvailable(nullptr))
+            QSKIP("no OpenGL here");
+        Preferences preferences;
+        Document document;
+        Recompute recompute(&document);
+        test::openNodes(document, {test::treeNode(1, "Oak")});
+        QVERIFY(recompute.waitForFull(20'000));
+        test::FakeChooser chooser;
+        ActionSet set;
+        ViewportHost host(&document);
+        const PictureActions pictures(&host, &preferences, &chooser, &set, nullptr);
+        set.find(QStringLiteral("edit.selectAll"))->trigger();
+        QVERIFY(document.selection().branches.size() > 1);
+        set.find(QStringLiteral("edit.clearSelection"))->trigger();
+        QVERIFY(document.selection().branches.empty());
+        for (const QAction* action : pictures.selectionActions())
+            QCOMPARE(action->shortcutContext(), Qt::WidgetWithChildrenShortcut);
+    }
+};
+
+QTEST_MAIN(TestPictureActions)
+#include "tst_picture_actions.moc"
