@@ -63,6 +63,37 @@
     </message>
 </context>
 <context>
+    <name>ramure::GenerationsView</name>
+    <message numerus="yes">
+        <source>%Ln symbol(s)</source>
+        <translation>
+            <numerusform>%Ln symbol</numerusform>
+            <numerusform>%Ln symbols</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln branch(es)</source>
+        <translation>
+            <numerusform>%Ln branch</numerusform>
+            <numerusform>%Ln branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>more than %Ln symbol(s)</source>
+        <translation>
+            <numerusform>more than %Ln symbol</numerusform>
+            <numerusform>more than %Ln symbols</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>… and %Ln more generation(s)</source>
+        <translation>
+            <numerusform>… and %Ln more generation</numerusform>
+            <numerusform>… and %Ln more generations</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::GroupSection</name>
     <message numerus="yes">
         <source>%n value(s) changed from the default</source>

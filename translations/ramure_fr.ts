@@ -1872,6 +1872,69 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::GenerationsView</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln symbol(s)</source>
+        <translation>
+            <numerusform>%Ln symbole</numerusform>
+            <numerusform>%Ln symboles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln branch(es)</source>
+        <translation>
+            <numerusform>%Ln branche</numerusform>
+            <numerusform>%Ln branches</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The rules give no string yet.</source>
+        <translation>Les règles ne donnent pas encore de chaîne.</translation>
+    </message>
+    <message>
+        <source>Axiom</source>
+        <translation>Axiome</translation>
+    </message>
+    <message>
+        <source>Generation %1</source>
+        <translation>Génération %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>more than %Ln symbol(s)</source>
+        <translation>
+            <numerusform>plus de %Ln symbole</numerusform>
+            <numerusform>plus de %Ln symboles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>… and %Ln more generation(s)</source>
+        <translation>
+            <numerusform>… et %Ln autre génération</numerusform>
+            <numerusform>… et %Ln autres générations</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Generations</source>
+        <translation>Générations</translation>
+    </message>
+    <message>
+        <source>Hide the strings</source>
+        <translation>Masquer les chaînes</translation>
+    </message>
+    <message>
+        <source>Show the string of each generation</source>
+        <translation>Afficher la chaîne de chaque génération</translation>
+    </message>
+    <message>
+        <source>Strings of the generations</source>
+        <translation>Chaînes des générations</translation>
+    </message>
+</context>
+<context>
     <name>ramure::GroupSection</name>
     <message numerus="yes">
         <source>%n value(s) changed from the default</source>

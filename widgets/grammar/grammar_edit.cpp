@@ -85,7 +85,7 @@ GrammarEdit::GrammarEdit(bool rules, QWidget* parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     document()->setDocumentMargin(5);
-    m_highlighter = new GrammarHighlighter(document(), rules);
+    m_highlighter = new GrammarHighlighter(document(), rules ? GrammarText::Rules : GrammarText::Axiom);
     m_highlighter->setColours(palette());
     connect(this, &QPlainTextEdit::cursorPositionChanged, this, &GrammarEdit::updateMarks);
     connect(this, &QPlainTextEdit::textChanged, this, [this] {

@@ -5,9 +5,9 @@
 
 namespace ramure {
 
-GrammarHighlighter::GrammarHighlighter(QTextDocument* document, bool rules)
+GrammarHighlighter::GrammarHighlighter(QTextDocument* document, GrammarText kind)
     : QSyntaxHighlighter(document)
-    , m_rules(rules)
+    , m_kind(kind)
 {
 }
 
@@ -27,7 +27,11 @@ void GrammarHighlighter::setColours(const QPalette& palette)
 
 void GrammarHighlighter::highlightBlock(const QString& text)
 {
-    if (!m_rules)
+    if (m_kind == GrammarText::Generations && currentBlock().blockNumber() % 2 == 0) {
+        setFormat(0, static_cast<int>(text.size()), m_comment);
+        return;
+    }
+    if (m_kind != GrammarText::Rules)
         return highlightSymbols(text, 0);
     const qsizetype first = text.indexOf(QRegularExpression(QStringLiteral("\\S")));
     if (first >= 0 && text[first] == u'#') {

@@ -6,12 +6,17 @@
 
 namespace ramure {
 
+enum class GrammarText {
+    Axiom,       ///< a plain string of symbols
+    Rules,       ///< lines of rules
+    Generations, ///< headings and strings of symbols, line by line
+};
+
 class GrammarHighlighter : public QSyntaxHighlighter
 {
     Q_OBJECT
 public:
-    /// \param rules true: lines of rules; false: an axiom, which is a plain string of symbols.
-    GrammarHighlighter(QTextDocument* document, bool rules);
+    GrammarHighlighter(QTextDocument* document, GrammarText kind);
     /// Takes the colours that fit the palette of the editor.
     void setColours(const QPalette& palette);
 
@@ -21,7 +26,7 @@ protected:
 private:
     void highlightSymbols(const QString& text, qsizetype from);
 
-    bool m_rules;
+    GrammarText m_kind;
     QTextCharFormat m_symbol, m_arrow, m_bracket, m_turn, m_number, m_comment, m_escape;
 };
 

@@ -168,6 +168,12 @@ int ParamRow::labelWidth() const
     return QFontMetrics(bold).horizontalAdvance(coreText(def().label)) + 2;
 }
 
+void ParamRow::addBelow(QWidget* widget)
+{
+    auto* grid = static_cast<QGridLayout*>(layout());
+    grid->addWidget(widget, grid->rowCount(), 0, 1, 3);
+}
+
 void ParamRow::setLabelWidth(int width)
 {
     if (!m_editor->isWide())

@@ -28,6 +28,8 @@ public:
     void showRefusal(const QString& reason);
     void setAngleUnit(AngleUnit unit);
     void setLabelWidth(int width);
+    /// Something more about this parameter, below its editor and message; the row owns it.
+    void addBelow(QWidget* widget);
     [[nodiscard]] int labelWidth() const;
     /// \param words lower case; true where label, tooltip, group and key together hold all of them.
     [[nodiscard]] bool matches(const QStringList& words) const;

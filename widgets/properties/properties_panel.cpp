@@ -1,6 +1,7 @@
 #include "widgets/properties/properties_panel.h"
 
 #include "core/document/commands.h"
+#include "widgets/grammar/generations_view.h"
 #include "widgets/properties/group_section.h"
 #include "widgets/properties/param_row.h"
 #include "widgets/support/core_text.h"
@@ -116,6 +117,8 @@ void PropertiesPanel::buildRows()
         connect(row, &ParamRow::resetRequested, this,
                 [this, row] { setValue(row, defaultValue(row->def()), 0); });
     }
+    m_generations = new GenerationsView(m_document, m_content);
+    row(*findParam("grammar.rules"))->addBelow(m_generations);
     layout->addStretch(1);
 }
 
@@ -154,6 +157,7 @@ void PropertiesPanel::takeTargets()
     }
     m_nodes = std::move(nodes);
     m_content->setEnabled(!locked);
+    m_generations->setTree(m_nodes.size() == 1 ? m_nodes.front() : noNode);
     showValues({});
     showProblem();
     applyFilter();

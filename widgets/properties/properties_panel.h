@@ -13,6 +13,7 @@ class QScrollArea;
 
 namespace ramure {
 
+class GenerationsView;
 class GroupSection;
 class ParamRow;
 class Preferences;
@@ -63,6 +64,7 @@ private:
     std::vector<GroupSection*> m_sections;
     QLabel* m_title = nullptr;
     QLabel* m_problem = nullptr; ///< an error that belongs to no row
+    GenerationsView* m_generations = nullptr;
     QLabel* m_empty = nullptr;
     QLineEdit* m_search = nullptr;
     QScrollArea* m_scroll = nullptr;

@@ -1,0 +1,51 @@
+/// \file
+/// What the rules make of the axiom: the length of the string and the number of branches, and below, to be
+/// unfolded, how it grows and the strings of the generations.
+#pragma once
+
+#include "core/document/document.h"
+#include <QPlainTextEdit>
+#include <QWidget>
+
+class QLabel;
+class QTimer;
+class QToolButton;
+
+namespace ramure {
+
+class GrammarHighlighter;
+
+class GenerationsView : public QWidget
+{
+    Q_OBJECT
+public:
+    /// \param document is not owned and must outlive the view.
+    GenerationsView(Document* document, QWidget* parent);
+
+    /// The tree whose generations are shown; noNode: none, as with several selected.
+    void setTree(NodeId tree);
+    [[nodiscard]] bool isUnfolded() const { return m_unfolded; }
+    void setUnfolded(bool unfolded);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void follow(const Change& change);
+    void showSummary();
+    void showGenerations();
+    void retranslate();
+
+    Document* m_document;
+    NodeId m_tree = noNode;
+    QToolButton* m_fold;
+    QLabel* m_summary;
+    QPlainTextEdit* m_text;
+    GrammarHighlighter* m_highlighter;
+    QTimer* m_timer;
+    bool m_unfolded = false;
+    bool m_stale = true;
+};
+
+} // namespace ramure
