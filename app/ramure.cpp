@@ -134,6 +134,8 @@ int runBatch(const Arguments& arguments, MainWindow& window, const Document& doc
         good = exportTo(path, document) && good;
     if (!arguments.screenshot.isEmpty()) {
         waitForPicture(window);
+        QCoreApplication::sendPostedEvents(nullptr,
+                                           QEvent::LayoutRequest); // texts of the last moment have room
         if (window.grab().save(arguments.screenshot)) {
             say(QStringLiteral("Screenshot %1").arg(QFileInfo(arguments.screenshot).absoluteFilePath()));
         } else {

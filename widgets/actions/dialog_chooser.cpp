@@ -2,6 +2,7 @@
 
 #include "widgets/main_window/message_banner.h"
 #include "widgets/recovery/recovery_dialog.h"
+#include "widgets/theme/icons.h"
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -34,7 +35,7 @@ QString DialogChooser::saveFile(const QString& title, const QString& suggestion,
 Chooser::Unsaved DialogChooser::unsavedChanges(const QString& documentName)
 {
     QMessageBox box(m_window);
-    box.setIcon(QMessageBox::Warning);
+    box.setIconPixmap(icon("warning").pixmap(32, 32));
     box.setWindowTitle(tr("Unsaved changes"));
     box.setText(tr("Save the changes to “%1”?").arg(documentName));
     box.setInformativeText(tr("They are lost if you do not save them."));

@@ -137,7 +137,9 @@ QString FileActions::documentName() const
 
 void FileActions::reportError(const QString& what, const Error& error)
 {
-    m_chooser->report(Severity::Error, QStringLiteral("%1\n%2").arg(what, errorTextWithPlace(error)));
+    Error inside = error;
+    inside.file.clear(); // the sentence before names it
+    m_chooser->report(Severity::Error, QStringLiteral("%1\n%2").arg(what, errorTextWithPlace(inside)));
 }
 
 bool FileActions::mayDiscard()
