@@ -1,9 +1,7 @@
 #include "widgets/scene/selection_steps.h"
 
-#include "widgets/support/targets.h"
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace ramure {
@@ -91,8 +89,6 @@ Marks stepped(const Hierarchy& all, const Marks& from, SelectionStep step)
         return subtreesOf(all, from);
     case SelectionStep::Level:
         return levelsOf(all, from);
-    case SelectionStep::All:
-        break;
     }
     return from;
 }
@@ -130,7 +126,7 @@ Selection afterNodeStep(Selection selection, const Scene& scene, SelectionStep s
 {
     const auto& nodes = scene.nodes();
     Hierarchy all;
-    Marks from(nodes.size(), step == SelectionStep::All);
+    Marks from(nodes.size(), false);
     std::map<NodeId, std::size_t> places;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         places[nodes[i].id] = i;
@@ -156,25 +152,11 @@ Selection afterNodeStep(Selection selection, const Scene& scene, SelectionStep s
 
 Selection afterStep(const Document& document, SelectionStep step)
 {
-    Selection selection = document.selection();
-    NodeId tree = selection.branches.empty() ? noNode : selection.branchNode;
-    if (step == SelectionStep::All && tree == noNode) {
-        const std::vector<NodeId> trees = targetTrees(document);
-        const bool sure = !selection.nodes.empty() || trees.size() == 1;
-        tree = sure && !trees.empty() ? trees.back() : noNode;
-    }
-    const NodeResult* result = tree == noNode ? nullptr : document.result(tree);
+    const Selection& selection = document.selection();
+    const NodeResult* result = selection.branches.empty() ? nullptr : document.result(selection.branchNode);
     if (!result || !result->tree.simplified)
-        return afterNodeStep(std::move(selection), document.scene(), step);
-    const Skeleton& bones = result->tree.simplified->skeleton;
-    if (step != SelectionStep::All)
-        return afterBranchStep(std::move(selection), bones, step);
-    selection.branchNode = tree;
-    selection.branches.resize(bones.size());
-    std::iota(selection.branches.begin(), selection.branches.end(), Index{0});
-    if (selection.activeBranch == noIndex && !bones.empty())
-        selection.activeBranch = 0;
-    return selection;
+        return afterNodeStep(selection, document.scene(), step);
+    return afterBranchStep(selection, result->tree.simplified->skeleton, step);
 }
 
 } // namespace ramure

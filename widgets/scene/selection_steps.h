@@ -13,7 +13,6 @@ enum class SelectionStep {
     Siblings, ///< all with the same parent, itself included
     Subtree,  ///< with all below it
     Level,    ///< all as deep as one of them: depth of brackets for branches, depth in the scene for nodes
-    All,      ///< all branches of the tree; without a tree all nodes
 };
 
 /// The document's selection, one step further. Nodes that are selected beside branches stay.

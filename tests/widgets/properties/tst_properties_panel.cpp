@@ -211,6 +211,41 @@ private slots:
         QCOMPARE(m_document->undoStack()->count(), 1);
     }
 
+    void everyParamWithDifferentValuesIsSetAndUndone_data() { addEveryParam(); }
+    void everyParamWithDifferentValuesIsSetAndUndone()
+    {
+        const ParamDef& def = fetched();
+        ParamRow* row = m_panel->row(def);
+        typeAnother(row); // of the first node only
+        if (valueOf(*m_document, 1, def) == valueOf(*m_document, 2, def))
+            QSKIP("the value typed happens to be the other node's");
+        const ParamValue first = valueOf(*m_document, 1, def), second = valueOf(*m_document, 2, def);
+        Selection both;
+        both.nodes = {1, 2};
+        m_document->setSelection(both);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        if (auto* field = row->findChild<NumberField*>())
+            QVERIFY(!field->value());
+        else if (auto* box = row->findChild<QCheckBox*>())
+            QCOMPARE(box->checkState(), Qt::PartiallyChecked);
+        else
+            QVERIFY(row->findChild<GrammarEdit*>()->toPlainText().isEmpty());
+        row->editor()->focusProxy()->setFocus();
+        if (def.type == ParamType::Vec3)
+            QTest::keyClicks(row->findChild<NumberField*>(), "2");
+        else
+            typeAnother(row);
+        if (def.type == ParamType::Vec3)
+            QTest::keyClick(row->findChild<NumberField*>(), Qt::Key_Return);
+        QVERIFY(!row->findChild<NumberField*>() || row->findChild<NumberField*>()->value());
+        QCOMPARE(m_document->undoStack()->count(), 2);
+        if (def.type != ParamType::Vec3)
+            QVERIFY(valueOf(*m_document, 1, def) == valueOf(*m_document, 2, def));
+        m_document->undoStack()->undo();
+        QVERIFY(valueOf(*m_document, 1, def) == first);
+        QVERIFY(valueOf(*m_document, 2, def) == second);
+    }
+
     void componentsOfManyNodesStayTheirOwn()
     {
         const ParamDef& def = param("tree.translation");
