@@ -107,6 +107,12 @@ void ExportDialog::buildForm()
     addRow(scope);
     addRow(file);
     layout->addLayout(m_form);
+    buildProgress(layout);
+}
+
+/// What is below the form: the message, the bar, the buttons.
+void ExportDialog::buildProgress(QVBoxLayout* layout)
+{
     m_message = new QLabel(this);
     m_message->setWordWrap(true);
     m_message->hide();

@@ -14,6 +14,7 @@ class QLabel;
 class QLineEdit;
 class QProgressBar;
 class QPushButton;
+class QVBoxLayout;
 
 namespace ramure {
 
@@ -53,6 +54,7 @@ protected:
 
 private:
     void buildForm();
+    void buildProgress(QVBoxLayout* layout);
     void browse();
     void takeFormat();
     void updateWidgets();
