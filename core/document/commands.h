@@ -38,8 +38,8 @@ Expected<void> setParams(Document& document, const std::vector<NodeId>& nodes,
                          const std::vector<std::pair<const ParamDef*, ParamValue>>& values,
                          const QString& text, GestureId gesture = 0);
 /// One component of a vector parameter (0 = x, 1 = y, 2 = z); of each node the other components stay.
-Expected<void> setComponent(Document& document, const std::vector<NodeId>& nodes, const ParamDef& def, int axis,
-                            double value, GestureId gesture = 0);
+Expected<void> setComponent(Document& document, const std::vector<NodeId>& nodes, const ParamDef& def,
+                            int axis, double value, GestureId gesture = 0);
 Expected<void> setNodeName(Document& document, NodeId node, const QString& name);
 Expected<void> setNodeVisible(Document& document, const std::vector<NodeId>& nodes, bool visible);
 Expected<void> setNodeLocked(Document& document, const std::vector<NodeId>& nodes, bool locked);

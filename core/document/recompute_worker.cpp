@@ -30,10 +30,7 @@ void RecomputeWorker::post(JobKind kind, std::vector<TreeJob> trees, std::size_t
     slot.reset();
     if (trees.empty())
         return;
-    slot.emplace();
-    slot->kind = kind;
-    slot->trees = std::move(trees);
-    slot->treesInScene = treesInScene;
+    slot = Job{kind, std::move(trees), treesInScene, std::stop_source()};
     m_wake.notify_one();
 }
 

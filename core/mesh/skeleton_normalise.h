@@ -46,8 +46,8 @@ struct NormalSkeleton
 ///   one's end);
 /// - a root without length becomes a stub of half its radius behind its first child.
 /// Radii are at least 1e-4 of the scene.
-/// Errors: Invalid (empty, non-finite or negative numbers, nothing with a length or a radius, beyond what floats hold),
-/// Cancelled.
+/// Errors: Invalid (empty, non-finite or negative numbers, nothing with a length or a radius, beyond what
+/// floats hold), Cancelled.
 Expected<NormalSkeleton> normaliseSkeleton(const Skeleton& skeleton, const BranchMeshOptions& options,
                                            const Progress& progress);
 
