@@ -1823,6 +1823,10 @@ OpenGL&#xa0;: %4
         <source>Progress of the export</source>
         <translation>Progression de l’export</translation>
     </message>
+    <message>
+        <source>“%1” is there already. Export once more to replace it.</source>
+        <translation>«&#xa0;%1&#xa0;» existe déjà. Exportez encore une fois pour le remplacer.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::FileActions</name>

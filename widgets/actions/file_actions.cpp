@@ -171,6 +171,7 @@ bool FileActions::newFromPreset(const QString& preset)
     Selection selection;
     selection.nodes = {tree};
     m_document->setSelection(selection);
+    emit succeeded();
     return true;
 }
 
@@ -200,6 +201,7 @@ bool FileActions::openFile(const QString& path)
     m_document->setSelection(selection);
     m_preferences->addRecentFile(path);
     m_preferences->setLastFolder(QFileInfo(path).absolutePath());
+    emit succeeded();
     return true;
 }
 
@@ -234,6 +236,7 @@ bool FileActions::saveTo(const QString& path)
     m_document->undoStack()->setClean();
     m_preferences->addRecentFile(path);
     m_preferences->setLastFolder(QFileInfo(path).absolutePath());
+    emit succeeded();
     return true;
 }
 

@@ -44,6 +44,7 @@ public:
     [[nodiscard]] QString documentName() const;
 
 signals:
+    void succeeded(); ///< a document was made, opened or saved: what went wrong before it is past
     void exportRequested();
     void quitRequested();
 

@@ -209,8 +209,10 @@ void ExportDialog::browse()
 {
     const QString filter = format() == Obj ? tr("Wavefront OBJ (*.obj)") : tr("Stanford PLY (*.ply)");
     const QString chosen = m_chooser->saveFile(tr("Export"), path(), filter, suffix());
-    if (!chosen.isEmpty())
-        setPath(chosen);
+    if (chosen.isEmpty())
+        return;
+    setPath(chosen);
+    m_mayReplace = path(); // the chooser has asked
 }
 
 void ExportDialog::startExport()
@@ -219,6 +221,13 @@ void ExportDialog::startExport()
         setPath(path() + u'.' + suffix());
     if (const auto known = checkExportEnding(path().toStdString()); !known) {
         setMessage(errorText(known.error()), true);
+        return;
+    }
+    if (m_mayReplace != path() && QFileInfo::exists(path())) {
+        m_mayReplace = path();
+        setMessage(
+            tr("“%1” is there already. Export once more to replace it.").arg(QFileInfo(path()).fileName()),
+            false);
         return;
     }
     m_progress->setValue(0);
@@ -248,6 +257,9 @@ void ExportDialog::finish(const std::optional<Error>& error)
     }
     if (error) {
         setMessage(errorTextWithPlace(*error), true);
+        // While it ran everything but "Cancel" was off and took no focus: Return is to try again, not to
+        // leave.
+        m_path->setFocus();
         return;
     }
     m_preferences->setLastFolder(QFileInfo(path()).absolutePath());

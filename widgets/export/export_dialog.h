@@ -71,6 +71,7 @@ private:
     Chooser* m_chooser;
     ExportTask* m_task;
     bool m_waiting = false;
+    QString m_mayReplace; ///< the path whose existing file the user has agreed to overwrite
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
     QComboBox* m_model = nullptr;

@@ -176,6 +176,7 @@ void MainWindow::buildActions()
     });
     connect(m_resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
     connect(m_program->welcomeAction(), &QAction::triggered, this, &MainWindow::showWelcome);
+    connect(m_files, &FileActions::succeeded, m_banner, &QWidget::hide);
     connect(m_files, &FileActions::exportRequested, this, &MainWindow::showExportDialog);
     connect(m_files, &FileActions::quitRequested, this, &QWidget::close);
     connect(m_edits, &EditActions::renameRequested, this, [this] {

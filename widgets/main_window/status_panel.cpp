@@ -66,6 +66,12 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, QWidget* pare
     m_cancel->setAutoRaise(true);
     m_cancel->setIcon(icon("cancel"));
     m_cancel->setIconSize({14, 14});
+    // The height of this bar, and of the viewport above it, must stay when a computation starts and ends: the
+    // place of the button is kept while it is hidden, and the progress bar takes whatever height there is.
+    m_progress->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Ignored);
+    QSizePolicy kept = m_cancel->sizePolicy();
+    kept.setRetainSizeWhenHidden(true);
+    m_cancel->setSizePolicy(kept);
     m_time->setObjectName(QStringLiteral("dim"));
     m_badge->setObjectName(QStringLiteral("badge"));
     for (QWidget* widget : {static_cast<QWidget*>(m_progress), static_cast<QWidget*>(m_cancel)}) {

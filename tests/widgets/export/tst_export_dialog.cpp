@@ -83,6 +83,24 @@ private slots:
         QVERIFY(file.read(200).startsWith(begin));
     }
 
+    void filesAreReplacedOnlyWhenAgreed()
+    {
+        const QString old = path("mine.obj");
+        QFile file(old);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("kept") == 4);
+        file.close();
+        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        QSignalSpy exported(&dialog, &ExportDialog::exported);
+        dialog.setPath(old);
+        dialog.startExport();
+        auto* message = dialog.findChild<QLabel*>(QStringLiteral("hint"));
+        QVERIFY(message && message->text().contains(QStringLiteral("mine.obj")));
+        QCOMPARE(QFileInfo(old).size(), qint64(4));
+        dialog.startExport();
+        QTRY_COMPARE(exported.count(), 1);
+        QVERIFY(QFileInfo(old).size() > 1000);
+    }
+
     void aTreeBeingComputedIsWaitedFor()
     {
         ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);

@@ -5,6 +5,7 @@
 #include "widgets/actions/file_actions.h"
 #include "widgets/grammar/grammar_edit.h"
 #include "widgets/main_window/main_window.h"
+#include "widgets/main_window/message_banner.h"
 #include "widgets/main_window/problem_button.h"
 #include "widgets/main_window/status_panel.h"
 #include "widgets/properties/param_row.h"
@@ -14,6 +15,8 @@
 #include "widgets/support/preferences.h"
 #include "widgets/theme/theme.h"
 #include <QDropEvent>
+#include <QProgressBar>
+#include <QToolButton>
 
 using namespace ramure;
 
@@ -147,6 +150,33 @@ private slots:
         action("file.save")->trigger();
         QVERIFY(!m_window->isWindowModified());
         QVERIFY(m_window->windowTitle().startsWith(QStringLiteral("oak.ramure")));
+    }
+
+    void messagesGoWhenWhatFailedSucceeds()
+    {
+        QTemporaryDir folder;
+        m_window->banner()->showMessage(Severity::Error, QStringLiteral("could not be saved"));
+        m_chooser.answer = folder.filePath(QStringLiteral("missing/oak.ramure"));
+        action("file.saveAs")->trigger();
+        QCOMPARE(m_chooser.reports.size(), 1);
+        QVERIFY(!m_window->banner()->text().isEmpty()); // it failed again
+        m_chooser.answer = folder.filePath(QStringLiteral("oak.ramure"));
+        action("file.saveAs")->trigger();
+        QVERIFY(m_window->banner()->text().isEmpty());
+        m_window->banner()->showMessage(Severity::Error, QStringLiteral("cannot be opened"));
+        QVERIFY(m_window->files()->openFile(m_chooser.answer));
+        QVERIFY(m_window->banner()->text().isEmpty());
+    }
+
+    void theStatusBarKeepsItsHeightWhileComputing()
+    {
+        StatusPanel* status = m_window->status();
+        const int height = status->sizeHint().height();
+        for (auto* widget : status->findChildren<QToolButton*>())
+            widget->show();
+        for (auto* widget : status->findChildren<QProgressBar*>())
+            widget->show();
+        QCOMPARE(status->sizeHint().height(), height);
     }
 
     void closingAsksAboutUnsavedChanges()
