@@ -171,7 +171,6 @@ bool FileActions::newFromPreset(const QString& preset)
     Selection selection;
     selection.nodes = {tree};
     m_document->setSelection(selection);
-    emit succeeded();
     return true;
 }
 

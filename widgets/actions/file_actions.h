@@ -44,7 +44,7 @@ public:
     [[nodiscard]] QString documentName() const;
 
 signals:
-    void succeeded(); ///< a document was made, opened or saved: what went wrong before it is past
+    void succeeded(); ///< a file was opened or saved: what went wrong before it is past
     void exportRequested();
     void quitRequested();
 

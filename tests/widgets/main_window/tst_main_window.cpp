@@ -166,6 +166,10 @@ private slots:
         m_window->banner()->showMessage(Severity::Error, QStringLiteral("cannot be opened"));
         QVERIFY(m_window->files()->openFile(m_chooser.answer));
         QVERIFY(m_window->banner()->text().isEmpty());
+        // A file given at the start that cannot be opened: the preset shown instead must not hide why.
+        m_window->banner()->showMessage(Severity::Error, QStringLiteral("cannot be opened"));
+        QVERIFY(m_window->files()->newFromPreset(QStringLiteral("Fern2D")));
+        QVERIFY(!m_window->banner()->text().isEmpty());
     }
 
     void theStatusBarKeepsItsHeightWhileComputing()
