@@ -29,7 +29,7 @@ public:
     };
     static constexpr int columns = 7;
     /// Besides Qt's roles: is this the eye or the lock of a node?
-    static constexpr int IsSwitchRole = Qt::UserRole;
+    static constexpr int isSwitchRole = Qt::UserRole;
 
     /// \p document is not owned and must outlive the model.
     explicit SceneModel(Document* document, QObject* parent = nullptr);

@@ -35,7 +35,7 @@ QVariant SceneModel::data(const QModelIndex& index, int role) const
 {
     if (!index.isValid())
         return {};
-    if (role == IsSwitchRole)
+    if (role == isSwitchRole)
         return branchAt(index) == noIndex &&
                (index.column() == VisibleColumn || index.column() == LockedColumn);
     if (role == Qt::TextAlignmentRole && index.column() >= LengthColumn)

@@ -98,7 +98,7 @@ void SceneTree::changeEvent(QEvent* event)
 QModelIndex SceneTree::stateAt(const QMouseEvent* event) const
 {
     const QModelIndex index = indexAt(event->position().toPoint());
-    if (event->button() != Qt::LeftButton || !index.data(SceneModel::IsSwitchRole).toBool())
+    if (event->button() != Qt::LeftButton || !index.data(SceneModel::isSwitchRole).toBool())
         return {};
     return index;
 }
