@@ -1541,6 +1541,10 @@
         <source>a number is missing after “%1”</source>
         <translation>il manque un nombre après « %1 »</translation>
     </message>
+    <message>
+        <source>it is a device, not a file</source>
+        <translation>c’est un périphérique, pas un fichier</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>

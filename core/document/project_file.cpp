@@ -3,7 +3,9 @@
 #include "core/document/project_json.h"
 #include "core/document/project_migrations.h"
 
+#include <QCoreApplication>
 #include <QFile>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QSaveFile>
@@ -128,6 +130,11 @@ Expected<void> saveProjectFile(const Project& project, const QString& path)
 
 Expected<void> saveAtomically(const QByteArray& bytes, const QString& path)
 {
+    // QSaveFile would put a plain file in the place of a device such as /dev/full.
+    const QFileInfo target(path);
+    if (target.exists() && !target.isFile() && !target.isDir())
+        return ioError(path, RAMURE_NOOP("cannot be written: %1"),
+                       QCoreApplication::translate("core", RAMURE_NOOP("it is a device, not a file")));
     QSaveFile file(path);
     if (!file.open(QIODevice::WriteOnly))
         return ioError(path, RAMURE_NOOP("cannot be written: %1"), file.errorString());

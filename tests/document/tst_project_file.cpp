@@ -450,6 +450,7 @@ void TestProjectFile::savingFailsWithoutHarm_data()
     QTest::addColumn<QString>("name");
     QTest::newRow("missing folder") << "none/a.ramure";
     QTest::newRow("a folder") << "folder";
+    QTest::newRow("a device") << "device.ramure";
     QTest::newRow("below a file") << "old.ramure/a.ramure";
     QTest::newRow("no name") << "";
     QTest::newRow("too long a name") << QString(300, u'x') + ".ramure";
@@ -460,6 +461,7 @@ void TestProjectFile::savingFailsWithoutHarm()
     QFETCH(QString, name);
     QTemporaryDir folder;
     QVERIFY(QDir(folder.path()).mkdir("folder"));
+    QVERIFY(QFile::link("/dev/null", folder.filePath("device.ramure")));
     QVERIFY(saveProjectFile({}, folder.filePath("old.ramure")));
     const QByteArray before = allOf(folder.filePath("old.ramure"));
     const QString path = name.isEmpty() ? QString() : folder.filePath(name);
@@ -469,7 +471,8 @@ void TestProjectFile::savingFailsWithoutHarm()
     QCOMPARE(saved.error().file, path.toStdString());
     QVERIFY(!saved.error().args.front().empty());
     QCOMPARE(allOf(folder.filePath("old.ramure")), before);
-    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size(), 2);
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size(), 3);
+    QVERIFY(QFileInfo(folder.filePath("device.ramure")).isSymLink());
 }
 
 void TestProjectFile::fullDiskLeavesTheOldFile()

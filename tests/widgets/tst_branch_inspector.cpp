@@ -97,7 +97,7 @@ void TestBranchInspector::showsTheFactsOfTheActiveBranch()
     }
     bench.trees.select(bench.tree, {1}, 1);
     QCOMPARE(bench.fact("Angle to the parent"), QStringLiteral("34.38°")); // 0.6 rad
-    QCOMPARE(bench.fact("Length"), QStringLiteral("0.2000 m"));
+    QCOMPARE(bench.fact("Length"), QStringLiteral("0.20 m"));
 }
 
 void TestBranchInspector::relativesAreLinks()
