@@ -7,6 +7,8 @@
 #include "widgets/viewport/view_settings.h"
 #include <QWidget>
 
+class QLabel;
+
 namespace ramure {
 
 class Document;
@@ -32,7 +34,7 @@ private:
 
     ViewSettings* m_settings;
     Viewport* m_viewport = nullptr;
-    class QLabel* m_placeholder = nullptr;
+    QLabel* m_placeholder = nullptr;
 };
 
 } // namespace ramure
