@@ -63,6 +63,7 @@ void BranchMesher::buildRoot(Index root)
     const BranchCurve curve = meshCurve(m_skeleton, root, m_context.clampOvershoot);
     const Frame frame = frameFromTangent(hermite(curve.h0, curve.h1, curve.v0, curve.v1, 0.0).tangent);
     m_axes.build(curve, branch, frame, m_context.options.lengthDivisions, m_sections, nullptr);
+    m_context.sink.startTube(branch.source, noIndex);
     const Index ring = m_tubes.startRoot(m_sections.front(), branch.p0, branch.source);
     m_tubes.finish(root, m_sections, 0, ring, 0.0, m_ends);
 }
@@ -74,6 +75,7 @@ void BranchMesher::continueChild(const TubeEnd& parent)
     const MeshBranch& branch = m_skeleton.branches[child];
     m_axes.build(meshCurve(m_skeleton, child, m_context.clampOvershoot), branch, parent.section.frame,
                  m_context.options.lengthDivisions, m_sections, nullptr);
+    m_context.sink.startTube(branch.source, m_skeleton.branches[parent.branch].source);
     m_tubes.finish(child, m_sections, 0, parent.ring, -branch.rollRad, m_ends);
 }
 
@@ -152,6 +154,7 @@ Expected<void> BranchMesher::run(const Progress& progress)
         if (m_skeleton.branches[root].parent != noIndex)
             continue;
         const std::size_t vertices = sink.positions.size(), triangles = sink.triangles.size();
+        const std::size_t tubes = sink.tubes.size(), forkVertices = sink.forkVertices.size();
         m_context.clampOvershoot = m_context.options.clampOvershoot;
         for (int attempt = 0;; ++attempt) {
             if (auto built = buildTree(root, progress); !built)
@@ -172,6 +175,8 @@ Expected<void> BranchMesher::run(const Progress& progress)
             sink.positions.resize(vertices);
             sink.owner.resize(vertices);
             sink.triangles.resize(triangles);
+            sink.tubes.resize(tubes);
+            sink.forkVertices.resize(forkVertices);
             m_inspected = static_cast<Index>(triangles);
             while (!m_small.empty() && m_small.back() >= m_inspected)
                 m_small.pop_back();
@@ -224,6 +229,8 @@ BranchMesh assemble(MeshSink& sink, NormalSkeleton& normal, const Skeleton& skel
     result.mesh.positions = std::move(sink.positions);
     result.mesh.triangles = std::move(sink.triangles);
     result.mesh.branch = std::move(sink.owner);
+    result.tubes = std::move(sink.tubes);
+    result.forkVertices = std::move(sink.forkVertices);
     result.mesh.level.resize(result.mesh.branch.size());
     for (std::size_t v = 0; v < result.mesh.branch.size(); ++v)
         result.mesh.level[v] = skeleton.level[result.mesh.branch[v]];

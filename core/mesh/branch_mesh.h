@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/skeleton/skeleton.h"
+#include <array>
 #include <span>
 #include <vector>
 
@@ -45,9 +46,32 @@ struct RepairNote
     Index other;  ///< the branch it now belongs to, or noIndex
 };
 
+/// The triangles of one branch's tube follow each other, from its start to its end; with a root or a tip, the
+/// cap too. Every triangle belongs to one tube.
+struct TubeRange
+{
+    Index branch;        ///< of the input skeleton: the one whose curve the tube follows
+    Index parent;        ///< the branch whose last cross-section it starts from, or noIndex
+    Index firstTriangle; ///< its triangles end where the next tube's begin
+    bool operator==(const TubeRange&) const = default;
+};
+
+/// A vertex in the valley between the tubes of a fork: what else it follows but its own branch.
+struct ForkVertex
+{
+    Index vertex;
+    Index parent;                ///< the branch that forks
+    std::array<Index, 3> branch; ///< the tubes it lies between; noIndex where there are but two
+    std::array<float, 3> weight; ///< of those, their sum is 1
+    float along;                 ///< m, from the fork along their axes
+    bool operator==(const ForkVertex&) const = default;
+};
+
 struct BranchMesh
 {
     TriangleMesh mesh; ///< with normals, branch and level
+    std::vector<TubeRange> tubes;
+    std::vector<ForkVertex> forkVertices; ///< by ascending vertex
     std::vector<RepairNote> repairs;
     Index roots = 0; ///< number of components the mesh has by construction
 };

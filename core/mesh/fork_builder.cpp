@@ -102,6 +102,7 @@ void ForkBuilder::trimEndRing(Index child, const AxisSection& section, Index rin
 void ForkBuilder::startTube(Index child, std::vector<TubeEnd>& ends)
 {
     const ForkChild& tube = m_children[child];
+    m_context.sink.startTube(tube.source, m_ring.source);
     m_walls.cell(child, m_boundary);
     m_unroller.unroll(m_boundary, tube, m_context.skeleton.branches[tube.branch].rollRad, m_front);
     const std::size_t full = firstFullSection(tube);
@@ -150,6 +151,7 @@ void ForkBuilder::build(const TubeEnd& parent, std::vector<TubeEnd>& ends)
     m_ring.frame = end.frame;
     m_ring.radius = end.radius;
     m_ring.firstVertex = parent.ring;
+    m_ring.source = m_context.skeleton.branches[parent.branch].source;
     m_ring.points.clear();
     for (std::size_t i = 0; i < m_layout.ring.size(); ++i)
         m_ring.points.emplace_back(m_context.sink.positions[parent.ring + i]);

@@ -171,9 +171,15 @@ CellVertex ForkWalls::lift(const Between& between, const glm::dvec3& offset, dou
 }
 
 /// Returns the vertex' number in m_vertices.
-Index ForkWalls::add(CellVertex vertex, Index child)
+Index ForkWalls::add(CellVertex vertex, const Between& between)
 {
-    vertex.vertex = m_sink->addVertex(vertex.position, m_children[child].source);
+    vertex.vertex = m_sink->addVertex(vertex.position, m_children[between.child[0]].source);
+    ForkVertex shared{vertex.vertex, m_ring->source, {noIndex, noIndex, noIndex}, {}, float(vertex.lifted)};
+    for (std::size_t i = 0; i < between.count; ++i) {
+        shared.branch[i] = m_children[between.child[i]].source;
+        shared.weight[i] = float(between.weight[i]);
+    }
+    m_sink->forkVertices.push_back(shared);
     m_vertices.push_back(vertex);
     return static_cast<Index>(m_vertices.size() - 1);
 }
@@ -186,7 +192,7 @@ void ForkWalls::makeCorners()
         const auto& s = triangle.site;
         const Between between{s, circumcentreWeights(sites.place(s[0]), sites.place(s[1]), sites.place(s[2])),
                               3};
-        add(lift(between, glm::dvec3(0.0), guess), s[0]);
+        add(lift(between, glm::dvec3(0.0), guess), between);
     }
 }
 
@@ -207,13 +213,14 @@ void ForkWalls::makeHullWalls()
         }
         const std::size_t count = across ? 2 * m_midsPerWall + 1 : m_midsPerWall;
         const glm::dvec3 aside = outward(edge.from, edge.to);
+        const Between between = pair(edge.from, edge.to);
         const double reach = pairRadius(edge.from, edge.to);
         m_hullWall[e].first = static_cast<Index>(m_vertices.size());
         for (std::size_t i = 1; i <= count; ++i) {
             const double part = static_cast<double>(i) / static_cast<double>(count + 1);
             const double out = reach * std::cos(part * (across ? pi : 0.5 * pi));
             double& guess = m_guesses[across ? std::min(i, count + 1 - i) : i];
-            add(lift(pair(edge.from, edge.to), aside * out, guess), edge.from);
+            add(lift(between, aside * out, guess), between);
         }
         m_hullWall[e].count = static_cast<Index>(m_vertices.size()) - m_hullWall[e].first;
     }
@@ -238,7 +245,8 @@ void ForkWalls::makeInnerWalls()
                 offset += 0.5 * glm::dot(at.position - onPath(pair(u, v), glm::dvec3(0.0), at.lifted), aside);
             }
             const double most = innerReach * pairRadius(u, v);
-            const Index mid = add(lift(pair(u, v), aside * std::clamp(offset, -most, most), guess), u);
+            const Between between = pair(u, v);
+            const Index mid = add(lift(between, aside * std::clamp(offset, -most, most), guess), between);
             m_innerWall[t][e] = mid;
             const auto& back = triangles[other].site;
             for (std::size_t i = 0; i < 3; ++i)

@@ -26,6 +26,7 @@ struct ForkRing
     Frame frame;
     double radius = 0.0;
     Index firstVertex = 0;
+    Index source = noIndex;         ///< the parent, of the input
     std::vector<glm::dvec3> points; ///< one per azimuth of the layout
 };
 
@@ -70,7 +71,7 @@ private:
     void makeHullWalls();
     void makeInnerWalls();
     CellVertex lift(const Between& between, const glm::dvec3& offset, double& guess);
-    Index add(CellVertex vertex, Index child);
+    Index add(CellVertex vertex, const Between& between);
     [[nodiscard]] glm::dvec3 onPath(const Between& between, const glm::dvec3& offset, double along) const;
     enum class Tubes { Between, All };
     [[nodiscard]] double room(const Between& between, const glm::dvec3& offset, double along,

@@ -2,7 +2,7 @@
 /// Where the mesher puts its vertices and triangles.
 #pragma once
 
-#include "core/base/index.h"
+#include "core/mesh/branch_mesh.h"
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -13,7 +13,14 @@ struct MeshSink
     std::vector<glm::vec3> positions;
     std::vector<Index> owner; ///< per vertex: branch of the input skeleton
     std::vector<glm::uvec3> triangles;
+    std::vector<TubeRange> tubes;
+    std::vector<ForkVertex> forkVertices;
 
+    /// All triangles from here on belong to the tube of \p branch.
+    void startTube(Index branch, Index parent)
+    {
+        tubes.push_back({branch, parent, static_cast<Index>(triangles.size())});
+    }
     [[nodiscard]] Index nextVertex() const { return static_cast<Index>(positions.size()); }
     Index addVertex(const glm::dvec3& position, Index branch)
     {
