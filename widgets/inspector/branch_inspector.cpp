@@ -7,6 +7,7 @@
 #include "widgets/inspector/roll_editor.h"
 #include "widgets/inspector/section_browser.h"
 #include "widgets/support/core_text.h"
+#include "widgets/support/empty_page.h"
 #include <QEvent>
 #include <QLabel>
 #include <QScrollArea>
@@ -64,7 +65,7 @@ struct BranchInspector::Private
     BranchInspector* q;
     Document* document;
     QStackedWidget* pages = nullptr;
-    QLabel* empty = nullptr;
+    EmptyPage* empty = nullptr;
     QWidget* content = nullptr;
     QLabel* title = nullptr;
     QLabel* subtitle = nullptr;
@@ -98,15 +99,8 @@ void BranchInspector::Private::build()
     outer->setContentsMargins(0, 0, 0, 0);
     pages = new QStackedWidget(q);
     outer->addWidget(pages);
-    auto* emptyPage = new QWidget(pages);
-    auto* emptyLayout = new QVBoxLayout(emptyPage);
-    emptyLayout->setContentsMargins(24, 32, 24, 24);
-    empty = new QLabel(emptyPage);
-    empty->setObjectName(QStringLiteral("hint"));
-    empty->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
-    empty->setWordWrap(true);
-    emptyLayout->addWidget(empty);
-    pages->addWidget(emptyPage);
+    empty = new EmptyPage(pages);
+    pages->addWidget(empty);
 
     auto* scroll = new QScrollArea(pages);
     scroll->setFrameShape(QFrame::NoFrame);

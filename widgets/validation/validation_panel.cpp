@@ -2,6 +2,7 @@
 
 #include "core/document/document.h"
 #include "widgets/inspector/only_branch.h"
+#include "widgets/support/empty_page.h"
 #include "widgets/theme/icons.h"
 #include "widgets/validation/kind_texts.h"
 #include "widgets/validation/report_text.h"
@@ -64,7 +65,7 @@ struct ValidationPanel::Private
     ValidationPanel* q;
     Document* document;
     QStackedWidget* pages = nullptr;
-    QLabel* empty = nullptr;
+    EmptyPage* empty = nullptr;
     StatusBadge* badge = nullptr;
     QLabel* tree = nullptr;
     QLabel* headline = nullptr;
@@ -98,15 +99,8 @@ void ValidationPanel::Private::build()
     outer->setContentsMargins(0, 0, 0, 0);
     pages = new QStackedWidget(q);
     outer->addWidget(pages);
-    auto* emptyPage = new QWidget(pages);
-    auto* emptyLayout = new QVBoxLayout(emptyPage);
-    emptyLayout->setContentsMargins(24, 32, 24, 24);
-    empty = new QLabel(emptyPage);
-    empty->setObjectName(QStringLiteral("hint"));
-    empty->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
-    empty->setWordWrap(true);
-    emptyLayout->addWidget(empty);
-    pages->addWidget(emptyPage);
+    empty = new EmptyPage(pages);
+    pages->addWidget(empty);
 
     auto* content = new QWidget(pages);
     auto* layout = new QVBoxLayout(content);

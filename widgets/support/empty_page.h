@@ -1,0 +1,24 @@
+/// \file
+/// What a panel shows while there is nothing to show: one calm sentence, centred at the top.
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+
+namespace ramure {
+
+class EmptyPage : public QWidget
+{
+public:
+    explicit EmptyPage(QWidget* parent);
+
+    /// Plain text, in the interface's language; it wraps.
+    void setText(const QString& text);
+    [[nodiscard]] QString text() const;
+
+private:
+    QLabel* m_label;
+};
+
+} // namespace ramure
