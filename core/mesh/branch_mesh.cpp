@@ -63,7 +63,7 @@ void BranchMesher::buildRoot(Index root)
     const BranchCurve curve = meshCurve(m_skeleton, root, m_context.clampOvershoot);
     const Frame frame = frameFromTangent(hermite(curve.h0, curve.h1, curve.v0, curve.v1, 0.0).tangent);
     m_axes.build(curve, branch, frame, m_context.options.lengthDivisions, m_sections, nullptr);
-    m_context.sink.startTube(branch.source, noIndex);
+    m_context.sink.startTube(branch.source, noIndex, {curve, branch.a0, branch.a1});
     const Index ring = m_tubes.startRoot(m_sections.front(), branch.p0, branch.source);
     m_tubes.finish(root, m_sections, 0, ring, 0.0, m_ends);
 }
@@ -73,9 +73,10 @@ void BranchMesher::continueChild(const TubeEnd& parent)
 {
     const Index child = m_skeleton.childrenOf(parent.branch).front();
     const MeshBranch& branch = m_skeleton.branches[child];
-    m_axes.build(meshCurve(m_skeleton, child, m_context.clampOvershoot), branch, parent.section.frame,
-                 m_context.options.lengthDivisions, m_sections, nullptr);
-    m_context.sink.startTube(branch.source, m_skeleton.branches[parent.branch].source);
+    const BranchCurve curve = meshCurve(m_skeleton, child, m_context.clampOvershoot);
+    m_axes.build(curve, branch, parent.section.frame, m_context.options.lengthDivisions, m_sections, nullptr);
+    m_context.sink.startTube(branch.source, m_skeleton.branches[parent.branch].source,
+                             {curve, branch.a0, branch.a1});
     m_tubes.finish(child, m_sections, 0, parent.ring, -branch.rollRad, m_ends);
 }
 
@@ -176,6 +177,7 @@ Expected<void> BranchMesher::run(const Progress& progress)
             sink.owner.resize(vertices);
             sink.triangles.resize(triangles);
             sink.tubes.resize(tubes);
+            sink.axes.resize(tubes);
             sink.forkVertices.resize(forkVertices);
             m_inspected = static_cast<Index>(triangles);
             while (!m_small.empty() && m_small.back() >= m_inspected)
@@ -223,13 +225,19 @@ void reserve(MeshSink& sink, const NormalSkeleton& skeleton, const BranchMeshOpt
 BranchMesh assemble(MeshSink& sink, NormalSkeleton& normal, const Skeleton& skeleton)
 {
     BranchMesh result;
-    if (normal.origin != glm::dvec3(0.0))
+    if (normal.origin != glm::dvec3(0.0)) {
         for (glm::vec3& position : sink.positions)
             position = glm::vec3(glm::dvec3(position) + normal.origin);
+        for (TubeAxis& axis : sink.axes) {
+            axis.curve.h0 += normal.origin;
+            axis.curve.h1 += normal.origin;
+        }
+    }
     result.mesh.positions = std::move(sink.positions);
     result.mesh.triangles = std::move(sink.triangles);
     result.mesh.branch = std::move(sink.owner);
     result.tubes = std::move(sink.tubes);
+    result.axes = std::move(sink.axes);
     result.forkVertices = std::move(sink.forkVertices);
     result.mesh.level.resize(result.mesh.branch.size());
     for (std::size_t v = 0; v < result.mesh.branch.size(); ++v)

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
+#include "core/geometry/sections.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/skeleton/skeleton.h"
 #include <array>
@@ -56,6 +57,13 @@ struct TubeRange
     bool operator==(const TubeRange&) const = default;
 };
 
+/// The axis of a tube, after all repairs: what its cross-sections stand on.
+struct TubeAxis
+{
+    BranchCurve curve;
+    double a0, a1; ///< radii at its ends, linear in the curve's parameter
+};
+
 /// A vertex in the valley between the tubes of a fork: what else it follows but its own branch.
 struct ForkVertex
 {
@@ -71,6 +79,7 @@ struct BranchMesh
 {
     TriangleMesh mesh; ///< with normals, branch and level
     std::vector<TubeRange> tubes;
+    std::vector<TubeAxis> axes;           ///< one per tube
     std::vector<ForkVertex> forkVertices; ///< by ascending vertex
     std::vector<RepairNote> repairs;
     Index roots = 0; ///< number of components the mesh has by construction

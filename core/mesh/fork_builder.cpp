@@ -102,7 +102,10 @@ void ForkBuilder::trimEndRing(Index child, const AxisSection& section, Index rin
 void ForkBuilder::startTube(Index child, std::vector<TubeEnd>& ends)
 {
     const ForkChild& tube = m_children[child];
-    m_context.sink.startTube(tube.source, m_ring.source);
+    const MeshBranch& own = m_context.skeleton.branches[tube.branch];
+    m_context.sink.startTube(
+        tube.source, m_ring.source,
+        {meshCurve(m_context.skeleton, tube.branch, m_context.clampOvershoot), own.a0, own.a1});
     m_walls.cell(child, m_boundary);
     m_unroller.unroll(m_boundary, tube, m_context.skeleton.branches[tube.branch].rollRad, m_front);
     const std::size_t full = firstFullSection(tube);

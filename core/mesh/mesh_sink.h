@@ -14,12 +14,14 @@ struct MeshSink
     std::vector<Index> owner; ///< per vertex: branch of the input skeleton
     std::vector<glm::uvec3> triangles;
     std::vector<TubeRange> tubes;
+    std::vector<TubeAxis> axes;
     std::vector<ForkVertex> forkVertices;
 
     /// All triangles from here on belong to the tube of \p branch.
-    void startTube(Index branch, Index parent)
+    void startTube(Index branch, Index parent, const TubeAxis& axis)
     {
         tubes.push_back({branch, parent, static_cast<Index>(triangles.size())});
+        axes.push_back(axis);
     }
     [[nodiscard]] Index nextVertex() const { return static_cast<Index>(positions.size()); }
     Index addVertex(const glm::dvec3& position, Index branch)

@@ -44,6 +44,7 @@ void TestTubes::tubesShareOutAllTriangles()
     const BranchMesh made = meshOf(preset);
     QVERIFY(!made.tubes.empty());
     QCOMPARE(made.tubes.front().firstTriangle, Index(0));
+    QCOMPARE(made.axes.size(), made.tubes.size());
     const Expected<Skeleton> skeleton = presetSkeleton({preset.toStdString()});
     std::vector<bool> seen(skeleton->size(), false);
     for (std::size_t t = 0; t < made.tubes.size(); ++t) {
@@ -54,6 +55,10 @@ void TestTubes::tubesShareOutAllTriangles()
         seen[tube.branch] = true;
         QCOMPARE(tube.parent == noIndex, skeleton->parent[tube.branch] == noIndex);
         QVERIFY(tube.parent == noIndex || seen[tube.parent]);
+        const TubeAxis& axis = made.axes[t];
+        QVERIFY(glm::length(axis.curve.h1 - skeleton->p1[tube.branch]) < 1e-9);
+        QVERIFY(axis.a0 > 0.0 && axis.a1 > 0.0);
+        QCOMPARE(axis.curve.v1, axis.curve.h1 - axis.curve.h0);
         // A tube's own vertices, those of its fork, and its parent's last ring: nothing else.
         for (Index f = tube.firstTriangle; f < end; ++f)
             for (int corner = 0; corner < 3; ++corner) {
