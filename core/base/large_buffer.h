@@ -5,6 +5,7 @@
 /// huge pages, and nothing is cleared that is overwritten anyway.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -47,7 +48,8 @@ public:
             return;
         if (count > std::size_t(-1) / 2 / sizeof(T))
             throw std::bad_alloc();
-        const std::size_t unit = count * sizeof(T) >= hugePageSize ? hugePageSize : alignof(std::max_align_t);
+        constexpr std::size_t alignment = std::max(alignof(T), alignof(std::max_align_t));
+        const std::size_t unit = count * sizeof(T) >= hugePageSize ? hugePageSize : alignment;
         const std::size_t bytes = (count * sizeof(T) + unit - 1) / unit * unit;
         m_data = static_cast<T*>(std::aligned_alloc(unit, bytes));
         if (!m_data)

@@ -16,6 +16,8 @@ endif()
 option(RAMURE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
 option(RAMURE_CORE_ONLY "Build only the core and its tests (the sanitizer run)" OFF)
 
+option(RAMURE_FUZZ "Only the fuzz targets; needs clang (./dev fuzz)" OFF)
+
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
@@ -24,10 +26,10 @@ endif()
 
 add_library(ramure_options INTERFACE)
 target_compile_options(ramure_options INTERFACE
-    -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<NOT:$<BOOL:${RAMURE_FUZZ}>>:-Werror>
     # The same seed gives the same bytes on every run and machine: no contraction into fused operations.
     -ffp-contract=off -fno-math-errno)
-if(CCACHE_PROGRAM)
+if(CCACHE_PROGRAM AND NOT RAMURE_FUZZ)
     target_compile_options(ramure_options INTERFACE -fpch-preprocess)
 endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
@@ -38,6 +40,12 @@ if(RAMURE_SANITIZE)
     add_link_options(-fsanitize=address,undefined)
     # GCC warns of values it can no longer follow through its own instrumentation; the plain builds keep the warning.
     target_compile_options(ramure_options INTERFACE -Wno-maybe-uninitialized)
+endif()
+
+if(RAMURE_FUZZ)
+    add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+        -O1 -g1 -D_GLIBCXX_ASSERTIONS)
+    add_link_options(-fsanitize=address,undefined)
 endif()
 
 # Third-party headers never raise our warnings.

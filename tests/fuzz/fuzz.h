@@ -1,0 +1,73 @@
+/// \file
+/// What the fuzz targets share: a claim that does not hold ends the run with the input kept.
+#pragma once
+
+#include "core/mesh/validate.h"
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace ramure::fuzz {
+
+inline void claim(bool holds, const char* what)
+{
+    if (holds)
+        return;
+    std::fprintf(stderr, "does not hold: %s\n", what);
+    std::abort();
+}
+
+/// An error says something, and all that its text refers to.
+inline void claimGoodError(const Error& error)
+{
+    const std::string_view text(error.text);
+    claim(!text.empty() && !error.message().empty(), "an error has a text");
+    for (std::size_t i = error.args.size() + 1; i < 10; ++i)
+        claim(text.find('%' + std::to_string(i)) == std::string_view::npos, "an error has its arguments");
+}
+
+inline std::string_view textOf(const std::uint8_t* data, std::size_t size)
+{
+    return {reinterpret_cast<const char*>(data), size};
+}
+
+inline bool areFinite(const std::vector<glm::vec3>& vectors)
+{
+    for (const glm::vec3& v : vectors)
+        if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+            return false;
+    return true;
+}
+
+inline bool sameBits(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b)
+{
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
+}
+
+/// What every reader promises of a mesh, and that the check can be run on it.
+inline void claimGoodMesh(const TriangleMesh& mesh)
+{
+    const auto fits = [&](std::size_t size) { return size == 0 || size == mesh.positions.size(); };
+    claim(areFinite(mesh.positions) && areFinite(mesh.normals), "numbers of a mesh are finite");
+    claim(fits(mesh.normals.size()), "a normal for every vertex, or none");
+    claim(fits(mesh.branch.size()) && fits(mesh.level.size()), "a branch and a level for every vertex");
+    for (const glm::uvec3& t : mesh.triangles)
+        claim(t.x < mesh.vertexCount() && t.y < mesh.vertexCount() && t.z < mesh.vertexCount(),
+              "corners are vertices");
+    const auto report = validateMesh(mesh);
+    claim(report.has_value(), "a mesh that was read can be checked");
+    claim(report->vertices == mesh.vertexCount() && report->faces == mesh.faceCount(),
+          "all of it is checked");
+    const auto again = validateMesh(mesh);
+    claim(again && again->defects.size() == report->defects.size(), "a check gives the same twice");
+}
+
+} // namespace ramure::fuzz
