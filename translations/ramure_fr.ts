@@ -1545,6 +1545,10 @@
         <source>it is a device, not a file</source>
         <translation>c’est un périphérique, pas un fichier</translation>
     </message>
+    <message>
+        <source>the mesh refers to something that it does not have</source>
+        <translation>le maillage renvoie à quelque chose qui n’y est pas</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>
