@@ -402,6 +402,10 @@
             <numerusform>Dupliquer %n nœuds</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Change Timeline</source>
+        <translation>Modifier la ligne de temps</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -1548,6 +1552,22 @@
     <message>
         <source>the mesh refers to something that it does not have</source>
         <translation>le maillage renvoie à quelque chose qui n’y est pas</translation>
+    </message>
+    <message>
+        <source>once, loop or pingPong is expected here</source>
+        <translation>once, loop ou pingPong est attendu ici</translation>
+    </message>
+    <message>
+        <source>there must be 1 to 240 frames a second</source>
+        <translation>il faut de 1 à 240 images par seconde</translation>
+    </message>
+    <message>
+        <source>a frame must lie between %1 and %2</source>
+        <translation>une image doit se situer entre %1 et %2</translation>
+    </message>
+    <message>
+        <source>the last frame lies before the first</source>
+        <translation>la dernière image précède la première</translation>
     </message>
 </context>
 <context>

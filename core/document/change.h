@@ -19,6 +19,7 @@ enum ChangeKind : quint32 {
     changeFile = 32,      ///< path or modified state
     changeReset = 64,     ///< another document: everything
     changeBranches = 128, ///< per-branch values of nodes
+    changeTimeline = 256, ///< frames and frame rate of the scene
 };
 
 struct Change

@@ -17,7 +17,8 @@ enum class CommandId : int {
     InsertNodes,
     RemoveNodes,
     MoveNode,
-    SetBranchParams
+    SetBranchParams,
+    SetTimeline,
 };
 
 /// A gesture: commands with the same id merge. 0 = never merge.
@@ -60,6 +61,8 @@ Expected<void> setBranchRoll(Document& document, NodeId node, const std::vector<
 /// fixed order that repeats after 2^31 of them; trees of one call never get the same. Nodes that are no trees
 /// are left out; error where no tree remains.
 Expected<void> newTree(Document& document, const std::vector<NodeId>& nodes);
+/// Frames and frame rate. Errors: those of checkTimeline.
+Expected<void> setTimeline(Document& document, const TimelineSettings& settings, GestureId gesture = 0);
 } // namespace edit
 
 } // namespace ramure

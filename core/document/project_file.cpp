@@ -2,6 +2,7 @@
 
 #include "core/document/project_json.h"
 #include "core/document/project_migrations.h"
+#include "core/document/project_timeline.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -21,11 +22,13 @@ QByteArray writeProject(const Project& project)
     QJsonArray nodes;
     for (const Node& node : project.scene.nodes())
         nodes.append(json::writeNode(node));
-    const QJsonObject root{
+    QJsonObject root{
         {QStringLiteral("format"), QStringLiteral("ramure")},
         {QStringLiteral("nodes"), nodes},
         {QStringLiteral("version"), projectVersion},
     };
+    if (const QJsonObject timeline = json::writeTimeline(project.scene.timeline()); !timeline.isEmpty())
+        root.insert(QLatin1String("timeline"), timeline);
     return QJsonDocument(json::merged(root, project.extras)).toJson(QJsonDocument::Indented);
 }
 
@@ -71,6 +74,24 @@ static Expected<std::vector<Node>> readNodes(const QJsonValue& value)
     return nodes;
 }
 
+/// Keys of the timeline that are not known stay where they are.
+static Expected<TimelineSettings> readTimeline(QJsonObject& root)
+{
+    const QLatin1String key("timeline");
+    const QJsonValue value = root.take(key);
+    if (value.isUndefined())
+        return TimelineSettings{};
+    if (!value.isObject())
+        return failAt("timeline", ErrorCode::Invalid, RAMURE_NOOP("an object is expected here"));
+    QJsonObject object = value.toObject();
+    auto settings = json::readTimeline(object);
+    if (!settings)
+        return failInside("timeline", std::move(settings.error()));
+    if (!object.isEmpty())
+        root.insert(key, object);
+    return settings;
+}
+
 static Expected<Project> readParsed(QJsonObject root)
 {
     if (auto done = migrateProject(root); !done)
@@ -81,6 +102,10 @@ static Expected<Project> readParsed(QJsonObject root)
     auto scene = Scene::fromNodes(std::move(*nodes));
     if (!scene)
         return failInside("nodes", std::move(scene.error()));
+    const auto timeline = readTimeline(root);
+    if (!timeline)
+        return fail(timeline.error());
+    scene->setTimeline(*timeline);
     root.remove(QLatin1String("format"));
     root.remove(QLatin1String("version"));
     return Project{std::move(*scene), json::extrasText(root)};

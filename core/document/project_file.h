@@ -14,6 +14,7 @@
 ///                 level "visible": false                                      left out where true
 ///             }
 ///         ],
+///         "timeline": {"framesPerSecond": 30, "lastFrame": 120},        left out where all is default
 ///         "version": 1
 ///     }
 ///

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/params/node_kind.h"
 #include "core/params/node_params.h"
+#include "core/scene/timeline_settings.h"
 #include <glm/mat4x4.hpp>
 #include <string>
 #include <vector>
@@ -64,8 +65,14 @@ public:
     /// \p row counts among the new siblings without the node itself (clamped).
     /// Error: into itself or below itself, unknown ids.
     Expected<void> move(NodeId id, NodeId newParent, int row);
-    /// The same nodes in the same order; which ids were used before does not count.
-    bool operator==(const Scene& other) const { return m_nodes == other.m_nodes; }
+    [[nodiscard]] const TimelineSettings& timeline() const { return m_timeline; }
+    /// \pre checkTimeline.
+    void setTimeline(const TimelineSettings& settings) { m_timeline = settings; }
+    /// The same nodes in the same order and the same timeline; which ids were used before does not count.
+    bool operator==(const Scene& other) const
+    {
+        return m_nodes == other.m_nodes && m_timeline == other.m_timeline;
+    }
 
 private:
     void noteUsed(NodeId highest);
@@ -75,6 +82,7 @@ private:
     void splice(std::vector<Node> block, NodeId parent, int row);
 
     std::vector<Node> m_nodes;
+    TimelineSettings m_timeline;
     NodeId m_nextId = 1; ///< noNode once all have been used
 };
 

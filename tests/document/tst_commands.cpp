@@ -508,7 +508,7 @@ static void randomEdit(Document& document, Random& random)
         gesture = newGesture();
     const int row = static_cast<int>(random.below(6)) - 1;
     const bool full = nodes.size() > 40; // every state is kept: small ones keep the test quick
-    switch (random.below(12)) {
+    switch (random.below(13)) {
     case 0:
         if (!full)
             edit::insertNodes(document, {test::randomNode(1, noNode, random)}, pick(), row);
@@ -539,6 +539,14 @@ static void randomEdit(Document& document, Random& random)
     case 8:
         edit::newTree(document, {pick(), pick()});
         break;
+    case 9: {
+        TimelineSettings timeline = document.scene().timeline();
+        timeline.framesPerSecond = 23.0 + random.below(3);
+        timeline.lastFrame = 10 + random.below(3);
+        timeline.loop = PlayLoop(random.below(3));
+        edit::setTimeline(document, timeline, random.below(2) == 0 ? gesture : 0);
+        break;
+    }
     default: {
         const ParamDef& def = paramTable()[random.below(static_cast<std::uint32_t>(paramTable().size()))];
         edit::setParam(document, {pick()}, def, test::randomValue(def, random),
