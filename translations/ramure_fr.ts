@@ -1569,6 +1569,146 @@
         <source>the last frame lies before the first</source>
         <translation>la dernière image précède la première</translation>
     </message>
+    <message>
+        <source>Faithful</source>
+        <translation>Fidèle</translation>
+    </message>
+    <message>
+        <source>Robust</source>
+        <translation>Robuste</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>Monde</translation>
+    </message>
+    <message>
+        <source>Parent</source>
+        <translation type="unfinished">Parent</translation>
+    </message>
+    <message>
+        <source>Physics</source>
+        <translation>Physique</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>Robust: damped springs that stay calm for every value. Faithful: the step of the reference, exactly, which large values make nervous.</source>
+        <translation>Robuste&#xa0;: des ressorts amortis qui restent calmes pour toute valeur. Fidèle&#xa0;: exactement le pas de la référence, que de grandes valeurs rendent nerveux.</translation>
+    </message>
+    <message>
+        <source>Time step</source>
+        <translation>Pas de temps</translation>
+    </message>
+    <message>
+        <source>How much time passes in each step of the motion. Short steps are more exact and take longer.</source>
+        <translation>Le temps qui passe à chaque pas du mouvement. Des pas courts sont plus exacts et prennent plus longtemps.</translation>
+    </message>
+    <message>
+        <source>Substeps</source>
+        <translation>Sous-pas</translation>
+    </message>
+    <message>
+        <source>Into how many parts the robust mode divides each step. More follow a quick wind more closely. The faithful mode always takes whole steps.</source>
+        <translation>En combien de parts le mode robuste divise chaque pas. Davantage de parts suivent de plus près un vent rapide. Le mode fidèle fait toujours des pas entiers.</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <translation>Pesanteur</translation>
+    </message>
+    <message>
+        <source>How heavy everything is: 1 as on Earth, 0 weightless. Branches sag, apples fall.</source>
+        <translation>Le poids de toute chose&#xa0;: 1 comme sur Terre, 0 en apesanteur. Les branches ploient, les pommes tombent.</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Amortissement</translation>
+    </message>
+    <message>
+        <source>What remains of a movement: close to 1 the tree swings for long, at 0 it follows the wind without a swing. Robust: what half a swing leaves of it; faithful: what each step leaves of the speed.</source>
+        <translation>Ce qui reste d’un mouvement&#xa0;: près de 1 l’arbre se balance longtemps, à 0 il suit le vent sans se balancer. Robuste&#xa0;: ce qu’en laisse un demi-balancement&#xa0;; fidèle&#xa0;: ce que chaque pas laisse de la vitesse.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Raideur</translation>
+    </message>
+    <message>
+        <source>How strongly branches want back to their place. Stiff ones bend less and swing faster.</source>
+        <translation>La force avec laquelle les branches reviennent à leur place. Raides, elles plient moins et se balancent plus vite.</translation>
+    </message>
+    <message>
+        <source>Back to</source>
+        <translation>Retour vers</translation>
+    </message>
+    <message>
+        <source>Where a branch wants back to: the place it has as seen from its parent, or the direction it had in the world at first. The faithful mode always takes the world.</source>
+        <translation>Vers où revient une branche&#xa0;: la place qu’elle a vue de son parent, ou la direction qu’elle avait d’abord dans le monde. Le mode fidèle prend toujours le monde.</translation>
+    </message>
+    <message>
+        <source>Weight of an apple</source>
+        <translation>Poids d’une pomme</translation>
+    </message>
+    <message>
+        <source>Added to the branch that carries it, which counts as heavy as the radius of its end in metres.</source>
+        <translation>Ajouté à la branche qui la porte, laquelle compte pour aussi lourde que le rayon de son bout en mètres.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vent</translation>
+    </message>
+    <message>
+        <source>0: no wind; 1: a fresh breeze.</source>
+        <translation>0&#xa0;: pas de vent&#xa0;; 1&#xa0;: une bonne brise.</translation>
+    </message>
+    <message>
+        <source>Wind direction</source>
+        <translation>Direction du vent</translation>
+    </message>
+    <message>
+        <source>Where the wind blows to, about the vertical axis: 0 along X, a quarter turn against Z.</source>
+        <translation>Vers où souffle le vent, autour de l’axe vertical&#xa0;: 0 le long de X, un quart de tour contre Z.</translation>
+    </message>
+    <message>
+        <source>Gusts</source>
+        <translation>Rafales</translation>
+    </message>
+    <message>
+        <source>How much the wind swells and dies down within seconds. Only in the robust mode.</source>
+        <translation>Combien le vent s’enfle et retombe en quelques secondes. Seulement en mode robuste.</translation>
+    </message>
+    <message>
+        <source>Turbulence</source>
+        <translation>Turbulence</translation>
+    </message>
+    <message>
+        <source>How much the wind differs from place to place, quickly, so that twigs flutter. Only in the robust mode.</source>
+        <translation>Combien le vent diffère d’un endroit à l’autre, vite, si bien que les rameaux frémissent. Seulement en mode robuste.</translation>
+    </message>
+    <message>
+        <source>Another seed gives other gusts and eddies. The same seed always gives the same motion.</source>
+        <translation>Une autre graine donne d’autres rafales et remous. La même graine donne toujours le même mouvement.</translation>
+    </message>
+    <message>
+        <source>Apples bounce</source>
+        <translation>Rebond des pommes</translation>
+    </message>
+    <message>
+        <source>What the ground gives back of the speed of a fallen apple: 0 it stays where it falls.</source>
+        <translation>Ce que le sol rend de la vitesse d’une pomme tombée&#xa0;: 0 elle reste où elle tombe.</translation>
+    </message>
+    <message>
+        <source>Apple friction</source>
+        <translation>Frottement des pommes</translation>
+    </message>
+    <message>
+        <source>How strongly the ground slows a rolling apple: 0 it rolls on for ever.</source>
+        <translation>La force avec laquelle le sol ralentit une pomme qui roule&#xa0;: 0 elle roule sans fin.</translation>
+    </message>
+    <message>
+        <source>must be one of %1, not &quot;%2&quot;</source>
+        <translation>doit être l’un de %1, et non «&#xa0;%2&#xa0;»</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>
@@ -2176,6 +2316,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>%1: back to the default</source>
         <translation>%1&#xa0;: revenir à la valeur par défaut</translation>
+    </message>
+    <message>
+        <source>seconds; also ms, min</source>
+        <translation>secondes&#xa0;; aussi ms, min</translation>
     </message>
 </context>
 <context>

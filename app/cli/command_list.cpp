@@ -28,6 +28,8 @@ const char* unitName(ParamUnit unit)
         return "count";
     case ParamUnit::Degree:
         return "deg";
+    case ParamUnit::Second:
+        return "s";
     }
     return "";
 }
@@ -45,6 +47,8 @@ const char* typeName(ParamType type)
         return "text";
     case ParamType::Vec3:
         return "vec3";
+    case ParamType::Enum:
+        return "choice";
     }
     return "";
 }
@@ -54,9 +58,19 @@ bool hasRange(const ParamDef& def)
     return def.type == ParamType::Int || def.type == ParamType::Real || def.type == ParamType::Vec3;
 }
 
+QStringList itemNames(const ParamDef& def)
+{
+    QStringList out;
+    for (const EnumItem& item : def.items)
+        out << QString::fromUtf8(item.name);
+    return out;
+}
+
 /// Bounds that are no bounds are not shown.
 QString rangeText(const ParamDef& def)
 {
+    if (!def.items.empty())
+        return itemNames(def).join(QLatin1Char('|'));
     if (!hasRange(def))
         return {};
     const auto number = [](double value) { return fromText(formatValue(ParamValue(value))); };
@@ -73,6 +87,8 @@ QJsonValue jsonValue(const ParamValue& value)
         return *real;
     if (const auto* string = std::get_if<std::string>(&value))
         return fromText(*string);
+    if (const auto* choice = std::get_if<EnumValue>(&value))
+        return fromText(choice->name);
     const auto& vector = std::get<glm::dvec3>(value);
     return QJsonArray{vector.x, vector.y, vector.z};
 }
@@ -101,6 +117,8 @@ QJsonArray paramsJson()
             row.insert(QStringLiteral("min"), def.hardMin);
             row.insert(QStringLiteral("max"), def.hardMax);
         }
+        if (!def.items.empty())
+            row.insert(QStringLiteral("items"), QJsonArray::fromStringList(itemNames(def)));
         out.append(row);
     }
     return out;
@@ -163,6 +181,8 @@ QString paramsMarkdown()
             facts << QLatin1String(unitName(def.unit));
         if (hasRange(def))
             facts << QStringLiteral("range %1").arg(rangeText(def));
+        if (!def.items.empty())
+            facts << QStringLiteral("one of `%1`").arg(itemNames(def).join(QStringLiteral("`, `")));
         out += QStringLiteral("\n- %1\n- default `` %2 ``\n").arg(commaList(facts), defaultText(def));
     }
     return out;

@@ -65,6 +65,7 @@ QJsonValue fromParam(const ParamValue& value)
         QJsonValue operator()(std::int64_t v) const { return qint64{v}; }
         QJsonValue operator()(double v) const { return plainZero(v); }
         QJsonValue operator()(const std::string& v) const { return fromText(v); }
+        QJsonValue operator()(const EnumValue& v) const { return QString::fromStdString(v.name); }
         QJsonValue operator()(const glm::dvec3& v) const
         {
             return QJsonArray{plainZero(v.x), plainZero(v.y), plainZero(v.z)};
@@ -131,6 +132,10 @@ Expected<ParamValue> toParam(const ParamDef& def, const QJsonValue& value)
         return toText(value);
     case ParamType::Vec3:
         return toVector(value);
+    case ParamType::Enum:
+        if (!value.isString())
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("a text is expected here"));
+        return EnumValue{value.toString().toStdString()};
     }
     return fail(ErrorCode::Invalid, RAMURE_NOOP("a number is expected here"));
 }

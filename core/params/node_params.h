@@ -4,6 +4,7 @@
 /// what a parameter means, its unit and its range stand in param_table.cpp.
 #pragma once
 
+#include "core/params/physics_params.h"
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
@@ -79,6 +80,7 @@ struct NodeParams
     SectionParams sections;
     FoliageParams foliage;
     PlacementParams tree;
+    PhysicsParams physics;
     std::map<std::uint64_t, BranchParams>
         branches; ///< by Skeleton::key; only branches that differ from the default
     bool operator==(const NodeParams&) const = default;

@@ -16,13 +16,25 @@
 
 namespace ramure {
 
-/// Alternatives stand in the order of ParamType.
-using ParamValue = std::variant<bool, std::int64_t, double, std::string, glm::dvec3>;
+/// One of the items of a choice, by its name in files and on the command line.
+struct EnumValue
+{
+    std::string name;
+    bool operator==(const EnumValue&) const = default;
+};
+struct EnumItem
+{
+    const char* name;  ///< "faithful"
+    const char* label; ///< English, context "core"
+};
 
-enum class ParamType : std::uint8_t { Bool, Int, Real, Text, Vec3 };
+/// Alternatives stand in the order of ParamType.
+using ParamValue = std::variant<bool, std::int64_t, double, std::string, glm::dvec3, EnumValue>;
+
+enum class ParamType : std::uint8_t { Bool, Int, Real, Text, Vec3, Enum };
 
 /// Inside the program angles are radians and lengths metres; the interface may show degrees.
-enum class ParamUnit : std::uint8_t { None, Metre, Radian, Ratio, Count, Degree };
+enum class ParamUnit : std::uint8_t { None, Metre, Radian, Ratio, Count, Degree, Second };
 
 enum ParamFlag : std::uint8_t {
     paramNone = 0,
@@ -54,6 +66,7 @@ struct ParamDef
     std::uint8_t kinds; ///< bit 1 << NodeKind: the kinds of node that have it
     ParamValue (*get)(const NodeParams&);
     void (*assign)(NodeParams&, const ParamValue&); ///< no check; the alternative must be the row's type
+    std::span<const EnumItem> items{};              ///< of a choice, at least two; of others none
 };
 
 /// All rows, in the order in which the interface shows them.
@@ -66,7 +79,7 @@ bool hasParam(NodeKind kind, const ParamDef& def);
 /// The default, taken from the struct's member initialisers.
 ParamValue defaultValue(const ParamDef& def);
 /// Refuses another type, non-finite numbers and numbers outside the hard range, texts with a zero byte or
-/// over 1 MiB. Error: code Invalid, path = key.
+/// over 1 MiB, names that are no item. Error: code Invalid, path = key.
 Expected<void> checkValue(const ParamDef& def, const ParamValue& value);
 /// checkValue, then assign. On an error \p params is unchanged.
 Expected<void> setParam(NodeParams& params, const ParamDef& def, const ParamValue& value);
@@ -75,7 +88,8 @@ Expected<void> setParam(NodeParams& params, const ParamDef& def, const ParamValu
 ParamValue clampValue(const ParamDef& def, const ParamValue& value);
 
 /// Text as the command line writes it: numbers in the C locale (shortest round trip), bool "true"/"false",
-/// vectors "x,y,z". parseValue also reads 0, 1, yes, no, on, off as bools and, in texts, \n as a new line and
+/// vectors "x,y,z", choices their name. parseValue also reads 0, 1, yes, no, on, off as bools and, in texts,
+/// \n as a new line and
 /// \\ as one backslash where \p unescape is set. It does not check the range: setParam does. Error: path =
 /// key, code Syntax, or Invalid for a number that its type cannot hold.
 std::string formatValue(const ParamValue& value);

@@ -28,8 +28,18 @@ struct Range
     int decimals = 0;
 };
 
+/// The items of each enumeration, in the order of its values.
+template <class T> constexpr std::array<EnumItem, 0> itemsOf{};
+template <>
+constexpr std::array itemsOf<PhysicsMode>{EnumItem{"faithful", RAMURE_NOOP("Faithful")},
+                                          EnumItem{"robust", RAMURE_NOOP("Robust")}};
+template <>
+constexpr std::array itemsOf<RestFrame>{EnumItem{"world", RAMURE_NOOP("World")},
+                                        EnumItem{"parent", RAMURE_NOOP("Parent")}};
+
 template <class T> constexpr ParamType typeOf()
 {
+    static_assert(std::is_enum_v<T> == !itemsOf<T>.empty(), "an enumeration has items");
     if constexpr (std::is_same_v<T, bool>)
         return ParamType::Bool;
     else if constexpr (std::is_same_v<T, std::int64_t>)
@@ -38,6 +48,8 @@ template <class T> constexpr ParamType typeOf()
         return ParamType::Real;
     else if constexpr (std::is_same_v<T, std::string>)
         return ParamType::Text;
+    else if constexpr (std::is_enum_v<T>)
+        return ParamType::Enum;
     else {
         static_assert(std::is_same_v<T, glm::dvec3>,
                       "a parameter must be one of the alternatives of ParamValue");
@@ -49,10 +61,21 @@ template <class T> constexpr ParamType typeOf()
 template <auto Group, auto Member> struct Field
 {
     using Value = std::remove_cvref_t<decltype((std::declval<NodeParams&>().*Group).*Member)>;
-    static ParamValue get(const NodeParams& params) { return ParamValue((params.*Group).*Member); }
+    static ParamValue get(const NodeParams& params)
+    {
+        if constexpr (std::is_enum_v<Value>)
+            return EnumValue{itemsOf<Value>[static_cast<std::size_t>((params.*Group).*Member)].name};
+        else
+            return ParamValue((params.*Group).*Member);
+    }
     static void assign(NodeParams& params, const ParamValue& value)
     {
-        if (const auto* held = std::get_if<Value>(&value))
+        if constexpr (std::is_enum_v<Value>) {
+            const auto* name = std::get_if<EnumValue>(&value);
+            for (std::size_t i = 0; name && i < itemsOf<Value>.size(); ++i)
+                if (name->name == itemsOf<Value>[i].name)
+                    (params.*Group).*Member = static_cast<Value>(i);
+        } else if (const auto* held = std::get_if<Value>(&value))
             (params.*Group).*Member = *held;
     }
 };
@@ -65,10 +88,24 @@ constexpr ParamDef row(const Words& words, ParamUnit unit, const Range& range, S
                        std::uint8_t flags = paramNone, std::uint8_t kinds = treeOnly)
 {
     using Access = Field<Group, Member>;
-    return {words.key,    words.group,    words.label,   words.tooltip, typeOf<typename Access::Value>(),
-            unit,         range.hardMin,  range.hardMax, range.softMin, range.softMax,
-            range.step,   range.decimals, stage,         flags,         kinds,
-            &Access::get, &Access::assign};
+    return {words.key,
+            words.group,
+            words.label,
+            words.tooltip,
+            typeOf<typename Access::Value>(),
+            unit,
+            range.hardMin,
+            range.hardMax,
+            range.softMin,
+            range.softMax,
+            range.step,
+            range.decimals,
+            stage,
+            flags,
+            kinds,
+            &Access::get,
+            &Access::assign,
+            itemsOf<typename Access::Value>};
 }
 
 constexpr const char* grammarGroup = RAMURE_NOOP("Grammar");
@@ -77,6 +114,7 @@ constexpr const char* simplifyGroup = RAMURE_NOOP("Simplification");
 constexpr const char* sectionsGroup = RAMURE_NOOP("Cross-sections");
 constexpr const char* foliageGroup = RAMURE_NOOP("Foliage");
 constexpr const char* placementGroup = RAMURE_NOOP("Placement");
+constexpr const char* physicsGroup = RAMURE_NOOP("Physics");
 
 // Every text stands in one line per clause; the columns of a table read better than those of the formatter.
 // clang-format off
@@ -171,6 +209,71 @@ constexpr std::array table{
         {"tree.scale", placementGroup, RAMURE_NOOP("Scale"),
          RAMURE_NOOP("How large it is along its own axes; 1 is its natural size.")},
         ParamUnit::Ratio, {1e-4, 1e4, 0.1, 10, 0.1, 3}, Stage::Placement, paramAnimatable, everyKind),
+
+    row<&NodeParams::physics, &PhysicsParams::mode>(
+        {"physics.mode", physicsGroup, RAMURE_NOOP("Mode"),
+         RAMURE_NOOP("Robust: damped springs that stay calm for every value. Faithful: the step of the reference, exactly, "
+                     "which large values make nervous.")},
+        ParamUnit::None, {}, Stage::Motion),
+    row<&NodeParams::physics, &PhysicsParams::stepSeconds>(
+        {"physics.stepSeconds", physicsGroup, RAMURE_NOOP("Time step"),
+         RAMURE_NOOP("How much time passes in each step of the motion. Short steps are more exact and take longer.")},
+        ParamUnit::Second, {1e-4, 0.1, 0.002, 0.05, 0.001, 4}, Stage::Motion),
+    row<&NodeParams::physics, &PhysicsParams::substeps>(
+        {"physics.substeps", physicsGroup, RAMURE_NOOP("Substeps"),
+         RAMURE_NOOP("Into how many parts the robust mode divides each step. More follow a quick wind more closely. The "
+                     "faithful mode always takes whole steps.")},
+        ParamUnit::Count, {1, 64, 1, 8, 1, 0}, Stage::Motion, paramAdvanced),
+    row<&NodeParams::physics, &PhysicsParams::gravity>(
+        {"physics.gravity", physicsGroup, RAMURE_NOOP("Gravity"),
+         RAMURE_NOOP("How heavy everything is: 1 as on Earth, 0 weightless. Branches sag, apples fall.")},
+        ParamUnit::Ratio, {0, 100, 0, 3, 0.05, 3}, Stage::Motion, paramAnimatable),
+    row<&NodeParams::physics, &PhysicsParams::damping>(
+        {"physics.damping", physicsGroup, RAMURE_NOOP("Damping"),
+         RAMURE_NOOP("What remains of a movement: close to 1 the tree swings for long, at 0 it follows the wind without a "
+                     "swing. Robust: what half a swing leaves of it; faithful: what each step leaves of the speed.")},
+        ParamUnit::Ratio, {0, 1, 0, 1, 0.01, 3}, Stage::Motion, paramAnimatable),
+    row<&NodeParams::physics, &PhysicsParams::restitution>(
+        {"physics.restitution", physicsGroup, RAMURE_NOOP("Stiffness"),
+         RAMURE_NOOP("How strongly branches want back to their place. Stiff ones bend less and swing faster.")},
+        ParamUnit::None, {0, 1e6, 0, 5000, 10, 1}, Stage::Motion, paramAnimatable),
+    row<&NodeParams::physics, &PhysicsParams::restFrame>(
+        {"physics.restFrame", physicsGroup, RAMURE_NOOP("Back to"),
+         RAMURE_NOOP("Where a branch wants back to: the place it has as seen from its parent, or the direction it had in the "
+                     "world at first. The faithful mode always takes the world.")},
+        ParamUnit::None, {}, Stage::Motion, paramAdvanced),
+    row<&NodeParams::physics, &PhysicsParams::appleMass>(
+        {"physics.appleMass", physicsGroup, RAMURE_NOOP("Weight of an apple"),
+         RAMURE_NOOP("Added to the branch that carries it, which counts as heavy as the radius of its end in metres.")},
+        ParamUnit::None, {0, 100, 0, 1, 0.005, 4}, Stage::Motion),
+    row<&NodeParams::physics, &PhysicsParams::windStrength>(
+        {"physics.windStrength", physicsGroup, RAMURE_NOOP("Wind"),
+         RAMURE_NOOP("0: no wind; 1: a fresh breeze.")},
+        ParamUnit::Ratio, {0, 100, 0, 3, 0.05, 3}, Stage::Motion, paramAnimatable),
+    row<&NodeParams::physics, &PhysicsParams::windDirection>(
+        {"physics.windDirection", physicsGroup, RAMURE_NOOP("Wind direction"),
+         RAMURE_NOOP("Where the wind blows to, about the vertical axis: 0 along X, a quarter turn against Z.")},
+        ParamUnit::Radian, {-2 * pi, 2 * pi, -pi, pi, pi / 36, 4}, Stage::Motion, paramAnimatable),
+    row<&NodeParams::physics, &PhysicsParams::windGust>(
+        {"physics.windGust", physicsGroup, RAMURE_NOOP("Gusts"),
+         RAMURE_NOOP("How much the wind swells and dies down within seconds. Only in the robust mode.")},
+        ParamUnit::Ratio, {0, 10, 0, 1, 0.05, 3}, Stage::Motion, paramAnimatable),
+    row<&NodeParams::physics, &PhysicsParams::windTurbulence>(
+        {"physics.windTurbulence", physicsGroup, RAMURE_NOOP("Turbulence"),
+         RAMURE_NOOP("How much the wind differs from place to place, quickly, so that twigs flutter. Only in the robust mode.")},
+        ParamUnit::Ratio, {0, 10, 0, 1, 0.05, 3}, Stage::Motion, paramAnimatable),
+    row<&NodeParams::physics, &PhysicsParams::seed>(
+        {"physics.seed", physicsGroup, RAMURE_NOOP("Seed"),
+         RAMURE_NOOP("Another seed gives other gusts and eddies. The same seed always gives the same motion.")},
+        ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Motion, paramSeed),
+    row<&NodeParams::physics, &PhysicsParams::appleBounce>(
+        {"physics.appleBounce", physicsGroup, RAMURE_NOOP("Apples bounce"),
+         RAMURE_NOOP("What the ground gives back of the speed of a fallen apple: 0 it stays where it falls.")},
+        ParamUnit::Ratio, {0, 0.95, 0, 0.95, 0.01, 3}, Stage::Motion),
+    row<&NodeParams::physics, &PhysicsParams::appleFriction>(
+        {"physics.appleFriction", physicsGroup, RAMURE_NOOP("Apple friction"),
+         RAMURE_NOOP("How strongly the ground slows a rolling apple: 0 it rolls on for ever.")},
+        ParamUnit::Ratio, {0, 10, 0, 2, 0.05, 3}, Stage::Motion),
 };
 // clang-format on
 

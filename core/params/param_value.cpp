@@ -44,6 +44,22 @@ Expected<void> checkText(const ParamDef& def, const std::string& text)
     return {};
 }
 
+const EnumItem* findItem(const ParamDef& def, const EnumValue& value)
+{
+    const auto found = std::ranges::find(def.items, value.name, &EnumItem::name);
+    return found == def.items.end() ? nullptr : &*found;
+}
+
+Expected<void> checkItem(const ParamDef& def, const EnumValue& value)
+{
+    if (findItem(def, value))
+        return {};
+    std::string names;
+    for (const EnumItem& item : def.items)
+        names.append(names.empty() ? "" : ", ").append(item.name);
+    return refuse(def, ErrorCode::Invalid, RAMURE_NOOP("must be one of %1, not \"%2\""), {names, value.name});
+}
+
 double clampNumber(const ParamDef& def, double number, double fallback)
 {
     return std::isfinite(number) ? std::clamp(number, def.hardMin, def.hardMax) : fallback;
@@ -155,6 +171,8 @@ Expected<void> checkValue(const ParamDef& def, const ParamValue& value)
             if (auto ok = checkNumber(def, std::get<glm::dvec3>(value)[i]); !ok)
                 return ok;
         return {};
+    case ParamType::Enum:
+        return checkItem(def, std::get<EnumValue>(value));
     }
     return {};
 }
@@ -181,6 +199,7 @@ ParamValue clampValue(const ParamDef& def, const ParamValue& value)
     case ParamType::Real:
         return clampNumber(def, std::get<double>(value), std::get<double>(fallback));
     case ParamType::Text:
+    case ParamType::Enum:
         return checkValue(def, value) ? value : fallback;
     case ParamType::Vec3: {
         glm::dvec3 vector = std::get<glm::dvec3>(value);
@@ -202,6 +221,8 @@ std::string formatValue(const ParamValue& value)
         return numberText(*real);
     if (const auto* text = std::get_if<std::string>(&value))
         return *text;
+    if (const auto* choice = std::get_if<EnumValue>(&value))
+        return choice->name;
     const auto& vector = std::get<glm::dvec3>(value);
     return numberText(vector.x) + "," + numberText(vector.y) + "," + numberText(vector.z);
 }
@@ -220,6 +241,8 @@ Expected<ParamValue> parseValue(const ParamDef& def, std::string_view text, bool
         return ParamValue(unescape ? unescaped(text) : std::string(text));
     case ParamType::Vec3:
         return parseVec3(def, text);
+    case ParamType::Enum:
+        return ParamValue(EnumValue{std::string(trimmed(text))});
     }
     return refuse(def, ErrorCode::Invalid, RAMURE_NOOP("has a value of another type"));
 }

@@ -14,6 +14,7 @@ enum class Stage : std::uint8_t {
     Mesh,       ///< the continuous branch mesh and its report
     Foliage,    ///< leaves and apples
     Placement,  ///< where the node stands: no geometry changes
+    Motion,     ///< how it moves: nothing at rest changes
 };
 
 } // namespace ramure

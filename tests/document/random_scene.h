@@ -47,6 +47,8 @@ inline ParamValue randomValue(const ParamDef& def, Random& random)
         return randomText(random, (def.flags & paramMultiline) != 0);
     case ParamType::Vec3:
         return glm::dvec3{randomReal(def, random), randomReal(def, random), randomReal(def, random)};
+    case ParamType::Enum:
+        return EnumValue{def.items[random.below(static_cast<std::uint32_t>(def.items.size()))].name};
     }
     return false;
 }

@@ -33,7 +33,8 @@ constexpr UnitName unitNames[] = {
     {u"km", ParamUnit::Metre, 1000.0},   {u"m", ParamUnit::Metre, 1.0},
     {u"cm", ParamUnit::Metre, 0.01},     {u"mm", ParamUnit::Metre, 0.001},
     {u"in", ParamUnit::Metre, 0.0254},   {u"ft", ParamUnit::Metre, 0.3048},
-    {u"%", ParamUnit::None, 0.01},
+    {u"s", ParamUnit::Second, 1.0},      {u"ms", ParamUnit::Second, 0.001},
+    {u"min", ParamUnit::Second, 60.0},   {u"%", ParamUnit::None, 0.01},
 };
 
 class Parser

@@ -67,6 +67,9 @@ NumberFormat numberFormat(const ParamDef& def, AngleUnit angles)
     case ParamUnit::Degree:
         format.suffix = QStringLiteral("°");
         break;
+    case ParamUnit::Second:
+        format.suffix = QStringLiteral(" s");
+        break;
     case ParamUnit::None:
     case ParamUnit::Ratio:
     case ParamUnit::Count:
@@ -77,7 +80,7 @@ NumberFormat numberFormat(const ParamDef& def, AngleUnit angles)
 
 QString rangeText(const ParamDef& def, AngleUnit angles)
 {
-    if (def.type == ParamType::Bool || def.type == ParamType::Text)
+    if (def.type == ParamType::Bool || def.type == ParamType::Text || def.type == ParamType::Enum)
         return {};
     const NumberFormat format = numberFormat(def, angles);
     const bool low = def.hardMin > -openEnd;

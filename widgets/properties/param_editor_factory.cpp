@@ -1,6 +1,7 @@
 #include "widgets/properties/param_editor_factory.h"
 
 #include "widgets/properties/bool_editor.h"
+#include "widgets/properties/choice_editor.h"
 #include "widgets/properties/grammar_editor.h"
 #include "widgets/properties/number_editor.h"
 #include "widgets/properties/text_editor.h"
@@ -18,6 +19,8 @@ ParamEditor* makeParamEditor(const ParamDef& def, QWidget* parent)
         return new NumberEditor(def, parent);
     case ParamType::Vec3:
         return new VectorEditor(def, parent);
+    case ParamType::Enum:
+        return new ChoiceEditor(def, parent);
     case ParamType::Text:
         break;
     }

@@ -26,9 +26,19 @@ QString unitText(const ParamDef& def, AngleUnit unit)
         return ParamRow::tr("a ratio; also %");
     case ParamUnit::Count:
         return ParamRow::tr("a count");
+    case ParamUnit::Second:
+        return ParamRow::tr("seconds; also ms, min");
     case ParamUnit::None:
         break;
     }
+    return {};
+}
+
+QString itemLabel(const ParamDef& def, const std::string& name)
+{
+    for (const EnumItem& item : def.items)
+        if (name == item.name)
+            return coreText(item.label);
     return {};
 }
 
@@ -45,6 +55,8 @@ QString defaultText(const ParamDef& def, AngleUnit unit)
     if (const auto* vector = std::get_if<glm::dvec3>(&value))
         return QStringLiteral("%1, %2, %3")
             .arg(format.text(vector->x), format.text(vector->y), format.text(vector->z));
+    if (const auto* choice = std::get_if<EnumValue>(&value))
+        return itemLabel(def, choice->name);
     return {}; // texts are too long to say here; the reset arrow shows them
 }
 

@@ -34,6 +34,9 @@ ParamValue otherValue(const ParamDef& def)
         return std::string("AB[+C]\\\n/D, é");
     case ParamType::Vec3:
         return glm::dvec3(0.1, 2.0 / 3.0, 1.0 / 7.0);
+    case ParamType::Enum:
+        return EnumValue{
+            def.items[defaultValue(def) == ParamValue(EnumValue{def.items[0].name}) ? 1 : 0].name};
     }
     return false;
 }
@@ -57,6 +60,7 @@ private slots:
     void numbersOutsideAreRefused();
     void nonFiniteIsRefused();
     void badTextsAreRefused();
+    void namesThatAreNoItemAreRefused();
     void refusedValuesChangeNothing();
     void defaultsAreValid();
     void clampGivesValidValues();
@@ -98,7 +102,22 @@ void TestParamTable::keysAreThePublicInterface()
                                             "foliage.seed",
                                             "tree.translation",
                                             "tree.rotation",
-                                            "tree.scale"};
+                                            "tree.scale",
+                                            "physics.mode",
+                                            "physics.stepSeconds",
+                                            "physics.substeps",
+                                            "physics.gravity",
+                                            "physics.damping",
+                                            "physics.restitution",
+                                            "physics.restFrame",
+                                            "physics.appleMass",
+                                            "physics.windStrength",
+                                            "physics.windDirection",
+                                            "physics.windGust",
+                                            "physics.windTurbulence",
+                                            "physics.seed",
+                                            "physics.appleBounce",
+                                            "physics.appleFriction"};
     std::vector<std::string> keys;
     for (const ParamDef& def : paramTable())
         keys.emplace_back(def.key);
@@ -116,7 +135,10 @@ void TestParamTable::rowsAreComplete()
         QCOMPARE(&paramTable()[paramId(def)], &def);
         QCOMPARE(findParam(def.key), &def);
         QCOMPARE(std::size_t(def.type), defaultValue(def).index());
-        if (def.type == ParamType::Bool || def.type == ParamType::Text)
+        QCOMPARE(def.items.size() >= 2, def.type == ParamType::Enum);
+        for (const EnumItem& item : def.items)
+            QVERIFY2(*item.name && *item.label, def.key);
+        if (def.type == ParamType::Bool || def.type == ParamType::Text || def.type == ParamType::Enum)
             continue;
         QVERIFY2(def.hardMin < def.hardMax && def.softMin < def.softMax, def.key);
         QVERIFY2(def.hardMin <= def.softMin && def.softMax <= def.hardMax, def.key);
@@ -191,6 +213,24 @@ void TestParamTable::badTextsAreRefused()
     QVERIFY(checkValue(def, std::string(1 << 20, 'A')));
     QVERIFY(!checkValue(def, std::string((1 << 20) + 1, 'A')));
     QVERIFY(clampValue(def, std::string("A\0B", 3)) == defaultValue(def));
+}
+
+void TestParamTable::namesThatAreNoItemAreRefused()
+{
+    const ParamDef& def = row("physics.mode");
+    for (const char* name : {"", "Robust", "robus", "robust2", "0", "1"}) {
+        const auto value = parseValue(def, name);
+        QVERIFY2(value, test::why(value));
+        const auto checked = checkValue(def, *value);
+        QVERIFY2(!checked, name);
+        QCOMPARE(checked.error().path, std::string(def.key));
+        QVERIFY(clampValue(def, *value) == defaultValue(def));
+    }
+    QCOMPARE(checkValue(def, EnumValue{"quick"}).error().message(),
+             std::string("physics.mode: must be one of faithful, robust, not \"quick\""));
+    NodeParams params;
+    QVERIFY(setParam(params, def, *parseValue(def, " faithful ")));
+    QCOMPARE(params.physics.mode, PhysicsMode::Faithful);
 }
 
 void TestParamTable::refusedValuesChangeNothing()

@@ -43,7 +43,9 @@ ParamValue otherValue(const ParamDef& def, const NodeParams& params)
     if (const auto* whole = std::get_if<std::int64_t>(&now))
         return *whole + 1;
     if (const auto* real = std::get_if<double>(&now))
-        return *real * 0.9;
+        return *real == 0.0 ? 0.01 : *real * 0.9;
+    if (const auto* choice = std::get_if<EnumValue>(&now))
+        return EnumValue{def.items[choice->name == def.items[0].name].name};
     return std::get<glm::dvec3>(now) + glm::dvec3(0.5);
 }
 
@@ -65,6 +67,8 @@ ParamValue randomValue(const ParamDef& def, Random& random)
         return number();
     case ParamType::Vec3:
         return glm::dvec3(number(), number(), number());
+    case ParamType::Enum:
+        return EnumValue{def.items[random.below(static_cast<std::uint32_t>(def.items.size()))].name};
     case ParamType::Text:
         break;
     }

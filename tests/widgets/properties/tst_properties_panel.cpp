@@ -61,6 +61,9 @@ private:
         } else if (auto* box = row->findChild<QCheckBox*>()) {
             box->setFocus();
             QTest::keyClick(box, Qt::Key_Space);
+        } else if (auto* choice = row->findChild<QComboBox*>()) {
+            choice->setFocus();
+            QTest::keyClick(choice, choice->currentIndex() > 0 ? Qt::Key_Up : Qt::Key_Down);
         } else if (auto* text = row->findChild<GrammarEdit*>()) {
             text->setFocus();
             QTest::keyClicks(text, "B");
@@ -77,6 +80,11 @@ private:
                        {slider->width() * 3 / 5, slider->height() / 2});
         } else if (auto* box = row->findChild<QCheckBox*>()) {
             QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
+        } else if (auto* choice = row->findChild<QComboBox*>()) {
+            choice->setFocus();
+            QWheelEvent wheel(QPointF(5, 5), choice->mapToGlobal(QPointF(5, 5)), {}, {0, 120}, Qt::NoButton,
+                              Qt::NoModifier, Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(choice, &wheel);
         } else if (auto* dice = row->editor()->findChild<QToolButton*>()) {
             QTest::mouseClick(dice, Qt::LeftButton);
         } else if (auto* field = row->findChild<NumberField*>()) {
@@ -228,6 +236,8 @@ private slots:
             QVERIFY(!field->value());
         else if (auto* box = row->findChild<QCheckBox*>())
             QCOMPARE(box->checkState(), Qt::PartiallyChecked);
+        else if (auto* choice = row->findChild<QComboBox*>())
+            QCOMPARE(choice->currentIndex(), -1);
         else
             QVERIFY(row->findChild<GrammarEdit*>()->toPlainText().isEmpty());
         row->editor()->focusProxy()->setFocus();

@@ -1,0 +1,39 @@
+/// \file
+/// Parameters of a tree's motion (SPEC A7). The member initialisers are the defaults.
+#pragma once
+
+#include <cstdint>
+
+namespace ramure {
+
+/// The values are positions in the table's list of items; files have the names.
+enum class PhysicsMode : std::uint8_t {
+    Faithful, ///< exactly SPEC A7
+    Robust,   ///< damped springs relative to the parent, stable for every value in range
+};
+enum class RestFrame : std::uint8_t {
+    World,  ///< a branch wants back to where it pointed at first
+    Parent, ///< ... as seen from its parent
+};
+
+struct PhysicsParams
+{
+    PhysicsMode mode = PhysicsMode::Robust;
+    double stepSeconds = 0.01;
+    std::int64_t substeps = 1;
+    double gravity = 1.0; ///< times the usual one
+    double damping = 0.7; ///< faithful: what a step leaves of the speed; robust: half a swing of the swing
+    double restitution = 1000.0;             ///< stiffness
+    RestFrame restFrame = RestFrame::Parent; ///< robust only: SPEC A7 is in world space
+    double appleMass = 0.075;
+    double windStrength = 1.0;
+    double windDirection = 0.0; ///< rad, about +Y from +X
+    double windGust = 0.5;
+    double windTurbulence = 0.5;
+    std::int64_t seed = 1;
+    double appleBounce = 0.35;
+    double appleFriction = 0.5;
+    bool operator==(const PhysicsParams&) const = default;
+};
+
+} // namespace ramure

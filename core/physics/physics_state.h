@@ -1,0 +1,93 @@
+/// \file
+/// All that changes from step to step, as plain values: copy it to keep a moment, give it back to return
+/// there.
+#pragma once
+
+#include "core/base/index.h"
+#include "core/params/physics_params.h"
+#include <cstdint>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ramure {
+
+/// An apple that was shaken off.
+struct LooseApple
+{
+    Index apple = 0; ///< position in Foliage::apples
+    bool resting = false;
+    glm::dvec3 position{0.0}; ///< of its centre, tree space, m
+    glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
+    glm::dvec3 velocity{0.0}; ///< m/s
+    glm::dvec3 spin{0.0};     ///< rad/s
+    bool operator==(const LooseApple&) const = default;
+};
+
+/// The hand that pulls a branch: a spring from a point of the branch to a target.
+struct Pull
+{
+    Index branch = 0;       ///< of the skeleton
+    double along = 1.0;     ///< 0 at p0 .. 1 at p1
+    glm::dvec3 target{0.0}; ///< tree space, m
+    double strength = 1.0;  ///< 0 .. 100; 1 bends a twig easily and a trunk a little
+    bool operator==(const Pull&) const = default;
+};
+
+/// One channel per column, all slots of a channel side by side.
+struct PhysicsState
+{
+    enum Channel : std::uint8_t {
+        RotW,
+        RotX,
+        RotY,
+        RotZ, ///< from rest to now, tree space; all modes
+        VelX,
+        VelY,
+        VelZ, ///< m/s; faithful: that of SPEC A7; robust: of p1
+        BendX,
+        BendY,
+        BendZ, ///< robust only: tan(angle / 2) about an axis, relative to the rest frame
+        RateX,
+        RateY,
+        RateZ, ///< robust only: per second
+    };
+    static constexpr int faithfulChannels = 7;
+    static constexpr int robustChannels = 13;
+
+    std::int64_t step = 0;
+    double timeSeconds = 0.0; ///< sum of the steps so far
+    /// The last change of the step's length: timeSeconds = clockTime + (step - clockStep) * clockStepSeconds,
+    /// so that t = k dt holds to the last bit.
+    double clockTime = 0.0, clockStepSeconds = 0.0;
+    std::int64_t clockStep = 0;
+    PhysicsMode mode = PhysicsMode::Robust;
+    Index slots = 0;
+    std::vector<double> values;    ///< channels * slots
+    std::vector<LooseApple> loose; ///< in the order in which they fell
+
+    [[nodiscard]] std::span<double> channel(int c) { return {values.data() + std::size_t(c) * slots, slots}; }
+    [[nodiscard]] std::span<const double> channel(int c) const
+    {
+        return {values.data() + std::size_t(c) * slots, slots};
+    }
+    [[nodiscard]] int channels() const
+    {
+        return mode == PhysicsMode::Faithful ? faithfulChannels : robustChannels;
+    }
+    [[nodiscard]] std::size_t bytes() const;
+    bool operator==(const PhysicsState&) const = default;
+};
+
+/// For the plot, the command line and the tests.
+struct PhysicsFigures
+{
+    double lengthError = 0.0;    ///< worst | |p1 - p0| / rest length - 1 |
+    double kineticEnergy = 0.0;  ///< half the sum of mass * velocity²; mass as in SPEC A7
+    glm::dvec3 tip{0.0};         ///< p1 of the first terminal branch, tree space
+    double largestTurnRad = 0.0; ///< largest angle between a branch now and at rest
+};
+
+} // namespace ramure

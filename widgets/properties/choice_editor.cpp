@@ -1,0 +1,60 @@
+#include "widgets/properties/choice_editor.h"
+
+#include "widgets/support/core_text.h"
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QWheelEvent>
+
+namespace ramure {
+namespace {
+
+/// A wheel that only passes by scrolls the panel.
+class QuietComboBox : public QComboBox
+{
+public:
+    using QComboBox::QComboBox;
+
+protected:
+    void wheelEvent(QWheelEvent* event) override
+    {
+        if (hasFocus())
+            QComboBox::wheelEvent(event);
+        else
+            event->ignore();
+    }
+};
+
+} // namespace
+
+ChoiceEditor::ChoiceEditor(const ParamDef& def, QWidget* parent)
+    : ParamEditor(def, parent)
+    , m_box(new QuietComboBox(this))
+{
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_box);
+    layout->addStretch(1);
+    for (const EnumItem& item : def.items)
+        m_box->addItem(coreText(item.label), QString::fromLatin1(item.name));
+    m_box->setPlaceholderText(QStringLiteral("—"));
+    m_box->setFocusPolicy(Qt::StrongFocus);
+    setFocusProxy(m_box);
+    connect(m_box, &QComboBox::activated, this,
+            [this] { emitSingleEdit(EnumValue{m_box->currentData().toString().toStdString()}); });
+}
+
+void ChoiceEditor::showValues(std::span<const ParamValue> values)
+{
+    const auto value = commonValue(values);
+    m_box->setCurrentIndex(value ? m_box->findData(QString::fromStdString(std::get<EnumValue>(*value).name))
+                                 : -1);
+}
+
+void ChoiceEditor::retranslate(const QString& name)
+{
+    m_box->setAccessibleName(name);
+    for (int i = 0; i < m_box->count(); ++i)
+        m_box->setItemText(i, coreText(def().items[static_cast<std::size_t>(i)].label));
+}
+
+} // namespace ramure
