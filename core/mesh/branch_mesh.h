@@ -15,10 +15,16 @@
 
 namespace ramure {
 
+class MeshScratch;
+
 struct BranchMeshOptions
 {
     int lengthDivisions = 4; ///< cross-sections per branch, both ends included; 2..64
     int radialDivisions = 8; ///< points per cross-section; 3..128
+    /// About how many triangles the mesh shall have, 0 = as the divisions say. Where it is set, the divisions
+    /// have no say: each branch is divided by its thickness along it and its bend, so that all depart about
+    /// equally from a smooth surface, within their limits above.
+    Index targetTriangles = 0;
     /// Siblings closer than this share of their added radii at the shorter one's end become one (0 = exact
     /// ones only).
     double nearTwinRatio = 0.25;
@@ -46,6 +52,16 @@ struct RepairNote
     Index branch; ///< the branch that was changed
     Index other;  ///< the branch it now belongs to, or noIndex
 };
+
+/// How a mesh came out against BranchMeshOptions::targetTriangles.
+enum class BudgetFit : std::uint8_t {
+    NotAsked,
+    Within,   ///< within budgetSlack of it
+    Smallest, ///< every branch has 3 sides and 2 cross-sections, and still the mesh is larger
+    Largest,  ///< every branch has 128 sides and 64 cross-sections, and still the mesh is smaller
+    Nearest,  ///< no number of triangles nearer to it could be found
+};
+inline constexpr double budgetSlack = 0.05; ///< of the triangles wanted
 
 /// The triangles of one branch's tube follow each other, from its start to its end; with a root or a tip, the
 /// cap too. Every triangle belongs to one tube.
@@ -83,11 +99,14 @@ struct BranchMesh
     std::vector<ForkVertex> forkVertices; ///< by ascending vertex
     std::vector<RepairNote> repairs;
     Index roots = 0; ///< number of components the mesh has by construction
+    BudgetFit budget = BudgetFit::NotAsked;
 };
 
 /// \param skeleton any skeleton with finite numbers; radii >= 0; may be empty only as an error.
+/// \param scratch memory to use again, from one mesh to the next; may be null.
+/// Works on as many threads as parallelThreads() says; the result is the same on any number of them.
 /// Errors: Invalid (empty, non-finite, more than 2^31 faces), Cancelled.
 Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
-                                     const Progress& progress = {});
+                                     const Progress& progress = {}, MeshScratch* scratch = nullptr);
 
 } // namespace ramure

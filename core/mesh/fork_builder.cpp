@@ -36,7 +36,7 @@ void ForkBuilder::insertPartialRings(Index child, std::size_t full)
             tube.sections[full].along - section.along < roomAboveFront * section.radius)
             continue;
         last = k;
-        for (const RingPoint& on : m_context.regular) {
+        for (const RingPoint& on : m_context.divisions.ring(tube.branch, section.radius)) {
             if (alongAt(m_front, on.azimuth) + roomInFront * section.radius >= section.along)
                 continue;
             const glm::dvec3 point = ringPosition(section, on);
@@ -112,7 +112,7 @@ void ForkBuilder::startTube(Index child, std::vector<TubeEnd>& ends)
     const bool atEnd = full + 1 == tube.sections.size();
     const AxisSection& section = tube.sections[full];
     const std::span<const RingPoint> points =
-        atEnd ? m_tubes.endRing(tube.branch, section) : m_context.regular;
+        atEnd ? m_tubes.endRing(tube.branch, section) : m_context.divisions.ring(tube.branch, section.radius);
     const Index ring = addRing(section, points, tube.source, m_context.sink);
     if (atEnd)
         trimEndRing(child, section, ring, points.size());
@@ -129,9 +129,18 @@ void ForkBuilder::startTube(Index child, std::vector<TubeEnd>& ends)
     insertPartialRings(child, full);
     m_patch.write(m_context.sink);
     if (atEnd)
-        m_tubes.end(tube.branch, section, ring, ends);
+        m_tubes.end(tube.branch, section, ring, points.size(), ends);
     else
-        m_tubes.finish(tube.branch, tube.sections, full, ring, 0.0, ends);
+        m_tubes.finish(tube.branch, tube.sections, full, {ring, points}, ends);
+}
+
+/// On the average: what the walls between them are divided by.
+int ForkBuilder::sidesOfChildren() const
+{
+    std::size_t sides = 0;
+    for (std::size_t i = 0; i < m_count; ++i)
+        sides += m_context.divisions.ring(m_children[i].branch, m_children[i].sections.front().radius).size();
+    return static_cast<int>(sides / m_count);
 }
 
 void ForkBuilder::build(const TubeEnd& parent, std::vector<TubeEnd>& ends)
@@ -147,7 +156,7 @@ void ForkBuilder::build(const TubeEnd& parent, std::vector<TubeEnd>& ends)
         child.branch = ids[i];
         child.source = own.source;
         m_axes.build(meshCurve(m_context.skeleton, ids[i], m_context.clampOvershoot), own, end.frame,
-                     m_context.options.lengthDivisions, child.sections, &child.table);
+                     m_context.divisions.sections(ids[i]), child.sections, &child.table);
     }
     planFork(m_context, parent.branch, end, m_planner, m_layout);
     m_ring.centre = end.centre;
@@ -158,8 +167,7 @@ void ForkBuilder::build(const TubeEnd& parent, std::vector<TubeEnd>& ends)
     m_ring.points.clear();
     for (std::size_t i = 0; i < m_layout.ring.size(); ++i)
         m_ring.points.emplace_back(m_context.sink.positions[parent.ring + i]);
-    m_walls.build(m_layout, m_ring, {m_children.data(), m_count}, m_context.options.radialDivisions,
-                  m_context.sink);
+    m_walls.build(m_layout, m_ring, {m_children.data(), m_count}, sidesOfChildren(), m_context.sink);
     for (Index i = 0; i < m_count; ++i)
         startTube(i, ends);
 }

@@ -27,6 +27,7 @@ private:
     std::size_t lastSectionBelow(const ForkChild& tube, std::size_t full) const;
     void trimEndRing(Index child, const AxisSection& section, Index ring, std::size_t count);
     void insertPartialRings(Index child, std::size_t full);
+    [[nodiscard]] int sidesOfChildren() const;
     [[nodiscard]] bool isFree(Index child, const glm::dvec3& point, double along) const;
 
     const MesherContext& m_context;

@@ -65,21 +65,20 @@ void planFork(const MesherContext& context, Index branch, const AxisSection& end
         const MeshBranch& c = context.skeleton.branches[child];
         planner.addChild(end.frame, glm::normalize(c.p1 - c.p0));
     }
-    planner.plan(context.regular, layout);
+    planner.plan(context.divisions.ring(branch, end.radius), layout);
 }
 
 std::span<const RingPoint> TubeBuilder::endRing(Index branch, const AxisSection& end)
 {
     if (m_context.skeleton.branches[branch].childCount < 2)
-        return m_context.regular;
+        return m_context.divisions.ring(branch, end.radius);
     planFork(m_context, branch, end, m_planner, m_layout);
     return m_layout.ring;
 }
 
 /// Two regular rings whose points face each other.
-void TubeBuilder::evenStrip(Index lower, Index upper)
+void TubeBuilder::evenStrip(Index lower, Index upper, Index n)
 {
-    const Index n = radial();
     glm::uvec3* out = m_context.sink.addTriangles(2 * std::size_t(n));
     for (Index k = 0; k + 1 < n; ++k) {
         *out++ = {lower + k, lower + k + 1, upper + k};
@@ -92,10 +91,10 @@ void TubeBuilder::evenStrip(Index lower, Index upper)
 /// A regular ring, turned, and any other: the next triangle takes the row whose diagonal spans less of the
 /// azimuth. No row can advance all around in one go, which would make edges twice: neither has a gap of more
 /// than half a turn that the other's points could all lie in.
-void TubeBuilder::looseStrip(Index lower, double turned, std::span<const RingPoint> upperPoints, Index upper)
+void TubeBuilder::looseStrip(const TubeStart& lower, std::span<const RingPoint> upperPoints, Index upper)
 {
-    const Index n = radial(), m = static_cast<Index>(upperPoints.size());
-    const double first = m_context.regular[0].azimuth + turned;
+    const auto n = static_cast<Index>(lower.points.size()), m = static_cast<Index>(upperPoints.size());
+    const double first = lower.points[0].azimuth + lower.turned;
     const auto away = [&](Index j) {
         const double d = upperPoints[j].azimuth - first;
         return d - turn * std::round(d / turn);
@@ -109,12 +108,12 @@ void TubeBuilder::looseStrip(Index lower, double turned, std::span<const RingPoi
     double a = 0.0, u = away(start), shift = u - upperPoints[start].azimuth;
     while (i < n || taken < m) {
         const Index nextI = i + 1 < n ? i + 1 : 0, nextJ = j + 1 < m ? j + 1 : 0;
-        const double b = i + 1 < n ? m_context.regular[nextI].azimuth : turn;
+        const double b = i + 1 < n ? lower.points[nextI].azimuth : turn;
         const double v = upperPoints[nextJ].azimuth + shift + (nextJ == 0 ? turn : 0.0);
         const bool advanceLower = i < n && (taken == m || std::abs(b - u) < std::abs(v - a));
-        const Index l = lower + (i < n ? i : 0);
+        const Index l = lower.ring + (i < n ? i : 0);
         if (advanceLower) {
-            *out++ = {l, lower + nextI, upper + j};
+            *out++ = {l, lower.ring + nextI, upper + j};
             a = b;
             ++i;
         } else {
@@ -128,51 +127,55 @@ void TubeBuilder::looseStrip(Index lower, double turned, std::span<const RingPoi
     }
 }
 
-Index TubeBuilder::startRoot(const AxisSection& section, const glm::dvec3& pole, Index owner)
+Index TubeBuilder::startRoot(const AxisSection& section, std::span<const RingPoint> points,
+                             const glm::dvec3& pole, Index owner)
 {
     MeshSink& sink = m_context.sink;
     const Index centre = sink.addVertex(pole, owner);
-    const Index ring = addRing(section, m_context.regular, owner, sink);
-    for (Index k = 0; k < radial(); ++k)
-        sink.addTriangle(ring + (k + 1 < radial() ? k + 1 : 0), ring + k, centre);
+    const Index ring = addRing(section, points, owner, sink);
+    const auto count = static_cast<Index>(points.size());
+    for (Index k = 0; k < count; ++k)
+        sink.addTriangle(ring + (k + 1 < count ? k + 1 : 0), ring + k, centre);
     return ring;
 }
 
-void TubeBuilder::end(Index branch, const AxisSection& section, Index ring, std::vector<TubeEnd>& ends)
+void TubeBuilder::end(Index branch, const AxisSection& section, Index ring, std::size_t points,
+                      std::vector<TubeEnd>& ends)
 {
     const MeshBranch& own = m_context.skeleton.branches[branch];
+    const auto count = static_cast<Index>(points);
     if (own.childCount > 0) {
-        ends.push_back({branch, ring, section});
+        ends.push_back({branch, ring, count, section});
         return;
     }
     MeshSink& sink = m_context.sink;
     const Index pole =
         sink.addVertex(section.centre + tipHeight * section.radius * section.frame.tangent, own.source);
-    for (Index k = 0; k < radial(); ++k)
-        sink.addTriangle(ring + k, ring + (k + 1 < radial() ? k + 1 : 0), pole);
+    for (Index k = 0; k < count; ++k)
+        sink.addTriangle(ring + k, ring + (k + 1 < count ? k + 1 : 0), pole);
 }
 
-void TubeBuilder::finish(Index branch, const std::vector<AxisSection>& sections, std::size_t from, Index ring,
-                         double turned, std::vector<TubeEnd>& ends)
+void TubeBuilder::finish(Index branch, const std::vector<AxisSection>& sections, std::size_t from,
+                         const TubeStart& start, std::vector<TubeEnd>& ends)
 {
     const MeshBranch& own = m_context.skeleton.branches[branch];
     const std::size_t last = sections.size() - 1;
     std::size_t below = from;
+    TubeStart at = start;
     for (std::size_t k = from + 1; k <= last; ++k) {
         if (!keepsSection(sections, below, k))
             continue;
         below = k;
-        const std::span<const RingPoint> points =
-            k == last ? endRing(branch, sections[k]) : m_context.regular;
+        const std::span<const RingPoint> regular = m_context.divisions.ring(branch, sections[k].radius);
+        const std::span<const RingPoint> points = k == last ? endRing(branch, sections[k]) : regular;
         const Index next = addRing(sections[k], points, own.source, m_context.sink);
-        if (turned != 0.0 || points.data() != m_context.regular.data())
-            looseStrip(ring, turned, points, next);
+        if (at.turned != 0.0 || points.data() != at.points.data())
+            looseStrip(at, points, next);
         else
-            evenStrip(ring, next);
-        ring = next;
-        turned = 0.0;
+            evenStrip(at.ring, next, static_cast<Index>(points.size()));
+        at = {next, points};
     }
-    end(branch, sections[last], ring, ends);
+    end(branch, sections[last], at.ring, at.points.size(), ends);
 }
 
 } // namespace ramure

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/mesh/branch_axis.h"
-#include "core/mesh/fork_layout.h"
+#include "core/mesh/mesh_divisions.h"
 #include "core/mesh/mesh_sink.h"
 
 namespace ramure {
@@ -13,16 +13,17 @@ struct MesherContext
 {
     const NormalSkeleton& skeleton;
     const BranchMeshOptions& options;
+    const MeshDivisions& divisions;
     MeshSink& sink;
-    std::vector<RingPoint> regular; ///< the ring of radialDivisions points
-    bool clampOvershoot = false;    ///< for the tree at hand
+    bool clampOvershoot = false; ///< for the tree at hand
 };
 
 /// A branch whose tube is in the mesh up to its last ring; its children are not.
 struct TubeEnd
 {
     Index branch = noIndex;
-    Index ring = 0; ///< first vertex of the last ring
+    Index ring = 0;      ///< first vertex of the last ring
+    Index ringCount = 0; ///< its points
     AxisSection section;
 };
 
@@ -41,6 +42,14 @@ double twistBetween(const AxisSection& first, const AxisSection& second);
 void planFork(const MesherContext& context, Index branch, const AxisSection& end, ForkPlanner& planner,
               ForkLayout& layout);
 
+/// The ring a tube goes on from.
+struct TubeStart
+{
+    Index ring;                        ///< first vertex
+    std::span<const RingPoint> points; ///< a regular ring
+    double turned = 0.0;               ///< of the points against the section's frame, rad
+};
+
 class TubeBuilder
 {
 public:
@@ -49,21 +58,21 @@ public:
     {
     }
     /// The flat end of a root; returns its ring's first vertex.
-    Index startRoot(const AxisSection& section, const glm::dvec3& pole, Index owner);
-    /// Continues a tube from its section \p from, the regular ring at \p ring whose points are turned by \p
-    /// turned against the section's frame, up to its end. Tips are closed; other ends are appended to \p
-    /// ends.
-    void finish(Index branch, const std::vector<AxisSection>& sections, std::size_t from, Index ring,
-                double turned, std::vector<TubeEnd>& ends);
+    Index startRoot(const AxisSection& section, std::span<const RingPoint> points, const glm::dvec3& pole,
+                    Index owner);
+    /// Continues a tube from its section \p from, where \p start is its ring, up to its end. Tips are closed;
+    /// other ends are appended to \p ends.
+    void finish(Index branch, const std::vector<AxisSection>& sections, std::size_t from,
+                const TubeStart& start, std::vector<TubeEnd>& ends);
     /// The ring at the end of a branch: split where it forks, regular elsewhere. Valid until the next call.
     std::span<const RingPoint> endRing(Index branch, const AxisSection& end);
-    /// Closes or hands on a tube that has reached its end.
-    void end(Index branch, const AxisSection& section, Index ring, std::vector<TubeEnd>& ends);
+    /// Closes or hands on a tube that has reached its end, a ring of \p count points.
+    void end(Index branch, const AxisSection& section, Index ring, std::size_t count,
+             std::vector<TubeEnd>& ends);
 
 private:
-    void evenStrip(Index lower, Index upper);
-    void looseStrip(Index lower, double turned, std::span<const RingPoint> upperPoints, Index upper);
-    [[nodiscard]] Index radial() const { return static_cast<Index>(m_context.regular.size()); }
+    void evenStrip(Index lower, Index upper, Index count);
+    void looseStrip(const TubeStart& lower, std::span<const RingPoint> upperPoints, Index upper);
 
     const MesherContext& m_context;
     ForkPlanner m_planner;
