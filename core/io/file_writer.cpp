@@ -103,7 +103,7 @@ Expected<FileWriter> FileWriter::open(const std::string& path)
 void FileWriter::append(std::string_view text)
 {
     while (!text.empty()) {
-        const std::size_t part = std::min<std::size_t>(text.size(), 1u << 16);
+        const std::size_t part = std::min(text.size(), largestRoom);
         char* const to = room(part);
         std::memcpy(to, text.data(), part);
         advance(to + part);
@@ -111,11 +111,12 @@ void FileWriter::append(std::string_view text)
     }
 }
 
-void FileWriter::flush()
+void FileWriter::flush(std::size_t bytes)
 {
     const char* from = m_buffer.get();
-    while (m_used > 0 && m_errno == 0) {
-        const ssize_t written = ::write(m_file, from, m_used);
+    const char* const end = from + bytes;
+    while (from != end && m_errno == 0) {
+        const ssize_t written = ::write(m_file, from, static_cast<std::size_t>(end - from));
         if (written < 0 && errno == EINTR)
             continue;
         if (written <= 0) {
@@ -123,14 +124,14 @@ void FileWriter::flush()
             break;
         }
         from += written;
-        m_used -= static_cast<std::size_t>(written);
     }
-    m_used = 0;
+    m_used -= bytes;
+    std::memmove(m_buffer.get(), end, m_used);
 }
 
 Expected<void> FileWriter::finish()
 {
-    flush();
+    flush(m_used);
     // Some file systems say only now that the disk is full.
     if (::close(std::exchange(m_file, -1)) != 0 && m_errno == 0)
         m_errno = errno;

@@ -24,11 +24,12 @@ public:
     FileWriter& operator=(FileWriter&&) = delete;
     ~FileWriter(); ///< removes the temporary file where there was no commit
 
-    /// \p bytes (at most 64 KiB) of room, to be claimed by advance().
+    static constexpr std::size_t largestRoom = std::size_t(1) << 16;
+    /// \p bytes (at most largestRoom) of room, to be claimed by advance().
     char* room(std::size_t bytes)
     {
         if (m_used + bytes > bufferSize)
-            flush();
+            flush(m_used / pageSize * pageSize);
         return m_buffer.get() + m_used;
     }
     /// \p end lies in the room given last.
@@ -44,10 +45,13 @@ public:
     Expected<void> commit();
 
 private:
-    static constexpr std::size_t bufferSize = std::size_t(1) << 20;
+    /// Stays in the second cache; a fraction of it, whole pages, is written at a time.
+    static constexpr std::size_t bufferSize = std::size_t(1) << 18;
+    static constexpr std::size_t pageSize = 4096;
 
     explicit FileWriter(std::string path);
-    void flush();
+    /// Hands over the first \p bytes of the buffer and moves the rest to its front.
+    void flush(std::size_t bytes);
     [[nodiscard]] Error error(int code) const;
 
     std::string m_path;      ///< as the caller wrote it, for messages

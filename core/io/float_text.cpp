@@ -1,5 +1,5 @@
 #include "core/io/float_text.h"
-#include <array>
+#include "core/io/float_text_parts.h"
 #include <bit>
 #include <charconv>
 #include <cstdint>
@@ -10,39 +10,8 @@ namespace ramure {
 
 namespace {
 
-static_assert(std::endian::native == std::endian::little, "eight digits at a time: least address first");
-
 // --- writing
 // ---------------------------------------------------------------------------------------------------------
-
-/// The biased exponents of the floats from 2^-16 to 2^23: those of nearly every number of a mesh.
-constexpr int firstQuickExponent = 127 - 16;
-constexpr int quickExponents = 39;
-
-/// For all floats with one exponent: the power of ten that makes the distance between neighbours 1 or more,
-/// below 10, and half that distance, scaled by it. Both are exact: 5^12 * (2^25 - 1) < 2^53.
-struct Scale
-{
-    double power;
-    double halfGap;
-    int exponent;
-};
-
-constexpr std::array<Scale, quickExponents> scales()
-{
-    std::array<Scale, quickExponents> out{};
-    for (int i = 0; i < quickExponents; ++i) {
-        double gap = 1.0;
-        for (int e = firstQuickExponent + i; e < 150; ++e)
-            gap *= 0.5;
-        Scale& scale = out[static_cast<std::size_t>(i)];
-        scale.power = 1.0;
-        for (; gap * scale.power < 1.0; ++scale.exponent)
-            scale.power *= 10.0;
-        scale.halfGap = gap * scale.power * 0.5;
-    }
-    return out;
-}
 
 constexpr std::uint32_t powersOfTen[] = {1u,      10u,      100u,      1000u,      10000u,
                                          100000u, 1000000u, 10000000u, 100000000u, 1000000000u};
@@ -68,84 +37,22 @@ void store8(char* to, std::uint64_t text)
     std::memcpy(to, &text, sizeof text);
 }
 
-/// digits / 10^decimals, with at most nine digits.
-struct Decimal
-{
-    std::uint32_t digits;
-    int decimals;
-};
-
-/// The decimal with the fewest digits among those that read back as \p value, and of these the nearest to it;
-/// exactly, since the value and the ends of its rounding interval, scaled, are doubles without an error.
-Decimal shortestDecimal(float value, const Scale& scale, bool isEven)
-{
-    const double scaled = static_cast<double>(value) * scale.power;
-    const double low = scaled - scale.halfGap;
-    const double high = scaled + scale.halfGap;
-    // The interval is shorter than 10: it holds one multiple of 10 at most. Its ends belong to it where the
-    // float is even: reading rounds them to even.
-    const std::uint32_t tens = static_cast<std::uint32_t>(static_cast<std::int64_t>(high)) / 10u;
-    const auto candidate = static_cast<double>(tens * 10u);
-    const bool isInside =
-        isEven ? candidate >= low && candidate <= high : candidate > low && candidate < high;
-    const auto nearest = static_cast<std::uint32_t>(static_cast<std::int64_t>(scaled + 0.5));
-    return {isInside ? tens : nearest, scale.exponent - (isInside ? 1 : 0)};
-}
-
-/// Lays the digits out with a point. False where an exponent would be shorter.
-bool appendDecimal(char*& to, Decimal decimal)
-{
-    while (decimal.digits % 10u == 0u) {
-        decimal.digits /= 10u;
-        --decimal.decimals;
-    }
-    const int count = digitCount(decimal.digits);
-    const int point = count - decimal.decimals; // digits before the decimal point
-    const std::uint64_t ninth = '0' + decimal.digits % 10u;
-    const std::uint32_t hasNinth = count == 9 ? 1u : 0u;
-    const std::uint32_t keep = 0u - hasNinth;
-    const std::uint32_t firstEight = decimal.digits ^ ((decimal.digits ^ decimal.digits / 10u) & keep);
-    const std::uint64_t digits =
-        eightDigits(firstEight) >> (8u * (8u + hasNinth - static_cast<unsigned>(count)));
-    const int exponentRoom = count > 1 ? 5 : 4;
-    if (point > 0 && point < 8 && decimal.decimals > 0) {
-        store8(to, digits);
-        to[point] = '.';
-        store8(to + point + 1, digits >> (8 * point));
-        to[9] = static_cast<char>(ninth);
-        to += count + 1;
-        return true;
-    }
-    if (point <= 0 && 2 - point <= exponentRoom) {
-        store8(to, 0x3030303030302E30u); // 0.000000
-        store8(to + 2 - point, digits);
-        to[10 - point] = static_cast<char>(ninth);
-        to += 2 - point + count;
-        return true;
-    }
-    if (decimal.decimals == 0 && count <= 8) {
-        store8(to, digits);
-        to += count;
-        return true;
-    }
-    return false;
-}
-
 } // namespace
 
 char* appendFloat(char* to, float value)
 {
-    static constexpr auto table = scales();
     const auto bits = std::bit_cast<std::uint32_t>(value);
-    const auto quick = static_cast<std::uint32_t>((bits >> 23 & 0xFFu) - firstQuickExponent);
-    // A power of two has its lower neighbour at half the distance.
-    const bool isPowerOfTwo = (bits & 0x7FFFFFu) == 0;
-    if (quick < quickExponents && !isPowerOfTwo) {
-        const float size = std::bit_cast<float>(bits & 0x7FFFFFFFu);
-        char* end = to + (bits >> 31);
-        *to = '-';
-        if (appendDecimal(end, shortestDecimal(size, table[quick], (bits & 1u) == 0)))
-            return end;
+    const std::uint32_t quick = floats::quickExponent(bits);
+    if (quick < floats::quickExponents) {
+        const double size = static_cast<double>(std::bit_cast<float>(bits & 0x7FFFFFFFu));
+        const std::uint32_t digits =
+            floats::shortestDigits(size * floats::scales.power[quick], floats::scales.halfGap[quick]);
+        const std::uint64_t text[4] = {floats::firstEight(digits), floats::lastEight(digits)};
+        floats::Layout layout{};
+        if (floats::layOut(digits, text[1], floats::scales.decimals[quick], layout)) {
+            *to = '-';
+            return floats::appendCut(to + (bits >> 31), reinterpret_cast<const char*>(text), layout);
+        }
     }
     return std::to_chars(to, to + maxFloatText, value).ptr;
 }

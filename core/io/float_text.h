@@ -13,7 +13,7 @@
 namespace ramure {
 
 /// Room that appendFloat needs.
-inline constexpr std::size_t maxFloatText = 24;
+inline constexpr std::size_t maxFloatText = 40;
 /// Room that appendIndex needs.
 inline constexpr std::size_t maxIndexText = 10;
 

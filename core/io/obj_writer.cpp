@@ -11,6 +11,7 @@ using writing::appendText;
 using writing::forEach;
 using writing::oneLine;
 using writing::Ticker;
+using writing::writeVectors;
 
 /// PATH with the ending .mtl instead of its own.
 std::string materialPath(const std::string& path)
@@ -34,7 +35,9 @@ char* appendCorner(char* to, Index v, bool hasNormals, Index normalShift)
     *end++ = '/';
     if (normalShift != 0)
         return appendIndex(end, v - normalShift);
-    std::memmove(end, to, maxIndexText); // the same number: copied, and what lies behind it
+    char copy[16]; // the same number, and what lies behind it
+    std::memcpy(copy, to, sizeof copy);
+    std::memcpy(end, copy, sizeof copy);
     return end + length;
 }
 
@@ -45,31 +48,24 @@ bool writePart(FileWriter& out, const MeshPart& part, Index firstVertex, Index f
     const TriangleMesh& mesh = *part.mesh;
     const bool hasNormals = writing::hasNormals(mesh);
     out.append("o " + oneLine(part.name) + "\n");
-    const auto writeVectors = [&](std::string_view keyword, const std::vector<glm::vec3>& vectors) {
-        return forEach(vectors.size(), ticker, out, [&](std::size_t i) {
-            char* to = appendText(out.room(4 + 3 * maxFloatText), keyword);
-            to = writing::appendVector(to, vectors[i]);
-            *to++ = '\n';
-            out.advance(to);
-        });
-    };
-    if (!writeVectors("v ", mesh.positions) || (hasNormals && !writeVectors("vn ", mesh.normals)))
+    if (!writeVectors("v ", mesh.positions, ticker, out) ||
+        (hasNormals && !writeVectors("vn ", mesh.normals, ticker, out)))
         return false;
     if (hasMaterials)
         out.append("usemtl " + oneLine(part.material.name) + "\n");
     if (hasNormals)
         out.append("s 1\n"); // smooth: some programs look at this alone and not at the normals
     const Index shift = firstVertex - firstNormal;
-    return forEach(mesh.triangles.size(), ticker, out, [&](std::size_t i) {
+    constexpr std::size_t faceRoom = 32 + 6 * (maxIndexText + 2);
+    return forEach(mesh.triangles.size(), faceRoom, ticker, out, [&](char* to, std::size_t i) {
         const glm::uvec3 t = mesh.triangles[i] + (firstVertex + 1u);
-        char* to = appendText(out.room(32 + 6 * (maxIndexText + 2)), "f ");
-        to = appendCorner(to, t.x, hasNormals, shift);
-        *to++ = ' ';
-        to = appendCorner(to, t.y, hasNormals, shift);
-        *to++ = ' ';
-        to = appendCorner(to, t.z, hasNormals, shift);
+        *to++ = 'f';
+        for (int k = 0; k < 3; ++k) {
+            *to++ = ' ';
+            to = appendCorner(to, t[k], hasNormals, shift);
+        }
         *to++ = '\n';
-        out.advance(to);
+        return to;
     });
 }
 
@@ -161,20 +157,14 @@ Expected<void> writeObjLines(const std::string& path, const LinePart& lines, con
         return fail(out.error());
     out->append("# Ramure " RAMURE_VERSION "\no " + oneLine(lines.name) + "\n");
     Ticker ticker(progress, lines.positions.size() + lines.lines.size());
-    const bool wroteVertices = forEach(lines.positions.size(), ticker, *out, [&](std::size_t i) {
-        char* to = appendText(out->room(4 + 3 * maxFloatText), "v ");
-        to = writing::appendVector(to, lines.positions[i]);
-        *to++ = '\n';
-        out->advance(to);
-    });
-    if (wroteVertices)
-        forEach(lines.lines.size(), ticker, *out, [&](std::size_t i) {
-            char* to = appendText(out->room(8 + 2 * maxIndexText), "l ");
+    if (writeVectors("v ", lines.positions, ticker, *out))
+        forEach(lines.lines.size(), 8 + 2 * maxIndexText, ticker, *out, [&](char* to, std::size_t i) {
+            to = appendText(to, "l ");
             to = appendIndex(to, lines.lines[i].x + 1u);
             *to++ = ' ';
             to = appendIndex(to, lines.lines[i].y + 1u);
             *to++ = '\n';
-            out->advance(to);
+            return to;
         });
     if (ticker.cancelled())
         return cancelled(path);

@@ -9,6 +9,7 @@ namespace {
 
 using writing::appendText;
 using writing::forEach;
+using writing::forRanges;
 using writing::Ticker;
 
 static_assert(std::endian::native == std::endian::little, "binary PLY is written as it lies in memory");
@@ -69,17 +70,35 @@ Index valueAt(const std::vector<Index>& values, std::size_t i)
     return i < values.size() ? values[i] : noIndex;
 }
 
-char* binaryVertex(char* to, const MeshPart& part, const Layout& layout, std::size_t i)
+/// A vertex as it lies in the file; what a layout lacks is decided where the function is made, not per
+/// vertex.
+template <bool HasNormals, bool HasBranch, bool HasLevel>
+char* binaryVertices(char* to, const MeshPart& part, std::size_t begin, std::size_t end)
 {
-    to = appendBytes(to, part.mesh->positions[i]);
-    if (layout.normals)
-        to = appendBytes(to, part.mesh->normals[i]);
-    to = appendBytes(to, part.material.colour);
-    if (layout.branch)
-        to = appendBytes(to, valueAt(part.mesh->branch, i));
-    if (layout.level)
-        to = appendBytes(to, valueAt(part.mesh->level, i));
+    const TriangleMesh& mesh = *part.mesh;
+    const glm::u8vec3 colour = part.material.colour;
+    for (std::size_t i = begin; i < end; ++i) {
+        to = appendBytes(to, mesh.positions[i]);
+        if constexpr (HasNormals)
+            to = appendBytes(to, mesh.normals[i]);
+        to = appendBytes(to, colour);
+        if constexpr (HasBranch)
+            to = appendBytes(to, valueAt(mesh.branch, i));
+        if constexpr (HasLevel)
+            to = appendBytes(to, valueAt(mesh.level, i));
+    }
     return to;
+}
+
+using Vertices = char* (*)(char* to, const MeshPart& part, std::size_t begin, std::size_t end);
+
+Vertices binaryVerticesOf(const Layout& layout)
+{
+    constexpr Vertices all[] = {binaryVertices<false, false, false>, binaryVertices<true, false, false>,
+                                binaryVertices<false, true, false>,  binaryVertices<true, true, false>,
+                                binaryVertices<false, false, true>,  binaryVertices<true, false, true>,
+                                binaryVertices<false, true, true>,   binaryVertices<true, true, true>};
+    return all[(layout.normals ? 1 : 0) + (layout.branch ? 2 : 0) + (layout.level ? 4 : 0)];
 }
 
 char* asciiVertex(char* to, const MeshPart& part, const Layout& layout, std::size_t i)
@@ -107,12 +126,6 @@ char* asciiVertex(char* to, const MeshPart& part, const Layout& layout, std::siz
     return to;
 }
 
-char* binaryFace(char* to, const glm::uvec3& t)
-{
-    *to++ = 3;
-    return appendBytes(to, t);
-}
-
 char* asciiFace(char* to, const glm::uvec3& t)
 {
     to = appendText(to, "3 ");
@@ -125,22 +138,42 @@ char* asciiFace(char* to, const glm::uvec3& t)
     return to;
 }
 
-constexpr std::size_t longestRecord = 256;
+constexpr std::size_t longestVertex = 6 * (maxFloatText + 1) + 5 * (maxIndexText + 1) + 16;
+constexpr std::size_t longestFace = 48;
+
+bool writeVertices(FileWriter& out, const MeshPart& part, const Layout& layout, bool ascii, Ticker& ticker)
+{
+    const std::size_t count = part.mesh->positions.size();
+    if (ascii)
+        return forEach(count, longestVertex, ticker, out,
+                       [&](char* to, std::size_t i) { return asciiVertex(to, part, layout, i); });
+    return forRanges(count, sizeof(glm::vec3) * 2 + 16, ticker, out,
+                     [&, write = binaryVerticesOf(layout)](char* to, std::size_t begin, std::size_t end) {
+                         return write(to, part, begin, end);
+                     });
+}
+
+bool writeFaces(FileWriter& out, const TriangleMesh& mesh, Index first, bool ascii, Ticker& ticker)
+{
+    const std::vector<glm::uvec3>& triangles = mesh.triangles;
+    if (ascii)
+        return forEach(triangles.size(), longestFace, ticker, out,
+                       [&](char* to, std::size_t i) { return asciiFace(to, triangles[i] + first); });
+    return forEach(triangles.size(), 1 + sizeof(glm::uvec3), ticker, out, [&](char* to, std::size_t i) {
+        *to++ = 3;
+        return appendBytes(to, triangles[i] + first);
+    });
+}
 
 void writeElements(FileWriter& out, std::span<const MeshPart> parts, const Layout& layout, bool ascii,
                    Ticker& ticker)
 {
-    const auto vertex = ascii ? asciiVertex : binaryVertex;
-    const auto face = ascii ? asciiFace : binaryFace;
     for (const MeshPart& part : parts)
-        if (!forEach(part.mesh->positions.size(), ticker, out,
-                     [&](std::size_t i) { out.advance(vertex(out.room(longestRecord), part, layout, i)); }))
+        if (!writeVertices(out, part, layout, ascii, ticker))
             return;
     Index first = 0;
     for (const MeshPart& part : parts) {
-        if (!forEach(part.mesh->triangles.size(), ticker, out, [&](std::size_t i) {
-                out.advance(face(out.room(longestRecord), part.mesh->triangles[i] + first));
-            }))
+        if (!writeFaces(out, *part.mesh, first, ascii, ticker))
             return;
         first += part.mesh->vertexCount();
     }
@@ -187,14 +220,14 @@ Expected<void> writePlyLines(const std::string& path, const LinePart& lines, con
                 std::to_string(lines.lines.size()) +
                 "\nproperty int vertex1\nproperty int vertex2\nend_header\n");
     for (const glm::vec3& p : lines.positions) {
-        char* to = out->room(longestRecord);
+        char* to = out->room(longestVertex);
         to = options.ascii ? writing::appendVector(to, p) : appendBytes(to, p);
         if (options.ascii)
             *to++ = '\n';
         out->advance(to);
     }
     for (const glm::uvec2& line : lines.lines) {
-        char* to = out->room(longestRecord);
+        char* to = out->room(longestVertex);
         if (options.ascii) {
             to = appendIndex(to, line.x);
             *to++ = ' ';

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/io/file_writer.h"
-#include "core/io/float_text.h"
+#include "core/io/float_rows.h"
 #include "core/io/mesh_file.h"
 
 namespace ramure::writing {
@@ -43,17 +43,49 @@ private:
     std::size_t m_done = 0;
 };
 
-/// Calls \p write(i) for i in [0, count), with a look at \p ticker every chunk. False = stopped.
-template <class Write> bool forEach(std::size_t count, Ticker& ticker, const FileWriter& out, Write&& write)
+/// Writes \p count elements, each of which needs at most \p mostBytes of room: calls
+/// `end = write(to, begin, end)` for ranges of them, with a look at \p ticker every chunk. False = stopped.
+template <class Write>
+bool forRanges(std::size_t count, std::size_t mostBytes, Ticker& ticker, FileWriter& out, Write&& write)
 {
-    for (std::size_t begin = 0; begin < count; begin += chunk) {
-        const std::size_t end = std::min(count, begin + chunk);
-        for (std::size_t i = begin; i < end; ++i)
-            write(i);
-        if (!ticker.tick(out, end - begin))
+    const std::size_t range = FileWriter::largestRoom / mostBytes;
+    for (std::size_t chunkBegin = 0; chunkBegin < count; chunkBegin += chunk) {
+        const std::size_t chunkEnd = std::min(count, chunkBegin + chunk);
+        for (std::size_t begin = chunkBegin; begin < chunkEnd; begin += range) {
+            const std::size_t end = std::min(chunkEnd, begin + range);
+            out.advance(write(out.room((end - begin) * mostBytes), begin, end));
+        }
+        if (!ticker.tick(out, chunkEnd - chunkBegin))
             return false;
     }
     return true;
+}
+
+/// The same for one element at a time: `to = write(to, i)`.
+template <class Write>
+bool forEach(std::size_t count, std::size_t mostBytes, Ticker& ticker, FileWriter& out, Write&& write)
+{
+    return forRanges(count, mostBytes, ticker, out, [&](char* to, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            to = write(to, i);
+        return to;
+    });
+}
+
+/// A line of \p columns floats for each of \p rows, after \p head.
+inline bool writeRows(std::string_view head, const float* numbers, std::size_t columns, std::size_t rows,
+                      Ticker& ticker, FileWriter& out)
+{
+    return forRanges(rows, rowRoom(head.size(), columns), ticker, out,
+                     [&](char* to, std::size_t begin, std::size_t end) {
+                         return appendRows(to, head, numbers + begin * columns, columns, end - begin);
+                     });
+}
+
+inline bool writeVectors(std::string_view head, std::span<const glm::vec3> vectors, Ticker& ticker,
+                         FileWriter& out)
+{
+    return vectors.empty() || writeRows(head, &vectors[0].x, 3, vectors.size(), ticker, out);
 }
 
 /// Normals are written where there is one for every vertex.

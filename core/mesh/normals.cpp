@@ -1,6 +1,7 @@
 #include "core/mesh/normals.h"
 
 #include "core/base/float4.h"
+#include "core/base/wide_clone.h"
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -8,14 +9,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-
-// One more version of a function for processors with wider vectors, chosen when the program starts. The same
-// bytes come out of both: neither fuses operations. (Sanitizers start too late for such a choice.)
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__)
-#define RAMURE_WIDE_CLONE [[gnu::target_clones("avx2", "default")]]
-#else
-#define RAMURE_WIDE_CLONE
-#endif
 
 namespace ramure {
 namespace {

@@ -1,3 +1,4 @@
+#include "core/io/float_rows.h"
 #include "core/io/float_text.h"
 #include "tests/core/io/io_support.h"
 #include <charconv>
@@ -115,6 +116,28 @@ private slots:
             if (std::from_chars(text, shortEnd, expected).ec == std::errc())
                 QCOMPARE(scanned(std::string(text, shortEnd)).value, expected);
         }
+    }
+    /// Rows are the numbers one by one, whatever their number and whichever floats are among them.
+    void rowsAreTheirNumbers()
+    {
+        std::mt19937 random(5);
+        for (const std::size_t columns : {1u, 2u, 3u, 4u})
+            for (const std::size_t rows : {0u, 1u, 63u, 64u, 65u, 1000u}) {
+                std::vector<float> numbers(rows * columns);
+                for (float& number : numbers)
+                    number = test::randomFloat(random);
+                const std::string head = columns % 2 == 0 ? "vt " : "";
+                std::string expected;
+                for (std::size_t i = 0; i < numbers.size(); ++i) {
+                    expected += i % columns == 0 ? head : "";
+                    expected += written(numbers[i]);
+                    expected += i % columns == columns - 1 ? '\n' : ' ';
+                }
+                std::vector<char> room(rows * rowRoom(head.size(), columns) + 1, '#');
+                const char* const end = appendRows(room.data(), head, numbers.data(), columns, rows);
+                QCOMPARE(std::string(room.data(), static_cast<std::size_t>(end - room.data())), expected);
+                QCOMPARE(room.back(), '#');
+            }
     }
     void knownTexts()
     {

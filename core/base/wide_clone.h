@@ -1,0 +1,12 @@
+/// \file
+/// One more version of a function for processors with wider vectors, chosen when the program starts.
+///
+/// The same bytes come out of both: neither fuses operations, and whoever uses it adds in a fixed order.
+/// (Sanitizers start too late for such a choice.)
+#pragma once
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define RAMURE_WIDE_CLONE [[gnu::target_clones("avx2", "default")]]
+#else
+#define RAMURE_WIDE_CLONE
+#endif
