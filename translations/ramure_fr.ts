@@ -1709,6 +1709,34 @@
         <source>must be one of %1, not &quot;%2&quot;</source>
         <translation>doit être l’un de %1, et non «&#xa0;%2&#xa0;»</translation>
     </message>
+    <message>
+        <source>Rigid</source>
+        <translation>Rigide</translation>
+    </message>
+    <message>
+        <source>Linear blend</source>
+        <translation>Mélange linéaire</translation>
+    </message>
+    <message>
+        <source>Dual quaternion</source>
+        <translation>Quaternion dual</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Peau</translation>
+    </message>
+    <message>
+        <source>Bends</source>
+        <translation>Courbures</translation>
+    </message>
+    <message>
+        <source>How the bark follows moving branches at forks and bends. Rigid: every ring follows one branch. Linear blend: smooth, but strong bends get thin. Dual quaternion: smooth, and branches keep their thickness.</source>
+        <translation>Comment l&apos;écorce suit les branches en mouvement aux fourches et aux courbures. Rigide : chaque anneau suit une seule branche. Mélange linéaire : lisse, mais les fortes courbures s&apos;amincissent. Quaternion dual : lisse, et les branches gardent leur épaisseur.</translation>
+    </message>
+    <message>
+        <source>The mesh was not made of this skeleton</source>
+        <translation>Le maillage n&apos;a pas été fait à partir de ce squelette</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>

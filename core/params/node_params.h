@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/params/physics_params.h"
+#include "core/params/skin_params.h"
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
@@ -81,6 +82,7 @@ struct NodeParams
     FoliageParams foliage;
     PlacementParams tree;
     PhysicsParams physics;
+    SkinParams skin;
     std::map<std::uint64_t, BranchParams>
         branches; ///< by Skeleton::key; only branches that differ from the default
     bool operator==(const NodeParams&) const = default;

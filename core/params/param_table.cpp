@@ -36,6 +36,10 @@ constexpr std::array itemsOf<PhysicsMode>{EnumItem{"faithful", RAMURE_NOOP("Fait
 template <>
 constexpr std::array itemsOf<RestFrame>{EnumItem{"world", RAMURE_NOOP("World")},
                                         EnumItem{"parent", RAMURE_NOOP("Parent")}};
+template <>
+constexpr std::array itemsOf<SkinMethod>{EnumItem{"rigid", RAMURE_NOOP("Rigid")},
+                                         EnumItem{"linear", RAMURE_NOOP("Linear blend")},
+                                         EnumItem{"dualQuaternion", RAMURE_NOOP("Dual quaternion")}};
 
 template <class T> constexpr ParamType typeOf()
 {
@@ -115,6 +119,7 @@ constexpr const char* sectionsGroup = RAMURE_NOOP("Cross-sections");
 constexpr const char* foliageGroup = RAMURE_NOOP("Foliage");
 constexpr const char* placementGroup = RAMURE_NOOP("Placement");
 constexpr const char* physicsGroup = RAMURE_NOOP("Physics");
+constexpr const char* skinGroup = RAMURE_NOOP("Skin");
 
 // Every text stands in one line per clause; the columns of a table read better than those of the formatter.
 // clang-format off
@@ -274,6 +279,12 @@ constexpr std::array table{
         {"physics.appleFriction", physicsGroup, RAMURE_NOOP("Apple friction"),
          RAMURE_NOOP("How strongly the ground slows a rolling apple: 0 it rolls on for ever.")},
         ParamUnit::Ratio, {0, 10, 0, 2, 0.05, 3}, Stage::Motion),
+
+    row<&NodeParams::skin, &SkinParams::method>(
+        {"skin.method", skinGroup, RAMURE_NOOP("Bends"),
+         RAMURE_NOOP("How the bark follows moving branches at forks and bends. Rigid: every ring follows one branch. Linear "
+                     "blend: smooth, but strong bends get thin. Dual quaternion: smooth, and branches keep their thickness.")},
+        ParamUnit::None, {}, Stage::Motion),
 };
 // clang-format on
 

@@ -1,0 +1,190 @@
+#include "core/base/float4.h"
+#include "core/pose/skin.h"
+#include <cmath>
+
+namespace ramure {
+namespace {
+
+/// The columns of a 3 x 4 matrix.
+struct Columns
+{
+    Float4 x, y, z, w;
+};
+
+/// A unit dual quaternion, parts in the order x, y, z, w.
+struct DualQuaternion
+{
+    Float4 real, dual;
+};
+
+Columns columnsOf(const RigidTransform& bone)
+{
+    const glm::dmat3 turn = glm::mat3_cast(bone.rotation);
+    const auto column = [](const glm::dvec3& v) { return Float4{float(v.x), float(v.y), float(v.z), 0.0F}; };
+    return {column(turn[0]), column(turn[1]), column(turn[2]), column(bone.translation)};
+}
+
+DualQuaternion dualQuaternionOf(const RigidTransform& bone)
+{
+    const glm::dquat& q = bone.rotation;
+    const glm::dquat dual = (glm::dquat(0.0, bone.translation) * q) * 0.5;
+    const auto four = [](const glm::dquat& v) {
+        return Float4{float(v.x), float(v.y), float(v.z), float(v.w)};
+    };
+    return {four(q), four(dual)};
+}
+
+float sum(Float4 v)
+{
+    return (v[0] + v[1]) + (v[2] + v[3]);
+}
+
+/// The mean screw motion (see dualQuaternionMatrix in skin.cpp), in floats.
+Columns mixed(const SkinInfluence& influence, const std::vector<DualQuaternion>& bones)
+{
+    const DualQuaternion& pivot = bones[influence.bone[0]];
+    Float4 real = influence.weight[0] * pivot.real, dual = influence.weight[0] * pivot.dual;
+    for (std::size_t i = 1; i < 3 && influence.weight[i] > 0.0F; ++i) {
+        const DualQuaternion& bone = bones[influence.bone[i]];
+        const float weight = sum(bone.real * pivot.real) < 0.0F ? -influence.weight[i] : influence.weight[i];
+        real += weight * bone.real;
+        dual += weight * bone.dual;
+    }
+    const float scale = 1.0F / std::sqrt(sum(real * real));
+    const Float4 q = real * scale, d = dual * scale;
+    const float x = q[0], y = q[1], z = q[2], w = q[3];
+    return {Float4{1.0F - 2.0F * (y * y + z * z), 2.0F * (x * y + w * z), 2.0F * (x * z - w * y), 0.0F},
+            Float4{2.0F * (x * y - w * z), 1.0F - 2.0F * (x * x + z * z), 2.0F * (y * z + w * x), 0.0F},
+            Float4{2.0F * (x * z + w * y), 2.0F * (y * z - w * x), 1.0F - 2.0F * (x * x + y * y), 0.0F},
+            2.0F * Float4{w * d[0] - x * d[3] + y * d[2] - z * d[1],
+                          w * d[1] - x * d[2] - y * d[3] + z * d[0],
+                          w * d[2] + x * d[1] - y * d[0] - z * d[3], 0.0F}};
+}
+
+Columns mixed(const SkinInfluence& influence, const std::vector<Columns>& bones)
+{
+    const Columns& first = bones[influence.bone[0]];
+    const float weight = influence.weight[0];
+    Columns all{weight * first.x, weight * first.y, weight * first.z, weight * first.w};
+    for (std::size_t i = 1; i < 3 && influence.weight[i] > 0.0F; ++i) {
+        const Columns& bone = bones[influence.bone[i]];
+        const float share = influence.weight[i];
+        all.x += share * bone.x;
+        all.y += share * bone.y;
+        all.z += share * bone.z;
+        all.w += share * bone.w;
+    }
+    return all;
+}
+
+Float4 cross(Float4 a, Float4 b)
+{
+    return Float4{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0], 0.0F};
+}
+
+/// What normals follow under a transform that is not rigid: determinant times inverse transpose.
+Columns cofactors(const Columns& m)
+{
+    return {cross(m.y, m.z), cross(m.z, m.x), cross(m.x, m.y), Float4{}};
+}
+
+/// Four floats are stored where three are meant: the next vertex overwrites the fourth. Only the last one of
+/// all has nothing behind it. (Clones, since broadcasting from memory takes AVX; the results are the same
+/// bits.)
+[[gnu::target_clones("avx2", "default")]] void moveRun(const float* rest, std::size_t count,
+                                                       const Columns& by, float* out)
+{
+    const Columns m = by;
+    for (std::size_t i = 0; i < count; ++i)
+        storeFloat4(out + 3 * i, rest[3 * i] * m.x + rest[3 * i + 1] * m.y + rest[3 * i + 2] * m.z + m.w);
+}
+
+void moveLast(const glm::vec3& rest, const Columns& by, glm::vec3& out)
+{
+    const Float4 at = rest.x * by.x + rest.y * by.y + rest.z * by.z + by.w;
+    out = {at[0], at[1], at[2]};
+}
+
+void moveSpan(std::span<const glm::vec3> rest, std::size_t from, std::size_t end, const Columns& by,
+              std::span<glm::vec3> out)
+{
+    const std::size_t inner = std::min(end, out.size() - 1);
+    moveRun(&rest[from].x, inner - from, by, &out[from].x);
+    if (inner < end)
+        moveLast(rest[inner], by, out[inner]);
+}
+
+void normalise(std::span<glm::vec3> normals, std::span<const glm::vec3> rest)
+{
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const float length = std::sqrt(glm::dot(normals[i], normals[i]));
+        normals[i] = length > 0.0F ? normals[i] / length : rest[i];
+    }
+}
+
+} // namespace
+
+struct Deformer::Bones
+{
+    SkinMethod method = SkinMethod::Rigid;
+    std::vector<Columns> columns;
+    std::vector<DualQuaternion> duals; ///< for DualQuaternion only
+
+    [[nodiscard]] Columns transform(const SkinInfluence& influence) const
+    {
+        if (influence.weight[1] == 0.0F || method == SkinMethod::Rigid)
+            return columns[influence.bone[0]];
+        return method == SkinMethod::Linear ? mixed(influence, columns) : mixed(influence, duals);
+    }
+};
+
+Deformer::Deformer()
+    : m_bones(std::make_unique<Bones>())
+{
+}
+
+Deformer::~Deformer() = default;
+Deformer::Deformer(Deformer&&) noexcept = default;
+Deformer& Deformer::operator=(Deformer&&) noexcept = default;
+
+void Deformer::setPose(std::span<const RigidTransform> pose, SkinMethod method)
+{
+    m_bones->method = method;
+    m_bones->columns.resize(pose.size());
+    for (std::size_t b = 0; b < pose.size(); ++b)
+        m_bones->columns[b] = columnsOf(pose[b]);
+    m_bones->duals.resize(method == SkinMethod::DualQuaternion ? pose.size() : 0);
+    for (std::size_t b = 0; b < m_bones->duals.size(); ++b)
+        m_bones->duals[b] = dualQuaternionOf(pose[b]);
+}
+
+void Deformer::deform(std::span<const glm::vec3> restPositions, std::span<const glm::vec3> restNormals,
+                      const Skin& skin, std::span<glm::vec3> positions, std::span<glm::vec3> normals) const
+{
+    for (std::size_t r = 0; r < skin.runs.size(); ++r) {
+        const SkinRun& run = skin.runs[r];
+        const std::size_t from = run.firstVertex;
+        const std::size_t end = r + 1 < skin.runs.size() ? skin.runs[r + 1].firstVertex : skin.vertices;
+        const Columns by = m_bones->transform(run.influence);
+        moveSpan(restPositions, from, end, by, positions);
+        if (normals.empty())
+            continue;
+        const bool skews = m_bones->method == SkinMethod::Linear && run.influence.weight[1] > 0.0F;
+        moveSpan(restNormals, from, end, skews ? cofactors(by) : Columns{by.x, by.y, by.z, Float4{}},
+                 normals);
+        if (skews)
+            normalise(normals.subspan(from, end - from), restNormals.subspan(from, end - from));
+    }
+}
+
+TriangleMesh deformed(const TriangleMesh& rest, const Skin& skin, std::span<const RigidTransform> pose,
+                      SkinMethod method)
+{
+    TriangleMesh moved = rest;
+    Deformer deformer;
+    deformer.setPose(pose, method);
+    deformer.deform(rest.positions, rest.normals, skin, moved.positions, moved.normals);
+    return moved;
+}
+
+} // namespace ramure
