@@ -1,7 +1,12 @@
 #include "app/cli/commands.h"
-#include "app/cli/input.h"
+#include "app/cli/mesh_check.h"
 #include "app/cli/work.h"
 #include "core/document/exporter.h"
+#include "core/document/mesh_report_json.h"
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QSaveFile>
 #include <algorithm>
 #include <iterator>
 
@@ -51,6 +56,10 @@ struct Request
     ExportModel model = ExportModel::Mesh;
     bool ascii = false;
     bool needsTree = false; ///< an option that says something about trees was given
+    bool requireValid = false;
+    QString report; ///< file, or empty
+
+    [[nodiscard]] bool needsCheck() const { return requireValid || !report.isEmpty(); }
 };
 
 Expected<Request> requestOf(const CommandLine& line)
@@ -64,6 +73,10 @@ Expected<Request> requestOf(const CommandLine& line)
     for (const QString& file : out.files)
         if (const auto known = checkExportEnding(systemPath(file)); !known)
             return fail(known.error());
+    out.requireValid = line.has("require-valid");
+    out.report = line.value("report");
+    if (line.has("report") && !out.report.endsWith(QLatin1String(".json"), Qt::CaseInsensitive))
+        return fail(ErrorCode::Invalid, "--report \"%1\": a .json file expected", {out.report.toStdString()});
     if (line.has("part")) {
         const auto parts = choose(partChoices, "part", line.value("part"));
         if (!parts)
@@ -76,6 +89,10 @@ Expected<Request> requestOf(const CommandLine& line)
             return fail(model.error());
         out.model = *model;
     }
+    if (out.needsCheck() && out.model != ExportModel::Mesh)
+        return fail(ErrorCode::Invalid,
+                    "--require-valid and --report need --model mesh: there is no closed mesh "
+                    "to check in another model");
     return out;
 }
 
@@ -84,9 +101,9 @@ bool isPly(const QString& file)
     return file.endsWith(QLatin1String(".ply"), Qt::CaseInsensitive);
 }
 
-Expected<void> exportTrees(const Scene& scene, const Request& request, const Progress& progress)
+Expected<void> exportTrees(const Scene& scene, const Request& request, TreePipeline& pipeline,
+                           const Progress& progress)
 {
-    TreePipeline pipeline; // its cache serves the second file
     const auto count = static_cast<double>(request.files.size());
     for (qsizetype i = 0; i < request.files.size(); ++i) {
         const QString& file = request.files.at(i);
@@ -122,6 +139,84 @@ Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Pr
     return {};
 }
 
+/// What was written, and what is known about the meshes.
+Expected<void> writeReport(const Request& request, const QString& input,
+                           const std::vector<CheckedMesh>& checked)
+{
+    QJsonArray files;
+    for (const QString& file : request.files)
+        files.append(QFileInfo(file).fileName());
+    QJsonObject report = jsonOf(checked, true);
+    report.insert(QStringLiteral("format"), QStringLiteral("ramure-report"));
+    report.insert(QStringLiteral("version"), meshReportVersion);
+    report.insert(QStringLiteral("program"), versionText());
+    report.insert(QStringLiteral("input"), input);
+    report.insert(QStringLiteral("files"), files);
+    QSaveFile file(request.report);
+    const QByteArray bytes = QJsonDocument(report).toJson();
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())
+        return {};
+    auto error = fail(ErrorCode::Io, "%1", {file.errorString().toStdString()});
+    error.value().file = systemPath(request.report);
+    return error;
+}
+
+/// The first thing that is wrong with a mesh, in words.
+std::string faultOf(const CheckedMesh& checked)
+{
+    const MeshReport& r = checked.report;
+    const std::pair<const char*, Index> counts[] = {{"boundary edges", r.boundaryEdges},
+                                                    {"non-manifold edges", r.nonManifoldEdges},
+                                                    {"non-manifold vertices", r.nonManifoldVertices},
+                                                    {"inconsistent edges", r.inconsistentEdges},
+                                                    {"duplicate vertices", r.duplicateVertices},
+                                                    {"duplicate faces", r.duplicateFaces},
+                                                    {"degenerate faces", r.degenerateFaces},
+                                                    {"isolated vertices", r.isolatedVertices}};
+    std::string fault;
+    for (const auto& [name, count] : counts)
+        if (count > 0)
+            fault.append(fault.empty() ? "" : ", ").append(std::to_string(count)).append(" ").append(name);
+    if (fault.empty())
+        fault = "not one closed, outward surface per root";
+    return checked.name.empty() ? fault : checked.name + ": " + fault;
+}
+
+Expected<void> writeFiles(const Input& input, const Request& request, TreePipeline& pipeline,
+                          const Progress& progress)
+{
+    return input.scene() ? exportTrees(*input.scene(), request, pipeline, progress)
+                         : exportMesh(*input.mesh(), request, progress);
+}
+
+Expected<int> checkAndWrite(const Input& input, const QString& name, const Request& request,
+                            const Progress& progress)
+{
+    TreePipeline pipeline; // its cache serves the second file
+    if (!request.needsCheck()) {
+        const auto written = writeFiles(input, request, pipeline, progress);
+        return written ? Expected<int>(exitGood) : fail(written.error());
+    }
+    const auto checked =
+        checkMeshes(input, pipeline, !request.report.isEmpty(), false, progress.part(0.0, 0.6));
+    if (!checked)
+        return fail(checked.error());
+    if (request.requireValid)
+        for (const CheckedMesh& one : *checked)
+            if (!one.report.valid) {
+                printError(QStringLiteral("the mesh is not valid, nothing was written: ") +
+                           fromText(faultOf(one)));
+                return exitCheckFailed;
+            }
+    const auto written = writeFiles(input, request, pipeline, progress.part(0.6, 1.0));
+    if (!written)
+        return fail(written.error());
+    if (!request.report.isEmpty())
+        if (const auto reported = writeReport(request, name, *checked); !reported)
+            return fail(reported.error());
+    return exitGood;
+}
+
 } // namespace
 
 Expected<int> runExport(const QStringList& arguments)
@@ -139,6 +234,11 @@ Expected<int> runExport(const QStringList& arguments)
                             "segments)."),
              QStringLiteral("MODEL"));
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes .ply as text."));
+    line.add({QStringLiteral("require-valid")},
+             QStringLiteral("Writes nothing and ends with exit code 1 where `validate` would."));
+    line.add({QStringLiteral("report")},
+             QStringLiteral("Writes beside the mesh what `validate --self-intersections --json` says of it."),
+             QStringLiteral("FILE.json"));
     const auto done = line.parse(arguments, 1, 1);
     if (!done)
         return fail(done.error());
@@ -152,11 +252,7 @@ Expected<int> runExport(const QStringList& arguments)
     const auto input = loadInput(line.arguments().front(), line.values("set"), progress.part(0.0, 0.0));
     if (!input)
         return fail(input.error());
-    const auto written = input->scene() ? exportTrees(*input->scene(), *request, progress)
-                                        : exportMesh(*input->mesh(), *request, progress);
-    if (!written)
-        return fail(written.error());
-    return exitGood;
+    return checkAndWrite(*input, line.arguments().front(), *request, progress);
 }
 
 } // namespace ramure::cli

@@ -1,8 +1,7 @@
 #include "app/cli/commands.h"
-#include "app/cli/input.h"
-#include "core/mesh/validate.h"
-#include <QJsonArray>
-#include <QJsonObject>
+#include "app/cli/mesh_check.h"
+#include "app/cli/work.h"
+#include <numbers>
 
 namespace ramure::cli {
 
@@ -18,94 +17,6 @@ constexpr CommandText text = {
     "file all its objects together; the Euler characteristic may be any. OpenMesh's half-edge structure has "
     "to agree. Of a project "
     "with several trees the figures are summed, and \"trees\" (JSON) lists each."};
-
-struct Checked
-{
-    std::string name;
-    MeshReport report;
-};
-
-/// Adds OpenMesh's opinion, and makes it count.
-Expected<void> confirm(const TriangleMesh& mesh, MeshReport& report)
-{
-    if (const auto asked = confirmWithOpenMesh(mesh, report); !asked)
-        return asked;
-    if (report.openMeshChecked && !report.openMeshAgrees)
-        report.valid = false;
-    return {};
-}
-
-Expected<std::vector<Checked>> checkScene(const Scene& scene)
-{
-    const auto nodes = treesOf(scene);
-    if (!nodes)
-        return fail(nodes.error());
-    TreePipeline pipeline;
-    std::vector<Checked> out;
-    for (const Node* node : *nodes) {
-        const auto result = evaluateTree(pipeline, *node, nodes->size() > 1, Stage::Mesh);
-        if (!result)
-            return fail(result.error());
-        MeshReport report = *result->report;
-        if (const auto confirmed = confirm(result->branches->mesh, report); !confirmed)
-            return fail(confirmed.error());
-        const Index roots = result->branches->roots;
-        report.valid = report.valid && report.components == roots &&
-                       report.eulerCharacteristic == 2 * std::int64_t(roots);
-        out.push_back({node->name, std::move(report)});
-    }
-    return out;
-}
-
-Expected<std::vector<Checked>> checkMesh(const ReadMesh& mesh)
-{
-    const TriangleMesh joined = mesh.joined();
-    auto report = validateMesh(joined);
-    if (!report)
-        return fail(report.error());
-    if (const auto confirmed = confirm(joined, *report); !confirmed)
-        return fail(confirmed.error());
-    return std::vector<Checked>{{{}, std::move(*report)}};
-}
-
-MeshReport sumOf(const std::vector<Checked>& all)
-{
-    MeshReport sum;
-    sum.valid = sum.openMeshChecked = sum.openMeshAgrees = true;
-    for (const Checked& one : all) {
-        const MeshReport& r = one.report;
-        sum.valid = sum.valid && r.valid;
-        sum.openMeshChecked = sum.openMeshChecked && r.openMeshChecked;
-        sum.openMeshAgrees = sum.openMeshAgrees && r.openMeshAgrees;
-        for (Index MeshReport::*count :
-             {&MeshReport::vertices, &MeshReport::faces, &MeshReport::boundaryEdges,
-              &MeshReport::nonManifoldEdges, &MeshReport::nonManifoldVertices, &MeshReport::inconsistentEdges,
-              &MeshReport::duplicateVertices, &MeshReport::duplicateFaces, &MeshReport::degenerateFaces,
-              &MeshReport::isolatedVertices, &MeshReport::components})
-            sum.*count += r.*count;
-        sum.eulerCharacteristic += r.eulerCharacteristic;
-        sum.volume += r.volume;
-    }
-    return sum;
-}
-
-QJsonObject jsonReport(const MeshReport& r)
-{
-    return {{QStringLiteral("valid"), r.valid},
-            {QStringLiteral("vertices"), qint64(r.vertices)},
-            {QStringLiteral("faces"), qint64(r.faces)},
-            {QStringLiteral("boundaryEdges"), qint64(r.boundaryEdges)},
-            {QStringLiteral("nonManifoldEdges"), qint64(r.nonManifoldEdges)},
-            {QStringLiteral("nonManifoldVertices"), qint64(r.nonManifoldVertices)},
-            {QStringLiteral("inconsistentEdges"), qint64(r.inconsistentEdges)},
-            {QStringLiteral("duplicateVertices"), qint64(r.duplicateVertices)},
-            {QStringLiteral("duplicateFaces"), qint64(r.duplicateFaces)},
-            {QStringLiteral("degenerateFaces"), qint64(r.degenerateFaces)},
-            {QStringLiteral("isolatedVertices"), qint64(r.isolatedVertices)},
-            {QStringLiteral("components"), qint64(r.components)},
-            {QStringLiteral("eulerCharacteristic"), qint64(r.eulerCharacteristic)},
-            {QStringLiteral("volume"), r.volume}};
-}
 
 QString textReport(const MeshReport& r)
 {
@@ -129,22 +40,63 @@ QString textReport(const MeshReport& r)
                                               : QStringLiteral("not closed, or not manifold"));
 }
 
-Expected<void> show(const std::vector<Checked>& all, bool json)
+QString textCrossings(const MeshAnalysis& analysis)
 {
+    const SelfIntersections& found = analysis.crossings;
+    const auto row = [](const char* name, std::uint64_t value) {
+        return QStringLiteral("%1 %2\n").arg(QLatin1String(name), -20).arg(value);
+    };
+    QString lines = row("selfIntersections", found.total());
+    if (!found.kindsKnown)
+        return lines;
+    lines += row("  same", found.count(PairKind::Same)) + row("  siblings", found.count(PairKind::Siblings)) +
+             row("  parentChild", found.count(PairKind::ParentChild)) +
+             row("  far", found.count(PairKind::Far)) + row("collisions", analysis.collisions.size());
+    for (const Collision& c : analysis.collisions)
+        lines += QStringLiteral("  branches %1 and %2, %3 m deep at (%4, %5, %6), %7 triangles\n")
+                     .arg(c.first)
+                     .arg(c.second)
+                     .arg(c.depth, 0, 'g', 4)
+                     .arg(c.place.x, 0, 'f', 4)
+                     .arg(c.place.y, 0, 'f', 4)
+                     .arg(c.place.z, 0, 'f', 4)
+                     .arg(c.facePairs);
+    return lines;
+}
+
+QString textShape(const MeshAnalysis& analysis)
+{
+    const MeshQuality& quality = analysis.quality;
+    const auto row = [](const char* name, const QString& value) {
+        return QStringLiteral("%1 %2\n").arg(QLatin1String(name), -20).arg(value);
+    };
+    QString lines;
+    if (quality.smallestAngleFace != noIndex)
+        lines += row("smallestAngle", QStringLiteral("%1° (face %2)")
+                                          .arg(quality.smallestAngleRad * 180.0 / std::numbers::pi, 0, 'g', 4)
+                                          .arg(quality.smallestAngleFace)) +
+                 row("largestAspect", QStringLiteral("%1 (face %2)")
+                                          .arg(quality.largestAspect, 0, 'g', 4)
+                                          .arg(quality.largestAspectFace));
+    return lines + row("hash", fromText(analysis.hash.text()));
+}
+
+QString textOf(const CheckedMesh& one, bool crossings)
+{
+    return textReport(one.report) + textShape(one.analysis) +
+           (crossings ? textCrossings(one.analysis) : QString());
+}
+
+Expected<void> show(const std::vector<CheckedMesh>& all, bool crossings, bool json)
+{
+    if (json)
+        return printJson(jsonOf(all, crossings));
     if (all.size() == 1)
-        return json ? printJson(jsonReport(all.front().report)) : print(textReport(all.front().report));
-    QJsonObject sum = jsonReport(sumOf(all));
-    QJsonArray list;
+        return print(textOf(all.front(), crossings));
     QString texts;
-    for (const Checked& one : all) {
-        QJsonObject entry = jsonReport(one.report);
-        entry.insert(QStringLiteral("name"), fromText(one.name));
-        list.append(entry);
-        texts += QStringLiteral("%1\n%2\n").arg(fromText(one.name), textReport(one.report));
-    }
-    sum.insert(QStringLiteral("trees"), list);
-    return json ? printJson(sum)
-                : print(texts + QStringLiteral("%1 trees\n%2").arg(all.size()).arg(textReport(sumOf(all))));
+    for (const CheckedMesh& one : all)
+        texts += QStringLiteral("%1\n%2\n").arg(fromText(one.name), textOf(one, crossings));
+    return print(texts + QStringLiteral("%1 trees\n%2").arg(all.size()).arg(textReport(sumOf(all))));
 }
 
 } // namespace
@@ -154,18 +106,28 @@ Expected<int> runValidate(const QStringList& arguments)
     CommandLine line(text);
     line.addInputOptions();
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
+    line.add(
+        {QStringLiteral("self-intersections")},
+        QStringLiteral("Also counts the pairs of triangles that run through each other, by kind, and lists "
+                       "the branches that collide. They do not change the exit code."));
     const auto done = line.parse(arguments, 1, 1);
     if (!done)
         return fail(done.error());
     if (*done)
         return **done;
-    const auto input = loadInput(line.arguments().front(), line.values("set"));
-    if (!input)
-        return fail(input.error());
-    const auto checked = input->scene() ? checkScene(*input->scene()) : checkMesh(*input->mesh());
+    const bool crossings = line.has("self-intersections");
+    const auto checked = [&]() -> Expected<std::vector<CheckedMesh>> {
+        const Work work("validate");
+        const Progress progress = work.progress();
+        const auto input = loadInput(line.arguments().front(), line.values("set"), progress.part(0.0, 0.1));
+        if (!input)
+            return fail(input.error());
+        TreePipeline pipeline;
+        return checkMeshes(*input, pipeline, crossings, true, progress.part(0.1, 1.0));
+    }();
     if (!checked)
         return fail(checked.error());
-    if (const auto shown = show(*checked, line.has("json")); !shown)
+    if (const auto shown = show(*checked, crossings, line.has("json")); !shown)
         return fail(shown.error());
     return sumOf(*checked).valid ? exitGood : exitCheckFailed;
 }

@@ -58,6 +58,10 @@ private slots:
         QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "-o", path("old.ply")}), "Permission denied"));
         QCOMPARE(test::bytesOf(path("old.ply")), QByteArray("old"));
     }
+    static QJsonObject reportAt(const QString& file)
+    {
+        return QJsonDocument::fromJson(test::bytesOf(file)).object();
+    }
     void exportRefusesMuchBeforeItWrites()
     {
         // The second file's ending is wrong: the first is not written either.
@@ -180,10 +184,12 @@ private slots:
                                   "duplicateVertices",
                                   "eulerCharacteristic",
                                   "faces",
+                                  "hash",
                                   "inconsistentEdges",
                                   "isolatedVertices",
                                   "nonManifoldEdges",
                                   "nonManifoldVertices",
+                                  "quality",
                                   "valid",
                                   "vertices",
                                   "volume"};
@@ -229,6 +235,83 @@ private slots:
             if (!isClean)
                 QVERIFY2(run.json()[key].toInt() > 0, qPrintable(key));
         }
+    }
+    void validateCountsSelfIntersectionsWhereAsked()
+    {
+        const test::CliRun tree = runCli({"validate", "preset:TinyTree", "--self-intersections", "--json"});
+        QCOMPARE(tree.code, 0); // collisions are a property of the tree
+        const QJsonObject found = tree.json()["selfIntersections"].toObject();
+        QCOMPARE(found.keys(),
+                 (QStringList{"collisions", "far", "parentChild", "same", "siblings", "total"}));
+        QVERIFY(found["far"].toInt() > 0);
+        QCOMPARE(found["total"].toInt(), found["far"].toInt());
+        int triangles = 0;
+        for (const QJsonValue& value : found["collisions"].toArray()) {
+            const QJsonObject collision = value.toObject();
+            QCOMPARE(collision.keys(), (QStringList{"branches", "depth", "place", "triangles"}));
+            QCOMPARE(collision["place"].toArray().size(), 3);
+            triangles += collision["triangles"].toInt();
+        }
+        QCOMPARE(triangles, found["far"].toInt());
+        const QJsonObject quality = tree.json()["quality"].toObject();
+        QCOMPARE(quality.keys(),
+                 (QStringList{"angleHistogram", "aspectBins", "aspectHistogram", "largestAspect",
+                              "largestAspectFace", "smallestAngle", "smallestAngleFace", "withoutArea"}));
+        QVERIFY(quality["smallestAngle"].toDouble() > 0.0 && quality["smallestAngle"].toDouble() < 1.05);
+        // A file knows no branches, and has the same hash as the tree it came from.
+        QCOMPARE(runCli({"export", "preset:TinyTree", "-o", path("hash.ply")}).code, 0);
+        const QJsonObject file =
+            runCli({"validate", path("hash.ply"), "--self-intersections", "--json"}).json();
+        QCOMPARE(file["selfIntersections"].toObject().keys(), QStringList{"total"});
+        QCOMPARE(file["selfIntersections"]["total"], found["total"]);
+        QCOMPARE(file["hash"], tree.json()["hash"]);
+        QCOMPARE(file["hash"].toString().size(), 32);
+        const QString text = runCli({"validate", "preset:TinyTree", "--self-intersections"}).out;
+        for (const char* word : {"hash", "smallestAngle", "largestAspect", "selfIntersections", "m deep at"})
+            QVERIFY2(text.contains(QLatin1String(word)), word);
+    }
+    void exportInsistsOnAValidMesh()
+    {
+        const QString bad = QStringLiteral(RAMURE_TEST_DATA "/defects/boundary_edge.obj");
+        QDir(m_folder.path()).mkdir("gate");
+        const QString folder = path("gate/");
+        const test::CliRun refused = runCli({"export", bad, "-o", folder + "a.obj", "-o", folder + "b.ply",
+                                             "--require-valid", "--report", folder + "r.json"});
+        QCOMPARE(refused.code, 1);
+        QVERIFY(refused.out.isEmpty());
+        QVERIFY(refused.err.contains("boundary edges") && refused.err.count('\n') == 1);
+        QVERIFY(QDir(folder).isEmpty());
+        QCOMPARE(runCli({"export", bad, "-o", folder + "a.obj", "--report", folder + "r.json"}).code, 0);
+        QCOMPARE(reportAt(folder + "r.json")["valid"].toBool(), false);
+        QCOMPARE(runCli({"export", "preset:TinyTree", "-o", folder + "t.ply", "--require-valid"}).code, 0);
+        QVERIFY(QFile::exists(folder + "t.ply"));
+        for (const QStringList& more :
+             {QStringList{"--report", "x.txt"}, QStringList{"--require-valid", "--model", "rough"},
+              QStringList{"--report", folder + "none/r.json"}})
+            QVERIFY(isRefused(runCli(QStringList{"export", "preset:TinyTree", "-o", folder + "x.ply"} + more),
+                              ""));
+    }
+    void exportWritesAReport()
+    {
+        test::write(path("pair.ramure"), R"({"format": "ramure", "version": 1, "nodes": [
+            {"id": 2, "kind": "tree", "name": "Oak", "params": {"grammar.iterations": 2}},
+            {"id": 4, "kind": "tree", "name": "Ghost", "visible": false},
+            {"id": 3, "kind": "tree", "name": "Elm", "params": {"grammar.iterations": 1}}]})");
+        const auto exported = [&](const QString& report) {
+            return runCli({"export", path("pair.ramure"), "-o", path("pair.obj"), "-o", path("pair.ply"),
+                           "--report", report});
+        };
+        QCOMPARE(exported(path("pair.json")).code, 0);
+        const QJsonObject report = reportAt(path("pair.json"));
+        QCOMPARE(report["format"].toString(), QString("ramure-report"));
+        QCOMPARE(report["version"].toInt(), 1);
+        QCOMPARE(report["files"].toArray(), (QJsonArray{"pair.obj", "pair.ply"}));
+        QCOMPARE(report["valid"].toBool(), true);
+        QCOMPARE(report["trees"].toArray().size(), 2); // what is not shown is not exported
+        for (const QJsonValue& tree : report["trees"].toArray())
+            QVERIFY(tree["selfIntersections"].isObject() && tree["hash"].isString());
+        QCOMPARE(exported(path("again.json")).code, 0);
+        QCOMPARE(test::bytesOf(path("again.json")), test::bytesOf(path("pair.json")));
     }
     void validateSumsSeveralTrees()
     {

@@ -1,0 +1,136 @@
+#include "app/cli/mesh_check.h"
+
+#include "core/document/mesh_report_json.h"
+#include <QJsonArray>
+
+namespace ramure::cli {
+
+namespace {
+
+/// Adds OpenMesh's opinion, and makes it count.
+Expected<void> confirm(const TriangleMesh& mesh, MeshReport& report, const Progress& progress)
+{
+    if (const auto asked = confirmWithOpenMesh(mesh, report, progress); !asked)
+        return asked;
+    if (report.openMeshChecked && !report.openMeshAgrees)
+        report.valid = false;
+    return {};
+}
+
+/// What every mesh is asked, in about 30 ms for a million triangles.
+Expected<MeshAnalysis> shapeOf(const TriangleMesh& mesh, const Progress& progress)
+{
+    MeshAnalysis analysis;
+    analysis.hash = meshHash(mesh);
+    auto quality = measureQuality(mesh, 0, progress);
+    if (!quality)
+        return fail(quality.error());
+    analysis.quality = std::move(*quality);
+    return analysis;
+}
+
+Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, TreePipeline& pipeline, bool crossings,
+                                const Progress& progress)
+{
+    const auto result = evaluateTree(pipeline, node, isOneOfSeveral, Stage::Mesh, progress.part(0.0, 0.4));
+    if (!result)
+        return fail(result.error());
+    const BranchMesh& branches = *result->branches;
+    CheckedMesh checked{node.name, *result->report, {}};
+    MeshReport& report = checked.report;
+    if (const auto confirmed = confirm(branches.mesh, report, progress.part(0.4, 0.6)); !confirmed)
+        return fail(confirmed.error());
+    report.valid = report.valid && report.components == branches.roots &&
+                   report.eulerCharacteristic == 2 * std::int64_t(branches.roots);
+    auto analysis = crossings
+                        ? analyseMesh(branches, result->simplified->skeleton, 0, progress.part(0.6, 1.0))
+                        : shapeOf(branches.mesh, progress.part(0.6, 1.0));
+    if (!analysis)
+        return fail(analysis.error());
+    checked.analysis = std::move(*analysis);
+    return checked;
+}
+
+Expected<CheckedMesh> checkFile(const ReadMesh& mesh, bool crossings, const Progress& progress)
+{
+    const TriangleMesh joined = mesh.joined();
+    auto report = validateMesh(joined, progress.part(0.0, 0.3));
+    if (!report)
+        return fail(report.error());
+    if (const auto confirmed = confirm(joined, *report, progress.part(0.3, 0.6)); !confirmed)
+        return fail(confirmed.error());
+    auto analysis = crossings ? analyseMesh(joined, 0, progress.part(0.6, 1.0))
+                              : shapeOf(joined, progress.part(0.6, 1.0));
+    if (!analysis)
+        return fail(analysis.error());
+    return CheckedMesh{{}, std::move(*report), std::move(*analysis)};
+}
+
+} // namespace
+
+Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, TreePipeline& pipeline, bool crossings,
+                                               bool hidden, const Progress& progress)
+{
+    std::vector<CheckedMesh> out;
+    if (input.mesh()) {
+        auto checked = checkFile(*input.mesh(), crossings, progress);
+        if (!checked)
+            return fail(checked.error());
+        out.push_back(std::move(*checked));
+        return out;
+    }
+    const Scene& scene = *input.scene();
+    auto nodes = treesOf(scene);
+    if (!nodes)
+        return fail(nodes.error());
+    if (!hidden)
+        std::erase_if(*nodes, [&](const Node* node) { return !scene.isShown(node->id); });
+    const auto count = static_cast<double>(nodes->size());
+    for (const Node* node : *nodes) {
+        const double from = static_cast<double>(out.size()) / count;
+        auto checked =
+            checkTree(*node, nodes->size() > 1, pipeline, crossings, progress.part(from, from + 1.0 / count));
+        if (!checked)
+            return fail(checked.error());
+        out.push_back(std::move(*checked));
+    }
+    return out;
+}
+
+MeshReport sumOf(const std::vector<CheckedMesh>& all)
+{
+    MeshReport sum;
+    sum.valid = sum.openMeshChecked = sum.openMeshAgrees = true;
+    for (const CheckedMesh& one : all) {
+        const MeshReport& r = one.report;
+        sum.valid = sum.valid && r.valid;
+        sum.openMeshChecked = sum.openMeshChecked && r.openMeshChecked;
+        sum.openMeshAgrees = sum.openMeshAgrees && r.openMeshAgrees;
+        for (Index MeshReport::*count :
+             {&MeshReport::vertices, &MeshReport::faces, &MeshReport::boundaryEdges,
+              &MeshReport::nonManifoldEdges, &MeshReport::nonManifoldVertices, &MeshReport::inconsistentEdges,
+              &MeshReport::duplicateVertices, &MeshReport::duplicateFaces, &MeshReport::degenerateFaces,
+              &MeshReport::isolatedVertices, &MeshReport::components})
+            sum.*count += r.*count;
+        sum.eulerCharacteristic += r.eulerCharacteristic;
+        sum.volume += r.volume;
+    }
+    return sum;
+}
+
+QJsonObject jsonOf(const std::vector<CheckedMesh>& all, bool crossings)
+{
+    if (all.size() == 1)
+        return toJson(all.front().report, all.front().analysis, crossings);
+    QJsonObject sum = toJson(sumOf(all));
+    QJsonArray list;
+    for (const CheckedMesh& one : all) {
+        QJsonObject entry = toJson(one.report, one.analysis, crossings);
+        entry.insert(QStringLiteral("name"), fromText(one.name));
+        list.append(entry);
+    }
+    sum.insert(QStringLiteral("trees"), list);
+    return sum;
+}
+
+} // namespace ramure::cli

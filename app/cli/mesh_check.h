@@ -1,0 +1,32 @@
+/// \file
+/// The check of meshes that `validate` prints and `export` writes beside its files or insists on.
+#pragma once
+
+#include "app/cli/input.h"
+#include "core/mesh/mesh_analysis.h"
+#include <QJsonObject>
+#include <vector>
+
+namespace ramure::cli {
+
+/// One tree's branches before its placement, or a file's objects together.
+struct CheckedMesh
+{
+    std::string name; ///< of the tree; empty for a file
+    MeshReport report;
+    MeshAnalysis analysis; ///< without crossings unless they were asked for
+};
+
+/// Is the mesh closed, manifold and oriented, does OpenMesh agree, and has a tree as many pieces as roots;
+/// its quality and its hash. \p crossings: also which triangles run through each other.
+/// \param hidden trees that are not shown, too.
+/// Errors: those of the trees; Cancelled.
+Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, TreePipeline& pipeline, bool crossings,
+                                               bool hidden, const Progress& progress);
+
+/// All figures added up; valid where all are.
+MeshReport sumOf(const std::vector<CheckedMesh>& all);
+/// Of one mesh its object; of several the sums, and "trees".
+QJsonObject jsonOf(const std::vector<CheckedMesh>& all, bool crossings);
+
+} // namespace ramure::cli
