@@ -1583,7 +1583,7 @@
     </message>
     <message>
         <source>Parent</source>
-        <translation type="unfinished">Parent</translation>
+        <translation>Parent</translation>
     </message>
     <message>
         <source>Physics</source>
@@ -1736,6 +1736,10 @@
     <message>
         <source>The mesh was not made of this skeleton</source>
         <translation>Le maillage n&apos;a pas été fait à partir de ce squelette</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to look at this mesh</source>
+        <translation>il n’y a pas assez de mémoire pour examiner ce maillage</translation>
     </message>
 </context>
 <context>
