@@ -1741,6 +1741,18 @@
         <source>there is not enough memory to look at this mesh</source>
         <translation>il n’y a pas assez de mémoire pour examiner ce maillage</translation>
     </message>
+    <message>
+        <source>The mesh does not say which triangles belong to which tube</source>
+        <translation>Le maillage ne dit pas quels triangles appartiennent à quel tube</translation>
+    </message>
+    <message>
+        <source>The size of a texture tile is not a usable number</source>
+        <translation>La taille d’un carreau de texture n&apos;est pas un nombre utilisable</translation>
+    </message>
+    <message>
+        <source>The texture tile is too small for the tree</source>
+        <translation>Le carreau de texture est trop petit pour l’arbre</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>

@@ -1,0 +1,95 @@
+/// \file
+/// One tube of a branch mesh unrolled: its vertices with their coordinates, its triangles with their seam.
+/// Internal to the texture coordinates.
+#pragma once
+
+#include "core/mesh/texture_relax.h"
+#include "core/mesh/tube_unroll.h"
+#include <glm/vec2.hpp>
+#include <span>
+
+namespace ramure {
+
+/// What a tube hands on to those that start from its last cross-section.
+struct TubeTextureEnd
+{
+    glm::dvec3 normal{1.0, 1e-3, 2e-3}; ///< azimuths are counted from it
+    double around = 0.0;                ///< tiles around; 0 = there is no parent
+    double along = 0.0;                 ///< v
+};
+
+/// A vertex of a tube.
+struct TubeTextureVertex
+{
+    Index vertex = noIndex;  ///< of the mesh
+    double along = 0.0;      ///< m, from the start of the tube
+    double azimuth = 0.0;    ///< rad, from the middle of the tube's front: the seam is at +-pi
+    double u = 0.0, v = 0.0; ///< tiles
+    double around = 1.0;     ///< tiles around at its height: what u jumps by at the seam
+    bool onParent = false;   ///< on the parent's last cross-section: u and v are the parent's
+    bool onWall = false;     ///< in the valley between siblings
+    bool isPole = false;     ///< the middle of a flat end or of a tip
+};
+
+class TubeTexture
+{
+public:
+    explicit TubeTexture(double tileSize)
+        : m_tile(tileSize)
+    {
+    }
+    /// Refills the tube: vertices in the order in which its triangles name them.
+    void begin();
+    /// \param uv of a vertex on the parent's last cross-section; else of no meaning.
+    Index addVertex(Index vertex, const glm::vec3& position, bool onParent, bool onWall, const glm::vec2& uv);
+    void addTriangle(const glm::uvec3& corners) { m_triangles.push_back(corners); }
+    void unroll(const TubeAxis& axis, const TubeTextureEnd& parent);
+
+    [[nodiscard]] std::span<const TubeTextureVertex> vertices() const { return m_vertices; }
+    [[nodiscard]] const TubeTextureEnd& end() const { return m_end; }
+    /// Which corners of a triangle stand on the far side of the seam: their u is larger by their around.
+    [[nodiscard]] std::array<bool, 3> beyondSeam(const glm::uvec3& triangle) const;
+    /// Is it part of a flat end or a tip, which are mapped as discs?
+    [[nodiscard]] bool isCap(const glm::uvec3& triangle) const;
+    /// Coordinates of a triangle that lies the wrong way round whatever was tried: its true shape, on a place
+    /// of its own.
+    [[nodiscard]] std::array<glm::dvec2, 3> apart(const glm::uvec3& triangle) const;
+    /// Of a vertex of a cap, as part of that disc.
+    [[nodiscard]] glm::dvec2 onDisc(const TubeTextureVertex& vertex, const glm::vec3& position) const;
+
+private:
+    struct Knot
+    {
+        double along, around;
+    };
+    void place();
+    void smoothFront();
+    void chooseSeam();
+    void findSections();
+    void chooseTiles(double before);
+    void measureAlong();
+    void assign(const TubeTextureEnd& parent);
+    bool relax(bool thoroughly);
+    [[nodiscard]] double fitting(double radius) const;
+    [[nodiscard]] double aroundAt(double along) const;
+    [[nodiscard]] double tilesAlong(double along) const;
+    [[nodiscard]] double radiusAt(double along) const;
+    [[nodiscard]] glm::dvec3 position(Index local) const { return glm::dvec3(m_positions[local]); }
+
+    double m_tile;
+    UnrollAxis m_axis;
+    TextureRelaxer m_relaxer;
+    TubeTextureEnd m_end;
+    std::vector<TubeTextureVertex> m_vertices;
+    std::vector<glm::vec3> m_positions;
+    std::vector<glm::vec2> m_given; ///< per vertex: uv on the parent
+    std::vector<glm::uvec3> m_triangles;
+    std::vector<Knot> m_knots; ///< tiles around by height
+    std::vector<double> m_sorted, m_sections;
+    std::vector<Index> m_next, m_front;
+    std::array<double, UnrollAxis::steps + 1> m_tilesAt{};
+    double m_chord = 1.0;       ///< circumference of the cross-sections, as a share of the circle's
+    double m_highestWall = 0.0; ///< m
+};
+
+} // namespace ramure

@@ -1,0 +1,304 @@
+#include "core/mesh/texture_report.h"
+#include "tests/support/preset_trees.h"
+#include "tests/support/skeleton_zoo.h"
+#include "tests/support/suite.h"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+
+using namespace ramure;
+using namespace ramure::test;
+
+class TestTextureCoordinates : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { failOnAnyWarning(); }
+    void invalidInput();
+    void cancels();
+    void stretchOfATriangle();
+    void aCylinderIsUnrolledAsItIs();
+    void theSameTwice();
+    void presetsAreEven_data();
+    void presetsAreEven();
+    void childrenGoOnFromTheirParent_data() { presets(); }
+    void childrenGoOnFromTheirParent();
+    void oneSeamPerTube_data() { presets(); }
+    void oneSeamPerTube();
+    void wholeTilesGoAround();
+    void anySkeleton();
+
+private:
+    static void presets();
+    static BranchMesh meshOf(const QString& preset, int radial = 8, int length = 4);
+};
+
+namespace {
+
+constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
+
+BranchMesh cylinder(double radius, double length, int radial = 16, int divisions = 5)
+{
+    Skeleton skeleton;
+    skeleton.add(noIndex, {0, 0, 0}, {0, length, 0}, radius, radius);
+    skeleton.key.resize(1);
+    BranchMeshOptions options;
+    options.radialDivisions = radial;
+    options.lengthDivisions = divisions;
+    return buildBranchMesh(skeleton, options).value_or(BranchMesh{});
+}
+
+std::pair<Index, Index> rangeOf(const BranchMesh& mesh, std::size_t tube)
+{
+    return {mesh.tubes[tube].firstTriangle,
+            tube + 1 < mesh.tubes.size() ? mesh.tubes[tube + 1].firstTriangle : mesh.mesh.faceCount()};
+}
+
+bool isWhole(double number)
+{
+    return std::abs(number - std::round(number)) < 2e-3;
+}
+
+} // namespace
+
+void TestTextureCoordinates::presets()
+{
+    QTest::addColumn<QString>("preset");
+    for (const char* name : {"SmallTree", "FanTree", "TinyTree", "Fern2D"})
+        QTest::newRow(name) << QString(name);
+}
+
+BranchMesh TestTextureCoordinates::meshOf(const QString& preset, int radial, int length)
+{
+    const Expected<Skeleton> skeleton = presetSkeleton({preset.toStdString()});
+    if (!skeleton)
+        return {};
+    BranchMeshOptions options;
+    options.radialDivisions = radial;
+    options.lengthDivisions = length;
+    return buildBranchMesh(*skeleton, options).value_or(BranchMesh{});
+}
+
+void TestTextureCoordinates::invalidInput()
+{
+    QCOMPARE(textureCoordinates({}, {}).error().code, ErrorCode::Invalid);
+    BranchMesh mesh = cylinder(0.1, 1.0);
+    for (const double size : {-1.0, noNumber, std::numeric_limits<double>::infinity(), 1e-9})
+        QCOMPARE(textureCoordinates(mesh, {size}).error().code, ErrorCode::Invalid);
+    mesh.axes.clear();
+    QCOMPARE(textureCoordinates(mesh, {}).error().code, ErrorCode::Invalid);
+}
+
+void TestTextureCoordinates::cancels()
+{
+    std::stop_source stop;
+    stop.request_stop();
+    const auto made = textureCoordinates(cylinder(0.1, 1.0), {}, {stop.get_token(), {}});
+    QCOMPARE(made.error().code, ErrorCode::Cancelled);
+}
+
+void TestTextureCoordinates::stretchOfATriangle()
+{
+    const std::array<glm::vec3, 3> place{glm::vec3(1, 1, 1), glm::vec3(3, 1, 1), glm::vec3(1, 1, -1)};
+    using Uv = std::array<glm::vec2, 3>;
+    QVERIFY(std::abs(textureStretch(place, Uv{glm::vec2(0, 0), {1, 0}, {0, 1}}) - 1.0) < 1e-6);
+    QVERIFY(std::abs(textureStretch(place, Uv{glm::vec2(5, 5), {5, 9}, {1, 5}}) - 1.0) < 1e-6);
+    QVERIFY(std::abs(textureStretch(place, Uv{glm::vec2(0, 0), {3, 0}, {0, 1}}) - 3.0) < 1e-6);
+    QVERIFY(std::abs(textureStretch(place, Uv{glm::vec2(0, 0), {0, 1}, {2, 0}}) + 2.0) < 1e-6);
+    // A shear of one: the golden ratio, squared.
+    const double golden = 0.5 + std::sqrt(1.25);
+    QVERIFY(std::abs(textureStretch(place, Uv{glm::vec2(0, 0), {1, 0}, {1, 1}}) - golden * golden) < 1e-6);
+    QVERIFY(std::isinf(textureStretch(place, Uv{glm::vec2(0, 0), {1, 0}, {2, 0}})));
+    const glm::vec3 point(1, 2, 3);
+    QVERIFY(std::isinf(textureStretch({point, point, point}, Uv{glm::vec2(0, 0), {1, 0}, {0, 1}})));
+}
+
+void TestTextureCoordinates::aCylinderIsUnrolledAsItIs()
+{
+    const BranchMesh mesh = cylinder(0.5, 2.0, 64);
+    const auto made = textureCoordinates(mesh, {0.1});
+    QVERIFY(made);
+    QCOMPARE(made->tileSize, 0.1);
+    QCOMPARE(made->corners.size(), mesh.mesh.triangles.size());
+    QCOMPARE(made->apart, Index(0));
+    float low = 1e9f, high = -1e9f, left = 1e9f, right = -1e9f;
+    for (std::size_t i = 0; i < made->uv.size(); ++i) {
+        const glm::vec3 at = mesh.mesh.positions[made->vertex[i]];
+        if (at.y < 0.4f || at.y > 1.6f)
+            continue; // the rings in between: no caps
+        left = std::min(left, made->uv[i].x);
+        right = std::max(right, made->uv[i].x);
+        low = std::min(low, made->uv[i].y / at.y);
+        high = std::max(high, made->uv[i].y / at.y);
+    }
+    QVERIFY(std::abs(right - left - 31.0f) < 1e-3f); // pi m in tiles of 10 cm
+    QVERIFY(low > 9.8f && high < 10.2f);
+    const TextureReport report = textureReport(mesh, *made);
+    QCOMPARE(report.mirrored, Index(0));
+    QVERIFY(report.stretch95 < 1.08);
+    QCOMPARE(report.levels.size(), std::size_t(1));
+    QVERIFY(std::abs(report.levels[0].tilesPerMetre - 10.0) < 0.3);
+}
+
+void TestTextureCoordinates::theSameTwice()
+{
+    const BranchMesh mesh = meshOf("TinyTree");
+    const auto first = textureCoordinates(mesh, {}), second = textureCoordinates(mesh, {});
+    QVERIFY(first && second && *first == *second);
+}
+
+void TestTextureCoordinates::presetsAreEven_data()
+{
+    QTest::addColumn<QString>("preset");
+    QTest::addColumn<int>("radial");
+    QTest::addColumn<int>("length");
+    QTest::addColumn<double>("good");
+    // Four cross-sections are few for curves that overshoot: their long triangles bend with every ring.
+    const std::map<std::string, std::pair<double, double>> bars{{"SmallTree", {0.87, 0.95}},
+                                                                {"FanTree", {0.87, 0.92}},
+                                                                {"TinyTree", {0.83, 0.95}},
+                                                                {"Fern2D", {0.93, 0.95}}};
+    for (const auto& [preset, bar] : bars)
+        for (const int radial : {5, 8, 16})
+            for (const int length : {4, 8})
+                QTest::addRow("%s %d x %d", preset.c_str(), radial, length)
+                    << QString::fromStdString(preset) << radial << length
+                    << (length == 4 ? bar.first : bar.second);
+}
+
+void TestTextureCoordinates::presetsAreEven()
+{
+    QFETCH(QString, preset);
+    QFETCH(int, radial);
+    QFETCH(int, length);
+    QFETCH(double, good);
+    const BranchMesh mesh = meshOf(preset, radial, length);
+    const auto made = textureCoordinates(mesh, {});
+    QVERIFY(made);
+    const TextureReport report = textureReport(mesh, *made);
+    QCOMPARE(report.triangles, mesh.mesh.faceCount());
+    QCOMPARE(report.mirrored, Index(0));
+    QVERIFY2(report.goodShare() >= good, qPrintable(QString::number(report.goodShare())));
+    QVERIFY2(report.unevenness < 0.1, qPrintable(QString::number(report.unevenness)));
+    QVERIFY(made->apart <= 5 * mesh.mesh.faceCount() / 10000);
+}
+
+void TestTextureCoordinates::childrenGoOnFromTheirParent()
+{
+    QFETCH(QString, preset);
+    const BranchMesh mesh = meshOf(preset);
+    const auto made = textureCoordinates(mesh, {});
+    QVERIFY(made);
+    std::size_t shared = 0;
+    std::vector<std::map<Index, glm::vec2>> tubes(mesh.tubes.size());
+    std::map<Index, std::size_t> tubeOf;
+    for (std::size_t t = 0; t < mesh.tubes.size(); ++t) {
+        tubeOf[mesh.tubes[t].branch] = t;
+        const auto [first, end] = rangeOf(mesh, t);
+        for (Index f = first; f < end; ++f)
+            for (int c = 0; c < 3; ++c)
+                tubes[t].try_emplace(mesh.mesh.triangles[f][c], made->uv[made->corners[f][c]]);
+        if (mesh.tubes[t].parent == noIndex)
+            continue;
+        const std::map<Index, glm::vec2>& parent = tubes[tubeOf[mesh.tubes[t].parent]];
+        for (const auto& [vertex, uv] : tubes[t])
+            if (const auto there = parent.find(vertex); there != parent.end()) {
+                ++shared;
+                QVERIFY(isWhole(double(uv.x) - double(there->second.x)));
+                QCOMPARE(uv.y, there->second.y);
+            }
+    }
+    QVERIFY(shared > mesh.tubes.size());
+}
+
+void TestTextureCoordinates::oneSeamPerTube()
+{
+    QFETCH(QString, preset);
+    const BranchMesh mesh = meshOf(preset);
+    const auto made = textureCoordinates(mesh, {});
+    QVERIFY(made);
+    std::size_t inOnePiece = 0;
+    for (std::size_t t = 0; t < mesh.tubes.size(); ++t) {
+        const auto [first, end] = rangeOf(mesh, t);
+        std::map<std::pair<Index, Index>, std::pair<Index, Index>> edges; // to their coordinates
+        for (Index f = first; f < end; ++f)
+            for (int c = 0; c < 3; ++c)
+                edges[{mesh.mesh.triangles[f][c], mesh.mesh.triangles[f][(c + 1) % 3]}] = {
+                    made->corners[f][c], made->corners[f][(c + 1) % 3]};
+        // What is cut apart, but for the disc of a cap, is a path from the front to the end: each vertex of
+        // it has two cut edges, the ends have one.
+        std::map<Index, int> cuts;
+        for (const auto& [edge, uv] : edges) {
+            const auto back = edges.find({edge.second, edge.first});
+            if (edge.first > edge.second || back == edges.end())
+                continue;
+            if (uv.first == back->second.second && uv.second == back->second.first)
+                continue;
+            const double jump = double(made->uv[uv.first].x) - double(made->uv[back->second.second].x);
+            if (std::abs(jump) < 2.0 || made->uv[uv.first].y != made->uv[back->second.second].y)
+                continue; // the border of a cap
+            ++cuts[edge.first];
+            ++cuts[edge.second];
+        }
+        const auto ends =
+            std::count_if(cuts.begin(), cuts.end(), [](const auto& cut) { return cut.second % 2; });
+        inOnePiece += ends == 2 ? 1 : 0;
+    }
+    QVERIFY2(inOnePiece * 100 >= 98 * mesh.tubes.size(), qPrintable(QString::number(inOnePiece)));
+}
+
+/// Above the fork of a tube, corners of one vertex differ by whole tiles.
+void TestTextureCoordinates::wholeTilesGoAround()
+{
+    const BranchMesh mesh = meshOf("SmallTree", 8, 8);
+    const auto made = textureCoordinates(mesh, {});
+    QVERIFY(made);
+    std::size_t seams = 0, whole = 0;
+    for (std::size_t t = 0; t < mesh.tubes.size(); ++t) {
+        const auto [first, end] = rangeOf(mesh, t);
+        std::map<Index, std::set<Index>> uses;
+        for (Index f = first; f < end; ++f)
+            for (int c = 0; c < 3; ++c)
+                uses[mesh.mesh.triangles[f][c]].insert(made->corners[f][c]);
+        for (const auto& [vertex, coordinates] : uses) {
+            if (coordinates.size() < 2)
+                continue;
+            const glm::vec2 a = made->uv[*coordinates.begin()], b = made->uv[*std::next(coordinates.begin())];
+            if (a.y != b.y)
+                continue; // of a cap
+            ++seams;
+            whole += isWhole(double(a.x) - double(b.x)) ? 1 : 0;
+        }
+    }
+    QVERIFY(seams > 4 * mesh.tubes.size());
+    QVERIFY2(10 * whole > 8 * seams, qPrintable(QString("%1 of %2").arg(whole).arg(seams)));
+}
+
+void TestTextureCoordinates::anySkeleton()
+{
+    for (std::uint64_t seed = 0; seed < fuzzCount(240); ++seed) {
+        const Specimen wild = specimen(seed);
+        const auto mesh = buildBranchMesh(wild.skeleton, wild.meshOptions());
+        if (!mesh)
+            continue;
+        const auto made = textureCoordinates(*mesh, {});
+        if (!made) {
+            QCOMPARE(made.error().code, ErrorCode::Invalid); // radii too far apart
+            continue;
+        }
+        for (const glm::vec2& uv : made->uv)
+            QVERIFY(std::isfinite(uv.x) && std::isfinite(uv.y));
+        for (std::size_t f = 0; f < mesh->mesh.triangles.size(); ++f)
+            for (int c = 0; c < 3; ++c)
+                QCOMPARE(made->vertex[made->corners[f][c]], mesh->mesh.triangles[f][c]);
+        const TextureReport report = textureReport(*mesh, *made);
+        QVERIFY2(report.mirrored == 0, qPrintable(QString::fromStdString(wild.name)));
+    }
+}
+
+QTEST_GUILESS_MAIN(TestTextureCoordinates)
+
+#include "tst_texture_coordinates.moc"
