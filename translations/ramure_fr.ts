@@ -1753,6 +1753,34 @@
         <source>The texture tile is too small for the tree</source>
         <translation>Le carreau de texture est trop petit pour l’arbre</translation>
     </message>
+    <message>
+        <source>not a file of baked motion</source>
+        <translation>n’est pas un fichier de mouvement précalculé</translation>
+    </message>
+    <message>
+        <source>baked motion of version %1; this program knows version %2</source>
+        <translation>mouvement précalculé de version %1&#xa0;; ce programme connaît la version %2</translation>
+    </message>
+    <message>
+        <source>the file is cut short, or something follows its end</source>
+        <translation>le fichier est tronqué, ou quelque chose suit sa fin</translation>
+    </message>
+    <message>
+        <source>the file is damaged: its checksum differs</source>
+        <translation>le fichier est abîmé&#xa0;: sa somme de contrôle diffère</translation>
+    </message>
+    <message>
+        <source>this motion was baked from another tree</source>
+        <translation>ce mouvement a été précalculé pour un autre arbre</translation>
+    </message>
+    <message>
+        <source>the file holds values that cannot be</source>
+        <translation>le fichier contient des valeurs impossibles</translation>
+    </message>
+    <message>
+        <source>step %1 is outside 0 to %2</source>
+        <translation>le pas %1 n’est pas entre 0 et %2</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>

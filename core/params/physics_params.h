@@ -36,4 +36,13 @@ struct PhysicsParams
     bool operator==(const PhysicsParams&) const = default;
 };
 
+/// Calls \p visit with every member, in one fixed order.
+template <class Params, class Visit> void visitFields(Params& p, Visit&& visit)
+{
+    visit(p.mode), visit(p.stepSeconds), visit(p.substeps), visit(p.gravity), visit(p.damping);
+    visit(p.restitution), visit(p.restFrame), visit(p.appleMass), visit(p.windStrength);
+    visit(p.windDirection), visit(p.windGust), visit(p.windTurbulence), visit(p.seed);
+    visit(p.appleBounce), visit(p.appleFriction);
+}
+
 } // namespace ramure

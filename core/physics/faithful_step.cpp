@@ -59,11 +59,12 @@ inline Quat between(Vec from, Vec to)
 }
 
 RAMURE_VECTOR_CLONES
-void stepBlock(const Columns& c, const Constants& k, const Parents& parents, Index first, Index count)
+void stepBlock(const Columns& c, const Constants& k, const Parents& parents, std::size_t first,
+               std::size_t count)
 {
 #pragma GCC ivdep
-    for (Index lane = 0; lane < count; ++lane) {
-        const Index i = first + lane;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+        const std::size_t i = first + lane;
         // 1. Moved by the parent.
         const Quat moved{parents.w[lane], parents.x[lane], parents.y[lane], parents.z[lane]};
         const Vec rest{c.dirX[i], c.dirY[i], c.dirZ[i]};

@@ -2,13 +2,13 @@
 /// A run of tree physics that can be entered anywhere (ANIMATION 4.9): fixed steps, checkpoints, and the last
 /// states in full. Straight play and any order of seeks give the same bits.
 ///
-/// What steers the run (parameters, the hand, apples shaken off) is a list of changes, each from a step on. A
-/// state is kept under a hash of the body and of all changes before it: an edit at step s makes stale only
-/// what comes after s, and taking the edit back makes it good again.
+/// A state is kept under a hash of the body and of all that steered the run before it: an edit at step s
+/// makes stale only what comes after s, and taking the edit back makes it good again.
 #pragma once
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
+#include "core/physics/physics_script.h"
 #include "core/physics/tree_physics.h"
 #include "core/pose/driver.h"
 #include <deque>
@@ -16,9 +16,12 @@
 
 namespace ramure {
 
+/// Most steps of a run.
+inline constexpr std::int64_t maxPhysicsSteps = 10'000'000;
+
 enum class StepState : std::uint8_t {
     Missing, ///< was never computed
-    Stale,   ///< was computed for other parameters
+    Stale,   ///< was computed, but something changed before it
     Cached,  ///< at most a few steps away from a state that is kept
 };
 
@@ -33,9 +36,9 @@ struct StepRange
 struct PhysicsCacheOptions
 {
     int checkpointSteps = 10; ///< at first; doubled whenever the memory is used up
-    int ringStates = 64;      ///< the last states, for single steps back; fewer where memory is short
+    int ringStates = 64;      ///< the last states, for single steps back
     std::size_t memoryBytes = std::size_t(512)
-                              << 20; ///< for checkpoints and ring; at least one state each is kept
+                              << 20; ///< of all states together; the ring takes a quarter at most
 };
 
 class PhysicsCache final : public PoseDriver
@@ -48,60 +51,75 @@ public:
     [[nodiscard]] const TreePhysics& physics() const { return m_physics; }
     [[nodiscard]] const PhysicsState& state() const { return m_state; } ///< at the present step
     [[nodiscard]] std::int64_t step() const { return m_state.step; }
-    /// Those at the present step.
-    [[nodiscard]] const PhysicsParams& params() const { return m_physics.params(); }
+    /// In force from the present step on.
+    [[nodiscard]] const PhysicsParams& params() const { return m_script.paramsAt(step()); }
+    [[nodiscard]] const PhysicsScript& script() const { return m_script; }
 
-    /// To step \p step, at most maxPhysicsSteps. Errors: Invalid (negative or too large), Cancelled: then the
-    /// present step is one on the way and what was computed is kept.
+    /// Errors: Invalid (negative or above maxPhysicsSteps), Cancelled: then the present step is one on the
+    /// way, and what was computed is kept.
     Expected<void> seek(std::int64_t step, const Progress& progress = {});
-    /// The step at a time: round(T / step), with the step lengths that the run has (SPEC A7).
+    /// round(T / step length), clamped to 0 .. maxPhysicsSteps.
     [[nodiscard]] std::int64_t stepAt(double timeSeconds) const;
-    [[nodiscard]] double timeAt(std::int64_t step) const;
+    [[nodiscard]] double timeAt(std::int64_t step) const { return m_script.timeAt(step); }
 
-    [[nodiscard]] std::size_t boneCount() const override;
+    [[nodiscard]] std::size_t boneCount() const override { return m_physics.body().size(); }
     Expected<void> poseAt(double timeSeconds, Pose& out, const Progress& progress) override;
-    /// Pose of the present step.
+    /// Pose at the present step.
     void pose(Pose& out) const { m_physics.pose(m_state, out); }
 
-    /// Another tree: everything is forgotten.
+    /// Another tree: all states, the hand and the apples are forgotten; the parameters at the beginning stay.
     void setBody(std::shared_ptr<const TreeBody> body);
-    /// New parameters for all steps from state \p fromStep on; later changes of parameters are forgotten,
-    /// those of the hand stay. 0: the whole run. The present state moves back to \p fromStep if it lay
-    /// behind.
-    void setParams(const PhysicsParams& params, std::int64_t fromStep);
-    /// The hand from \p fromStep on (none: let go); later hands are forgotten.
-    void setPull(const std::optional<Pull>& pull, std::int64_t fromStep);
-    /// An apple let go at state \p step.
-    void shakeOff(Index apple, std::int64_t step);
-    /// Forgets hand and apples, and all parameters but those at the beginning.
-    void clearChanges();
-    /// Forgets all states; changes stay.
-    void clearStates();
+    // What follows has effect from state `from` on (see PhysicsScript). Where the present step lies behind,
+    // it goes back there.
+    void setParams(const PhysicsParams& params, std::int64_t from);
+    void setPull(const std::optional<Pull>& pull, std::int64_t from);
+    void shakeOff(Index apple, std::int64_t at);
+    /// Another script altogether.
+    void setScript(const PhysicsScript& script);
 
     [[nodiscard]] StepState stateOf(std::int64_t step) const;
-    /// The band under the timeline's ruler: first .. last cut into runs of one state, in order.
+    /// The band under the timeline's ruler: \p first .. \p last cut into runs of one state, in order.
     [[nodiscard]] std::vector<StepRange> ranges(std::int64_t first, std::int64_t last) const;
 
+    /// All states go; the script and the present state stay.
+    void clearStates();
     [[nodiscard]] std::size_t bytes() const { return m_bytes; } ///< of all states kept
     void setMemoryLimit(std::size_t bytes);
     [[nodiscard]] int checkpointSteps() const { return m_checkpointSteps; } ///< present distance
 
-private:
-    friend class PhysicsBake;
-    struct Change;
-    struct Kept;
+    /// States worth writing down: valid, by step. And back, in place of all others (see physics_bake.h).
+    [[nodiscard]] std::vector<const PhysicsState*> validStates() const;
+    void takeStates(std::vector<PhysicsState> states, int checkpointSteps);
 
-    // see physics_cache.cpp
+private:
+    struct Kept
+    {
+        std::uint64_t key = 0;
+        std::unique_ptr<PhysicsState> state;
+    };
+    using States = std::map<std::int64_t, Kept>;
+
+    [[nodiscard]] std::uint64_t keyAt(std::int64_t step) const;
+    [[nodiscard]] bool isValid(const States::value_type& entry) const;
+    [[nodiscard]] bool isCheckpoint(std::int64_t step) const { return step % m_checkpointSteps == 0; }
+    [[nodiscard]] const PhysicsState* nearest(std::int64_t step) const;
+    [[nodiscard]] std::int64_t lastValid() const;
+    void advance();
+    void keep();
+    void forget(States::iterator entry);
+    void dropFromRing();
+    void shrink();
+    void afterChange(std::int64_t from);
+
     PhysicsCacheOptions m_options;
+    PhysicsScript m_script;
     TreePhysics m_physics;
     PhysicsState m_state;
+    States m_states;                       ///< checkpoints and ring
+    std::deque<std::int64_t> m_ring;       ///< steps of the last states, oldest first
+    std::unique_ptr<PhysicsState> m_spare; ///< memory of a state let go, for the next one
     int m_checkpointSteps;
     std::size_t m_bytes = 0;
-    struct Private;
-    std::unique_ptr<Private> m_private;
 };
-
-/// Most steps of a run.
-inline constexpr std::int64_t maxPhysicsSteps = 10'000'000;
 
 } // namespace ramure

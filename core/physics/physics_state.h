@@ -64,14 +64,17 @@ struct PhysicsState
     double clockTime = 0.0, clockStepSeconds = 0.0;
     std::int64_t clockStep = 0;
     PhysicsMode mode = PhysicsMode::Robust;
-    Index slots = 0;
+    Index slotCount = 0;
     std::vector<double> values;    ///< channels * slots
     std::vector<LooseApple> loose; ///< in the order in which they fell
 
-    [[nodiscard]] std::span<double> channel(int c) { return {values.data() + std::size_t(c) * slots, slots}; }
+    [[nodiscard]] std::span<double> channel(int c)
+    {
+        return {values.data() + std::size_t(c) * slotCount, slotCount};
+    }
     [[nodiscard]] std::span<const double> channel(int c) const
     {
-        return {values.data() + std::size_t(c) * slots, slots};
+        return {values.data() + std::size_t(c) * slotCount, slotCount};
     }
     [[nodiscard]] int channels() const
     {

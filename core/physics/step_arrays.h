@@ -34,7 +34,7 @@ struct Springs
 struct StepRotations
 {
     std::vector<double> w, x, y, z;
-    void resize(std::size_t slots);
+    void resize(std::size_t count);
 };
 
 struct StepInputs
