@@ -14,8 +14,8 @@ out vec4 vColour;
 
 void main()
 {
-    vec4 from = uClip * vec4(aFrom, 1.0);
-    vec4 to = uClip * vec4(aTo, 1.0);
+    vec4 from = uClip * vec4(onBone(aFrom, aBranch), 1.0);
+    vec4 to = uClip * vec4(onBone(aTo, aBranch), 1.0);
     // Cut at the near plane: a point behind the eye has no place on the screen.
     float nearFrom = from.z + from.w;
     float nearTo = to.z + to.w;

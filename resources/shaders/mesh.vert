@@ -21,9 +21,12 @@ out Surface
 
 void main()
 {
-    gl_Position = uClip * vec4(aPosition, 1.0);
-    v.relative = (uRelative * vec4(aPosition, 1.0)).xyz;
-    v.normal = uNormal * aNormal;
+    vec3 position = aPosition;
+    vec3 normal = aNormal;
+    skin(position, normal);
+    gl_Position = uClip * vec4(position, 1.0);
+    v.relative = (uRelative * vec4(position, 1.0)).xyz;
+    v.normal = uNormal * normal;
     v.local = aPosition;
     // A branch's leaves are a little lighter or darker than its neighbour's: the crown gets depth.
     v.shade = 1.0 + uVariety * (fract(float(aBranch) * 0.6180340) - 0.5);

@@ -18,7 +18,7 @@ void main()
     vColour = vec4(mix(aColour.rgb, tint.rgb, tint.a), aColour.a);
     vRadius = 0.5 * aSize * uPixelRatio + 0.5;
     vDisc = vec2((gl_VertexID & 1) == 1 ? 1.0 : -1.0, (gl_VertexID & 2) == 2 ? 1.0 : -1.0);
-    vec4 position = uClip * vec4(aPosition, 1.0);
+    vec4 position = uClip * vec4(onBone(aPosition, aBranch), 1.0);
     position.xy += 2.0 * vDisc * vRadius / uViewport * position.w;
     position.z -= uLift * position.w;
     gl_Position = position;

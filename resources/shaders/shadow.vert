@@ -6,5 +6,8 @@ uniform mat4 uClip;
 
 void main()
 {
-    gl_Position = uClip * vec4(aPosition, 1.0);
+    vec3 position = aPosition;
+    vec3 normal = vec3(0.0);
+    skin(position, normal);
+    gl_Position = uClip * vec4(position, 1.0);
 }

@@ -1,6 +1,7 @@
 #include "widgets/render/gpu_cache.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 namespace ramure {
@@ -11,7 +12,7 @@ const void* offset(std::size_t bytes)
     return reinterpret_cast<const void*>(bytes);
 }
 
-constexpr int stateWidth = 2048; ///< of the texture of branch states; every OpenGL 3.3 has it
+constexpr int stateWidth = 2048; ///< of the textures of branch states and bones; every OpenGL 3.3 has it
 
 } // namespace
 
@@ -49,11 +50,18 @@ GLuint GpuCache::addBuffer(GpuBlock& block, GLenum target, const void* data, std
     return buffer;
 }
 
-const GpuBlock& GpuCache::mesh(const std::shared_ptr<const TriangleMesh>& mesh)
+const GpuBlock& GpuCache::mesh(const std::shared_ptr<const TriangleMesh>& mesh,
+                               const std::shared_ptr<const Skin>& skin)
 {
     const auto [block, isNew] = slot(mesh);
-    if (!isNew)
-        return block;
+    if (isNew)
+        fillMesh(block, *mesh);
+    attachSkin(block, skin);
+    return block;
+}
+
+void GpuCache::fillMesh(GpuBlock& block, const TriangleMesh& mesh)
+{
     m_gl.glGenVertexArrays(1, &block.vertexArray);
     m_gl.glBindVertexArray(block.vertexArray);
     const auto vectors = [&, &target = block](GLuint index, const std::vector<glm::vec3>& values) {
@@ -61,18 +69,83 @@ const GpuBlock& GpuCache::mesh(const std::shared_ptr<const TriangleMesh>& mesh)
         m_gl.glVertexAttribPointer(index, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
         m_gl.glEnableVertexAttribArray(index);
     };
-    vectors(0, mesh->positions);
-    if (mesh->normals.size() == mesh->positions.size())
-        vectors(1, mesh->normals);
-    if (mesh->branch.size() == mesh->positions.size()) {
-        addBuffer(block, GL_ARRAY_BUFFER, mesh->branch.data(), mesh->branch.size() * sizeof(Index));
+    vectors(0, mesh.positions);
+    if (mesh.normals.size() == mesh.positions.size())
+        vectors(1, mesh.normals);
+    if (mesh.branch.size() == mesh.positions.size()) {
+        addBuffer(block, GL_ARRAY_BUFFER, mesh.branch.data(), mesh.branch.size() * sizeof(Index));
         m_gl.glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, 0, nullptr);
         m_gl.glEnableVertexAttribArray(2);
     }
-    addBuffer(block, GL_ELEMENT_ARRAY_BUFFER, mesh->triangles.data(),
-              mesh->triangles.size() * sizeof(glm::uvec3));
-    block.count = static_cast<GLsizei>(3 * mesh->triangles.size());
+    addBuffer(block, GL_ELEMENT_ARRAY_BUFFER, mesh.triangles.data(),
+              mesh.triangles.size() * sizeof(glm::uvec3));
+    block.count = static_cast<GLsizei>(3 * mesh.triangles.size());
     m_gl.glBindVertexArray(0);
+}
+
+/// Per vertex, three bones and their weights.
+struct VertexInfluence
+{
+    std::array<Index, 3> bone;
+    std::array<float, 3> weight;
+};
+
+const GpuBlock& GpuCache::influences(const std::shared_ptr<const Skin>& skin)
+{
+    const auto [block, isNew] = slot(skin);
+    if (!isNew)
+        return block;
+    std::vector<VertexInfluence> all(skin->vertices);
+    for (std::size_t r = 0; r < skin->runs.size(); ++r) {
+        const SkinRun& run = skin->runs[r];
+        const Index end = r + 1 < skin->runs.size() ? skin->runs[r + 1].firstVertex : skin->vertices;
+        std::fill(all.begin() + run.firstVertex, all.begin() + end,
+                  VertexInfluence{run.influence.bone, run.influence.weight});
+    }
+    addBuffer(block, GL_ARRAY_BUFFER, all.data(), all.size() * sizeof(VertexInfluence));
+    block.count = static_cast<GLsizei>(skin->vertices);
+    return block;
+}
+
+/// The mesh's vertex array reads this skin from now on; without one, what it reads is not used.
+void GpuCache::attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& skin)
+{
+    if (!skin)
+        return;
+    const GLuint buffer = influences(skin).buffers.front();
+    if (block.skin == skin)
+        return;
+    m_gl.glBindVertexArray(block.vertexArray);
+    m_gl.glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    constexpr GLsizei stride = sizeof(VertexInfluence);
+    m_gl.glVertexAttribIPointer(5, 3, GL_UNSIGNED_INT, stride, offset(offsetof(VertexInfluence, bone)));
+    m_gl.glVertexAttribPointer(6, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(VertexInfluence, weight)));
+    m_gl.glEnableVertexAttribArray(5);
+    m_gl.glEnableVertexAttribArray(6);
+    m_gl.glBindVertexArray(0);
+    block.skin = skin;
+}
+
+const GpuBlock& GpuCache::bones(const std::shared_ptr<const std::vector<RigidTransform>>& bones)
+{
+    const auto [block, isNew] = slot(bones);
+    if (!isNew)
+        return block;
+    const std::size_t rows = std::max<std::size_t>(1, (2 * bones->size() + stateWidth - 1) / stateWidth);
+    m_boneRows.resize(rows * stateWidth);
+    for (std::size_t b = 0; b < bones->size(); ++b) {
+        const RigidTransform& bone = (*bones)[b];
+        m_boneRows[2 * b] = glm::vec4(bone.rotation.x, bone.rotation.y, bone.rotation.z, bone.rotation.w);
+        m_boneRows[2 * b + 1] = glm::vec4(glm::vec3(bone.translation), 0.0f);
+    }
+    m_gl.glGenTextures(1, &block.texture);
+    m_gl.glBindTexture(GL_TEXTURE_2D, block.texture);
+    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, stateWidth, static_cast<GLsizei>(rows), 0, GL_RGBA,
+                      GL_FLOAT, m_boneRows.data());
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    block.count = static_cast<GLsizei>(bones->size());
+    m_stats.bytes += m_boneRows.size() * sizeof(glm::vec4);
     return block;
 }
 
@@ -142,6 +215,19 @@ const GpuBlock& GpuCache::states(const std::shared_ptr<const BranchStates>& stat
     block.count = static_cast<GLsizei>(states->size());
     m_stats.bytes += padded.size();
     return block;
+}
+
+void GpuCache::bindBones(ShaderProgram& program, const ItemMotion& motion)
+{
+    // A sampler must have a texture even where the program does not read it.
+    static const auto none = std::make_shared<const std::vector<RigidTransform>>();
+    const GpuBlock& block = bones(motion.moves() ? motion.bones : none);
+    m_gl.glActiveTexture(GL_TEXTURE0 + bonesUnit);
+    m_gl.glBindTexture(GL_TEXTURE_2D, block.texture);
+    m_gl.glActiveTexture(GL_TEXTURE0);
+    program.set("uBones", int(bonesUnit));
+    program.set("uBoneCount", block.count);
+    program.set("uSkinMethod", int(motion.method));
 }
 
 void GpuCache::freeUnused()

@@ -19,7 +19,8 @@ struct GpuBlock
     GLuint vertexArray = 0;
     std::vector<GLuint> buffers;
     GLuint texture = 0;
-    GLsizei count = 0; ///< indices, instances, or entries
+    GLsizei count = 0;                ///< indices, instances, or entries
+    std::shared_ptr<const void> skin; ///< of a mesh: whose influences its vertex array reads
     std::uint64_t usedIn = 0;
 };
 
@@ -41,15 +42,26 @@ public:
     GpuCache& operator=(const GpuCache&) = delete;
 
     void beginPicture() { ++m_picture; }
-    const GpuBlock& mesh(const std::shared_ptr<const TriangleMesh>& mesh);
+    /// \p skin may be null.
+    const GpuBlock& mesh(const std::shared_ptr<const TriangleMesh>& mesh,
+                         const std::shared_ptr<const Skin>& skin);
+    /// A texture: per bone the rotation (x, y, z, w) and the translation.
+    const GpuBlock& bones(const std::shared_ptr<const std::vector<RigidTransform>>& bones);
     const GpuBlock& lines(const std::shared_ptr<const LineSet>& lines);
     const GpuBlock& points(const std::shared_ptr<const PointSet>& points);
     const GpuBlock& states(const std::shared_ptr<const BranchStates>& states);
+    /// Hands the bones of an item, if it has any, to the program, which is bound.
+    void bindBones(ShaderProgram& program, const ItemMotion& motion);
+    static constexpr GLenum bonesUnit = 3; ///< the texture unit that it uses
+
     /// Frees what was not asked for since beginPicture.
     void freeUnused();
     [[nodiscard]] UploadStats stats() const;
 
 private:
+    void fillMesh(GpuBlock& block, const TriangleMesh& mesh);
+    const GpuBlock& influences(const std::shared_ptr<const Skin>& skin);
+    void attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& skin);
     /// The block of this source, and whether it has to be filled.
     std::pair<GpuBlock&, bool> slot(const std::shared_ptr<const void>& source);
     GLuint addBuffer(GpuBlock& block, GLenum target, const void* data, std::size_t bytes);
@@ -57,6 +69,7 @@ private:
 
     Gl& m_gl;
     std::map<const void*, GpuBlock> m_blocks;
+    std::vector<glm::vec4> m_boneRows; ///< kept between pictures
     UploadStats m_stats;
     std::uint64_t m_picture = 0;
 };

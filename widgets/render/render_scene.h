@@ -8,6 +8,7 @@
 #include "core/geometry/box.h"
 #include "core/io/mesh_file.h"
 #include "core/mesh/triangle_mesh.h"
+#include "core/pose/skin.h"
 #include "core/scene/scene.h"
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -44,11 +45,22 @@ struct PointSet
     Box box;
 };
 
+/// Where bones are, and how a mesh follows them. Without bones everything is at rest.
+struct ItemMotion
+{
+    std::shared_ptr<const Skin> skin; ///< of meshes: as many vertices as they have
+    std::shared_ptr<const std::vector<RigidTransform>> bones;
+    SkinMethod method = SkinMethod::Rigid;
+    [[nodiscard]] bool moves() const { return bones && !bones->empty(); }
+    bool operator==(const ItemMotion&) const = default;
+};
+
 /// A mesh standing somewhere. The mesh needs normals; branch ids are optional.
 struct MeshItem
 {
-    std::shared_ptr<const TriangleMesh> mesh;
-    Box box; ///< of the mesh, in its own space
+    std::shared_ptr<const TriangleMesh> mesh; ///< at rest
+    Box box;                                  ///< of the mesh as it is now, in its own space
+    ItemMotion motion;                        ///< drawn so; the mesh itself stays as it is
     Material material;
     glm::dmat4 world{1.0};
     NodeId node = noNode;
@@ -62,6 +74,7 @@ struct LineItem
     NodeId node = noNode;
     bool throughSurfaces = false; ///< parts behind a surface shine through it faintly
     bool pickable = false;        ///< its segments with a branch can be picked
+    ItemMotion motion{};          ///< segments with a branch follow its bone
 };
 struct PointItem
 {
@@ -69,6 +82,7 @@ struct PointItem
     glm::dmat4 world{1.0};
     NodeId node = noNode;
     bool throughSurfaces = false;
+    ItemMotion motion{}; ///< marks with a branch follow its bone
 };
 
 /// State of one branch in a highlight.

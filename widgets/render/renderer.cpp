@@ -95,22 +95,26 @@ Expected<void> Renderer::compile()
         program = std::move(*made);
         return {};
     };
-    return add(m_mesh, {{"states.glsl", "mesh.vert"}, nullptr, surface, ""})
+    return add(m_mesh, {{"states.glsl", "skin.glsl", "skin_mesh.glsl", "mesh.vert"}, nullptr, surface, ""})
         .and_then([&] {
-            return add(m_meshWire, {{"states.glsl", "mesh.vert"}, "mesh.geom", surface, "#define WIRE\n"});
+            return add(m_meshWire, {{"states.glsl", "skin.glsl", "skin_mesh.glsl", "mesh.vert"},
+                                    "mesh.geom",
+                                    surface,
+                                    "#define WIRE\n"});
         })
         .and_then([&] {
-            return add(m_shadow, {{"shadow.vert"}, nullptr, {"shadow.frag"}, ""});
+            return add(m_shadow,
+                       {{"skin.glsl", "skin_mesh.glsl", "shadow.vert"}, nullptr, {"shadow.frag"}, ""});
         })
         .and_then([&] {
             return add(m_world,
                        {{"world.vert"}, nullptr, {"colour.glsl", "lighting.glsl", "world.frag"}, ""});
         })
         .and_then([&] {
-            return add(m_line, {{"states.glsl", "line.vert"}, nullptr, {"line.frag"}, ""});
+            return add(m_line, {{"states.glsl", "skin.glsl", "line.vert"}, nullptr, {"line.frag"}, ""});
         })
         .and_then([&] {
-            return add(m_point, {{"states.glsl", "point.vert"}, nullptr, {"point.frag"}, ""});
+            return add(m_point, {{"states.glsl", "skin.glsl", "point.vert"}, nullptr, {"point.frag"}, ""});
         })
         .and_then([&] {
             return add(m_smooth, {{"world.vert"}, nullptr, {"smooth.frag"}, ""});
@@ -213,7 +217,7 @@ void Renderer::beginState(QSize size)
 void Renderer::upload(const RenderScene& scene)
 {
     for (const MeshItem& item : scene.meshes)
-        m_cache.mesh(item.mesh);
+        m_cache.mesh(item.mesh, item.motion.skin);
     for (const LineItem& item : scene.lines)
         m_cache.lines(item.lines);
     for (const PointItem& item : scene.points)
@@ -287,7 +291,8 @@ void Renderer::drawDepth(const Picture& picture)
     m_shadow->bind();
     m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     for (const MeshItem& item : picture.scene.meshes) {
-        const GpuBlock& block = m_cache.mesh(item.mesh);
+        const GpuBlock& block = m_cache.mesh(item.mesh, item.motion.skin);
+        m_cache.bindBones(*m_shadow, item.motion);
         m_shadow->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
         m_gl.glBindVertexArray(block.vertexArray);
         m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
@@ -307,7 +312,8 @@ void Renderer::drawMeshes(const Picture& picture)
     program.set("uBackward",
                 glm::vec4(glm::vec3(picture.camera.backward()), picture.camera.orthographic ? 1.0f : 0.0f));
     for (const MeshItem& item : picture.scene.meshes) {
-        const GpuBlock& block = m_cache.mesh(item.mesh);
+        const GpuBlock& block = m_cache.mesh(item.mesh, item.motion.skin);
+        m_cache.bindBones(program, item.motion);
         const glm::dmat4 relative = picture.relative(item.world);
         setStates(program, picture.scene, item.mesh->branch.empty() ? noNode : item.node);
         program.set("uClip", glm::mat4(picture.projectedView * relative));
@@ -341,6 +347,7 @@ void Renderer::drawLines(const Picture& picture, bool hidden)
             continue;
         const GpuBlock& block = m_cache.lines(item.lines);
         setStates(*m_line, picture.scene, item.node);
+        m_cache.bindBones(*m_line, item.motion);
         m_line->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
         m_gl.glBindVertexArray(block.vertexArray);
         m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
@@ -361,6 +368,7 @@ void Renderer::drawPoints(const Picture& picture, bool hidden)
             continue;
         const GpuBlock& block = m_cache.points(item.points);
         setStates(*m_point, picture.scene, item.node);
+        m_cache.bindBones(*m_point, item.motion);
         m_point->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
         m_gl.glBindVertexArray(block.vertexArray);
         m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
@@ -376,7 +384,7 @@ void Renderer::resetState()
     m_gl.glDepthFunc(GL_LESS);
     m_gl.glDisable(GL_DEPTH_TEST);
     m_gl.glDisable(GL_BLEND);
-    for (const GLenum unit : {shadowUnit, shadowDepthUnit, statesUnit}) {
+    for (const GLenum unit : {shadowUnit, shadowDepthUnit, statesUnit, GpuCache::bonesUnit}) {
         m_gl.glActiveTexture(GL_TEXTURE0 + unit);
         m_gl.glBindTexture(GL_TEXTURE_2D, 0);
         m_gl.glBindSampler(unit, 0);

@@ -79,7 +79,7 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
     std::vector<Caster> casters;
     for (const MeshItem& item : scene.meshes) {
         if (item.castsShadow && !item.mesh->empty())
-            casters.push_back({item.mesh, item.world});
+            casters.push_back({item.mesh, item.motion, item.world});
     }
     if (casters.empty() || scene.casters.empty())
         return std::nullopt;
@@ -97,7 +97,8 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
     m_gl.glClear(GL_DEPTH_BUFFER_BIT);
     program.bind();
     for (const Caster& caster : casters) {
-        const GpuBlock& block = cache.mesh(caster.mesh);
+        const GpuBlock& block = cache.mesh(caster.mesh, caster.motion.skin);
+        cache.bindBones(program, caster.motion);
         program.set("uClip", glm::mat4(m_fit.clip * caster.world));
         m_gl.glBindVertexArray(block.vertexArray);
         m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);

@@ -42,6 +42,7 @@ private:
     struct Caster
     {
         std::shared_ptr<const TriangleMesh> mesh;
+        ItemMotion motion;
         glm::dmat4 world;
         bool operator==(const Caster&) const = default;
     };
