@@ -16,7 +16,7 @@ namespace {
 
 /// A mesh for a budget is built again with what the last one taught, at most so often.
 constexpr int mostTrials = 4;
-constexpr double goodEnough = 0.02;  ///< of the triangles wanted: no further trial
+constexpr double goodEnough = 0.035; ///< of the triangles wanted: no further trial
 constexpr std::size_t grain = 65536; ///< vertices
 
 Expected<void> checkOptions(const Skeleton& skeleton, const BranchMeshOptions& options)

@@ -13,6 +13,8 @@ namespace {
 /// cross-sections even where they are straight, for shading and motion.
 constexpr double bendShare = 0.1;
 constexpr int bisections = 60;
+/// Of a tube as far as it is not clear of its nearest sibling: how much of it that one hides.
+constexpr double hiddenShare = 0.6;
 
 /// The i-th of numbers in [0, 1) that spread evenly, however many there are.
 double spread(Index i, double step)
@@ -29,6 +31,18 @@ double wallVertices(double children, double sides)
         return 2.0 * mids + 1.0;
     const double hull = std::min(children, 4.0);
     return 2.0 * children - 2.0 - hull + hull * mids + 3.0 * children - 3.0 - 2.0 * hull;
+}
+
+/// The curve's parameter at which two siblings come apart, whose ends are so far apart: starting in one
+/// direction, they are (2 t^2 - t^3) times that apart.
+double partingAt(double radii, double apart)
+{
+    if (radii >= apart)
+        return 1.0;
+    double t = 0.7;
+    for (int i = 0; i < 3; ++i)
+        t = std::sqrt(radii / apart / (2.0 - t));
+    return t;
 }
 
 double limited(double value, int least, int most)
@@ -80,6 +94,9 @@ MeshBudget::MeshBudget(const NormalSkeleton& skeleton)
     const auto count = static_cast<Index>(m_shapes.size());
     for (Index b = 0; b < count; ++b)
         measure(b);
+    for (Index b = 0; b < count; ++b)
+        if (skeleton.branches[b].childCount > 1)
+            measureFork(b);
     double thinnest = skeleton.scene, fewest = 1e30;
     for (Index b = 0; b < count; ++b) {
         thinnest = std::min({thinnest, skeleton.branches[b].a0, skeleton.branches[b].a1});
@@ -112,6 +129,24 @@ void MeshBudget::measure(Index b)
     shape.sidesThreshold = goesOn ? m_shapes[branch.parent].sidesThreshold : spread(b, std::numbers::phi);
 }
 
+/// Of very many siblings, only some are looked at: this is an estimate.
+void MeshBudget::measureFork(Index parent)
+{
+    constexpr std::size_t mostLookedAt = 32;
+    const std::span<const Index> children = m_skeleton.childrenOf(parent);
+    const std::size_t step = 1 + children.size() / mostLookedAt;
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        const MeshBranch& child = m_skeleton.branches[children[i]];
+        double latest = 0.0;
+        for (std::size_t j = 0; j < children.size(); j += step) {
+            const MeshBranch& other = m_skeleton.branches[children[j]];
+            if (j != i)
+                latest = std::max(latest, partingAt(child.a0 + other.a0, glm::length(child.p1 - other.p1)));
+        }
+        m_shapes[children[i]].hidden = hiddenShare * latest;
+    }
+}
+
 double MeshBudget::triangles(double fineness) const
 {
     double vertices = 0.0;
@@ -120,7 +155,8 @@ double MeshBudget::triangles(double fineness) const
         const double sides =
             limited(sidesAskedFor(0.5 * (branch.a0 + branch.a1), fineness), leastSides, mostSides);
         const double spans = limited(fineness * m_shapes[b].spans, leastSections - 1, mostSections - 1);
-        vertices += sides * spans + (branch.childCount == 0 ? 1.0 : 0.0);
+        vertices +=
+            sides * std::max(spans * (1.0 - m_shapes[b].hidden), 1.0) + (branch.childCount == 0 ? 1.0 : 0.0);
         if (branch.childCount > 1)
             vertices += wallVertices(branch.childCount, sides);
         if (branch.parent == noIndex)

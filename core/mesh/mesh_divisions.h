@@ -20,6 +20,7 @@ struct BranchShape
     double spans = 0.0;          ///< between cross-sections, at a fineness of 1
     double spansThreshold = 0.0; ///< in [0, 1), added before the number is cut to a whole one
     double sidesThreshold = 0.0;
+    double hidden = 0.0; ///< share of its surface inside its siblings, about
 };
 
 /// Either every branch the same, or each by its shape.
@@ -67,6 +68,7 @@ public:
 
 private:
     void measure(Index branch);
+    void measureFork(Index parent);
 
     const NormalSkeleton& m_skeleton;
     std::vector<BranchShape> m_shapes;
