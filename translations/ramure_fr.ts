@@ -1781,6 +1781,26 @@
         <source>step %1 is outside 0 to %2</source>
         <translation>le pas %1 n’est pas entre 0 et %2</translation>
     </message>
+    <message>
+        <source>So many branches cannot be drawn with the triangle budget: this is their smallest mesh</source>
+        <translation>Tant de branches ne tiennent pas dans le budget de triangles&#xa0;: voici leur plus petit maillage</translation>
+    </message>
+    <message>
+        <source>The triangle budget is more than these branches can take: this is their finest mesh</source>
+        <translation>Le budget de triangles dépasse ce que ces branches peuvent recevoir&#xa0;: voici leur maillage le plus fin</translation>
+    </message>
+    <message>
+        <source>No mesh fits the triangle budget: this is the nearest</source>
+        <translation>Aucun maillage ne correspond au budget de triangles&#xa0;: voici le plus proche</translation>
+    </message>
+    <message>
+        <source>Triangle budget</source>
+        <translation>Budget de triangles</translation>
+    </message>
+    <message>
+        <source>About how many triangles all branches may take together, within 5 %. Thick and bent branches get more of them, thin and straight ones fewer, and the two numbers above have no say. 0 sets no budget.</source>
+        <translation>Nombre approximatif de triangles de toutes les branches réunies, à 5&#xa0;% près. Les branches épaisses et courbées en reçoivent plus, les fines et les droites moins, et les deux nombres ci-dessus ne comptent plus. 0&#xa0;: pas de budget.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>

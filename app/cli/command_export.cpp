@@ -8,7 +8,9 @@
 #include <QJsonDocument>
 #include <QSaveFile>
 #include <algorithm>
+#include <cstdio>
 #include <iterator>
+#include <set>
 
 namespace ramure::cli {
 
@@ -101,9 +103,24 @@ bool isPly(const QString& file)
     return file.endsWith(QLatin1String(".ply"), Qt::CaseInsensitive);
 }
 
+/// The pipeline; says once of each tree that its mesh does not fit the budget.
+TreeSource notingSource(TreePipeline& pipeline)
+{
+    return [source = pipelineSource(pipeline), told = std::set<NodeId>()](const Node& node, Stage last,
+                                                                          const Progress& progress) mutable {
+        Expected<TreeResult> tree = source(node, last, progress);
+        const char* note = tree && tree->branches ? budgetText(tree->branches->budget) : "";
+        if (*note != '\0' && told.insert(node.id).second)
+            std::fprintf(stderr, "ramure-cli: %s: %s (%u triangles)\n", node.name.c_str(), note,
+                         tree->branches->mesh.faceCount());
+        return tree;
+    };
+}
+
 Expected<void> exportTrees(const Scene& scene, const Request& request, TreePipeline& pipeline,
                            const Progress& progress)
 {
+    const TreeSource source = notingSource(pipeline);
     const auto count = static_cast<double>(request.files.size());
     for (qsizetype i = 0; i < request.files.size(); ++i) {
         const QString& file = request.files.at(i);
@@ -112,8 +129,8 @@ Expected<void> exportTrees(const Scene& scene, const Request& request, TreePipel
         options.parts = request.parts.value_or(isPly(file) ? exportBranches : exportAll);
         options.ply.ascii = request.ascii;
         const double from = static_cast<double>(i) / count;
-        const auto written = exportScene(scene, options, pipelineSource(pipeline), systemPath(file),
-                                         progress.part(from, from + 1.0 / count));
+        const auto written =
+            exportScene(scene, options, source, systemPath(file), progress.part(from, from + 1.0 / count));
         if (!written)
             return written;
     }

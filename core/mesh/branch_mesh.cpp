@@ -149,6 +149,24 @@ void finish(Built& built, const Skeleton& skeleton)
 
 } // namespace
 
+const char* budgetText(BudgetFit fit)
+{
+    switch (fit) {
+    case BudgetFit::NotAsked:
+    case BudgetFit::Within:
+        return "";
+    case BudgetFit::Smallest:
+        return RAMURE_NOOP(
+            "So many branches cannot be drawn with the triangle budget: this is their smallest mesh");
+    case BudgetFit::Largest:
+        return RAMURE_NOOP(
+            "The triangle budget is more than these branches can take: this is their finest mesh");
+    case BudgetFit::Nearest:
+        return RAMURE_NOOP("No mesh fits the triangle budget: this is the nearest");
+    }
+    return "";
+}
+
 Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
                                      const Progress& progress, MeshScratch* scratch)
 {

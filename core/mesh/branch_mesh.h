@@ -62,6 +62,8 @@ enum class BudgetFit : std::uint8_t {
     Nearest,  ///< no number of triangles nearer to it could be found
 };
 inline constexpr double budgetSlack = 0.05; ///< of the triangles wanted
+/// What to tell the user about it, English, context "core"; empty where all is well.
+const char* budgetText(BudgetFit fit);
 
 /// The triangles of one branch's tube follow each other, from its start to its end; with a root or a tip, the
 /// cap too. Every triangle belongs to one tube.

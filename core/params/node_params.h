@@ -48,6 +48,12 @@ struct SectionParams
     bool operator==(const SectionParams&) const = default;
 };
 
+struct MeshParams
+{
+    std::int64_t targetTriangles = 0; ///< 0: as the sections say
+    bool operator==(const MeshParams&) const = default;
+};
+
 struct FoliageParams
 {
     double leavesCutoff = 0.1;
@@ -79,6 +85,7 @@ struct NodeParams
     TurtleParams turtle;
     SimplifyParams simplify;
     SectionParams sections;
+    MeshParams mesh;
     FoliageParams foliage;
     PlacementParams tree;
     PhysicsParams physics;

@@ -183,6 +183,12 @@ constexpr std::array table{
         {"sections.radialDivisions", sectionsGroup, RAMURE_NOOP("Around the branch"),
          RAMURE_NOOP("Points of each cross-section. More make rounder branches.")},
         ParamUnit::Count, {3, 64, 3, 32, 1, 0}, Stage::Mesh),
+    row<&NodeParams::mesh, &MeshParams::targetTriangles>(
+        {"mesh.targetTriangles", sectionsGroup, RAMURE_NOOP("Triangle budget"),
+         RAMURE_NOOP("About how many triangles all branches may take together, within 5 %. Thick and bent branches get "
+                     "more of them, thin and straight ones fewer, and the two numbers above have no say. 0 sets no "
+                     "budget.")},
+        ParamUnit::Count, {0, 20'000'000, 0, 500'000, 1000, 0}, Stage::Mesh),
 
     row<&NodeParams::foliage, &FoliageParams::leavesCutoff>(
         {"foliage.leavesCutoff", foliageGroup, RAMURE_NOOP("Twig thickness"),

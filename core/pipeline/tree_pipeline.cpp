@@ -2,6 +2,8 @@
 
 #include "core/grammar/rewrite.h"
 #include "core/grammar/turtle.h"
+#include "core/mesh/mesh_divisions.h"
+#include "core/mesh/mesh_scratch.h"
 #include "core/params/param_def.h"
 #include "core/pipeline/stage_cache.h"
 #include "core/pipeline/stage_hash.h"
@@ -117,8 +119,12 @@ std::vector<double> rollsOf(const NodeParams& params, const Skeleton& skeleton)
     return rolls;
 }
 
-Expected<void> checkMeshSize(Index branches, const SectionParams& params)
+Expected<void> checkMeshSize(Index branches, const NodeParams& all)
 {
+    const bool hasBudget = all.mesh.targetTriangles > 0;
+    SectionParams params = all.sections;
+    if (hasBudget)
+        params.radialDivisions = leastSides;
     const auto faces = [&](std::int64_t length, std::int64_t radial) {
         return 2 * std::size_t(branches) * static_cast<std::size_t>(length) *
                static_cast<std::size_t>(radial);
@@ -132,18 +138,22 @@ Expected<void> checkMeshSize(Index branches, const SectionParams& params)
              {std::to_string(branches), std::to_string(wanted), std::to_string(maxMeshFaces)});
     const SectionParams usual;
     const bool tooManyBranches = faces(usual.lengthDivisions, usual.radialDivisions) > maxMeshFaces;
-    error.value().path = tooManyBranches ? "grammar.iterations" : "sections.radialDivisions";
+    error.value().path = tooManyBranches ? "grammar.iterations"
+                         : hasBudget     ? "sections.lengthDivisions"
+                                         : "sections.radialDivisions";
     return error;
 }
 
-Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const SectionParams& params,
-                                      std::span<const double> rolls, const Progress& progress)
+Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams& params,
+                                      std::span<const double> rolls, MeshScratch& scratch,
+                                      const Progress& progress)
 {
     BranchMeshOptions options;
-    options.lengthDivisions = static_cast<int>(params.lengthDivisions);
-    options.radialDivisions = static_cast<int>(params.radialDivisions);
+    options.lengthDivisions = static_cast<int>(params.sections.lengthDivisions);
+    options.radialDivisions = static_cast<int>(params.sections.radialDivisions);
+    options.targetTriangles = static_cast<Index>(params.mesh.targetTriangles);
     options.rollRad = rolls;
-    auto mesh = buildBranchMesh(skeleton, options, progress.part(0.0, 0.8));
+    auto mesh = buildBranchMesh(skeleton, options, progress.part(0.0, 0.8), &scratch);
     if (!mesh)
         return fail(std::move(mesh.error()));
     auto report = validateMesh(mesh->mesh, progress.part(0.8, 1.0));
@@ -177,6 +187,7 @@ struct TreePipeline::Cache
     StageCache<SectionSet> sections;
     StageCache<MeshedBranches> branches;
     StageCache<MeshedFoliage> foliage;
+    MeshScratch scratch; ///< of the branch meshes
 
     void setCapacity(std::size_t capacity)
     {
@@ -214,12 +225,13 @@ struct StageHashes
         if (p.simplify.enabled)
             simplify.add(p.simplify.rotationThreshold);
         simplified = simplify.value();
-        StageHash sectionHash(simplified);
-        sectionHash.add(p.sections.lengthDivisions);
+        StageHash rolls(simplified);
         for (const auto& [key, branch] : p.branches)
-            sectionHash.add(key).add(branch.rollRad);
-        sections = sectionHash.value();
-        branches = StageHash(sections).add(p.sections.radialDivisions).value();
+            rolls.add(key).add(branch.rollRad);
+        sections = StageHash(rolls).add(p.sections.lengthDivisions).value();
+        branches = p.mesh.targetTriangles > 0
+                       ? rolls.add(p.mesh.targetTriangles).add(std::string_view("budget")).value()
+                       : StageHash(sections).add(p.sections.radialDivisions).value();
         const FoliageParams& f = p.foliage;
         StageHash foliageHash(simplified);
         foliage =
@@ -304,7 +316,7 @@ private:
     {
         m_progress.report(0.12);
         const Skeleton& skeleton = m_result.simplified->skeleton;
-        if (auto ok = checkMeshSize(skeleton.size(), m_params.sections); !ok)
+        if (auto ok = checkMeshSize(skeleton.size(), m_params); !ok)
             return ok;
         const int divisions = static_cast<int>(m_params.sections.lengthDivisions);
         return cached(m_cache.sections, m_hashes.sections, m_progress,
@@ -318,8 +330,8 @@ private:
         const Skeleton& skeleton = m_result.simplified->skeleton;
         return cached(m_cache.branches, m_hashes.branches, m_progress,
                       [&] {
-                          return meshBranches(skeleton, m_params.sections, rollsOf(m_params, skeleton),
-                                              m_progress.part(0.2, 0.9));
+                          return meshBranches(skeleton, m_params, rollsOf(m_params, skeleton),
+                                              m_cache.scratch, m_progress.part(0.2, 0.9));
                       })
             .map([&](auto made) {
                 m_result.branches = made->mesh;
@@ -377,6 +389,7 @@ NodeParams draftParams(const NodeParams& params)
     NodeParams draft = params;
     draft.sections.lengthDivisions = std::min<std::int64_t>(draft.sections.lengthDivisions, 3);
     draft.sections.radialDivisions = std::min<std::int64_t>(draft.sections.radialDivisions, 5);
+    draft.mesh.targetTriangles = std::min<std::int64_t>(draft.mesh.targetTriangles, 30'000);
     return draft;
 }
 

@@ -83,6 +83,8 @@ ReportSummary ReportTexts::summary(const NodeResult* result)
     const MeshReport& report = *result->tree.report;
     ReportSummary summary = judge(report, result->tree.branches->roots);
     summary.details = counts(report) + QStringLiteral(". ") + openMesh(report, result->draft);
+    if (const QString note = coreText(budgetText(result->tree.branches->budget)); !note.isEmpty())
+        summary.details += QLatin1Char(' ') + note + QLatin1Char('.');
     return summary;
 }
 

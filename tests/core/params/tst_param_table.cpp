@@ -96,6 +96,7 @@ void TestParamTable::keysAreThePublicInterface()
                                             "simplify.rotationThreshold",
                                             "sections.lengthDivisions",
                                             "sections.radialDivisions",
+                                            "mesh.targetTriangles",
                                             "foliage.leavesCutoff",
                                             "foliage.leavesDensity",
                                             "foliage.applesProbability",
