@@ -1801,6 +1801,10 @@
         <source>About how many triangles all branches may take together, within 5 %. Thick and bent branches get more of them, thin and straight ones fewer, and the two numbers above have no say. 0 sets no budget.</source>
         <translation>Nombre approximatif de triangles de toutes les branches réunies, à 5&#xa0;% près. Les branches épaisses et courbées en reçoivent plus, les fines et les droites moins, et les deux nombres ci-dessus ne comptent plus. 0&#xa0;: pas de budget.</translation>
     </message>
+    <message>
+        <source>there is not enough memory to move this tree</source>
+        <translation>il n&apos;y a pas assez de mémoire pour animer cet arbre</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>

@@ -1,0 +1,61 @@
+/// \file
+/// The moving state of a scene at one frame: immutable, shared, made on the player's thread. Views hold it as
+/// long as they draw it.
+#pragma once
+
+#include "core/geometry/box.h"
+#include "core/physics/physics_state.h"
+#include "core/pose/skin.h"
+#include "core/scene/scene.h"
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace ramure {
+
+/// One tree. Skins belong to exactly the meshes named here: a view that shows others shows them at rest.
+struct NodeMotion
+{
+    std::shared_ptr<const BranchMesh> mesh;
+    std::shared_ptr<const TriangleMesh> leavesMesh, applesMesh;
+    std::shared_ptr<const Skin> branches, leaves, apples;
+    SkinMethod method = SkinMethod::DualQuaternion;
+    /// One per branch of the simplified skeleton, then one per apple; tree space.
+    std::shared_ptr<const std::vector<RigidTransform>> bones;
+    Box box; ///< of the moved tree, tree space; a little generous
+    PhysicsFigures figures;
+    std::int64_t step = 0;    ///< of the physics
+    double stepSeconds = 0.0; ///< what one step took, mean over those computed for this frame; 0 = none was
+
+    /// At rest there is nothing to deform.
+    [[nodiscard]] bool moves() const { return step > 0; }
+};
+
+struct MotionFrame
+{
+    std::int64_t frame = 0;
+    double timeSeconds = 0.0;
+    std::map<NodeId, NodeMotion> nodes;
+
+    [[nodiscard]] const NodeMotion* of(NodeId node) const
+    {
+        const auto found = nodes.find(node);
+        return found == nodes.end() ? nullptr : &found->second;
+    }
+};
+
+enum class FrameState : std::uint8_t {
+    Missing, ///< must be computed
+    Stale,   ///< was computed for other parameters
+    Cached,  ///< comes at once
+};
+
+/// Frames first .. last of one state, for the band under the timeline's ruler.
+struct FrameRange
+{
+    std::int64_t first = 0, last = 0;
+    FrameState state = FrameState::Missing;
+    bool operator==(const FrameRange&) const = default;
+};
+
+} // namespace ramure

@@ -1,0 +1,323 @@
+#include "core/document/motion_worker.h"
+
+#include "core/physics/physics_cache.h"
+#include "core/physics/tree_body.h"
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+
+namespace ramure {
+
+using Clock = std::chrono::steady_clock;
+
+/// How far leaves reach from their branch, in radii of an apple: the grammar's length is two of them, a leaf
+/// hangs up to one length past a tip and is one length wide.
+static constexpr double leafReach = 4.0;
+/// The band is looked through at most so often while frames follow each other.
+static constexpr std::chrono::milliseconds bandRest{200};
+
+/// One tree on the worker's thread: its run and its skins.
+struct MotionWorker::Actor
+{
+    Expected<void> prepare(const MotionTree& wanted, const MotionRequest& request, std::size_t memoryBytes);
+    Expected<NodeMotion> motionAt(std::int64_t step, const Progress& progress);
+    void addBand(const TimelineSettings& timeline, std::vector<FrameState>& states) const;
+
+    std::unique_ptr<PhysicsCache> cache;
+
+private:
+    Expected<void> setTree(const MotionTree& wanted);
+    Expected<void> setSkins(const MotionTree& wanted);
+    void setParams(const PhysicsParams& params, bool live);
+
+    std::shared_ptr<const SimplifiedSkeleton> m_skeleton;
+    std::shared_ptr<const Foliage> m_foliage;
+    double m_alpha = 0.0;
+    PhysicsParams m_params;
+    bool m_mixed = false; ///< parameters changed within the run
+    NodeMotion m_motion;  ///< meshes and skins; the rest is of the frame made last
+    bool m_smooth = false;
+    Pose m_pose;
+};
+
+Expected<void> MotionWorker::Actor::setTree(const MotionTree& wanted)
+{
+    const double alpha = wanted.params.turtle.alpha;
+    if (cache && m_skeleton == wanted.tree.simplified && m_foliage == wanted.tree.foliage && m_alpha == alpha)
+        return {};
+    m_skeleton = wanted.tree.simplified;
+    m_foliage = wanted.tree.foliage;
+    m_alpha = alpha;
+    const auto body = makeTreeBody(m_skeleton->skeleton, m_foliage.get(), alpha);
+    if (cache && cache->physics().body().key == body->key)
+        return {}; // computed again, the same as before
+    m_params = wanted.params.physics;
+    if (cache)
+        cache->setBody(body);
+    else
+        cache = std::make_unique<PhysicsCache>(body, m_params);
+    cache->setScript(PhysicsScript(m_params));
+    m_mixed = false;
+    return {};
+}
+
+Expected<void> MotionWorker::Actor::setSkins(const MotionTree& wanted)
+{
+    const TreeResult& tree = wanted.tree;
+    const bool smooth = wanted.params.skin.method != SkinMethod::Rigid;
+    const bool same = m_motion.branches && m_smooth == smooth && m_motion.mesh == tree.branches &&
+                      m_motion.leavesMesh == tree.leaves && m_motion.applesMesh == tree.apples;
+    m_motion.method = wanted.params.skin.method;
+    if (same)
+        return {};
+    const Skeleton& skeleton = tree.simplified->skeleton;
+    auto branches = bindBranches(*tree.branches, skeleton, smooth);
+    if (!branches)
+        return fail(std::move(branches.error()));
+    m_motion.branches = std::make_shared<const Skin>(std::move(*branches));
+    m_motion.leaves = m_motion.apples = nullptr;
+    if (tree.foliage && tree.leaves) {
+        auto leaves = bindFoliage(*tree.leaves, tree.foliage->leaves, *tree.branches, skeleton, smooth);
+        if (!leaves)
+            return fail(std::move(leaves.error()));
+        m_motion.leaves = std::make_shared<const Skin>(std::move(*leaves));
+    }
+    if (tree.foliage && tree.apples) {
+        auto apples = bindLoose(*tree.apples, tree.foliage->apples.size(), skeleton.size());
+        if (!apples)
+            return fail(std::move(apples.error()));
+        m_motion.apples = std::make_shared<const Skin>(std::move(*apples));
+    }
+    m_motion.mesh = tree.branches;
+    m_motion.leavesMesh = tree.leaves;
+    m_motion.applesMesh = tree.apples;
+    m_smooth = smooth;
+    return {};
+}
+
+/// Live, new values act from now on and what lies behind stays as it was; at rest the whole run is theirs.
+void MotionWorker::Actor::setParams(const PhysicsParams& params, bool live)
+{
+    if (live && params != m_params) {
+        cache->setParams(params, cache->step());
+        m_mixed = cache->step() > 0;
+    } else if (!live && (m_mixed || params != m_params)) {
+        cache->setParams(params, 0);
+        m_mixed = false;
+    }
+    m_params = params;
+}
+
+Expected<void> MotionWorker::Actor::prepare(const MotionTree& wanted, const MotionRequest& request,
+                                            std::size_t memoryBytes)
+{
+    if (auto set = setTree(wanted); !set)
+        return set;
+    if (auto set = setSkins(wanted); !set)
+        return set;
+    cache->setMemoryLimit(memoryBytes);
+    if (request.forgetHand) {
+        PhysicsScript calm = cache->script();
+        calm.clear();
+        cache->setScript(calm);
+    }
+    setParams(wanted.params.physics, request.live);
+    if (!request.live)
+        return {};
+    cache->setPull(wanted.pull, cache->step());
+    for (const Index apple : wanted.shaken)
+        cache->shakeOff(apple, cache->step());
+    return {};
+}
+
+/// Around all branches and apples, with room for leaves.
+static Box movedBox(const TreeBody& body, const std::vector<RigidTransform>& bones)
+{
+    Box box;
+    double thickest = 0.0;
+    for (std::size_t slot = 0; slot < body.p0.size(); ++slot) {
+        const RigidTransform& bone = bones[body.branchOf[slot]];
+        box.add(bone.point(body.p0[slot]));
+        box.add(bone.point(body.p1[slot]));
+        thickest = std::max(thickest, body.a0[slot]);
+    }
+    const std::size_t branches = body.p0.size();
+    for (std::size_t apple = 0; apple < body.applePosition.size(); ++apple)
+        box.add(bones[branches + apple].point(body.applePosition[apple]));
+    return box.grown(thickest + leafReach * body.appleRadius);
+}
+
+Expected<NodeMotion> MotionWorker::Actor::motionAt(std::int64_t step, const Progress& progress)
+{
+    const std::int64_t from = cache->step();
+    const Clock::time_point start = Clock::now();
+    if (auto there = cache->seek(step, progress); !there)
+        return fail(std::move(there.error()));
+    NodeMotion motion = m_motion;
+    if (step > from)
+        motion.stepSeconds =
+            std::chrono::duration<double>(Clock::now() - start).count() / double(step - from);
+    cache->pose(m_pose);
+    auto bones = std::make_shared<std::vector<RigidTransform>>(m_pose.bones);
+    const TreeBody& body = cache->physics().body();
+    for (const Index slot : body.appleSlot)
+        bones->push_back(m_pose.bones[body.branchOf[slot]]);
+    const PhysicsState& state = cache->state();
+    const std::vector<RigidTransform> loose = cache->physics().loosePoses(state);
+    for (std::size_t i = 0; i < loose.size(); ++i)
+        (*bones)[m_pose.bones.size() + state.loose[i].apple] = loose[i];
+    motion.box = movedBox(body, *bones);
+    motion.bones = std::move(bones);
+    motion.figures = cache->physics().figures(state);
+    motion.step = step;
+    return motion;
+}
+
+/// A frame is as good as its worst tree.
+void MotionWorker::Actor::addBand(const TimelineSettings& timeline, std::vector<FrameState>& states) const
+{
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const double time = timeline.timeOf(timeline.firstFrame + std::int64_t(i));
+        const StepState state = time <= 0.0 ? StepState::Cached : cache->stateOf(cache->stepAt(time));
+        states[i] = std::min(states[i], static_cast<FrameState>(state));
+    }
+}
+
+MotionWorker::MotionWorker(Listener listener)
+    : m_listener(std::move(listener))
+    , m_thread([this](const std::stop_token& quit) { loop(quit); })
+{
+}
+
+MotionWorker::~MotionWorker()
+{
+    m_thread.request_stop();
+    stop();
+    m_thread.join();
+}
+
+void MotionWorker::post(MotionRequest request, bool interrupt)
+{
+    const std::scoped_lock lock(m_mutex);
+    if (m_waiting) { // an apple let go must not be forgotten with the frame that nobody saw
+        request.forgetHand = request.forgetHand || m_waiting->forgetHand;
+        for (const MotionTree& skipped : m_waiting->trees)
+            for (MotionTree& tree : request.trees)
+                if (tree.node == skipped.node)
+                    tree.shaken.insert(tree.shaken.begin(), skipped.shaken.begin(), skipped.shaken.end());
+    }
+    m_waiting = std::move(request);
+    if (interrupt && m_running)
+        m_running->request_stop();
+    m_wake.notify_one();
+}
+
+void MotionWorker::stop()
+{
+    const std::scoped_lock lock(m_mutex);
+    m_waiting.reset();
+    if (m_running)
+        m_running->request_stop();
+}
+
+bool MotionWorker::isBusy() const
+{
+    const std::scoped_lock lock(m_mutex);
+    return m_waiting || m_running;
+}
+
+void MotionWorker::loop(const std::stop_token& quit)
+{
+    for (;;) {
+        MotionRequest request;
+        std::stop_source stop;
+        {
+            std::unique_lock lock(m_mutex);
+            m_wake.wait(lock, quit, [this] { return m_waiting.has_value(); });
+            if (quit.stop_requested())
+                return;
+            request = std::move(*m_waiting);
+            m_waiting.reset();
+            m_running = stop;
+        }
+        try {
+            run(request, {stop.get_token(), m_listener.progress});
+        } catch (const std::bad_alloc&) {
+            m_actors.clear();
+            m_listener.failed(
+                fail(ErrorCode::Limit, RAMURE_NOOP("there is not enough memory to move this tree")).value());
+        }
+        bool idle = false;
+        {
+            const std::scoped_lock lock(m_mutex);
+            m_running.reset();
+            idle = !m_waiting;
+        }
+        if (idle)
+            m_listener.idle();
+    }
+}
+
+void MotionWorker::run(const MotionRequest& request, const Progress& progress)
+{
+    std::erase_if(m_actors, [&](const auto& actor) {
+        return std::none_of(request.trees.begin(), request.trees.end(),
+                            [&](const MotionTree& tree) { return tree.node == actor.first; });
+    });
+    auto frame = std::make_shared<MotionFrame>();
+    frame->frame = request.frame;
+    frame->timeSeconds = request.timeline.timeOf(request.frame);
+    const auto count = static_cast<double>(request.trees.size());
+    std::optional<Error> problem;
+    for (std::size_t i = 0; i < request.trees.size() && !progress.cancelled(); ++i) {
+        const MotionTree& tree = request.trees[i];
+        std::unique_ptr<Actor>& actor = m_actors[tree.node];
+        if (!actor)
+            actor = std::make_unique<Actor>();
+        auto ready = actor->prepare(tree, request, request.memoryBytes / request.trees.size());
+        if (!ready) {
+            problem = std::move(ready.error());
+            m_actors.erase(tree.node);
+            continue;
+        }
+        const std::int64_t step = frame->timeSeconds <= 0.0
+                                      ? 0
+                                      : std::min(actor->cache->stepAt(frame->timeSeconds), maxPhysicsSteps);
+        const double from = static_cast<double>(i) / count;
+        auto motion = actor->motionAt(step, progress.part(from, from + 1.0 / count));
+        if (motion)
+            frame->nodes.emplace(tree.node, std::move(*motion));
+        else if (motion.error().code != ErrorCode::Cancelled)
+            problem = std::move(motion.error());
+    }
+    if (!progress.cancelled())
+        m_listener.frame(std::move(frame));
+    if (problem)
+        m_listener.failed(*problem);
+    sendBand(request);
+}
+
+/// Adjacent frames of one state as one range.
+void MotionWorker::sendBand(const MotionRequest& request)
+{
+    const Clock::time_point now = Clock::now();
+    if (request.live && now - m_bandSent < bandRest)
+        return;
+    m_bandSent = now;
+    const TimelineSettings& timeline = request.timeline;
+    std::vector<FrameState> states(static_cast<std::size_t>(timeline.lastFrame - timeline.firstFrame + 1),
+                                   FrameState::Cached);
+    for (const auto& [node, actor] : m_actors)
+        actor->addBand(timeline, states);
+    std::vector<FrameRange> band;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const std::int64_t frame = timeline.firstFrame + std::int64_t(i);
+        if (band.empty() || band.back().state != states[i])
+            band.push_back({frame, frame, states[i]});
+        band.back().last = frame;
+    }
+    m_listener.band(std::move(band));
+}
+
+} // namespace ramure

@@ -1,0 +1,80 @@
+/// \file
+/// The background thread of the player: keeps one run of physics per tree, binds skins, makes frames. Knows
+/// no document.
+#pragma once
+
+#include "core/document/motion.h"
+#include "core/params/node_params.h"
+#include "core/pipeline/tree_pipeline.h"
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace ramure {
+
+/// What the thread needs to know of one tree.
+struct MotionTree
+{
+    NodeId node = noNode;
+    TreeResult tree;
+    NodeParams params;
+    std::optional<Pull> pull;
+    std::vector<Index> shaken; ///< apples let go at the frame before this one
+};
+
+struct MotionRequest
+{
+    std::int64_t frame = 0;
+    TimelineSettings timeline;
+    std::vector<MotionTree> trees;
+    std::size_t memoryBytes = std::size_t(1) << 30; ///< for the runs of all trees together
+    /// Playing: changed parameters and the hand act from the present step on. Otherwise the whole run is that
+    /// of the present parameters.
+    bool live = false;
+    bool forgetHand = false; ///< the hand's pulls and the shaken apples of the run are forgotten first
+};
+
+class MotionWorker
+{
+public:
+    /// All are called on the worker's thread.
+    struct Listener
+    {
+        std::function<void(std::shared_ptr<const MotionFrame>)> frame;
+        std::function<void(std::vector<FrameRange>)> band; ///< of the timeline's range; seldom
+        std::function<void(double)> progress;              ///< of a frame that takes long, 0..1
+        std::function<void(Error)> failed;                 ///< no frame comes for this request
+        std::function<void()> idle;                        ///< nothing runs or waits
+    };
+
+    explicit MotionWorker(Listener listener);
+    ~MotionWorker(); ///< stops what runs and joins
+    MotionWorker(const MotionWorker&) = delete;
+    MotionWorker& operator=(const MotionWorker&) = delete;
+
+    /// Replaces the request that waits. \p interrupt stops the one that runs; what it computed is kept.
+    void post(MotionRequest request, bool interrupt);
+    /// Takes back what waits and stops what runs.
+    void stop();
+    [[nodiscard]] bool isBusy() const;
+
+private:
+    struct Actor;
+    void loop(const std::stop_token& quit);
+    void run(const MotionRequest& request, const Progress& progress);
+    void sendBand(const MotionRequest& request);
+
+    Listener m_listener;
+    mutable std::mutex m_mutex; ///< guards the next three
+    std::condition_variable_any m_wake;
+    std::optional<MotionRequest> m_waiting;
+    std::optional<std::stop_source> m_running;
+    std::map<NodeId, std::unique_ptr<Actor>> m_actors; ///< only the thread looks
+    std::chrono::steady_clock::time_point m_bandSent;  ///< only the thread looks
+    std::jthread m_thread;                             ///< last: it needs all of the above
+};
+
+} // namespace ramure
