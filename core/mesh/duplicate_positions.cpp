@@ -1,5 +1,6 @@
 #include "core/mesh/duplicate_positions.h"
 
+#include "core/base/large_buffer.h"
 #include <algorithm>
 #include <bit>
 
@@ -29,29 +30,35 @@ std::uint64_t hashOf(const PositionBits& p)
     return h * 0xBF58476D1CE4E5B9u;
 }
 
-/// One bit per slot; the slot is the top of the hash.
+/// One bit per slot; the slot is the top of the hash, scaled.
 class BitSet
 {
 public:
-    explicit BitSet(int bits)
-        : m_shift(64 - bits)
-        , m_words((std::size_t(1) << bits) / 64, 0u)
+    explicit BitSet(std::size_t slots)
+        : m_slots(slots)
+        , m_words(slots / 64 + 1)
     {
+        std::fill_n(m_words.data(), m_words.size(), std::uint64_t(0));
     }
-    bool test(std::uint64_t hash) const { return m_words[word(hash)] >> place(hash) & 1u; }
-    void set(std::uint64_t hash) { m_words[word(hash)] |= std::uint64_t(1) << place(hash); }
+    [[nodiscard]] bool test(std::uint64_t hash) const
+    {
+        const std::uint64_t s = slot(hash);
+        return (m_words[s / 64] >> s % 64 & 1u) != 0;
+    }
+    void set(std::uint64_t hash) { testAndSet(hash); }
     bool testAndSet(std::uint64_t hash)
     {
-        const bool was = test(hash);
-        set(hash);
-        return was;
+        const std::uint64_t s = slot(hash);
+        std::uint64_t& word = m_words[s / 64];
+        const std::uint64_t old = word;
+        word = old | std::uint64_t(1) << s % 64;
+        return (old >> s % 64 & 1u) != 0;
     }
 
 private:
-    [[nodiscard]] std::size_t word(std::uint64_t hash) const { return (hash >> m_shift) / 64; }
-    [[nodiscard]] unsigned place(std::uint64_t hash) const { return (hash >> m_shift) % 64; }
-    int m_shift;
-    std::vector<std::uint64_t> m_words;
+    [[nodiscard]] std::uint64_t slot(std::uint64_t hash) const { return (hash >> 32) * m_slots >> 32; }
+    std::uint64_t m_slots; ///< below 2^32
+    LargeBuffer<std::uint64_t> m_words;
 };
 
 int bitsFor(std::size_t slots)
@@ -68,9 +75,9 @@ std::vector<DuplicatePosition> findDuplicatePositions(std::span<const glm::vec3>
     std::vector<DuplicatePosition> found;
     if (positions.empty())
         return found;
-    const int filterBits = bitsFor(positions.size() * 12);
-    BitSet seen(filterBits);
-    BitSet crowded(filterBits);
+    const std::size_t slots = std::min(positions.size() * 12, (std::size_t(1) << 32) - 1);
+    BitSet seen(slots);
+    BitSet crowded(slots);
     std::size_t crowdedTimes = 0;
     for (const glm::vec3& p : positions) {
         const std::uint64_t hash = hashOf(bitsOf(p));

@@ -1,94 +1,28 @@
 #include "core/mesh/validate.h"
-#include "core/base/float4.h"
+#include "core/base/parallel.h"
+#include "core/base/wide_clone.h"
 #include "core/mesh/validate_parts.h"
 #include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
+#include <functional>
 #include <limits>
 
 namespace ramure {
 
 namespace {
 
-using validation::Components;
 using validation::Corners;
 using validation::DefectLog;
+using validation::Volumes;
 
-/// A face is degenerate when its area is not above this share of the squared diagonal of the mesh's box.
-constexpr double smallestAreaRatio = 1e-14;
 /// Three corners per face are counted in 32 bits.
 constexpr std::size_t maxFaces = std::numeric_limits<Index>::max() / 3;
 
-struct Box
+RAMURE_WIDE_CLONE Index largestOf(const Index* indices, std::size_t count)
 {
-    glm::dvec3 centre{0.0};
-    double squaredDiagonal = 0.0;
-};
-
-/// The box of the finite positions. Four numbers at a time: the fourth is the next position's first, and
-/// ignored.
-Box boxOf(std::span<const glm::vec3> positions)
-{
-    constexpr float far = std::numeric_limits<float>::max();
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    Float4 low = Float4{} + far;
-    Float4 high = Float4{} - far;
-    const auto add = [&](Float4 p) {
-        const auto isFinite = (p < infinity) & (p > -infinity); // NaN is neither
-        low = (p < low) & isFinite ? p : low;
-        high = (p > high) & isFinite ? p : high;
-    };
-    if (positions.empty())
-        return {};
-    for (std::size_t i = 0; i + 1 < positions.size(); ++i)
-        add(loadFloat4(&positions[i].x));
-    const glm::vec3& last = positions.back();
-    add(Float4{last.x, last.y, last.z, 0.0f});
-    if (low[0] > high[0] || low[1] > high[1] || low[2] > high[2])
-        return {};
-    const glm::dvec3 from(low[0], low[1], low[2]);
-    const glm::dvec3 to(high[0], high[1], high[2]);
-    return {(from + to) * 0.5, glm::dot(to - from, to - from)};
-}
-
-struct Volumes
-{
-    double sum = 0.0;
-    bool allPositive = true;
-};
-
-/// Areas, and the signed volume of every component from tetrahedra whose tip is the box's centre: near the
-/// mesh, so that little is lost to cancellation.
-Volumes measureFaces(const TriangleMesh& mesh, const Components& components, DefectLog& log)
-{
-    const Box box = boxOf(mesh.positions);
-    // Doubled areas are compared squared: |cross|² <= (2 * area)².
-    const double smallest = 2.0 * smallestAreaRatio * box.squaredDiagonal;
-    const double smallestSquared = smallest * smallest;
-    std::vector<double> volume(std::max<std::size_t>(components.count, 1), 0.0);
-    const bool isOne = components.count <= 1;
-    double onlyVolume = 0.0;
-    for (Index face = 0; face < mesh.faceCount(); ++face) {
-        const glm::uvec3& t = mesh.triangles[face];
-        const glm::dvec3 a(mesh.positions[t.x]);
-        const glm::dvec3 normal =
-            glm::cross(glm::dvec3(mesh.positions[t.y]) - a, glm::dvec3(mesh.positions[t.z]) - a);
-        if (!(glm::dot(normal, normal) > smallestSquared)) // so written that NaN is degenerate too
-            log.add(DefectKind::DegenerateFace, face);
-        const double sixfold = glm::dot(a - box.centre, normal);
-        if (isOne)
-            onlyVolume += sixfold;
-        else if (const Index component = components.of[t.x]; component != noIndex)
-            volume[component] += sixfold;
-    }
-    if (isOne)
-        volume[0] = onlyVolume;
-    Volumes result;
-    for (const double v : volume) {
-        result.sum += v / 6.0;
-        result.allPositive = result.allPositive && v > 0.0;
-    }
-    return result;
+    Index largest = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        largest = std::max(largest, indices[i]);
+    return largest;
 }
 
 void findIsolatedVertices(const TriangleMesh& mesh, const Corners& corners, DefectLog& log)
@@ -102,16 +36,8 @@ void findIsolatedVertices(const TriangleMesh& mesh, const Corners& corners, Defe
                 inLeftOut[t.x] = inLeftOut[t.y] = inLeftOut[t.z] = true;
     }
     for (Index v = 0; v < mesh.vertexCount(); ++v)
-        if (corners.degree[v] == 0 && (inLeftOut.empty() || !inLeftOut[v]))
+        if (corners.degree(v) == 0 && (inLeftOut.empty() || !inLeftOut[v]))
             log.add(DefectKind::IsolatedVertex, v);
-}
-
-std::int64_t verticesWithCorners(const TriangleMesh& mesh, const Corners& corners)
-{
-    std::int64_t used = 0;
-    for (Index v = 0; v < mesh.vertexCount(); ++v)
-        used += corners.degree[v] != 0;
-    return used;
 }
 
 void fillCounts(MeshReport& report, const DefectLog& log)
@@ -133,10 +59,8 @@ Expected<void> validation::checkIndices(const TriangleMesh& mesh)
 {
     if (mesh.triangles.size() > maxFaces || mesh.positions.size() >= noIndex)
         return fail(ErrorCode::Limit, RAMURE_NOOP("the mesh has too many faces to be checked"));
-    Index largest = 0;
-    for (const glm::uvec3& t : mesh.triangles)
-        largest = std::max(largest, std::max(t.x, std::max(t.y, t.z)));
-    if (mesh.triangles.empty() || largest < mesh.positions.size())
+    if (mesh.triangles.empty() ||
+        largestOf(&mesh.triangles.data()->x, 3 * mesh.triangles.size()) < mesh.positions.size())
         return {};
     const auto bad = std::find_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const glm::uvec3& t) {
         return std::max(t.x, std::max(t.y, t.z)) >= mesh.positions.size();
@@ -144,6 +68,13 @@ Expected<void> validation::checkIndices(const TriangleMesh& mesh)
     return fail(ErrorCode::Invalid,
                 RAMURE_NOOP("face %1 refers to a vertex that does not exist (%2 vertices)"),
                 {std::to_string(bad - mesh.triangles.begin()), std::to_string(mesh.positions.size())});
+}
+
+void validation::DefectLog::take(const DefectLog& other)
+{
+    for (std::size_t i = 0; i < m_kinds.size(); ++i)
+        if (m_kinds[i].count == 0)
+            m_kinds[i] = other.m_kinds[i];
 }
 
 std::vector<Defect> validation::DefectLog::all() const
@@ -181,27 +112,41 @@ Expected<MeshReport> validateMesh(const TriangleMesh& mesh, const Progress& prog
 {
     if (const auto indices = validation::checkIndices(mesh); !indices)
         return fail(indices.error());
-    const auto corners = validation::collectCorners(mesh, progress.part(0.0, 0.3));
+    // Three things that know nothing of each other. A second thread takes what the first has not begun.
+    Expected<Corners> corners = Corners();
+    Expected<validation::FanResult> fans = validation::FanResult();
+    DefectLog fanLog, faceLog, vertexLog;
+    Volumes volumes;
+    const std::array<std::function<void()>, 3> tasks = {
+        [&] {
+            corners = validation::collectCorners(mesh, progress.part(0.0, 0.5));
+            if (corners)
+                fans = validation::checkFans(mesh, *corners, fanLog, progress.part(0.5, 0.7));
+        },
+        [&] {
+            volumes = validation::measureFaces(mesh, faceLog, {progress.stop, {}});
+        },
+        [&] { validation::findDuplicateVertices(mesh.positions, vertexLog); },
+    };
+    parallelFor(tasks.size(), 1, [&](std::size_t begin, std::size_t) { tasks[begin](); });
     if (!corners)
         return fail(corners.error());
-    DefectLog log;
-    const auto fans = validation::checkFans(mesh, *corners, log, progress.part(0.3, 0.7));
     if (!fans)
         return fail(fans.error());
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-    const Volumes volumes = measureFaces(mesh, fans->components, log);
-    progress.report(0.9);
-    validation::findDuplicateVertices(mesh.positions, log);
-    findIsolatedVertices(mesh, *corners, log);
+    if (fans->components.count > 1)
+        volumes = validation::measureComponents(mesh, fans->components);
+    findIsolatedVertices(mesh, *corners, vertexLog);
 
     MeshReport report;
     report.vertices = mesh.vertexCount();
     report.faces = mesh.faceCount();
-    fillCounts(report, log);
+    fanLog.take(faceLog);
+    fanLog.take(vertexLog);
+    fillCounts(report, fanLog);
     report.components = fans->components.count;
-    report.eulerCharacteristic =
-        verticesWithCorners(mesh, *corners) - fans->edges + std::int64_t(corners->faces);
+    report.eulerCharacteristic = fans->vertices - fans->edges + std::int64_t(corners->faces);
     report.volume = volumes.sum;
     report.valid = report.defects.empty() && report.faces > 0 && volumes.allPositive;
     progress.report(1.0);

@@ -1,50 +1,61 @@
 #include "core/mesh/validate_parts.h"
-#include <algorithm>
 
 namespace ramure::validation {
 
 ComponentFinder::ComponentFinder(Index vertices)
-    : m_label(vertices)
+    : m_piece(vertices)
 {
-    std::fill_n(m_label.data(), vertices, 0u);
 }
 
-Index ComponentFinder::newLabel()
+Index ComponentFinder::rootOf(Index piece)
 {
-    m_parent.push_back(static_cast<Index>(m_parent.size()));
-    return static_cast<Index>(m_parent.size());
+    while (m_parent[piece] != piece)
+        piece = m_parent[piece] = m_parent[m_parent[piece]];
+    return piece;
 }
 
-Index ComponentFinder::rootOf(Index label)
+/// False where they were one already.
+bool ComponentFinder::join(Index a, Index b)
 {
-    while (m_parent[label] != label)
-        label = m_parent[label] = m_parent[m_parent[label]];
-    return label;
+    if (m_parent[a] == m_parent[b])
+        return false;
+    a = rootOf(a);
+    b = rootOf(b);
+    // The smaller one is the parent: the order of the edges does not matter.
+    m_parent[std::max(a, b)] = std::min(a, b);
+    return a != b;
 }
 
-void ComponentFinder::joinAll(const Index* neighbours, Index count, Index label)
+void ComponentFinder::visit(Index v, const Index* neighbours, Index count)
 {
-    Index root = rootOf(label);
-    for (Index i = 0; i < count; ++i) {
-        if (m_label[neighbours[i]] == 0)
-            continue;
-        // The smaller label is the parent: the number of a component does not depend on the order of its
-        // edges.
-        const Index other = rootOf(m_label[neighbours[i]] - 1u);
-        m_parent[std::max(root, other)] = std::min(root, other);
-        root = std::min(root, other);
+    const Index begin = m_runs.back().begin;
+    const bool continues =
+        std::any_of(neighbours, neighbours + count, [&](Index n) { return n >= begin && n < v; });
+    if (!continues) {
+        m_runs.push_back({v, static_cast<Index>(m_parent.size())});
+        m_parent.push_back(m_runs.back().piece);
+        m_piece[v] = m_runs.back().piece;
     }
+    bool areNewlyJoined = false;
+    for (Index i = 0; i < count; ++i)
+        if (neighbours[i] < m_runs.back().begin)
+            areNewlyJoined |= join(m_runs.back().piece, m_piece[neighbours[i]]);
+    while (areNewlyJoined && m_runs.size() > 2 &&
+           rootOf(m_runs.back().piece) == rootOf(m_runs[m_runs.size() - 2].piece))
+        m_runs.pop_back();
 }
 
 Components ComponentFinder::finish()
 {
     Components out;
     // Parents come before their children, and have their number when these ask for it.
-    for (Index label = 0; label < m_parent.size(); ++label)
-        m_parent[label] = m_parent[label] == label ? out.count++ : m_parent[m_parent[label]];
-    for (std::size_t v = 0; v < m_label.size(); ++v)
-        m_label[v] = m_label[v] == 0 ? noIndex : m_parent[m_label[v] - 1u];
-    out.of = std::move(m_label);
+    for (Index piece = 0; piece < m_parent.size(); ++piece)
+        m_parent[piece] = m_parent[piece] == piece ? out.count++ : m_parent[m_parent[piece]];
+    if (out.count <= 1)
+        return out;
+    for (std::size_t v = 0; v < m_piece.size(); ++v)
+        m_piece[v] = m_piece[v] == noIndex ? noIndex : m_parent[m_piece[v]];
+    out.of = std::move(m_piece);
     return out;
 }
 

@@ -1,3 +1,4 @@
+#include "core/base/wide_clone.h"
 #include "core/mesh/validate_parts.h"
 #include <algorithm>
 #include <bit>
@@ -8,47 +9,122 @@ namespace ramure::validation {
 
 namespace {
 
-/// Vertices or faces between two looks at the stop token.
+/// Vertices between two looks at the stop token.
 constexpr Index chunk = 1u << 16;
 
-using Lanes = Index __attribute__((vector_size(16)));
+using Lanes [[gnu::vector_size(32)]] = Index;
 
-Lanes load(const Index* from)
+/// Eight sets of up to eight elements, one a byte: the byte of set i is byteOf(i).
+using Sets = std::uint64_t;
+constexpr unsigned byteOf(unsigned i)
 {
-    Lanes lanes;
-    std::memcpy(&lanes, from, sizeof lanes);
-    return lanes;
+    return i / 2 + 4 * (i % 2);
+}
+
+/// The first \p degree sets with the first \p degree elements.
+constexpr std::array<Sets, nearDegree + 1> fullSets = [] {
+    std::array<Sets, nearDegree + 1> out{};
+    for (unsigned degree = 0; degree <= nearDegree; ++degree)
+        for (unsigned i = 0; i < degree; ++i)
+            out[degree] |= ((Sets(1) << degree) - 1u) << (8 * byteOf(i));
+    return out;
+}();
+
+/// Full where there is no face: the same sets with another degree are another arrangement.
+constexpr std::array<Sets, nearDegree + 1> setsBeyond = [] {
+    std::array<Sets, nearDegree + 1> out{};
+    for (unsigned degree = 0; degree <= nearDegree; ++degree)
+        for (unsigned i = degree; i < nearDegree; ++i)
+            out[degree] |= Sets(0xFF) << (8 * byteOf(i));
+    return out;
+}();
+
+/// For each of the faces around a vertex: the set of the faces whose next vertex is its previous one, which
+/// may come after it. Sets and elements from the degree on mean nothing.
+template <unsigned Columns>
+[[gnu::always_inline]] inline Sets followers(const Index* next, const Index* previous)
+{
+    Lanes wanted;
+    std::memcpy(&wanted, previous, sizeof wanted);
+    Lanes found{};
+    for (unsigned j = 0; j < Columns; ++j)
+        found |= Lanes(wanted == Lanes{} + next[j]) & (Lanes{} + (1u << j));
+    Sets pairs[4];
+    std::memcpy(pairs, &found, sizeof pairs);
+    return pairs[0] | pairs[1] << 8 | pairs[2] << 16 | pairs[3] << 24;
+}
+
+/// All ones from lane \p degree on.
+constexpr std::array<std::array<Index, nearDegree>, nearDegree + 1> beyondDegree = [] {
+    std::array<std::array<Index, nearDegree>, nearDegree + 1> out{};
+    for (unsigned degree = 0; degree <= nearDegree; ++degree)
+        for (unsigned i = degree; i < nearDegree; ++i)
+            out[degree][i] = noIndex;
+    return out;
+}();
+
+/// The lowest of \p degree (up to 8) indices.
+[[gnu::always_inline]] inline Index lowestOf(const Index* indices, Index degree)
+{
+    Lanes lanes, beyond;
+    std::memcpy(&lanes, indices, sizeof lanes);
+    std::memcpy(&beyond, beyondDegree[degree].data(), sizeof beyond);
+    lanes |= beyond;
+    using Half [[gnu::vector_size(16)]] = Index;
+    Half low, high;
+    std::memcpy(&low, &lanes, sizeof low);
+    std::memcpy(&high, reinterpret_cast<const char*>(&lanes) + sizeof low, sizeof high);
+    low = low < high ? low : high;
+    const Half swapped = __builtin_shuffle(low, Half{2, 3, 0, 1});
+    low = low < swapped ? low : swapped;
+    return std::min(low[0], low[1]);
 }
 
 /// True only where the \p degree (3..8) faces around a vertex are one closed fan: the face after each is the
-/// only one whose next vertex is its previous one, and going from face to face passes all of them once. All
-/// edges at the vertex are then manifold and consistent, and no two of the faces are the same.
-bool isClosedFan(const Index* next, const Index* previous, Index degree)
+/// only one that may come after it, and going from face to face passes all of them once. All edges at the
+/// vertex are then manifold and consistent, and no two of the faces are the same.
+bool areClosedFan(Sets sets, Index degree)
 {
-    const Lanes low = load(previous);
-    const Lanes high = load(previous + 4);
-    Lanes lowMatches{};
-    Lanes highMatches{};
-    for (Index j = 0; j < degree; ++j) {
-        const Lanes wanted = Lanes{} + next[j];
-        const Lanes bit = Lanes{} + (1u << j);
-        lowMatches |= Lanes(low == wanted) & bit;
-        highMatches |= Lanes(high == wanted) & bit;
-    }
-    Index followers[nearDegree]; // of face i: the set of faces that may come after it
-    std::memcpy(followers, &lowMatches, sizeof lowMatches);
-    std::memcpy(followers + 4, &highMatches, sizeof highMatches);
     Index seen = 0;
     Index several = 0;
     unsigned face = 0;
     for (Index step = 0; step < degree; ++step) {
-        const Index set = followers[face];
+        const auto set = static_cast<Index>(sets >> (8 * byteOf(face)) & 0xFFu);
         several |= set & (set - 1u);
         face = static_cast<unsigned>(std::countr_zero(set | 0x80u)) & 7u;
         seen |= (1u << face) & set;
     }
     return several == 0 && seen == (1u << degree) - 1u;
 }
+
+/// Closed fans come in few arrangements: those found closed are remembered.
+class KnownFans
+{
+public:
+    /// \p degree 3..8; there is something to read behind the corners.
+    [[gnu::always_inline]] bool isClosedFan(const Index* next, const Index* previous, Index degree)
+    {
+        const Sets all = degree <= 6 ? followers<6>(next, previous) : followers<8>(next, previous);
+        const Sets sets = (all & fullSets[degree]) | setsBeyond[degree];
+        Sets& known = m_known[sets * 0x9E3779B97F4A7C15u >> 56];
+        if (known == sets)
+            return true;
+        if (!areClosedFan(sets, degree))
+            return false;
+        known = sets;
+        return true;
+    }
+
+private:
+    std::array<Sets, 256> m_known = unknown();
+
+    static constexpr std::array<Sets, 256> unknown()
+    {
+        std::array<Sets, 256> out{};
+        out.fill(~Sets(0)); // all may come after all: no fan
+        return out;
+    }
+};
 
 /// One of the two edges of a face at the vertex looked at.
 struct EdgeUse
@@ -174,107 +250,77 @@ void logDuplicateFaces(const TriangleMesh& mesh, const std::vector<bool>& isSmal
         log.add(DefectKind::DuplicateFace, later, first);
 }
 
-} // namespace
-
-Expected<Corners> collectCorners(const TriangleMesh& mesh, const Progress& progress)
+/// What the way over all vertices takes along.
+struct FanWalk
 {
-    const Index vertices = mesh.vertexCount();
-    Corners out;
-    out.degree = LargeBuffer<std::uint8_t>(vertices);
-    out.near = LargeBuffer<NearCorners>(vertices);
-    std::fill_n(out.degree.data(), vertices, std::uint8_t(0));
-    const auto put = [&out, degree = out.degree.data(), near = out.near.data()](Index v, Index next,
-                                                                                Index previous) {
-        const Index at = degree[v];
-        if (at < nearDegree) {
-            near[v].next[at] = next;
-            near[v].previous[at] = previous;
-            degree[v] = static_cast<std::uint8_t>(at + 1);
-        } else {
-            degree[v] = nearDegree + 1;
-            out.far.push_back({v, next, previous});
-        }
-    };
-    const Index faces = mesh.faceCount();
-    for (Index begin = 0; begin < faces; begin += chunk) {
-        if (progress.cancelled())
-            return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        for (Index face = begin; face < std::min(faces, begin + chunk); ++face) {
-            const glm::uvec3& t = mesh.triangles[face];
-            if (hasRepeatedVertex(t))
-                continue;
-            ++out.faces;
-            put(t.x, t.y, t.z);
-            put(t.y, t.z, t.x);
-            put(t.z, t.x, t.y);
-        }
-        progress.report(double(begin) / double(faces));
-    }
-    std::stable_sort(out.far.begin(), out.far.end(),
-                     [](const FarCorner& a, const FarCorner& b) { return a.vertex < b.vertex; });
-    return out;
-}
+    const TriangleMesh& mesh;
+    const Corners& corners;
+    DefectLog& log;
+    FanInspector inspector{log};
+    KnownFans known{};
+    ComponentFinder components{mesh.vertexCount()};
+    std::vector<bool> isSmallestOfTwins{};
+    std::vector<Index> neighbours{};
+    FanResult result{}; ///< with ends of edges instead of edges
 
-namespace {
-
-/// All faces around a vertex that has more than lie near.
-struct GatheredFan
-{
-    std::vector<Index> next, previous;
-
-    /// \p far is moved behind the vertex's corners.
-    void gather(Index v, const NearCorners& near, Index nearCount, const FarCorner*& far,
-                const FarCorner* end)
+    void inspect(Index v, Index begin, Index degree)
     {
-        next.assign(near.next, near.next + nearCount);
-        previous.assign(near.previous, near.previous + nearCount);
-        for (; far != end && far->vertex == v; ++far) {
-            next.push_back(far->next);
-            previous.push_back(far->previous);
+        neighbours.assign(&corners.next[begin], &corners.next[begin] + degree);
+        neighbours.insert(neighbours.end(), &corners.previous[begin], &corners.previous[begin] + degree);
+        const Index lowest = *std::min_element(neighbours.begin(), neighbours.end());
+        if (!components.takeIntoRun(v, lowest))
+            components.visit(v, neighbours.data(), 2 * degree);
+        result.edges += inspector.inspect(v, &corners.next[begin], &corners.previous[begin], degree);
+        if (inspector.hasDuplicates()) {
+            isSmallestOfTwins.resize(mesh.positions.size());
+            isSmallestOfTwins[v] = true;
         }
     }
 };
+
+/// The vertices from \p from on, as far as \p to.
+RAMURE_WIDE_CLONE void walk(FanWalk& w, Index from, Index to)
+{
+    const Index* const next = w.corners.next.data();
+    const Index* const previous = w.corners.previous.data();
+    const Index* const ends = w.corners.end.data();
+    Index begin = w.corners.begin(from);
+    for (Index v = from; v < to; ++v) {
+        const Index end = ends[v];
+        const Index degree = end - begin;
+        if (degree >= 3 && degree <= nearDegree &&
+            w.known.isClosedFan(next + begin, previous + begin, degree)) {
+            w.result.edges += degree;
+            ++w.result.vertices;
+            if (!w.components.takeIntoRun(v, lowestOf(next + begin, degree)))
+                w.components.visit(v, next + begin, degree);
+        } else if (degree != 0) {
+            ++w.result.vertices;
+            w.inspect(v, begin, degree);
+        } else {
+            w.components.leaveOut(v);
+        }
+        begin = end;
+    }
+}
 
 } // namespace
 
 Expected<FanResult> checkFans(const TriangleMesh& mesh, const Corners& corners, DefectLog& log,
                               const Progress& progress)
 {
-    FanInspector inspector(log);
-    ComponentFinder components(mesh.vertexCount());
-    GatheredFan fan;
-    std::vector<bool> isSmallestOfTwins;
-    std::int64_t edgeEnds = 0;
-    const FarCorner* far = corners.far.data();
-    const FarCorner* const farEnd = far + corners.far.size();
-    for (Index v = 0; v < mesh.vertexCount(); ++v) {
-        if (v % chunk == 0 && progress.cancelled())
+    FanWalk fans{mesh, corners, log};
+    for (Index from = 0; from < mesh.vertexCount(); from += chunk) {
+        if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        const Index degree = corners.degree[v];
-        const NearCorners& near = corners.near[v];
-        __builtin_prefetch(&near +
-                           24); // the only large array of this pass; the processor may look past its end
-        if (degree >= 3 && degree <= nearDegree && isClosedFan(near.next, near.previous, degree)) {
-            components.visit(v, near.next, degree);
-            edgeEnds += degree;
-            continue;
-        }
-        if (degree == 0)
-            continue;
-        fan.gather(v, near, std::min(degree, nearDegree), far, farEnd);
-        const auto count = static_cast<Index>(fan.next.size());
-        edgeEnds += inspector.inspect(v, fan.next.data(), fan.previous.data(), count);
-        fan.next.insert(fan.next.end(), fan.previous.begin(), fan.previous.end());
-        components.visit(v, fan.next.data(), 2 * count);
-        if (inspector.hasDuplicates()) {
-            isSmallestOfTwins.resize(mesh.positions.size());
-            isSmallestOfTwins[v] = true;
-        }
+        walk(fans, from, from + std::min(chunk, mesh.vertexCount() - from));
     }
-    if (!isSmallestOfTwins.empty())
-        logDuplicateFaces(mesh, isSmallestOfTwins, log);
+    if (!fans.isSmallestOfTwins.empty())
+        logDuplicateFaces(mesh, fans.isSmallestOfTwins, log);
     progress.report(1.0);
-    return FanResult{edgeEnds / 2, components.finish()};
+    fans.result.edges /= 2;
+    fans.result.components = fans.components.finish();
+    return std::move(fans.result);
 }
 
 } // namespace ramure::validation

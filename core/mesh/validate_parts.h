@@ -4,6 +4,7 @@
 
 #include "core/base/large_buffer.h"
 #include "core/mesh/validate.h"
+#include <algorithm>
 #include <array>
 #include <span>
 
@@ -23,6 +24,8 @@ public:
             entry.listed.push_back({kind, a, b});
     }
     [[nodiscard]] Index count(DefectKind kind) const { return m_kinds[static_cast<std::size_t>(kind)].count; }
+    /// Takes over the kinds that it has none of itself.
+    void take(const DefectLog& other);
     /// All that is listed, kind after kind.
     [[nodiscard]] std::vector<Defect> all() const;
 
@@ -44,46 +47,71 @@ inline bool hasRepeatedVertex(const glm::uvec3& t)
 /// Errors: Invalid (a face refers to a missing vertex), Limit (more faces than can be counted).
 Expected<void> checkIndices(const TriangleMesh& mesh);
 
-/// Most faces around a vertex that are kept in one place; few vertices have more.
-inline constexpr Index nearDegree = 8;
-
-/// The faces around a vertex, as pairs: the vertex after it and the vertex before it in the face. One cache
-/// line, so that filling and reading are one access each. Only what the vertex's degree says is written.
-struct alignas(64) NearCorners
-{
-    Index next[nearDegree];
-    Index previous[nearDegree];
-};
-
-/// One more face around a vertex that has more than nearDegree of them.
-struct FarCorner
-{
-    Index vertex, next, previous;
-};
-
-/// For every vertex the faces around it, in their order.
-struct Corners
-{
-    LargeBuffer<std::uint8_t> degree; ///< nearDegree + 1 stands for all that is more
-    LargeBuffer<NearCorners> near;
-    std::vector<FarCorner> far; ///< by vertex
-    Index faces = 0;            ///< those without a repeated vertex
-};
-/// Errors: Invalid for an index out of range, Cancelled.
-Expected<Corners> collectCorners(const TriangleMesh& mesh, const Progress& progress);
-
-/// Connected pieces of the mesh: of[v] < count for vertices with corners, noIndex for all others. Numbered by
-/// their first vertex.
+/// Connected pieces of the mesh. Numbered by their first vertex.
 struct Components
 {
-    LargeBuffer<Index> of;
     Index count = 0;
+    /// Where there is more than one: < count for vertices with corners, noIndex for all others.
+    LargeBuffer<Index> of;
 };
+
+/// Finds the components while the vertices pass by in their order, each with its neighbours.
+///
+/// A run is a range of vertices that are known to be in one piece: a vertex whose neighbours before it are
+/// all in the run needs no look at them. Runs that touch and are found to be in one piece become one, so that
+/// soon there is one run for all of a mesh that is one piece.
+class ComponentFinder
+{
+public:
+    explicit ComponentFinder(Index vertices);
+
+    /// For ascending \p v. True: it belongs to the current run, and all its neighbours before it do.
+    /// \p lowest: its lowest neighbour.
+    bool takeIntoRun(Index v, Index lowest)
+    {
+        m_piece[v] = m_runs.back().piece;
+        return lowest - m_runs.back().begin < v - m_runs.back().begin;
+    }
+    /// Where not: all neighbours of \p v. Those that come later are passed over.
+    void visit(Index v, const Index* neighbours, Index count);
+    /// Vertices without corners; call for all that takeIntoRun() was not called for.
+    void leaveOut(Index v) { m_piece[v] = noIndex; }
+    Components finish();
+
+private:
+    struct Run
+    {
+        Index begin, piece;
+    };
+    Index rootOf(Index piece);
+    bool join(Index a, Index b);
+
+    LargeBuffer<Index> m_piece;
+    std::vector<Index> m_parent;                 ///< of a piece
+    std::vector<Run> m_runs{{noIndex, noIndex}}; ///< they follow each other; the first stands for none
+};
+
+/// For every vertex the faces around it, in a fixed order: the vertex after it and the vertex before it in
+/// the face. Those of vertex v stand from end[v - 1] (0 for the first) to end[v].
+struct Corners
+{
+    LargeBuffer<Index> end;
+    LargeBuffer<Index> next, previous; ///< nearDegree more than are used, so that eight can be read anywhere
+    Index faces = 0;                   ///< those without a repeated vertex
+
+    [[nodiscard]] Index begin(Index v) const { return v == 0 ? 0 : end[v - 1]; }
+    [[nodiscard]] Index degree(Index v) const { return end[v] - begin(v); }
+};
+/// Most faces around a vertex that are looked at together.
+inline constexpr Index nearDegree = 8;
+/// Errors: Cancelled.
+Expected<Corners> collectCorners(const TriangleMesh& mesh, const Progress& progress);
 
 /// What the look at the faces around every vertex finds out besides the defects.
 struct FanResult
 {
-    std::int64_t edges = 0; ///< distinct ones
+    std::int64_t edges = 0;    ///< distinct ones
+    std::int64_t vertices = 0; ///< those with corners
     Components components;
 };
 /// Logs edges, non-manifold vertices and duplicate faces.
@@ -93,42 +121,16 @@ Expected<FanResult> checkFans(const TriangleMesh& mesh, const Corners& corners, 
 /// Logs every vertex at the position of an earlier one (bits compared, -0 = 0).
 void findDuplicateVertices(std::span<const glm::vec3> positions, DefectLog& log);
 
-/// Finds the components while the vertices pass by in their order, each with its neighbours: a vertex takes
-/// the label of the neighbours before it, and where these differ the labels are one component.
-class ComponentFinder
+/// Areas and volumes.
+struct Volumes
 {
-public:
-    explicit ComponentFinder(Index vertices);
-
-    /// \p neighbours of \p v, at least one; neighbours that come later are passed over. Call for ascending v.
-    void visit(Index v, const Index* neighbours, Index count)
-    {
-        Index lowest = noIndex;
-        Index highest = 0;
-        for (Index i = 0; i < count; ++i) {
-            const Index label =
-                m_label[neighbours[i]]; // 0 = none yet, which is the highest when 1 is taken off
-            lowest = label - 1u < lowest ? label - 1u : lowest;
-            highest = label > highest ? label : highest;
-        }
-        if (highest == 0)
-            m_label[v] = newLabel();
-        else {
-            m_label[v] = lowest + 1u;
-            if (lowest + 1u != highest)
-                joinAll(neighbours, count, lowest);
-        }
-    }
-    /// Every label becomes the number of its component.
-    Components finish();
-
-private:
-    Index newLabel();
-    Index rootOf(Index label);
-    void joinAll(const Index* neighbours, Index count, Index label);
-
-    LargeBuffer<Index> m_label; ///< plus 1
-    std::vector<Index> m_parent;
+    double sum = 0.0;
+    bool allPositive = true;
 };
+/// As if the mesh were one component. Logs degenerate faces. Indices must have been checked. Cancelled: what
+/// is returned means nothing.
+Volumes measureFaces(const TriangleMesh& mesh, DefectLog& log, const Progress& progress);
+/// The volumes of several components.
+Volumes measureComponents(const TriangleMesh& mesh, const Components& components);
 
 } // namespace ramure::validation

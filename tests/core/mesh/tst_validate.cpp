@@ -257,6 +257,26 @@ private slots:
         QCOMPARE(report.eulerCharacteristic, 3); // 7 - 12 + 8
         QVERIFY(!report.openMeshAgrees);
     }
+    /// A closed fan, known from other vertices, does not hide what else is at the vertex.
+    void faceBesideAClosedFan()
+    {
+        for (Index n = 3; n < 12; ++n) {
+            TriangleMesh mesh = spindle(n);
+            for (int i = 0; i < 3; ++i)
+                append(mesh, spindle(n));
+            const Index hub = mesh.vertexCount();
+            append(mesh, spindle(n));
+            mesh.positions.emplace_back(5, 6, 7);
+            mesh.positions.emplace_back(5, 7, 7);
+            mesh.triangles.emplace_back(hub, hub + n + 2, hub + n + 3);
+            for (Index i = 0; i < mesh.vertexCount(); ++i)
+                mesh.positions[i] += glm::vec3(10.0f * static_cast<float>(i / (n + 2)), 0, 0);
+            const MeshReport report = check(mesh);
+            QCOMPARE(report.boundaryEdges, Index(3));
+            QCOMPARE(report.nonManifoldVertices, Index(1));
+            QCOMPARE(report.components, Index(5));
+        }
+    }
     void inconsistentEdges()
     {
         TriangleMesh mesh = tetrahedron();

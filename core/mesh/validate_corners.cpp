@@ -1,0 +1,78 @@
+#include "core/mesh/validate_parts.h"
+
+namespace ramure::validation {
+
+namespace {
+
+/// Faces of each lane between two looks at the stop token.
+constexpr std::size_t chunk = std::size_t(1) << 14;
+/// Faces that follow each other share vertices: what is written for one must arrive before the next can go
+/// on. Faces from distant places, taken in turns, do not wait for each other.
+constexpr std::size_t laneCount = 4;
+
+/// Calls \p use(face) once for all faces without a repeated vertex; false where cancelled.
+template <class Use> bool forFaces(const TriangleMesh& mesh, const Progress& progress, Use&& use)
+{
+    const auto take = [&use](const glm::uvec3* face) {
+        const glm::uvec3 t = *face; // a copy: use() writes indices
+        if (!hasRepeatedVertex(t))
+            use(t);
+    };
+    const glm::uvec3* const faces = mesh.triangles.data();
+    const std::size_t lane = mesh.triangles.size() / laneCount;
+    for (std::size_t begin = 0; begin < lane; begin += chunk) {
+        if (progress.cancelled())
+            return false;
+        const std::size_t end = std::min(lane, begin + chunk);
+        for (std::size_t i = begin; i < end; ++i)
+            for (std::size_t k = 0; k < laneCount; ++k)
+                take(faces + k * lane + i);
+        progress.report(double(begin) / double(lane));
+    }
+    for (std::size_t i = laneCount * lane; i < mesh.triangles.size(); ++i)
+        take(faces + i);
+    return true;
+}
+
+} // namespace
+
+// Counting sort: how many corners each vertex has, where they begin, and then the corners. What it writes
+// lies as close together as the faces do.
+Expected<Corners> collectCorners(const TriangleMesh& mesh, const Progress& progress)
+{
+    const Index vertices = mesh.vertexCount();
+    Corners out;
+    out.end = LargeBuffer<Index>(vertices);
+    Index* const at = out.end.data();
+    std::fill_n(at, vertices, 0u);
+    const auto cancelled = [] { return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled")); };
+    const auto count = [at](glm::uvec3 t) {
+        ++at[t.x];
+        ++at[t.y];
+        ++at[t.z];
+    };
+    if (!forFaces(mesh, progress.part(0.0, 0.3), count))
+        return cancelled();
+    Index corners = 0;
+    for (Index v = 0; v < vertices; ++v) {
+        const Index degree = at[v];
+        at[v] = corners;
+        corners += degree;
+    }
+    out.faces = corners / 3;
+    out.next = LargeBuffer<Index>(std::size_t(corners) + nearDegree);
+    out.previous = LargeBuffer<Index>(std::size_t(corners) + nearDegree);
+    std::fill_n(out.next.data() + corners, nearDegree, noIndex);
+    std::fill_n(out.previous.data() + corners, nearDegree, noIndex);
+    const auto put = [at, next = out.next.data(), previous = out.previous.data()](glm::uvec3 t) {
+        const Index x = at[t.x]++, y = at[t.y]++, z = at[t.z]++;
+        next[x] = t.y, previous[x] = t.z;
+        next[y] = t.z, previous[y] = t.x;
+        next[z] = t.x, previous[z] = t.y;
+    };
+    if (!forFaces(mesh, progress.part(0.3, 1.0), put))
+        return cancelled();
+    return out;
+}
+
+} // namespace ramure::validation
