@@ -11,6 +11,7 @@ Expected<int> runList(const QStringList& arguments);
 Expected<int> runInfo(const QStringList& arguments);
 Expected<int> runExport(const QStringList& arguments);
 Expected<int> runValidate(const QStringList& arguments);
+Expected<int> runSimulate(const QStringList& arguments);
 /// Starts the application that it needs itself: none may exist.
 Expected<int> runRender(const QStringList& arguments);
 

@@ -21,13 +21,14 @@ constexpr Command commands[] = {
     {"info", "counts and measures of a tree or mesh", &runInfo, false},
     {"export", "writes OBJ and PLY", &runExport, false},
     {"validate", "is the mesh closed and manifold?", &runValidate, false},
+    {"simulate", "lets a tree move", &runSimulate, false},
     {"render", "draws a picture", &runRender, true},
 };
 
 QString helpText()
 {
     QString out = QStringLiteral("Usage: ramure-cli COMMAND [ARGUMENTS] [OPTIONS]\n\n"
-                                 "Grows, checks, exports and draws trees without a window.\n\nCommands:\n");
+                                 "Grows, checks, moves, exports and draws trees without a window.\n\nCommands:\n");
     for (const Command& command : commands)
         out += QStringLiteral("  %1 %2\n")
                    .arg(QLatin1String(command.name), -10)

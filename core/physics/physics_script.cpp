@@ -149,10 +149,12 @@ std::int64_t PhysicsScript::stepAt(double timeSeconds) const
             ++i;
         // Far times stay below what a whole number can hold.
         const double steps = std::clamp(std::round((timeSeconds - start) / length), 0.0, 1e15);
-        const std::int64_t step = first + static_cast<std::int64_t>(steps);
-        if (i + 1 == m_params.size() || step <= m_params[i + 1].first)
-            return step;
-        start += static_cast<double>(m_params[i + 1].first - first) * length;
+        if (i + 1 == m_params.size())
+            return first + static_cast<std::int64_t>(steps);
+        const double end = start + static_cast<double>(m_params[i + 1].first - first) * length;
+        if (timeSeconds <= end)
+            return first + static_cast<std::int64_t>(steps);
+        start = end;
         first = m_params[i + 1].first;
     }
 }

@@ -18,7 +18,7 @@ constexpr double springiness = 5.0;
 /// Turn of a lone twig across a wind of 1 m/s, and of a lone level twig under its weight, rad.
 constexpr double turnOfWind = 0.025, turnOfWeight = 0.015;
 constexpr double leastStiffness = 1e-3;
-constexpr double leastRatio = 0.005, mostRatio = 20.0;
+constexpr double leastRatio = 0.02, mostRatio = 20.0;
 /// Faster swings than this in a substep could not be seen as swings.
 constexpr double mostTurnOfSubstep = 2.0;
 
@@ -26,7 +26,7 @@ struct Columns
 {
     double *rotW, *rotX, *rotY, *rotZ, *velX, *velY, *velZ;
     double *bendX, *bendY, *bendZ, *rateX, *rateY, *rateZ;
-    const double *dirX, *dirY, *dirZ, *length, *give, *weight;
+    const double *dirX, *dirY, *dirZ, *length, *give, *drag, *weight;
     const double *keepXX, *keepXV, *keepVX, *keepVV;
 };
 
@@ -102,9 +102,9 @@ void stepBlock(const Columns& c, double perSecond, const Around& around, std::si
         const Quat old{c.rotW[i], c.rotX[i], c.rotY[i], c.rotZ[i]};
         // The air that passes the branch, and its weight.
         const Vec carried{around.velX[lane], around.velY[lane], around.velZ[lane]};
-        const Vec air = Vec{around.airX[lane], around.airY[lane], around.airZ[lane]} - carried;
-        const Vec pressed = turnOfWind * air - Vec{0.0, c.weight[i], 0.0};
-        const Vec target = bendOf(rest, c.give[i] * turned(conjugate(frame), pressed));
+        const Vec air{around.airX[lane], around.airY[lane], around.airZ[lane]};
+        const Vec pressed = c.give[i] * (turnOfWind * air - Vec{0.0, c.weight[i], 0.0}) - c.drag[i] * carried;
+        const Vec target = bendOf(rest, turned(conjugate(frame), pressed));
         // The spring, solved exactly.
         const Vec away = Vec{c.bendX[i], c.bendY[i], c.bendZ[i]} - target;
         const Vec rate{c.rateX[i], c.rateY[i], c.rateZ[i]};
@@ -168,7 +168,12 @@ Springs springsOf(const TreeBody& body, const PhysicsParams& params, const Masse
         out.give.push_back(body.length[slot] / reach / stiffness);
         const double heavier = masses.bare[slot] > 0.0 ? masses.mass[slot] / masses.bare[slot] : 1.0;
         out.weight.push_back(turnOfWeight * params.gravity * std::min(heavier, 6.0));
-        solve(out.rate.back(), ratio, out.seconds, out);
+        // The air that a swinging branch pushes away slows it, as it shakes the branches that are carried
+        // through it. Of soft branches no more than of usual ones: what shakes them must not be more than
+        // what slows them.
+        out.drag.push_back(turnOfWind * body.length[slot] / reach / std::max(stiffness, 1.0));
+        const double ownAir = 0.5 * out.rate.back() * out.drag.back() * body.length[slot];
+        solve(out.rate.back(), std::min(ratio + ownAir, mostRatio), out.seconds, out);
     }
     return out;
 }
@@ -183,8 +188,8 @@ void robustStep(const StepInputs& in, PhysicsState& state, double timeSeconds)
                           at(State::VelX),    at(State::VelY),  at(State::VelZ),  at(State::BendX),
                           at(State::BendY),   at(State::BendZ), at(State::RateX), at(State::RateY),
                           at(State::RateZ),   body.dirX.data(), body.dirY.data(), body.dirZ.data(),
-                          body.length.data(), s.give.data(),    s.weight.data(),  s.keepXX.data(),
-                          s.keepXV.data(),    s.keepVX.data(),  s.keepVV.data()};
+                          body.length.data(), s.give.data(),    s.drag.data(),    s.weight.data(),
+                          s.keepXX.data(),    s.keepXV.data(),  s.keepVX.data(),  s.keepVV.data()};
     const WindField::Moment moment = in.wind.at(timeSeconds);
     const bool isParentFrame = in.params.restFrame == RestFrame::Parent;
     Around around;

@@ -26,6 +26,7 @@ struct Springs
     double seconds = 0.0;       ///< of the substep that keep* are for
     std::vector<double> rate;   ///< rad/s, undamped
     std::vector<double> give;   ///< how far a load of 1 turns it, as a share of the whole
+    std::vector<double> drag;   ///< the same for the air that the branch is carried through, rad s / m
     std::vector<double> weight; ///< load of gravity
     std::vector<double> keepXX, keepXV, keepVX, keepVV; ///< (bend - target, rate) one substep later
 };

@@ -6,6 +6,7 @@
 #include "core/physics/robust_step.h"
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace ramure {
 namespace {
@@ -15,7 +16,7 @@ PhysicsParams clamped(const PhysicsParams& params)
     NodeParams node;
     node.physics = params;
     for (const ParamDef& def : paramTable())
-        if (def.stage == Stage::Motion)
+        if (std::string_view(def.key).starts_with("physics."))
             def.assign(node, clampValue(def, def.get(node)));
     return node.physics;
 }
@@ -193,40 +194,77 @@ PhysicsState TreePhysics::restState() const
     return state;
 }
 
-/// Kicks the pulled branch and those below it, each by its share, towards the target.
-static void pullBranches(const TreeBody& body, const PhysicsParams& params, const Pull& pull,
-                         const Springs& springs, PhysicsState& state)
+namespace {
+
+/// A spring from a point of a branch to the hand acts on that branch and on all that carry it.
+struct Grip
+{
+    const TreeBody& body;
+    const PhysicsParams& params;
+    const Springs& springs;
+    Index held = 0;
+    glm::dvec3 point{0.0}; ///< where the branch is held
+    glm::dvec3 force{0.0}; ///< towards the hand, m
+};
+
+/// By each branch's share of the way.
+void pullFaithfully(const Grip& grip, PhysicsState& state)
+{
+    for (Index slot = grip.held; slot != noIndex; slot = grip.body.parent[slot]) {
+        const double reach = grip.body.reach[slot];
+        if (!(grip.body.length[slot] > 0.0))
+            continue;
+        const double kick = 300.0 * grip.body.a0[slot] * grip.params.stepSeconds / 0.01;
+        setVector(state, PhysicsState::VelX, slot,
+                  vectorOf(state, PhysicsState::VelX, slot) +
+                      kick * grip.body.length[slot] / (reach * reach) * grip.force);
+    }
+}
+
+/// By its lever: so the hand takes from the swing what it does not put in.
+void pullRobustly(const Grip& grip, PhysicsState& state)
+{
+    glm::dvec3 p0 = p0Of(grip.body, state, grip.held);
+    for (Index slot = grip.held, above = noIndex; slot != noIndex;
+         above = slot, slot = grip.body.parent[slot]) {
+        if (above != noIndex)
+            p0 -= rotationOf(state, slot) * (grip.body.p0[above] - grip.body.p0[slot]);
+        const double reach = grip.body.reach[slot];
+        if (!(grip.body.length[slot] > 0.0))
+            continue;
+        // As much as a spring would turn it, but never so much at once that it overshoots.
+        const double rate = grip.springs.rate[slot], h = grip.params.stepSeconds;
+        const double gain =
+            std::min(rate * rate * h, 0.15 / h) * grip.body.length[slot] / (reach * reach * reach);
+        const glm::dvec3 rest = restDirection(grip.body, slot);
+        glm::dvec3 turn = glm::conjugate(frameOf(grip.body, state, grip.params, slot)) *
+                          glm::cross(grip.point - p0, grip.force);
+        turn -= glm::dot(turn, rest) * rest; // branches bend, they do not twist
+        setVector(state, PhysicsState::RateX, slot, vectorOf(state, PhysicsState::RateX, slot) + gain * turn);
+    }
+}
+
+void pullBranches(const TreeBody& body, const PhysicsParams& params, const Pull& pull, const Springs& springs,
+                  PhysicsState& state)
 {
     if (pull.branch >= body.size())
         return;
-    const Index held = body.slotOf[pull.branch];
-    const glm::dvec3 point =
-        p0Of(body, state, held) +
-        rotationOf(state, held) * (std::clamp(pull.along, 0.0, 1.0) * (body.p1[held] - body.p0[held]));
-    const glm::dvec3 way = pull.target - point;
-    const double strength = std::clamp(pull.strength, 0.0, 100.0);
+    Grip grip{body, params, springs, body.slotOf[pull.branch]};
+    const glm::dvec3 along = std::clamp(pull.along, 0.0, 1.0) * (body.p1[grip.held] - body.p0[grip.held]);
+    grip.point = p0Of(body, state, grip.held) + rotationOf(state, grip.held) * along;
+    const glm::dvec3 way = pull.target - grip.point;
     if (!(glm::dot(way, way) < 1e12)) // far away, or no number
         return;
-    for (Index slot = held; slot != noIndex; slot = body.parent[slot]) {
-        const double reach = body.reach[slot];
-        if (!(reach > 0.0) || !(body.length[slot] > 0.0))
-            continue;
-        const double share = body.length[slot] / reach;
-        const glm::dvec3 load = strength * share / reach * way;
-        if (params.mode == PhysicsMode::Faithful) {
-            const double kick = 300.0 * body.a0[slot] * params.stepSeconds / 0.01;
-            setVector(state, PhysicsState::VelX, slot,
-                      vectorOf(state, PhysicsState::VelX, slot) + kick * load);
-            continue;
-        }
-        // As much as a spring would turn it, but never so much at once that it overshoots.
-        const double rate = springs.rate[slot], h = params.stepSeconds;
-        const double gain = std::min(2.0 * rate * rate * h, 0.3 / h);
-        const glm::dvec3 bend = 0.5 * glm::cross(restDirection(body, slot),
-                                                 glm::conjugate(frameOf(body, state, params, slot)) * load);
-        setVector(state, PhysicsState::RateX, slot, vectorOf(state, PhysicsState::RateX, slot) + gain * bend);
-    }
+    grip.force = std::clamp(pull.strength, 0.0, 100.0) * way;
+    if (params.mode == PhysicsMode::Faithful)
+        return pullFaithfully(grip, state);
+    // A hand is no spring of steel: it gives where the branch swings.
+    grip.force -= 0.5 / springs.rate[grip.held] * std::clamp(pull.strength, 0.0, 2.0) *
+                  vectorOf(state, PhysicsState::VelX, grip.held);
+    pullRobustly(grip, state);
 }
+
+} // namespace
 
 void TreePhysics::step(PhysicsState& state, const std::optional<Pull>& pull)
 {

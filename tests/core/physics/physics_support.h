@@ -66,7 +66,7 @@ inline PhysicsParams randomPhysics(Random& random)
 {
     NodeParams node;
     for (const ParamDef& def : paramTable()) {
-        if (def.stage != Stage::Motion)
+        if (!std::string_view(def.key).starts_with("physics."))
             continue;
         const std::uint32_t kind = random.below(5);
         const double number = kind == 0   ? def.hardMin
