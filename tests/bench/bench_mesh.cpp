@@ -1,7 +1,9 @@
 /// \file
-/// The branch mesh and its check on the SmallTree (argument: iterations of its grammar). Items are triangles.
+/// The branch mesh and its check on the SmallTree (iterations of its grammar). Items are triangles.
 
+#include "core/base/parallel.h"
 #include "core/mesh/branch_mesh.h"
+#include "core/mesh/mesh_scratch.h"
 #include "core/mesh/normals.h"
 #include "core/mesh/validate.h"
 #include "tests/support/preset_trees.h"
@@ -45,12 +47,34 @@ void perTriangle(benchmark::State& state, const TriangleMesh& mesh)
         triangles, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
+/// Arguments: iterations of the grammar, threads (0 = all), and whether memory is used again as in the
+/// pipeline.
 void BM_BranchMesh(benchmark::State& state, const char* preset)
 {
     const Skeleton skeleton = skeletonOf(state, {preset, static_cast<int>(state.range(0))});
+    const ThreadLimit limit(static_cast<unsigned>(state.range(1)));
+    MeshScratch scratch;
     TriangleMesh mesh;
     for (auto _ : state) {
-        Expected<BranchMesh> built = meshOf(skeleton);
+        scratch.keepArrays(std::move(mesh));
+        Expected<BranchMesh> built = buildBranchMesh(skeleton, {}, {}, &scratch);
+        if (!built)
+            return state.SkipWithError(built.error().message().c_str());
+        benchmark::DoNotOptimize(mesh = std::move(built->mesh));
+    }
+    perTriangle(state, mesh);
+}
+
+/// Arguments: triangles wanted, threads.
+void BM_MeshBudget(benchmark::State& state, const char* preset)
+{
+    const Skeleton skeleton = skeletonOf(state, {preset, static_cast<int>(state.range(0))});
+    const ThreadLimit limit(static_cast<unsigned>(state.range(2)));
+    BranchMeshOptions options;
+    options.targetTriangles = static_cast<Index>(state.range(1));
+    TriangleMesh mesh;
+    for (auto _ : state) {
+        Expected<BranchMesh> built = buildBranchMesh(skeleton, options);
         if (!built)
             return state.SkipWithError(built.error().message().c_str());
         benchmark::DoNotOptimize(mesh = std::move(built->mesh));
@@ -64,6 +88,7 @@ template <class Work> void onMesh(benchmark::State& state, const Work& work)
     Expected<BranchMesh> built = meshOf(skeleton);
     if (!built)
         return state.SkipWithError(built.error().message().c_str());
+    const ThreadLimit limit(1);
     for (auto _ : state)
         work(built->mesh);
     perTriangle(state, built->mesh);
@@ -90,9 +115,29 @@ void BM_Normals(benchmark::State& state)
     });
 }
 
-BENCHMARK_CAPTURE(BM_BranchMesh, SmallTree, "SmallTree")->Arg(8)->Arg(12)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_BranchMesh, FanTree, "FanTree")->Arg(8)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(BM_BranchMesh, Fern2D, "Fern2D")->Arg(5)->Unit(benchmark::kMillisecond);
+// Time of all threads together; the clock beside it says what they save.
+void onThreads(benchmark::internal::Benchmark* bench, std::initializer_list<int> iterations)
+{
+    for (const int i : iterations)
+        for (const int threads : {1, 2})
+            bench->Args({i, threads});
+    bench->ArgNames({"iterations", "threads"})->Unit(benchmark::kMillisecond);
+    bench->MeasureProcessCPUTime()->UseRealTime();
+}
+
+BENCHMARK_CAPTURE(BM_BranchMesh, SmallTree, "SmallTree")->Apply([](auto* b) {
+    onThreads(b, {8, 10, 12, 14});
+});
+BENCHMARK_CAPTURE(BM_BranchMesh, FanTree, "FanTree")->Apply([](auto* b) { onThreads(b, {8}); });
+BENCHMARK_CAPTURE(BM_BranchMesh, Fern2D, "Fern2D")->Apply([](auto* b) { onThreads(b, {5}); });
+BENCHMARK_CAPTURE(BM_MeshBudget, SmallTree, "SmallTree")
+    ->ArgNames({"iterations", "budget", "threads"})
+    ->Args({8, 100'000, 1})
+    ->Args({8, 1'000'000, 1})
+    ->Args({8, 1'000'000, 2})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
 BENCHMARK(BM_ValidateMesh)->Arg(8)->Arg(12)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_ConfirmWithOpenMesh)->Arg(8)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_Normals)->Arg(8)->Arg(12)->Unit(benchmark::kMillisecond);
