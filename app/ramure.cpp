@@ -1,4 +1,5 @@
 // The editor: ramure [FILE|preset:NAME] [--screenshot FILE.png] [--export FILE]...
+#include "core/base/kept_memory.h"
 #include "core/document/exporter.h"
 #include "core/document/recompute.h"
 #include "widgets/actions/dialog_chooser.h"
@@ -157,6 +158,7 @@ void greet(MainWindow& window, Recovery& recovery, const Preferences& preference
 
 int main(int argc, char** argv)
 {
+    keepFreedMemory();
     prepareOpenGl();
     QApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("ramure"));

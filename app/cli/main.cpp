@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "core/base/kept_memory.h"
 #include <QCoreApplication>
 #include <algorithm>
 #include <iterator>
@@ -79,6 +80,7 @@ void dropMessage(QtMsgType, const QMessageLogContext&, const QString&)
 
 int main(int argc, char** argv)
 {
+    keepFreedMemory();
     qInstallMessageHandler(dropMessage);
     try {
         const auto code = runProgram(argc, argv);

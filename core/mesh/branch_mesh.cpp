@@ -74,8 +74,6 @@ private:
 Expected<Built> Builder::build(const MeshDivisions& divisions, const Progress& progress)
 {
     Built built{m_normal, {}, {}};
-    TriangleMesh spare = m_scratch.takeArrays();
-    built.mesh.mesh = std::move(spare);
     BranchMesher mesher(built.skeleton, m_options, divisions, m_scratch);
     if (auto done = mesher.run(progress); !done)
         return fail(done.error());

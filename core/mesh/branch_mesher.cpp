@@ -1,5 +1,6 @@
 #include "core/mesh/branch_mesher.h"
 
+#include "core/base/large_buffer.h"
 #include "core/base/parallel.h"
 #include "core/mesh/mesh_pieces.h"
 #include <algorithm>
@@ -15,6 +16,14 @@ constexpr int slimmings = 10; ///< at most so often are the radii of a tree halv
 /// Triangles of a task, about: enough that handing it out costs nothing, few enough that all threads get
 /// some.
 constexpr double mostInTask = 16384.0, leastInTask = 256.0;
+
+template <class T> void reserveHuge(std::vector<T>& array, std::size_t count)
+{
+    if (array.capacity() >= count)
+        return;
+    array.reserve(count);
+    adviseHugePages(array.data(), count * sizeof(T));
+}
 
 } // namespace
 
@@ -39,10 +48,11 @@ BranchMesher::BranchMesher(NormalSkeleton& skeleton, const BranchMeshOptions& op
     , m_divisions(divisions)
     , m_scratch(scratch)
     , m_alone(parallelThreads() == 1)
+    , m_arrays(scratch.takeArrays())
     , m_trunkSink(scratch.takeSink())
     , m_trunk(skeleton, options, divisions, *m_trunkSink)
 {
-    weigh();
+    reserve(weigh());
 }
 
 BranchMesher::~BranchMesher()
@@ -52,17 +62,36 @@ BranchMesher::~BranchMesher()
     m_scratch.keepSink(std::move(m_trunkSink));
 }
 
-void BranchMesher::weigh()
+/// Triangles of the whole mesh, about.
+double BranchMesher::weigh()
 {
     const std::vector<MeshBranch>& branches = m_skeleton.branches;
     m_weight.assign(branches.size(), 0.0);
+    double whole = 0.0;
     for (std::size_t b = branches.size(); b-- > 0;) {
         const auto branch = static_cast<Index>(b);
+        const double own = 2.0 * m_divisions.sections(branch) *
+                           static_cast<double>(m_divisions.ring(branch, branches[b].a0).size());
+        whole += own;
         if (branches[b].parent != noIndex)
-            m_weight[branches[b].parent] +=
-                m_weight[b] + 2.0 * m_divisions.sections(branch) *
-                                  static_cast<double>(m_divisions.ring(branch, branches[b].a0).size());
+            m_weight[branches[b].parent] += m_weight[b] + own;
     }
+    return whole;
+}
+
+/// What is built alone goes straight into the arrays of the result, those of an old one if there are any.
+void BranchMesher::reserve(double triangles)
+{
+    if (!m_alone)
+        return;
+    m_trunkSink->positions = std::move(m_arrays.positions);
+    m_trunkSink->owner = std::move(m_arrays.branch);
+    m_trunkSink->triangles = std::move(m_arrays.triangles);
+    m_trunkSink->clear();
+    const auto count = static_cast<std::size_t>(triangles);
+    reserveHuge(m_trunkSink->positions, count / 2);
+    reserveHuge(m_trunkSink->owner, count / 2);
+    reserveHuge(m_trunkSink->triangles, count);
 }
 
 Index BranchMesher::treeAfter(Index root) const
@@ -278,6 +307,7 @@ Expected<void> BranchMesher::run(const Progress& progress)
 
 std::vector<Index> BranchMesher::assemble(BranchMesh& mesh)
 {
+    mesh.mesh = std::move(m_arrays);
     if (!m_alone)
         return assemblePieces(*m_trunkSink, m_trunk.smallTriangles(), m_tasks, mesh);
     mesh.mesh.positions = std::move(m_trunkSink->positions);

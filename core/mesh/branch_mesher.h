@@ -42,7 +42,8 @@ public:
 
 private:
     struct Worker;
-    void weigh();
+    double weigh();
+    void reserve(double triangles);
     [[nodiscard]] Index treeAfter(Index root) const;
     /// Builds a tree, again with tamer curves and thinner branches where it came out inside out.
     template <class Build, class Undo, class TurnOver>
@@ -63,7 +64,8 @@ private:
     const BranchMeshOptions& m_options;
     const MeshDivisions& m_divisions;
     MeshScratch& m_scratch;
-    const bool m_alone; ///< one thread: everything goes straight into the trunk's sink
+    const bool m_alone;    ///< one thread: everything goes straight into the trunk's sink
+    TriangleMesh m_arrays; ///< old ones, for the result
     std::unique_ptr<MeshSink> m_trunkSink;
     SubtreeBuilder m_trunk;
     std::vector<double> m_weight; ///< triangles of all that grows on a branch, about

@@ -5,6 +5,7 @@
 
 #include "core/mesh/mesh_sink.h"
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace ramure {
@@ -18,7 +19,7 @@ public:
     void keepSink(std::unique_ptr<MeshSink> sink);
     /// The arrays of a mesh that nobody needs any more, or none; whatever size they have.
     TriangleMesh takeArrays() { return std::exchange(m_arrays, {}); }
-    void keepArrays(TriangleMesh&& mesh) { m_arrays = std::move(mesh); }
+    void keepArrays(TriangleMesh&& mesh);
 
 private:
     std::vector<std::unique_ptr<MeshSink>> m_sinks;

@@ -1,4 +1,5 @@
 // All benchmarks run on one thread, as the bars say, or on as many as --threads=N tells (0 = all there are).
+#include "core/base/kept_memory.h"
 #include "core/base/parallel.h"
 #include <benchmark/benchmark.h>
 #include <cstdlib>
@@ -7,6 +8,7 @@
 
 int main(int argc, char** argv)
 {
+    ramure::keepFreedMemory(); // as both programs do
     unsigned threads = 1;
     int kept = 1;
     for (int i = 1; i < argc; ++i) {

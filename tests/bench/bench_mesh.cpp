@@ -88,7 +88,6 @@ template <class Work> void onMesh(benchmark::State& state, const Work& work)
     Expected<BranchMesh> built = meshOf(skeleton);
     if (!built)
         return state.SkipWithError(built.error().message().c_str());
-    const ThreadLimit limit(1);
     for (auto _ : state)
         work(built->mesh);
     perTriangle(state, built->mesh);
