@@ -4,10 +4,10 @@
 #include "core/params/param_def.h"
 #include "core/random/random.h"
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -18,13 +18,13 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "words go to the file as they lie in memory");
 
 using Word = std::uint64_t;
-constexpr char magic[] = "RAMRPHYS";
+constexpr std::array<char, sizeof(Word)> magicWord{'R', 'A', 'M', 'R', 'P', 'H', 'Y', 'S'};
 constexpr Word version = 1;
 constexpr std::size_t headWords = 3; // magic, version, number of words
+constexpr std::size_t stateHeadWords = 7, appleWords = 15;
 
-Word checksumOf(const std::vector<Word>& words)
+Word checksumOf(const std::vector<Word>& words, Word sum = version)
 {
-    Word sum = version;
     for (const Word word : words)
         sum = mixBits(sum * 0x9E3779B97F4A7C15ull + word + 1);
     return sum;
@@ -221,7 +221,7 @@ PhysicsState readState(WordReader& in, const TreeBody& body)
     state.clockStep = in.step();
     in.field(state.mode);
     state.slotCount = body.size();
-    for (std::size_t count = in.count(15); count > 0 && in.isGood(); --count)
+    for (std::size_t count = in.count(appleWords); count > 0 && in.isGood(); --count)
         state.loose.push_back(readApple(in, body));
     if (!in.isGood())
         return state;
@@ -254,7 +254,7 @@ Expected<std::vector<Word>> readWords(const std::string& path)
     if (!file)
         return refuse(path, ErrorCode::Io, RAMURE_NOOP("cannot be read: %1"),
                       {std::generic_category().message(errno)});
-    if (words.empty() || std::memcmp(words.data(), magic, sizeof(Word)) != 0)
+    if (words.empty() || words[0] != std::bit_cast<Word>(magicWord))
         return refuse(path, ErrorCode::Syntax, RAMURE_NOOP("not a file of baked motion"));
     if (words.size() > 1 && words[1] != version)
         return refuse(path, ErrorCode::Version,
@@ -287,7 +287,7 @@ Expected<Baked> readBake(const std::string& path, const TreeBody& body, const Pr
     in.demand(out.checkpointSteps > 0);
     readParams(in, out.script);
     readHand(in, body, out.script);
-    const std::size_t count = in.count(7);
+    const std::size_t count = in.count(stateHeadWords);
     for (std::size_t i = 0; i < count && in.isGood(); ++i) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
@@ -299,6 +299,16 @@ Expected<Baked> readBake(const std::string& path, const TreeBody& body, const Pr
     if (!in.isGood() || !in.isAtEnd())
         return refuse(path, ErrorCode::Invalid, RAMURE_NOOP("the file holds values that cannot be"));
     return out;
+}
+
+std::size_t wordCount(const PhysicsState& state)
+{
+    return stateHeadWords + appleWords * state.loose.size() + state.values.size();
+}
+
+void append(FileWriter& file, const std::vector<Word>& words)
+{
+    file.append({reinterpret_cast<const char*>(words.data()), words.size() * sizeof(Word)});
 }
 
 } // namespace
@@ -317,27 +327,33 @@ Expected<void> saveBake(PhysicsCache& cache, std::int64_t lastStep, const std::s
         if (state->step > 0 && state->step <= lastStep &&
             (state->step % cache.checkpointSteps() == 0 || state->step == lastStep))
             states.push_back(state);
-    std::vector<Word> words;
-    WordWriter out(words);
+    std::vector<Word> head;
+    WordWriter out(head);
     const TreeBody& body = cache.physics().body();
     out.add(body.key), out.add(body.size()), out.add(cache.checkpointSteps());
     out.add(cache.script());
     out.add(states.size());
-    for (const PhysicsState* state : states)
-        out.add(*state);
-    const auto text = [](const Word& word, std::size_t count) {
-        return std::string_view(reinterpret_cast<const char*>(&word), count * sizeof(Word));
+    // State by state: all together may be as large as the cache.
+    std::vector<Word> words;
+    const auto wordsOf = [&](const PhysicsState& state) {
+        words.clear();
+        WordWriter(words).add(state);
     };
-    file->append(std::string_view(magic, sizeof(Word)));
-    const Word head[] = {version, words.size()};
-    file->append(text(head[0], 2));
-    constexpr std::size_t chunk = std::size_t(1) << 16;
-    for (std::size_t i = 0; i < words.size() && file->isGood(); i += chunk) {
+    std::size_t count = head.size();
+    for (const PhysicsState* state : states)
+        count += wordCount(*state);
+    append(*file, {std::bit_cast<Word>(magicWord), version, count});
+    append(*file, head);
+    Word checksum = checksumOf(head);
+    for (std::size_t i = 0; i < states.size() && file->isGood(); ++i) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        file->append(text(words[i], std::min(chunk, words.size() - i)));
+        progress.report(0.9 + 0.1 * static_cast<double>(i) / static_cast<double>(states.size()));
+        wordsOf(*states[i]);
+        append(*file, words);
+        checksum = checksumOf(words, checksum);
     }
-    file->append(text(checksumOf(words), 1));
+    append(*file, {checksum});
     if (auto done = file->finish(); !done)
         return done;
     progress.report(1.0);

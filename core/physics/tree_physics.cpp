@@ -123,10 +123,10 @@ struct TreePhysics::Prepared
     void setParams(const PhysicsParams& next)
     {
         hasMasses = hasMasses && next.appleMass == params.appleMass;
-        hasSprings = false;
-        hasWind = hasWind && next.seed == params.seed && next.windDirection == params.windDirection &&
-                  next.windStrength == params.windStrength && next.windGust == params.windGust &&
-                  next.windTurbulence == params.windTurbulence;
+        hasSprings = hasSprings && next.gravity == params.gravity && next.damping == params.damping &&
+                     next.restitution == params.restitution && next.stepSeconds == params.stepSeconds &&
+                     next.substeps == params.substeps;
+        hasWind = false;
         params = next;
     }
 
@@ -152,7 +152,7 @@ struct TreePhysics::Prepared
         if (!hasSprings)
             springs = springsOf(body, params, masses);
         if (!hasWind)
-            wind = WindField(body, params);
+            wind.setParams(body, params);
         hasSprings = hasWind = true;
     }
 };

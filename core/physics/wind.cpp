@@ -44,36 +44,48 @@ glm::dvec3 faithfulWind(const PhysicsParams& params, double t)
     return params.windStrength * glm::dvec3(u * c + v * s, 0.0, v * c - u * s);
 }
 
-WindField::WindField(const TreeBody& body, const PhysicsParams& params)
-    : m_slots(body.size())
-    , m_sin(std::size_t(waves) * body.size())
-    , m_cos(std::size_t(waves) * body.size())
+void WindField::setPhases(const TreeBody& body)
 {
-    const double speed = params.windStrength * robustWindSpeed;
-    const glm::dvec3 along = towards(params.windDirection);
-    m_mean = speed * along;
+    m_slots = body.size();
+    m_sin.resize(std::size_t(waves) * m_slots);
+    m_cos.resize(std::size_t(waves) * m_slots);
     double height = 1e-6;
     for (const double reach : body.reach)
         height = std::max(height, reach);
     for (int w = 0; w < waves; ++w) {
         const WaveKind& kind = kinds[w];
-        Random random(static_cast<std::uint64_t>(params.seed), RandomStream::Wind, std::uint64_t(w));
-        const bool isGust = w < gustWaves;
-        const double pulsation = turn * kind.hertz * random.range(0.8, 1.25);
-        const glm::dvec3 direction = randomDirection(random);
+        Wave& wave = m_waves[std::size_t(w)];
+        Random random(static_cast<std::uint64_t>(m_seed), RandomStream::Wind, std::uint64_t(w));
+        wave.pulsation = turn * kind.hertz * random.range(0.8, 1.25);
+        const glm::dvec3 way = randomDirection(random);
+        wave.direction = randomDirection(random);
+        wave.phase = random.range(0.0, turn);
         // Gusts walk through the tree with the wind, eddies in any direction.
-        const glm::dvec3 k =
-            isGust ? pulsation / robustWindSpeed * along : turn / (kind.wavelength * height) * direction;
-        const double phase = random.range(0.0, turn);
-        m_waves[std::size_t(w)] = {isGust
-                                       ? params.windGust * kind.share * speed * along
-                                       : params.windTurbulence * kind.share * speed * randomDirection(random),
-                                   pulsation};
+        wave.waveVector = w < gustWaves ? wave.pulsation / robustWindSpeed * towards(m_directionRad)
+                                        : turn / (kind.wavelength * height) * way;
         for (Index slot = 0; slot < body.size(); ++slot) {
-            const double at = glm::dot(k, 0.5 * (body.p0[slot] + body.p1[slot])) + phase;
+            const double at = glm::dot(wave.waveVector, 0.5 * (body.p0[slot] + body.p1[slot])) + wave.phase;
             m_sin[std::size_t(w) * m_slots + slot] = std::sin(at);
             m_cos[std::size_t(w) * m_slots + slot] = std::cos(at);
         }
+    }
+}
+
+void WindField::setParams(const TreeBody& body, const PhysicsParams& params)
+{
+    if (!m_hasPhases || params.seed != m_seed || params.windDirection != m_directionRad) {
+        m_seed = params.seed;
+        m_directionRad = params.windDirection;
+        setPhases(body);
+        m_hasPhases = true;
+    }
+    const double speed = params.windStrength * robustWindSpeed;
+    const glm::dvec3 along = towards(params.windDirection);
+    m_mean = speed * along;
+    for (int w = 0; w < waves; ++w) {
+        Wave& wave = m_waves[std::size_t(w)];
+        wave.amplitude = w < gustWaves ? params.windGust * kinds[w].share * speed * along
+                                       : params.windTurbulence * kinds[w].share * speed * wave.direction;
     }
 }
 

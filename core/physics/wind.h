@@ -27,8 +27,10 @@ public:
     static constexpr int waves = gustWaves + turbulenceWaves;
 
     WindField() = default;
-    /// At the middle of every branch of the body at rest.
-    WindField(const TreeBody& body, const PhysicsParams& params);
+    WindField(const TreeBody& body, const PhysicsParams& params) { setParams(body, params); }
+    /// At the middle of every branch of the body at rest. Where seed and direction stay, this is next to
+    /// nothing: but for those \p body has to be the same each time.
+    void setParams(const TreeBody& body, const PhysicsParams& params);
 
     /// What one moment needs: velocity at a slot = mean + sum over w of vector[w] * (sine[w] * cosOf(w)[slot]
     /// + ...).
@@ -44,11 +46,19 @@ public:
     [[nodiscard]] const double* cosOf(int wave) const { return m_cos.data() + std::size_t(wave) * m_slots; }
 
 private:
+    void setPhases(const TreeBody& body);
+
     struct Wave
     {
-        glm::dvec3 amplitude{0.0}; ///< m/s
-        double pulsation = 0.0;    ///< rad/s
+        glm::dvec3 amplitude{0.0};  ///< m/s
+        glm::dvec3 direction{0.0};  ///< of the eddy's velocity, of length 1
+        glm::dvec3 waveVector{0.0}; ///< rad/m
+        double pulsation = 0.0;     ///< rad/s
+        double phase = 0.0;
     };
+    bool m_hasPhases = false;
+    std::int64_t m_seed = 0;
+    double m_directionRad = 0.0;
     glm::dvec3 m_mean{0.0};
     std::array<Wave, waves> m_waves{};
     std::size_t m_slots = 0;
