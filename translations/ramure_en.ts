@@ -150,4 +150,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ramure::TimelinePanel</name>
+    <message numerus="yes">
+        <source>%n frame(s) dropped</source>
+        <translation>
+            <numerusform>%n frame dropped</numerusform>
+            <numerusform>%n frames dropped</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -315,6 +315,70 @@
         <source>Copy the na&amp;me</source>
         <translation>Copier le no&amp;m</translation>
     </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Lecture</translation>
+    </message>
+    <message>
+        <source>Let the trees move, or pause</source>
+        <translation>Fait bouger les arbres, ou marque une pause</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
+    </message>
+    <message>
+        <source>Back to the first frame; pulls and fallen apples are forgotten</source>
+        <translation>Revient à la première image ; tractions et pommes tombées sont oubliées</translation>
+    </message>
+    <message>
+        <source>&amp;Next frame</source>
+        <translation>Image &amp;suivante</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious frame</source>
+        <translation>Image &amp;précédente</translation>
+    </message>
+    <message>
+        <source>&amp;First frame</source>
+        <translation>P&amp;remière image</translation>
+    </message>
+    <message>
+        <source>&amp;Last frame</source>
+        <translation>&amp;Dernière image</translation>
+    </message>
+    <message>
+        <source>&amp;Every frame</source>
+        <translation>&amp;Toutes les images</translation>
+    </message>
+    <message>
+        <source>Show all frames, if need be slower; off: keep time and drop frames that come too late</source>
+        <translation>Montre toutes les images, au besoin plus lentement ; désactivé : garde la cadence et saute les images en retard</translation>
+    </message>
+    <message>
+        <source>Play &amp;once</source>
+        <translation>Une &amp;fois</translation>
+    </message>
+    <message>
+        <source>Stop at the last frame</source>
+        <translation>S&apos;arrête à la dernière image</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>En &amp;boucle</translation>
+    </message>
+    <message>
+        <source>Go on with the first frame after the last</source>
+        <translation>Reprend à la première image après la dernière</translation>
+    </message>
+    <message>
+        <source>P&amp;ing-pong</source>
+        <translation>&amp;Aller-retour</translation>
+    </message>
+    <message>
+        <source>Play forwards and back again</source>
+        <translation>Joue en avant puis en arrière</translation>
+    </message>
 </context>
 <context>
     <name>DialogChooser</name>
@@ -2309,6 +2373,14 @@ OpenGL&#xa0;: %4
         <source>&amp;Select</source>
         <translation>&amp;Sélection</translation>
     </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Lecture</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Ligne de temps</translation>
+    </message>
 </context>
 <context>
     <name>ramure::MessageBanner</name>
@@ -2419,6 +2491,29 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::PhysicsPlot</name>
+    <message>
+        <source>Energy</source>
+        <translation>Énergie</translation>
+    </message>
+    <message>
+        <source>Length error</source>
+        <translation>Erreur de longueur</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Physics</source>
+        <translation>Physique</translation>
+    </message>
+    <message>
+        <source>Of all trees, over the latest frames: kinetic energy, the largest relative error of a branch&apos;s length, and the time that one step of the physics takes (ms)</source>
+        <translation>Pour tous les arbres, sur les dernières images : énergie cinétique, plus grande erreur relative de longueur d&apos;une branche, et durée d&apos;un pas de la physique (ms)</translation>
+    </message>
+</context>
+<context>
     <name>ramure::PictureActions</name>
     <message>
         <source>The picture is on the clipboard</source>
@@ -2439,6 +2534,17 @@ OpenGL&#xa0;: %4
     <message>
         <source>Picture written to %1</source>
         <translation>Image écrite dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::PlayActions</name>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Lecture</translation>
     </message>
 </context>
 <context>
@@ -3173,6 +3279,111 @@ OpenGL&#xa0;: %4
     <message>
         <source>Branches after simplification; vertices and faces of the branch meshes</source>
         <translation>Branches après simplification&#xa0;; sommets et faces des maillages de branches</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::TimelinePanel</name>
+    <message numerus="yes">
+        <source>%n frame(s) dropped</source>
+        <translation>
+            <numerusform>%n image sautée</numerusform>
+            <numerusform>%n images sautées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Image</translation>
+    </message>
+    <message>
+        <source>The moment on show: frames, seconds (&quot;2 s&quot;) or timecode (&quot;0:02:00&quot;)</source>
+        <translation>L&apos;instant montré : images, secondes (« 2 s ») ou timecode (« 0:02:00 »)</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Plage</translation>
+    </message>
+    <message>
+        <source>First frame that is played</source>
+        <translation>Première image jouée</translation>
+    </message>
+    <message>
+        <source>Last frame that is played</source>
+        <translation>Dernière image jouée</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Cadence</translation>
+    </message>
+    <message>
+        <source> fps</source>
+        <translation> i/s</translation>
+    </message>
+    <message>
+        <source>Frames per second, 1 to 240</source>
+        <translation>Images par seconde, de 1 à 240</translation>
+    </message>
+    <message>
+        <source>Common frame rates</source>
+        <translation>Cadences courantes</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>How fast time passes while playing, 0.1 to 4 times</source>
+        <translation>Vitesse du temps pendant la lecture, de 0,1 à 4 fois</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Secondes</translation>
+    </message>
+    <message>
+        <source>Timecode</source>
+        <translation>Timecode</translation>
+    </message>
+    <message>
+        <source>How moments are shown</source>
+        <translation>Comment les instants sont affichés</translation>
+    </message>
+    <message>
+        <source>What happens at the last frame</source>
+        <translation>Ce qui se passe à la dernière image</translation>
+    </message>
+    <message>
+        <source>Give up computing; the frame on show stays</source>
+        <translation>Abandonne le calcul ; l&apos;image montrée reste</translation>
+    </message>
+    <message>
+        <source>Frames that came too late since playing began</source>
+        <translation>Images arrivées trop tard depuis le début de la lecture</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::TimelineRuler</name>
+    <message>
+        <source>Timeline ruler</source>
+        <translation>Règle de la ligne de temps</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>calculée</translation>
+    </message>
+    <message>
+        <source>computed for other parameters</source>
+        <translation>calculée pour d&apos;autres paramètres</translation>
+    </message>
+    <message>
+        <source>not computed yet</source>
+        <translation>pas encore calculée</translation>
+    </message>
+    <message>
+        <source>Frame %1, %2</source>
+        <translation>Image %1, %2</translation>
     </message>
 </context>
 <context>

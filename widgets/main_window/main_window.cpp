@@ -1,5 +1,6 @@
 #include "widgets/main_window/main_window.h"
 
+#include "core/document/player.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/actions/chooser.h"
 #include "widgets/actions/edit_actions.h"
@@ -16,7 +17,10 @@
 #include "widgets/properties/properties_panel.h"
 #include "widgets/scene/scene_panel.h"
 #include "widgets/scene/select_actions.h"
+#include "widgets/support/core_text.h"
 #include "widgets/support/preferences.h"
+#include "widgets/timeline/play_actions.h"
+#include "widgets/timeline/timeline_panel.h"
 #include "widgets/validation/validation_panel.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/viewport_host.h"
@@ -36,7 +40,7 @@ namespace ramure {
 namespace {
 
 constexpr int messageMs = 6000;
-constexpr int layoutVersion = 1; ///< of saveState; another one means another set of docks
+constexpr int layoutVersion = 2; ///< of saveState; another one means another set of docks
 
 QString droppedFile(const QMimeData* data)
 {
@@ -59,11 +63,13 @@ MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* pr
     , m_actions(new ActionSet(this))
     , m_banner(new MessageBanner(this))
     , m_host(new ViewportHost(document, this))
+    , m_player(new Player(document, this))
 {
     setObjectName(QStringLiteral("mainWindow"));
     setAcceptDrops(true);
     setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks | GroupedDragging);
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
     auto* centre = new QWidget(this);
     auto* layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -127,6 +133,9 @@ void MainWindow::buildDocks()
     m_propertiesDock = addPanel(QStringLiteral("propertiesDock"), m_properties, Qt::RightDockWidgetArea);
     m_inspectorDock = addPanel(QStringLiteral("inspectorDock"), m_inspector, Qt::RightDockWidgetArea);
     m_validationDock = addPanel(QStringLiteral("validationDock"), m_validation, Qt::RightDockWidgetArea);
+    m_plays = new PlayActions(m_document, m_player, m_actions, this);
+    m_timeline = new TimelinePanel(m_document, m_player, m_plays, this);
+    m_timelineDock = addPanel(QStringLiteral("timelineDock"), m_timeline, Qt::BottomDockWidgetArea);
 }
 
 void MainWindow::resetLayout()
@@ -137,6 +146,9 @@ void MainWindow::resetLayout()
         addDockWidget(Qt::RightDockWidgetArea, dock);
         dock->show();
     }
+    m_timelineDock->setFloating(false);
+    addDockWidget(Qt::BottomDockWidgetArea, m_timelineDock);
+    m_timelineDock->show();
     splitDockWidget(m_sceneDock, m_propertiesDock, Qt::Vertical);
     tabifyDockWidget(m_sceneDock, m_historyDock);
     tabifyDockWidget(m_propertiesDock, m_inspectorDock);
@@ -203,11 +215,13 @@ void MainWindow::buildMenus()
     m_views->fillMenu(m_viewMenu,
                       {m_sceneDock->toggleViewAction(), m_propertiesDock->toggleViewAction(),
                        m_inspectorDock->toggleViewAction(), m_validationDock->toggleViewAction(),
-                       m_historyDock->toggleViewAction()},
+                       m_historyDock->toggleViewAction(), m_timelineDock->toggleViewAction()},
                       m_resetLayout);
+    m_playMenu = menuBar()->addMenu(QString());
+    m_plays->fillMenu(m_playMenu);
     m_helpMenu = menuBar()->addMenu(QString());
     m_helpMenu->addActions(m_program->helpActions());
-    m_program->setMenus({m_fileMenu, m_editMenu, m_selectMenu, m_viewMenu, m_helpMenu});
+    m_program->setMenus({m_fileMenu, m_editMenu, m_selectMenu, m_viewMenu, m_playMenu, m_helpMenu});
     m_scene->setMenuActions(m_edits->nodeActions(), m_selects);
 }
 
@@ -254,6 +268,8 @@ void MainWindow::connectPanels()
     });
     connect(m_inspector, &BranchInspector::messageRaised, this, say);
     connect(m_validation, &ValidationPanel::messageRaised, this, say);
+    connect(m_timeline, &TimelinePanel::messageRaised, this, say);
+    connect(m_player, &Player::failed, this, [say](const Error& error) { say(errorTextWithPlace(error)); });
     connect(m_problem, &ProblemButton::paramRequested, this, [this](const QString& key) {
         m_propertiesDock->show();
         m_propertiesDock->raise();
@@ -343,6 +359,7 @@ void MainWindow::retranslate()
     m_editMenu->setTitle(tr("&Edit"));
     m_selectMenu->setTitle(tr("&Select"));
     m_viewMenu->setTitle(tr("&View"));
+    m_playMenu->setTitle(tr("&Play"));
     m_helpMenu->setTitle(tr("&Help"));
     m_toolBar->setWindowTitle(tr("Toolbar"));
     m_sceneDock->setWindowTitle(tr("Scene"));
@@ -350,6 +367,8 @@ void MainWindow::retranslate()
     m_historyDock->setWindowTitle(tr("History"));
     m_inspectorDock->setWindowTitle(tr("Inspector"));
     m_validationDock->setWindowTitle(tr("Validation"));
+    m_timelineDock->setWindowTitle(tr("Timeline"));
+    m_plays->retranslate();
     updateTitle();
 }
 

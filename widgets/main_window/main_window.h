@@ -15,6 +15,8 @@ class FileActions;
 class HistoryDock;
 class MessageBanner;
 class PictureActions;
+class PlayActions;
+class Player;
 class Preferences;
 class ProblemButton;
 class ProgramActions;
@@ -23,6 +25,7 @@ class Recompute;
 class ScenePanel;
 class SelectActions;
 class StatusPanel;
+class TimelinePanel;
 class ValidationPanel;
 class ViewActions;
 class ViewportHost;
@@ -46,6 +49,8 @@ public:
     [[nodiscard]] StatusPanel* status() const { return m_status; }
     [[nodiscard]] ProblemButton* problem() const { return m_problem; }
     [[nodiscard]] ViewportHost* viewportHost() const { return m_host; }
+    [[nodiscard]] Player* player() const { return m_player; }
+    [[nodiscard]] TimelinePanel* timeline() const { return m_timeline; }
 
     void showWelcome();
     void showExportDialog();
@@ -77,11 +82,14 @@ private:
     ActionSet* m_actions;
     MessageBanner* m_banner;
     ViewportHost* m_host;
+    Player* m_player;
     ScenePanel* m_scene = nullptr;
     PropertiesPanel* m_properties = nullptr;
     HistoryDock* m_history = nullptr;
     BranchInspector* m_inspector = nullptr;
     ValidationPanel* m_validation = nullptr;
+    TimelinePanel* m_timeline = nullptr;
+    PlayActions* m_plays = nullptr;
     StatusPanel* m_status = nullptr;
     ProblemButton* m_problem = nullptr;
     FileActions* m_files = nullptr;
@@ -97,6 +105,7 @@ private:
     QMenu* m_editMenu = nullptr;
     QMenu* m_selectMenu = nullptr;
     QMenu* m_viewMenu = nullptr;
+    QMenu* m_playMenu = nullptr;
     QMenu* m_helpMenu = nullptr;
     QToolBar* m_toolBar = nullptr;
     QDockWidget* m_sceneDock = nullptr;
@@ -104,6 +113,7 @@ private:
     QDockWidget* m_historyDock = nullptr;
     QDockWidget* m_inspectorDock = nullptr;
     QDockWidget* m_validationDock = nullptr;
+    QDockWidget* m_timelineDock = nullptr;
 };
 
 } // namespace ramure

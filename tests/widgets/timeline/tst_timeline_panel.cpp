@@ -1,0 +1,280 @@
+#include "core/document/player.h"
+#include "tests/support/suite.h"
+#include "widgets/actions/action_set.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/timeline/physics_plot.h"
+#include "widgets/timeline/play_actions.h"
+#include "widgets/timeline/time_field.h"
+#include "widgets/timeline/timeline_panel.h"
+#include "widgets/timeline/timeline_ruler.h"
+#include <QAction>
+#include <QAbstractButton>
+#include <QLineEdit>
+#include <QLocale>
+#include <QSignalSpy>
+#include <QWheelEvent>
+
+using namespace ramure;
+
+/// The timeline by mouse and keyboard. Playing itself is tested with the player.
+class TestTimelinePanel : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init();
+    void cleanup();
+    void refusedNumbersChangeNothing();
+    void scrubbingSeeks();
+    void scrubbingIsNoStepOfUndo();
+    void keysStep();
+    void handlesChangeTheRangeAsOneStep();
+    void wheelZoomsToTheCursor();
+    void fieldsChangeTheTimeline();
+    void theFrameFieldSeeks();
+    void displaysAgree();
+    void actionsDriveThePlayer();
+    void loopActionsAreUndoable();
+    void pageTurnsWhilePlaying();
+    void plotKeepsTheLatestFrames();
+    void everythingHasAToolTip();
+
+private:
+    QPoint at(double frame, int y = 10) const { return {int(std::lround(ruler()->xOf(frame))), y}; }
+    TimelineRuler* ruler() const { return m_panel->ruler(); }
+    const TimelineSettings& timeline() const { return m_document->scene().timeline(); }
+    template <class T> T* child(const char* name) { return m_panel->findChild<T*>(QLatin1String(name)); }
+
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<Player> m_player;
+    std::unique_ptr<ActionSet> m_set;
+    std::unique_ptr<PlayActions> m_actions;
+    std::unique_ptr<TimelinePanel> m_panel;
+};
+
+void TestTimelinePanel::init()
+{
+    test::failOnAnyWarning();
+    QLocale::setDefault(QLocale::c());
+    m_document = std::make_unique<Document>();
+    m_player = std::make_unique<Player>(m_document.get());
+    m_set = std::make_unique<ActionSet>();
+    m_actions = std::make_unique<PlayActions>(m_document.get(), m_player.get(), m_set.get());
+    m_set->setShortcuts({});
+    m_set->retranslate();
+    m_actions->retranslate();
+    m_panel = std::make_unique<TimelinePanel>(m_document.get(), m_player.get(), m_actions.get());
+    m_panel->resize(1200, 110);
+    m_panel->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
+}
+
+void TestTimelinePanel::cleanup()
+{
+    m_panel.reset();
+    m_actions.reset();
+    m_set.reset();
+    m_player.reset();
+    m_document.reset();
+}
+
+static void type(QAbstractSpinBox* field, const char* text)
+{
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QLatin1String(text));
+    QTest::keyClick(field, Qt::Key_Return);
+}
+
+void TestTimelinePanel::refusedNumbersChangeNothing()
+{
+    const TimelineSettings before = timeline();
+    type(child<QAbstractSpinBox>("firstFrameField"), "soon");
+    type(child<QAbstractSpinBox>("frameRateField"), "fast");
+    QVERIFY(timeline() == before);
+    QCOMPARE(child<TimeField>("firstFrameField")->text(), QStringLiteral("0"));
+    QCOMPARE(m_document->undoStack()->count(), 0);
+}
+
+void TestTimelinePanel::scrubbingSeeks()
+{
+    QTest::mousePress(ruler(), Qt::LeftButton, {}, at(100));
+    QCOMPARE(m_player->frame(), std::int64_t(100));
+    QTest::mouseMove(ruler(), at(40));
+    QCOMPARE(m_player->frame(), std::int64_t(40));
+    QTest::mouseMove(ruler(), {-500, 10});
+    QVERIFY(m_player->frame() < 0); // before the range there is something to see, too
+    QTest::mouseRelease(ruler(), Qt::LeftButton, {}, at(180));
+    QTest::mouseMove(ruler(), at(20));
+    QVERIFY(m_player->frame() != 20); // let go
+}
+
+void TestTimelinePanel::scrubbingIsNoStepOfUndo()
+{
+    QTest::mouseClick(ruler(), Qt::LeftButton, {}, at(77));
+    QCOMPARE(m_document->undoStack()->count(), 0);
+    QVERIFY(!m_document->isModified());
+}
+
+void TestTimelinePanel::keysStep()
+{
+    ruler()->setFocus();
+    const auto press = [this](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+        QTest::keyClick(ruler(), key, modifiers);
+        return m_player->frame();
+    };
+    QCOMPARE(press(Qt::Key_Right), std::int64_t(1));
+    QCOMPARE(press(Qt::Key_Right, Qt::ShiftModifier), std::int64_t(11));
+    QCOMPARE(press(Qt::Key_Left), std::int64_t(10));
+    QCOMPARE(press(Qt::Key_PageDown), std::int64_t(34));
+    QCOMPARE(press(Qt::Key_PageUp), std::int64_t(10));
+    QCOMPARE(press(Qt::Key_End), std::int64_t(250));
+    QCOMPARE(press(Qt::Key_Home), std::int64_t(0));
+}
+
+void TestTimelinePanel::handlesChangeTheRangeAsOneStep()
+{
+    const int low = ruler()->height() - 12;
+    QTest::mousePress(ruler(), Qt::LeftButton, {}, at(250, low) + QPoint(3, 0));
+    for (const int frame : {230, 200, 150, 120})
+        QTest::mouseMove(ruler(), at(frame, low));
+    QTest::mouseRelease(ruler(), Qt::LeftButton, {}, at(120, low));
+    QCOMPARE(timeline().lastFrame, std::int64_t(120));
+    QCOMPARE(m_document->undoStack()->count(), 1);
+    QTest::mousePress(ruler(), Qt::LeftButton, {}, at(0, low) - QPoint(3, 0));
+    QTest::mouseMove(ruler(), at(500, low)); // no further than the last frame
+    QTest::mouseRelease(ruler(), Qt::LeftButton, {}, at(500, low));
+    QCOMPARE(timeline().firstFrame, std::int64_t(120));
+    m_document->undoStack()->undo();
+    m_document->undoStack()->undo();
+    QVERIFY(timeline() == TimelineSettings{});
+    QCOMPARE(m_player->frame(), std::int64_t(0)); // no scrubbing meanwhile
+}
+
+void TestTimelinePanel::wheelZoomsToTheCursor()
+{
+    const QPointF cursor(ruler()->xOf(60), 10.0);
+    const double before = ruler()->xOf(61) - ruler()->xOf(60);
+    QWheelEvent in(cursor, ruler()->mapToGlobal(cursor), {}, {0, 240}, Qt::NoButton, Qt::NoModifier,
+                   Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(ruler(), &in);
+    QVERIFY(ruler()->xOf(61) - ruler()->xOf(60) > 1.4 * before);
+    QVERIFY(std::abs(ruler()->xOf(60) - cursor.x()) < 0.01);
+    QTest::mouseDClick(ruler(), Qt::LeftButton, {}, at(60));
+    QVERIFY(std::abs(ruler()->xOf(61) - ruler()->xOf(60) - before) < 1e-6);
+}
+
+void TestTimelinePanel::fieldsChangeTheTimeline()
+{
+    type(child<QAbstractSpinBox>("lastFrameField"), "96");
+    QCOMPARE(timeline().lastFrame, std::int64_t(96));
+    type(child<QAbstractSpinBox>("firstFrameField"), "120"); // takes the last one along
+    QCOMPARE(timeline().firstFrame, std::int64_t(120));
+    QCOMPARE(timeline().lastFrame, std::int64_t(120));
+    type(child<QAbstractSpinBox>("frameRateField"), "30");
+    QCOMPARE(timeline().framesPerSecond, 30.0);
+    QCOMPARE(m_document->undoStack()->count(), 3);
+    type(child<QAbstractSpinBox>("speedField"), "2.5");
+    QCOMPARE(m_player->speed(), 2.5);
+    QCOMPARE(m_document->undoStack()->count(), 3);
+}
+
+void TestTimelinePanel::theFrameFieldSeeks()
+{
+    auto* field = child<TimeField>("frameField");
+    type(field, "1:00");
+    QCOMPARE(m_player->frame(), std::int64_t(24));
+    QTest::keyClick(field, Qt::Key_Up);
+    QCOMPARE(m_player->frame(), std::int64_t(25));
+    m_player->seek(30);
+    QCOMPARE(field->frame(), qint64(30));
+}
+
+void TestTimelinePanel::displaysAgree()
+{
+    m_player->seek(36);
+    QSignalSpy changed(m_panel.get(), &TimelinePanel::displayChanged);
+    m_panel->setDisplay(TimeDisplay::Seconds);
+    QCOMPARE(child<TimeField>("frameField")->text(), QStringLiteral("1.50 s"));
+    m_panel->setDisplay(TimeDisplay::Timecode);
+    QCOMPARE(child<TimeField>("frameField")->text(), QStringLiteral("00:00:01:12"));
+    QCOMPARE(changed.size(), 2);
+    QCOMPARE(m_player->frame(), std::int64_t(36));
+}
+
+void TestTimelinePanel::actionsDriveThePlayer()
+{
+    m_set->find("play.forward")->trigger();
+    QCOMPARE(m_player->frame(), std::int64_t(1));
+    m_set->find("play.last")->trigger();
+    QCOMPARE(m_player->frame(), std::int64_t(250));
+    m_set->find("play.back")->trigger();
+    QCOMPARE(m_player->frame(), std::int64_t(249));
+    m_set->find("play.first")->trigger();
+    QCOMPARE(m_player->frame(), std::int64_t(0));
+    const QString play = m_actions->playAction()->text();
+    m_actions->playAction()->trigger();
+    QVERIFY(m_player->isPlaying());
+    QVERIFY(m_actions->playAction()->text() != play);
+    QTRY_VERIFY(m_player->frame() > 2);
+    m_set->find("play.stop")->trigger();
+    QVERIFY(!m_player->isPlaying());
+    QCOMPARE(m_player->frame(), std::int64_t(0));
+    m_actions->everyFrameAction()->trigger();
+    QCOMPARE(m_player->pace(), PlayPace::EveryFrame);
+}
+
+void TestTimelinePanel::loopActionsAreUndoable()
+{
+    m_set->find("play.pingPong")->trigger();
+    QCOMPARE(timeline().loop, PlayLoop::PingPong);
+    QVERIFY(m_set->find("play.pingPong")->isChecked());
+    m_document->undoStack()->undo();
+    QCOMPARE(timeline().loop, PlayLoop::Loop);
+    QVERIFY(m_set->find("play.loop")->isChecked());
+}
+
+void TestTimelinePanel::pageTurnsWhilePlaying()
+{
+    const QPointF cursor(ruler()->xOf(10), 10.0);
+    for (int i = 0; i < 8; ++i) {
+        QWheelEvent in(cursor, ruler()->mapToGlobal(cursor), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                       Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(ruler(), &in);
+    }
+    QVERIFY(ruler()->xOf(200) > ruler()->width());
+    m_player->seek(200);
+    QVERIFY(ruler()->xOf(200) > 0 && ruler()->xOf(200) < ruler()->width());
+}
+
+void TestTimelinePanel::plotKeepsTheLatestFrames()
+{
+    PhysicsPlot plot;
+    MotionFrame frame;
+    for (frame.frame = 0; frame.frame < 300; ++frame.frame) {
+        frame.nodes[1].figures.kineticEnergy = double(frame.frame);
+        plot.add(frame);
+    }
+    QCOMPARE(plot.count(), PhysicsPlot::length);
+    QVERIFY(!plot.grab().isNull());
+    frame.frame = 5; // back: a new run
+    plot.add(frame);
+    QCOMPARE(plot.count(), std::size_t(1));
+    plot.clear();
+    QCOMPARE(plot.count(), std::size_t(0));
+    QVERIFY(!plot.grab().isNull());
+}
+
+void TestTimelinePanel::everythingHasAToolTip()
+{
+    for (const auto* field : m_panel->findChildren<QAbstractSpinBox*>())
+        QVERIFY2(!field->toolTip().isEmpty(), qPrintable(field->objectName()));
+    for (const auto* button : m_panel->findChildren<QAbstractButton*>())
+        QVERIFY2(!button->toolTip().isEmpty(), qPrintable(button->objectName()));
+    for (const QAction* action : m_actions->transport())
+        QVERIFY(!action->shortcut().isEmpty());
+}
+
+QTEST_MAIN(TestTimelinePanel)
+
+#include "tst_timeline_panel.moc"

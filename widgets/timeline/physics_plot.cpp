@@ -1,0 +1,116 @@
+#include "widgets/timeline/physics_plot.h"
+
+#include <QEvent>
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+namespace ramure {
+namespace {
+
+/// Three digits, and an exponent where the number would be long.
+QString shortNumber(double value)
+{
+    const double size = std::abs(value);
+    const bool plain = size == 0.0 || (size >= 1e-3 && size < 1e5);
+    return QLocale().toString(value, plain ? 'g' : 'e', plain ? 3 : 1);
+}
+
+} // namespace
+
+PhysicsPlot::PhysicsPlot(QWidget* parent)
+    : QWidget(parent)
+{
+    setObjectName(QStringLiteral("physicsPlot"));
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    updateToolTip();
+}
+
+QSize PhysicsPlot::sizeHint() const
+{
+    return {220, 3 * (fontMetrics().height() + 2) + 4};
+}
+
+void PhysicsPlot::add(const MotionFrame& frame)
+{
+    if (frame.frame < m_last)
+        m_frames.clear();
+    m_last = frame.frame;
+    Values values{};
+    for (const auto& [node, motion] : frame.nodes) {
+        values[Energy] += motion.figures.kineticEnergy;
+        values[LengthError] = std::max(values[LengthError], motion.figures.lengthError);
+        values[StepTime] += 1e3 * motion.stepSeconds;
+    }
+    m_frames.push_back(values);
+    if (m_frames.size() > length)
+        m_frames.pop_front();
+    update();
+}
+
+void PhysicsPlot::clear()
+{
+    m_frames.clear();
+    update();
+}
+
+void PhysicsPlot::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(rect(), palette().base());
+    const double third = double(height()) / double(int(curves));
+    for (int curve = 0; curve < curves; ++curve)
+        paintCurve(painter, QRectF(0.0, curve * third, width(), third), static_cast<Curve>(curve));
+}
+
+void PhysicsPlot::paintCurve(QPainter& painter, const QRectF& area, Curve curve) const
+{
+    const QString name = curve == Energy        ? tr("Energy")
+                         : curve == LengthError ? tr("Length error")
+                                                : tr("Step");
+    const double now = m_frames.empty() ? 0.0 : m_frames.back()[curve];
+    const QString unit = curve == StepTime ? QStringLiteral(" ms") : QString();
+    double most = 0.0;
+    for (const Values& values : m_frames)
+        most = std::max(most, values[curve]);
+    if (most > 0.0 && m_frames.size() > 1) {
+        QPainterPath path;
+        const double step = area.width() / double(length - 1);
+        const double start = area.right() - step * double(m_frames.size() - 1);
+        for (std::size_t i = 0; i < m_frames.size(); ++i) {
+            const QPointF at(start + step * double(i),
+                             area.bottom() - 1.0 - (area.height() - 3.0) * m_frames[i][curve] / most);
+            i == 0 ? path.moveTo(at) : path.lineTo(at);
+        }
+        QColor colour = palette().color(QPalette::Highlight);
+        colour.setAlpha(170);
+        painter.setPen(QPen(colour, 1.3));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawPath(path);
+    }
+    painter.setPen(palette().color(QPalette::Text));
+    const QRectF text = area.adjusted(6.0, 0.0, -6.0, 0.0);
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, name);
+    if (!m_frames.empty())
+        painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, shortNumber(now) + unit);
+}
+
+void PhysicsPlot::updateToolTip()
+{
+    setAccessibleName(tr("Physics"));
+    setToolTip(tr("Of all trees, over the latest frames: kinetic energy, the largest relative error of a "
+                  "branch's length, "
+                  "and the time that one step of the physics takes (ms)"));
+}
+
+bool PhysicsPlot::event(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        updateToolTip();
+    return QWidget::event(event);
+}
+
+} // namespace ramure

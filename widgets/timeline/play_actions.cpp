@@ -1,0 +1,114 @@
+#include "widgets/timeline/play_actions.h"
+
+#include "core/document/commands.h"
+#include "core/document/player.h"
+#include "widgets/actions/action_set.h"
+#include <QActionGroup>
+#include <QIcon>
+#include <QMenu>
+
+namespace ramure {
+
+PlayActions::PlayActions(Document* document, Player* player, ActionSet* set, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+    , m_player(player)
+    , m_play(set->add({"play.toggle", QT_TRANSLATE_NOOP("Actions", "&Play"), "play",
+                       QKeySequence(Qt::SHIFT | Qt::Key_Space),
+                       QT_TRANSLATE_NOOP("Actions", "Let the trees move, or pause")}))
+    , m_stop(set->add(
+          {"play.stop", QT_TRANSLATE_NOOP("Actions", "&Stop"), "stop",
+           QKeySequence(Qt::CTRL | Qt::Key_Period),
+           QT_TRANSLATE_NOOP("Actions", "Back to the first frame; pulls and fallen apples are forgotten")}))
+    , m_forward(set->add({"play.forward", QT_TRANSLATE_NOOP("Actions", "&Next frame"), "step-forward",
+                          QKeySequence(Qt::Key_Period), nullptr}))
+    , m_back(set->add({"play.back", QT_TRANSLATE_NOOP("Actions", "Pre&vious frame"), "step-back",
+                       QKeySequence(Qt::Key_Comma), nullptr}))
+    , m_first(set->add({"play.first", QT_TRANSLATE_NOOP("Actions", "&First frame"), "to-first",
+                        QKeySequence(Qt::SHIFT | Qt::Key_Comma), nullptr}))
+    , m_last(set->add({"play.last", QT_TRANSLATE_NOOP("Actions", "&Last frame"), "to-last",
+                       QKeySequence(Qt::SHIFT | Qt::Key_Period), nullptr}))
+    , m_everyFrame(
+          set->add({"play.everyFrame",
+                    QT_TRANSLATE_NOOP("Actions", "&Every frame"),
+                    "every-frame",
+                    {},
+                    QT_TRANSLATE_NOOP("Actions", "Show all frames, if need be slower; off: keep time and "
+                                                 "drop frames that come too late")}))
+{
+    m_loops = {set->add({"play.once",
+                         QT_TRANSLATE_NOOP("Actions", "Play &once"),
+                         "play-once",
+                         {},
+                         QT_TRANSLATE_NOOP("Actions", "Stop at the last frame")}),
+               set->add({"play.loop",
+                         QT_TRANSLATE_NOOP("Actions", "&Loop"),
+                         "play-loop",
+                         {},
+                         QT_TRANSLATE_NOOP("Actions", "Go on with the first frame after the last")}),
+               set->add({"play.pingPong",
+                         QT_TRANSLATE_NOOP("Actions", "P&ing-pong"),
+                         "play-ping-pong",
+                         {},
+                         QT_TRANSLATE_NOOP("Actions", "Play forwards and back again")})};
+    m_everyFrame->setCheckable(true);
+    auto* group = new QActionGroup(this);
+    for (qsizetype i = 0; i < m_loops.size(); ++i) {
+        m_loops[i]->setCheckable(true);
+        group->addAction(m_loops[i]);
+        connect(m_loops[i], &QAction::triggered, this, [this, i] {
+            TimelineSettings settings = m_document->scene().timeline();
+            settings.loop = static_cast<PlayLoop>(i);
+            edit::setTimeline(*m_document, settings);
+        });
+    }
+    connect(m_play, &QAction::triggered, player, &Player::toggle);
+    connect(m_stop, &QAction::triggered, player, &Player::stop);
+    connect(m_forward, &QAction::triggered, player, &Player::stepForward);
+    connect(m_back, &QAction::triggered, player, &Player::stepBack);
+    connect(m_first, &QAction::triggered, player, &Player::toFirst);
+    connect(m_last, &QAction::triggered, player, &Player::toLast);
+    connect(m_everyFrame, &QAction::toggled, player,
+            [player](bool on) { player->setPace(on ? PlayPace::EveryFrame : PlayPace::RealTime); });
+    connect(player, &Player::playingChanged, this, &PlayActions::update);
+    connect(player, &Player::settingsChanged, this, &PlayActions::update);
+    connect(document, &Document::changed, this, [this](const Change& change) {
+        if (change.has(changeTimeline | changeReset))
+            update();
+    });
+    update();
+}
+
+QList<QAction*> PlayActions::transport() const
+{
+    return {m_first, m_back, m_play, m_stop, m_forward, m_last};
+}
+
+void PlayActions::fillMenu(QMenu* menu) const
+{
+    menu->addActions({m_play, m_stop});
+    menu->addSeparator();
+    menu->addActions({m_back, m_forward, m_first, m_last});
+    menu->addSeparator();
+    menu->addActions(m_loops);
+    menu->addSeparator();
+    menu->addAction(m_everyFrame);
+}
+
+void PlayActions::retranslate()
+{
+    update();
+}
+
+/// The button shows what a press does.
+void PlayActions::update()
+{
+    const bool playing = m_player->isPlaying();
+    m_play->setText(playing ? tr("&Pause") : tr("&Play"));
+    m_play->setIcon(
+        QIcon::fromTheme(playing ? QStringLiteral("ramure-pause") : QStringLiteral("ramure-play")));
+    m_everyFrame->setChecked(m_player->pace() == PlayPace::EveryFrame);
+    m_loops[static_cast<qsizetype>(m_document->scene().timeline().loop)]->setChecked(true);
+}
+
+} // namespace ramure

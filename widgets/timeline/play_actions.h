@@ -1,0 +1,48 @@
+/// \file
+/// What drives the player: actions with keys for menu, panel and shortcuts dialog.
+#pragma once
+
+#include <QList>
+#include <QObject>
+
+class QAction;
+class QMenu;
+
+namespace ramure {
+
+class ActionSet;
+class Document;
+class Player;
+
+class PlayActions : public QObject
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the object.
+    PlayActions(Document* document, Player* player, ActionSet* set, QObject* parent = nullptr);
+
+    [[nodiscard]] QAction* playAction() const { return m_play; }
+    [[nodiscard]] QAction* everyFrameAction() const { return m_everyFrame; }
+    /// First, back, play, stop, forward, last: as they stand in the panel.
+    [[nodiscard]] QList<QAction*> transport() const;
+    /// Once, loop, ping-pong: one of them is on.
+    [[nodiscard]] QList<QAction*> loops() const { return m_loops; }
+    void fillMenu(QMenu* menu) const;
+    void retranslate();
+
+private:
+    void update();
+
+    Document* m_document;
+    Player* m_player;
+    QAction* m_play;
+    QAction* m_stop;
+    QAction* m_forward;
+    QAction* m_back;
+    QAction* m_first;
+    QAction* m_last;
+    QAction* m_everyFrame;
+    QList<QAction*> m_loops; ///< by PlayLoop
+};
+
+} // namespace ramure

@@ -1,0 +1,83 @@
+/// \file
+/// The timeline: transport, ruler with band and playhead, the frame on show, frame rate, range, speed, and a
+/// small plot of the physics.
+#pragma once
+
+#include "core/document/commands.h"
+#include "widgets/timeline/time_text.h"
+#include <QWidget>
+
+class QBoxLayout;
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QToolButton;
+
+namespace ramure {
+
+class NumberField;
+class PhysicsPlot;
+class PlayActions;
+class Player;
+class TimeField;
+class TimelineRuler;
+
+class TimelinePanel : public QWidget
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the panel.
+    TimelinePanel(Document* document, Player* player, PlayActions* actions, QWidget* parent = nullptr);
+
+    [[nodiscard]] TimelineRuler* ruler() const { return m_ruler; }
+    [[nodiscard]] TimeDisplay display() const { return m_display; }
+    void setDisplay(TimeDisplay display);
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+    void displayChanged(ramure::TimeDisplay display);
+    void messageRaised(const QString& text);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void buildTransport();
+    void buildSettings();
+    void connectPlayer();
+    void showSettings();
+    void showFrame();
+    void showBusy(bool busy);
+    void apply(const TimelineSettings& settings, GestureId gesture = 0);
+    void retranslate();
+    void arrange();
+
+    Document* m_document;
+    Player* m_player;
+    PlayActions* m_actions;
+    TimeDisplay m_display = TimeDisplay::Frames;
+    GestureId m_rangeGesture = 0;
+    TimelineRuler* m_ruler;
+    PhysicsPlot* m_plot;
+    TimeField* m_frame;
+    TimeField* m_first;
+    TimeField* m_last;
+    NumberField* m_rate;
+    NumberField* m_speed;
+    QToolButton* m_rates;
+    QToolButton* m_loop;
+    QComboBox* m_displays;
+    QLabel* m_frameLabel;
+    QLabel* m_rangeLabel;
+    QLabel* m_rateLabel;
+    QLabel* m_speedLabel;
+    QLabel* m_dropped;
+    QProgressBar* m_progress;
+    QToolButton* m_cancel;
+    QBoxLayout* m_controls;
+    QWidget* m_transport;
+    QWidget* m_settings;
+};
+
+} // namespace ramure
