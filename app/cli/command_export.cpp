@@ -1,8 +1,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/mesh_check.h"
+#include "app/cli/moments.h"
 #include "app/cli/work.h"
 #include "core/document/exporter.h"
 #include "core/document/mesh_report_json.h"
+#include "core/document/moving_source.h"
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -117,13 +119,12 @@ TreeSource notingSource(TreePipeline& pipeline)
     };
 }
 
-Expected<void> exportTrees(const Scene& scene, const Request& request, TreePipeline& pipeline,
-                           const Progress& progress)
+Expected<void> exportTrees(const Scene& scene, const Request& request, const TreeSource& source,
+                           const QStringList& files, const Progress& progress)
 {
-    const TreeSource source = notingSource(pipeline);
-    const auto count = static_cast<double>(request.files.size());
-    for (qsizetype i = 0; i < request.files.size(); ++i) {
-        const QString& file = request.files.at(i);
+    const auto count = static_cast<double>(files.size());
+    for (qsizetype i = 0; i < files.size(); ++i) {
+        const QString& file = files.at(i);
         ExportOptions options;
         options.model = request.model;
         options.parts = request.parts.value_or(isPly(file) ? exportBranches : exportAll);
@@ -131,6 +132,27 @@ Expected<void> exportTrees(const Scene& scene, const Request& request, TreePipel
         const double from = static_cast<double>(i) / count;
         const auto written =
             exportScene(scene, options, source, systemPath(file), progress.part(from, from + 1.0 / count));
+        if (!written)
+            return written;
+    }
+    return {};
+}
+
+/// A set of files for each frame.
+Expected<void> exportMoments(const Scene& scene, const Request& request, const Moments& moments,
+                             MovingSource& moving, const Progress& progress)
+{
+    if (!moments.isSequence())
+        return exportTrees(scene, request, moving.at(moments.timeSeconds), request.files, progress);
+    const auto count = static_cast<double>(moments.frames.size());
+    for (std::size_t i = 0; i < moments.frames.size(); ++i) {
+        const std::int64_t frame = moments.frames[i];
+        QStringList files;
+        for (const QString& file : request.files)
+            files << numberedFile(file, frame);
+        const double from = static_cast<double>(i) / count;
+        const auto written = exportTrees(scene, request, moving.at(moments.timeOf(frame)), files,
+                                         progress.part(from, from + 1.0 / count));
         if (!written)
             return written;
     }
@@ -199,23 +221,24 @@ std::string faultOf(const CheckedMesh& checked)
     return checked.name.empty() ? fault : checked.name + ": " + fault;
 }
 
-Expected<void> writeFiles(const Input& input, const Request& request, TreePipeline& pipeline,
-                          const Progress& progress)
+Expected<void> writeFiles(const Input& input, const Request& request, const Moments& moments,
+                          MovingSource& moving, const Progress& progress)
 {
-    return input.scene() ? exportTrees(*input.scene(), request, pipeline, progress)
+    return input.scene() ? exportMoments(*input.scene(), request, moments, moving, progress)
                          : exportMesh(*input.mesh(), request, progress);
 }
 
 Expected<int> checkAndWrite(const Input& input, const QString& name, const Request& request,
-                            const Progress& progress)
+                            const Moments& moments, const Progress& progress)
 {
     TreePipeline pipeline; // its cache serves the second file
+    MovingSource moving(notingSource(pipeline));
     if (!request.needsCheck()) {
-        const auto written = writeFiles(input, request, pipeline, progress);
+        const auto written = writeFiles(input, request, moments, moving, progress);
         return written ? Expected<int>(exitGood) : fail(written.error());
     }
-    const auto checked =
-        checkMeshes(input, pipeline, !request.report.isEmpty(), false, progress.part(0.0, 0.6));
+    const auto checked = checkMeshes(input, moving.at(moments.timeSeconds), !request.report.isEmpty(), false,
+                                     progress.part(0.0, 0.6));
     if (!checked)
         return fail(checked.error());
     if (request.requireValid)
@@ -225,7 +248,7 @@ Expected<int> checkAndWrite(const Input& input, const QString& name, const Reque
                            fromText(faultOf(one)));
                 return exitCheckFailed;
             }
-    const auto written = writeFiles(input, request, pipeline, progress.part(0.6, 1.0));
+    const auto written = writeFiles(input, request, moments, moving, progress.part(0.6, 1.0));
     if (!written)
         return fail(written.error());
     if (!request.report.isEmpty())
@@ -251,6 +274,7 @@ Expected<int> runExport(const QStringList& arguments)
                             "segments)."),
              QStringLiteral("MODEL"));
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes .ply as text."));
+    addMomentOptions(line, MomentOptions::Sequence);
     line.add({QStringLiteral("require-valid")},
              QStringLiteral("Writes nothing and ends with exit code 1 where `validate` would."));
     line.add({QStringLiteral("report")},
@@ -269,7 +293,13 @@ Expected<int> runExport(const QStringList& arguments)
     const auto input = loadInput(line.arguments().front(), line.values("set"), progress.part(0.0, 0.0));
     if (!input)
         return fail(input.error());
-    return checkAndWrite(*input, line.arguments().front(), *request, progress);
+    const auto moments = momentsOf(line, *input);
+    if (!moments)
+        return fail(moments.error());
+    if (moments->isSequence() && request->needsCheck())
+        return fail(ErrorCode::Invalid,
+                    "--require-valid and --report look at one moment: --time, not --frames");
+    return checkAndWrite(*input, line.arguments().front(), *request, *moments, progress);
 }
 
 } // namespace ramure::cli

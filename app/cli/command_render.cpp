@@ -1,6 +1,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
+#include "app/cli/moments.h"
 #include "app/cli/virtual_display.h"
+#include "app/cli/work.h"
+#include "core/document/moving_source.h"
 #include "core/io/file_writer.h"
 #include "widgets/render/offscreen_renderer.h"
 #include "widgets/render/scene_builder.h"
@@ -9,6 +12,8 @@
 #include <QGuiApplication>
 #include <QImageWriter>
 #include <map>
+#include <numbers>
+#include <optional>
 
 namespace ramure::cli {
 
@@ -40,7 +45,10 @@ struct Request
     QString file;
     QSize size;
     DisplayMode mode = DisplayMode::Mesh;
+    int turntable = 0; ///< pictures all around; 0 = one from the front
 };
+
+constexpr int mostTurns = 10'000;
 
 Expected<Request> requestOf(const CommandLine& line)
 {
@@ -65,6 +73,15 @@ Expected<Request> requestOf(const CommandLine& line)
                     {line.value("mode").toStdString(), commaList(names).toStdString()});
     }
     out.mode = *mode;
+    if (line.has("turntable")) {
+        bool whole = false;
+        out.turntable = line.value("turntable").toInt(&whole);
+        if (!whole || out.turntable < 2 || out.turntable > mostTurns)
+            return fail(ErrorCode::Invalid, "--turntable \"%1\": a whole number from 2 to %2 expected",
+                        {line.value("turntable").toStdString(), std::to_string(mostTurns)});
+        if (line.has("frames"))
+            return fail(ErrorCode::Invalid, "--turntable or --frames, not both");
+    }
     return out;
 }
 
@@ -83,17 +100,16 @@ Stage stageFor(DisplayMode mode)
     return Stage::Foliage;
 }
 
-Expected<RenderScene> treeScene(const Scene& scene, DisplayMode mode)
+Expected<RenderScene> treeScene(const Scene& scene, DisplayMode mode, const TreeSource& source)
 {
     const auto nodes = treesOf(scene);
     if (!nodes)
         return fail(nodes.error());
-    TreePipeline pipeline;
     std::map<NodeId, TreeResult> results;
     for (const Node* node : *nodes) {
         if (!scene.isShown(node->id))
             continue;
-        auto result = evaluateTree(pipeline, *node, nodes->size() > 1, stageFor(mode));
+        auto result = evaluateTree(source, *node, nodes->size() > 1, stageFor(mode));
         if (!result)
             return fail(result.error());
         results.emplace(node->id, std::move(*result));
@@ -107,10 +123,11 @@ Expected<RenderScene> treeScene(const Scene& scene, DisplayMode mode)
     return SceneBuilder().build(scene, resultOf, view);
 }
 
-Expected<RenderScene> sceneOf(const Input& input, const CommandLine& line, DisplayMode mode)
+Expected<RenderScene> sceneOf(const Input& input, const CommandLine& line, DisplayMode mode,
+                              const TreeSource& source)
 {
     if (input.scene())
-        return treeScene(*input.scene(), mode);
+        return treeScene(*input.scene(), mode, source);
     if (line.has("mode") && mode != DisplayMode::Mesh)
         return fail(ErrorCode::Invalid, "--mode needs a tree: the input is a mesh");
     return sceneOfMesh(input.mesh()->joined());
@@ -135,20 +152,89 @@ Expected<void> savePng(const QImage& image, const QString& file)
 }
 
 /// The platform without windows of Qt: all it needs is the X server behind DISPLAY, where it finds OpenGL.
-Expected<QImage> draw(const RenderScene& scene, QSize size)
+class Painter
 {
-    VirtualDisplay display;
-    if (const auto ensured = display.ensure(); !ensured)
-        return fail(ensured.error());
-    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-    char name[] = "ramure-cli";
-    char* argv[] = {name, nullptr};
-    int argc = 1;
-    const QGuiApplication application(argc, argv);
+public:
+    Expected<void> begin()
+    {
+        if (const auto ensured = m_display.ensure(); !ensured)
+            return fail(ensured.error());
+        if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+            qputenv("QT_QPA_PLATFORM", "offscreen");
+        m_application.emplace(m_argc, m_argv);
+        return {};
+    }
+    Expected<void> draw(const RenderScene& scene, const Camera& camera, QSize size, const QString& file)
+    {
+        const auto image = renderImage(scene, camera, size);
+        if (!image)
+            return fail(image.error());
+        return savePng(*image, file);
+    }
+
+private:
+    VirtualDisplay m_display;
+    char m_name[11] = "ramure-cli";
+    char* m_argv[2] = {m_name, nullptr};
+    int m_argc = 1;
+    std::optional<QGuiApplication> m_application;
+};
+
+Camera cameraFor(const RenderScene& scene, QSize size)
+{
     Camera camera;
     camera.frame(scene.framePoints(), double(size.width()) / double(size.height()));
-    return renderImage(scene, camera, size);
+    return camera;
+}
+
+/// All around one scene: the camera keeps its height and distance.
+Expected<void> drawTurntable(Painter& painter, const RenderScene& scene, const Request& request,
+                             const Progress& progress)
+{
+    Camera camera = cameraFor(scene, request.size);
+    const double start = camera.yawRad;
+    for (int i = 0; i < request.turntable; ++i) {
+        camera.yawRad = start + 2.0 * std::numbers::pi * i / request.turntable;
+        if (auto drawn = painter.draw(scene, camera, request.size, numberedFile(request.file, i)); !drawn)
+            return drawn;
+        progress.report(double(i + 1) / request.turntable);
+        if (progress.cancelled())
+            return fail(ErrorCode::Cancelled, "cancelled");
+    }
+    return {};
+}
+
+/// One picture, one for each frame, or one from each side. The camera of a sequence is that of its first
+/// frame.
+Expected<void> drawAll(const Input& input, const CommandLine& line, const Request& request,
+                       const Moments& moments, const Progress& progress)
+{
+    TreePipeline pipeline;
+    MovingSource moving(pipelineSource(pipeline));
+    Painter painter;
+    std::optional<Camera> camera;
+    const std::vector<std::int64_t> frames =
+        moments.isSequence() ? moments.frames : std::vector<std::int64_t>{0};
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const double time = moments.isSequence() ? moments.timeOf(frames[i]) : moments.timeSeconds;
+        const auto scene = sceneOf(input, line, request.mode, moving.at(time));
+        if (!scene)
+            return fail(scene.error());
+        if (!camera) {
+            if (auto begun = painter.begin(); !begun)
+                return begun;
+            camera = cameraFor(*scene, request.size);
+        }
+        if (request.turntable > 0)
+            return drawTurntable(painter, *scene, request, progress);
+        const QString file = moments.isSequence() ? numberedFile(request.file, frames[i]) : request.file;
+        if (auto drawn = painter.draw(*scene, *camera, request.size, file); !drawn)
+            return drawn;
+        progress.report(double(i + 1) / double(frames.size()));
+        if (progress.cancelled())
+            return fail(ErrorCode::Cancelled, "cancelled");
+    }
+    return {};
 }
 
 } // namespace
@@ -166,6 +252,11 @@ Expected<int> runRender(const QStringList& arguments)
         {QStringLiteral("mode")},
         QStringLiteral("skeleton, simplified (removed nodes in red), rough, sections or mesh (the default)."),
         QStringLiteral("MODE"), QStringLiteral("mesh"));
+    addMomentOptions(line, MomentOptions::Sequence);
+    line.add(
+        {QStringLiteral("turntable")},
+        QStringLiteral("So many pictures all around, 2 to 10000; the number goes before the file's ending."),
+        QStringLiteral("N"));
     line.addInputOptions();
     const auto done = line.parse(arguments, 1, 1);
     if (!done)
@@ -178,14 +269,12 @@ Expected<int> runRender(const QStringList& arguments)
     const auto input = loadInput(line.arguments().front(), line.values("set"));
     if (!input)
         return fail(input.error());
-    const auto scene = sceneOf(*input, line, request->mode);
-    if (!scene)
-        return fail(scene.error());
-    const auto image = draw(*scene, request->size);
-    if (!image)
-        return fail(image.error());
-    if (const auto saved = savePng(*image, request->file); !saved)
-        return fail(saved.error());
+    const auto moments = momentsOf(line, *input);
+    if (!moments)
+        return fail(moments.error());
+    const Work work("render");
+    if (const auto drawn = drawAll(*input, line, *request, *moments, work.progress()); !drawn)
+        return fail(drawn.error());
     return exitGood;
 }
 

@@ -1,6 +1,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/mesh_check.h"
+#include "app/cli/moments.h"
 #include "app/cli/work.h"
+#include "core/document/moving_source.h"
 #include <numbers>
 
 namespace ramure::cli {
@@ -106,6 +108,7 @@ Expected<int> runValidate(const QStringList& arguments)
     CommandLine line(text);
     line.addInputOptions();
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
+    addMomentOptions(line, MomentOptions::One);
     line.add(
         {QStringLiteral("self-intersections")},
         QStringLiteral("Also counts the pairs of triangles that run through each other, by kind, and lists "
@@ -122,8 +125,12 @@ Expected<int> runValidate(const QStringList& arguments)
         const auto input = loadInput(line.arguments().front(), line.values("set"), progress.part(0.0, 0.1));
         if (!input)
             return fail(input.error());
+        const auto moments = momentsOf(line, *input);
+        if (!moments)
+            return fail(moments.error());
         TreePipeline pipeline;
-        return checkMeshes(*input, pipeline, crossings, true, progress.part(0.1, 1.0));
+        MovingSource moving(pipelineSource(pipeline));
+        return checkMeshes(*input, moving.at(moments->timeSeconds), crossings, true, progress.part(0.1, 1.0));
     }();
     if (!checked)
         return fail(checked.error());

@@ -111,7 +111,13 @@ Expected<std::vector<const Node*>> treesOf(const Scene& scene)
 Expected<TreeResult> evaluateTree(TreePipeline& pipeline, const Node& node, bool isOneOfSeveral, Stage last,
                                   const Progress& progress)
 {
-    auto result = pipeline.evaluate(node.params, last, progress);
+    return evaluateTree(pipelineSource(pipeline), node, isOneOfSeveral, last, progress);
+}
+
+Expected<TreeResult> evaluateTree(const TreeSource& source, const Node& node, bool isOneOfSeveral, Stage last,
+                                  const Progress& progress)
+{
+    auto result = source(node, last, progress);
     if (!result && isOneOfSeveral) {
         Error& error = result.error();
         error.path = node.name + (error.path.empty() ? "" : ": " + error.path);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/cli/command_line.h"
+#include "core/document/exporter.h"
 #include "core/io/mesh_file.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/scene/scene.h"
@@ -28,6 +29,9 @@ Expected<std::vector<const Node*>> treesOf(const Scene& scene);
 
 /// Names of several trees stand before what an error is about.
 Expected<TreeResult> evaluateTree(TreePipeline& pipeline, const Node& node, bool isOneOfSeveral, Stage last,
+                                  const Progress& progress = {});
+
+Expected<TreeResult> evaluateTree(const TreeSource& source, const Node& node, bool isOneOfSeveral, Stage last,
                                   const Progress& progress = {});
 
 } // namespace ramure::cli

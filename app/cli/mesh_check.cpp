@@ -29,10 +29,10 @@ Expected<MeshAnalysis> shapeOf(const TriangleMesh& mesh, const Progress& progres
     return analysis;
 }
 
-Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, TreePipeline& pipeline, bool crossings,
-                                const Progress& progress)
+Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, const TreeSource& source,
+                                bool crossings, const Progress& progress)
 {
-    const auto result = evaluateTree(pipeline, node, isOneOfSeveral, Stage::Mesh, progress.part(0.0, 0.4));
+    const auto result = evaluateTree(source, node, isOneOfSeveral, Stage::Mesh, progress.part(0.0, 0.4));
     if (!result)
         return fail(result.error());
     const BranchMesh& branches = *result->branches;
@@ -68,7 +68,7 @@ Expected<CheckedMesh> checkFile(const ReadMesh& mesh, bool crossings, const Prog
 
 } // namespace
 
-Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, TreePipeline& pipeline, bool crossings,
+Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, const TreeSource& source, bool crossings,
                                                bool hidden, const Progress& progress)
 {
     std::vector<CheckedMesh> out;
@@ -89,7 +89,7 @@ Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, TreePipeline&
     for (const Node* node : *nodes) {
         const double from = static_cast<double>(out.size()) / count;
         auto checked =
-            checkTree(*node, nodes->size() > 1, pipeline, crossings, progress.part(from, from + 1.0 / count));
+            checkTree(*node, nodes->size() > 1, source, crossings, progress.part(from, from + 1.0 / count));
         if (!checked)
             return fail(checked.error());
         out.push_back(std::move(*checked));

@@ -19,9 +19,9 @@ struct CheckedMesh
 
 /// Is the mesh closed, manifold and oriented, does OpenMesh agree, and has a tree as many pieces as roots;
 /// its quality and its hash. \p crossings: also which triangles run through each other.
-/// \param hidden trees that are not shown, too.
+/// \param source gives the trees. \param hidden trees that are not shown, too.
 /// Errors: those of the trees; Cancelled.
-Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, TreePipeline& pipeline, bool crossings,
+Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, const TreeSource& source, bool crossings,
                                                bool hidden, const Progress& progress);
 
 /// All figures added up; valid where all are.

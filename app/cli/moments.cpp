@@ -1,0 +1,112 @@
+#include "app/cli/moments.h"
+
+#include <QFileInfo>
+#include <cmath>
+
+namespace ramure::cli {
+namespace {
+
+constexpr std::int64_t mostFrames = 100'000;
+constexpr double mostSeconds = 1e6;
+
+Expected<double> numberOf(const CommandLine& line, const char* option, double least, double most)
+{
+    bool isNumber = false;
+    const double value = line.value(option).toDouble(&isNumber);
+    if (isNumber && value >= least && value <= most)
+        return value;
+    return fail(ErrorCode::Invalid, "--%1 \"%2\": a number from %3 to %4 expected",
+                {option, line.value(option).toStdString(), QString::number(least).toStdString(),
+                 QString::number(most).toStdString()});
+}
+
+Expected<std::vector<std::int64_t>> framesOf(const QString& text)
+{
+    const QStringList parts = text.split(u':');
+    std::vector<std::int64_t> numbers;
+    for (const QString& part : parts) {
+        bool whole = false;
+        const qlonglong value = part.toLongLong(&whole);
+        if (!whole || value < 0 || value > mostFrame)
+            numbers.clear();
+        else
+            numbers.push_back(value);
+        if (numbers.empty())
+            break;
+    }
+    const bool fits = numbers.size() == std::size_t(parts.size()) &&
+                      (numbers.size() == 2 || numbers.size() == 3) && numbers[1] >= numbers[0] &&
+                      (numbers.size() == 2 || numbers[2] > 0);
+    if (!fits)
+        return fail(ErrorCode::Invalid,
+                    "--frames \"%1\": FIRST:LAST or FIRST:LAST:STEP expected, whole numbers from 0 on",
+                    {text.toStdString()});
+    const std::int64_t step = numbers.size() == 3 ? numbers[2] : 1;
+    if ((numbers[1] - numbers[0]) / step >= mostFrames)
+        return fail(ErrorCode::Limit, "--frames \"%1\": more than %2 frames",
+                    {text.toStdString(), std::to_string(mostFrames)});
+    std::vector<std::int64_t> frames;
+    for (std::int64_t frame = numbers[0]; frame <= numbers[1]; frame += step)
+        frames.push_back(frame);
+    return frames;
+}
+
+} // namespace
+
+void addMomentOptions(CommandLine& line, MomentOptions kind)
+{
+    line.add({QStringLiteral("time")},
+             QStringLiteral(
+                 "The trees as their physics has moved them after so many seconds; 0, at rest, without it."),
+             QStringLiteral("SECONDS"));
+    if (kind == MomentOptions::One)
+        return;
+    line.add(
+        {QStringLiteral("frames")},
+        QStringLiteral(
+            "A file for each frame FIRST, FIRST + STEP … LAST; the number goes before the file's ending."),
+        QStringLiteral("FIRST:LAST[:STEP]"));
+    line.add({QStringLiteral("fps")},
+             QStringLiteral("Frames per second, 1 to 240; without it those of the project."),
+             QStringLiteral("RATE"));
+}
+
+Expected<Moments> momentsOf(const CommandLine& line, const Input& input)
+{
+    Moments moments;
+    const bool moving = line.has("time") || line.has("frames");
+    if (moving && !input.scene())
+        return fail(ErrorCode::Invalid, "--time and --frames need a tree: the input is a mesh");
+    if (line.has("time") && line.has("frames"))
+        return fail(ErrorCode::Invalid, "--time or --frames, not both");
+    if (input.scene())
+        moments.framesPerSecond = input.scene()->timeline().framesPerSecond;
+    if (line.has("time")) {
+        const auto time = numberOf(line, "time", 0.0, mostSeconds);
+        if (!time)
+            return fail(time.error());
+        moments.timeSeconds = *time;
+    }
+    if (line.has("fps")) {
+        const auto rate = numberOf(line, "fps", leastFrameRate, mostFrameRate);
+        if (!rate)
+            return fail(rate.error());
+        moments.framesPerSecond = *rate;
+    }
+    if (line.has("frames")) {
+        auto frames = framesOf(line.value("frames"));
+        if (!frames)
+            return fail(frames.error());
+        moments.frames = std::move(*frames);
+    }
+    return moments;
+}
+
+QString numberedFile(const QString& file, std::int64_t frame)
+{
+    const QString suffix = QFileInfo(file).suffix();
+    const QString number = QString::number(qlonglong{frame}).rightJustified(4, u'0');
+    return file.chopped(suffix.size() + 1) + u'_' + number + u'.' + suffix;
+}
+
+} // namespace ramure::cli

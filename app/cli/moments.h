@@ -1,0 +1,31 @@
+/// \file
+/// --time, --frames and --fps: at which moments a command looks at trees that move.
+#pragma once
+
+#include "app/cli/input.h"
+#include <optional>
+#include <vector>
+
+namespace ramure::cli {
+
+struct Moments
+{
+    double timeSeconds = 0.0;
+    /// Frames of a sequence, in their order; empty: one moment.
+    std::vector<std::int64_t> frames;
+    double framesPerSecond = 24.0;
+
+    [[nodiscard]] bool isSequence() const { return !frames.empty(); }
+    [[nodiscard]] double timeOf(std::int64_t frame) const { return double(frame) / framesPerSecond; }
+};
+
+enum class MomentOptions { One, Sequence };
+void addMomentOptions(CommandLine& line, MomentOptions kind);
+/// The frame rate is that of the project unless --fps says another. Errors: Invalid (no number, no range,
+/// more than 100,000 frames, a mesh file as input).
+Expected<Moments> momentsOf(const CommandLine& line, const Input& input);
+
+/// "tree.obj" of frame 7 with 250 the last: "tree_007.obj"; at least four digits.
+QString numberedFile(const QString& file, std::int64_t frame);
+
+} // namespace ramure::cli
