@@ -122,6 +122,25 @@ Expected<Built> Builder::byBudget(const Progress& progress)
     return std::move(*best);
 }
 
+/// Parts vertices in one place, opens triangles without area, gives normals. Mostly there is nothing to part:
+/// other threads need not wait to hear that.
+void polish(TriangleMesh& mesh, const std::vector<Index>* suspects, const Progress& progress)
+{
+    bool separate = false;
+    if (parallelThreads() > 1)
+        parallelFor(2, 1, [&](std::size_t part, std::size_t) {
+            if (part == 0)
+                separate = areSeparate(mesh.positions, mesh.triangles, suspects);
+            else
+                computeNormals(mesh);
+        });
+    if (!separate)
+        separateVertices(mesh.positions, mesh.triangles, progress, suspects);
+    progress.report(0.95);
+    if (!separate)
+        computeNormals(mesh);
+}
+
 /// What is known once all vertices stand in their order.
 void finish(Built& built, const Skeleton& skeleton)
 {
@@ -183,9 +202,7 @@ Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshO
     TriangleMesh& mesh = built->mesh.mesh;
     // Moved away from the origin, positions were rounded again: then every triangle is looked at.
     const bool rounded = normal->origin != glm::dvec3(0.0);
-    separateVertices(mesh.positions, mesh.triangles, progress, rounded ? nullptr : &built->small);
-    progress.report(0.95);
-    computeNormals(mesh);
+    polish(mesh, rounded ? nullptr : &built->small, progress);
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
     progress.report(1.0);

@@ -282,6 +282,7 @@ Expected<void> BranchMesher::run(const Progress& progress)
 {
     const auto end = static_cast<Index>(m_skeleton.branches.size());
     MesherProgress told(progress, end);
+    progress.report(0.0);
     bool going = !progress.cancelled();
     for (Index root = 0, after = 0; going && root < end; root = after) {
         after = treeAfter(root);
@@ -302,6 +303,7 @@ Expected<void> BranchMesher::run(const Progress& progress)
     going = going && (m_alone || runTasks(told));
     if (!going)
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
+    progress.report(1.0); // however little of it fell to this thread
     return {};
 }
 

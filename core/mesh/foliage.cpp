@@ -1,20 +1,25 @@
 #include "core/mesh/foliage.h"
 
+#include "core/base/parallel.h"
 #include "core/geometry/frame.h"
 #include "core/mesh/foliage_shapes.h"
 #include "core/random/random.h"
+#include <algorithm>
 #include <cmath>
 
 namespace ramure {
 namespace {
 
+constexpr std::size_t branchesAtOnce = 256, verticesAtOnce = 8192;
+
 /// The branches' lines and where foliage may stand around them.
 class Placer
 {
 public:
-    Placer(const Skeleton& skeleton, double alpha)
+    /// \param isTip per branch: it has no children
+    Placer(const Skeleton& skeleton, const std::vector<std::uint8_t>& isTip, double alpha)
         : m_skeleton(skeleton)
-        , m_children(childLists(skeleton))
+        , m_isTip(isTip)
         , m_alpha(alpha)
     {
     }
@@ -25,7 +30,7 @@ public:
         const glm::dvec3 axis = m_skeleton.p1[branch] - m_skeleton.p0[branch];
         const double length = glm::length(axis);
         m_frame = length > 0.0 ? frameFromTangent(axis / length) : Frame();
-        m_reach = m_children.count(branch) == 0 ? length + m_alpha : length;
+        m_reach = m_isTip[branch] != 0 ? length + m_alpha : length;
     }
 
     FoliageItem draw(Random& random) const
@@ -63,7 +68,7 @@ private:
     }
 
     const Skeleton& m_skeleton;
-    ChildLists m_children;
+    const std::vector<std::uint8_t>& m_isTip;
     double m_alpha;
     Index m_branch = noIndex;
     Frame m_frame;
@@ -86,6 +91,23 @@ std::vector<Index> thinBranches(const Skeleton& skeleton, double below)
     return thin;
 }
 
+/// Copy number \p copy of a shape, at an item's place.
+void place(const FoliageItem& item, Index level, const std::vector<glm::vec3>& scaled,
+           const TriangleMesh& shape, std::size_t copy, TriangleMesh& mesh)
+{
+    const std::size_t vertices = scaled.size(), faces = shape.triangles.size(), first = copy * vertices;
+    const glm::mat3 turn(glm::mat3_cast(item.orientation));
+    const glm::vec3 centre(item.position);
+    for (std::size_t i = 0; i < vertices; ++i) {
+        mesh.positions[first + i] = centre + turn * scaled[i];
+        mesh.normals[first + i] = turn * shape.normals[i];
+        mesh.branch[first + i] = item.branch;
+        mesh.level[first + i] = level;
+    }
+    for (std::size_t f = 0; f < faces; ++f)
+        mesh.triangles[copy * faces + f] = shape.triangles[f] + static_cast<Index>(first);
+}
+
 /// A copy of \p shape, scaled, for every item.
 TriangleMesh scatter(const Skeleton& skeleton, const std::vector<FoliageItem>& items,
                      const TriangleMesh& shape, double scale)
@@ -95,25 +117,26 @@ TriangleMesh scatter(const Skeleton& skeleton, const std::vector<FoliageItem>& i
     for (glm::vec3& position : scaled)
         position *= static_cast<float>(scale);
     TriangleMesh mesh;
-    mesh.positions.reserve(items.size() * vertices);
-    mesh.normals.reserve(items.size() * vertices);
-    mesh.branch.reserve(items.size() * vertices);
-    mesh.level.reserve(items.size() * vertices);
-    mesh.triangles.reserve(items.size() * faces);
-    for (const FoliageItem& item : items) {
-        const glm::mat3 turn(glm::mat3_cast(item.orientation));
-        const glm::vec3 centre(item.position);
-        const Index first = mesh.vertexCount();
-        for (std::size_t i = 0; i < vertices; ++i) {
-            mesh.positions.push_back(centre + turn * scaled[i]);
-            mesh.normals.push_back(turn * shape.normals[i]);
-        }
-        mesh.branch.insert(mesh.branch.end(), vertices, item.branch);
-        mesh.level.insert(mesh.level.end(), vertices, skeleton.level[item.branch]);
-        for (const glm::uvec3& triangle : shape.triangles)
-            mesh.triangles.push_back(triangle + first);
-    }
+    mesh.positions.resize(items.size() * vertices);
+    mesh.normals.resize(items.size() * vertices);
+    mesh.branch.resize(items.size() * vertices);
+    mesh.level.resize(items.size() * vertices);
+    mesh.triangles.resize(items.size() * faces);
+    parallelFor(items.size(), std::max<std::size_t>(1, verticesAtOnce / vertices),
+                [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i)
+                        place(items[i], skeleton.level[items[i].branch], scaled, shape, i, mesh);
+                });
     return mesh;
+}
+
+std::vector<std::uint8_t> tips(const Skeleton& skeleton)
+{
+    std::vector<std::uint8_t> isTip(skeleton.size(), 1);
+    for (const Index parent : skeleton.parent)
+        if (parent != noIndex)
+            isTip[parent] = 0;
+    return isTip;
 }
 
 } // namespace
@@ -128,18 +151,28 @@ Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& pa
                        "foliage.leavesDensity");
     const auto seed = static_cast<std::uint64_t>(params.seed);
     Foliage foliage;
-    foliage.leaves.reserve(thin.size() * density);
-    Placer placer(skeleton, alpha);
-    for (std::size_t i = 0; i < thin.size(); ++i) {
-        if (i % 4096 == 0 && progress.cancelled())
-            return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        placer.setBranch(thin[i]);
-        Random forLeaves(seed, RandomStream::Leaves, skeleton.key[thin[i]]);
-        for (std::size_t leaf = 0; leaf < density; ++leaf)
-            foliage.leaves.push_back(placer.draw(forLeaves));
-        Random forApples(seed, RandomStream::Apples, skeleton.key[thin[i]]);
-        if (forApples.unit() < params.applesProbability)
-            foliage.apples.push_back(placer.draw(forApples));
+    foliage.leaves.resize(thin.size() * density);
+    const std::vector<std::uint8_t> isTip = tips(skeleton);
+    parallelFor(thin.size(), branchesAtOnce, [&](std::size_t begin, std::size_t end) {
+        if (progress.cancelled())
+            return;
+        Placer placer(skeleton, isTip, alpha);
+        for (std::size_t i = begin; i < end; ++i) {
+            placer.setBranch(thin[i]);
+            Random random(seed, RandomStream::Leaves, skeleton.key[thin[i]]);
+            for (std::size_t leaf = 0; leaf < density; ++leaf)
+                foliage.leaves[i * density + leaf] = placer.draw(random);
+        }
+    });
+    if (progress.cancelled())
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+    Placer placer(skeleton, isTip, alpha);
+    for (const Index branch : thin) {
+        Random random(seed, RandomStream::Apples, skeleton.key[branch]);
+        if (random.unit() >= params.applesProbability)
+            continue;
+        placer.setBranch(branch);
+        foliage.apples.push_back(placer.draw(random));
         if (foliage.apples.size() > maxApples)
             return tooMany(RAMURE_NOOP("the tree would carry more than %1 apples"), maxApples,
                            "foliage.applesProbability");

@@ -15,18 +15,49 @@ constexpr double leastAreaShare = 2e-14; ///< of the squared diagonal; twice wha
 constexpr double nudgeShare = 2e-6;      ///< of the diagonal
 constexpr int mostRounds = 80;
 
+/// How small is too small, and how far is a step: from the box of all positions.
+struct Measures
+{
+    double leastSquared; ///< of a triangle's doubled area
+    double step;
+
+    explicit Measures(const std::vector<glm::vec3>& positions);
+    [[nodiscard]] bool isFlat(const std::vector<glm::vec3>& positions, const glm::uvec3& triangle) const
+    {
+        const glm::dvec3 a(positions[triangle.x]);
+        const glm::dvec3 normal =
+            glm::cross(glm::dvec3(positions[triangle.y]) - a, glm::dvec3(positions[triangle.z]) - a);
+        return glm::dot(normal, normal) <= leastSquared;
+    }
+};
+
+Measures::Measures(const std::vector<glm::vec3>& positions)
+{
+    glm::vec3 low = positions[0], high = low;
+    for (const glm::vec3& p : positions) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    const double diagonal = glm::length(glm::dvec3(high) - glm::dvec3(low));
+    const double least = 2.0 * leastAreaShare * diagonal * diagonal;
+    leastSquared = least * least;
+    const glm::vec3 reach = glm::max(glm::abs(low), glm::abs(high));
+    // A nudge must be felt by the floats.
+    step = std::max(nudgeShare * diagonal, 4.0 * 0x1.0p-23 * double(std::max({reach.x, reach.y, reach.z})));
+}
+
 class Separator
 {
 public:
     Separator(std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles)
         : m_positions(positions)
         , m_triangles(triangles)
+        , m_measures(positions)
     {
     }
     Index run(const std::vector<Index>* suspects, const Progress& progress);
 
 private:
-    void measure();
     Index moveTwins(int round);
     Index openFlat(const std::vector<Index>* suspects, int round);
     bool openFlat(const glm::uvec3& triangle, int round);
@@ -35,22 +66,8 @@ private:
 
     std::vector<glm::vec3>& m_positions;
     const std::vector<glm::uvec3>& m_triangles;
-    double m_diagonal = 0.0, m_step = 0.0;
+    const Measures m_measures;
 };
-
-void Separator::measure()
-{
-    glm::vec3 low = m_positions[0], high = low;
-    for (const glm::vec3& p : m_positions) {
-        low = glm::min(low, p);
-        high = glm::max(high, p);
-    }
-    m_diagonal = glm::length(glm::dvec3(high) - glm::dvec3(low));
-    const glm::vec3 reach = glm::max(glm::abs(low), glm::abs(high));
-    // A nudge must be felt by the floats.
-    m_step =
-        std::max(nudgeShare * m_diagonal, 4.0 * 0x1.0p-23 * double(std::max({reach.x, reach.y, reach.z})));
-}
 
 glm::dvec3 Separator::anyDirection(Index vertex, int round) const
 {
@@ -64,7 +81,7 @@ glm::dvec3 Separator::anyDirection(Index vertex, int round) const
 
 void Separator::nudge(Index vertex, const glm::dvec3& direction, int round)
 {
-    const double length = m_step * (1.0 + 0.25 * round);
+    const double length = m_measures.step * (1.0 + 0.25 * round);
     m_positions[vertex] = glm::vec3(glm::dvec3(m_positions[vertex]) + length * direction);
 }
 
@@ -80,11 +97,9 @@ Index Separator::moveTwins(int round)
 /// A triangle without area: the vertex opposite the longest edge moves away from that edge.
 bool Separator::openFlat(const glm::uvec3& triangle, int round)
 {
-    const double least = 2.0 * leastAreaShare * m_diagonal * m_diagonal;
-    const glm::dvec3 a(m_positions[triangle.x]), b(m_positions[triangle.y]), c(m_positions[triangle.z]);
-    const glm::dvec3 normal = glm::cross(b - a, c - a);
-    if (glm::dot(normal, normal) > least * least)
+    if (!m_measures.isFlat(m_positions, triangle))
         return false;
+    const glm::dvec3 a(m_positions[triangle.x]), b(m_positions[triangle.y]), c(m_positions[triangle.z]);
     const double ab = glm::length(b - a), bc = glm::length(c - b), ca = glm::length(a - c);
     const glm::dvec3 base = ab >= bc && ab >= ca ? b - a : (bc >= ca ? c - b : a - c);
     const Index apex = ab >= bc && ab >= ca ? triangle.z : (bc >= ca ? triangle.x : triangle.y);
@@ -114,7 +129,6 @@ Index Separator::openFlat(const std::vector<Index>* suspects, int round)
 
 Index Separator::run(const std::vector<Index>* suspects, const Progress& progress)
 {
-    measure();
     Index total = 0;
     for (int round = 0; round < mostRounds && !progress.cancelled(); ++round) {
         const Index moved = moveTwins(round) + openFlat(total == 0 ? suspects : nullptr, round);
@@ -131,6 +145,19 @@ Index separateVertices(std::vector<glm::vec3>& positions, const std::vector<glm:
                        const Progress& progress, const std::vector<Index>* suspects)
 {
     return positions.empty() ? 0 : Separator(positions, triangles).run(suspects, progress);
+}
+
+bool areSeparate(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
+                 const std::vector<Index>* suspects)
+{
+    if (positions.empty())
+        return true;
+    const Measures measures(positions);
+    const auto isFlat = [&](const glm::uvec3& t) { return measures.isFlat(positions, t); };
+    const bool anyFlat = suspects ? std::any_of(suspects->begin(), suspects->end(),
+                                                [&](Index t) { return isFlat(triangles[t]); })
+                                  : std::any_of(triangles.begin(), triangles.end(), isFlat);
+    return !anyFlat && findDuplicatePositions(positions).empty();
 }
 
 } // namespace ramure

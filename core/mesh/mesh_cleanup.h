@@ -16,4 +16,8 @@ namespace ramure {
 Index separateVertices(std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
                        const Progress& progress, const std::vector<Index>* suspects = nullptr);
 
+/// Would separateVertices move nothing?
+bool areSeparate(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
+                 const std::vector<Index>* suspects = nullptr);
+
 } // namespace ramure
