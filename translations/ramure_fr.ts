@@ -1869,6 +1869,10 @@
         <source>there is not enough memory to move this tree</source>
         <translation>il n&apos;y a pas assez de mémoire pour animer cet arbre</translation>
     </message>
+    <message>
+        <source>the time lies beyond what the physics counts</source>
+        <translation>ce moment dépasse ce que la physique peut compter</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>
