@@ -2,6 +2,7 @@
 /// What the fuzz targets share: a claim that does not hold ends the run with the input kept.
 #pragma once
 
+#include "core/io/mesh_file.h"
 #include "core/mesh/validate.h"
 #include <cmath>
 #include <cstddef>
@@ -11,6 +12,8 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <sys/mman.h>
+#include <unistd.h>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -50,6 +53,42 @@ inline bool sameBits(const std::vector<glm::vec3>& a, const std::vector<glm::vec
 {
     return a.size() == b.size() &&
            (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
+}
+
+/// The input as a file that lives in memory alone: its path. It is gone with the object.
+class MemoryFile
+{
+public:
+    MemoryFile(const std::uint8_t* data, std::size_t size)
+        : m_file(::memfd_create("fuzz", MFD_CLOEXEC))
+    {
+        claim(m_file >= 0 && ::write(m_file, data, size) == static_cast<ssize_t>(size), "memory for a file");
+    }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+    ~MemoryFile() { ::close(m_file); }
+    [[nodiscard]] std::string path() const { return "/proc/self/fd/" + std::to_string(m_file); }
+
+private:
+    int m_file;
+};
+
+/// Read in one way and in another: the same, or the same error.
+inline void claimSame(const Expected<ReadMesh>& a, const Expected<ReadMesh>& b)
+{
+    claim(a.has_value() == b.has_value(), "both ways read it, or none");
+    if (!a) {
+        claim(a.error().plain() == b.error().plain() && a.error().line == b.error().line, "the same error");
+        return;
+    }
+    claim(a->notes == b->notes && a->objects.size() == b->objects.size(), "the same notes and objects");
+    for (std::size_t i = 0; i < a->objects.size(); ++i) {
+        const TriangleMesh& x = a->objects[i].mesh;
+        const TriangleMesh& y = b->objects[i].mesh;
+        claim(sameBits(x.positions, y.positions) && sameBits(x.normals, y.normals) &&
+                  x.triangles == y.triangles && x.branch == y.branch && x.level == y.level,
+              "the same mesh");
+    }
 }
 
 /// What every reader promises of a mesh, and that the check can be run on it.

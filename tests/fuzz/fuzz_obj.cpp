@@ -1,11 +1,15 @@
-#include "core/io/mesh_file.h"
+// OBJ text: as a whole, and as a file in small blocks.
+#include "core/io/read_parts.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace ramure;
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
-    const auto mesh = parseObj(fuzz::textOf(data, size), "fuzz.obj");
+    const fuzz::MemoryFile file(data, size);
+    const auto mesh = parseObj(fuzz::textOf(data, size), file.path());
+    const std::size_t blockSize = size % 3 == 0 ? reading::lineBlockSize : 1 + size % 61;
+    fuzz::claimSame(mesh, reading::readObjFile(file.path(), {}, blockSize));
     if (!mesh) {
         fuzz::claimGoodError(mesh.error());
         return 0;
