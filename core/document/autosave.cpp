@@ -26,6 +26,28 @@ static std::shared_ptr<QLockFile> lockOf(const QString& recoveryPath)
     return lock;
 }
 
+/// With what writings that were cut short left beside it.
+static void removeWithParts(const QFileInfo& recoveryFile)
+{
+    const QStringList names{recoveryFile.fileName(), recoveryFile.fileName() + QStringLiteral(".new-*")};
+    for (const QFileInfo& file : recoveryFile.absoluteDir().entryInfoList(names, QDir::Files))
+        QFile::remove(file.absoluteFilePath());
+}
+
+/// Programs killed before their first recovery file was complete leave a lock, and perhaps a part of one.
+static void removeOrphans(const QDir& folder)
+{
+    const QString lockEnding = ending + QStringLiteral(".lock");
+    for (const QFileInfo& file : folder.entryInfoList({u'*' + lockEnding}, QDir::Files)) {
+        const QFileInfo owner(file.absoluteFilePath().chopped(lockEnding.size() - ending.size()));
+        if (owner.exists())
+            continue;
+        const auto lock = lockOf(owner.absoluteFilePath());
+        if (lock->tryLock(0)) // its program is gone; giving the lock up removes it
+            removeWithParts(owner);
+    }
+}
+
 static QJsonObject objectOf(const std::string& extras)
 {
     return QJsonDocument::fromJson(QByteArray::fromStdString(extras)).object();
@@ -181,6 +203,7 @@ Expected<void> Autosave::saveNow()
 
 std::vector<Recoverable> recoverableProjects(const QString& folder)
 {
+    removeOrphans(QDir(folder));
     std::vector<Recoverable> found;
     const QStringList pattern{QStringLiteral("*") + ending};
     for (const QFileInfo& file : QDir(folder).entryInfoList(pattern, QDir::Files)) {
@@ -216,10 +239,7 @@ Expected<Project> loadRecoverable(const Recoverable& recoverable)
 void discardRecoverable(Recoverable& recoverable)
 {
     const QFileInfo file(recoverable.recoveryPath);
-    // Also what a writing that was cut short left beside it.
-    const QStringList parts{file.fileName(), file.fileName() + QStringLiteral(".??????")};
-    for (const QFileInfo& part : file.absoluteDir().entryInfoList(parts, QDir::Files))
-        QFile::remove(part.absoluteFilePath());
+    removeWithParts(file);
     recoverable.claim.reset();
 }
 

@@ -3,13 +3,13 @@
 #include "core/document/project_json.h"
 #include "core/document/project_migrations.h"
 #include "core/document/project_timeline.h"
+#include "core/io/file_writer.h"
 
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSaveFile>
 #include <algorithm>
 
 namespace ramure {
@@ -155,22 +155,25 @@ Expected<void> saveProjectFile(const Project& project, const QString& path)
 
 Expected<void> saveAtomically(const QByteArray& bytes, const QString& path)
 {
-    // QSaveFile would put a plain file in the place of a device such as /dev/full.
+    // No project is a stream: a device takes it and keeps nothing.
     const QFileInfo target(path);
     if (target.exists() && !target.isFile() && !target.isDir())
         return ioError(path, RAMURE_NOOP("cannot be written: %1"),
                        QCoreApplication::translate("core", RAMURE_NOOP("it is a device, not a file")));
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return ioError(path, RAMURE_NOOP("cannot be written: %1"), file.errorString());
-    if (file.write(bytes) != bytes.size() || !file.flush()) {
-        const QString reason = file.errorString();
-        file.cancelWriting();
-        return ioError(path, RAMURE_NOOP("cannot be written: %1"), reason);
+    if (path.isEmpty())
+        return ioError(path, RAMURE_NOOP("cannot be written: %1"), QStringLiteral("the name is empty"));
+    const std::string name = QFile::encodeName(path).toStdString();
+    auto file = FileWriter::open(name);
+    if (!file)
+        return fail(file.error());
+    constexpr qsizetype atOnce = qsizetype(1) << 16;
+    for (qsizetype at = 0; at < bytes.size(); at += atOnce) {
+        const qsizetype size = std::min(atOnce, bytes.size() - at);
+        file->append({bytes.constData() + at, static_cast<std::size_t>(size)});
     }
-    if (!file.commit())
-        return ioError(path, RAMURE_NOOP("cannot be written: %1"), file.errorString());
-    return {};
+    if (const auto done = file->finish(); !done)
+        return done;
+    return file->commit();
 }
 
 } // namespace ramure

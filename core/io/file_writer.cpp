@@ -1,13 +1,18 @@
 #include "core/io/file_writer.h"
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
+#include <ctime>
 #include <fcntl.h>
 #include <filesystem>
+#include <optional>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 namespace ramure {
 
@@ -24,12 +29,51 @@ std::string linkTarget(const std::string& path)
     return resolved.empty() ? path : resolved.string();
 }
 
+constexpr const char* partMark = ".new-";
+constexpr std::time_t restSeconds = 10;     ///< a writer that is alive writes more often
+constexpr std::time_t forgetSeconds = 3600; ///< processes of other machines and sandboxes cannot be asked
+
+/// Digits, then the end or \p after; nothing where there is something else.
+std::optional<long> takeNumber(std::string_view& text, char after)
+{
+    const auto digits = std::min(text.find_first_not_of("0123456789"), text.size());
+    const bool ends = digits == text.size();
+    if (digits == 0 || digits > 10 || ends != (after == 0) || (!ends && text[digits] != after))
+        return std::nullopt;
+    const long number = std::stol(std::string(text.substr(0, digits)));
+    text.remove_prefix(ends ? digits : digits + 1);
+    return number;
+}
+
+/// The process that a temporary file's name tells, where \p name is one of \p target.
+std::optional<long> writerOf(std::string_view name, std::string_view target)
+{
+    if (!name.starts_with(target))
+        return std::nullopt;
+    name.remove_prefix(target.size());
+    if (!name.starts_with(partMark))
+        return std::nullopt;
+    name.remove_prefix(std::strlen(partMark));
+    const auto process = takeNumber(name, '-');
+    return process && takeNumber(name, 0) ? process : std::nullopt;
+}
+
+bool isAbandoned(const std::string& part, long process)
+{
+    struct stat state = {};
+    if (::lstat(part.c_str(), &state) != 0 || !S_ISREG(state.st_mode))
+        return false;
+    const std::time_t age = std::time(nullptr) - state.st_mtime;
+    const bool gone = ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
+    return age > forgetSeconds || (age > restSeconds && gone);
+}
+
 /// A name that nobody else has: exclusive creation tells.
 int openTemporary(const std::string& target, std::string& name)
 {
     static std::atomic<unsigned> counter = 0;
     for (int attempt = 0; attempt < 100; ++attempt) {
-        name = target + ".new-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+        name = target + partMark + std::to_string(::getpid()) + "-" + std::to_string(counter++);
         const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file >= 0 || errno != EEXIST)
             return file;
@@ -90,6 +134,7 @@ Expected<FileWriter> FileWriter::open(const std::string& path)
             return fail(out.error(errno));
         return out;
     }
+    removeAbandonedParts(out.m_target);
     std::string name;
     out.m_file = openTemporary(out.m_target, name);
     if (out.m_file < 0)
@@ -148,6 +193,25 @@ Expected<void> FileWriter::commit()
         return fail(error(errno));
     m_temporary.clear();
     return {};
+}
+
+int removeAbandonedParts(const std::string& path)
+{
+    namespace fs = std::filesystem;
+    const fs::path target = linkTarget(path);
+    const std::string name = target.filename().string();
+    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    std::error_code error;
+    std::vector<std::string> parts;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        const auto process = name.empty() ? std::nullopt : writerOf(at->path().filename().string(), name);
+        if (process && isAbandoned(at->path().string(), *process))
+            parts.push_back(at->path().string());
+    }
+    int gone = 0;
+    for (const std::string& part : parts)
+        gone += ::unlink(part.c_str()) == 0 ? 1 : 0;
+    return gone;
 }
 
 } // namespace ramure

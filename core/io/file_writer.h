@@ -18,7 +18,8 @@ namespace ramure {
 class FileWriter
 {
 public:
-    /// Errors: Io (missing or read-only folder, the target is a folder or read-only).
+    /// Also clears away what earlier writings of the same file that were cut short left (see below). Errors:
+    /// Io (missing or read-only folder, the target is a folder or read-only).
     static Expected<FileWriter> open(const std::string& path);
     FileWriter(FileWriter&& other) noexcept;
     FileWriter& operator=(FileWriter&&) = delete;
@@ -62,5 +63,10 @@ private:
     std::size_t m_used = 0;
     std::unique_ptr<char[]> m_buffer;
 };
+
+/// Deletes what writings of \p path that were cut short (a crash, a kill) left beside it: files named
+/// "PATH.new-PROCESS-NUMBER" that nobody has written to for ten seconds and whose process is gone, or for an
+/// hour. No other name is ever touched. Never fails: what cannot be deleted stays. Returns how many went.
+int removeAbandonedParts(const std::string& path);
 
 } // namespace ramure

@@ -49,9 +49,8 @@ std::vector<std::string_view> wordsOf(std::string_view line)
 class HeaderParser
 {
 public:
-    HeaderParser(std::string_view bytes, const std::string& file, std::uint64_t fileBytes)
+    HeaderParser(std::string_view bytes, const std::string& file)
         : m_bytes(bytes)
-        , m_fileBytes(fileBytes)
         , m_file(file)
     {
     }
@@ -166,7 +165,7 @@ private:
     Expected<void> checkRoom()
     {
         // The last line of an ASCII file may lack its line feed.
-        std::uint64_t left = m_fileBytes - m_at + (m_out.format == PlyFormat::Ascii ? 1 : 0);
+        std::uint64_t left = m_bytes.size() - m_at + (m_out.format == PlyFormat::Ascii ? 1 : 0);
         for (std::size_t i = 0; i < m_out.elements.size(); ++i) {
             const PlyElement& element = m_out.elements[i];
             const std::uint64_t each = element.smallestSize(m_out.format);
@@ -181,7 +180,6 @@ private:
     }
 
     std::string_view m_bytes;
-    std::uint64_t m_fileBytes;
     const std::string& m_file;
     std::size_t m_at = 0;
     int m_line = 0;
@@ -219,9 +217,9 @@ std::uint64_t PlyElement::smallestSize(PlyFormat format) const
     return sum;
 }
 
-Expected<PlyHeader> parsePlyHeader(std::string_view bytes, const std::string& file, std::uint64_t fileBytes)
+Expected<PlyHeader> parsePlyHeader(std::string_view bytes, const std::string& file)
 {
-    return HeaderParser(bytes, file, fileBytes).parse();
+    return HeaderParser(bytes, file).parse();
 }
 
 } // namespace ramure::reading

@@ -43,6 +43,7 @@ private slots:
 
     void unwritableFoldersAreTold();
     void brokenFilesAreNotOffered();
+    void whatAKillLeavesWithoutARecoveryFileGoes();
     void nothingUnsavedNoFile();
     void runningProgramsAreNotOffered();
     void timerSavesInTheBackground();
@@ -80,6 +81,27 @@ void TestAutosave::brokenFilesAreNotOffered()
     QVERIFY(recoverableProjects(folder.path()).empty());
     QVERIFY(file.exists()); // somebody may still make sense of it
     QVERIFY(!loadRecoverable({file.fileName(), {}, {}, {}}));
+}
+
+void TestAutosave::whatAKillLeavesWithoutARecoveryFileGoes()
+{
+    QTemporaryDir folder;
+    const auto make = [&folder](const char* name, const QByteArray& bytes) {
+        QFile file(folder.filePath(QLatin1String(name)));
+        return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+    };
+    // As QLockFile writes it: process, program, machine.
+    const QByteArray dead = "2147483646\nramure\n" + QSysInfo::machineHostName().toLocal8Bit() + "\n";
+    QVERIFY(make("one.ramure.lock", dead));
+    QVERIFY(make("one.ramure.new-2147483646-0", "{\"format\":"));
+    QVERIFY(make("notes.txt", "mine"));
+    Document document;
+    document.reset(oneTree(), {});
+    Autosave autosave(&document, folder.path()); // a program that runs and has saved nothing yet
+    QVERIFY(recoverableProjects(folder.path()).empty());
+    const QStringList left = QDir(folder.path()).entryList(QDir::Files);
+    QVERIFY2(left.size() == 2 && left.contains("notes.txt"), qPrintable(left.join(u' ')));
+    QVERIFY(left.contains(QFileInfo(autosave.recoveryPath()).fileName() + ".lock"));
 }
 
 void TestAutosave::nothingUnsavedNoFile()

@@ -1,12 +1,14 @@
 #include "widgets/actions/file_actions.h"
 
 #include "core/document/project_file.h"
+#include "core/io/file_writer.h"
 #include "core/params/presets.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/support/core_text.h"
 #include "widgets/support/preferences.h"
 #include "widgets/theme/icons.h"
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QMenu>
 
@@ -192,6 +194,7 @@ bool FileActions::openFile(const QString& path)
     }
     if (!mayDiscard())
         return false;
+    removeAbandonedParts(QFile::encodeName(path).toStdString()); // of a program that was killed while saving
     Selection selection;
     if (!project->scene.empty())
         selection.nodes = {project->scene.nodes().front().id};

@@ -1,5 +1,6 @@
 #include "core/io/file_writer.h"
 #include "tests/core/io/io_support.h"
+#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QTemporaryDir>
@@ -35,6 +36,51 @@ private slots:
         const Error error = errorOf(path, m_part);
         QCOMPARE(error.code, ErrorCode::Io);
         QCOMPARE(error.message(), path.toStdString() + ": cannot be written: No such file or directory");
+    }
+    void partsOfKilledWritersGoAndNothingElse()
+    {
+        QTemporaryDir folder;
+        const auto make = [&folder](const QString& name, int secondsAgo) {
+            const QString path = folder.filePath(name);
+            test::writeBytes(path, "half a file");
+            QFile file(path);
+            const QDateTime then = QDateTime::currentDateTime().addSecs(-secondsAgo);
+            return file.open(QIODevice::ReadWrite) &&
+                   file.setFileTime(then, QFileDevice::FileModificationTime);
+        };
+        const QString gone = QStringLiteral("2147483646"); // no process has that number
+        const QString alive = QString::number(::getpid());
+        const QStringList stay{
+            "x.obj",
+            "x.obj.backup",
+            "x.obj.new-" + gone,
+            "x.obj.new-" + gone + "-",
+            "x.obj.new-" + gone + "-1a",
+            "x.obj.new--1",
+            "x.obj.new-" + gone + "-1.obj",
+            "x.obj.new-99999999999999999999-1",
+            "y.obj.new-" + gone + "-1",
+            "xx.obj.new-" + gone + "-1",
+            "x.obj.new-" + alive + "-77",
+        };
+        for (const QString& name : stay)
+            QVERIFY(make(name, 600));
+        QVERIFY(make("x.obj.new-" + gone + "-1", 600));
+        QVERIFY(make("x.obj.new-" + gone + "-2", 60));
+        QVERIFY(make("x.obj.new-" + alive + "-3", 4000)); // of another machine, long ago
+        QVERIFY(make("x.obj.new-" + gone + "-4", 0)); // of another sandbox, perhaps, which writes just now
+        QVERIFY(QDir(folder.path()).mkdir("x.obj.new-" + gone + "-5"));
+        QVERIFY(QFile::link(folder.filePath("x.obj"), folder.filePath("x.obj.new-" + gone + "-6")));
+        QCOMPARE(removeAbandonedParts(folder.filePath("x.obj").toStdString()), 3);
+        for (const QString& name : stay)
+            QVERIFY2(QFileInfo::exists(folder.filePath(name)), qPrintable(name));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot).size(),
+                 stay.size() + 3);
+        QVERIFY(make("x.obj.new-" + gone + "-1", 600));
+        QVERIFY(writeObj(folder.filePath("x.obj").toStdString(), {&m_part, 1})); // the next save
+        QVERIFY(!QFileInfo::exists(folder.filePath("x.obj.new-" + gone + "-1")));
+        QCOMPARE(removeAbandonedParts(""), 0);
+        QCOMPARE(removeAbandonedParts("/no/such/folder/x.obj"), 0);
     }
     void targetIsAFolder()
     {
