@@ -104,6 +104,16 @@
     </message>
 </context>
 <context>
+    <name>ramure::IsolationButton</name>
+    <message numerus="yes">
+        <source>%Ln branch(es) alone</source>
+        <translation>
+            <numerusform>%Ln branch alone</numerusform>
+            <numerusform>%Ln branches alone</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::PropertiesPanel</name>
     <message numerus="yes">
         <source>%n node(s) selected</source>
@@ -147,6 +157,30 @@
         <translation>
             <numerusform>%n section copied as CSV</numerusform>
             <numerusform>%n sections copied as CSV</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::StatusPanel</name>
+    <message numerus="yes">
+        <source>%Ln branch(es)</source>
+        <translation>
+            <numerusform>%Ln branch</numerusform>
+            <numerusform>%Ln branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln vertex(es)</source>
+        <translation>
+            <numerusform>%Ln vertex</numerusform>
+            <numerusform>%Ln vertices</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln face(s)</source>
+        <translation>
+            <numerusform>%Ln face</numerusform>
+            <numerusform>%Ln faces</numerusform>
         </translation>
     </message>
 </context>

@@ -296,10 +296,6 @@
         <translation>&amp;Isoler</translation>
     </message>
     <message>
-        <source>Show only the selected nodes; again: show all</source>
-        <translation>N’afficher que les nœuds sélectionnés ; une seconde fois : tout afficher</translation>
-    </message>
-    <message>
         <source>Sho&amp;w all</source>
         <translation>T&amp;out afficher</translation>
     </message>
@@ -378,6 +374,34 @@
     <message>
         <source>Play forwards and back again</source>
         <translation>Joue en avant puis en arrière</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt section</source>
+        <translation>Section &amp;suivante</translation>
+    </message>
+    <message>
+        <source>Inspect the next cross-section of the branch</source>
+        <translation>Inspecter la section suivante de la branche</translation>
+    </message>
+    <message>
+        <source>P&amp;revious section</source>
+        <translation>Section p&amp;récédente</translation>
+    </message>
+    <message>
+        <source>Inspect the cross-section before this one</source>
+        <translation>Inspecter la section qui précède</translation>
+    </message>
+    <message>
+        <source>Roll by h&amp;and</source>
+        <translation>&amp;Rouler à la main</translation>
+    </message>
+    <message>
+        <source>Turn the frames of the selected branches</source>
+        <translation>Tourner les repères des branches sélectionnées</translation>
+    </message>
+    <message>
+        <source>Show only the selected branches, or nodes; again: show all</source>
+        <translation>Montrer seulement les branches ou les nœuds sélectionnés ; de nouveau : tout montrer</translation>
     </message>
 </context>
 <context>
@@ -1534,10 +1558,6 @@
         <translation>ceci ne se lit pas comme un nombre</translation>
     </message>
     <message>
-        <source>the result is not a finite number</source>
-        <translation>le résultat n’est pas un nombre fini</translation>
-    </message>
-    <message>
         <source>two units cannot be multiplied here</source>
         <translation>deux unités ne peuvent être multipliées ici</translation>
     </message>
@@ -1870,8 +1890,20 @@
         <translation>il n&apos;y a pas assez de mémoire pour animer cet arbre</translation>
     </message>
     <message>
-        <source>the time lies beyond what the physics counts</source>
-        <translation>ce moment dépasse ce que la physique peut compter</translation>
+        <source>the result is no number</source>
+        <translation>le résultat n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>the result is too large</source>
+        <translation>le résultat est trop grand</translation>
+    </message>
+    <message>
+        <source>only finite numbers can be used</source>
+        <translation>seuls les nombres finis sont possibles</translation>
+    </message>
+    <message>
+        <source>this number is too large</source>
+        <translation>ce nombre est trop grand</translation>
     </message>
 </context>
 <context>
@@ -2036,6 +2068,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Branch inspector</source>
         <translation>Inspecteur de branche</translation>
+    </message>
+    <message>
+        <source>Section %1</source>
+        <translation>Section %1</translation>
     </message>
 </context>
 <context>
@@ -2328,6 +2364,24 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::IsolationButton</name>
+    <message numerus="yes">
+        <source>%Ln branch(es) alone</source>
+        <translation>
+            <numerusform>%Ln branche seule</numerusform>
+            <numerusform>%Ln branches seules</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The branches shown alone are gone</source>
+        <translation>Les branches isolées n’existent plus</translation>
+    </message>
+    <message>
+        <source>Only these branches are shown. A click shows the whole tree again.</source>
+        <translation>Seules ces branches sont montrées. Un clic montre de nouveau l’arbre entier.</translation>
+    </message>
+</context>
+<context>
     <name>ramure::MainWindow</name>
     <message>
         <source>Exported to %1</source>
@@ -2429,6 +2483,17 @@ OpenGL&#xa0;: %4
     <message>
         <source>Another random seed</source>
         <translation>Une autre graine au hasard</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::NumberField</name>
+    <message>
+        <source>the largest is %1</source>
+        <translation>le plus grand est %1</translation>
+    </message>
+    <message>
+        <source>the smallest is %1</source>
+        <translation>le plus petit est %1</translation>
     </message>
 </context>
 <context>
@@ -2928,6 +2993,10 @@ OpenGL&#xa0;: %4
         <source>Found in the scene</source>
         <translation>Trouvé dans la scène</translation>
     </message>
+    <message>
+        <source>Columns</source>
+        <translation>Colonnes</translation>
+    </message>
 </context>
 <context>
     <name>ramure::SceneSearch</name>
@@ -3225,10 +3294,6 @@ OpenGL&#xa0;: %4
         <translation>Pas d’arbre</translation>
     </message>
     <message>
-        <source>%1 branches  ·  %2 vertices  ·  %3 faces</source>
-        <translation>%1 branches  ·  %2 sommets  ·  %3 faces</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -3277,12 +3342,37 @@ OpenGL&#xa0;: %4
         <translation>Progression du calcul</translation>
     </message>
     <message>
-        <source>Time to build the trees, without drawing</source>
-        <translation>Temps de construction des arbres, sans l’affichage</translation>
-    </message>
-    <message>
         <source>Branches after simplification; vertices and faces of the branch meshes</source>
         <translation>Branches après simplification&#xa0;; sommets et faces des maillages de branches</translation>
+    </message>
+    <message>
+        <source>cached</source>
+        <translation>en mémoire</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln branch(es)</source>
+        <translation>
+            <numerusform>%Ln branche</numerusform>
+            <numerusform>%Ln branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln vertex(es)</source>
+        <translation>
+            <numerusform>%Ln sommet</numerusform>
+            <numerusform>%Ln sommets</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln face(s)</source>
+        <translation>
+            <numerusform>%Ln face</numerusform>
+            <numerusform>%Ln faces</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Time to build the trees, without drawing. “cached”: nothing had to be built, the results of before still hold.</source>
+        <translation>Temps de construction des arbres, sans le dessin. « en mémoire » : rien n’était à construire, les résultats précédents sont toujours valables.</translation>
     </message>
 </context>
 <context>

@@ -167,7 +167,7 @@ void TestBranchInspector::everySectionCanBeReached()
     QCOMPARE(inspected.count(), 0);
     // The values beside the stepper are those of the section.
     const auto sections = bench.sections(2);
-    FactForm* values = bench.browser()->findChild<FactForm*>();
+    FactForm* values = bench.browser()->details();
     for (int section = 0; section < 7; ++section) {
         slider->setValue(section);
         for (int row = 0; row < values->rowCount(); ++row)

@@ -143,7 +143,7 @@ void TestRollEditor::rollTurnsTheFrames()
     const SectionFacts after = bench.sections(1)[2];
     QVERIFY(std::abs(std::acos(glm::dot(before, after.normal)) - pi / 3) < 1e-9);
     QVERIFY(std::abs(after.twistRad - pi / 3) < 1e-9);
-    FactForm* values = bench.browser()->findChild<FactForm*>();
+    FactForm* values = bench.browser()->details();
     QCOMPARE(values->value(values->rowCount() - 1), QStringLiteral("60.00°"));
 }
 

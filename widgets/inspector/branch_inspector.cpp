@@ -11,6 +11,7 @@
 #include <QEvent>
 #include <QLabel>
 #include <QScrollArea>
+#include <QSplitter>
 #include <QStackedWidget>
 #include <QStyle>
 #include <QVBoxLayout>
@@ -23,6 +24,7 @@ constexpr quint32 newsThatMatter =
     changeSelection | changeResults | changeReset | changeBranches | changeNodeState | changeStructure;
 
 constexpr int leastHeight = 160;
+constexpr int leastScroll = 60;
 
 /// What a whole skeleton has to be asked once for, however many of its branches are looked at.
 struct SkeletonCache
@@ -54,6 +56,7 @@ struct BranchInspector::Private
     }
 
     void build();
+    void buildContent();
     void refresh();
     void showNothing(const QString& why);
     void showBranch(const NodeResult& result);
@@ -67,6 +70,8 @@ struct BranchInspector::Private
     QStackedWidget* pages = nullptr;
     EmptyPage* empty = nullptr;
     QWidget* content = nullptr;
+    QSplitter* parts = nullptr;
+    QLabel* detailsTitle = nullptr;
     QLabel* title = nullptr;
     QLabel* subtitle = nullptr;
     BranchFactForm* form = nullptr;
@@ -102,7 +107,10 @@ void BranchInspector::Private::build()
     empty = new EmptyPage(pages);
     pages->addWidget(empty);
 
-    auto* scroll = new QScrollArea(pages);
+    // The sections stand below, in sight at any height; what there is to say about the branch scrolls above.
+    parts = new QSplitter(Qt::Vertical, pages);
+    parts->setChildrenCollapsible(false);
+    auto* scroll = new QScrollArea(parts);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -110,8 +118,33 @@ void BranchInspector::Private::build()
     content = new QWidget(scroll);
     content->setObjectName(QStringLiteral("inspectorContent"));
     scroll->setWidget(content);
-    pages->addWidget(scroll);
+    scroll->setMinimumHeight(leastScroll);
+    parts->addWidget(scroll);
 
+    auto* below = new QWidget(parts);
+    auto* belowLayout = new QVBoxLayout(below);
+    belowLayout->setContentsMargins(12, 6, 12, 8);
+    sections = new SectionBrowser(below);
+    belowLayout->addWidget(sections);
+    buildContent();
+    parts->addWidget(below);
+    parts->setStretchFactor(0, 1);
+    parts->setSizes({400, 180});
+    pages->addWidget(parts);
+
+    QObject::connect(form, &BranchFactForm::branchChosen, q,
+                     [this](Index chosen) { document->setSelection(onlyBranch(node, chosen)); });
+    QObject::connect(sections, &SectionBrowser::currentSectionChanged, q, [this] {
+        showTitle();
+        announce();
+    });
+    QObject::connect(sections, &SectionBrowser::messageRaised, q, &BranchInspector::messageRaised);
+    QObject::connect(roll, &RollEditor::refused, q, &BranchInspector::messageRaised);
+}
+
+/// What scrolls: the branch, its roll, and the section looked at.
+void BranchInspector::Private::buildContent()
+{
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(12, 8, 12, 8);
     layout->setSpacing(6);
@@ -125,20 +158,17 @@ void BranchInspector::Private::build()
     subtitle->setWordWrap(true);
     form = new BranchFactForm(content);
     roll = new RollEditor(document, content);
-    sections = new SectionBrowser(content);
+    detailsTitle = new QLabel(content);
+    detailsTitle->setObjectName(QStringLiteral("partTitle"));
     layout->addWidget(title);
     layout->addWidget(subtitle);
+    layout->addWidget(roll);
+    layout->addSpacing(4);
     layout->addWidget(form);
     layout->addSpacing(8);
-    layout->addWidget(roll);
-    layout->addSpacing(8);
-    layout->addWidget(sections, 1);
-
-    QObject::connect(form, &BranchFactForm::branchChosen, q,
-                     [this](Index chosen) { document->setSelection(onlyBranch(node, chosen)); });
-    QObject::connect(sections, &SectionBrowser::currentSectionChanged, q, [this] { announce(); });
-    QObject::connect(sections, &SectionBrowser::messageRaised, q, &BranchInspector::messageRaised);
-    QObject::connect(roll, &RollEditor::refused, q, &BranchInspector::messageRaised);
+    layout->addWidget(detailsTitle);
+    layout->addWidget(sections->details());
+    layout->addStretch(1);
 }
 
 void BranchInspector::Private::refresh()
@@ -202,6 +232,10 @@ void BranchInspector::Private::showTitle()
     if (branch == noIndex)
         return;
     title->setText(tr("Branch %1").arg(branch));
+    detailsTitle->setText(tr("Section %1").arg(sections->currentSection() + 1));
+    const bool some = sections->currentSection() >= 0;
+    detailsTitle->setVisible(some);
+    sections->details()->setVisible(some);
     const Node* tree = document->scene().find(node);
     const QString name = tree ? QString::fromStdString(tree->name) : QString();
     const auto selected = static_cast<int>(document->selection().branches.size());
@@ -237,7 +271,8 @@ QSize BranchInspector::minimumSizeHint() const
 {
     // What scrolls only up and down must not be cut at the side.
     const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
-    return {d->content->minimumSizeHint().width() + bar, leastHeight};
+    return {std::max(d->content->minimumSizeHint().width() + bar, d->parts->minimumSizeHint().width()),
+            leastHeight};
 }
 
 QSize BranchInspector::sizeHint() const
@@ -260,6 +295,11 @@ void BranchInspector::nextSection()
 void BranchInspector::previousSection()
 {
     d->sections->setCurrentSection(d->sections->currentSection() - 1);
+}
+
+void BranchInspector::focusRoll()
+{
+    d->roll->setFocus(Qt::TabFocusReason);
 }
 
 void BranchInspector::copyCsv()

@@ -29,6 +29,8 @@ public slots:
     void setAngleUnit(ramure::AngleUnit unit);
     void nextSection();
     void previousSection();
+    /// To the field of the roll, its value marked: the next key replaces it.
+    void focusRoll();
     /// The sections of the active branch, comma-separated, on the clipboard.
     void copyCsv();
 

@@ -63,6 +63,7 @@ RollEditor::RollEditor(Document* document, QWidget* parent)
     m_hint->setForegroundRole(QPalette::PlaceholderText);
     m_hint->setWordWrap(true);
     m_name->setBuddy(m_field);
+    setFocusProxy(m_field);
     grid->addWidget(m_name, 0, 0, 1, 3);
     grid->addWidget(m_slider, 1, 0);
     grid->addWidget(m_field, 1, 1);
@@ -77,6 +78,7 @@ RollEditor::RollEditor(Document* document, QWidget* parent)
     connect(m_field, &NumberField::gestureBegan, this, &RollEditor::nextGesture);
     connect(m_field, &NumberField::gestureEnded, this, &RollEditor::nextGesture);
     connect(m_field, &NumberField::refused, this, &RollEditor::refused);
+    connect(m_field, &NumberField::held, this, &RollEditor::refused);
     connect(m_reset, &QToolButton::clicked, this, [this] { apply(0.0, 0); });
     setAngleUnit(AngleUnit::Degrees);
     retranslate();

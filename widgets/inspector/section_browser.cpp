@@ -18,7 +18,8 @@ namespace {
 
 constexpr int firstFormColumn = SectionModel::ParameterColumn; ///< the section's number stands in the stepper
 constexpr int formDecimals = 3; ///< of vectors: what fits beside the names in a narrow dock
-constexpr int rowsInSight = 6;
+constexpr int leastSlider = 60; ///< pixels, to be moved at all
+constexpr int rowsInSight = 4;  ///< at least
 
 } // namespace
 
@@ -49,7 +50,6 @@ SectionBrowser::SectionBrowser(QWidget* parent)
     layout->setSpacing(6);
     buildStepper();
     m_form = new FactForm(SectionModel::columnTotal - firstFormColumn, this);
-    layout->addWidget(m_form);
     buildTable();
     retranslate();
     setFacts({});
@@ -63,6 +63,7 @@ void SectionBrowser::buildStepper()
     m_slider = new QSlider(Qt::Horizontal, this);
     m_slider->setObjectName(QStringLiteral("sectionSlider"));
     m_slider->setPageStep(1);
+    m_slider->setMinimumWidth(leastSlider);
     m_field = new NumberField(this);
     m_field->setObjectName(QStringLiteral("sectionField"));
     NumberFormat whole;
@@ -77,25 +78,21 @@ void SectionBrowser::buildStepper()
     row->addWidget(m_slider, 1);
     row->addWidget(m_field);
     row->addWidget(m_total);
+    m_copy = new QToolButton(this);
+    m_copy->setObjectName(QStringLiteral("copyCsv"));
+    m_copy->setIcon(icon("copy"));
+    m_copy->setAutoRaise(true);
+    row->addWidget(m_copy);
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
     connect(m_slider, &QSlider::valueChanged, this, &SectionBrowser::setCurrentSection);
     connect(m_field, &NumberField::valueEdited, this,
             [this](double number) { setCurrentSection(static_cast<int>(number) - 1); });
+    for (const auto signal : {&NumberField::held, &NumberField::refused})
+        connect(m_field, signal, this, &SectionBrowser::messageRaised);
 }
 
 void SectionBrowser::buildTable()
 {
-    auto* head = new QHBoxLayout;
-    head->setContentsMargins(0, 6, 0, 0);
-    m_copy = new QToolButton(this);
-    m_copy->setObjectName(QStringLiteral("copyCsv"));
-    m_copy->setIcon(icon("copy"));
-    m_copy->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_copy->setAutoRaise(true);
-    head->addStretch(1);
-    head->addWidget(m_copy);
-    static_cast<QVBoxLayout*>(layout())->addLayout(head);
-
     m_table = new SectionTable(this);
     m_table->setObjectName(QStringLiteral("sectionTable"));
     m_table->setModel(m_model);
@@ -110,7 +107,7 @@ void SectionBrowser::buildTable()
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 6);
     m_table->horizontalHeader()->setHighlightSections(false);
-    m_table->setMinimumHeight(rowsInSight * m_table->verticalHeader()->defaultSectionSize());
+    m_table->setMinimumHeight((rowsInSight + 1) * m_table->verticalHeader()->defaultSectionSize());
     static_cast<QVBoxLayout*>(layout())->addWidget(m_table, 1);
     connect(m_copy, &QToolButton::clicked, this, [this] { copyCsv(false); });
     connect(m_table, &SectionTable::copyRequested, this, [this] { copyCsv(true); });
@@ -208,7 +205,7 @@ void SectionBrowser::retranslate()
     const QString help = tr("Steps through the sections. The viewport shows the section's plane and frame.");
     m_slider->setToolTip(help);
     m_field->setToolTip(help);
-    m_copy->setText(tr("Copy as CSV"));
+    m_copy->setAccessibleName(tr("Copy as CSV"));
     m_copy->setToolTip(
         tr("Copies all sections as comma-separated values for a spreadsheet. Ctrl+C in the table does "
            "the same, or copies the selected rows where there are several."));

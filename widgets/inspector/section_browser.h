@@ -40,6 +40,8 @@ public:
     /// The section looked at stays as near to the one the user chose as the number of sections allows.
     void setFacts(std::vector<SectionFacts> facts);
     [[nodiscard]] const std::vector<SectionFacts>& facts() const { return m_model->facts(); }
+    /// The values of the current section, one below the other: for whoever has a place for them.
+    [[nodiscard]] FactForm* details() const { return m_form; }
     /// From 0; -1 where there are no sections.
     [[nodiscard]] int currentSection() const;
     void setAngleUnit(AngleUnit unit);

@@ -11,10 +11,12 @@
 #include "widgets/export/export_dialog.h"
 #include "widgets/history/history_dock.h"
 #include "widgets/inspector/branch_inspector.h"
+#include "widgets/main_window/isolation_button.h"
 #include "widgets/main_window/message_banner.h"
 #include "widgets/main_window/problem_button.h"
 #include "widgets/main_window/status_panel.h"
 #include "widgets/properties/properties_panel.h"
+#include "widgets/scene/isolation.h"
 #include "widgets/scene/scene_panel.h"
 #include "widgets/scene/select_actions.h"
 #include "widgets/support/core_text.h"
@@ -61,6 +63,7 @@ MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* pr
     , m_preferences(preferences)
     , m_chooser(chooser)
     , m_actions(new ActionSet(this))
+    , m_isolation(new Isolation(document, this))
     , m_banner(new MessageBanner(this))
     , m_host(new ViewportHost(document, this))
     , m_player(new Player(document, this))
@@ -123,7 +126,7 @@ QDockWidget* MainWindow::addPanel(const QString& name, QWidget* content, Qt::Doc
 
 void MainWindow::buildDocks()
 {
-    m_scene = new ScenePanel(m_document, this);
+    m_scene = new ScenePanel(m_document, m_preferences, this);
     m_properties = new PropertiesPanel(m_document, m_preferences, this);
     m_history = new HistoryDock(m_document, this);
     m_inspector = new BranchInspector(m_document, this);
@@ -172,12 +175,13 @@ void MainWindow::buildActions()
 {
     m_files = new FileActions(m_document, m_preferences, m_chooser, m_actions, this);
     m_edits = new EditActions(m_document, m_chooser, m_actions, this);
-    m_selects = new SelectActions(m_document, m_actions, this);
+    m_selects = new SelectActions(m_document, m_isolation, m_actions, this);
     m_views = new ViewActions(m_host, m_preferences, m_actions, this);
     m_search = m_actions->add(
         {"view.search", QT_TRANSLATE_NOOP("Actions", "Find a &parameter"), "search", QKeySequence::Find});
     m_resetLayout =
         m_actions->add({"view.resetLayout", QT_TRANSLATE_NOOP("Actions", "Reset the &layout"), nullptr, {}});
+    buildBranchActions();
     m_pictures = new PictureActions(m_host, m_preferences, m_chooser, m_actions, this);
     m_program = new ProgramActions(m_actions, m_preferences, m_host->settings(), this);
     m_welcome = new WelcomePanel(m_files, m_actions, m_preferences, this);
@@ -198,6 +202,34 @@ void MainWindow::buildActions()
     });
 }
 
+/// What the inspector does by keys; it comes to the front for it.
+void MainWindow::buildBranchActions()
+{
+    m_nextSection =
+        m_actions->add({"inspect.nextSection", QT_TRANSLATE_NOOP("Actions", "Ne&xt section"), nullptr,
+                        QKeySequence(Qt::CTRL | Qt::Key_Right),
+                        QT_TRANSLATE_NOOP("Actions", "Inspect the next cross-section of the branch")});
+    m_previousSection =
+        m_actions->add({"inspect.previousSection", QT_TRANSLATE_NOOP("Actions", "P&revious section"), nullptr,
+                        QKeySequence(Qt::CTRL | Qt::Key_Left),
+                        QT_TRANSLATE_NOOP("Actions", "Inspect the cross-section before this one")});
+    m_roll = m_actions->add({"inspect.roll", QT_TRANSLATE_NOOP("Actions", "Roll by h&and"), nullptr,
+                             QKeySequence(Qt::Key_R),
+                             QT_TRANSLATE_NOOP("Actions", "Turn the frames of the selected branches")});
+    const std::pair<QAction*, void (BranchInspector::*)()> steps[] = {
+        {m_nextSection, &BranchInspector::nextSection},
+        {m_previousSection, &BranchInspector::previousSection},
+        {m_roll, &BranchInspector::focusRoll},
+    };
+    for (const auto& [action, step] : steps) {
+        action->setEnabled(false);
+        connect(action, &QAction::triggered, this, [this, then = step] {
+            showInspector();
+            (m_inspector->*then)();
+        });
+    }
+}
+
 void MainWindow::buildMenus()
 {
     m_fileMenu = menuBar()->addMenu(QString());
@@ -211,6 +243,8 @@ void MainWindow::buildMenus()
     m_selectMenu = menuBar()->addMenu(QString());
     m_selectMenu->addActions(m_pictures->selectionActions());
     m_selects->fillMenu(m_selectMenu);
+    m_selectMenu->addSeparator();
+    m_selectMenu->addActions(branchActions());
     m_viewMenu = menuBar()->addMenu(QString());
     m_views->fillMenu(m_viewMenu,
                       {m_sceneDock->toggleViewAction(), m_propertiesDock->toggleViewAction(),
@@ -250,6 +284,7 @@ void MainWindow::buildStatusBar()
     m_problem = new ProblemButton(m_document, this);
     m_status = new StatusPanel(m_document, m_recompute, this);
     statusBar()->addWidget(m_problem, 1);
+    statusBar()->addPermanentWidget(new IsolationButton(m_isolation, this));
     statusBar()->addPermanentWidget(m_status);
 }
 
@@ -278,17 +313,33 @@ void MainWindow::connectPanels()
     const auto applyUnits = [this] { m_inspector->setAngleUnit(m_preferences->angleUnit()); };
     connect(m_preferences, &Preferences::changed, this, applyUnits);
     applyUnits();
-    Viewport* view = m_host->viewport();
-    if (!view)
-        return;
+    if (Viewport* view = m_host->viewport())
+        connectViewport(view);
+}
+
+void MainWindow::connectViewport(Viewport* view)
+{
+    connect(m_isolation, &Isolation::changed, view,
+            [this, view] { view->setIsolated(m_isolation->node(), m_isolation->branches()); });
     connect(m_inspector, &BranchInspector::sectionInspected, view, &Viewport::setInspectedSection);
     connect(m_inspector, &BranchInspector::sectionLeft, view, &Viewport::clearInspectedSection);
     connect(m_validation, &ValidationPanel::defectActivated, view, &Viewport::showDefect);
     connect(m_validation, &ValidationPanel::defectLeft, view, &Viewport::clearDefect);
 }
 
+void MainWindow::showInspector()
+{
+    m_inspectorDock->show();
+    m_inspectorDock->raise();
+}
+
 void MainWindow::follow(const Change& change)
 {
+    if (change.has(changeSelection | changeReset)) {
+        const bool branch = m_document->selection().activeBranch != noIndex;
+        for (QAction* action : branchActions())
+            action->setEnabled(branch);
+    }
     if (change.has(changeFile | changeReset))
         updateTitle();
 }

@@ -13,6 +13,8 @@ class Chooser;
 class EditActions;
 class FileActions;
 class HistoryDock;
+class Isolation;
+class IsolationButton;
 class MessageBanner;
 class PictureActions;
 class PlayActions;
@@ -28,6 +30,7 @@ class StatusPanel;
 class TimelinePanel;
 class ValidationPanel;
 class ViewActions;
+class Viewport;
 class ViewportHost;
 class WelcomePanel;
 
@@ -48,6 +51,8 @@ public:
     [[nodiscard]] ScenePanel* scenePanel() const { return m_scene; }
     [[nodiscard]] StatusPanel* status() const { return m_status; }
     [[nodiscard]] ProblemButton* problem() const { return m_problem; }
+    [[nodiscard]] BranchInspector* inspector() const { return m_inspector; }
+    [[nodiscard]] Isolation* isolation() const { return m_isolation; }
     [[nodiscard]] ViewportHost* viewportHost() const { return m_host; }
     [[nodiscard]] Player* player() const { return m_player; }
     [[nodiscard]] TimelinePanel* timeline() const { return m_timeline; }
@@ -66,10 +71,14 @@ private:
     QDockWidget* addPanel(const QString& name, QWidget* content, Qt::DockWidgetArea area);
     void buildDocks();
     void buildActions();
+    void buildBranchActions();
+    [[nodiscard]] QList<QAction*> branchActions() const { return {m_nextSection, m_previousSection, m_roll}; }
     void buildMenus();
     void buildToolBar();
     void buildStatusBar();
     void connectPanels();
+    void connectViewport(Viewport* view);
+    void showInspector();
     void follow(const Change& change);
     void updateTitle();
     void restoreLayout();
@@ -80,6 +89,7 @@ private:
     Preferences* m_preferences;
     Chooser* m_chooser;
     ActionSet* m_actions;
+    Isolation* m_isolation;
     MessageBanner* m_banner;
     ViewportHost* m_host;
     Player* m_player;
@@ -101,6 +111,9 @@ private:
     WelcomePanel* m_welcome = nullptr;
     QAction* m_resetLayout = nullptr;
     QAction* m_search = nullptr;
+    QAction* m_nextSection = nullptr;
+    QAction* m_previousSection = nullptr;
+    QAction* m_roll = nullptr;
     QMenu* m_fileMenu = nullptr;
     QMenu* m_editMenu = nullptr;
     QMenu* m_selectMenu = nullptr;

@@ -10,12 +10,21 @@
 #include <QStyle>
 #include <QTimer>
 #include <QToolButton>
+#include <algorithm>
+#include <limits>
 
 namespace ramure {
 namespace {
 
 constexpr int patienceMs = 300;
 constexpr int progressSteps = 1000;
+constexpr double leastMs = 0.05; ///< less is shown as no time at all: nothing was computed
+const QString separator = QStringLiteral("  ·  ");
+
+int pluralCount(quint64 count)
+{
+    return static_cast<int>(std::min<quint64>(count, std::numeric_limits<int>::max()));
+}
 
 } // namespace
 
@@ -132,6 +141,16 @@ void StatusPanel::setBadge(const QString& state, const QString& text, const QStr
     m_badge->style()->polish(m_badge);
 }
 
+QString StatusPanel::timeText(double seconds)
+{
+    const QLocale locale;
+    const double ms = seconds * 1000.0;
+    if (ms < leastMs)
+        return tr("cached");
+    return ms < 1000.0 ? tr("%1 ms").arg(locale.toString(ms, 'f', ms < 10.0 ? 1 : 0))
+                       : tr("%1 s").arg(locale.toString(seconds, 'f', 1));
+}
+
 QString StatusPanel::reportTip(const SceneTotals& totals) const
 {
     const QLocale locale;
@@ -167,12 +186,11 @@ void StatusPanel::update()
         m_counts->setText(totals.trees == 0 ? tr("No trees") : QString());
         m_time->clear();
     } else {
-        m_counts->setText(tr("%1 branches  ·  %2 vertices  ·  %3 faces")
-                              .arg(locale.toString(totals.branches), locale.toString(totals.vertices),
-                                   locale.toString(totals.faces)));
-        const double ms = totals.seconds * 1000.0;
-        m_time->setText(ms < 1000.0 ? tr("%1 ms").arg(locale.toString(ms, 'f', ms < 10.0 ? 1 : 0))
-                                    : tr("%1 s").arg(locale.toString(totals.seconds, 'f', 1)));
+        const QString counts[] = {tr("%Ln branch(es)", nullptr, pluralCount(totals.branches)),
+                                  tr("%Ln vertex(es)", nullptr, pluralCount(totals.vertices)),
+                                  tr("%Ln face(s)", nullptr, pluralCount(totals.faces))};
+        m_counts->setText(counts[0] + separator + counts[1] + separator + counts[2]);
+        m_time->setText(timeText(totals.seconds));
     }
     m_badge->setVisible(totals.trees > 0);
     if (totals.failed)
@@ -200,7 +218,9 @@ void StatusPanel::retranslate()
     m_cancel->setToolTip(tr("Stop computing; the draft stays"));
     m_cancel->setAccessibleName(tr("Stop computing"));
     m_progress->setAccessibleName(tr("Progress of the computation"));
-    m_time->setToolTip(tr("Time to build the trees, without drawing"));
+    m_time->setToolTip(tr(
+        "Time to build the trees, without drawing. “cached”: nothing had to be built, the results of before "
+        "still hold."));
     m_counts->setToolTip(tr("Branches after simplification; vertices and faces of the branch meshes"));
     update();
 }

@@ -36,6 +36,8 @@ public:
     StatusPanel(Document* document, Recompute* recompute, QWidget* parent = nullptr);
 
     [[nodiscard]] QString countsText() const;
+    /// How long the trees took; a word where nothing had to be computed.
+    [[nodiscard]] static QString timeText(double seconds);
     /// "good", "bad", "warning" or "busy".
     [[nodiscard]] QString badgeState() const;
 

@@ -1,6 +1,7 @@
 #include "widgets/numbers/expression.h"
 
 #include <QString>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -56,8 +57,10 @@ public:
         if (m_error)
             return fail(*m_error);
         const double value = inUnit(result);
-        if (!std::isfinite(value))
-            return fail(ErrorCode::Invalid, RAMURE_NOOP("the result is not a finite number"));
+        if (std::isnan(value))
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("the result is no number"));
+        if (std::isinf(value))
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("the result is too large"));
         return value;
     }
 
@@ -220,7 +223,11 @@ private:
         if (!name.isEmpty() && take(u'('))
             return function(name);
         m_at -= name.size();
-        stop(RAMURE_NOOP("a number is missing here"));
+        const bool isWord = name.compare(u"nan", Qt::CaseInsensitive) == 0 ||
+                            name.compare(u"inf", Qt::CaseInsensitive) == 0 ||
+                            name.compare(u"infinity", Qt::CaseInsensitive) == 0;
+        stop(isWord ? RAMURE_NOOP("only finite numbers can be used")
+                    : RAMURE_NOOP("a number is missing here"));
         return {};
     }
 
@@ -259,6 +266,14 @@ private:
         return {apply(inner.value), keepsUnit && inner.hasUnit, keepsUnit && inner.hasPi, 1.0};
     }
 
+    /// "1e-999" is 0 for all purposes, though the conversion calls it a failure.
+    static bool isTooSmall(const QString& text)
+    {
+        const auto isPlain = [](QChar c) { return c.unicode() < 128; };
+        const auto isDigit = [](QChar c) { return c >= u'0' && c <= u'9'; };
+        return std::ranges::all_of(text, isPlain) && std::ranges::any_of(text, isDigit);
+    }
+
     double number()
     {
         const qsizetype from = m_at;
@@ -284,7 +299,10 @@ private:
         bool good = false;
         QString text = m_text.sliced(from, m_at - from).toString();
         const double value = text.replace(u',', u'.').toDouble(&good);
-        if (!good)
+        if (std::isinf(value)) {
+            m_at = from;
+            stop(RAMURE_NOOP("this number is too large"));
+        } else if (!good && !isTooSmall(text))
             stop(RAMURE_NOOP("this cannot be read as a number"));
         return value;
     }

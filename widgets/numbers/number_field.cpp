@@ -9,6 +9,11 @@
 #include <cmath>
 
 namespace ramure {
+namespace {
+
+constexpr double sameText = 1e-12; ///< relative: two ways of writing one number ("18", "18 deg")
+
+} // namespace
 
 NumberField::NumberField(QWidget* parent)
     : QAbstractSpinBox(parent)
@@ -37,6 +42,11 @@ void NumberField::setRange(double minimum, double maximum)
 void NumberField::setStep(double step)
 {
     m_step = step;
+}
+
+void NumberField::setDefault(std::optional<double> value)
+{
+    m_default = value;
 }
 
 void NumberField::setValue(std::optional<double> value)
@@ -68,6 +78,19 @@ void NumberField::edit(double value)
         emit valueEdited(held);
 }
 
+/// A value whose own text was typed again is that value, not the rounded one that the text says.
+double NumberField::meant(double typed) const
+{
+    for (const std::optional<double>& known : {m_value, m_default}) {
+        if (!known)
+            continue;
+        const auto read = m_format.parse(m_format.text(*known));
+        if (read && std::abs(*read - typed) <= sameText * std::abs(typed))
+            return *known;
+    }
+    return typed;
+}
+
 void NumberField::commit(bool keepBadText)
 {
     if (!lineEdit()->isModified())
@@ -75,7 +98,14 @@ void NumberField::commit(bool keepBadText)
     const auto value = m_format.parse(lineEdit()->text());
     if (value) {
         setRefusal({});
-        edit(*value);
+        const double wish = meant(*value);
+        edit(wish);
+        if (wish > m_maximum)
+            setNote(tr("the largest is %1").arg(m_format.text(m_maximum)));
+        else if (wish < m_minimum)
+            setNote(tr("the smallest is %1").arg(m_format.text(m_minimum)));
+        else
+            setNote({});
         return;
     }
     if (keepBadText) {
@@ -95,6 +125,13 @@ void NumberField::setRefusal(const QString& reason)
     style()->unpolish(this);
     style()->polish(this);
     emit refused(reason);
+}
+
+void NumberField::setNote(const QString& note)
+{
+    if (m_noted || !note.isEmpty())
+        emit held(note);
+    m_noted = !note.isEmpty();
 }
 
 void NumberField::stepBy(int steps)
@@ -123,6 +160,7 @@ void NumberField::focusInEvent(QFocusEvent* event)
     QAbstractSpinBox::focusInEvent(event);
     if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason)
         selectAll();
+    setNote({});
     emit gestureBegan();
 }
 

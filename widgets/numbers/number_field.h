@@ -20,6 +20,9 @@ public:
     void setRange(double minimum, double maximum);
     /// One arrow key; with Shift a tenth, with Ctrl or Page Up and Down ten times as much.
     void setStep(double step);
+    /// What a reset gives. Typing what the field shows for it means exactly this value: 18 degrees and a
+    /// default of 0.3142 rad look the same, and a parameter that looks unchanged is unchanged.
+    void setDefault(std::optional<double> value);
 
     /// Shows a value; std::nullopt: several nodes differ. Never emits. A text being typed stays.
     void setValue(std::optional<double> value);
@@ -35,6 +38,9 @@ signals:
     /// The text that was entered is no number; \p reason says why, in the interface's language. Empty: all is
     /// well again.
     void refused(const QString& reason);
+    /// What was typed lies outside the range and the nearest end was taken; \p note says which, in the
+    /// interface's language. After valueEdited. Empty: the note is no longer true.
+    void held(const QString& note);
     void gestureBegan();
     void gestureEnded();
 
@@ -51,7 +57,9 @@ private:
     /// \param keepBadText leaves a text that is no number in place for another try.
     void commit(bool keepBadText);
     void setRefusal(const QString& reason);
+    void setNote(const QString& note);
     void edit(double value);
+    [[nodiscard]] double meant(double typed) const;
 
     NumberFormat m_format;
     double m_minimum = -1e12;
@@ -59,7 +67,9 @@ private:
     double m_step = 1.0;
     double m_stepFactor = 1.0;
     std::optional<double> m_value = 0.0;
+    std::optional<double> m_default;
     bool m_refused = false;
+    bool m_noted = false;
 };
 
 } // namespace ramure

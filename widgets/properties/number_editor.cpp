@@ -33,6 +33,7 @@ NumberEditor::NumberEditor(const ParamDef& def, QWidget* parent)
     m_field = new NumberField(this);
     m_field->setRange(def.hardMin, def.hardMax);
     m_field->setStep(def.step);
+    m_field->setDefault(asNumber(defaultValue(def)));
     if (def.flags & paramSeed) {
         m_dice = new QToolButton(this);
         m_dice->setAutoRaise(true);
@@ -60,6 +61,7 @@ NumberEditor::NumberEditor(const ParamDef& def, QWidget* parent)
     connect(m_field, &NumberField::gestureBegan, this, &NumberEditor::nextGesture);
     connect(m_field, &NumberField::gestureEnded, this, &NumberEditor::nextGesture);
     connect(m_field, &NumberField::refused, this, &NumberEditor::refused);
+    connect(m_field, &NumberField::held, this, &NumberEditor::held);
 }
 
 ParamValue NumberEditor::asValue(double number) const

@@ -39,6 +39,8 @@ signals:
     void componentEdited(int axis, double value, ramure::GestureId gesture);
     /// What was typed cannot be a value; empty: all is well again.
     void refused(const QString& reason);
+    /// What was typed lies outside the range: which end was taken instead; empty: no longer so.
+    void held(const QString& note);
 
 protected:
     /// A press, a release, the focus coming or going: what follows is another undo step.

@@ -117,6 +117,7 @@ ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
     m_message->hide();
     connect(m_reset, &QToolButton::clicked, this, &ParamRow::resetRequested);
     connect(m_editor, &ParamEditor::refused, this, &ParamRow::showRefusal);
+    connect(m_editor, &ParamEditor::held, this, &ParamRow::showRefusal);
     retranslate();
 }
 

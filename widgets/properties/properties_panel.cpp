@@ -72,6 +72,7 @@ PropertiesPanel::PropertiesPanel(Document* document, Preferences* preferences, Q
 
     buildRows();
     connect(m_search, &QLineEdit::textChanged, this, &PropertiesPanel::applyFilter);
+    connect(m_search, &QLineEdit::returnPressed, this, &PropertiesPanel::focusFirstFound);
     connect(m_document, &Document::changed, this, &PropertiesPanel::follow);
     connect(m_preferences, &Preferences::changed, this, &PropertiesPanel::applyPreferences);
     applyPreferences();
@@ -102,6 +103,7 @@ void PropertiesPanel::buildRows()
                         folded += QString::fromLatin1(each->group());
                 }
                 m_preferences->setFoldedGroups(folded);
+                updateGeometry();
             });
             found = m_sections.insert(m_sections.end(), section);
         }
@@ -296,6 +298,18 @@ void PropertiesPanel::focusSearch()
     m_search->selectAll();
 }
 
+/// To the first parameter in sight, its value marked: the next key replaces it.
+void PropertiesPanel::focusFirstFound()
+{
+    for (const ParamRow* row : m_rows) {
+        if (!row->isVisibleTo(this) || !row->editor()->isEnabled())
+            continue;
+        m_scroll->ensureWidgetVisible(row->editor());
+        row->editor()->setFocus(Qt::TabFocusReason);
+        return;
+    }
+}
+
 void PropertiesPanel::showParam(const QString& key)
 {
     const ParamDef* def = findParam(key.toStdString());
@@ -308,6 +322,15 @@ void PropertiesPanel::showParam(const QString& key)
     }
     m_scroll->ensureWidgetVisible(row(*def));
     row(*def)->editor()->setFocus(Qt::ShortcutFocusReason);
+}
+
+QSize PropertiesPanel::minimumSizeHint() const
+{
+    // What scrolls only up and down must not be cut at the side.
+    constexpr int leastHeight = 160;
+    const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
+    return {std::max(m_content->minimumSizeHint().width() + bar, QWidget::minimumSizeHint().width()),
+            leastHeight};
 }
 
 void PropertiesPanel::changeEvent(QEvent* event)
@@ -343,6 +366,7 @@ void PropertiesPanel::retranslate()
     }
     m_scroll->setAccessibleName(tr("Parameters"));
     alignLabels();
+    updateGeometry();
 }
 
 } // namespace ramure

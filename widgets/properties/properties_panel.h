@@ -29,6 +29,8 @@ public:
     [[nodiscard]] ParamRow* row(const ParamDef& def) const;
     [[nodiscard]] const std::vector<NodeId>& nodes() const { return m_nodes; }
     [[nodiscard]] QSize sizeHint() const override { return {360, 640}; }
+    /// As wide as the widest row in sight needs.
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 public slots:
     void focusSearch();
@@ -48,6 +50,7 @@ private:
     void applyPreferences();
     void retranslate();
     void alignLabels();
+    void focusFirstFound();
     void setValue(ParamRow* row, const ParamValue& value, quint64 gesture);
     void setComponent(ParamRow* row, int axis, double value, quint64 gesture);
     void copyGroup(const GroupSection* section);

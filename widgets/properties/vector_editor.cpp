@@ -23,6 +23,7 @@ VectorEditor::VectorEditor(const ParamDef& def, QWidget* parent)
         auto* field = new NumberField(this);
         field->setRange(def.hardMin, def.hardMax);
         field->setStep(def.step);
+        field->setDefault(std::get<glm::dvec3>(defaultValue(def))[axis]);
         field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         letter->setBuddy(field);
         m_fields[static_cast<std::size_t>(axis)] = field;
@@ -35,6 +36,7 @@ VectorEditor::VectorEditor(const ParamDef& def, QWidget* parent)
         connect(field, &NumberField::gestureBegan, this, &VectorEditor::nextGesture);
         connect(field, &NumberField::gestureEnded, this, &VectorEditor::nextGesture);
         connect(field, &NumberField::refused, this, &VectorEditor::refused);
+        connect(field, &NumberField::held, this, &VectorEditor::held);
     }
     setFocusProxy(m_fields[0]);
     setAngleUnit(AngleUnit::Degrees);

@@ -6,11 +6,6 @@
 #include <utility>
 
 namespace ramure {
-namespace {
-
-constexpr int msPerMinute = 60'000;
-
-} // namespace
 
 Recovery::Recovery(Document* document, Preferences* preferences, Chooser* chooser, const QString& folder,
                    QObject* parent)
@@ -34,9 +29,9 @@ Recovery::Recovery(Document* document, Preferences* preferences, Chooser* choose
 void Recovery::takePreferences()
 {
     // Only when it is another one: the clock begins anew.
-    const int minutes = m_preferences->autosaveMinutes();
-    if (std::exchange(m_minutes, minutes) != minutes)
-        m_autosave.setInterval(minutes * msPerMinute);
+    const int interval = m_preferences->autosaveMs();
+    if (std::exchange(m_intervalMs, interval) != interval)
+        m_autosave.setInterval(interval);
 }
 
 bool Recovery::offer()

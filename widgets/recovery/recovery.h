@@ -33,7 +33,7 @@ private:
     Preferences* m_preferences;
     Chooser* m_chooser;
     QString m_folder;
-    int m_minutes = -1;
+    int m_intervalMs = -1;
     Autosave m_autosave;
 };
 

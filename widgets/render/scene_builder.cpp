@@ -2,6 +2,7 @@
 
 #include "core/mesh/normals.h"
 #include "core/mesh/rough_model.h"
+#include "widgets/render/isolated_parts.h"
 #include "widgets/render/line_art.h"
 #include "widgets/render/scene_part_cache.h"
 #include <algorithm>
@@ -28,8 +29,25 @@ struct TreeItems
     const TreeResult& tree;
     glm::dmat4 world;
 
+    [[nodiscard]] bool isIsolated() const
+    {
+        return view.isolatedNode == node.id && !view.isolatedBranches.empty();
+    }
+    /// The part of a mesh, of lines or marks that belongs to the branches shown alone, where there are such.
+    template <class T> std::shared_ptr<const T> shown(std::shared_ptr<const T> block)
+    {
+        if (!block || !isIsolated() || !tree.simplified)
+            return block;
+        return cache.get<T>(
+            ScenePart::Isolated, block, tree.simplified, asNumbers(view.isolatedBranches), [&] {
+                return onlyBranches(*block,
+                                    branchFlags(tree.simplified->skeleton.size(), view.isolatedBranches));
+            });
+    }
+
     void addMesh(std::shared_ptr<const TriangleMesh> mesh, Material material)
     {
+        mesh = shown(std::move(mesh));
         if (!mesh || mesh->empty())
             return;
         MeshItem item;
@@ -43,12 +61,14 @@ struct TreeItems
     }
     void addLines(std::shared_ptr<const LineSet> lines, bool throughSurfaces, bool pickable)
     {
+        lines = shown(std::move(lines));
         if (!lines->segments.empty())
             scene.lines.push_back(
                 {std::move(lines), world, node.id, throughSurfaces, pickable && !node.locked});
     }
     void addPoints(std::shared_ptr<const PointSet> points)
     {
+        points = shown(std::move(points));
         if (!points->points.empty())
             scene.points.push_back({std::move(points), world, node.id, false});
     }
@@ -144,12 +164,14 @@ struct TreeItems
         if (all || (view.frames == FrameDisplay::Selection && view.branchNode == node.id &&
                     !view.branches.empty())) {
             std::vector<Index> wanted = view.branches;
-            if (all) {
+            if (all && isIsolated()) {
+                wanted = view.isolatedBranches;
+            } else if (all) {
                 wanted.resize(of.size());
                 std::iota(wanted.begin(), wanted.end(), Index(0));
             }
             addLines(cache.get<LineSet>(ScenePart::FrameArrows, tree.simplified, tree.sections,
-                                        all ? std::vector<double>{-1.0} : asNumbers(wanted),
+                                        all && !isIsolated() ? std::vector<double>{-1.0} : asNumbers(wanted),
                                         [&] { return frameArrows(of, *tree.sections, wanted); }),
                      !all, false);
         }

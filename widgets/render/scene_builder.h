@@ -37,6 +37,8 @@ struct SceneView
     NodeId hoverNode = noNode;
     Index hoverBranch = noIndex;
     InspectedSection inspected;
+    NodeId isolatedNode = noNode;        ///< the tree of which only some branches are shown
+    std::vector<Index> isolatedBranches; ///< of its simplified skeleton; empty = all
 };
 
 class SceneBuilder

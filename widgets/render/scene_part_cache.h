@@ -24,6 +24,7 @@ enum class ScenePart : std::uint8_t {
     FrameArrows,
     Inspected,
     SelectedCurves,
+    Isolated,
 };
 
 /// What a part was made from: two blocks and some numbers.

@@ -7,6 +7,7 @@
 #include "widgets/scene/scene_tree.h"
 #include "widgets/scene/select_actions.h"
 #include "widgets/support/core_text.h"
+#include "widgets/support/preferences.h"
 #include "widgets/support/targets.h"
 #include "widgets/theme/icons.h"
 #include <QEvent>
@@ -24,11 +25,20 @@ namespace {
 /// does to tell what differs, takes the product of both.
 constexpr int manyRanges = 64;
 
+/// Of a column in the settings.
+QString columnKey(SceneModel::Column column)
+{
+    constexpr const char* keys[SceneModel::columns] = {"name",   "visible",  "locked", "length",
+                                                       "radius", "children", "level"};
+    return QString::fromLatin1(keys[column]);
+}
+
 } // namespace
 
-ScenePanel::ScenePanel(Document* document, QWidget* parent)
+ScenePanel::ScenePanel(Document* document, Preferences* preferences, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
+    , m_preferences(preferences)
     , m_model(new SceneModel(document, this))
     , m_results(new SceneResults(document, m_model, this))
     , m_search(new SceneSearch(this))
@@ -60,6 +70,7 @@ ScenePanel::ScenePanel(Document* document, QWidget* parent)
     prepareView(m_list, "sceneResults");
     m_list->setRootIsDecorated(false);
     m_list->setDragDropMode(QAbstractItemView::NoDragDrop);
+    showColumns();
 
     connect(m_document, &Document::changed, this, &ScenePanel::follow);
     connect(m_model, &SceneModel::refused, this, &ScenePanel::messageRaised);
@@ -87,9 +98,6 @@ void ScenePanel::prepareView(SceneTree* view, const char* name)
 {
     view->setObjectName(QLatin1String(name));
     view->prepareColumns();
-    // In a narrow panel names matter most; the rest is a right click on the header away.
-    view->setColumnHidden(SceneModel::RadiusColumn, true);
-    view->setColumnHidden(SceneModel::LevelColumn, true);
     m_stack->addWidget(view);
     connect(view->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this, view] {
         if (view == presentView())
@@ -175,12 +183,37 @@ Selection ScenePanel::viewSelection() const
     return selection;
 }
 
+/// What is selected and not among the results stays selected while rows are added to it and taken from it.
+void ScenePanel::addUnlisted(Selection& chosen) const
+{
+    const Selection& before = m_document->selection();
+    std::vector<NodeId> nodes;
+    for (const NodeId node : before.nodes)
+        if (!m_results->nodeIndex(node).isValid())
+            nodes.push_back(node);
+    chosen.nodes.insert(chosen.nodes.begin(), nodes.begin(), nodes.end());
+    if (chosen.branchNode != noNode && chosen.branchNode != before.branchNode)
+        return; // branches of one tree only can be selected
+    for (const Index branch : before.branches) {
+        if (m_results->branchIndex(before.branchNode, branch).isValid())
+            continue;
+        chosen.branchNode = before.branchNode;
+        chosen.branches.push_back(branch);
+    }
+    std::ranges::sort(chosen.branches);
+    if (chosen.activeBranch == noIndex && !chosen.branches.empty())
+        chosen.activeBranch = chosen.branches.back();
+}
+
 void ScenePanel::takeSelection()
 {
     if (m_syncing)
         return;
     m_syncing = true;
-    m_document->setSelection(viewSelection());
+    Selection chosen = viewSelection();
+    if (isSearching() && m_list->isAdding())
+        addUnlisted(chosen);
+    m_document->setSelection(std::move(chosen));
     m_syncing = false;
     showSelection(); // the document may have dropped something
 }
@@ -217,9 +250,27 @@ QItemSelection ScenePanel::documentSelection() const
     return selection;
 }
 
+/// As far as the view has rows for it.
+bool ScenePanel::isSelectionShown() const
+{
+    const Selection shown = viewSelection();
+    Selection wanted = m_document->selection();
+    if (isSearching()) {
+        std::erase_if(wanted.nodes, [this](NodeId node) { return !m_results->nodeIndex(node).isValid(); });
+        std::erase_if(wanted.branches, [&](Index branch) {
+            return !m_results->branchIndex(wanted.branchNode, branch).isValid();
+        });
+        if (wanted.branches.empty())
+            wanted.branchNode = noNode;
+        if (std::ranges::count(wanted.branches, wanted.activeBranch) == 0)
+            wanted.activeBranch = shown.activeBranch;
+    }
+    return shown == wanted;
+}
+
 void ScenePanel::showSelection()
 {
-    if (m_syncing || viewSelection() == m_document->selection())
+    if (m_syncing || isSelectionShown())
         return;
     m_syncing = true;
     const Selection& wanted = m_document->selection();
@@ -341,24 +392,52 @@ void ScenePanel::showMenu(const QPoint& position)
         unfold->setEnabled(current.isValid());
         menu.addAction(tr("Fold everything"), m_view, &QTreeView::collapseAll);
     }
+    menu.addSeparator();
+    fillColumnMenu(menu.addMenu(tr("Columns"))); // the headings are beyond the keyboard's reach
     menu.exec(presentView()->viewport()->mapToGlobal(position));
+}
+
+void ScenePanel::showColumns()
+{
+    // In a narrow panel names matter most; the rest is a right click on the header away.
+    const QStringList usual{columnKey(SceneModel::VisibleColumn), columnKey(SceneModel::LockedColumn),
+                            columnKey(SceneModel::LengthColumn), columnKey(SceneModel::ChildrenColumn)};
+    const QStringList shown = m_preferences->sceneColumns().value_or(usual);
+    for (int column = SceneModel::VisibleColumn; column < SceneModel::columns; ++column) {
+        const bool hidden = !shown.contains(columnKey(static_cast<SceneModel::Column>(column)));
+        m_view->setColumnHidden(column, hidden);
+        m_list->setColumnHidden(column, hidden);
+    }
+}
+
+void ScenePanel::chooseColumn(SceneModel::Column column, bool on)
+{
+    QStringList shown;
+    for (int each = SceneModel::VisibleColumn; each < SceneModel::columns; ++each)
+        if (each == column ? on : !m_view->isColumnHidden(each))
+            shown += columnKey(static_cast<SceneModel::Column>(each));
+    m_preferences->setSceneColumns(shown);
+    showColumns();
+}
+
+void ScenePanel::fillColumnMenu(QMenu* menu)
+{
+    for (int column = SceneModel::VisibleColumn; column < SceneModel::columns; ++column) {
+        QString name = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        if (name.isEmpty())
+            name = m_model->headerData(column, Qt::Horizontal, Qt::AccessibleTextRole).toString();
+        QAction* action = menu->addAction(name);
+        action->setCheckable(true);
+        action->setChecked(!m_view->isColumnHidden(column));
+        connect(action, &QAction::toggled, this,
+                [this, column](bool on) { chooseColumn(static_cast<SceneModel::Column>(column), on); });
+    }
 }
 
 void ScenePanel::showHeaderMenu(const QPoint& position)
 {
     QMenu menu(this);
-    for (int column = SceneModel::VisibleColumn; column < SceneModel::columns; ++column) {
-        QString name = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-        if (name.isEmpty())
-            name = m_model->headerData(column, Qt::Horizontal, Qt::AccessibleTextRole).toString();
-        QAction* action = menu.addAction(name);
-        action->setCheckable(true);
-        action->setChecked(!m_view->isColumnHidden(column));
-        connect(action, &QAction::toggled, this, [this, column](bool on) {
-            m_view->setColumnHidden(column, !on);
-            m_list->setColumnHidden(column, !on);
-        });
-    }
+    fillColumnMenu(&menu);
     menu.exec(presentView()->header()->mapToGlobal(position));
 }
 

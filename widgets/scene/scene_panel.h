@@ -3,16 +3,18 @@
 #pragma once
 
 #include "core/document/document.h"
+#include "widgets/scene/scene_model.h"
 #include <QWidget>
 #include <set>
 
 class QItemSelection;
+class QMenu;
 class QModelIndex;
 class QStackedLayout;
 
 namespace ramure {
 
-class SceneModel;
+class Preferences;
 class SceneResults;
 class SceneSearch;
 class SceneTree;
@@ -22,8 +24,8 @@ class ScenePanel : public QWidget
 {
     Q_OBJECT
 public:
-    /// \param document is not owned and must outlive the panel.
-    explicit ScenePanel(Document* document, QWidget* parent = nullptr);
+    /// Neither is owned; both must outlive the panel.
+    ScenePanel(Document* document, Preferences* preferences, QWidget* parent = nullptr);
 
     [[nodiscard]] SceneModel* model() const { return m_model; }
     [[nodiscard]] SceneTree* view() const { return m_view; }
@@ -34,6 +36,9 @@ public:
     /// The menu of a right click: actions on nodes, and those of the Select menu.
     void setMenuActions(const QList<QAction*>& actions, const SelectActions* selects = nullptr);
     [[nodiscard]] QSize sizeHint() const override { return {360, 260}; }
+
+    /// Shows or hides a column, from now on also in the next session. Names are always shown.
+    void chooseColumn(SceneModel::Column column, bool on);
 
 public slots:
     /// Starts editing the name of the active node.
@@ -60,6 +65,8 @@ private:
     [[nodiscard]] QModelIndex nodeRow(NodeId node) const;
     [[nodiscard]] QModelIndex branchRow(NodeId node, Index branch) const;
     [[nodiscard]] Selection viewSelection() const;
+    [[nodiscard]] bool isSelectionShown() const;
+    void addUnlisted(Selection& chosen) const;
     [[nodiscard]] QItemSelection documentSelection() const;
     void selectResults();
     void showResults();
@@ -67,10 +74,13 @@ private:
     void noteExpanded(const QModelIndex& index, bool expanded);
     void restoreExpanded(NodeId node);
     void showMenu(const QPoint& position);
+    void showColumns(); ///< those of the preferences
+    void fillColumnMenu(QMenu* menu);
     void showHeaderMenu(const QPoint& position);
     void retranslate();
 
     Document* m_document;
+    Preferences* m_preferences;
     SceneModel* m_model;
     SceneResults* m_results;
     SceneSearch* m_search;

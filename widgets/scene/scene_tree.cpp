@@ -111,16 +111,28 @@ void SceneTree::keyPressEvent(QKeyEvent* event)
         event->accept();
         return;
     }
+    m_adding = event->modifiers().testFlag(Qt::ControlModifier);
     QTreeView::keyPressEvent(event);
+    m_adding = false;
 }
 
 void SceneTree::mousePressEvent(QMouseEvent* event)
 {
     const QModelIndex index = stateAt(event);
-    if (index.isValid())
+    if (index.isValid()) {
         emit stateClicked(index);
-    else
-        QTreeView::mousePressEvent(event);
+        return;
+    }
+    m_adding = event->modifiers().testFlag(Qt::ControlModifier);
+    QTreeView::mousePressEvent(event);
+    m_adding = false;
+}
+
+void SceneTree::mouseReleaseEvent(QMouseEvent* event)
+{
+    m_adding = event->modifiers().testFlag(Qt::ControlModifier);
+    QTreeView::mouseReleaseEvent(event);
+    m_adding = false;
 }
 
 void SceneTree::mouseDoubleClickEvent(QMouseEvent* event)

@@ -17,6 +17,8 @@ public:
 
     /// The headings' sizes and the columns of names, eyes and locks; to be called once the model is set.
     void prepareColumns();
+    /// While the selection changes by Ctrl with a click or a key: what is selected elsewhere is to stay.
+    [[nodiscard]] bool isAdding() const { return m_adding; }
 
 signals:
     void stateClicked(const QModelIndex& index);
@@ -26,6 +28,7 @@ signals:
 protected:
     void keyPressEvent(QKeyEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
@@ -36,6 +39,7 @@ private:
 
     QTimer* m_fitTimer;
     bool m_mayShrink = false;
+    bool m_adding = false;
 };
 
 } // namespace ramure

@@ -1,6 +1,7 @@
 #include "widgets/scene/select_actions.h"
 
 #include "widgets/actions/action_set.h"
+#include "widgets/scene/isolation.h"
 #include "widgets/scene/node_edits.h"
 #include "widgets/scene/scene_model.h"
 #include "widgets/support/core_text.h"
@@ -12,9 +13,10 @@
 
 namespace ramure {
 
-SelectActions::SelectActions(Document* document, ActionSet* set, QObject* parent)
+SelectActions::SelectActions(Document* document, Isolation* isolation, ActionSet* set, QObject* parent)
     : QObject(parent)
     , m_document(document)
+    , m_isolation(isolation)
     , m_parent(set->add({"select.parent", QT_TRANSLATE_NOOP("Actions", "&Parents"), nullptr,
                          QKeySequence(Qt::ALT | Qt::Key_Left),
                          QT_TRANSLATE_NOOP("Actions", "Select what the selected ones spring from")}))
@@ -32,9 +34,10 @@ SelectActions::SelectActions(Document* document, ActionSet* set, QObject* parent
                         QT_TRANSLATE_NOOP("Actions", "Select all as deep as the selected ones")}))
     , m_search(set->add({"select.search", QT_TRANSLATE_NOOP("Actions", "&Find in the scene"), "search",
                          QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F)}))
-    , m_isolate(set->add({"select.isolate", QT_TRANSLATE_NOOP("Actions", "&Isolate"), nullptr,
-                          QKeySequence(Qt::SHIFT | Qt::Key_I),
-                          QT_TRANSLATE_NOOP("Actions", "Show only the selected nodes; again: show all")}))
+    , m_isolate(set->add(
+          {"select.isolate", QT_TRANSLATE_NOOP("Actions", "&Isolate"), nullptr,
+           QKeySequence(Qt::SHIFT | Qt::Key_I),
+           QT_TRANSLATE_NOOP("Actions", "Show only the selected branches, or nodes; again: show all")}))
     , m_showAll(set->add({"select.showAll", QT_TRANSLATE_NOOP("Actions", "Sho&w all"), nullptr,
                           QKeySequence(Qt::ALT | Qt::Key_H)}))
     , m_up(set->add({"select.up", QT_TRANSLATE_NOOP("Actions", "Move &up"), nullptr,
@@ -52,9 +55,9 @@ SelectActions::SelectActions(Document* document, ActionSet* set, QObject* parent
     for (const auto& [action, kind] : steps)
         connect(action, &QAction::triggered, this, [this, wish = kind] { step(wish); });
     connect(m_search, &QAction::triggered, this, &SelectActions::searchRequested);
-    connect(m_isolate, &QAction::triggered, this,
-            [this] { report(edit::isolateNodes(*m_document, targetNodes(*m_document))); });
-    connect(m_showAll, &QAction::triggered, this, [this] { report(edit::showAllNodes(*m_document)); });
+    connect(m_isolate, &QAction::triggered, this, &SelectActions::isolate);
+    connect(m_showAll, &QAction::triggered, this, &SelectActions::showAll);
+    connect(isolation, &Isolation::changed, this, &SelectActions::update);
     connect(m_up, &QAction::triggered, this,
             [this] { report(edit::shiftNodes(*m_document, m_document->selection().nodes, -1)); });
     connect(m_down, &QAction::triggered, this,
@@ -99,12 +102,30 @@ void SelectActions::update()
     m_up->setEnabled(nodes);
     m_down->setEnabled(nodes);
     const auto& all = m_document->scene().nodes();
-    m_showAll->setEnabled(std::ranges::any_of(all, [](const Node& node) { return !node.visible; }));
+    m_isolate->setEnabled(any || m_isolation->isActive());
+    m_showAll->setEnabled(m_isolation->isActive() ||
+                          std::ranges::any_of(all, [](const Node& node) { return !node.visible; }));
 }
 
 void SelectActions::step(SelectionStep step)
 {
     m_document->setSelection(afterStep(*m_document, step));
+}
+
+/// Where branches are selected it is about them: a way of looking. Hiding nodes is an edit of the scene.
+void SelectActions::isolate()
+{
+    const Selection& selection = m_document->selection();
+    if (!selection.branches.empty() || (selection.nodes.empty() && m_isolation->isActive()))
+        m_isolation->toggleSelected();
+    else
+        report(edit::isolateNodes(*m_document, targetNodes(*m_document)));
+}
+
+void SelectActions::showAll()
+{
+    m_isolation->clear();
+    report(edit::showAllNodes(*m_document));
 }
 
 void SelectActions::copyNames()

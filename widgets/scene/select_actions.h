@@ -13,13 +13,14 @@ class QMenu;
 namespace ramure {
 
 class ActionSet;
+class Isolation;
 
 class SelectActions : public QObject
 {
     Q_OBJECT
 public:
     /// Nothing is owned; all must outlive the actions.
-    SelectActions(Document* document, ActionSet* set, QObject* parent);
+    SelectActions(Document* document, Isolation* isolation, ActionSet* set, QObject* parent);
 
     void fillMenu(QMenu* menu);
     /// What a right click on a row offers besides the actions on nodes.
@@ -35,9 +36,12 @@ private:
     void update();
     void step(SelectionStep step);
     void copyNames();
+    void isolate();
+    void showAll();
     void report(const Expected<void>& done);
 
     Document* m_document;
+    Isolation* m_isolation;
     QAction* m_parent;
     QAction* m_children;
     QAction* m_siblings;

@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QVariantMap>
 #include <algorithm>
+#include <cmath>
 
 namespace ramure {
 namespace {
@@ -18,6 +19,7 @@ const QString shortcutsKey = QStringLiteral("shortcuts");
 const QString recentKey = QStringLiteral("files/recent");
 const QString folderKey = QStringLiteral("files/folder");
 const QString foldedKey = QStringLiteral("properties/folded");
+const QString columnsKey = QStringLiteral("scene/columns");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
 
@@ -83,11 +85,20 @@ void Preferences::setNavigationStyle(NavigationStyle style)
     store(navigationKey, style == NavigationStyle::Maya ? QStringLiteral("maya") : QStringLiteral("blender"));
 }
 
+int Preferences::autosaveMs() const
+{
+    constexpr double msPerMinute = 60'000.0;
+    bool good = false;
+    const double minutes = m_settings.value(autosaveKey).toDouble(&good);
+    if (!good || !std::isfinite(minutes))
+        return defaultAutosaveMinutes * static_cast<int>(msPerMinute);
+    return static_cast<int>(std::clamp(minutes, 0.0, double{maxAutosaveMinutes}) * msPerMinute);
+}
+
 int Preferences::autosaveMinutes() const
 {
-    bool good = false;
-    const int minutes = m_settings.value(autosaveKey).toInt(&good);
-    return good ? std::clamp(minutes, 0, maxAutosaveMinutes) : defaultAutosaveMinutes;
+    constexpr int msPerMinute = 60'000;
+    return (autosaveMs() + msPerMinute - 1) / msPerMinute;
 }
 
 void Preferences::setAutosaveMinutes(int minutes)
@@ -181,6 +192,17 @@ QStringList Preferences::foldedGroups() const
 void Preferences::setFoldedGroups(const QStringList& groups)
 {
     store(foldedKey, groups);
+}
+
+std::optional<QStringList> Preferences::sceneColumns() const
+{
+    const QVariant stored = m_settings.value(columnsKey);
+    return stored.isValid() ? std::optional(stored.toStringList()) : std::nullopt;
+}
+
+void Preferences::setSceneColumns(const QStringList& columns)
+{
+    store(columnsKey, columns);
 }
 
 QByteArray Preferences::windowGeometry() const

@@ -34,9 +34,12 @@ public:
     void setLanguage(const QString& language);
     [[nodiscard]] NavigationStyle navigationStyle() const;
     void setNavigationStyle(NavigationStyle style);
-    /// Minutes between two recovery files; 0: none are written.
+    /// Minutes between two recovery files; 0: none are written. A part of a minute counts as a whole one.
     [[nodiscard]] int autosaveMinutes() const;
     void setAutosaveMinutes(int minutes);
+    /// The same in milliseconds. The settings file may name a part of a minute ("0.05"), which no dialog
+    /// offers: for slow disks to be tried out, and for tests.
+    [[nodiscard]] int autosaveMs() const;
     /// Whether the welcome page comes up when the program starts without a file.
     [[nodiscard]] bool welcomeAtStart() const;
     void setWelcomeAtStart(bool on);
@@ -60,6 +63,11 @@ public:
 
     [[nodiscard]] QStringList foldedGroups() const;
     void setFoldedGroups(const QStringList& groups);
+
+    /// Names of the columns of the scene panel that are shown besides the nodes' names; nothing: never
+    /// chosen.
+    [[nodiscard]] std::optional<QStringList> sceneColumns() const;
+    void setSceneColumns(const QStringList& columns);
 
     [[nodiscard]] QByteArray windowGeometry() const;
     [[nodiscard]] QByteArray windowState() const;

@@ -66,6 +66,8 @@ SceneView Viewport::Private::sceneView() const
     view.hoverNode = hoverNode;
     view.hoverBranch = hoverBranch;
     view.inspected = inspected;
+    view.isolatedNode = isolatedNode;
+    view.isolatedBranches = isolatedBranches;
     return view;
 }
 

@@ -68,6 +68,8 @@ public slots:
     /// The section's plane, circle and frame are shown until cleared.
     void setInspectedSection(ramure::NodeId node, ramure::Index branch, ramure::Index section);
     void clearInspectedSection();
+    /// Of this tree only these branches are shown, until noNode or no branch is given.
+    void setIsolated(ramure::NodeId node, const std::vector<ramure::Index>& branches);
     /// Frames the place and marks it until cleared.
     void showDefect(ramure::NodeId node, const ramure::DefectPlace& place);
     void clearDefect();

@@ -19,6 +19,16 @@ void Viewport::clearInspectedSection()
     setInspectedSection(noNode, 0, 0);
 }
 
+void Viewport::setIsolated(NodeId node, const std::vector<Index>& branches)
+{
+    if (d->isolatedNode == node && d->isolatedBranches == branches)
+        return;
+    d->isolatedNode = node;
+    d->isolatedBranches = branches;
+    d->sceneStale = true;
+    update();
+}
+
 void Viewport::showDefect(NodeId, const DefectPlace& place)
 {
     constexpr glm::u8vec4 colour{255, 0, 170, 255};

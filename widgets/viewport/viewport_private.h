@@ -29,6 +29,8 @@ struct Viewport::Private
     bool sceneStale = true;
     bool highlightsStale = false;
     InspectedSection inspected;
+    NodeId isolatedNode = noNode;
+    std::vector<Index> isolatedBranches;
     std::shared_ptr<const LineSet> defectLines;
     std::shared_ptr<const PointSet> defectPoints;
 

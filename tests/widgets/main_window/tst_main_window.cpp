@@ -4,6 +4,7 @@
 #include "widgets/actions/edit_actions.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/grammar/grammar_edit.h"
+#include "widgets/inspector/branch_inspector.h"
 #include "widgets/main_window/main_window.h"
 #include "widgets/main_window/message_banner.h"
 #include "widgets/main_window/problem_button.h"
@@ -212,6 +213,57 @@ private slots:
         QDropEvent drop({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(m_window.get(), &drop);
         QTRY_COMPARE(m_document->filePath(), m_chooser.answer);
+    }
+
+    void sectionsAreSteppedThroughByKeys()
+    {
+        QVERIFY(!action("inspect.nextSection")->isEnabled());
+        Selection one;
+        one.branchNode = tree();
+        one.branches = {0};
+        one.activeBranch = 0;
+        m_document->setSelection(one);
+        QVERIFY(action("inspect.nextSection")->isEnabled());
+        QSignalSpy inspected(m_window->inspector(), &BranchInspector::sectionInspected);
+        m_window->setFocus();
+        QTest::keyClick(m_window.get(), Qt::Key_Right, Qt::ControlModifier); // brings the inspector up
+        QTRY_VERIFY(m_window->inspector()->isVisible());
+        QTest::keyClick(m_window.get(), Qt::Key_Right, Qt::ControlModifier);
+        const Index far = inspected.back()[2].value<Index>();
+        QVERIFY(far >= 1);
+        QTest::keyClick(m_window.get(), Qt::Key_Left, Qt::ControlModifier);
+        QCOMPARE(inspected.back()[2].value<Index>(), far - 1);
+        QTest::keyClick(m_window.get(), Qt::Key_R);
+        QWidget* field = QApplication::focusWidget();
+        QCOMPARE(field->objectName(), QStringLiteral("rollField"));
+        QTest::keyClicks(field, "30");
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(m_document->scene().nodes().front().params.branches.size(), std::size_t{1});
+        // In a field the same keys go from word to word.
+        auto* search = m_window->properties()->findChild<QLineEdit*>();
+        action("view.search")->trigger();
+        search->setText(QStringLiteral("two words"));
+        search->setFocus();
+        const auto before = inspected.count();
+        QTest::keyClick(search, Qt::Key_Left, Qt::ControlModifier);
+        QCOMPARE(inspected.count(), before);
+    }
+
+    void countsAreInTheRightNumber()
+    {
+        QVERIFY(edit::setParam(*m_document, {tree()}, *findParam("grammar.axiom"), std::string("F")));
+        QVERIFY(edit::setParam(*m_document, {tree()}, *findParam("grammar.iterations"), std::int64_t{0}));
+        m_preferences->setLanguage(QStringLiteral("en"));
+        const Language language(m_preferences.get());
+        QVERIFY(m_recompute->waitForFull(20'000));
+        QTRY_VERIFY2(m_window->status()->countsText().startsWith(QStringLiteral("1 branch  ·")),
+                     qPrintable(m_window->status()->countsText()));
+        m_preferences->setLanguage(QStringLiteral("fr"));
+        QTRY_VERIFY2(m_window->status()->countsText().startsWith(QStringLiteral("1 branche  ·")),
+                     qPrintable(m_window->status()->countsText()));
+        m_preferences->setLanguage(QStringLiteral("en"));
+        QVERIFY(!StatusPanel::timeText(0.0).contains(u'0'));
+        QCOMPARE(StatusPanel::timeText(0.0042), QStringLiteral("4.2 ms"));
     }
 
     void everyActionHasTextAndNoShortcutTwice()

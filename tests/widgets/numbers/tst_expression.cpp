@@ -34,6 +34,7 @@ private slots:
         QTest::newRow("two points") << "1.2.3" << 4;
         QTest::newRow("unit twice") << "(3 m) m" << 7;
         QTest::newRow("squared unit") << "3 m * 2 m" << 10;
+        QTest::newRow("digits of other scripts") << QStringLiteral("1٣") << 3;
         QTest::newRow("unknown function") << "log(3)" << 5;
     }
     void nonsenseIsRefusedAtItsPlace()
@@ -53,6 +54,22 @@ private slots:
             QVERIFY2(!value, text);
             QCOMPARE(value.error().code, ErrorCode::Invalid);
         }
+    }
+
+    void tooLargeNumbersAndWordsForNumbersSayWhatIsWrong()
+    {
+        const auto said = [](const char* text) {
+            const auto value = evaluateExpression(QString::fromLatin1(text), ParamUnit::None);
+            return value ? std::string() : value.error().text;
+        };
+        QCOMPARE(said("1e999"), std::string("this number is too large"));
+        QCOMPARE(said("2 + 1e400"), std::string("this number is too large"));
+        QCOMPARE(said("1e300 * 1e300"), std::string("the result is too large"));
+        QCOMPARE(said("0/0"), std::string("the result is no number"));
+        for (const char* word : {"nan", "NaN", "inf", "-Infinity"})
+            QCOMPARE(said(word), std::string("only finite numbers can be used"));
+        QCOMPARE(said("thick"), std::string("a number is missing here"));
+        QCOMPARE(evaluateExpression(u"1e-999", ParamUnit::None).value_or(1.0), 0.0);
     }
 
     void noTextExhaustsTheStack()

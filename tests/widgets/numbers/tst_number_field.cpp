@@ -2,6 +2,7 @@
 #include "widgets/numbers/number_field.h"
 #include "widgets/numbers/number_slider.h"
 #include <QLineEdit>
+#include <numbers>
 
 using namespace ramure;
 
@@ -93,6 +94,64 @@ private slots:
         QTest::keyClick(&field, Qt::Key_Return);
         QCOMPARE(edited[0][0].toDouble(), 3.0);
         QCOMPARE(field.value(), std::optional(3.0));
+    }
+
+    void whatIsHeldBackIsSaid()
+    {
+        NumberField field;
+        field.setFormat(lengthFormat());
+        field.setRange(0.5, 3.0);
+        field.setValue(1.0);
+        QSignalSpy edited(&field, &NumberField::valueEdited);
+        QSignalSpy held(&field, &NumberField::held);
+        const auto type = [&field](const char* text) {
+            field.selectAll();
+            QTest::keyClicks(&field, QLatin1String(text));
+            QTest::keyClick(&field, Qt::Key_Return);
+        };
+        type("1000");
+        QCOMPARE(edited.back()[0].toDouble(), 3.0);
+        QCOMPARE(held.back()[0].toString(), QStringLiteral("the largest is 3.00 m"));
+        type("1000"); // no other value, but it must be said again
+        QCOMPARE(edited.count(), 1);
+        QCOMPARE(held.count(), 2);
+        type("-1");
+        QCOMPARE(edited.back()[0].toDouble(), 0.5);
+        QCOMPARE(held.back()[0].toString(), QStringLiteral("the smallest is 0.50 m"));
+        type("2");
+        QVERIFY(held.back()[0].toString().isEmpty());
+        QCOMPARE(held.count(), 4);
+        type("1");
+        QCOMPARE(held.count(), 4); // nothing to take back
+    }
+
+    void typingWhatIsShownMeansThatValue()
+    {
+        NumberFormat degrees;
+        degrees.unit = ParamUnit::Radian;
+        degrees.factor = 180.0 / std::numbers::pi;
+        degrees.suffix = QStringLiteral("°");
+        NumberField field;
+        field.setFormat(degrees);
+        field.setDefault(0.3142); // shown as 18.00°, though 18° is 0.31415926...
+        field.setValue(1.0);
+        const auto type = [&field](const char* text) {
+            field.selectAll();
+            QTest::keyClicks(&field, QLatin1String(text));
+            QTest::keyClick(&field, Qt::Key_Return);
+            return field.value().value_or(0.0);
+        };
+        for (const char* text : {"18", "18 deg", "18.00", "9*2", "36/2 deg"}) {
+            QCOMPARE(type(text), 0.3142);
+            type("20");
+        }
+        QCOMPARE(type("18.0001"), 18.0001 / degrees.factor); // who writes more digits means them
+        QVERIFY(type("20") != 0.3142);
+        field.setValue(0.31415);
+        QCOMPARE(type("18"), 0.31415); // what was shown already stays
+        field.setValue(1.0);
+        field.setDefault(std::nullopt);
+        QCOMPARE(type("18"), 18.0 / degrees.factor);
     }
 
     void roundedDisplayNeverChangesTheValue()

@@ -37,6 +37,23 @@ private slots:
         QCOMPARE(preferences.autosaveMinutes(), Preferences::maxAutosaveMinutes);
     }
 
+    void noMoreThanAMinuteIsLostUnlessAskedFor()
+    {
+        QSettings settings;
+        settings.remove(QStringLiteral("files/autosaveMinutes"));
+        Preferences preferences;
+        QCOMPARE(preferences.autosaveMs(), 60'000);
+        settings.setValue(QStringLiteral("files/autosaveMinutes"), QStringLiteral("0.005")); // by hand
+        QCOMPARE(preferences.autosaveMs(), 300);
+        QCOMPARE(preferences.autosaveMinutes(), 1);
+        for (const char* nonsense : {"nan", "inf", "", "soon"}) {
+            settings.setValue(QStringLiteral("files/autosaveMinutes"), QString::fromLatin1(nonsense));
+            QCOMPARE(preferences.autosaveMs(), 60'000);
+        }
+        preferences.setAutosaveMinutes(3);
+        QCOMPARE(preferences.autosaveMs(), 180'000);
+    }
+
     void everyChangeAppliesAtOnceAndIsStored()
     {
         {

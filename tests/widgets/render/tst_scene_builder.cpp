@@ -98,6 +98,53 @@ private slots:
         trees.results.clear();
         QVERIFY(trees.build(SceneView()).box.empty());
     }
+    void isolatedBranchesAreShownAlone()
+    {
+        Trees trees;
+        const NodeId one = trees.add();
+        const NodeId other = trees.add();
+        SceneView view;
+        const RenderScene whole = trees.build(view);
+        view.isolatedNode = one;
+        QCOMPARE(trees.build(view).meshes.size(), whole.meshes.size()); // no branch: nothing is isolated
+        view.isolatedBranches = {2, 7, 999'999};
+        const RenderScene part = trees.build(view);
+        for (const MeshItem& item : part.meshes) {
+            if (item.node == other)
+                continue;
+            const TriangleMesh& mesh = *item.mesh;
+            QVERIFY(!mesh.empty());
+            for (const glm::uvec3& t : mesh.triangles) {
+                const auto isMeant = [&](Index v) { return mesh.branch[v] == 2 || mesh.branch[v] == 7; };
+                QVERIFY(isMeant(t.x) || isMeant(t.y) || isMeant(t.z));
+            }
+            QCOMPARE(mesh.normals.size(), mesh.positions.size());
+            QVERIFY(meshBox(mesh) == item.box);
+        }
+        // Nothing of them is lost, and the other tree is whole.
+        const auto facesOf = [](const RenderScene& scene, NodeId node, auto isMeant) {
+            std::size_t count = 0;
+            for (const MeshItem& item : scene.meshes)
+                for (const glm::uvec3& t : item.mesh->triangles)
+                    count += item.node == node &&
+                             (isMeant(item.mesh->branch[t.x]) || isMeant(item.mesh->branch[t.y]) ||
+                              isMeant(item.mesh->branch[t.z]));
+            return count;
+        };
+        const auto meant = [](Index branch) { return branch == 2 || branch == 7; };
+        const auto any = [](Index) { return true; };
+        QCOMPARE(facesOf(part, one, any), facesOf(whole, one, meant));
+        QCOMPARE(facesOf(part, other, any), facesOf(whole, other, any));
+        for (int mode = 0; mode < 5; ++mode) {
+            view.mode = DisplayMode(mode);
+            view.frames = FrameDisplay::All;
+            for (const LineItem& item : trees.build(view).lines)
+                for (const LineSegment& segment : item.lines->segments)
+                    QVERIFY(item.node != one || segment.branch == noIndex || meant(segment.branch));
+        }
+        view = {};
+        QVERIFY(trees.build(view).box == whole.box);
+    }
     void meshModeHasThreeMaterials()
     {
         Trees trees;

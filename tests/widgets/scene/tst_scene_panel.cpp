@@ -4,7 +4,9 @@
 #include "widgets/scene/scene_results.h"
 #include "widgets/scene/scene_search.h"
 #include "widgets/scene/scene_tree.h"
+#include "widgets/support/preferences.h"
 #include <QAbstractItemModelTester>
+#include <QHeaderView>
 
 using namespace ramure;
 
@@ -32,6 +34,8 @@ class TestScenePanel : public QObject
 {
     Q_OBJECT
 private:
+    test::OwnSettings m_settings;
+    std::unique_ptr<Preferences> m_preferences;
     std::unique_ptr<Document> m_document;
     std::unique_ptr<ScenePanel> m_panel;
 
@@ -39,10 +43,12 @@ private slots:
     void init()
     {
         test::failOnWidgetWarning();
+        QSettings().clear();
+        m_preferences = std::make_unique<Preferences>();
         m_document = std::make_unique<Document>();
         test::openNodes(*m_document, {test::treeNode(1, "One"), test::treeNode(2, "Two")});
         m_document->setResult(1, twoForks(10));
-        m_panel = std::make_unique<ScenePanel>(m_document.get());
+        m_panel = std::make_unique<ScenePanel>(m_document.get(), m_preferences.get());
         m_panel->resize(420, 300);
         m_panel->show();
         QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
@@ -168,6 +174,67 @@ private slots:
         QTest::keyClick(field, Qt::Key_Escape);
         QVERIFY(m_panel->view()->isVisible());
         QCOMPARE(m_panel->results()->rowCount(), 0);
+    }
+
+    void ctrlClicksInResultsKeepWhatIsNotListed()
+    {
+        Selection before;
+        before.nodes = {2};
+        before.branchNode = 1;
+        before.branches = {0, 2};
+        before.activeBranch = 2;
+        m_document->setSelection(before);
+        m_panel->search()->field()->setText(QStringLiteral("terminal")); // 2, 3, 4
+        SceneTree* list = m_panel->resultView();
+        const auto click = [&](Index branch, Qt::KeyboardModifiers modifiers) {
+            const QModelIndex index = m_panel->results()->branchIndex(1, branch);
+            QTest::mouseClick(list->viewport(), Qt::LeftButton, modifiers, list->visualRect(index).center());
+        };
+        click(3, Qt::ControlModifier);
+        QCOMPARE(m_document->selection().branches, (std::vector<Index>{0, 2, 3}));
+        QCOMPARE(m_document->selection().activeBranch, Index(3));
+        QCOMPARE(m_document->selection().nodes, std::vector<NodeId>{2});
+        click(3, Qt::ControlModifier);
+        QCOMPARE(m_document->selection().branches, (std::vector<Index>{0, 2}));
+        click(4, {}); // a plain click begins anew
+        QCOMPARE(m_document->selection().branches, std::vector<Index>{4});
+        QVERIFY(m_document->selection().nodes.empty());
+        m_document->setSelection(before);
+        list->setFocus();
+        QTest::keyClick(list, Qt::Key_Down, Qt::ControlModifier);
+        QTest::keyClick(list, Qt::Key_Space, Qt::ControlModifier);
+        QVERIFY(std::ranges::count(m_document->selection().branches, Index(0)) == 1);
+    }
+
+    void chosenColumnsAreRemembered()
+    {
+        const auto shown = [](const SceneTree* view) {
+            QList<int> columns;
+            for (int column = 0; column < SceneModel::columns; ++column)
+                if (!view->isColumnHidden(column))
+                    columns += column;
+            return columns;
+        };
+        const QList<int> usual{SceneModel::NameColumn, SceneModel::VisibleColumn, SceneModel::LockedColumn,
+                               SceneModel::LengthColumn, SceneModel::ChildrenColumn};
+        QCOMPARE(shown(m_panel->view()), usual);
+        m_panel->chooseColumn(SceneModel::LengthColumn, false);
+        m_panel->chooseColumn(SceneModel::LevelColumn, true);
+        const QList<int> chosen{SceneModel::NameColumn, SceneModel::VisibleColumn, SceneModel::LockedColumn,
+                                SceneModel::ChildrenColumn, SceneModel::LevelColumn};
+        for (const SceneTree* view : {m_panel->view(), m_panel->resultView()})
+            QCOMPARE(shown(view), chosen);
+        const Preferences later;
+        ScenePanel another(m_document.get(), m_preferences.get());
+        QCOMPARE(shown(another.view()), chosen);
+        for (int column = SceneModel::VisibleColumn; column < SceneModel::columns; ++column)
+            another.chooseColumn(static_cast<SceneModel::Column>(column), false);
+        QCOMPARE(shown(another.view()), QList<int>{SceneModel::NameColumn});
+        ScenePanel last(m_document.get(), m_preferences.get());
+        QCOMPARE(shown(last.view()), QList<int>{SceneModel::NameColumn});
+        QSettings().setValue(QStringLiteral("scene/columns"), QStringLiteral("level,no such column"));
+        ScenePanel odd(m_document.get(), m_preferences.get());
+        QCOMPARE(shown(odd.view()), QList<int>{SceneModel::NameColumn});
     }
 
     void thousandsOfBranchesAreSelectedAtOnce()

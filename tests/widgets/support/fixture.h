@@ -14,11 +14,10 @@
 
 namespace ramure::test {
 
-/// Every warning but the one that the offscreen platform gives for each window with a limited size.
+/// Every warning but those of the offscreen platform about what it has not (limits of sizes, grabbing).
 inline void failOnWidgetWarning()
 {
-    QTest::failOnWarning(
-        QRegularExpression(QStringLiteral("^(?!This plugin does not support propagateSizeHints)")));
+    QTest::failOnWarning(QRegularExpression(QStringLiteral("^(?!This plugin does not support )")));
 }
 
 /// The settings of this object's life time lie in a folder of its own.
