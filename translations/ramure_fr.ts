@@ -1890,6 +1890,10 @@
         <translation>il n&apos;y a pas assez de mémoire pour animer cet arbre</translation>
     </message>
     <message>
+        <source>the time lies beyond what the physics counts</source>
+        <translation>ce moment dépasse ce que la physique peut compter</translation>
+    </message>
+    <message>
         <source>the result is no number</source>
         <translation>le résultat n’est pas un nombre</translation>
     </message>

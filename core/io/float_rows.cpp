@@ -33,10 +33,9 @@ RAMURE_WIDE_CLONE void solve(Block& b)
         b.exponents[i] = std::min(exponent, std::uint32_t(floats::quickExponents));
     }
     for (std::size_t i = 0; i < blockSize; ++i) {
-        const bool isQuick = b.exponents[i] < floats::quickExponents;
-        const std::uint32_t exponent = isQuick ? b.exponents[i] : 16u;
-        const float size = isQuick ? std::abs(b.numbers[i]) : 1.5f;
-        b.digits[i] = floats::shortestDigits(static_cast<double>(size) * floats::scales.power[exponent],
+        const std::uint32_t exponent = b.exponents[i];
+        b.digits[i] = floats::shortestDigits(static_cast<double>(std::abs(b.numbers[i])) *
+                                                 floats::scales.power[exponent],
                                              floats::scales.halfGap[exponent]);
     }
     for (std::size_t i = 0; i < blockSize; ++i)

@@ -78,10 +78,6 @@ char* appendIndex(char* to, Index value)
 
 namespace {
 
-/// Powers of ten that a double holds exactly.
-constexpr double exactPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-
 /// A decimal number as it stands in the text.
 struct DecimalText
 {
@@ -93,29 +89,6 @@ struct DecimalText
 bool isDigit(char c)
 {
     return static_cast<unsigned char>(c - '0') < 10;
-}
-
-constexpr std::uint64_t exactPowers64[] = {1u,      10u,      100u,      1000u,     10000u,
-                                           100000u, 1000000u, 10000000u, 100000000u};
-
-/// How many of the next eight bytes are digits before the first that is none.
-int leadingDigits(std::uint64_t bytes)
-{
-    constexpr std::uint64_t high = 0xF0F0F0F0F0F0F0F0u;
-    const std::uint64_t beyondNine = (((bytes & ~high) + 0x0606060606060606u) & high) >> 4;
-    const std::uint64_t others = ((bytes & high) | beyondNine) ^ 0x3030303030303030u;
-    return others == 0 ? 8 : std::countr_zero(others) / 8;
-}
-
-/// The number that eight digits make.
-std::uint64_t eightDigitValue(std::uint64_t bytes)
-{
-    bytes &= 0x0F0F0F0F0F0F0F0Fu;
-    bytes = bytes * 10u + (bytes >> 8); // pairs in every other byte
-    constexpr std::uint64_t pairs = 0x000000FF000000FFu;
-    return ((bytes & pairs) * (100u + (std::uint64_t(1000000u) << 32)) +
-            (bytes >> 16 & pairs) * (1u + (std::uint64_t(10000u) << 32))) >>
-           32;
 }
 
 void takeDigit(const char*& p, DecimalText& text)
@@ -138,11 +111,12 @@ const char* takeFraction(const char* p, DecimalText& text)
 {
     std::uint64_t bytes = 0;
     std::memcpy(&bytes, p, sizeof bytes);
-    const int count = leadingDigits(bytes);
+    const int count = floats::leadingDigits(bytes);
     if (count == 0)
         return p;
     // Shifted to the end, with zero digits before.
-    text.mantissa = text.mantissa * exactPowers64[count] + eightDigitValue(bytes << (8 * (8 - count)));
+    text.mantissa =
+        text.mantissa * floats::exactPowers64[count] + floats::eightDigitValue(bytes << (8 * (8 - count)));
     const auto next = static_cast<unsigned char>(p[count] - '0');
     const bool isNinth = next < 10;
     text.mantissa = isNinth ? text.mantissa * 10u + next : text.mantissa;
@@ -176,7 +150,8 @@ bool scanQuickly(const DecimalText& text, bool isNegative, float& value)
         text.exponent > 22)
         return false;
     double wide = static_cast<double>(text.mantissa);
-    wide = text.exponent < 0 ? wide / exactPowers[-text.exponent] : wide * exactPowers[text.exponent];
+    wide = text.exponent < 0 ? wide / floats::exactPowers[-text.exponent]
+                             : wide * floats::exactPowers[text.exponent];
     constexpr std::uint64_t beyondFloat = (std::uint64_t(1) << 29) - 1;
     const bool isBetween = (std::bit_cast<std::uint64_t>(wide) & beyondFloat) == (beyondFloat + 1) / 2;
     const bool isNormal = wide >= static_cast<double>(std::numeric_limits<float>::min()) &&
@@ -204,10 +179,10 @@ bool scanDigits(const char*& from, std::uint64_t& value)
 {
     std::uint64_t bytes = 0;
     std::memcpy(&bytes, from, sizeof bytes);
-    const int count = leadingDigits(bytes);
+    const int count = floats::leadingDigits(bytes);
     if (count == 0)
         return false;
-    value = eightDigitValue(bytes << (8 * (8 - count)));
+    value = floats::eightDigitValue(bytes << (8 * (8 - count)));
     from += count;
     if (count == 8)
         for (; isDigit(*from); ++from)

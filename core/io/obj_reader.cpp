@@ -14,13 +14,15 @@ using reading::ObjMark;
 std::vector<glm::vec3> vertexNormals(ObjLists& lists, std::vector<std::string>& notes)
 {
     const std::size_t vertices = lists.positions.size();
-    if (lists.normalOf.empty() && lists.otherNormals.empty())
+    if (!lists.areParallel && lists.normalOf.empty() && lists.otherNormals.empty())
         return {};
     if (lists.cornersWithoutNormal > 0) {
         notes.push_back(std::to_string(lists.cornersWithoutNormal) +
                         " corners without a normal: normals left out");
         return {};
     }
+    if (lists.areParallel)
+        return std::move(lists.normals);
     lists.normalOf.resize(vertices, noIndex);
     bool isParallel = lists.otherNormals.empty() && lists.normals.size() == vertices;
     for (std::size_t v = 0; v < vertices && isParallel; ++v)
@@ -173,11 +175,8 @@ private:
     bool m_isShared = false;
 };
 
-} // namespace
-
-Expected<ReadMesh> parseObj(std::string_view text, const std::string& file, const Progress& progress)
+Expected<ReadMesh> meshOf(Expected<ObjLists> lists, const std::string& file, const Progress& progress)
 {
-    auto lists = reading::scanObj(text, file, progress.part(0.0, 0.9));
     if (!lists)
         return fail(lists.error());
     ReadMesh out;
@@ -199,6 +198,27 @@ Expected<ReadMesh> parseObj(std::string_view text, const std::string& file, cons
     }
     progress.report(1.0);
     return out;
+}
+
+} // namespace
+
+Expected<ReadMesh> parseObj(std::string_view text, const std::string& file, const Progress& progress)
+{
+    return meshOf(reading::scanObj(text, file, progress.part(0.0, 0.9)), file, progress);
+}
+
+Expected<ReadMesh> reading::readObjFile(const std::string& path, const Progress& progress,
+                                        std::size_t blockSize)
+{
+    auto input = InputFile::open(path);
+    if (!input)
+        return fail(input.error());
+    if (input->isRegular())
+        return meshOf(scanObj(*input, path, progress.part(0.0, 0.9), blockSize), path, progress);
+    const auto bytes = loadFile(*input, path);
+    if (!bytes)
+        return fail(bytes.error());
+    return parseObj(bytes->view(), path, progress);
 }
 
 } // namespace ramure

@@ -1,4 +1,5 @@
 #include "core/io/obj_scan.h"
+#include "core/io/float_text_parts.h"
 #include <algorithm>
 #include <cstring>
 
@@ -21,13 +22,12 @@ public:
     ObjScanner(const std::string& file, std::size_t bytes, const Progress& progress)
         : m_file(file)
         , m_progress(progress)
-        , m_bytes(bytes)
+        , m_bytes(std::max<std::size_t>(bytes, 1))
     {
         // Typical sizes of lines: memory that stays untouched costs nothing.
-        m_lists.positions.reserve(bytes / 72);
-        m_lists.triangles.reserve(bytes / 36);
-        adviseHugePages(m_lists.positions.data(), bytes / 72 * sizeof(glm::vec3));
-        adviseHugePages(m_lists.triangles.data(), bytes / 36 * sizeof(glm::uvec3));
+        reserve(m_lists.positions, bytes / 72);
+        reserve(m_lists.triangles, bytes / 36);
+        m_lists.areParallel = true;
     }
     bool scan(std::string_view block);
     bool finish();
@@ -35,14 +35,23 @@ public:
     Error takeError() { return std::move(*m_error); }
 
 private:
+    template <class T> static void reserve(std::vector<T>& to, std::size_t count)
+    {
+        to.reserve(count);
+        adviseHugePages(to.data(), count * sizeof(T));
+    }
+    bool scanPlainLine();
+    bool scanPlainVector(const char* from, std::vector<glm::vec3>& to);
+    bool scanPlainFace();
     bool scanLine();
     bool scanVector(std::vector<glm::vec3>& to);
     bool scanFace();
     bool scanCorner(Index& vertex);
-    bool scanPlainCorner(Index& vertex);
     bool scanIndex(std::int64_t& value);
     bool resolve(std::int64_t written, std::size_t count, const char* what, std::optional<Index>& out);
     void giveNormal(Index vertex, Index normal);
+    void setNormal(Index vertex, Index normal);
+    void endParallel();
     void scanMark(std::vector<ObjMark>& marks);
     bool scanOther();
     void skipTransformNumbers();
@@ -62,7 +71,10 @@ private:
     const char* m_at = nullptr;
     const char* m_end = nullptr;
     int m_line = 0;
+    Index m_face[2] = {};       ///< of the face being scanned, the first corner and the one before
+    int m_corners = 0;          ///< and how many there were
     int m_transformNumbers = 0; ///< how many numbers the matrix of the TRANSFORM line still lacks
+    bool m_hasNormals = false;  ///< some corner has one
     // References to what the file has not given yet are checked at its end.
     std::int64_t m_largestVertex = 0, m_largestNormal = 0;
     int m_largestVertexLine = 0, m_largestNormalLine = 0;
@@ -152,9 +164,11 @@ bool ObjScanner::scan(std::string_view block)
     const char* reported = m_at;
     for (std::size_t lines = 0; m_at < m_end; ++lines) {
         ++m_line;
-        if (!scanLine())
-            return false;
-        skipLine();
+        if (!scanPlainLine()) {
+            if (!scanLine())
+                return false;
+            skipLine();
+        }
         if (lines % chunk == chunk - 1) {
             m_bytesDone += static_cast<std::size_t>(m_at - reported);
             reported = m_at;
@@ -163,6 +177,90 @@ bool ObjScanner::scan(std::string_view block)
                 return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         }
     }
+    return true;
+}
+
+/// The lines that most of nearly all files are: v or vn and three numbers, f and three corners v or v//v, one
+/// space between two. False, and nothing done, for all others.
+bool ObjScanner::scanPlainLine()
+{
+    if (m_at[0] == 'f' && m_at[1] == ' ')
+        return scanPlainFace();
+    if (m_at[0] != 'v')
+        return false;
+    if (m_at[1] == ' ')
+        return scanPlainVector(m_at + 2, m_lists.positions);
+    return m_at[1] == 'n' && m_at[2] == ' ' && scanPlainVector(m_at + 3, m_lists.normals);
+}
+
+/// The end of a line without anything else on it, or null.
+const char* lineEnd(const char* at)
+{
+    at += *at == '\r' ? 1 : 0;
+    return *at == '\n' ? at + 1 : nullptr;
+}
+
+bool ObjScanner::scanPlainVector(const char* from, std::vector<glm::vec3>& to)
+{
+    glm::vec3 v;
+    if (!floats::scanPlainFloat(from, v.x) || *from++ != ' ' || !floats::scanPlainFloat(from, v.y) ||
+        *from++ != ' ' || !floats::scanPlainFloat(from, v.z))
+        return false;
+    const char* const end = lineEnd(from);
+    if (!end || to.size() >= maxVertices)
+        return false;
+    if (to.size() == to.capacity() && to.empty())
+        reserve(to, m_lists.positions.size()); // as many normals as vertices
+    to.push_back(v);
+    m_at = end;
+    return true;
+}
+
+/// v or v//v, with a vertex that is known and a normal of the same number.
+bool scanPlainCorner(const char*& at, Index vertices, Index normals, Index& vertex, bool& hasNormal)
+{
+    const std::uint64_t text = floats::load8(at);
+    const int length = floats::leadingDigits(text);
+    if (length == 0 || length == 8)
+        return false;
+    const int others = 8 * (8 - length);
+    const std::uint64_t number = floats::eightDigitValue(text << others);
+    vertex = static_cast<Index>(number - 1);
+    at += length;
+    if (vertex >= vertices)
+        return false;
+    hasNormal = *at == '/';
+    if (!hasNormal)
+        return true;
+    const bool isSame = (floats::load8(at + 2) ^ text) << others == 0;
+    if (at[1] != '/' || !isSame || vertex >= normals)
+        return false;
+    at += 2 + length;
+    return true;
+}
+
+bool ObjScanner::scanPlainFace()
+{
+    const auto vertices = static_cast<Index>(m_lists.positions.size());
+    const auto normals = static_cast<Index>(m_lists.normals.size());
+    glm::uvec3 t;
+    const char* at = m_at + 1;
+    std::size_t without = 0;
+    for (int k = 0; k < 3; ++k) {
+        bool hasNormal = false;
+        if (*at++ != ' ' || !scanPlainCorner(at, vertices, normals, t[k], hasNormal))
+            return false;
+        without += hasNormal ? 0 : 1;
+    }
+    const char* const end = lineEnd(at);
+    if (!end || (without != 0 && without != 3) || m_lists.triangles.size() > noIndex / 2)
+        return false;
+    m_corners = 0;
+    m_lists.cornersWithoutNormal += without;
+    for (int k = 0; k < 3 && without == 0; ++k)
+        giveNormal(t[k], t[k]);
+    m_lists.triangles.push_back(t);
+    m_at = end;
     return true;
 }
 
@@ -247,31 +345,6 @@ bool ObjScanner::scanIndex(std::int64_t& value)
     return true;
 }
 
-/// v or v//v with a vertex that is known, and a normal of the same number: most corners of most files.
-bool ObjScanner::scanPlainCorner(Index& vertex)
-{
-    const char* at = m_at;
-    std::uint64_t number = 0;
-    if (!scanDigits(at, number) || number == 0 || number > m_lists.positions.size())
-        return false;
-    const std::ptrdiff_t length = at - m_at;
-    vertex = static_cast<Index>(number - 1);
-    if (*at == '/') {
-        const bool isSame = at[1] == '/' && length <= 8 && number <= m_lists.normals.size() &&
-                            std::memcmp(m_at, at + 2, static_cast<std::size_t>(length)) == 0;
-        if (!isSame || !endsWord(at[2 + length]))
-            return false;
-        at += 2 + length;
-        giveNormal(vertex, vertex);
-    } else if (endsWord(*at)) {
-        ++m_lists.cornersWithoutNormal;
-    } else {
-        return false;
-    }
-    m_at = at;
-    return true;
-}
-
 /// Counted from 1, or from the end of what was read so far where it is negative.
 bool ObjScanner::resolve(std::int64_t written, std::size_t count, const char* what, std::optional<Index>& out)
 {
@@ -332,6 +405,28 @@ bool ObjScanner::scanCorner(Index& vertex)
 
 void ObjScanner::giveNormal(Index vertex, Index normal)
 {
+    m_hasNormals = true;
+    if (m_lists.areParallel && vertex == normal && vertex < m_lists.positions.size())
+        return;
+    endParallel();
+    setNormal(vertex, normal);
+}
+
+/// Writes down what was true of all corners up to here.
+void ObjScanner::endParallel()
+{
+    if (!m_lists.areParallel)
+        return;
+    m_lists.areParallel = false;
+    for (const glm::uvec3& t : m_lists.triangles)
+        for (int k = 0; k < 3; ++k)
+            setNormal(t[k], t[k]);
+    for (int i = 0; i < std::min(m_corners, 2); ++i)
+        setNormal(m_face[i], m_face[i]);
+}
+
+void ObjScanner::setNormal(Index vertex, Index normal)
+{
     std::vector<Index>& of = m_lists.normalOf;
     if (vertex < of.size()) {
         if (of[vertex] == normal)
@@ -350,20 +445,18 @@ void ObjScanner::giveNormal(Index vertex, Index normal)
 
 bool ObjScanner::scanFace()
 {
-    Index first = 0;
-    Index previous = 0;
-    int corners = 0;
-    for (skipBlanks(); *m_at != '\n' && *m_at != '#'; skipBlanks(), ++corners) {
+    m_corners = 0;
+    for (skipBlanks(); *m_at != '\n' && *m_at != '#'; skipBlanks(), ++m_corners) {
         Index vertex = 0;
-        if (!scanPlainCorner(vertex) && !scanCorner(vertex))
+        if (!scanCorner(vertex))
             return false;
-        if (corners == 0)
-            first = vertex;
-        if (corners >= 2)
-            m_lists.triangles.emplace_back(first, previous, vertex);
-        previous = vertex;
+        if (m_corners == 0)
+            m_face[0] = vertex;
+        if (m_corners >= 2)
+            m_lists.triangles.emplace_back(m_face[0], m_face[1], vertex);
+        m_face[1] = vertex;
     }
-    if (corners < 3)
+    if (m_corners < 3)
         return fail(ErrorCode::Syntax, RAMURE_NOOP("a face of fewer than three corners"));
     if (m_lists.triangles.size() > noIndex / 2)
         return fail(ErrorCode::Limit, RAMURE_NOOP("more than %1 triangles"), {std::to_string(noIndex / 2)});
@@ -435,6 +528,10 @@ bool ObjScanner::finish()
                     {std::to_string(m_largestNormal), std::to_string(m_lists.normals.size())});
     }
     m_line = 0; // what follows is about the whole file
+    // Without normals there is nothing to be parallel; too many of them belong to no vertex.
+    if (m_hasNormals && m_lists.normals.size() != m_lists.positions.size())
+        endParallel();
+    m_lists.areParallel = m_lists.areParallel && m_hasNormals;
     if (m_lists.positions.empty())
         return fail(ErrorCode::Syntax, RAMURE_NOOP("the file holds no vertices"));
     for (const auto& [word, skipped] : m_skipped)
@@ -445,13 +542,24 @@ bool ObjScanner::finish()
 
 } // namespace
 
+namespace {
+
+constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+
+/// Lines of old Macintosh files end in a carriage return alone.
+bool isMacintosh(std::string_view text)
+{
+    return text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos;
+}
+
+} // namespace
+
 Expected<ObjLists> scanObj(std::string_view text, const std::string& file, const Progress& progress)
 {
-    if (text.starts_with("\xEF\xBB\xBF"))
-        text.remove_prefix(3);
-    // Lines of old Macintosh files end in a carriage return alone.
+    if (text.starts_with(byteOrderMark))
+        text.remove_prefix(byteOrderMark.size());
     std::string converted;
-    if (text.find('\n') == std::string_view::npos && text.find('\r') != std::string_view::npos) {
+    if (isMacintosh(text)) {
         converted = text;
         std::replace(converted.begin(), converted.end(), '\r', '\n');
         text = converted;
@@ -459,6 +567,29 @@ Expected<ObjLists> scanObj(std::string_view text, const std::string& file, const
     ObjScanner scanner(file, text.size(), progress);
     const ScanBlocks blocks(text);
     if (!scanner.scan(blocks.body) || !scanner.scan(blocks.restView()) || !scanner.finish())
+        return ramure::fail(scanner.takeError());
+    return scanner.takeLists();
+}
+
+Expected<ObjLists> scanObj(InputFile& input, const std::string& file, const Progress& progress,
+                           std::size_t blockSize)
+{
+    ObjScanner scanner(file, input.size(), progress);
+    LineBlocks blocks(input, blockSize);
+    for (bool isFirst = true; isFirst || !blocks.isLast(); isFirst = false) {
+        const auto block = blocks.next();
+        if (!block)
+            return ramure::fail(block.error());
+        std::string_view text = *block;
+        if (isFirst && text.starts_with(byteOrderMark))
+            text.remove_prefix(byteOrderMark.size());
+        // A file without a line feed is one block, with one put behind it.
+        if (isFirst && blocks.isLast() && isMacintosh(text.substr(0, text.size() - 1)))
+            return scanObj(text.substr(0, text.size() - 1), file, progress);
+        if (!scanner.scan(text))
+            return ramure::fail(scanner.takeError());
+    }
+    if (!scanner.finish())
         return ramure::fail(scanner.takeError());
     return scanner.takeLists();
 }

@@ -22,8 +22,11 @@ struct ObjLists
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;
     std::vector<glm::uvec3> triangles;
-    std::vector<Index>
-        normalOf; ///< per vertex the first normal that a face gave it, or noIndex; may be shorter
+    /// Each corner with a normal has the normal of its vertex's number, and there are as many normals as
+    /// vertices: normals are the vertices' normals, and the two lists that follow are empty.
+    bool areParallel = false;
+    /// Per vertex the first normal that a face gave it, or noIndex; may be shorter.
+    std::vector<Index> normalOf;
     std::vector<std::pair<Index, Index>> otherNormals; ///< vertex and a further normal
     std::vector<ObjMark> objects, groups;
     std::vector<std::string> notes;
@@ -31,5 +34,8 @@ struct ObjLists
 };
 
 Expected<ObjLists> scanObj(std::string_view text, const std::string& file, const Progress& progress);
+/// The same from a file, \p blockSize bytes at a time.
+Expected<ObjLists> scanObj(InputFile& input, const std::string& file, const Progress& progress,
+                           std::size_t blockSize = lineBlockSize);
 
 } // namespace ramure::reading

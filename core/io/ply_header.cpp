@@ -49,8 +49,9 @@ std::vector<std::string_view> wordsOf(std::string_view line)
 class HeaderParser
 {
 public:
-    HeaderParser(std::string_view bytes, const std::string& file)
+    HeaderParser(std::string_view bytes, const std::string& file, std::uint64_t fileBytes)
         : m_bytes(bytes)
+        , m_fileBytes(fileBytes)
         , m_file(file)
     {
     }
@@ -165,7 +166,7 @@ private:
     Expected<void> checkRoom()
     {
         // The last line of an ASCII file may lack its line feed.
-        std::uint64_t left = m_bytes.size() - m_at + (m_out.format == PlyFormat::Ascii ? 1 : 0);
+        std::uint64_t left = m_fileBytes - m_at + (m_out.format == PlyFormat::Ascii ? 1 : 0);
         for (std::size_t i = 0; i < m_out.elements.size(); ++i) {
             const PlyElement& element = m_out.elements[i];
             const std::uint64_t each = element.smallestSize(m_out.format);
@@ -180,6 +181,7 @@ private:
     }
 
     std::string_view m_bytes;
+    std::uint64_t m_fileBytes;
     const std::string& m_file;
     std::size_t m_at = 0;
     int m_line = 0;
@@ -217,9 +219,9 @@ std::uint64_t PlyElement::smallestSize(PlyFormat format) const
     return sum;
 }
 
-Expected<PlyHeader> parsePlyHeader(std::string_view bytes, const std::string& file)
+Expected<PlyHeader> parsePlyHeader(std::string_view bytes, const std::string& file, std::uint64_t fileBytes)
 {
-    return HeaderParser(bytes, file).parse();
+    return HeaderParser(bytes, file, fileBytes).parse();
 }
 
 } // namespace ramure::reading

@@ -52,7 +52,8 @@ struct PlyHeader
 };
 
 /// Errors: Syntax, Limit, with line. A count of elements that the rest of the file has no room for is an
-/// error here, before anybody takes memory for it.
-Expected<PlyHeader> parsePlyHeader(std::string_view bytes, const std::string& file);
+/// error here, before anybody takes memory for it. \p fileBytes: how long the file is of which \p bytes is
+/// the beginning.
+Expected<PlyHeader> parsePlyHeader(std::string_view bytes, const std::string& file, std::uint64_t fileBytes);
 
 } // namespace ramure::reading

@@ -1,5 +1,6 @@
 #include "core/io/ply_source.h"
 #include <iterator>
+#include <utility>
 
 namespace ramure::reading {
 
@@ -119,86 +120,168 @@ void appendStrided(std::vector<T>& to, const char* from, std::ptrdiff_t offset, 
                   StridedIterator<T>(from + offset + static_cast<std::ptrdiff_t>(stride * count), stride));
 }
 
-/// All properties of a block of vertices while it is in the cache.
-void copyVertices(TriangleMesh& mesh, const char* from, const PlainLayout& layout, std::size_t count)
+/// All finite: numbers that are not have all ones in the exponent.
+bool areFinite(const glm::vec3* vectors, std::size_t count)
 {
+    std::uint32_t anyBad = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        for (int k = 0; k < 3; ++k)
+            anyBad |= (std::bit_cast<std::uint32_t>(vectors[i][k]) & 0x7F800000u) == 0x7F800000u ? 1u : 0u;
+    return anyBad == 0;
+}
+
+/// Records of \p count vertices, while they are in the cache. False where a number is not finite.
+bool appendVertices(TriangleMesh& mesh, const char* from, const PlainLayout& layout, std::size_t count)
+{
+    const std::size_t before = mesh.positions.size();
+    appendStrided(mesh.positions, from, layout.position, layout.stride, count);
+    appendStrided(mesh.normals, from, layout.normal, layout.stride, count);
+    appendStrided(mesh.branch, from, layout.branch, layout.stride, count);
+    appendStrided(mesh.level, from, layout.level, layout.stride, count);
+    return areFinite(&mesh.positions[before], count) &&
+           (layout.normal < 0 || areFinite(&mesh.normals[before], count));
+}
+
+constexpr std::size_t faceBytes = 1 + sizeof(glm::uvec3);
+
+/// False where a face is no triangle or an index is out of range.
+bool appendFaces(std::vector<glm::uvec3>& to, const char* from, std::size_t count, Index vertices)
+{
+    const std::size_t before = to.size();
+    appendStrided(to, from, 1, faceBytes, count);
+    unsigned anyOther = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        anyOther |= static_cast<unsigned char>(from[i * faceBytes]) ^ 3u;
+    Index largest = 0;
+    for (std::size_t i = before; i < to.size(); ++i)
+        largest = std::max(largest, std::max(to[i].x, std::max(to[i].y, to[i].z)));
+    return anyOther == 0 && largest < vertices;
+}
+
+/// Bytes that are in memory.
+class MemoryBytes
+{
+public:
+    explicit MemoryBytes(std::string_view bytes)
+        : m_at(bytes.data())
+    {
+    }
+    const char* take(std::size_t bytes) { return std::exchange(m_at, m_at + bytes); }
+
+private:
+    const char* m_at;
+};
+
+/// Records from one after the other are copied at most this many bytes at a time, so that they stay in the
+/// cache.
+constexpr std::size_t blockBytes = std::size_t(1) << 17;
+
+/// Bytes that are still in a file, through a buffer that stays in the cache.
+class FileBytes
+{
+public:
+    FileBytes(InputFile& file, std::string_view begun)
+        : m_file(file)
+        , m_begun(begun)
+        , m_buffer(blockBytes)
+    {
+    }
+    /// Null where there are not so many.
+    const char* take(std::size_t bytes)
+    {
+        const std::size_t first = m_begun.copy(m_buffer.data(), bytes);
+        m_begun.remove_prefix(first);
+        const auto got = m_file.read(m_buffer.data() + first, bytes - first);
+        return got && *got == bytes - first ? m_buffer.data() : nullptr;
+    }
+
+private:
+    InputFile& m_file;
+    std::string_view m_begun;
+    LargeBuffer<char> m_buffer;
+};
+
+/// Calls \p use(bytes, records) for all records; false where that or the source says so, or cancelled.
+template <class Source, class Use>
+bool forBlocks(Source& source, std::uint64_t count, std::size_t stride, const Progress& progress, Use&& use)
+{
+    const std::uint64_t most = blockBytes / stride;
+    for (std::uint64_t begin = 0; begin < count; begin += most) {
+        const auto records = static_cast<std::size_t>(std::min(most, count - begin));
+        const char* const bytes = source.take(records * stride);
+        if (!bytes || progress.cancelled() || !use(bytes, records))
+            return false;
+        progress.report(double(begin) / double(count));
+    }
+    return true;
+}
+
+template <class Source>
+std::optional<ReadMesh> readPlain(Source source, const PlainLayout& layout, const PlyHeader& header,
+                                  const Progress& progress)
+{
+    const std::uint64_t vertices = header.elements[0].count;
+    const std::uint64_t faces = header.elements[1].count;
+    const auto count = static_cast<std::size_t>(vertices);
+    TriangleMesh mesh;
     reserveHuge(mesh.positions, count);
     reserveHuge(mesh.normals, layout.normal >= 0 ? count : 0);
     reserveHuge(mesh.branch, layout.branch >= 0 ? count : 0);
     reserveHuge(mesh.level, layout.level >= 0 ? count : 0);
-    constexpr std::size_t block = 512;
-    for (std::size_t begin = 0; begin < count; begin += block) {
-        const std::size_t size = std::min(block, count - begin);
-        const char* const at = from + begin * layout.stride;
-        appendStrided(mesh.positions, at, layout.position, layout.stride, size);
-        appendStrided(mesh.normals, at, layout.normal, layout.stride, size);
-        appendStrided(mesh.branch, at, layout.branch, layout.stride, size);
-        appendStrided(mesh.level, at, layout.level, layout.stride, size);
-    }
+    const bool hasVertices = forBlocks(
+        source, vertices, layout.stride, progress.part(0.0, 0.5),
+        [&](const char* bytes, std::size_t records) { return appendVertices(mesh, bytes, layout, records); });
+    if (!hasVertices)
+        return std::nullopt; // the general reader says why
+    reserveHuge(mesh.triangles, static_cast<std::size_t>(faces));
+    const bool hasFaces = forBlocks(
+        source, faces, faceBytes, progress.part(0.5, 1.0), [&](const char* bytes, std::size_t records) {
+            return appendFaces(mesh.triangles, bytes, records, static_cast<Index>(vertices));
+        });
+    if (!hasFaces)
+        return std::nullopt;
+    ReadMesh out;
+    out.objects.push_back({{}, std::move(mesh), {}});
+    return out;
 }
 
-bool areFinite(const std::vector<glm::vec3>& vectors)
-{
-    bool areAll = true;
-    for (const glm::vec3& v : vectors)
-        areAll &= (v.x - v.x) + (v.y - v.y) + (v.z - v.z) == 0.0f; // infinity and NaN give NaN
-    return areAll;
-}
-
-/// False where a face is no triangle or an index is out of range.
-bool copyFaces(std::vector<glm::uvec3>& to, const char* from, std::size_t count, Index vertices)
-{
-    constexpr std::size_t stride = 1 + sizeof(glm::uvec3);
-    reserveHuge(to, count);
-    bool areTriangles = true;
-    Index largest = 0;
-    constexpr std::size_t block = 1024;
-    for (std::size_t begin = 0; begin < count; begin += block) {
-        const std::size_t end = std::min(count, begin + block);
-        appendStrided(to, from + begin * stride, 1, stride, end - begin);
-        for (std::size_t i = begin; i < end; ++i) {
-            areTriangles &= from[i * stride] == 3;
-            largest = std::max(largest, std::max(to[i].x, std::max(to[i].y, to[i].z)));
-        }
-    }
-    return areTriangles && (count == 0 || largest < vertices);
-}
-
-} // namespace
-
-std::optional<Expected<ReadMesh>> readPlainPly(std::string_view bytes, const PlyHeader& header,
-                                               const Progress& progress)
+/// Nothing where the file is not as simple as that. \p bodyBytes: behind the header.
+std::optional<PlainLayout> plainLayout(const PlyHeader& header, std::uint64_t bodyBytes)
 {
     if constexpr (std::endian::native != std::endian::little)
         return std::nullopt;
-    if (header.elements.size() != 2 || header.elements[0].name != "vertex" ||
-        !isPlainFace(header.elements[1]))
+    if (header.format != PlyFormat::LittleEndian || header.elements.size() != 2 ||
+        header.elements[0].name != "vertex" || !isPlainFace(header.elements[1]))
         return std::nullopt;
     const auto layout = layoutOf(header.elements[0]);
     const std::uint64_t vertices = header.elements[0].count;
     const std::uint64_t faces = header.elements[1].count;
-    if (!layout || vertices == 0 || vertices >= noIndex || faces >= noIndex)
+    if (!layout || vertices == 0 || vertices >= noIndex || faces >= noIndex || layout->stride > blockBytes)
         return std::nullopt;
-    const std::uint64_t facesBegin =
-        header.bytes + vertices * layout->stride; // the header has checked that they fit
-    if (bytes.size() - facesBegin != faces * (1 + sizeof(glm::uvec3)))
+    // The header has checked that the vertices fit.
+    if (bodyBytes - vertices * layout->stride != faces * faceBytes)
         return std::nullopt;
+    return layout;
+}
 
-    TriangleMesh mesh;
-    const char* const from = bytes.data() + header.bytes;
-    const auto count = static_cast<std::size_t>(vertices);
-    copyVertices(mesh, from, *layout, count);
-    if (!areFinite(mesh.positions) || !areFinite(mesh.normals))
+} // namespace
+
+std::optional<ReadMesh> readPlainPly(std::string_view bytes, const PlyHeader& header,
+                                     const Progress& progress)
+{
+    const auto layout = plainLayout(header, bytes.size() - header.bytes);
+    if (!layout)
         return std::nullopt;
-    progress.report(0.5);
-    if (progress.cancelled())
-        return std::nullopt; // the general reader says so
-    if (!copyFaces(mesh.triangles, bytes.data() + facesBegin, static_cast<std::size_t>(faces),
-                   static_cast<Index>(vertices)))
+    return readPlain(MemoryBytes(bytes.substr(header.bytes)), *layout, header, progress);
+}
+
+std::optional<ReadMesh> readPlainPly(InputFile& file, std::string_view begun, const PlyHeader& header,
+                                     const Progress& progress)
+{
+    const auto layout = plainLayout(header, file.size() - header.bytes);
+    if (!layout)
         return std::nullopt;
-    ReadMesh out;
-    out.objects.push_back({{}, std::move(mesh), {}});
-    return Expected<ReadMesh>(std::move(out));
+    return readPlain(FileBytes(file, begun), *layout, header, progress);
 }
 
 } // namespace ramure::reading

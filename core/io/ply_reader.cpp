@@ -249,11 +249,17 @@ void noteSkippedProperties(const PlyHeader& header, std::vector<std::string>& no
         notes.push_back("vertex properties skipped: " + names);
 }
 
+void named(ReadMesh& mesh, const PlyHeader& header, const std::string& file)
+{
+    mesh.objects.front().name = reading::stem(file);
+    noteSkippedProperties(header, mesh.notes);
+}
+
 } // namespace
 
 Expected<ReadMesh> parsePly(std::string_view bytes, const std::string& file, const Progress& progress)
 {
-    const auto header = reading::parsePlyHeader(bytes, file);
+    const auto header = reading::parsePlyHeader(bytes, file, bytes.size());
     if (!header)
         return fail(header.error());
     auto result = [&]() -> Expected<ReadMesh> {
@@ -269,10 +275,35 @@ Expected<ReadMesh> parsePly(std::string_view bytes, const std::string& file, con
     }();
     if (!result)
         return result;
-    result->objects.front().name = reading::stem(file);
-    noteSkippedProperties(*header, result->notes);
+    named(*result, *header, file);
     progress.report(1.0);
     return result;
+}
+
+Expected<ReadMesh> reading::readPlyFile(const std::string& path, const Progress& progress)
+{
+    auto input = InputFile::open(path);
+    if (!input)
+        return fail(input.error());
+    if (input->isRegular()) {
+        // Headers are short; what is longer, or not plain, is read as a whole.
+        std::string begin(std::min<std::size_t>(input->size(), 1u << 14), '\0');
+        const auto got = input->read(begin.data(), begin.size());
+        const auto header = parsePlyHeader(begin, path, input->size());
+        if (got && *got == begin.size() && header) {
+            const auto body = std::string_view(begin).substr(header->bytes);
+            if (auto plain = readPlainPly(*input, body, *header, progress)) {
+                named(*plain, *header, path);
+                progress.report(1.0);
+                return std::move(*plain);
+            }
+        }
+        input->rewind();
+    }
+    const auto bytes = loadFile(*input, path);
+    if (!bytes)
+        return fail(bytes.error());
+    return parsePly(bytes->view(), path, progress);
 }
 
 } // namespace ramure

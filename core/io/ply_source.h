@@ -206,7 +206,10 @@ private:
 /// The common case, in a fraction of the time: little endian, vertices of scalars with float positions,
 /// triangles as a byte and three 32-bit indices, nothing else. Nothing where the file is different, or wrong:
 /// the general reader, which says what and where, has to read it.
-std::optional<Expected<ReadMesh>> readPlainPly(std::string_view bytes, const PlyHeader& header,
-                                               const Progress& progress);
+std::optional<ReadMesh> readPlainPly(std::string_view bytes, const PlyHeader& header,
+                                     const Progress& progress);
+/// The same from a file that stands where the data begin but for \p begun, which was read already.
+std::optional<ReadMesh> readPlainPly(InputFile& file, std::string_view begun, const PlyHeader& header,
+                                     const Progress& progress);
 
 } // namespace ramure::reading

@@ -5,12 +5,38 @@
 #include "core/base/large_buffer.h"
 #include "core/io/float_text.h"
 #include "core/io/mesh_file.h"
+#include <algorithm>
 #include <string_view>
 
 namespace ramure::reading {
 
 /// Elements or lines between two looks at the stop token.
 inline constexpr std::size_t chunk = std::size_t(1) << 16;
+
+/// An open file that is read from its beginning to its end.
+class InputFile
+{
+public:
+    /// Error: Io.
+    static Expected<InputFile> open(const std::string& path);
+    InputFile(InputFile&& other) noexcept;
+    InputFile& operator=(InputFile&&) = delete;
+    ~InputFile();
+
+    [[nodiscard]] bool isRegular() const { return m_isRegular; }
+    [[nodiscard]] std::size_t size() const { return m_size; } ///< of a regular file
+    /// Reads up to \p room bytes; fewer only at the end. Error: Io.
+    Expected<std::size_t> read(char* to, std::size_t room);
+    void rewind(); ///< a regular file
+
+private:
+    InputFile(int file, std::string path);
+
+    int m_file;
+    std::string m_path;
+    bool m_isRegular = false;
+    std::size_t m_size = 0;
+};
 
 /// The whole file. Errors: Io, Limit (a device or pipe that does not end).
 struct Bytes
@@ -19,7 +45,38 @@ struct Bytes
     std::size_t size = 0;
     [[nodiscard]] std::string_view view() const { return {buffer.data(), size}; }
 };
-Expected<Bytes> loadFile(const std::string& path);
+Expected<Bytes> loadFile(InputFile& file, const std::string& path);
+
+/// Bytes of a file that are looked at together: they stay in the cache.
+inline constexpr std::size_t lineBlockSize = std::size_t(1) << 18;
+
+/// A file as blocks of whole lines, in one buffer that stays in the cache: fresh memory of the whole file's
+/// size would cost as much as scanning it. Lines that a backslash continues are not torn.
+class LineBlocks
+{
+public:
+    /// \p size: of the buffer at first; a longer line makes it grow.
+    explicit LineBlocks(InputFile& file, std::size_t size)
+        : m_file(file)
+        , m_buffer(std::max<std::size_t>(size, 1) + tail)
+    {
+    }
+    /// The next block, or nothing when there is none; bytes behind it are readable. The last block ends in a
+    /// line feed that the file need not have. Error: Io.
+    Expected<std::string_view> next();
+    [[nodiscard]] bool isLast() const { return m_isAtEnd; }
+
+private:
+    static constexpr std::size_t tail = 64; ///< room for the last line feed and what is read behind it
+    [[nodiscard]] std::size_t lastLineEnd() const;
+    void grow();
+
+    InputFile& m_file;
+    LargeBuffer<char> m_buffer;
+    std::size_t m_used = 0;  ///< bytes in the buffer
+    std::size_t m_given = 0; ///< of which those in front were given out
+    bool m_isAtEnd = false;
+};
 
 /// "dir/tree.v2.obj" is "tree.v2": the name of an object that has none.
 std::string stem(const std::string& path);
@@ -41,6 +98,11 @@ struct ScanBlocks
     static constexpr std::size_t padding = 16;
     [[nodiscard]] std::string_view restView() const { return {rest.data(), rest.size() - padding}; }
 };
+
+/// readMeshFile for either ending: regular files in blocks.
+Expected<ReadMesh> readObjFile(const std::string& path, const Progress& progress,
+                               std::size_t blockSize = lineBlockSize);
+Expected<ReadMesh> readPlyFile(const std::string& path, const Progress& progress);
 
 /// Part of a text as it may be shown in a message: short, printable.
 std::string excerpt(std::string_view text);

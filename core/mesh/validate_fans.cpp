@@ -75,9 +75,7 @@ constexpr std::array<std::array<Index, nearDegree>, nearDegree + 1> beyondDegree
     std::memcpy(&low, &lanes, sizeof low);
     std::memcpy(&high, reinterpret_cast<const char*>(&lanes) + sizeof low, sizeof high);
     low = low < high ? low : high;
-    const Half swapped = __builtin_shuffle(low, Half{2, 3, 0, 1});
-    low = low < swapped ? low : swapped;
-    return std::min(low[0], low[1]);
+    return std::min(std::min(low[0], low[1]), std::min(low[2], low[3]));
 }
 
 /// True only where the \p degree (3..8) faces around a vertex are one closed fan: the face after each is the

@@ -365,8 +365,10 @@ double TreePhysics::swingRate(Index branch) const
     Prepared& p = *m_prepared;
     if (!p.hasMasses)
         p.masses = massesOf(*m_body, p.params.appleMass, p.masses.loose);
-    p.hasMasses = true;
-    return springsOf(*m_body, p.params, p.masses).rate[m_body->slotOf[branch]];
+    if (!p.hasSprings)
+        p.springs = springsOf(*m_body, p.params, p.masses);
+    p.hasMasses = p.hasSprings = true;
+    return p.springs.rate[m_body->slotOf[branch]];
 }
 
 } // namespace ramure

@@ -1,5 +1,6 @@
 #include "core/io/float_rows.h"
 #include "core/io/float_text.h"
+#include "core/io/float_text_parts.h"
 #include "tests/core/io/io_support.h"
 #include <charconv>
 #include <cstring>
@@ -116,6 +117,40 @@ private slots:
             if (std::from_chars(text, shortEnd, expected).ec == std::errc())
                 QCOMPARE(scanned(std::string(text, shortEnd)).value, expected);
         }
+    }
+    /// The quick way reads the same as the other one, or leaves it to that.
+    void plainNumbersAreReadTheSame()
+    {
+        std::mt19937 random(11);
+        const auto digits = [&](unsigned most) {
+            std::string out;
+            for (unsigned n = static_cast<unsigned>(random()) % (most + 1); n > 0; --n)
+                out += static_cast<char>('0' + random() % 10);
+            return out;
+        };
+        int plain = 0;
+        for (int i = 0; i < 300'000; ++i) {
+            std::string text = random() % 2 ? "-" : random() % 8 ? "" : "+";
+            text += digits(3);
+            text += random() % 16 ? "." : "";
+            text += digits(14);
+            text += random() % 32 ? "" : "e1";
+            text += random() % 2 ? "\n" : " 7";
+            text.append(32, '\0');
+            const char* at = text.data();
+            float value = 0.0f;
+            if (!floats::scanPlainFloat(at, value)) {
+                QVERIFY(at == text.data());
+                continue;
+            }
+            ++plain;
+            const char* expectedAt = text.data();
+            float expected = 0.0f;
+            QVERIFY(scanFloat(expectedAt, expected) == FloatScan::Ok);
+            QVERIFY(at == expectedAt);
+            QCOMPARE(std::bit_cast<std::uint32_t>(value), std::bit_cast<std::uint32_t>(expected));
+        }
+        QVERIFY(plain > 100'000);
     }
     /// Rows are the numbers one by one, whatever their number and whichever floats are among them.
     void rowsAreTheirNumbers()

@@ -1,4 +1,6 @@
+#include "core/io/obj_scan.h"
 #include "tests/core/io/io_support.h"
+#include <QTemporaryDir>
 
 using namespace ramure;
 
@@ -75,6 +77,46 @@ private slots:
         // The same place with the line ends of another system.
         const QString windows = QString(text).replace("\n", "\r\n");
         QCOMPARE(QString::fromStdString(errorOf(windows.toStdString()).message()), message);
+    }
+    /// A file in blocks of any size gives what the text gives as a whole: the same mesh, the same error.
+    void blocksAreTheText_data()
+    {
+        badInput_data();
+        const auto row = [](const char* name, const QString& text) { QTest::newRow(name) << text << ""; };
+        const QString four = "v 0.5 -1.25 0\nv 1 0 0\nv 1 1.0000001 0\nv 0 1 0\n";
+        const QString normals = "vn 0.0 0.0 1.0\nvn 0 1 0\nvn 1 0 0\nvn 0.6 0.8 0.0\n";
+        row("good", "\xEF\xBB\xBF# c\n" + four + normals + "f 1//1 2//2 3//3\nf 1//1 3//3 4//4\n");
+        row("without normals", four + "f 1 2 3\r\nf 1 3 4");
+        row("not parallel", four + normals + "f 1//1 2//2 3//3\nf 1//1 3//4 4//4\n");
+        row("more normals", four + normals + "vn 1.0 0.0 0.0\nf 1//1 2//2 3//3\n");
+        row("mixed", four + normals + "f 1//1 2//2 3//3\nf 1 3 4\n");
+        row("polygons", four + normals + "f 1//1 2//2 3//3 4//4\nf 4//4 3//3 \\\n 2//2 1//2\n");
+        row("continued", four + "f 1 \\\r\n 2 \\\n3\n# c \\\nf 1 2 4 # c\n");
+        row("Macintosh", QString(four + "f 1 2 3\n").replace("\n", "\r"));
+        row("objects", "o a\n" + four + "f 1 2 3\no b\nf -4 -3 -1\ng x y\nf 2 3 4\ncurv2 1\n");
+    }
+    void blocksAreTheText()
+    {
+        QFETCH(QString, text);
+        QTemporaryDir folder;
+        const QString path = folder.filePath("f.obj");
+        const QByteArray bytes = text.toLatin1();
+        test::writeBytes(path, bytes);
+        const auto whole = reading::scanObj(test::view(bytes), path.toStdString(), {});
+        for (const std::size_t size : {1u, 2u, 7u, 16u, 40u, 100u, 1u << 18}) {
+            auto input = reading::InputFile::open(path.toStdString());
+            QVERIFY2(input.has_value(), test::why(input));
+            const auto lists = reading::scanObj(*input, path.toStdString(), {}, size);
+            QCOMPARE(test::why(lists), test::why(whole));
+            if (!lists)
+                continue;
+            QVERIFY(test::sameBits(lists->positions, whole->positions));
+            QVERIFY(test::sameBits(lists->normals, whole->normals));
+            QVERIFY(lists->triangles == whole->triangles && lists->notes == whole->notes);
+            QCOMPARE(lists->areParallel, whole->areParallel);
+            QVERIFY(lists->normalOf == whole->normalOf && lists->otherNormals == whole->otherNormals);
+            QCOMPARE(lists->cornersWithoutNormal, whole->cornersWithoutNormal);
+        }
     }
     void cancelStops()
     {

@@ -8,6 +8,7 @@
 #include "core/physics/tree_physics.h"
 #include "core/random/random.h"
 #include "tests/support/preset_trees.h"
+#include "tests/support/suite.h"
 #include <algorithm>
 #include <cmath>
 #include <cstring>

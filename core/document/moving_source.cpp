@@ -1,0 +1,146 @@
+#include "core/document/moving_source.h"
+
+#include "core/physics/physics_cache.h"
+#include "core/pose/skin.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ramure {
+namespace {
+
+/// Moves one end of each branch with its bone.
+Skeleton movedSkeleton(const Skeleton& rest, std::span<const RigidTransform> bones,
+                       std::span<const Index> boneOf)
+{
+    Skeleton now = rest;
+    for (Index b = 0; b < rest.size(); ++b) {
+        const RigidTransform& bone = bones[boneOf.empty() ? b : boneOf[b]];
+        now.p0[b] = bone.point(rest.p0[b]);
+        now.p1[b] = bone.point(rest.p1[b]);
+    }
+    return now;
+}
+
+SectionSet movedSections(const SectionSet& rest, std::span<const RigidTransform> bones)
+{
+    SectionSet now = rest;
+    for (std::size_t i = 0; i < now.sections.size(); ++i) {
+        const RigidTransform& bone = bones[i / rest.perBranch];
+        CrossSection& section = now.sections[i];
+        section.centre = bone.point(section.centre);
+        section.frame = {bone.direction(section.frame.tangent), bone.direction(section.frame.normal),
+                         bone.direction(section.frame.binormal)};
+    }
+    return now;
+}
+
+Foliage movedFoliage(const Foliage& rest, std::span<const RigidTransform> bones)
+{
+    Foliage now = rest;
+    for (std::vector<FoliageItem>* items : {&now.leaves, &now.apples})
+        for (FoliageItem& item : *items) {
+            const RigidTransform& bone = bones[item.branch];
+            item.position = bone.point(item.position);
+            item.orientation = bone.rotation * item.orientation;
+        }
+    return now;
+}
+
+} // namespace
+
+struct MovingSource::Run
+{
+    std::shared_ptr<const SimplifiedSkeleton> skeleton;
+    std::unique_ptr<PhysicsCache> cache;
+    Pose pose;
+};
+
+MovingSource::MovingSource(TreeSource rest)
+    : m_rest(std::move(rest))
+{
+}
+
+MovingSource::~MovingSource() = default;
+
+TreeSource MovingSource::at(double timeSeconds)
+{
+    if (timeSeconds <= 0.0)
+        return m_rest;
+    return [this, timeSeconds](const Node& node, Stage last, const Progress& progress) {
+        return moved(node, last, timeSeconds, progress);
+    };
+}
+
+/// The meshes of a result and its report, deformed.
+static Expected<void> moveMeshes(TreeResult& tree, const Skeleton& rest, const Foliage& foliage,
+                                 SkinMethod method, std::span<const RigidTransform> bones,
+                                 const Progress& progress)
+{
+    const bool smooth = method != SkinMethod::Rigid;
+    const std::shared_ptr<const BranchMesh> restMesh = tree.branches;
+    const auto skin = bindBranches(*restMesh, rest, smooth);
+    if (!skin)
+        return fail(skin.error());
+    auto branches = std::make_shared<BranchMesh>(*restMesh);
+    branches->mesh = deformed(restMesh->mesh, *skin, bones, method);
+    if (tree.report) {
+        auto report = validateMesh(branches->mesh, progress);
+        if (!report)
+            return fail(std::move(report.error()));
+        tree.report = std::make_shared<const MeshReport>(std::move(*report));
+    }
+    tree.branches = std::move(branches);
+    const std::pair<std::shared_ptr<const TriangleMesh>*, const std::vector<FoliageItem>*> pieces[] = {
+        {&tree.leaves, &foliage.leaves}, {&tree.apples, &foliage.apples}};
+    for (const auto& [mesh, items] : pieces) {
+        if (!*mesh)
+            continue;
+        const auto pieceSkin = bindFoliage(**mesh, *items, *restMesh, rest, smooth);
+        if (!pieceSkin)
+            return fail(pieceSkin.error());
+        *mesh = std::make_shared<const TriangleMesh>(deformed(**mesh, *pieceSkin, bones, method));
+    }
+    return {};
+}
+
+Expected<TreeResult> MovingSource::moved(const Node& node, Stage last, double timeSeconds,
+                                         const Progress& progress)
+{
+    // Apples weigh: they must be known even where nobody asked for them.
+    auto tree = m_rest(node, std::max(last, Stage::Foliage), progress.part(0.0, 0.4));
+    if (!tree)
+        return tree;
+    std::unique_ptr<Run>& run = m_runs[node.id];
+    if (!run || run->skeleton != tree->simplified) {
+        run = std::make_unique<Run>();
+        run->skeleton = tree->simplified;
+        run->cache = std::make_unique<PhysicsCache>(
+            makeTreeBody(tree->simplified->skeleton, tree->foliage.get(), node.params.turtle.alpha),
+            node.params.physics);
+    }
+    if (!std::isfinite(timeSeconds) || timeSeconds > run->cache->timeAt(maxPhysicsSteps))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("the time lies beyond what the physics counts"));
+    if (auto there = run->cache->seek(run->cache->stepAt(timeSeconds), progress.part(0.4, 0.9)); !there)
+        return fail(std::move(there.error()));
+    run->cache->pose(run->pose);
+    const std::span<const RigidTransform> bones = run->pose.bones;
+    const std::shared_ptr<const Foliage> foliage = tree->foliage;
+    if (tree->branches)
+        if (auto moved = moveMeshes(*tree, run->skeleton->skeleton, *foliage, node.params.skin.method, bones,
+                                    progress.part(0.9, 1.0));
+            !moved)
+            return fail(std::move(moved.error()));
+    if (tree->skeleton)
+        tree->skeleton = std::make_shared<const Skeleton>(
+            movedSkeleton(*tree->skeleton, bones, run->skeleton->mergedInto));
+    auto simplified = std::make_shared<SimplifiedSkeleton>(*run->skeleton);
+    simplified->skeleton = movedSkeleton(run->skeleton->skeleton, bones, {});
+    tree->simplified = std::move(simplified);
+    if (tree->sections)
+        tree->sections = std::make_shared<const SectionSet>(movedSections(*tree->sections, bones));
+    tree->foliage = std::make_shared<const Foliage>(movedFoliage(*foliage, bones));
+    return tree;
+}
+
+} // namespace ramure

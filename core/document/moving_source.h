@@ -1,0 +1,36 @@
+/// \file
+/// Trees at a time: what the pipeline makes of them, moved by their physics. For files and pictures; the
+/// editor plays with core/document/player.h.
+#pragma once
+
+#include "core/document/exporter.h"
+#include <map>
+#include <memory>
+
+namespace ramure {
+
+/// Keeps one run per tree, so that the frames of a sequence cost one run together. Not thread-safe.
+class MovingSource
+{
+public:
+    /// \param rest gives the trees at rest; it must outlive this object's sources.
+    explicit MovingSource(TreeSource rest);
+    ~MovingSource();
+    MovingSource(const MovingSource&) = delete;
+    MovingSource& operator=(const MovingSource&) = delete;
+
+    /// A source of the trees at \p timeSeconds (the step round(T / stepSeconds), SPEC A7): skeletons,
+    /// sections, meshes and foliage are all in their place of then, skinned as skin.method says; the report
+    /// is of the moved mesh. Times up to 0 give the trees at rest. Valid as long as this object. Errors:
+    /// those of the rest; Invalid for a time that is no number or beyond maxPhysicsSteps; Cancelled.
+    [[nodiscard]] TreeSource at(double timeSeconds);
+
+private:
+    struct Run;
+    Expected<TreeResult> moved(const Node& node, Stage last, double timeSeconds, const Progress& progress);
+
+    TreeSource m_rest;
+    std::map<NodeId, std::unique_ptr<Run>> m_runs;
+};
+
+} // namespace ramure

@@ -1,0 +1,210 @@
+#include "core/io/read_parts.h"
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace ramure::reading {
+
+namespace {
+
+tl::unexpected<Error> readError(const std::string& path, int code)
+{
+    auto error =
+        fail(ErrorCode::Io, RAMURE_NOOP("cannot be read: %1"), {std::generic_category().message(code)});
+    error.value().file = path;
+    return error;
+}
+
+/// Pipes and devices do not say how long they are.
+constexpr std::size_t largestStream = std::size_t(1) << 30;
+
+Expected<Bytes> loadStream(InputFile& file, const std::string& path)
+{
+    std::string text;
+    for (;;) {
+        const std::size_t before = text.size();
+        constexpr std::size_t block = std::size_t(1) << 20;
+        text.resize(before + block);
+        const auto got = file.read(text.data() + before, block);
+        if (!got)
+            return fail(got.error());
+        text.resize(before + *got);
+        if (*got < block)
+            break;
+        if (text.size() >= largestStream) {
+            auto error = fail(ErrorCode::Limit, RAMURE_NOOP("more than 1 GiB from a pipe or device"));
+            error.value().file = path;
+            return error;
+        }
+    }
+    Bytes out{LargeBuffer<char>(text.size() + 1), text.size()};
+    text.copy(out.buffer.data(), text.size());
+    return out;
+}
+
+bool isContinued(const char* begin, const char* feed)
+{
+    if (feed > begin && feed[-1] == '\r')
+        --feed;
+    return feed > begin && feed[-1] == '\\';
+}
+
+} // namespace
+
+InputFile::InputFile(int file, std::string path)
+    : m_file(file)
+    , m_path(std::move(path))
+{
+}
+
+InputFile::InputFile(InputFile&& other) noexcept
+    : m_file(std::exchange(other.m_file, -1))
+    , m_path(std::move(other.m_path))
+    , m_isRegular(other.m_isRegular)
+    , m_size(other.m_size)
+{
+}
+
+InputFile::~InputFile()
+{
+    if (m_file >= 0)
+        ::close(m_file);
+}
+
+Expected<InputFile> InputFile::open(const std::string& path)
+{
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file < 0)
+        return readError(path, errno);
+    InputFile out(file, path);
+    struct stat status = {};
+    if (::fstat(file, &status) != 0)
+        return readError(path, errno);
+    out.m_isRegular = S_ISREG(status.st_mode);
+    out.m_size = out.m_isRegular ? static_cast<std::size_t>(status.st_size) : 0;
+    return out;
+}
+
+Expected<std::size_t> InputFile::read(char* to, std::size_t room)
+{
+    std::size_t done = 0;
+    while (done < room) {
+        const ssize_t got = ::read(m_file, to + done, room - done);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got < 0)
+            return readError(m_path, errno);
+        if (got == 0)
+            break;
+        done += static_cast<std::size_t>(got);
+    }
+    return done;
+}
+
+void InputFile::rewind()
+{
+    ::lseek(m_file, 0, SEEK_SET); // reading tells what is wrong, if anything is
+}
+
+Expected<Bytes> loadFile(InputFile& file, const std::string& path)
+{
+    if (!file.isRegular())
+        return loadStream(file, path);
+    Bytes out{LargeBuffer<char>(file.size() + 1), 0};
+    const auto got = file.read(out.buffer.data(), file.size());
+    if (!got)
+        return fail(got.error());
+    out.size = *got;
+    return out;
+}
+
+/// Behind the last line feed that is not taken back by a backslash before it, or 0.
+std::size_t LineBlocks::lastLineEnd() const
+{
+    const char* const begin = m_buffer.data();
+    std::string_view text(begin, m_used);
+    for (;;) {
+        const std::size_t feed = text.rfind('\n');
+        if (feed == std::string_view::npos)
+            return 0;
+        if (!isContinued(begin, begin + feed))
+            return feed + 1;
+        text = text.substr(0, feed);
+    }
+}
+
+/// A line that is longer than the buffer.
+void LineBlocks::grow()
+{
+    LargeBuffer<char> larger((m_buffer.size() - tail) * 2 + tail);
+    std::memcpy(larger.data(), m_buffer.data(), m_used);
+    m_buffer = std::move(larger);
+}
+
+Expected<std::string_view> LineBlocks::next()
+{
+    if (m_isAtEnd)
+        return std::string_view();
+    m_used -= m_given;
+    std::memmove(m_buffer.data(), m_buffer.data() + m_given, m_used);
+    for (;;) {
+        const std::size_t room = m_buffer.size() - tail - m_used;
+        const auto got = m_file.read(m_buffer.data() + m_used, room);
+        if (!got)
+            return fail(got.error());
+        m_used += *got;
+        m_isAtEnd = *got < room;
+        if (m_isAtEnd) {
+            m_given = m_used + 1;
+            m_buffer[m_used] = '\n';
+            std::fill_n(m_buffer.data() + m_given, tail - 1, '\0');
+            break;
+        }
+        m_given = lastLineEnd();
+        if (m_given > 0)
+            break;
+        grow();
+    }
+    return std::string_view(m_buffer.data(), m_given);
+}
+
+std::string stem(const std::string& path)
+{
+    return std::filesystem::path(path).stem().string();
+}
+
+ScanBlocks::ScanBlocks(std::string_view text)
+{
+    // The last line feed that is far enough from the end and is not taken back by a backslash before it.
+    std::size_t split =
+        text.size() > padding ? text.rfind('\n', text.size() - padding - 1) : std::string_view::npos;
+    const auto isContinued = [&](std::size_t at) {
+        if (at > 0 && text[at - 1] == '\r')
+            --at;
+        return at > 0 && text[at - 1] == '\\';
+    };
+    while (split != std::string_view::npos && isContinued(split))
+        split = split > 0 ? text.rfind('\n', split - 1) : std::string_view::npos;
+    body = split == std::string_view::npos ? std::string_view() : text.substr(0, split + 1);
+    rest = text.substr(body.size());
+    rest += '\n';
+    rest.append(padding, '\0');
+}
+
+std::string excerpt(std::string_view text)
+{
+    constexpr std::size_t longest = 40;
+    std::string out(text.substr(0, longest));
+    for (char& c : out)
+        if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7F)
+            c = '?';
+    return text.size() > longest ? out + "..." : out;
+}
+
+} // namespace ramure::reading
