@@ -2,6 +2,12 @@
 
 namespace ramure {
 
+namespace {
+
+constexpr std::size_t mostKeptBytes = std::size_t(128) << 20; ///< of one sink
+
+} // namespace
+
 std::unique_ptr<MeshSink> MeshScratch::takeSink()
 {
     if (m_sinks.empty())
@@ -23,6 +29,11 @@ void MeshScratch::keepArrays(TriangleMesh&& mesh)
 
 void MeshScratch::keepSink(std::unique_ptr<MeshSink> sink)
 {
+    const std::size_t bytes = sink->positions.capacity() * sizeof(glm::vec3) +
+                              sink->owner.capacity() * sizeof(Index) +
+                              sink->triangles.capacity() * sizeof(glm::uvec3);
+    if (bytes > mostKeptBytes) // of an uncommonly large mesh: the next one is hardly as large
+        return;
     m_sinks.push_back(std::move(sink));
 }
 
