@@ -1,4 +1,5 @@
 #include "core/mesh/mesh_divisions.h"
+#include "core/mesh/self_intersections.h"
 #include "tests/support/fork_judge.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/skeleton_zoo.h"
@@ -19,6 +20,8 @@ private slots:
     void absurdBudgetsAreErrors();
     void budgetsAreKept_data();
     void budgetsAreKept();
+    void forksStayClean_data();
+    void forksStayClean();
     void whatCannotBeIsTold();
     void theSmallestMeshIsTheSameForAllSmallBudgets();
     void withoutABudgetTheDivisionsRule();
@@ -110,6 +113,30 @@ void TestMeshBudget::budgetsAreKept()
     QVERIFY(*budgetText(built->budget) == '\0');
     const std::string faults = branchMeshFaults(*skeleton, *built);
     QVERIFY2(faults.empty(), faults.c_str());
+}
+
+void TestMeshBudget::forksStayClean_data()
+{
+    QTest::addColumn<QString>("preset");
+    QTest::addColumn<unsigned>("budget");
+    for (const char* preset : {"SmallTree", "TinyTree", "Fern2D"})
+        for (const unsigned budget : {1U, 30'000U, 90'000U})
+            QTest::addRow("%s %u", preset, budget) << QString(preset) << budget;
+}
+
+/// Rings of different counts and branches of few sections do not make a fork cut through itself.
+void TestMeshBudget::forksStayClean()
+{
+    QFETCH(QString, preset);
+    QFETCH(unsigned, budget);
+    const std::string name = preset.toStdString();
+    const Expected<Skeleton> skeleton = presetSkeleton({name});
+    QVERIFY2(skeleton, why(skeleton));
+    const Expected<BranchMesh> built = meshOf(*skeleton, budget);
+    QVERIFY2(built, why(built));
+    const auto crossings = findSelfIntersections(built->mesh, repairedParents(*skeleton, built->repairs));
+    QVERIFY2(crossings, why(crossings));
+    QCOMPARE(crossings->aroundForks(), std::uint64_t(0));
 }
 
 void TestMeshBudget::whatCannotBeIsTold()
