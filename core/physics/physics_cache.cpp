@@ -12,7 +12,6 @@ constexpr std::int64_t lookEvery = 8;
 
 PhysicsCacheOptions sane(PhysicsCacheOptions options)
 {
-    options.checkpointSteps = std::max(options.checkpointSteps, 1);
     options.ringStates = std::max(options.ringStates, 1);
     return options;
 }
@@ -25,11 +24,21 @@ PhysicsCache::PhysicsCache(std::shared_ptr<const TreeBody> body, const PhysicsPa
     , m_script(params)
     , m_physics(std::move(body), params)
     , m_state(m_physics.restState())
-    , m_checkpointSteps(m_options.checkpointSteps)
+    , m_checkpointSteps(firstCheckpointSteps())
 {
 }
 
 PhysicsCache::~PhysicsCache() = default;
+
+int PhysicsCache::firstCheckpointSteps() const
+{
+    if (m_options.checkpointSteps > 0)
+        return m_options.checkpointSteps;
+    constexpr double wantedSeconds = 3e-3, secondsPerBranch = 40e-9;
+    const double stepSeconds = secondsPerBranch * std::max<double>(m_physics.body().size(), 1.0) *
+                               static_cast<double>(m_script.paramsAt(0).substeps);
+    return static_cast<int>(std::clamp(wantedSeconds / stepSeconds, 10.0, 100.0));
+}
 
 std::uint64_t PhysicsCache::keyAt(std::int64_t step) const
 {
@@ -183,7 +192,7 @@ void PhysicsCache::setBody(std::shared_ptr<const TreeBody> body)
     m_script = PhysicsScript(first);
     clearStates();
     m_spare.reset();
-    m_checkpointSteps = m_options.checkpointSteps;
+    m_checkpointSteps = firstCheckpointSteps();
     m_state = m_physics.restState();
 }
 

@@ -35,8 +35,10 @@ struct StepRange
 
 struct PhysicsCacheOptions
 {
-    int checkpointSteps = 10; ///< at first; doubled whenever the memory is used up
-    int ringStates = 64;      ///< the last states, for single steps back
+    /// Between two checkpoints, at first; doubled whenever the memory is used up. 0: as many as take about 3
+    /// ms, 10 to 100, so that small trees keep long runs in little memory.
+    int checkpointSteps = 0;
+    int ringStates = 64; ///< the last states, for single steps back
     std::size_t memoryBytes = std::size_t(512)
                               << 20; ///< of all states together; the ring takes a quarter at most
 };
@@ -99,6 +101,7 @@ private:
     };
     using States = std::map<std::int64_t, Kept>;
 
+    [[nodiscard]] int firstCheckpointSteps() const;
     [[nodiscard]] std::uint64_t keyAt(std::int64_t step) const;
     [[nodiscard]] bool isValid(const States::value_type& entry) const;
     [[nodiscard]] bool isCheckpoint(std::int64_t step) const { return step % m_checkpointSteps == 0; }

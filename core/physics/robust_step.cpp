@@ -17,6 +17,9 @@ constexpr Index block = 64;
 constexpr double springiness = 5.0;
 /// Turn of a lone twig across a wind of 1 m/s, and of a lone level twig under its weight, rad.
 constexpr double turnOfWind = 0.025, turnOfWeight = 0.015;
+/// Air that a branch is carried through faster than this, m/s, presses no more: what whips wildly would shake
+/// all that it carries ever more.
+constexpr double fastAir = 6.0;
 constexpr double leastStiffness = 1e-3;
 constexpr double leastRatio = 0.02, mostRatio = 20.0;
 /// Faster swings than this in a substep could not be seen as swings.
@@ -103,7 +106,8 @@ void stepBlock(const Columns& c, double perSecond, const Around& around, std::si
         // The air that passes the branch, and its weight.
         const Vec carried{around.velX[lane], around.velY[lane], around.velZ[lane]};
         const Vec air{around.airX[lane], around.airY[lane], around.airZ[lane]};
-        const Vec pressed = c.give[i] * (turnOfWind * air - Vec{0.0, c.weight[i], 0.0}) - c.drag[i] * carried;
+        const double felt = c.drag[i] / std::sqrt(1.0 + dot(carried, carried) * (1.0 / (fastAir * fastAir)));
+        const Vec pressed = c.give[i] * (turnOfWind * air - Vec{0.0, c.weight[i], 0.0}) - felt * carried;
         const Vec target = bendOf(rest, turned(conjugate(frame), pressed));
         // The spring, solved exactly.
         const Vec away = Vec{c.bendX[i], c.bendY[i], c.bendZ[i]} - target;

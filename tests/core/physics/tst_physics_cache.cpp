@@ -90,7 +90,8 @@ private slots:
         QTest::addColumn<int>("checkpointSteps");
         QTest::addColumn<int>("ringStates");
         QTest::addColumn<int>("kilobytes");
-        QTest::newRow("usual") << 10 << 64 << 500'000;
+        QTest::newRow("usual") << 0 << 64 << 500'000;
+        QTest::newRow("ten") << 10 << 64 << 500'000;
         QTest::newRow("every step") << 1 << 1 << 500'000;
         QTest::newRow("no sense") << -3 << -3 << 500'000;
         QTest::newRow("little memory") << 10 << 64 << 300;
