@@ -121,7 +121,7 @@ void TestMeshBudget::forksStayClean_data()
     QTest::addColumn<unsigned>("budget");
     for (const char* preset : {"SmallTree", "TinyTree", "Fern2D"})
         for (const unsigned budget : {1U, 30'000U, 90'000U})
-            QTest::addRow("%s %u", preset, budget) << QString(preset) << budget;
+            QTest::newRow(qPrintable(QString("%1 %2").arg(preset).arg(budget))) << QString(preset) << budget;
 }
 
 /// Rings of different counts and branches of few sections do not make a fork cut through itself.
