@@ -41,6 +41,48 @@ char* appendCorner(char* to, Index v, bool hasNormals, Index normalShift)
     return end + length;
 }
 
+/// The texts of corners, each with a space before it: faces that follow each other share vertices, and most
+/// corners were written just before.
+class CornerTexts
+{
+public:
+    CornerTexts(bool hasNormals, Index normalShift)
+        : m_hasNormals(hasNormals)
+        , m_normalShift(normalShift)
+        , m_kept(keptCorners)
+    {
+    }
+    /// \p v counts from 1. Overwrites up to `room` bytes.
+    char* append(char* to, Index v)
+    {
+        Kept& kept = m_kept[v % keptCorners];
+        if (kept.vertex != v) {
+            kept.vertex = v;
+            kept.text[0] = ' ';
+            char text[room + 16];
+            const char* const end = appendCorner(text, v, m_hasNormals, m_normalShift);
+            kept.length = static_cast<Index>(end - text) + 1u;
+            std::memcpy(kept.text + 1, text, sizeof kept.text - 1);
+        }
+        std::memcpy(to, kept.text, sizeof kept.text);
+        return to + kept.length;
+    }
+    static constexpr std::size_t room = 24; ///< a space, two numbers, two slashes
+    static_assert(room >= 3 + 2 * maxIndexText);
+
+private:
+    static constexpr std::size_t keptCorners = 512;
+    struct Kept
+    {
+        Index vertex = 0;
+        Index length = 0;
+        char text[room] = {};
+    };
+    bool m_hasNormals;
+    Index m_normalShift;
+    std::vector<Kept> m_kept;
+};
+
 /// One object. \p firstVertex and \p firstNormal: how many stand in the file before.
 bool writePart(FileWriter& out, const MeshPart& part, Index firstVertex, Index firstNormal, bool hasMaterials,
                Ticker& ticker)
@@ -56,14 +98,14 @@ bool writePart(FileWriter& out, const MeshPart& part, Index firstVertex, Index f
     if (hasNormals)
         out.append("s 1\n"); // smooth: some programs look at this alone and not at the normals
     const Index shift = firstVertex - firstNormal;
-    constexpr std::size_t faceRoom = 32 + 6 * (maxIndexText + 2);
+    CornerTexts corners(hasNormals, shift);
+    constexpr std::size_t faceRoom = 8 + 4 * CornerTexts::room;
     return forEach(mesh.triangles.size(), faceRoom, ticker, out, [&](char* to, std::size_t i) {
         const glm::uvec3 t = mesh.triangles[i] + (firstVertex + 1u);
         *to++ = 'f';
-        for (int k = 0; k < 3; ++k) {
-            *to++ = ' ';
-            to = appendCorner(to, t[k], hasNormals, shift);
-        }
+        to = corners.append(to, t.x);
+        to = corners.append(to, t.y);
+        to = corners.append(to, t.z);
         *to++ = '\n';
         return to;
     });

@@ -1,6 +1,7 @@
 #include "core/mesh/normals.h"
 
 #include "core/base/float4.h"
+#include "core/base/large_buffer.h"
 #include "core/base/wide_clone.h"
 #include <algorithm>
 #include <array>
@@ -77,25 +78,64 @@ RAMURE_WIDE_CLONE void solveBlock(Block& b)
     }
 }
 
+/// Four vectors side by side.
+void storeLanes(Lanes& to, std::size_t i, Float4 a, Float4 b, Float4 c, Float4 d)
+{
+    transpose(a, b, c, d);
+    storeFloat4(&to.x[i], a);
+    storeFloat4(&to.y[i], b);
+    storeFloat4(&to.z[i], c);
+}
+
+/// \p vertexCount positions; of all but the last, four floats can be read.
 void loadBlock(const TriangleMesh& mesh, std::size_t from, std::size_t count, float scale, Block& b)
 {
-    for (std::size_t i = 0; i < count; ++i) {
-        const glm::uvec3& t = mesh.triangles[from + i];
-        const glm::vec3& p = mesh.positions[t.x];
-        const glm::vec3 e1 = scale * (mesh.positions[t.y] - p), e2 = scale * (mesh.positions[t.z] - p);
-        b.e1.x[i] = e1.x, b.e1.y[i] = e1.y, b.e1.z[i] = e1.z;
-        b.e2.x[i] = e2.x, b.e2.y[i] = e2.y, b.e2.z[i] = e2.z;
+    const glm::vec3* const positions = mesh.positions.data();
+    const auto last = static_cast<Index>(mesh.positions.size() - 1);
+    const glm::uvec3* const triangles = &mesh.triangles[from];
+    const auto load = [&](Index v) {
+        return v != last ? loadFloat4(&positions[v].x) : loadFloat3(&positions[v].x);
+    };
+    // What lies behind the last triangle is solved too, and not used.
+    for (std::size_t i = 0; i < count; i += 4) {
+        Float4 e1[4] = {}, e2[4] = {};
+        for (std::size_t k = 0; k < std::min<std::size_t>(4, count - i); ++k) {
+            const glm::uvec3& t = triangles[i + k];
+            const Float4 p = load(t.x);
+            e1[k] = scale * (load(t.y) - p);
+            e2[k] = scale * (load(t.z) - p);
+        }
+        storeLanes(b.e1, i, e1[0], e1[1], e1[2], e1[3]);
+        storeLanes(b.e2, i, e2[0], e2[1], e2[2], e2[3]);
     }
 }
 
 void addBlock(const Block& b, const glm::uvec3* triangles, std::size_t count, Sum* sums)
 {
-    for (std::size_t i = 0; i < count; ++i) {
-        const glm::uvec3 t = triangles[i];
-        const Float4 normal{b.normal.x[i], b.normal.y[i], b.normal.z[i], 0.0f};
-        sums[t.x].xyz += b.angle0[i] * normal;
-        sums[t.y].xyz += b.angle1[i] * normal;
-        sums[t.z].xyz += b.angle2[i] * normal;
+    for (std::size_t i = 0; i < count; i += 4) {
+        Float4 n[4] = {
+            loadFloat4(&b.normal.x[i]), loadFloat4(&b.normal.y[i]), loadFloat4(&b.normal.z[i]), {}};
+        transpose(n[0], n[1], n[2], n[3]);
+        for (std::size_t k = 0; k < std::min<std::size_t>(4, count - i); ++k) {
+            const glm::uvec3 t = triangles[i + k];
+            sums[t.x].xyz += b.angle0[i + k] * n[k];
+            sums[t.y].xyz += b.angle1[i + k] * n[k];
+            sums[t.z].xyz += b.angle2[i + k] * n[k];
+        }
+    }
+}
+
+RAMURE_WIDE_CLONE void normalise(Lanes& lanes)
+{
+    for (std::size_t i = 0; i < blockSize; ++i) {
+        const float x = lanes.x[i], y = lanes.y[i], z = lanes.z[i];
+        const float squared = x * x + y * y + z * z;
+        const float inverse = 1.0f / std::sqrt(squared);
+        // Faces that cancel each other leave rounding, not a direction.
+        const bool usable = squared > 1e-12f;
+        lanes.x[i] = usable ? x * inverse : 0.0f;
+        lanes.y[i] = usable ? y * inverse : 1.0f;
+        lanes.z[i] = usable ? z * inverse : 0.0f;
     }
 }
 
@@ -116,7 +156,8 @@ float scaleOf(const std::vector<glm::vec3>& positions)
 
 void computeNormals(TriangleMesh& mesh)
 {
-    std::vector<Sum> sums(mesh.positions.size());
+    LargeBuffer<Sum> sums(mesh.positions.size() + 4); // read four at a time
+    std::fill_n(sums.data(), sums.size(), Sum());
     const float scale = scaleOf(mesh.positions);
     Block block{};
     for (std::size_t from = 0; from < mesh.triangles.size(); from += blockSize) {
@@ -126,14 +167,16 @@ void computeNormals(TriangleMesh& mesh)
         addBlock(block, &mesh.triangles[from], count, sums.data());
     }
     mesh.normals.resize(mesh.positions.size());
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-        const float x = sums[i].xyz[0], y = sums[i].xyz[1], z = sums[i].xyz[2];
-        const float squared = x * x + y * y + z * z;
-        const float inverse = 1.0f / std::sqrt(squared);
-        // Faces that cancel each other leave rounding, not a direction.
-        const bool usable = squared > 1e-12f;
-        mesh.normals[i] =
-            usable ? glm::vec3(x * inverse, y * inverse, z * inverse) : glm::vec3(0.0f, 1.0f, 0.0f);
+    Lanes lanes{};
+    for (std::size_t from = 0; from < mesh.normals.size(); from += blockSize) {
+        const std::size_t count = std::min(blockSize, mesh.normals.size() - from);
+        for (std::size_t i = 0; i < count; i += 4) {
+            const Sum* const sum = &sums[from + i];
+            storeLanes(lanes, i, sum[0].xyz, sum[1].xyz, sum[2].xyz, sum[3].xyz);
+        }
+        normalise(lanes);
+        for (std::size_t i = 0; i < count; ++i)
+            mesh.normals[from + i] = {lanes.x[i], lanes.y[i], lanes.z[i]};
     }
 }
 
