@@ -62,14 +62,18 @@ const PhysicsState* PhysicsCache::nearest(std::int64_t step) const
 /// What is valid far ahead says that all before it was computed likewise.
 std::int64_t PhysicsCache::lastValid() const
 {
-    for (auto it = m_states.rbegin(); it != m_states.rend(); ++it)
-        if (isValid(*it))
-            return std::max(it->first, step());
-    return step();
+    if (!m_lastValid) {
+        m_lastValid = 0;
+        for (auto it = m_states.rbegin(); it != m_states.rend() && *m_lastValid == 0; ++it)
+            if (isValid(*it))
+                m_lastValid = it->first;
+    }
+    return std::max(*m_lastValid, step());
 }
 
 void PhysicsCache::forget(States::iterator entry)
 {
+    m_lastValid.reset();
     m_bytes -= entry->second.state->bytes();
     m_spare = std::move(entry->second.state);
     m_states.erase(entry);
@@ -116,6 +120,8 @@ void PhysicsCache::shrink()
 void PhysicsCache::keep()
 {
     const std::int64_t at = step();
+    if (m_lastValid)
+        m_lastValid = std::max(*m_lastValid, at);
     auto& kept = m_states[at];
     if (kept.state)
         m_bytes -= kept.state->bytes();
@@ -198,6 +204,7 @@ void PhysicsCache::setBody(std::shared_ptr<const TreeBody> body)
 
 void PhysicsCache::afterChange(std::int64_t from)
 {
+    m_lastValid.reset();
     const std::int64_t back = std::clamp<std::int64_t>(from, 0, maxPhysicsSteps);
     // At rest even the beginning may have another mode.
     if (step() == 0 || back == 0) {
@@ -234,7 +241,11 @@ void PhysicsCache::setScript(const PhysicsScript& script)
 
 StepState PhysicsCache::stateOf(std::int64_t at) const
 {
-    return ranges(at, at).front().state;
+    if (at > lastValid())
+        return !m_states.empty() && at <= m_states.rbegin()->first ? StepState::Stale : StepState::Missing;
+    const PhysicsState* kept = nearest(at);
+    const std::int64_t from = std::max(kept ? kept->step : 0, step() <= at ? step() : 0);
+    return at - from < m_checkpointSteps ? StepState::Cached : StepState::Stale;
 }
 
 std::vector<StepRange> PhysicsCache::ranges(std::int64_t first, std::int64_t last) const
@@ -274,6 +285,7 @@ void PhysicsCache::clearStates()
 {
     m_states.clear();
     m_ring.clear();
+    m_lastValid.reset();
     m_bytes = 0;
 }
 
@@ -299,6 +311,7 @@ void PhysicsCache::takeStates(std::vector<PhysicsState> states, int checkpointSt
     for (PhysicsState& state : states) {
         const std::int64_t at = state.step;
         m_bytes += state.bytes();
+        m_lastValid.reset();
         m_states[at] = {keyAt(at), std::make_unique<PhysicsState>(std::move(state))};
     }
     shrink();

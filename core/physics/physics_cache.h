@@ -118,9 +118,10 @@ private:
     PhysicsScript m_script;
     TreePhysics m_physics;
     PhysicsState m_state;
-    States m_states;                       ///< checkpoints and ring
-    std::deque<std::int64_t> m_ring;       ///< steps of the last states, oldest first
-    std::unique_ptr<PhysicsState> m_spare; ///< memory of a state let go, for the next one
+    States m_states;                                 ///< checkpoints and ring
+    std::deque<std::int64_t> m_ring;                 ///< steps of the last states, oldest first
+    std::unique_ptr<PhysicsState> m_spare;           ///< memory of a state let go, for the next one
+    mutable std::optional<std::int64_t> m_lastValid; ///< among m_states, where it is known
     int m_checkpointSteps;
     std::size_t m_bytes = 0;
 };
