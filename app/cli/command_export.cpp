@@ -229,9 +229,8 @@ Expected<void> writeFiles(const Input& input, const Request& request, const Mome
 }
 
 Expected<int> checkAndWrite(const Input& input, const QString& name, const Request& request,
-                            const Moments& moments, const Progress& progress)
+                            const Moments& moments, TreePipeline& pipeline, const Progress& progress)
 {
-    TreePipeline pipeline; // its cache serves the second file
     MovingSource moving(notingSource(pipeline));
     if (!request.needsCheck()) {
         const auto written = writeFiles(input, request, moments, moving, progress);
@@ -275,6 +274,8 @@ Expected<int> runExport(const QStringList& arguments)
              QStringLiteral("MODEL"));
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes .ply as text."));
     addMomentOptions(line, MomentOptions::Sequence);
+    line.add({QStringLiteral("separate")},
+             QStringLiteral("Moves branches that collide apart before they are written; says how many."));
     line.add({QStringLiteral("require-valid")},
              QStringLiteral("Writes nothing and ends with exit code 1 where `validate` would."));
     line.add({QStringLiteral("report")},
@@ -290,7 +291,7 @@ Expected<int> runExport(const QStringList& arguments)
         return fail(request.error());
     const Work work("export");
     const Progress progress = work.progress();
-    const auto input = loadInput(line.arguments().front(), line.values("set"), progress.part(0.0, 0.0));
+    auto input = loadInput(line.arguments().front(), line.values("set"), progress.part(0.0, 0.0));
     if (!input)
         return fail(input.error());
     const auto moments = momentsOf(line, *input);
@@ -299,7 +300,15 @@ Expected<int> runExport(const QStringList& arguments)
     if (moments->isSequence() && request->needsCheck())
         return fail(ErrorCode::Invalid,
                     "--require-valid and --report look at one moment: --time, not --frames");
-    return checkAndWrite(*input, line.arguments().front(), *request, *moments, progress);
+    TreePipeline pipeline; // its cache serves the second file
+    double begun = 0.0;
+    if (line.has("separate")) {
+        if (const auto separated = separateTrees(*input, pipeline, progress.part(0.0, 0.5)); !separated)
+            return fail(separated.error());
+        begun = 0.5;
+    }
+    return checkAndWrite(*input, line.arguments().front(), *request, *moments, pipeline,
+                         progress.part(begun, 1.0));
 }
 
 } // namespace ramure::cli

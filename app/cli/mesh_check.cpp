@@ -1,6 +1,7 @@
 #include "app/cli/mesh_check.h"
 
 #include "core/document/mesh_report_json.h"
+#include "core/pipeline/separate_branches.h"
 #include <QJsonArray>
 
 namespace ramure::cli {
@@ -95,6 +96,33 @@ Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, const TreeSou
         out.push_back(std::move(*checked));
     }
     return out;
+}
+
+Expected<void> separateTrees(Input& input, TreePipeline& pipeline, const Progress& progress)
+{
+    Scene* scene = std::get_if<Scene>(&input.content);
+    if (!scene)
+        return fail(ErrorCode::Invalid, "--separate needs a tree: the input is a mesh");
+    const auto nodes = treesOf(*scene);
+    if (!nodes)
+        return fail(nodes.error());
+    std::vector<NodeId> trees;
+    for (const Node* node : *nodes)
+        trees.push_back(node->id);
+    const auto count = static_cast<double>(trees.size());
+    for (std::size_t i = 0; i < trees.size(); ++i) {
+        Node& node = *scene->find(trees[i]);
+        const double from = static_cast<double>(i) / count;
+        auto separated = separateBranches(pipeline, node.params, {}, progress.part(from, from + 1.0 / count));
+        if (!separated)
+            return fail(separated.error());
+        node.params = withBends(node.params, separated->bendRad);
+        printError(QStringLiteral("%1: %2 of %3 colliding pairs moved apart")
+                       .arg(fromText(node.name))
+                       .arg(separated->before - separated->rest.size())
+                       .arg(separated->before));
+    }
+    return {};
 }
 
 MeshReport sumOf(const std::vector<CheckedMesh>& all)

@@ -24,6 +24,10 @@ struct CheckedMesh
 Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, const TreeSource& source, bool crossings,
                                                bool hidden, const Progress& progress);
 
+/// Moves colliding branches of all trees apart (core/pipeline/separate_branches.h); says on the standard
+/// error how far it came. Errors: Invalid for a mesh file; those of separateBranches.
+Expected<void> separateTrees(Input& input, TreePipeline& pipeline, const Progress& progress);
+
 /// All figures added up; valid where all are.
 MeshReport sumOf(const std::vector<CheckedMesh>& all);
 /// Of one mesh its object; of several the sums, and "trees".

@@ -14,6 +14,7 @@ struct BranchTarget
 
     NodeId node;
     std::uint64_t key;
+    Stage stale = Stage::Sections; ///< the first stage that the change concerns
 
     [[nodiscard]] Value get(const Node& from) const
     {
@@ -31,23 +32,59 @@ struct BranchTarget
     void describe(Change& change) const
     {
         change.kinds |= changeBranches;
-        change.firstStale = Stage::Sections;
+        change.firstStale = stale;
         addOnce(change.nodes, node);
     }
     bool operator==(const BranchTarget&) const = default;
 };
 using BranchEntry = SetCommand<BranchTarget>::Entry;
 
-} // namespace
-
-Expected<void> edit::setBranchRoll(Document& document, NodeId node, const std::vector<std::uint64_t>& keys,
-                                   double rollRad, GestureId gesture)
+Expected<void> checkTree(const Document& document, NodeId node)
 {
-    if (const auto allowed = checkEditable(document.scene(), node); !allowed)
+    if (auto allowed = checkEditable(document.scene(), node); !allowed)
         return allowed;
     const Node& tree = *document.scene().find(node);
     if (tree.kind != NodeKind::Tree)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" has no branches"), {tree.name});
+    return {};
+}
+
+} // namespace
+
+Expected<void> edit::setBranchBends(Document& document, NodeId node,
+                                    const std::map<std::uint64_t, glm::dvec3>& bendRad)
+{
+    if (auto allowed = checkTree(document, node); !allowed)
+        return allowed;
+    const Node& tree = *document.scene().find(node);
+    for (const auto& [key, bend] : bendRad)
+        if (!std::isfinite(bend.x) || !std::isfinite(bend.y) || !std::isfinite(bend.z))
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("the bend of a branch must be finite"));
+    std::map<std::uint64_t, glm::dvec3> all = bendRad;
+    for (const auto& [key, values] : tree.params.branches)
+        all.try_emplace(key, 0.0);
+    std::vector<BranchEntry> entries;
+    int turned = 0;
+    for (const auto& [key, bend] : all) {
+        const BranchTarget target{node, key, Stage::Simplified};
+        BranchParams values = target.get(tree);
+        if (values.bendRad == bend)
+            continue;
+        ++turned;
+        values.bendRad = bend;
+        entries.push_back({target, values});
+    }
+    pushSet<BranchTarget>(document, std::move(entries),
+                          DocumentCommand::tr("Turn %n branch(es)", nullptr, turned), 0);
+    return {};
+}
+
+Expected<void> edit::setBranchRoll(Document& document, NodeId node, const std::vector<std::uint64_t>& keys,
+                                   double rollRad, GestureId gesture)
+{
+    if (auto allowed = checkTree(document, node); !allowed)
+        return allowed;
+    const Node& tree = *document.scene().find(node);
     if (!std::isfinite(rollRad))
         return fail(ErrorCode::Invalid, RAMURE_NOOP("a roll must be a finite angle"));
     std::vector<std::uint64_t> once = keys;

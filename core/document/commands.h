@@ -5,6 +5,7 @@
 
 #include "core/document/document.h"
 #include <QString>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,10 @@ Expected<void> moveNode(Document& document, NodeId node, NodeId newParent, int r
 /// Sets the hand-made values of branches (by Skeleton::key) of one tree.
 Expected<void> setBranchRoll(Document& document, NodeId node, const std::vector<std::uint64_t>& keys,
                              double rollRad, GestureId gesture = 0);
+/// Sets how branches (by Skeleton::key) of one tree are turned about their starts, as one step; branches that
+/// are not named lose their bend.
+Expected<void> setBranchBends(Document& document, NodeId node,
+                              const std::map<std::uint64_t, glm::dvec3>& bendRad);
 /// "New tree" (Space): the next seeds and stochastic rewriting on, as one step. Seeds follow each other in a
 /// fixed order that repeats after 2^31 of them; trees of one call never get the same. Nodes that are no trees
 /// are left out; error where no tree remains.

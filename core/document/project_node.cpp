@@ -1,5 +1,6 @@
 #include "core/document/project_json.h"
 
+#include <QJsonArray>
 #include <limits>
 
 namespace ramure::json {
@@ -20,9 +21,16 @@ static QJsonObject writeParams(const Node& node)
 static QJsonObject writeBranches(const Node& node)
 {
     QJsonObject branches;
-    for (const auto& [key, values] : node.params.branches)
-        if (values != BranchParams{})
-            branches.insert(branchKey(key), QJsonObject{{QStringLiteral("roll"), values.rollRad + 0.0}});
+    for (const auto& [key, values] : node.params.branches) {
+        QJsonObject branch;
+        const glm::dvec3 bend = values.bendRad + 0.0; // -0 is written as 0
+        if (values.rollRad != 0.0)
+            branch.insert(QStringLiteral("roll"), values.rollRad);
+        if (bend != glm::dvec3(0.0))
+            branch.insert(QStringLiteral("bend"), QJsonArray{bend.x, bend.y, bend.z});
+        if (!branch.isEmpty())
+            branches.insert(branchKey(key), branch);
+    }
     return branches;
 }
 
@@ -151,6 +159,16 @@ private:
             m_rest.insert(QStringLiteral("params"), *object);
         return {};
     }
+    static Expected<glm::dvec3> readBend(const QJsonValue& value, const std::string& place)
+    {
+        const QJsonArray array = value.toArray();
+        const bool numbers =
+            array.size() == 3 && array[0].isDouble() && array[1].isDouble() && array[2].isDouble();
+        if (!value.isUndefined() && !numbers)
+            return failAt(place + ".bend", ErrorCode::Invalid,
+                          RAMURE_NOOP("three numbers are expected here"));
+        return glm::dvec3(array[0].toDouble(), array[1].toDouble(), array[2].toDouble());
+    }
     Expected<void> readBranch(const QString& key, const QJsonValue& value, QJsonObject& unknown)
     {
         const std::string place = "branches." + key.toStdString();
@@ -163,7 +181,10 @@ private:
         const QJsonValue roll = object.take(QLatin1String("roll"));
         if (!roll.isDouble() && !roll.isUndefined())
             return failAt(place + ".roll", ErrorCode::Invalid, RAMURE_NOOP("a number is expected here"));
-        if (const BranchParams values{roll.toDouble(0.0)}; values != BranchParams{})
+        const auto bend = readBend(object.take(QLatin1String("bend")), place);
+        if (!bend)
+            return fail(bend.error());
+        if (const BranchParams values{roll.toDouble(0.0), *bend}; values != BranchParams{})
             m_node.params.branches.emplace(*number, values);
         if (!object.isEmpty())
             unknown.insert(key, object);

@@ -252,12 +252,15 @@ Expected<void> checkParams(const NodeParams& params)
     for (const ParamDef& def : paramTable())
         if (auto ok = checkValue(def, def.get(params)); !ok)
             return ok;
-    for (const auto& [key, branch] : params.branches)
-        if (!std::isfinite(branch.rollRad)) {
-            auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("must be a finite number"));
-            error.value().path = "branches." + numberText(key) + ".rollRad";
-            return error;
-        }
+    for (const auto& [key, branch] : params.branches) {
+        const glm::dvec3& bend = branch.bendRad;
+        const bool rollIsFinite = std::isfinite(branch.rollRad);
+        if (rollIsFinite && std::isfinite(bend.x) && std::isfinite(bend.y) && std::isfinite(bend.z))
+            continue;
+        auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("must be a finite number"));
+        error.value().path = "branches." + numberText(key) + (rollIsFinite ? ".bendRad" : ".rollRad");
+        return error;
+    }
     return {};
 }
 

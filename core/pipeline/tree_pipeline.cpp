@@ -7,6 +7,7 @@
 #include "core/params/param_def.h"
 #include "core/pipeline/stage_cache.h"
 #include "core/pipeline/stage_hash.h"
+#include "core/skeleton/bend.h"
 #include <chrono>
 #include <numeric>
 
@@ -104,6 +105,22 @@ SimplifiedSkeleton untouched(const Skeleton& skeleton)
     SimplifiedSkeleton same{skeleton, std::vector<Index>(skeleton.size())};
     std::iota(same.mergedInto.begin(), same.mergedInto.end(), Index(0));
     return same;
+}
+
+/// Turns branches that somebody, or the treatment of collisions, has turned.
+SimplifiedSkeleton bent(SimplifiedSkeleton simplified, const NodeParams& params)
+{
+    Skeleton& skeleton = simplified.skeleton;
+    std::vector<glm::dvec3> bends(skeleton.size(), glm::dvec3(0.0));
+    bool any = false;
+    for (Index i = 0; i < skeleton.size() && !params.branches.empty(); ++i)
+        if (const auto set = params.branches.find(skeleton.key[i]); set != params.branches.end()) {
+            bends[i] = set->second.bendRad;
+            any = any || bends[i] != glm::dvec3(0.0);
+        }
+    if (any)
+        bendBranches(skeleton, bends);
+    return simplified;
 }
 
 /// One turn per branch, empty where nobody set any.
@@ -224,6 +241,9 @@ struct StageHashes
         simplify.add(p.simplify.enabled);
         if (p.simplify.enabled)
             simplify.add(p.simplify.rotationThreshold);
+        for (const auto& [key, branch] : p.branches)
+            if (branch.bendRad != glm::dvec3(0.0))
+                simplify.add(key).add(branch.bendRad.x).add(branch.bendRad.y).add(branch.bendRad.z);
         simplified = simplify.value();
         StageHash rolls(simplified);
         for (const auto& [key, branch] : p.branches)
@@ -307,8 +327,9 @@ private:
         const SimplifyParams& params = m_params.simplify;
         return cached(m_cache.simplified, m_hashes.simplified, m_progress,
                       [&]() -> Expected<SimplifiedSkeleton> {
-                          return params.enabled ? simplify(*m_result.skeleton, params.rotationThreshold)
-                                                : untouched(*m_result.skeleton);
+                          return bent(params.enabled ? simplify(*m_result.skeleton, params.rotationThreshold)
+                                                     : untouched(*m_result.skeleton),
+                                      m_params);
                       })
             .map([&](auto made) { m_result.simplified = std::move(made); });
     }

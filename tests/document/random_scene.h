@@ -68,6 +68,9 @@ inline Node randomNode(NodeId id, NodeId parent, Random& random)
     for (std::uint32_t i = random.below(4); i-- > 0;)
         node.params.branches[random.next()].rollRad = random.range(-7.0, 7.0);
     if (random.below(4) == 0)
+        node.params.branches[random.next()].bendRad =
+            glm::dvec3(random.range(-1.0, 1.0), random.range(-1.0, 1.0), random.range(-1.0, 1.0));
+    if (random.below(4) == 0)
         node.extras = R"({"future":[1,{"deep":0.1}],"params":{"bark.moss":0.25}})";
     return node;
 }

@@ -4,6 +4,7 @@
 #include "tests/support/suite.h"
 
 #include <QElapsedTimer>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -72,6 +73,7 @@ private slots:
     void moves();
     void moveKeepsTheWorld();
     void branchRolls();
+    void branchBends();
     void newTrees();
     void randomEditsUndoAndRedo();
 };
@@ -461,6 +463,38 @@ void TestCommands::branchRolls()
     f.stack.undo();
     f.stack.undo();
     QCOMPARE(fileOf(f.document), file);
+}
+
+void TestCommands::branchBends()
+{
+    Fixture f;
+    const QByteArray file = fileOf(f.document);
+    QVERIFY(!edit::setBranchBends(f.document, 99, {{5, {1.0, 0.0, 0.0}}}));
+    QVERIFY(!edit::setBranchBends(f.document, 2, {{5, {std::nan(""), 0.0, 0.0}}}));
+    QVERIFY(edit::setBranchBends(f.document, 2, {}));
+    QVERIFY(edit::setBranchBends(f.document, 2, {{5, glm::dvec3(0.0)}}));
+    QCOMPARE(f.stack.count(), 0);
+    QVERIFY(edit::setBranchRoll(f.document, 2, {5}, 0.5));
+    f.recorder.changes.clear();
+    QVERIFY(edit::setBranchBends(f.document, 2, {{5, {0.1, 0.2, 0.3}}, {7, {0.0, 0.0, 1.0}}}));
+    const Change news = f.recorder.takeEdit();
+    QCOMPARE(news.kinds, quint32{changeBranches});
+    QCOMPARE(news.firstStale, Stage::Simplified);
+    QCOMPARE(f.document.scene().find(2)->params.branches.at(5).rollRad, 0.5);
+    QVERIFY(f.document.scene().find(2)->params.branches.at(5).bendRad == glm::dvec3(0.1, 0.2, 0.3));
+    const QByteArray bent = fileOf(f.document);
+    // Those that are not named lose their bend, and keep the rest.
+    QVERIFY(edit::setBranchBends(f.document, 2, {{7, {0.0, 0.0, 1.0}}}));
+    QVERIFY(f.document.scene().find(2)->params.branches.at(5).bendRad == glm::dvec3(0.0));
+    QCOMPARE(f.document.scene().find(2)->params.branches.at(5).rollRad, 0.5);
+    f.stack.undo();
+    QCOMPARE(fileOf(f.document), bent);
+    f.stack.undo();
+    f.stack.undo();
+    QCOMPARE(fileOf(f.document), file);
+    f.stack.redo();
+    f.stack.redo();
+    QCOMPARE(fileOf(f.document), bent);
 }
 
 void TestCommands::newTrees()

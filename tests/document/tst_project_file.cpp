@@ -157,6 +157,10 @@ void TestProjectFile::badFilesAreRefusedWithTheirPlace_data()
         "nodes[0].branches.00000000000000AB");
     row("branch", inNode(R"(,"branches":{"0000000000000001":1})"), invalid,
         "nodes[0].branches.0000000000000001");
+    for (const char* bend : {"1", "[1,2]", "[1,2,\"x\"]", "{}", "[1,2,3,4]"})
+        row("bend",
+            inNode((std::string(R"(,"branches":{"0000000000000001":{"bend":)") + bend + "}}").c_str()),
+            invalid, "nodes[0].branches.0000000000000001.bend");
     row("roll", inNode(R"(,"branches":{"0000000000000001":{"roll":"x"}})"), invalid,
         "nodes[0].branches.0000000000000001.roll");
 }
@@ -354,9 +358,12 @@ void TestProjectFile::numbersAreShortest()
     node.params.turtle.decay = 0.1 + 0.2;
     node.params.tree.scale = {-0.0 + 2.0, 2.5, 1.0};
     node.params.branches[0xab].rollRad = 1.0 / 3.0;
+    node.params.branches[0xac].bendRad = {0.1, -0.0, 1.0 / 3.0};
     const QByteArray bytes = writeProject({*Scene::fromNodes({node}), {}});
     QVERIFY(bytes.contains("\"turtle.alpha\": 0.3,"));
     QVERIFY(bytes.contains("\"turtle.decay\": 0.30000000000000004"));
+    QVERIFY(bytes.contains("\"bend\": [\n                        0.1,\n                        0,\n"
+                           "                        0.3333333333333333"));
     QVERIFY(bytes.contains("\"00000000000000ab\": {\n                    \"roll\": 0.3333333333333333"));
 }
 

@@ -1,0 +1,37 @@
+/// \file
+/// Moves branches that collide apart (SPEC A9): of each pair the thinner one, or what it grows on, is turned
+/// about its start, as little as it takes; what grows on it follows, and lengths stay.
+#pragma once
+
+#include "core/mesh/mesh_analysis.h"
+#include "core/pipeline/tree_pipeline.h"
+#include <map>
+
+namespace ramure {
+
+struct SeparateOptions
+{
+    int rounds = 12;          ///< at most so many meshes are built and looked at
+    double clearance = 0.15;  ///< free space between two branches, as a share of their added radii
+    double mostTurnRad = 0.7; ///< of one branch in one round
+    unsigned threads = 0;     ///< of the search for crossings; the result is the same for any number
+};
+
+struct Separation
+{
+    std::map<std::uint64_t, glm::dvec3> bendRad; ///< BranchParams::bendRad of the branches that were turned
+    std::size_t before = 0;                      ///< pairs of branches that collided
+    std::vector<Collision> rest;                 ///< and still do; never more than before
+};
+
+/// Turns, builds the mesh, looks what still crosses, and goes on while that gets better: fewer pairs, no more
+/// crossings at forks than there were, and a valid mesh. A round that made things worse is taken back in part
+/// or as a whole.
+/// Errors: those of the pipeline and of analyseMesh; Cancelled.
+Expected<Separation> separateBranches(TreePipeline& pipeline, const NodeParams& params,
+                                      const SeparateOptions& options = {}, const Progress& progress = {});
+
+/// The parameters with the bends in them.
+NodeParams withBends(NodeParams params, const std::map<std::uint64_t, glm::dvec3>& bendRad);
+
+} // namespace ramure
