@@ -24,6 +24,13 @@
             <numerusform>Duplicate %n nodes</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Turn %n branch(es)</source>
+        <translation>
+            <numerusform>Turn %n branch</numerusform>
+            <numerusform>Turn %n branches</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ReportTexts</name>

@@ -494,6 +494,13 @@
         <source>Change Timeline</source>
         <translation>Modifier la ligne de temps</translation>
     </message>
+    <message numerus="yes">
+        <source>Turn %n branch(es)</source>
+        <translation>
+            <numerusform>Tourner %n branche</numerusform>
+            <numerusform>Tourner %n branches</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -1908,6 +1915,18 @@
     <message>
         <source>this number is too large</source>
         <translation>ce nombre est trop grand</translation>
+    </message>
+    <message>
+        <source>the bend of a branch must be finite</source>
+        <translation>la courbure d’une branche doit être finie</translation>
+    </message>
+    <message>
+        <source>three numbers are expected here</source>
+        <translation>trois nombres sont attendus ici</translation>
+    </message>
+    <message>
+        <source>the tree was changed meanwhile</source>
+        <translation>l’arbre a été modifié entre-temps</translation>
     </message>
 </context>
 <context>
