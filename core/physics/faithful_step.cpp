@@ -62,7 +62,7 @@ RAMURE_VECTOR_CLONES
 void stepBlock(const Columns& c, const Constants& k, const Parents& parents, std::size_t first,
                std::size_t count)
 {
-#pragma GCC ivdep
+    RAMURE_INDEPENDENT_ROUNDS
     for (std::size_t lane = 0; lane < count; ++lane) {
         const std::size_t i = first + lane;
         // 1. Moved by the parent.

@@ -14,6 +14,13 @@
 #define RAMURE_VECTOR_CLONES
 #endif
 
+// The rounds of the loop that follows share no memory.
+#if defined(__GNUC__) && !defined(__clang__)
+#define RAMURE_INDEPENDENT_ROUNDS _Pragma("GCC ivdep")
+#else
+#define RAMURE_INDEPENDENT_ROUNDS
+#endif
+
 namespace ramure::lanes {
 
 struct Vec

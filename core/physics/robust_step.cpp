@@ -62,7 +62,7 @@ RAMURE_VECTOR_CLONES
 void addWave(const double* sine, const double* cosine, const double (&s)[3], const double (&c)[3],
              std::size_t count, Around& out)
 {
-#pragma GCC ivdep
+    RAMURE_INDEPENDENT_ROUNDS
     for (std::size_t i = 0; i < count; ++i) {
         out.airX[i] += s[0] * sine[i] + c[0] * cosine[i];
         out.airY[i] += s[1] * sine[i] + c[1] * cosine[i];
@@ -97,7 +97,7 @@ inline Vec bendOf(Vec rest, Vec load)
 RAMURE_VECTOR_CLONES
 void stepBlock(const Columns& c, double perSecond, const Around& around, std::size_t first, std::size_t count)
 {
-#pragma GCC ivdep
+    RAMURE_INDEPENDENT_ROUNDS
     for (std::size_t lane = 0; lane < count; ++lane) {
         const std::size_t i = first + lane;
         const Quat frame{around.w[lane], around.x[lane], around.y[lane], around.z[lane]};
