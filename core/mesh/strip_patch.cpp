@@ -196,6 +196,43 @@ void StripPatch::relink(Index triangle, Index old, Index now)
         }
 }
 
+/// The triangle that holds a vertex, or one on the way there: from where the last one was inserted, over the
+/// edges that it is beyond.
+Index StripPatch::walkTo(Index vertex) const
+{
+    constexpr int mostSteps = 256;
+    const double y = m_vertices[vertex].y;
+    Index at = m_last;
+    for (int step = 0; step < mostSteps; ++step) {
+        const Triangle& t = m_triangles[at];
+        Index next = noIndex;
+        for (std::size_t i = 0; i < 3 && next == noIndex; ++i) {
+            const Index a = t.corner[i], b = t.corner[(i + 1) % 3];
+            if (cross(deltaX(vertex, a), m_vertices[a].y - y, deltaX(vertex, b), m_vertices[b].y - y) <
+                -m_least)
+                next = t.neighbour[i];
+        }
+        if (next == noIndex)
+            break;
+        at = next;
+    }
+    return at;
+}
+
+/// Which triangle to look at as number \p number when a vertex asks for its place. Few are looked at one
+/// after the other; among many, the first is one near the vertex.
+Index StripPatch::candidate(Index number, Index vertex)
+{
+    constexpr std::size_t few = 192;
+    const auto count = static_cast<Index>(m_triangles.size());
+    if (number == 0) {
+        if (vertex == m_lowerCount + m_upperCount) // the strip's first: nothing of an earlier strip may show
+            m_last = 0;
+        m_first = count > few ? walkTo(vertex) : 0;
+    }
+    return m_first + number < count ? m_first + number : m_first + number - count;
+}
+
 bool StripPatch::insert(const UnrolledVertex& vertex)
 {
     if (!m_refinable)
@@ -205,13 +242,15 @@ bool StripPatch::insert(const UnrolledVertex& vertex)
     x -= m_circumference * std::floor(x / m_circumference);
     m_vertices.push_back({x, vertex.along, vertex.vertex});
     for (Index t = 0; t < m_triangles.size(); ++t) {
-        const int place = holds(m_triangles[t], local);
+        const Index at = candidate(t, local);
+        const int place = holds(m_triangles[at], local);
         if (place < 0)
             continue;
         const auto edge = static_cast<std::size_t>(place);
-        if (edge < 3 && !seesBeyond(m_triangles[t], edge, local))
+        if (edge < 3 && !seesBeyond(m_triangles[at], edge, local))
             continue;
-        split(t, local);
+        m_last = at;
+        split(at, local);
         if (edge < 3) // the triangle over the edge it lies on is flat: it goes at once
             exchange(m_suspects[edge], local);
         legalise(local);

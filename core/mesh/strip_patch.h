@@ -54,6 +54,8 @@ private:
     [[nodiscard]] int holds(const Triangle& triangle, Index vertex) const;
     [[nodiscard]] bool seesBeyond(const Triangle& triangle, std::size_t edge, Index vertex) const;
     void split(Index triangle, Index vertex);
+    [[nodiscard]] Index walkTo(Index vertex) const;
+    Index candidate(Index number, Index vertex);
     void legalise(Index vertex);
     void exchange(Index triangle, Index vertex);
     [[nodiscard]] bool isIllegal(Index triangle, Index vertex) const;
@@ -67,6 +69,7 @@ private:
         m_upperRow; ///< rotated to begin at the highest lower vertex, the first again at the end
     std::vector<std::uint8_t> m_steps; ///< 1: the lower row advances
     std::vector<Local> m_vertices;
+    Index m_last = 0, m_first = 0; ///< triangles: where a vertex was inserted last, where to look first
     std::vector<Triangle> m_triangles;
     std::vector<Index> m_suspects;
     bool m_refinable = false;
