@@ -33,6 +33,12 @@ quint64 Document::shapeRevision(NodeId id) const
     return it == m_shapeRevisions.end() ? 0 : it->second;
 }
 
+const Error* Document::problem(NodeId id) const
+{
+    const NodeResult* have = result(id);
+    return have && have->error && have->revision >= shapeRevision(id) ? &*have->error : nullptr;
+}
+
 bool Document::isCurrent(NodeId id) const
 {
     const NodeResult* have = result(id);

@@ -22,7 +22,7 @@ struct NodeResult
 {
     TreeResult tree;            ///< last good result, may be empty
     std::optional<Error> error; ///< why the present parameters give no tree
-    bool draft = false;         ///< a cheap draft; the full result follows
+    bool draft = false;         ///< a cheap draft, its tree without mesh and report; the full result follows
     quint64 revision = 0;       ///< of the document when its parameters were taken
 };
 
@@ -43,6 +43,8 @@ public:
     /// The revision since which the tree of this node has its shape: results of an older one are stale. 0
     /// where there is no such node.
     [[nodiscard]] quint64 shapeRevision(NodeId id) const;
+    /// Why the present parameters give no tree. Null where they give one, and as long as nobody knows.
+    [[nodiscard]] const Error* problem(NodeId id) const;
     /// The full result, or the error, of the present parameters is there.
     [[nodiscard]] bool isCurrent(NodeId id) const;
 

@@ -11,7 +11,9 @@ Evaluation treeEvaluation()
     evaluation.evaluate = [pipeline](const NodeParams& params, const Progress& progress) {
         return pipeline->evaluate(params, Stage::Foliage, progress);
     };
-    evaluation.draft = [](const NodeParams& params) { return draftParams(params); };
+    evaluation.draft = [pipeline](const NodeParams& params, const Progress& progress) {
+        return pipeline->evaluateDraft(params, progress);
+    };
     evaluation.confirm = [](const TriangleMesh& mesh, MeshReport& report, const Progress& progress) {
         return confirmWithOpenMesh(mesh, report, progress);
     };

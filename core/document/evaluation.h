@@ -16,8 +16,8 @@ struct Evaluation
 {
     /// All stages of one tree.
     std::function<Expected<TreeResult>(const NodeParams& params, const Progress& progress)> evaluate;
-    /// What the draft is made of instead of \p params; equal ones mean that there is no cheaper draft.
-    std::function<NodeParams(const NodeParams& params)> draft;
+    /// A cheap picture of it; one with a report is the full result.
+    std::function<Expected<TreeResult>(const NodeParams& params, const Progress& progress)> draft;
     /// The second opinion on a mesh that has its report. Empty: none is asked for.
     std::function<Expected<void>(const TriangleMesh& mesh, MeshReport& report, const Progress& progress)>
         confirm;
@@ -25,7 +25,7 @@ struct Evaluation
     std::function<void(std::size_t trees)> prepare;
 };
 
-/// A TreePipeline of its own, draftParams and OpenMesh.
+/// A TreePipeline of its own, and OpenMesh.
 Evaluation treeEvaluation();
 
 } // namespace ramure

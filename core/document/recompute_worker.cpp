@@ -124,11 +124,12 @@ Progress RecomputeWorker::progressOf(const Job& job) const
 }
 
 /// Running out of memory is an error as any other; the trees there are stay.
-static Expected<TreeResult> evaluated(const Evaluation& evaluation, const NodeParams& params,
+static Expected<TreeResult> evaluated(const Evaluation& evaluation, JobKind kind, const NodeParams& params,
                                       const Progress& progress)
 {
     try {
-        return evaluation.evaluate(params, progress);
+        return kind == JobKind::Draft ? evaluation.draft(params, progress)
+                                      : evaluation.evaluate(params, progress);
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::Limit, RAMURE_NOOP("there is not enough memory for this tree"));
     }
@@ -141,14 +142,8 @@ void RecomputeWorker::evaluate(JobKind kind, const TreeJob& tree, const Progress
     outcome.node = tree.node;
     outcome.revision = tree.revision;
     const Clock::time_point start = Clock::now();
-    if (kind == JobKind::Draft) {
-        const NodeParams cheap = m_evaluation.draft(tree.params);
-        outcome.isFull = cheap == tree.params;
-        outcome.result = evaluated(m_evaluation, cheap, progress);
-    } else {
-        outcome.isFull = true;
-        outcome.result = evaluated(m_evaluation, tree.params, progress);
-    }
+    outcome.result = evaluated(m_evaluation, kind, tree.params, progress);
+    outcome.isFull = kind == JobKind::Full || (outcome.result && outcome.result->report);
     outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     if (!outcome.result && outcome.result.error().code == ErrorCode::Cancelled)
         return;

@@ -60,15 +60,19 @@ public:
         , m_decay(params.decay)
         , m_sin(std::sin(params.theta))
         , m_cos(std::cos(params.theta))
-        , m_children(branches, 0)
     {
         m_state.radius = params.alpha;
-        m_skeleton.resize(branches);
+        m_skeleton.reserve(branches);
+        m_children.reserve(branches);
     }
 
     /// \param offset of \p part in the whole string
     Expected<void> read(std::string_view part, std::size_t offset)
     {
+        // Memory is first touched part by part: a large skeleton can be cancelled.
+        const std::size_t branches = m_count + countBranches(part);
+        m_skeleton.resize(branches);
+        m_children.resize(branches, 0);
         for (std::size_t i = 0; i < part.size(); ++i) {
             switch (actionOf(part[i])) {
             case Action::Grow:

@@ -5,9 +5,11 @@
 #include "core/mesh/mesh_divisions.h"
 #include "core/mesh/mesh_scratch.h"
 #include "core/params/param_def.h"
+#include "core/pipeline/draft_tubes.h"
 #include "core/pipeline/stage_cache.h"
 #include "core/pipeline/stage_hash.h"
 #include "core/skeleton/bend.h"
+#include <algorithm>
 #include <chrono>
 #include <numeric>
 
@@ -161,6 +163,27 @@ Expected<void> checkMeshSize(Index branches, const NodeParams& all)
     return error;
 }
 
+/// At least so many branches are left after merging: runs end at forks.
+Index leastAfterMerging(const Skeleton& skeleton)
+{
+    std::vector<Index> children(skeleton.size(), 0);
+    for (const Index parent : skeleton.parent)
+        if (parent != noIndex)
+            ++children[parent];
+    return static_cast<Index>(
+        std::count_if(skeleton.parent.begin(), skeleton.parent.end(),
+                      [&children](Index parent) { return parent == noIndex || children[parent] > 1; }));
+}
+
+/// Before the copy that simplification makes: of millions of branches it would be large, for nothing.
+Expected<void> checkBeforeMerging(const Skeleton& skeleton, const NodeParams& params)
+{
+    auto all = checkMeshSize(skeleton.size(), params);
+    if (all || !params.simplify.enabled)
+        return all;
+    return checkMeshSize(leastAfterMerging(skeleton), params);
+}
+
 Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams& params,
                                       std::span<const double> rolls, MeshScratch& scratch,
                                       const Progress& progress)
@@ -291,6 +314,36 @@ public:
 
     Expected<TreeResult> run(Stage last)
     {
+        m_meshes = last >= Stage::Sections;
+        if (auto done = upTo(last); !done)
+            return fail(std::move(done.error()));
+        m_progress.report(1.0);
+        return std::move(m_result);
+    }
+    Expected<TreeResult> runDraft()
+    {
+        if (m_cache.branches.find(m_hashes.branches))
+            return run(Stage::Foliage);
+        if (auto done = upTo(Stage::Simplified); !done)
+            return fail(std::move(done.error()));
+        const Skeleton& skeleton = m_result.simplified->skeleton;
+        if (auto ok = checkMeshSize(skeleton.size(), m_params); !ok)
+            return fail(std::move(ok.error()));
+        NodeParams coarse = m_params;
+        coarse.sections = draftDivisions(m_params.sections, skeleton.size());
+        Evaluation draft(coarse, m_cache, m_progress);
+        return draft.upTo(Stage::Sections).and_then([&] { return draft.foliage(); }).map([&] {
+            TreeResult& result = draft.m_result;
+            const auto points = static_cast<int>(coarse.sections.radialDivisions);
+            result.draftTubes = std::make_shared<const TriangleMesh>(
+                buildDraftTubes(result.simplified->skeleton, *result.sections, points));
+            return std::move(result);
+        });
+    }
+
+private:
+    Expected<void> upTo(Stage last)
+    {
         using Step = Expected<void> (Evaluation::*)();
         constexpr std::pair<Stage, Step> steps[] = {
             {Stage::Symbols, &Evaluation::symbols},       {Stage::Skeleton, &Evaluation::skeleton},
@@ -301,13 +354,10 @@ public:
             if (stage > last)
                 break;
             if (auto done = (this->*step)(); !done)
-                return fail(std::move(done.error()));
+                return done;
         }
-        m_progress.report(1.0);
-        return std::move(m_result);
+        return {};
     }
-
-private:
     Expected<void> symbols()
     {
         return cached(m_cache.symbols, m_hashes.symbols, m_progress,
@@ -325,11 +375,17 @@ private:
     Expected<void> simplified()
     {
         const SimplifyParams& params = m_params.simplify;
+        const Skeleton& skeleton = *m_result.skeleton;
+        if (auto ok = checkBeforeMerging(skeleton, m_params); m_meshes && !ok)
+            return ok;
         return cached(m_cache.simplified, m_hashes.simplified, m_progress,
                       [&]() -> Expected<SimplifiedSkeleton> {
-                          return bent(params.enabled ? simplify(*m_result.skeleton, params.rotationThreshold)
-                                                     : untouched(*m_result.skeleton),
-                                      m_params);
+                          Expected<SimplifiedSkeleton> merged =
+                              params.enabled
+                                  ? simplify(skeleton, params.rotationThreshold, m_progress.part(0.1, 0.12))
+                                  : untouched(skeleton);
+                          return std::move(merged).map(
+                              [&](SimplifiedSkeleton&& made) { return bent(std::move(made), m_params); });
                       })
             .map([&](auto made) { m_result.simplified = std::move(made); });
     }
@@ -378,6 +434,7 @@ private:
     C& m_cache;
     const Progress& m_progress;
     TreeResult m_result;
+    bool m_meshes = true; ///< there will be sections and a mesh
 };
 
 } // namespace
@@ -389,29 +446,30 @@ TreePipeline::TreePipeline()
 
 TreePipeline::~TreePipeline() = default;
 
-Expected<TreeResult> TreePipeline::evaluate(const NodeParams& params, Stage last, const Progress& progress)
+template <class Run> static Expected<TreeResult> timed(const NodeParams& params, Run&& run)
 {
     const auto start = std::chrono::steady_clock::now();
     if (auto ok = checkParams(params); !ok)
         return fail(std::move(ok.error()));
-    auto result = Evaluation<Cache>(params, *m_cache, progress).run(last);
+    Expected<TreeResult> result = run();
     if (result)
         result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 
+Expected<TreeResult> TreePipeline::evaluate(const NodeParams& params, Stage last, const Progress& progress)
+{
+    return timed(params, [&] { return Evaluation<Cache>(params, *m_cache, progress).run(last); });
+}
+
+Expected<TreeResult> TreePipeline::evaluateDraft(const NodeParams& params, const Progress& progress)
+{
+    return timed(params, [&] { return Evaluation<Cache>(params, *m_cache, progress).runDraft(); });
+}
+
 void TreePipeline::setCacheSize(std::size_t perStage)
 {
     m_cache->setCapacity(perStage);
-}
-
-NodeParams draftParams(const NodeParams& params)
-{
-    NodeParams draft = params;
-    draft.sections.lengthDivisions = std::min<std::int64_t>(draft.sections.lengthDivisions, 3);
-    draft.sections.radialDivisions = std::min<std::int64_t>(draft.sections.radialDivisions, 5);
-    draft.mesh.targetTriangles = std::min<std::int64_t>(draft.mesh.targetTriangles, 30'000);
-    return draft;
 }
 
 } // namespace ramure

@@ -27,6 +27,8 @@ struct TreeResult
     std::shared_ptr<const SectionSet> sections; ///< of the simplified skeleton
     std::shared_ptr<const BranchMesh> branches; ///< branch ids are those of the simplified skeleton
     std::shared_ptr<const MeshReport> report;   ///< of the branch mesh; OpenMesh asked only if wanted
+    /// Drafts only, in place of branches and report: open tubes to look at.
+    std::shared_ptr<const TriangleMesh> draftTubes;
     std::shared_ptr<const Foliage> foliage;
     std::shared_ptr<const TriangleMesh> leaves;
     std::shared_ptr<const TriangleMesh> apples;
@@ -50,6 +52,10 @@ public:
     /// is kept.
     Expected<TreeResult> evaluate(const NodeParams& params, Stage last = Stage::Foliage,
                                   const Progress& progress = {});
+    /// A cheap picture of the same parameters: everything but the mesh and its report, in their place
+    /// draftTubes, with fewer cross-sections where there are very many branches. Where the mesh is in the
+    /// cache, the full result. Errors as above.
+    Expected<TreeResult> evaluateDraft(const NodeParams& params, const Progress& progress = {});
     /// Most results kept per stage (default 8, at least 1); the oldest go first. Large results go sooner: one
     /// stage keeps at most 256 MiB beside the newest.
     void setCacheSize(std::size_t perStage);
@@ -58,8 +64,5 @@ private:
     struct Cache;
     std::unique_ptr<Cache> m_cache;
 };
-
-/// The cheap draft of the two tiers: at most 3 cross-sections of 5 points, everything else the same.
-NodeParams draftParams(const NodeParams& params);
 
 } // namespace ramure

@@ -1,5 +1,6 @@
 #include "core/skeleton/simplify.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -52,12 +53,11 @@ std::vector<Index> countChildren(const Skeleton& skeleton)
     return counts;
 }
 
-std::vector<Run> findRuns(const Skeleton& skeleton, const AngleTest& angle, std::vector<Index>& runOf)
+/// Continues for the branches from \p from up to \p to.
+void findRuns(const Skeleton& skeleton, const AngleTest& angle, const std::vector<Index>& children,
+              Index from, Index to, std::vector<Run>& runs, std::vector<Index>& runOf)
 {
-    const std::vector<Index> children = countChildren(skeleton);
-    std::vector<Run> runs;
-    runs.reserve(skeleton.size());
-    for (Index i = 0; i < skeleton.size(); ++i) {
+    for (Index i = from; i < to; ++i) {
         const Index parent = skeleton.parent[i];
         if (parent != noIndex && children[parent] == 1) {
             Run& run = runs[runOf[parent]];
@@ -71,7 +71,6 @@ std::vector<Run> findRuns(const Skeleton& skeleton, const AngleTest& angle, std:
         runOf[i] = static_cast<Index>(runs.size());
         runs.push_back({i, i});
     }
-    return runs;
 }
 
 /// Memory is written once, not first with zeros.
@@ -89,20 +88,44 @@ std::vector<T> gathered(const std::vector<T>& from, const std::vector<Run>& runs
 
 SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRad)
 {
+    return *simplify(skeleton, rotationThresholdRad, {}); // nobody can cancel it
+}
+
+Expected<SimplifiedSkeleton> simplify(const Skeleton& skeleton, double rotationThresholdRad,
+                                      const Progress& progress)
+{
+    const auto cancelled = [&progress] { return progress.cancelled(); };
+    const auto stopped = [] { return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled")); };
     SimplifiedSkeleton result;
     result.mergedInto.resize(skeleton.size());
-    const std::vector<Run> runs = findRuns(skeleton, AngleTest(rotationThresholdRad), result.mergedInto);
+    const AngleTest angle(rotationThresholdRad);
+    const std::vector<Index> children = countChildren(skeleton);
+    std::vector<Run> runs;
+    runs.reserve(skeleton.size());
+    constexpr Index stride = Index(1) << 19;
+    for (Index from = 0; from < skeleton.size(); from += stride) {
+        if (cancelled())
+            return stopped();
+        findRuns(skeleton, angle, children, from, std::min(skeleton.size(), from + stride), runs,
+                 result.mergedInto);
+    }
     Skeleton& out = result.skeleton;
     out.parent = gathered(skeleton.parent, runs, &Run::first);
     for (Index& parent : out.parent)
         parent = parent == noIndex ? noIndex : result.mergedInto[parent];
-    out.p0 = gathered(skeleton.p0, runs, &Run::first);
-    out.p1 = gathered(skeleton.p1, runs, &Run::last);
-    out.a0 = gathered(skeleton.a0, runs, &Run::first);
-    out.a1 = gathered(skeleton.a1, runs, &Run::last);
-    out.level = gathered(skeleton.level, runs, &Run::first);
-    out.key = gathered(skeleton.key, runs, &Run::first);
-    out.source = gathered(skeleton.source, runs, &Run::first);
+    const auto gather = [&](auto Skeleton::*values, Index Run::*end) {
+        if (!cancelled())
+            out.*values = gathered(skeleton.*values, runs, end);
+    };
+    gather(&Skeleton::p0, &Run::first);
+    gather(&Skeleton::p1, &Run::last);
+    gather(&Skeleton::a0, &Run::first);
+    gather(&Skeleton::a1, &Run::last);
+    gather(&Skeleton::level, &Run::first);
+    gather(&Skeleton::key, &Run::first);
+    gather(&Skeleton::source, &Run::first);
+    if (cancelled())
+        return stopped();
     return result;
 }
 

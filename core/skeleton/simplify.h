@@ -2,6 +2,8 @@
 /// Merging of nearly straight runs (SPEC A2).
 #pragma once
 
+#include "core/base/error.h"
+#include "core/base/progress.h"
 #include "core/skeleton/skeleton.h"
 
 namespace ramure {
@@ -16,5 +18,8 @@ struct SimplifiedSkeleton
 /// the direction of the branch merged so far. Never merges across a fork. Level and key are those of the
 /// first.
 SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRad);
+/// The same, for millions of branches. Error: Cancelled.
+Expected<SimplifiedSkeleton> simplify(const Skeleton& skeleton, double rotationThresholdRad,
+                                      const Progress& progress);
 
 } // namespace ramure

@@ -33,12 +33,10 @@ struct Fake
         }
         return !progress.cancelled();
     }
-    static bool isDraft(const NodeParams& params) { return params.sections.lengthDivisions == 2; }
     static std::string nameOf(const NodeParams& params) { return std::to_string(params.turtle.alpha); }
 
-    Expected<TreeResult> evaluate(const NodeParams& params, const Progress& progress)
+    Expected<TreeResult> evaluate(const NodeParams& params, const Progress& progress, bool draft)
     {
-        const bool draft = isDraft(params);
         started += draft ? 0 : 1;
         if (!work(draft ? draftMs : fullMs, progress)) {
             ++cancelled;
@@ -51,6 +49,10 @@ struct Fake
             throw std::bad_alloc();
         TreeResult result;
         result.symbols = std::make_shared<std::string>(nameOf(params));
+        if (draft) {
+            result.draftTubes = std::make_shared<TriangleMesh>();
+            return result;
+        }
         result.branches = kept ? kept : std::make_shared<BranchMesh>();
         result.report = std::make_shared<MeshReport>();
         return result;
@@ -59,12 +61,10 @@ struct Fake
     {
         Evaluation functions;
         functions.evaluate = [this](const NodeParams& p, const Progress& progress) {
-            return evaluate(p, progress);
+            return evaluate(p, progress, false);
         };
-        functions.draft = [](const NodeParams& p) {
-            NodeParams cheap = p;
-            cheap.sections.lengthDivisions = 2;
-            return cheap;
+        functions.draft = [this](const NodeParams& p, const Progress& progress) {
+            return evaluate(p, progress, true);
         };
         functions.confirm = [this](const TriangleMesh&, MeshReport& report,
                                    const Progress& progress) -> Expected<void> {
@@ -154,6 +154,8 @@ private slots:
     void treesThatBecomeSlowGetDraftsAgain();
     void noRestMeansNoDrafts();
     void draftsThatAreFull();
+    void draftsAreNoMeshes();
+    void oldErrorsAreNoProblemsOfNewParameters();
     void onlyStaleTreesAreComputed();
     void placementComputesNothing();
     void removedTreesAreForgotten();
@@ -376,13 +378,55 @@ void TestRecompute::draftsThatAreFull()
     document.reset(trees(1), {});
     Fake fake;
     Evaluation functions = fake.evaluation();
-    functions.draft = [](const NodeParams& params) { return params; };
+    functions.draft = functions.evaluate; // as out of a cache
     Recompute recompute(&document, functions);
     recompute.setRest(100000);
     recompute.setDirectLimit(0);
     QVERIFY(recompute.waitForFull(20000));
     QVERIFY(edit::setParam(document, {1}, *findParam("turtle.alpha"), 0.3));
     QTRY_VERIFY(document.isCurrent(1)); // although the rest is not over
+}
+
+void TestRecompute::draftsAreNoMeshes()
+{
+    Document document;
+    document.reset(trees(1), {});
+    Recompute recompute(&document);
+    recompute.setRest(100000);
+    recompute.setDirectLimit(0);
+    QVERIFY(recompute.waitForFull(60000));
+    const auto mesh = document.result(1)->tree.branches;
+    QVERIFY(mesh && !document.result(1)->tree.draftTubes);
+    QVERIFY(edit::setParam(document, {1}, *findParam("turtle.theta"), 0.6));
+    QTRY_VERIFY(document.result(1)->draft);
+    const TreeResult draft = document.result(1)->tree;
+    QVERIFY(!draft.branches && !draft.report); // nothing to export or to check
+    QVERIFY(draft.draftTubes && !draft.draftTubes->empty());
+    QVERIFY(draft.leaves && draft.sections);
+    document.undoStack()->undo(); // its mesh is still there: no draft is shown
+    QTRY_VERIFY(document.isCurrent(1));
+    QVERIFY(document.result(1)->tree.branches == mesh);
+    document.undoStack()->redo();
+    QVERIFY(recompute.waitForFull(60000));
+    const TreeResult full = document.result(1)->tree;
+    QVERIFY(full.branches && full.report->valid && !full.draftTubes);
+    QVERIFY(full.simplified == draft.simplified && full.leaves == draft.leaves); // not made twice
+}
+
+void TestRecompute::oldErrorsAreNoProblemsOfNewParameters()
+{
+    Fixture f;
+    f.settleWithDrafts();
+    QVERIFY(!f.document.problem(1) && !f.document.problem(77));
+    f.setAxiom("[");
+    QVERIFY(!f.document.problem(1)); // nobody knows yet
+    QVERIFY(f.recompute->waitForFull(20000));
+    QVERIFY(f.document.problem(1));
+    f.fake.draftMs = f.fake.fullMs = 1000000;
+    f.setAxiom("A");
+    QVERIFY(f.document.result(1)->error);
+    QVERIFY(!f.document.problem(1));
+    f.fake.draftMs = f.fake.fullMs = 0;
 }
 
 void TestRecompute::onlyStaleTreesAreComputed()

@@ -1,5 +1,6 @@
 #include "core/params/param_def.h"
 #include "core/params/presets.h"
+#include "core/pipeline/draft_tubes.h"
 #include "core/pipeline/stage_cache.h"
 #include "core/pipeline/stage_hash.h"
 #include "core/pipeline/tree_pipeline.h"
@@ -134,7 +135,10 @@ private slots:
     void withoutSimplificationTheSkeletonStays();
     void presetsGiveValidMeshes();
     void rollsMoveTheFrames();
-    void draftIsCheaper();
+    void draftsOfWrongParameters();
+    void draftsHaveTubesForAMesh();
+    void draftTubesLieOnTheSections();
+    void draftsOfLargeTreesHaveFewPoints();
     void progressRises();
     void sameResultEveryTime();
     void randomParametersGiveValidMeshes();
@@ -198,6 +202,8 @@ void TestTreePipeline::hugeMeshesAreRefused()
     QVERIFY(!many);
     QCOMPARE(many.error().code, ErrorCode::Limit);
     QCOMPARE(many.error().path, std::string("grammar.iterations"));
+    QVERIFY(TreePipeline().evaluate(params, Stage::Simplified)); // no mesh was asked for
+    QCOMPARE(TreePipeline().evaluateDraft(params).error().code, ErrorCode::Limit);
     params.grammar.iterations = 8;
     params.sections.radialDivisions = 64;
     params.sections.lengthDivisions = 64;
@@ -377,23 +383,78 @@ void TestTreePipeline::rollsMoveTheFrames()
     QVERIFY(rolled->report->valid);
 }
 
-void TestTreePipeline::draftIsCheaper()
+void TestTreePipeline::draftsOfWrongParameters()
 {
-    NodeParams params;
-    const NodeParams draft = draftParams(params);
-    QVERIFY(draft.sections.lengthDivisions < params.sections.lengthDivisions);
-    QVERIFY(draft.sections.radialDivisions < params.sections.radialDivisions);
-    NodeParams back = draft;
-    back.sections = params.sections;
-    QVERIFY(back == params);
-    params.sections = {2, 3};
-    QVERIFY(draftParams(params) == params);
     TreePipeline pipeline;
+    NodeParams params = smallParams();
+    params.grammar.axiom.assign(1, '[');
+    QVERIFY(!pipeline.evaluateDraft(params));
+    params = smallParams();
+    params.turtle.alpha = -1.0;
+    QVERIFY(!pipeline.evaluateDraft(params));
+    params = smallParams();
+    params.sections = {64, 64};
+    params.grammar.iterations = 11;
+    const auto large = pipeline.evaluateDraft(params);
+    QVERIFY(!large);
+    QCOMPARE(large.error().code, ErrorCode::Limit); // of the full mesh: there would never be one
+    std::stop_source stop;
+    stop.request_stop();
+    QCOMPARE(pipeline.evaluateDraft(smallParams(), {stop.get_token(), {}}).error().code,
+             ErrorCode::Cancelled);
+}
+
+void TestTreePipeline::draftsHaveTubesForAMesh()
+{
+    TreePipeline pipeline;
+    const auto draft = pipeline.evaluateDraft(smallParams());
+    QVERIFY2(draft, test::why(draft));
+    QVERIFY(draft->draftTubes && !draft->branches && !draft->report);
     const auto full = pipeline.evaluate(smallParams());
-    const auto cheap = pipeline.evaluate(draftParams(smallParams()));
-    QVERIFY(cheap->report->valid);
-    QVERIFY(cheap->branches->mesh.faceCount() < full->branches->mesh.faceCount());
-    QVERIFY(cheap->foliage == full->foliage);
+    QVERIFY(!full->draftTubes);
+    QVERIFY(draft->symbols == full->symbols && draft->simplified == full->simplified);
+    QVERIFY(draft->foliage == full->foliage && draft->leaves == full->leaves);
+    QVERIFY(draft->sections == full->sections); // a small tree has all of them
+    const auto again = pipeline.evaluateDraft(smallParams());
+    QVERIFY(again->branches == full->branches && again->report == full->report && !again->draftTubes);
+}
+
+void TestTreePipeline::draftTubesLieOnTheSections()
+{
+    const auto tree = TreePipeline().evaluate(smallParams(), Stage::Sections);
+    const Skeleton& skeleton = tree->simplified->skeleton;
+    const SectionSet& sections = *tree->sections;
+    constexpr int points = 7;
+    const TriangleMesh tubes = buildDraftTubes(skeleton, sections, points);
+    QCOMPARE(tubes.positions.size(), sections.sections.size() * points);
+    QCOMPARE(tubes.triangles.size(), std::size_t(skeleton.size()) * (sections.perBranch - 1) * points * 2);
+    for (std::size_t i = 0; i < tubes.positions.size(); ++i) {
+        const CrossSection& section = sections.sections[i / points];
+        const glm::vec3 wanted(sectionPoint(section, static_cast<int>(i % points), points));
+        QVERIFY(glm::distance(tubes.positions[i], wanted) < 1e-5f);
+        QCOMPARE(tubes.branch[i], Index(i / (points * sections.perBranch)));
+    }
+    for (const glm::uvec3& t : tubes.triangles) {
+        const glm::vec3& a = tubes.positions[t.x];
+        const glm::vec3 normal = glm::cross(tubes.positions[t.y] - a, tubes.positions[t.z] - a);
+        const glm::vec3 out = tubes.normals[t.x] + tubes.normals[t.y] + tubes.normals[t.z];
+        QVERIFY(glm::dot(normal, out) > 0.0f || glm::length(normal) < 1e-12f);
+    }
+}
+
+void TestTreePipeline::draftsOfLargeTreesHaveFewPoints()
+{
+    const SectionParams wanted{64, 128};
+    for (const Index branches : {0u, 1u, 100u, 1'791u, 7'167u, 30'000u, 1'000'000u}) {
+        const SectionParams draft = draftDivisions(wanted, branches);
+        QVERIFY(draft.lengthDivisions >= 2 && draft.lengthDivisions <= wanted.lengthDivisions);
+        QVERIFY(draft.radialDivisions >= 3 && draft.radialDivisions <= wanted.radialDivisions);
+        const auto points =
+            static_cast<std::size_t>(draft.lengthDivisions * draft.radialDivisions) * branches;
+        QVERIFY(points <= std::max<std::size_t>(draftPoints, std::size_t(branches) * 6));
+    }
+    QVERIFY(draftDivisions(SectionParams{2, 3}, 1'000'000) == (SectionParams{2, 3}));
+    QVERIFY(draftDivisions(SectionParams(), 1'791) == SectionParams()); // SmallTree: as it will be
 }
 
 void TestTreePipeline::progressRises()

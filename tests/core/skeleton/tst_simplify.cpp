@@ -116,6 +116,12 @@ private slots:
 void TestSimplify::emptyStaysEmpty()
 {
     const SimplifiedSkeleton out = simplify(Skeleton(), 1.0);
+    std::stop_source stop;
+    stop.request_stop();
+    const auto cancelled = simplify(chain({0.3, 0.1}), 1.0, {stop.get_token(), {}});
+    QVERIFY(!cancelled);
+    QCOMPARE(cancelled.error().code, ErrorCode::Cancelled);
+    QVERIFY(simplify(chain({0.3, 0.1}), 1.0, {})->skeleton == simplify(chain({0.3, 0.1}), 1.0).skeleton);
     QVERIFY(out.skeleton.empty() && out.mergedInto.empty());
 }
 
