@@ -18,7 +18,8 @@ ProblemButton::ProblemButton(Document* document, QWidget* parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     setFocusPolicy(Qt::TabFocus);
     connect(m_document, &Document::changed, this, [this](const Change& change) {
-        if (change.has(changeResults | changeReset | changeStructure | changeSelection))
+        if (change.has(changeResults | changeReset | changeStructure | changeSelection | changeParams |
+                       changeBranches))
             update();
     });
     connect(this, &QToolButton::clicked, this, [this] {
@@ -37,14 +38,13 @@ void ProblemButton::update()
     // The active tree first, then whichever comes first.
     const Node* culprit = nullptr;
     for (const Node& node : m_document->scene().nodes()) {
-        const NodeResult* result = m_document->result(node.id);
-        if (!result || !result->error)
+        if (!m_document->problem(node.id))
             continue;
         if (!culprit || node.id == m_document->selection().activeNode())
             culprit = &node;
     }
     if (culprit) {
-        Error error = *m_document->result(culprit->id)->error;
+        Error error = *m_document->problem(culprit->id);
         m_node = culprit->id;
         const ParamDef* def = findParam(error.path);
         QString name = QString::fromStdString(culprit->name);

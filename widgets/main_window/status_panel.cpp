@@ -38,7 +38,7 @@ SceneTotals sceneTotals(const Document& document)
         const NodeResult* result = document.result(node.id);
         if (!result)
             continue;
-        totals.failed = totals.failed || result->error.has_value();
+        totals.failed = totals.failed || document.problem(node.id);
         totals.draft = totals.draft || result->draft;
         totals.seconds += result->tree.seconds;
         if (result->tree.simplified)
@@ -107,7 +107,7 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, QWidget* pare
     connect(m_recompute, &Recompute::progress, this,
             [this](double fraction) { m_progress->setValue(static_cast<int>(fraction * progressSteps)); });
     connect(m_document, &Document::changed, this, [this](const Change& change) {
-        if (change.has(changeResults | changeReset | changeStructure))
+        if (change.has(changeResults | changeReset | changeStructure | changeParams | changeBranches))
             update();
     });
     retranslate();
@@ -182,7 +182,9 @@ void StatusPanel::update()
 {
     const SceneTotals totals = sceneTotals(*m_document);
     const QLocale locale;
-    if (totals.results == 0) {
+    if (totals.draft && totals.results < totals.trees) {
+        // A draft has no mesh to count: the numbers of before stay until there are others.
+    } else if (totals.results == 0) {
         m_counts->setText(totals.trees == 0 ? tr("No trees") : QString());
         m_time->clear();
     } else {

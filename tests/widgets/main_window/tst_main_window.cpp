@@ -79,6 +79,18 @@ private slots:
         QTRY_COMPARE(m_window->status()->badgeState(), QStringLiteral("good"));
     }
 
+    void errorsOfBeforeAreNoErrorsOfNow()
+    {
+        const ParamDef& rules = *findParam("grammar.rules");
+        QVERIFY(edit::setParam(*m_document, {tree()}, rules, std::string("A -> [[B]")));
+        QTRY_COMPARE(m_window->status()->badgeState(), QStringLiteral("bad"));
+        QVERIFY(!m_window->problem()->message().isEmpty());
+        QVERIFY(edit::setParam(*m_document, {tree()}, rules, std::string("A -> [B]")));
+        QCOMPARE(m_window->status()->badgeState(), QStringLiteral("busy")); // before any result
+        QVERIFY(m_window->problem()->message().isEmpty());
+        QTRY_COMPARE(m_window->status()->badgeState(), QStringLiteral("good"));
+    }
+
     void rulesThatExplodeStopWithAMessage()
     {
         QVERIFY(edit::setParams(*m_document, {tree()},
