@@ -403,6 +403,30 @@
         <source>Show only the selected branches, or nodes; again: show all</source>
         <translation>Montrer seulement les branches ou les nœuds sélectionnés ; de nouveau : tout montrer</translation>
     </message>
+    <message>
+        <source>Orbit &amp;left</source>
+        <translation>Tourner à &amp;gauche</translation>
+    </message>
+    <message>
+        <source>Orbit &amp;right</source>
+        <translation>Tourner à &amp;droite</translation>
+    </message>
+    <message>
+        <source>Orbit &amp;up</source>
+        <translation>Tourner vers le &amp;haut</translation>
+    </message>
+    <message>
+        <source>Orbit &amp;down</source>
+        <translation>Tourner vers le &amp;bas</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>&amp;Rapprocher</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>&amp;Éloigner</translation>
+    </message>
 </context>
 <context>
     <name>DialogChooser</name>
@@ -3551,6 +3575,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>&amp;Language</source>
         <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>M&amp;ove the view</source>
+        <translation>Dép&amp;lacer la vue</translation>
     </message>
 </context>
 <context>

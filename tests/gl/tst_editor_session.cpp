@@ -51,7 +51,7 @@ private:
             return {};
         QSignalSpy drawn(view(), &Viewport::frameDrawn);
         view()->update();
-        if (!drawn.wait(patienceMs))
+        if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view()->isPicturePending(); }, patienceMs))
             return {};
         return m_window->grab().toImage();
     }

@@ -375,6 +375,50 @@ private slots:
         stats = bench.draw(RenderScene());
         QCOMPARE(stats.uploads.alive, 0u);
     }
+    void emptyScenesAreReadyAtOnce()
+    {
+        Bench bench;
+        QVERIFY(bench.renderer->prepare(RenderScene(), 0));
+        QVERIFY(!bench.renderer->prepare(test::sampleScene(3, 4), 0)); // nothing may be copied
+    }
+    void scenesAreUploadedInSlices()
+    {
+        Bench bench;
+        const RenderScene shown = test::sampleScene(2, 4);
+        const RenderScene next = test::sampleScene(4, 8);
+        bench.draw(shown);
+        const std::uint64_t before = bench.renderer->stats().uploads.bytes;
+        constexpr std::size_t slice = 10'000;
+        int turns = 1;
+        std::uint64_t last = before;
+        while (!bench.renderer->prepare(next, slice)) {
+            ++turns;
+            const std::uint64_t now = bench.renderer->stats().uploads.bytes;
+            QVERIFY(now - last <= slice);
+            last = now;
+            bench.draw(shown); // pictures between keep what is prepared
+        }
+        QVERIFY(turns > 3);
+        const RenderStats ready = bench.renderer->stats();
+        const RenderStats drawn = bench.draw(next);
+        QCOMPARE(drawn.uploads.bytes, ready.uploads.bytes);
+        QCOMPARE(drawn.uploads.alive, next.meshes.size());
+        const QImage image = bench.target->toImage();
+        Bench atOnce;
+        atOnce.draw(next);
+        QCOMPARE(image, atOnce.target->toImage());
+        QCOMPARE(bench.renderer->takeReleased().size(), shown.meshes.size());
+        QVERIFY(bench.renderer->takeReleased().empty());
+    }
+    void whatIsNotDrawnAfterAllIsFreed()
+    {
+        Bench bench;
+        const RenderScene shown = test::sampleScene(2, 4);
+        const RenderScene given = test::sampleScene(4, 8);
+        (void)bench.renderer->prepare(given, 1000);
+        QVERIFY(bench.renderer->prepare(shown, std::size_t(1) << 30)); // another one instead
+        QCOMPARE(bench.draw(shown).uploads.alive, shown.meshes.size());
+    }
     void movedItemsUploadNothing()
     {
         Bench bench;

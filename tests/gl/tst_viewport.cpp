@@ -1,8 +1,10 @@
+#include "core/document/commands.h"
 #include "core/document/document.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "tests/support/suite.h"
 #include "widgets/render/gl_setup.h"
+#include "widgets/render/scene_builder.h"
 #include "widgets/validation/defect_place.h"
 #include "widgets/viewport/navigation_cube.h"
 #include "widgets/viewport/viewport.h"
@@ -66,8 +68,8 @@ struct Window
     {
         QSignalSpy drawn(view, &Viewport::frameDrawn);
         view->update();
-        while (drawn.isEmpty() && drawn.wait(10'000)) {
-        }
+        if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view->isPicturePending(); }, 20'000))
+            qWarning("no picture of now comes");
     }
     [[nodiscard]] NodeId tree(std::size_t i) const { return document.scene().nodes()[i].id; }
     [[nodiscard]] const Skeleton& skeleton(std::size_t i = 0) const
@@ -432,6 +434,94 @@ private slots:
         }
         const QImage image = host->viewport()->grabFramebuffer();
         QVERIFY(image.pixelColor(image.width() / 2, 2).blue() > 180);
+    }
+    void edgesOfTheKeyboard()
+    {
+        Window window;
+        const Camera before = window.view->camera();
+        window.view->zoomBy(0.0);
+        window.view->zoomBy(-1.0);
+        QTest::keyClick(window.view, Qt::Key_Left, Qt::ControlModifier); // not its own
+        QCOMPARE(window.view->camera(), before);
+    }
+    void arrowKeysOrbit()
+    {
+        Window window;
+        const Camera before = window.view->camera();
+        const auto settled = [&](double yaw, double pitch) {
+            return QTest::qWaitFor([&] {
+                const Camera& now = window.view->camera();
+                return std::abs(now.yawRad - before.yawRad - yaw) < 1e-9 &&
+                       std::abs(now.pitchRad - before.pitchRad - pitch) < 1e-9;
+            });
+        };
+        QTest::keyClick(window.view, Qt::Key_Right);
+        QVERIFY(settled(Viewport::orbitStepRad, 0.0));
+        QTest::keyClick(window.view, Qt::Key_Right);
+        QTest::keyClick(window.view, Qt::Key_Up); // while the view still turns
+        QVERIFY(settled(2.0 * Viewport::orbitStepRad, Viewport::orbitStepRad));
+        QTest::keyClick(window.view, Qt::Key_Down);
+        QTest::keyClick(window.view, Qt::Key_Left);
+        QVERIFY(settled(Viewport::orbitStepRad, 0.0));
+    }
+    void aFramedViewStaysFramed()
+    {
+        Window window;
+        const auto fresh = [&] {
+            Camera camera = window.view->camera();
+            const double aspect = double(window.view->width()) / window.view->height();
+            const TreeResult& tree = window.document.result(window.tree(0))->tree;
+            RenderScene scene = sceneOfMesh(tree.branches->mesh);
+            camera.frame(scene.box, aspect);
+            return camera.distance;
+        };
+        const double before = window.view->camera().distance / fresh();
+        window.host.resize(300, 600); // as when a panel opens beside it
+        window.waitForPicture();
+        QVERIFY(std::abs(window.view->camera().distance / fresh() - before) < 0.2 * before);
+        window.view->orbitBy(0.5, 0.0); // from now on it is the user's
+        QTRY_VERIFY(std::abs(window.view->camera().yawRad - Camera().yawRad) > 0.4);
+        QTest::qWait(250);
+        const Camera chosen = window.view->camera();
+        window.host.resize(600, 300);
+        window.waitForPicture();
+        QCOMPARE(window.view->camera(), chosen);
+    }
+    void onlyWhatIsSeenIsDrawnAgain()
+    {
+        Window window;
+        const quint64 before = window.view->frameTimes().frame;
+        // A new shape comes with its result; a second opinion on the mesh changes no picture.
+        QVERIFY(edit::setParam(window.document, {window.tree(0)}, *findParam("turtle.theta"), 0.5));
+        NodeResult same = *window.document.result(window.tree(0));
+        same.tree.report = std::make_shared<MeshReport>(*same.tree.report);
+        window.document.setResult(window.tree(0), same);
+        QVERIFY(!window.view->isPicturePending());
+        QTest::qWait(50);
+        QCOMPARE(window.view->frameTimes().frame, before);
+        compute(window.document);
+        QVERIFY(window.view->isPicturePending());
+        QTRY_VERIFY(!window.view->isPicturePending());
+        QVERIFY(window.view->frameTimes().frame > before);
+        QVERIFY(
+            edit::setParam(window.document, {window.tree(0)}, *findParam("tree.rotation"), glm::dvec3(1.0)));
+        QVERIFY(window.view->isPicturePending()); // where it stands needs no result
+    }
+    void draftsAreShown()
+    {
+        Window window;
+        const QImage full = window.view->grabFramebuffer();
+        NodeResult draft;
+        draft.draft = true;
+        draft.tree = *TreePipeline().evaluateDraft(window.document.scene().nodes().front().params);
+        QVERIFY(draft.tree.draftTubes);
+        window.document.setResult(window.tree(0), draft);
+        window.waitForPicture();
+        const QImage tubes = window.view->grabFramebuffer();
+        QVERIFY(tubes != full);
+        compute(window.document);
+        window.waitForPicture();
+        QCOMPARE(window.view->grabFramebuffer(), full);
     }
     void resetFramesAgain()
     {

@@ -7,6 +7,7 @@
 #include "widgets/viewport/viewport_host.h"
 #include <QActionGroup>
 #include <QMenu>
+#include <cmath>
 
 namespace ramure {
 
@@ -16,13 +17,15 @@ ViewActions::ViewActions(ViewportHost* host, Preferences* preferences, ActionSet
     , m_preferences(preferences)
 {
     addFraming(set);
+    addAxes(set);
+    addMoves(set);
     addModes(set);
     addShading(set);
     addSwitches(set);
     addPreferences(set);
     // Without OpenGL there is nothing to frame and no mode to see.
     if (!host->viewport()) {
-        QList<QAction*> dead = m_axes + m_modes->actions() + m_shading->actions() + m_switches;
+        QList<QAction*> dead = m_axes + m_moves + m_modes->actions() + m_shading->actions() + m_switches;
         dead += {m_frameAll, m_frameSelection};
         for (QAction* action : dead)
             action->setEnabled(false);
@@ -37,6 +40,14 @@ void ViewActions::addFraming(ActionSet* set)
                            QKeySequence(Qt::Key_Home)});
     m_frameSelection = set->add({"view.frameSelection", QT_TRANSLATE_NOOP("Actions", "&Frame the selection"),
                                  "frame-selection", QKeySequence(Qt::Key_F)});
+    if (Viewport* view = m_host->viewport()) {
+        connect(m_frameAll, &QAction::triggered, view, &Viewport::frameAll);
+        connect(m_frameSelection, &QAction::triggered, view, &Viewport::frameSelection);
+    }
+}
+
+void ViewActions::addAxes(ActionSet* set)
+{
     Viewport* view = m_host->viewport();
     struct Axis
     {
@@ -63,9 +74,53 @@ void ViewActions::addFraming(ActionSet* set)
         if (view)
             connect(action, &QAction::triggered, view, [view, side = axis.view] { view->setAxisView(side); });
     }
-    if (view) {
-        connect(m_frameAll, &QAction::triggered, view, &Viewport::frameAll);
-        connect(m_frameSelection, &QAction::triggered, view, &Viewport::frameSelection);
+}
+
+/// The keys of Blender's number pad, which are also those above the letters.
+void ViewActions::addMoves(ActionSet* set)
+{
+    struct Move
+    {
+        ActionSpec spec;
+        double yaw, pitch, zoom; ///< steps of Viewport
+    };
+    const Move moves[] = {
+        {{"view.orbitLeft", QT_TRANSLATE_NOOP("Actions", "Orbit &left"), nullptr, QKeySequence(Qt::Key_4)},
+         -1.0,
+         0.0,
+         0.0},
+        {{"view.orbitRight", QT_TRANSLATE_NOOP("Actions", "Orbit &right"), nullptr, QKeySequence(Qt::Key_6)},
+         1.0,
+         0.0,
+         0.0},
+        {{"view.orbitUp", QT_TRANSLATE_NOOP("Actions", "Orbit &up"), nullptr, QKeySequence(Qt::Key_8)},
+         0.0,
+         1.0,
+         0.0},
+        {{"view.orbitDown", QT_TRANSLATE_NOOP("Actions", "Orbit &down"), nullptr, QKeySequence(Qt::Key_2)},
+         0.0,
+         -1.0,
+         0.0},
+        {{"view.zoomIn", QT_TRANSLATE_NOOP("Actions", "Zoom &in"), nullptr, QKeySequence(Qt::Key_Plus)},
+         0.0,
+         0.0,
+         1.0},
+        {{"view.zoomOut", QT_TRANSLATE_NOOP("Actions", "Zoom &out"), nullptr, QKeySequence(Qt::Key_Minus)},
+         0.0,
+         0.0,
+         -1.0},
+    };
+    for (const Move& move : moves) {
+        QAction* action = set->add(move.spec);
+        m_moves += action;
+        if (Viewport* view = m_host->viewport())
+            connect(action, &QAction::triggered, view,
+                    [view, yaw = move.yaw, pitch = move.pitch, zoom = move.zoom] {
+                        if (zoom != 0.0)
+                            view->zoomBy(std::pow(Viewport::zoomStep, -zoom));
+                        else
+                            view->orbitBy(yaw * Viewport::orbitStepRad, pitch * Viewport::orbitStepRad);
+                    });
     }
 }
 
@@ -207,6 +262,8 @@ void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* 
     menu->addActions({m_frameAll, m_frameSelection});
     m_axisMenu = menu->addMenu(QString());
     m_axisMenu->addActions(m_axes);
+    m_moveMenu = menu->addMenu(QString());
+    m_moveMenu->addActions(m_moves);
     menu->addSeparator();
     menu->addActions(m_modes->actions());
     menu->addSeparator();
@@ -231,6 +288,7 @@ void ViewActions::retranslate()
     if (!m_axisMenu)
         return;
     m_axisMenu->setTitle(tr("&View from"));
+    m_moveMenu->setTitle(tr("M&ove the view"));
     m_themeMenu->setTitle(tr("&Theme"));
     m_unitMenu->setTitle(tr("&Angles in"));
     m_languageMenu->setTitle(tr("&Language"));

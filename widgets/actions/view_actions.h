@@ -30,6 +30,8 @@ public:
 
 private:
     void addFraming(ActionSet* set);
+    void addAxes(ActionSet* set);
+    void addMoves(ActionSet* set);
     void addModes(ActionSet* set);
     void addShading(ActionSet* set);
     void addSwitches(ActionSet* set);
@@ -41,6 +43,7 @@ private:
     QAction* m_frameAll = nullptr;
     QAction* m_frameSelection = nullptr;
     QList<QAction*> m_axes;
+    QList<QAction*> m_moves;
     QActionGroup* m_modes = nullptr;
     QActionGroup* m_shading = nullptr;
     QActionGroup* m_themes = nullptr;
@@ -48,6 +51,7 @@ private:
     QActionGroup* m_languages = nullptr;
     QList<QAction*> m_switches;
     QMenu* m_axisMenu = nullptr;
+    QMenu* m_moveMenu = nullptr;
     QMenu* m_themeMenu = nullptr;
     QMenu* m_unitMenu = nullptr;
     QMenu* m_languageMenu = nullptr;

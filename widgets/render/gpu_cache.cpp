@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
+#include <utility>
 
 namespace ramure {
 namespace {
@@ -25,6 +27,8 @@ GpuCache::~GpuCache()
 {
     for (auto& [key, block] : m_blocks)
         free(block);
+    if (m_restTexture != 0)
+        m_gl.glDeleteTextures(1, &m_restTexture);
 }
 
 std::pair<GpuBlock&, bool> GpuCache::slot(const std::shared_ptr<const void>& source)
@@ -44,19 +48,82 @@ GLuint GpuCache::addBuffer(GpuBlock& block, GLenum target, const void* data, std
     GLuint buffer = 0;
     m_gl.glGenBuffers(1, &buffer);
     m_gl.glBindBuffer(target, buffer);
-    m_gl.glBufferData(target, static_cast<GLsizeiptr>(bytes), data, GL_STATIC_DRAW);
+    m_gl.glBufferData(target, static_cast<GLsizeiptr>(bytes), nullptr, GL_STATIC_DRAW);
     block.buffers.push_back(buffer);
-    m_stats.bytes += bytes;
+    block.waiting.push_back({buffer, static_cast<const char*>(data), bytes, 0});
     return buffer;
+}
+
+std::size_t GpuCache::fill(GpuBlock& block, std::size_t most)
+{
+    while (!block.waiting.empty() && most > 0) {
+        GpuBlock::Piece& piece = block.waiting.back();
+        const std::size_t bytes = std::min(most, piece.bytes - piece.done);
+        // A target that belongs to no vertex array.
+        m_gl.glBindBuffer(GL_COPY_WRITE_BUFFER, piece.buffer);
+        m_gl.glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(piece.done),
+                             static_cast<GLsizeiptr>(bytes), piece.data + piece.done);
+        piece.done += bytes;
+        most -= bytes;
+        m_stats.bytes += bytes;
+        if (piece.done == piece.bytes)
+            block.waiting.pop_back();
+    }
+    m_gl.glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+    return most;
+}
+
+const GpuBlock& GpuCache::drawn(GpuBlock& block)
+{
+    if (!block.waiting.empty())
+        fill(block, std::numeric_limits<std::size_t>::max());
+    block.prepared = false;
+    return block;
 }
 
 const GpuBlock& GpuCache::mesh(const std::shared_ptr<const TriangleMesh>& mesh,
                                const std::shared_ptr<const Skin>& skin)
 {
+    GpuBlock& block = meshBlock(mesh);
+    attachSkin(block, skin);
+    return drawn(block);
+}
+
+const GpuBlock& GpuCache::lines(const std::shared_ptr<const LineSet>& lines)
+{
+    return drawn(lineBlock(lines));
+}
+
+const GpuBlock& GpuCache::points(const std::shared_ptr<const PointSet>& points)
+{
+    return drawn(pointBlock(points));
+}
+
+bool GpuCache::prepare(const RenderScene& scene, std::size_t bytes)
+{
+    bool ready = true;
+    for (auto& [key, block] : m_blocks)
+        block.prepared = false;
+    const auto add = [&](GpuBlock& block) {
+        block.prepared = true;
+        if (!block.waiting.empty())
+            bytes = fill(block, bytes);
+        ready = ready && block.waiting.empty();
+    };
+    for (const MeshItem& item : scene.meshes)
+        add(meshBlock(item.mesh));
+    for (const LineItem& item : scene.lines)
+        add(lineBlock(item.lines));
+    for (const PointItem& item : scene.points)
+        add(pointBlock(item.points));
+    return ready;
+}
+
+GpuBlock& GpuCache::meshBlock(const std::shared_ptr<const TriangleMesh>& mesh)
+{
     const auto [block, isNew] = slot(mesh);
     if (isNew)
         fillMesh(block, *mesh);
-    attachSkin(block, skin);
     return block;
 }
 
@@ -103,6 +170,7 @@ const GpuBlock& GpuCache::influences(const std::shared_ptr<const Skin>& skin)
                   VertexInfluence{run.influence.bone, run.influence.weight});
     }
     addBuffer(block, GL_ARRAY_BUFFER, all.data(), all.size() * sizeof(VertexInfluence));
+    fill(block, std::numeric_limits<std::size_t>::max()); // the vector is gone afterwards
     block.count = static_cast<GLsizei>(skin->vertices);
     return block;
 }
@@ -149,7 +217,7 @@ const GpuBlock& GpuCache::bones(const std::shared_ptr<const std::vector<RigidTra
     return block;
 }
 
-const GpuBlock& GpuCache::lines(const std::shared_ptr<const LineSet>& lines)
+GpuBlock& GpuCache::lineBlock(const std::shared_ptr<const LineSet>& lines)
 {
     const auto [block, isNew] = slot(lines);
     if (!isNew)
@@ -173,7 +241,7 @@ const GpuBlock& GpuCache::lines(const std::shared_ptr<const LineSet>& lines)
     return block;
 }
 
-const GpuBlock& GpuCache::points(const std::shared_ptr<const PointSet>& points)
+GpuBlock& GpuCache::pointBlock(const std::shared_ptr<const PointSet>& points)
 {
     const auto [block, isNew] = slot(points);
     if (!isNew)
@@ -219,25 +287,33 @@ const GpuBlock& GpuCache::states(const std::shared_ptr<const BranchStates>& stat
 
 void GpuCache::bindBones(ShaderProgram& program, const ItemMotion& motion)
 {
-    // A sampler must have a texture even where the program does not read it.
-    static const auto none = std::make_shared<const std::vector<RigidTransform>>();
-    const GpuBlock& block = bones(motion.moves() ? motion.bones : none);
+    const GpuBlock* block = motion.moves() ? &bones(motion.bones) : nullptr;
+    if (!block && m_restTexture == 0) {
+        // A sampler must have a texture even where the program does not read it.
+        const glm::vec4 none(0.0f);
+        m_gl.glGenTextures(1, &m_restTexture);
+        m_gl.glBindTexture(GL_TEXTURE_2D, m_restTexture);
+        m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 1, 1, 0, GL_RGBA, GL_FLOAT, &none);
+        m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    }
     m_gl.glActiveTexture(GL_TEXTURE0 + bonesUnit);
-    m_gl.glBindTexture(GL_TEXTURE_2D, block.texture);
+    m_gl.glBindTexture(GL_TEXTURE_2D, block ? block->texture : m_restTexture);
     m_gl.glActiveTexture(GL_TEXTURE0);
     program.set("uBones", int(bonesUnit));
-    program.set("uBoneCount", block.count);
+    program.set("uBoneCount", block ? block->count : 0);
     program.set("uSkinMethod", int(motion.method));
 }
 
 void GpuCache::freeUnused()
 {
     for (auto it = m_blocks.begin(); it != m_blocks.end();) {
-        if (it->second.usedIn == m_picture) {
+        if (it->second.usedIn == m_picture || it->second.prepared) {
             ++it;
             continue;
         }
         free(it->second);
+        m_released.push_back(std::move(it->second.source));
         ++m_stats.freed;
         it = m_blocks.erase(it);
     }
@@ -251,6 +327,11 @@ void GpuCache::free(GpuBlock& block)
         m_gl.glDeleteBuffers(static_cast<GLsizei>(block.buffers.size()), block.buffers.data());
     if (block.texture != 0)
         m_gl.glDeleteTextures(1, &block.texture);
+}
+
+std::vector<std::shared_ptr<const void>> GpuCache::takeReleased()
+{
+    return std::exchange(m_released, {});
 }
 
 UploadStats GpuCache::stats() const

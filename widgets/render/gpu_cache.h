@@ -22,6 +22,16 @@ struct GpuBlock
     GLsizei count = 0;                ///< indices, instances, or entries
     std::shared_ptr<const void> skin; ///< of a mesh: whose influences its vertex array reads
     std::uint64_t usedIn = 0;
+    bool prepared = false; ///< kept for a picture to come
+
+    /// What is not in its buffer yet.
+    struct Piece
+    {
+        GLuint buffer = 0;
+        const char* data = nullptr;
+        std::size_t bytes = 0, done = 0;
+    };
+    std::vector<Piece> waiting;
 };
 
 struct UploadStats
@@ -42,6 +52,9 @@ public:
     GpuCache& operator=(const GpuCache&) = delete;
 
     void beginPicture() { ++m_picture; }
+    /// Uploads at most some \p bytes of what a scene needs, to be called until it is true: then the scene can
+    /// be drawn without a delay. What is prepared stays until it is drawn, or another scene is prepared.
+    bool prepare(const RenderScene& scene, std::size_t bytes);
     /// \p skin may be null.
     const GpuBlock& mesh(const std::shared_ptr<const TriangleMesh>& mesh,
                          const std::shared_ptr<const Skin>& skin);
@@ -57,11 +70,20 @@ public:
     /// Frees what was not asked for since beginPicture.
     void freeUnused();
     [[nodiscard]] UploadStats stats() const;
+    /// The blocks of the processor's memory that were let go of since the last call: the caller says where
+    /// their memory is given back.
+    std::vector<std::shared_ptr<const void>> takeReleased();
 
 private:
     void fillMesh(GpuBlock& block, const TriangleMesh& mesh);
     const GpuBlock& influences(const std::shared_ptr<const Skin>& skin);
     void attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& skin);
+    GpuBlock& meshBlock(const std::shared_ptr<const TriangleMesh>& mesh);
+    GpuBlock& lineBlock(const std::shared_ptr<const LineSet>& lines);
+    GpuBlock& pointBlock(const std::shared_ptr<const PointSet>& points);
+    const GpuBlock& drawn(GpuBlock& block);
+    /// Returns how many bytes are left of \p most.
+    std::size_t fill(GpuBlock& block, std::size_t most);
     /// The block of this source, and whether it has to be filled.
     std::pair<GpuBlock&, bool> slot(const std::shared_ptr<const void>& source);
     GLuint addBuffer(GpuBlock& block, GLenum target, const void* data, std::size_t bytes);
@@ -70,6 +92,8 @@ private:
     Gl& m_gl;
     std::map<const void*, GpuBlock> m_blocks;
     std::vector<glm::vec4> m_boneRows; ///< kept between pictures
+    std::vector<std::shared_ptr<const void>> m_released;
+    GLuint m_restTexture = 0; ///< for what has no bones
     UploadStats m_stats;
     std::uint64_t m_picture = 0;
 };

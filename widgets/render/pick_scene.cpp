@@ -119,7 +119,8 @@ struct PickScene::Part
     void pickSurface(const ViewRay& ray, double& nearest, std::optional<PickHit>& hit) const;
     void pickLine(const PickView& view, const ViewRay& ray, const glm::dvec2& pixel, double& least,
                   double& leastDepth, std::optional<PickHit>& hit) const;
-    void collect(std::span<const Plane> planes, std::vector<Index>& branches) const;
+    /// Marks the branches inside, by their index.
+    void collect(std::span<const Plane> planes, std::vector<bool>& inside) const;
 };
 
 void PickScene::Part::pickSurface(const ViewRay& ray, double& nearest, std::optional<PickHit>& hit) const
@@ -171,22 +172,33 @@ void PickScene::Part::pickLine(const PickView& view, const ViewRay& ray, const g
     });
 }
 
-void PickScene::Part::collect(std::span<const Plane> planes, std::vector<Index>& branches) const
+void PickScene::Part::collect(std::span<const Plane> planes, std::vector<bool>& inside) const
 {
     const std::vector<Plane> local = localPlanes(planes);
+    // A branch has hundreds of triangles: one is enough.
+    const auto isNew = [&inside](Index branch) { return branch >= inside.size() || !inside[branch]; };
+    const auto mark = [&inside](Index branch) {
+        if (branch == noIndex)
+            return;
+        if (branch >= inside.size())
+            inside.resize(std::max<std::size_t>(branch + 1, 2 * inside.size()));
+        inside[branch] = true;
+    };
     hierarchy->inPlanes(local, [&](Index i, bool certain) {
         if (lines) {
             const LineSegment& s = lines->segments[i];
-            if (certain || touches(local, glm::dvec3(s.a), glm::dvec3(s.b)))
-                branches.push_back(s.branch);
+            if (isNew(s.branch) && (certain || touches(local, glm::dvec3(s.a), glm::dvec3(s.b))))
+                mark(s.branch);
             return;
         }
         const glm::uvec3& t = mesh->triangles[i];
         if (mesh->branch.size() != mesh->positions.size())
             return;
-        if (certain || touches(local, glm::dvec3(mesh->positions[t.x]), glm::dvec3(mesh->positions[t.y]),
-                               glm::dvec3(mesh->positions[t.z])))
-            branches.push_back(mesh->branch[t.x]);
+        const Index branch = mesh->branch[t.x];
+        if (isNew(branch) &&
+            (certain || touches(local, glm::dvec3(mesh->positions[t.x]), glm::dvec3(mesh->positions[t.y]),
+                                glm::dvec3(mesh->positions[t.z]))))
+            mark(branch);
     });
 }
 
@@ -263,19 +275,23 @@ std::vector<PickedBranches> PickScene::inRectangle(const PickView& view, const g
                               rows[1] - low.y * rows[3], high.y * rows[3] - rows[1]};
     if (!camera.orthographic)
         planes.push_back(rows[3]);
-    std::vector<PickedBranches> picked;
+    std::vector<std::pair<NodeId, std::vector<bool>>> marked;
     for (const auto& part : m_parts) {
-        auto at = std::find_if(picked.begin(), picked.end(),
-                               [&part](const PickedBranches& other) { return other.node == part->node; });
-        if (at == picked.end())
-            at = picked.insert(picked.end(), PickedBranches{part->node, {}});
-        part->collect(planes, at->branches);
+        auto at = std::find_if(marked.begin(), marked.end(),
+                               [&part](const auto& other) { return other.first == part->node; });
+        if (at == marked.end())
+            at = marked.insert(marked.end(), {part->node, {}});
+        part->collect(planes, at->second);
     }
-    for (PickedBranches& of : picked) {
-        std::sort(of.branches.begin(), of.branches.end());
-        of.branches.erase(std::unique(of.branches.begin(), of.branches.end()), of.branches.end());
+    std::vector<PickedBranches> picked;
+    for (const auto& [node, inside] : marked) {
+        PickedBranches of{node, {}};
+        for (Index branch = 0; branch < inside.size(); ++branch)
+            if (inside[branch])
+                of.branches.push_back(branch);
+        if (!of.branches.empty())
+            picked.push_back(std::move(of));
     }
-    std::erase_if(picked, [](const PickedBranches& of) { return of.branches.empty(); });
     return picked;
 }
 

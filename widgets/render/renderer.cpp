@@ -1,7 +1,7 @@
 #include "widgets/render/renderer.h"
 
+#include "core/base/stopwatch.h"
 #include "widgets/render/gl_setup.h"
-#include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QOpenGLVersionFunctionsFactory>
 #include <algorithm>
@@ -134,11 +134,11 @@ Expected<void> Renderer::compile()
 void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
                     const RenderOptions& options)
 {
-    QElapsedTimer timer;
-    timer.start();
+    Stopwatch watch;
     m_cache.beginPicture();
     upload(scene);
-    m_stats.uploadMs = 1e-6 * static_cast<double>(timer.nsecsElapsed());
+    m_stats.uploadMs = watch.elapsed().wallMs;
+    watch.restart();
 
     Picture picture = arrange(scene, camera, size, options);
     castShadows(picture);
@@ -165,7 +165,8 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
         resetState();
     }
     ++m_stats.pictures;
-    m_stats.drawMs = 1e-6 * static_cast<double>(timer.nsecsElapsed()) - m_stats.uploadMs;
+    m_stats.drawMs = watch.elapsed().wallMs;
+    m_stats.drawCpuMs = watch.elapsed().cpuMs;
 }
 
 Renderer::Picture Renderer::arrange(const RenderScene& scene, const Camera& camera, QSize size,

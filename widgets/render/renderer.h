@@ -15,8 +15,9 @@ namespace ramure {
 /// Of the last picture, and since the start.
 struct RenderStats
 {
-    double uploadMs = 0.0; ///< blocks new in the last picture
-    double drawMs = 0.0;   ///< commands of the last picture issued
+    double uploadMs = 0.0;  ///< blocks new in the last picture
+    double drawMs = 0.0;    ///< commands of the last picture issued
+    double drawCpuMs = 0.0; ///< the same, as the thread's own time
     std::uint64_t pictures = 0;
     std::uint64_t shadowRedraws = 0;
     UploadStats uploads;
@@ -35,6 +36,9 @@ public:
     /// and depth test off, no program, buffer or texture bound.
     void draw(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
               const RenderOptions& options);
+    /// Large scenes before they are drawn: see GpuCache::prepare. The context must be current.
+    bool prepare(const RenderScene& scene, std::size_t bytes) { return m_cache.prepare(scene, bytes); }
+    [[nodiscard]] std::vector<std::shared_ptr<const void>> takeReleased() { return m_cache.takeReleased(); }
     [[nodiscard]] RenderStats stats() const;
     /// A rasteriser on the CPU (llvmpipe): the renderer chooses fewer samples of the shadow.
     [[nodiscard]] bool isSoftware() const { return m_software; }

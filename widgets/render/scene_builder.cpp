@@ -16,6 +16,14 @@ std::vector<double> asNumbers(const std::vector<Index>& indices)
     return {indices.begin(), indices.end()};
 }
 
+/// Of cones and tubes without ends.
+Material openBark()
+{
+    Material bark = barkMaterial();
+    bark.twoSided = true;
+    return bark;
+}
+
 /// More selected branches than these are no help to find one.
 constexpr std::size_t mostCurves = 2000;
 
@@ -77,6 +85,8 @@ struct TreeItems
     {
         if (tree.branches)
             addMesh({tree.branches, &tree.branches->mesh}, barkMaterial());
+        else
+            addMesh(tree.draftTubes, openBark());
         if (view.leaves)
             addMesh(tree.leaves, leavesMaterial());
         if (view.apples)
@@ -88,11 +98,9 @@ struct TreeItems
             return;
         const Skeleton& skeleton = tree.simplified->skeleton;
         const auto sides = static_cast<int>(node.params.sections.radialDivisions);
-        Material bark = barkMaterial();
-        bark.twoSided = true; // the cones are open
         addMesh(cache.get<TriangleMesh>(ScenePart::RoughBranches, tree.simplified, tree.simplified,
                                         {double(sides)}, [&] { return buildRoughBranches(skeleton, sides); }),
-                bark);
+                openBark());
         if (!tree.foliage)
             return;
         const double alpha = node.params.turtle.alpha;
@@ -261,7 +269,7 @@ RenderScene SceneBuilder::build(const Scene& scene, const ResultOf& resultOf, co
     return built;
 }
 
-void SceneBuilder::updateHighlights(RenderScene& built, const ResultOf& resultOf, const SceneView& view)
+void updateHighlights(RenderScene& built, const SceneBuilder::ResultOf& resultOf, const SceneView& view)
 {
     built.highlights.clear();
     const auto statesOf = [&resultOf](NodeId node) -> BranchStates {

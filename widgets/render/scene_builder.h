@@ -54,12 +54,13 @@ public:
 
     /// Never fails: what is missing or cannot be made is left out.
     RenderScene build(const Scene& scene, const ResultOf& resultOf, const SceneView& view);
-    /// Only the highlights of \p view, into a scene built before from the same results: for hovering.
-    void updateHighlights(RenderScene& built, const ResultOf& resultOf, const SceneView& view);
 
 private:
     std::unique_ptr<ScenePartCache> m_cache;
 };
+
+/// Only the highlights of \p view, into a scene built before from the same results: for hovering.
+void updateHighlights(RenderScene& built, const SceneBuilder::ResultOf& resultOf, const SceneView& view);
 
 /// One foreign mesh (a file that was read) as a scene: bark without branches. Missing normals are computed.
 RenderScene sceneOfMesh(TriangleMesh mesh);

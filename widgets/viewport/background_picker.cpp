@@ -1,6 +1,7 @@
 #include "widgets/viewport/background_picker.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ramure {
 namespace {
@@ -19,6 +20,17 @@ BackgroundPicker::BackgroundPicker(QObject* parent)
 BackgroundPicker::~BackgroundPicker()
 {
     abandon(); // the members' destructors wait for what is still running
+}
+
+void BackgroundPicker::setDisposal(std::function<void(std::shared_ptr<const void>)> dispose)
+{
+    m_dispose = std::move(dispose);
+}
+
+void BackgroundPicker::dispose(std::shared_ptr<const void> last)
+{
+    if (m_dispose)
+        m_dispose(std::move(last));
 }
 
 bool BackgroundPicker::picksTheSame(const RenderScene& scene) const
@@ -43,12 +55,11 @@ bool BackgroundPicker::picksTheSame(const RenderScene& scene) const
 
 void BackgroundPicker::setScene(std::shared_ptr<const RenderScene> scene)
 {
-    if (picksTheSame(*scene)) {
-        m_scene = std::move(scene);
+    const bool same = picksTheSame(*scene);
+    dispose(std::exchange(m_scene, std::move(scene)));
+    if (same)
         return;
-    }
     abandon();
-    m_scene = std::move(scene);
     m_current = false;
     m_rest.start();
 }
@@ -85,9 +96,27 @@ void BackgroundPicker::finish(quint64 build)
 {
     if (!m_running.valid() || build != m_build)
         return;
-    m_latest = m_running.get();
+    dispose(std::exchange(m_latest, m_running.get()));
     m_current = true;
     emit readyChanged();
+}
+
+bool BackgroundPicker::pickBox(const PickView& view, const glm::dvec2& cornerA, const glm::dvec2& cornerB,
+                               std::function<void(std::vector<PickedBranches>)> done)
+{
+    if (!m_current)
+        return false;
+    const quint64 box = ++m_box;
+    auto run = [this, box, view, cornerA, cornerB, scene = m_latest, call = std::move(done)] {
+        auto answer = [this, box, call, picked = scene->inRectangle(view, cornerA, cornerB)] {
+            if (box == m_box)
+                call(picked);
+        };
+        QMetaObject::invokeMethod(this, std::move(answer), Qt::QueuedConnection);
+    };
+    // Waits for a box before this one: nobody draws two within its time.
+    m_boxRun = std::async(std::launch::async, std::move(run));
+    return true;
 }
 
 std::shared_ptr<const PickScene> BackgroundPicker::ready()

@@ -2,21 +2,16 @@
 
 #include "widgets/viewport/navigation_cube.h"
 #include "widgets/viewport/viewport_private.h"
-#include <QElapsedTimer>
 #include <QOpenGLContext>
 #include <QPainter>
 #include <numeric>
+#include <utility>
 
 namespace ramure {
 namespace {
 
 constexpr int flightMs = 180;
 constexpr int hoverRestMs = 25;
-
-double milliseconds(const QElapsedTimer& timer)
-{
-    return 1e-6 * double(timer.nsecsElapsed());
-}
 
 /// The box of the selected branches, else of the selected nodes' trees; world.
 Box selectionBox(const Document& document, const RenderScene& scene)
@@ -51,26 +46,6 @@ Box selectionBox(const Document& document, const RenderScene& scene)
 
 } // namespace
 
-SceneView Viewport::Private::sceneView() const
-{
-    const Selection& selection = document->selection();
-    SceneView view;
-    view.mode = settings->displayMode();
-    view.leaves = settings->leavesVisible();
-    view.apples = settings->applesVisible();
-    view.frames = settings->frameDisplay();
-    view.selectedNodes = selection.nodes;
-    view.branchNode = selection.branchNode;
-    view.branches = selection.branches;
-    view.activeBranch = selection.activeBranch;
-    view.hoverNode = hoverNode;
-    view.hoverBranch = hoverBranch;
-    view.inspected = inspected;
-    view.isolatedNode = isolatedNode;
-    view.isolatedBranches = isolatedBranches;
-    return view;
-}
-
 RenderOptions Viewport::Private::options(double pixelRatio) const
 {
     RenderOptions options;
@@ -101,6 +76,10 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
 
     connect(document, &Document::changed, this, &Viewport::onDocumentChanged);
     connect(settings, &ViewSettings::changed, this, &Viewport::onSettingsChanged);
+    d->picker.setDisposal([this](std::shared_ptr<const void> last) { d->builder.dispose(std::move(last)); });
+    connect(&d->builder, &BackgroundBuilder::built, this, &Viewport::takeScene);
+    d->uploading.setSingleShot(true);
+    connect(&d->uploading, &QTimer::timeout, this, &Viewport::uploadScene);
     connect(&d->picker, &BackgroundPicker::readyChanged, this, [this] {
         if (d->pending)
             finishSelecting();
@@ -119,6 +98,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     d->hoverRest.setSingleShot(true);
     d->hoverRest.setInterval(hoverRestMs);
     connect(&d->hoverRest, &QTimer::timeout, this, [this] { hoverAt(d->hoverPosition); });
+    wishScene();
 }
 
 Viewport::~Viewport()
@@ -164,62 +144,6 @@ void Viewport::setSoftware(bool software)
     setFormat(wanted);
 }
 
-void Viewport::onDocumentChanged(const Change& change)
-{
-    if (change.has(changeReset)) {
-        d->frameNext = true;
-        d->hoverNode = noNode;
-        d->hoverBranch = noIndex;
-        d->inspected = {};
-        clearDefect();
-    }
-    if (change.kinds == changeFile)
-        return;
-    d->sceneStale = true;
-    update();
-}
-
-void Viewport::onSettingsChanged()
-{
-    if (d->camera.orthographic != d->settings->orthographic()) {
-        d->camera.orthographic = d->settings->orthographic();
-        d->to.orthographic = d->camera.orthographic;
-        emit cameraChanged();
-    }
-    d->sceneStale = true;
-    update();
-}
-
-void Viewport::rebuildScene()
-{
-    d->sceneStale = false;
-    d->highlightsStale = false;
-    const auto resultOf = [this](NodeId id) { return d->resultOf(id); };
-    auto built =
-        std::make_shared<RenderScene>(d->builder.build(d->document->scene(), resultOf, d->sceneView()));
-    if (d->defectLines)
-        built->lines.push_back({d->defectLines, glm::dmat4(1.0), noNode, true, false});
-    if (d->defectPoints)
-        built->points.push_back({d->defectPoints, glm::dmat4(1.0), noNode, true});
-    d->scene = std::move(built);
-    d->picker.setScene(d->scene);
-    if (d->frameNext && !d->scene->box.empty()) {
-        d->frameNext = false;
-        d->flight.stop();
-        d->camera.frame(d->scene->framePoints(), double(width()) / std::max(1, height()));
-        emit cameraChanged();
-    }
-}
-
-void Viewport::rebuildHighlights()
-{
-    d->highlightsStale = false;
-    auto changed = std::make_shared<RenderScene>(*d->scene);
-    d->builder.updateHighlights(
-        *changed, [this](NodeId id) { return d->resultOf(id); }, d->sceneView());
-    d->scene = std::move(changed);
-}
-
 void Viewport::initializeGL()
 {
     // Called again whenever the widget got another context; the old one took its objects along.
@@ -238,18 +162,16 @@ void Viewport::initializeGL()
 
 void Viewport::resizeGL(int, int)
 {
+    if (!d->framed || d->scene->box.empty() || d->flight.state() == QAbstractAnimation::Running)
+        return;
+    d->camera.frame(d->scene->framePoints(), double(width()) / std::max(1, height()));
+    emit cameraChanged();
 }
 
 void Viewport::paintGL()
 {
-    QElapsedTimer timer;
-    timer.start();
-    const bool rebuilt = d->sceneStale;
-    if (d->sceneStale)
-        rebuildScene();
-    else if (d->highlightsStale)
+    if (d->highlightsStale)
         rebuildHighlights();
-    d->times.buildMs = milliseconds(timer);
     if (!d->renderer) {
         QPainter painter(this);
         painter.fillRect(rect(), palette().window());
@@ -260,9 +182,12 @@ void Viewport::paintGL()
     d->renderer->draw(*d->scene, d->camera, pixels, defaultFramebufferObject(),
                       d->options(devicePixelRatioF()));
     const RenderStats stats = d->renderer->stats();
-    d->times.uploadMs = stats.uploadMs;
+    for (auto& block : d->renderer->takeReleased())
+        d->builder.dispose(std::move(block));
+    d->times.uploadMs = stats.uploadMs + (d->sceneIsNew ? d->uploadedMs : 0.0);
     d->times.drawMs = stats.drawMs;
-    d->times.rebuilt = rebuilt;
+    d->times.drawCpuMs = stats.drawCpuMs;
+    d->times.rebuilt = std::exchange(d->sceneIsNew, false);
     ++d->times.frame;
     paintOverlay();
     emit frameDrawn(d->times);
@@ -284,6 +209,7 @@ void Viewport::setCamera(const Camera& camera)
 {
     d->flight.stop();
     d->frameNext = false;
+    d->framed = false;
     d->camera = camera;
     d->settings->setOrthographic(camera.orthographic);
     emit cameraChanged();
@@ -298,6 +224,7 @@ void Viewport::moveCamera(const Camera& to)
         return;
     }
     d->frameNext = false;
+    d->framed = false;
     d->from = d->camera;
     d->to = to;
     d->flight.start();
@@ -312,19 +239,25 @@ void Viewport::frameBox(const Box& box)
 
 void Viewport::frameAll()
 {
-    if (d->sceneStale)
-        rebuildScene();
+    if (d->isStale()) {
+        d->framing = Private::Framing::All;
+        return;
+    }
     const std::vector<glm::dvec3> points = d->scene->framePoints();
     Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
     to.frame(points, double(width()) / std::max(1, height()));
-    if (!points.empty())
+    if (!points.empty()) {
         moveCamera(to);
+        d->framed = true;
+    }
 }
 
 void Viewport::frameSelection()
 {
-    if (d->sceneStale)
-        rebuildScene();
+    if (d->isStale()) {
+        d->framing = Private::Framing::Selection;
+        return;
+    }
     const Box box = selectionBox(*d->document, *d->scene);
     if (!box.empty())
         frameBox(box);

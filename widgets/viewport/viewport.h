@@ -3,7 +3,8 @@
 /// selection. All shortcuts belong to actions of the main window; the viewport offers slots.
 ///
 /// Left click selects (Shift adds or removes), left drag over the scene selects by box, Esc (an action)
-/// clears; the wheel zooms to the cursor; Alt+left drag orbits in both navigation styles.
+/// clears; the wheel zooms to the cursor; Alt+left drag orbits in both navigation styles; the arrow keys
+/// orbit.
 #pragma once
 
 #include "core/base/error.h"
@@ -21,20 +22,25 @@ class Document;
 struct Change;
 struct DefectPlace;
 
-/// Times of the last picture, in milliseconds; for the bench and the status bar.
+/// Times of the last picture, in milliseconds; for measuring.
 struct FrameTimes
 {
-    double buildMs = 0.0;  ///< document to render scene
-    double uploadMs = 0.0; ///< render scene to the graphics card
-    double drawMs = 0.0;   ///< commands issued, not waited for
-    bool rebuilt = false;  ///< the scene was built for this picture
-    quint64 frame = 0;     ///< counts pictures
+    double buildMs = 0.0;   ///< document to render scene
+    double uploadMs = 0.0;  ///< render scene to the graphics card
+    double drawMs = 0.0;    ///< commands issued, not waited for
+    double drawCpuMs = 0.0; ///< the same, as the thread's own time
+    bool rebuilt = false;   ///< the scene is another one than in the picture before
+    quint64 frame = 0;      ///< counts pictures
+    quint64 revision = 0;   ///< of the document, of the oldest result that is shown
 };
 
 class Viewport : public QOpenGLWidget
 {
     Q_OBJECT
 public:
+    static constexpr double orbitStepRad = 0.2617993877991494; ///< of one key: 15 degrees
+    static constexpr double zoomStep = 1.25;                   ///< of one key
+
     /// Neither is owned; both must outlive the viewport.
     Viewport(Document* document, ViewSettings* settings, QWidget* parent = nullptr);
     ~Viewport() override;
@@ -45,6 +51,9 @@ public:
     /// Before the widget is shown: the processor draws, so cheaper anti-aliasing is used.
     void setSoftware(bool software);
 
+    /// The picture is of an older state: the scene of now is being made in the background, or will be drawn
+    /// in a moment.
+    [[nodiscard]] bool isPicturePending() const;
     /// A click on a large tree takes effect when the structure to pick in is ready; true until then.
     [[nodiscard]] bool isPickPending() const;
 
@@ -90,16 +99,22 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
     void onDocumentChanged(const Change& change);
     void onSettingsChanged();
-    void rebuildScene();
+    void wishScene();
+    void takeScene();
+    void uploadScene();
+    void finishScene();
+    void showScene();
     void rebuildHighlights();
     void moveCamera(const Camera& to);
     void dragTo(QPointF position);
     void finishSelecting();
+    void finishBox();
     void hoverAt(QPointF position);
     void paintOverlay();
     void releaseRenderer();

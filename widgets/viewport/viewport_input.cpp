@@ -13,7 +13,7 @@ namespace ramure {
 namespace {
 
 /// How long a click may hold the interface up.
-constexpr std::chrono::milliseconds patience(12);
+constexpr std::chrono::milliseconds patience(8);
 
 glm::dvec2 asVector(QPointF point)
 {
@@ -44,6 +44,7 @@ void Viewport::mousePressEvent(QMouseEvent* event)
         d->flight.stop();
     d->hoverRest.stop();
     d->pending.reset();
+    d->boxRuns = false;
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
@@ -69,8 +70,10 @@ void Viewport::dragTo(QPointF position)
     }
     applyDrag(d->camera, d->gesture, position - d->last, size());
     d->last = position;
-    if (d->gesture != Gesture::Select)
+    if (d->gesture != Gesture::Select) {
+        d->framed = false;
         emit cameraChanged();
+    }
     update();
 }
 
@@ -97,18 +100,29 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
 
 void Viewport::finishSelecting()
 {
-    if (d->sceneStale)
-        rebuildScene(); // what is picked must belong to the results of now
+    if (d->isStale() || d->boxRuns)
+        return; // what is picked must belong to the results of now: the scene of now comes back here
     const auto scene = d->picker.readyWithin(patience);
     if (!scene || !d->pending)
         return; // readyChanged comes back here
+    if (d->pending->isBox)
+        return finishBox();
     const Private::Pending pick = *std::exchange(d->pending, std::nullopt);
     const PickView view = pickView(d->camera, size());
-    const Selection& selection = d->document->selection();
     d->document->setSelection(
-        pick.isBox ? afterBox(selection, scene->inRectangle(view, asVector(pick.from), asVector(pick.to)),
-                              pick.extend)
-                   : afterClick(selection, scene->pick(view, asVector(pick.to)), pick.extend));
+        afterClick(d->document->selection(), scene->pick(view, asVector(pick.to)), pick.extend));
+}
+
+void Viewport::finishBox()
+{
+    const auto done = [this](const std::vector<PickedBranches>& picked) {
+        if (!std::exchange(d->boxRuns, false) || !d->pending || d->isStale())
+            return; // given up; or the scene of now comes back to finishSelecting
+        const Private::Pending box = *std::exchange(d->pending, std::nullopt);
+        d->document->setSelection(afterBox(d->document->selection(), picked, box.extend));
+    };
+    d->boxRuns = d->picker.pickBox(pickView(d->camera, size()), asVector(d->pending->from),
+                                   asVector(d->pending->to), done);
 }
 
 void Viewport::hoverAt(QPointF position)
@@ -119,7 +133,7 @@ void Viewport::hoverAt(QPointF position)
         update();
     }
     std::optional<PickHit> hit;
-    if (!side && !d->sceneStale) {
+    if (!side && !d->isStale()) {
         const auto scene = d->picker.ready();
         if (!scene)
             return; // readyChanged asks again
@@ -146,10 +160,11 @@ void Viewport::wheelEvent(QWheelEvent* event)
     const glm::dvec2 pixel = asVector(event->position());
     glm::dvec3 fixed = d->camera.pointAtTargetDepth(view.ndc(pixel), view.aspect());
     // Over a branch: towards that very point, so that zooming on and on arrives at it.
-    if (const auto scene = d->sceneStale ? nullptr : d->picker.ready()) {
+    if (const auto scene = d->isStale() ? nullptr : d->picker.ready()) {
         if (const auto hit = scene->pick(view, pixel))
             fixed = hit->point;
     }
+    d->framed = false;
     d->camera.zoom(wheelFactor(turn), fixed);
     emit cameraChanged();
     update();
@@ -169,12 +184,24 @@ void Viewport::leaveEvent(QEvent* event)
     QOpenGLWidget::leaveEvent(event);
 }
 
+void Viewport::keyPressEvent(QKeyEvent* event)
+{
+    const auto isKey = [event](Qt::Key key) { return event->key() == key ? 1.0 : 0.0; };
+    const double yaw = isKey(Qt::Key_Right) - isKey(Qt::Key_Left);
+    const double pitch = isKey(Qt::Key_Up) - isKey(Qt::Key_Down);
+    const bool plain = !(event->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier));
+    if (plain && (yaw != 0.0 || pitch != 0.0))
+        return orbitBy(yaw * orbitStepRad, pitch * orbitStepRad);
+    QOpenGLWidget::keyPressEvent(event);
+}
+
 bool Viewport::event(QEvent* event)
 {
     if (event->type() == QEvent::NativeGesture) {
         const auto* gesture = static_cast<QNativeGestureEvent*>(event);
         if (gesture->gestureType() == Qt::ZoomNativeGesture) {
             const PickView view = pickView(d->camera, size());
+            d->framed = false;
             d->camera.zoom(
                 std::exp(-gesture->value()),
                 d->camera.pointAtTargetDepth(view.ndc(asVector(gesture->position())), view.aspect()));

@@ -10,8 +10,7 @@ void Viewport::setInspectedSection(NodeId node, Index branch, Index section)
     if (d->inspected == next)
         return;
     d->inspected = next;
-    d->sceneStale = true;
-    update();
+    wishScene();
 }
 
 void Viewport::clearInspectedSection()
@@ -25,8 +24,7 @@ void Viewport::setIsolated(NodeId node, const std::vector<Index>& branches)
         return;
     d->isolatedNode = node;
     d->isolatedBranches = branches;
-    d->sceneStale = true;
-    update();
+    wishScene();
 }
 
 void Viewport::showDefect(NodeId, const DefectPlace& place)
@@ -47,7 +45,7 @@ void Viewport::showDefect(NodeId, const DefectPlace& place)
         points->points.push_back({glm::vec3(point), 12.0f, colour, noIndex});
     d->defectLines = std::move(lines);
     d->defectPoints = std::move(points);
-    d->sceneStale = true;
+    wishScene();
     frameBox(place.box);
     update();
 }
@@ -58,7 +56,7 @@ void Viewport::clearDefect()
         return;
     d->defectLines.reset();
     d->defectPoints.reset();
-    d->sceneStale = true;
+    wishScene();
     update();
 }
 

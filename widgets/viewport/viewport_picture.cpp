@@ -10,8 +10,7 @@ namespace ramure {
 
 QImage Viewport::screenshot()
 {
-    if (d->sceneStale)
-        rebuildScene();
+    finishScene();
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
     RenderOptions options = d->options(devicePixelRatioF());
     options.shadowTaps = 24;

@@ -5,7 +5,7 @@
 
 #include "core/document/document.h"
 #include "widgets/render/renderer.h"
-#include "widgets/render/scene_builder.h"
+#include "widgets/viewport/background_builder.h"
 #include "widgets/viewport/background_picker.h"
 #include "widgets/viewport/navigation.h"
 #include "widgets/viewport/viewport.h"
@@ -23,10 +23,20 @@ struct Viewport::Private
     Camera from, to; ///< of the animation
     QVariantAnimation flight;
     bool frameNext = true; ///< the next scene that has something in it is framed
+    /// The camera shows all, and nobody has moved it since: it still does when the view gets another size.
+    bool framed = false;
+    quint64 frameAfter = 0; ///< serial number of a wish: scenes up to it are of another document
+    enum class Framing : std::uint8_t { None, All, Selection };
+    Framing framing = Framing::None; ///< waits for the scene of now
 
-    SceneBuilder builder;
+    BackgroundBuilder builder;
+    quint64 wishes = 0;
+    std::vector<const void*> wishedBlocks; ///< identities of what the last wish was made from
+    std::optional<BuiltScene> next;        ///< on its way to the graphics card
+    QTimer uploading;
+    double uploadedMs = 0.0; ///< of next
     std::shared_ptr<const RenderScene> scene = std::make_shared<const RenderScene>();
-    bool sceneStale = true;
+    bool sceneIsNew = false; ///< not drawn yet
     bool highlightsStale = false;
     InspectedSection inspected;
     NodeId isolatedNode = noNode;
@@ -58,6 +68,7 @@ struct Viewport::Private
         bool extend = false;
     };
     std::optional<Pending> pending;
+    bool boxRuns = false;  ///< the pending box is being looked at
     bool dragging = false; ///< the pointer has left the place of the press
     bool onCube = false;   ///< the press was on the navigation cube
 
@@ -66,7 +77,10 @@ struct Viewport::Private
         const NodeResult* result = document->result(id);
         return result ? &result->tree : nullptr;
     }
+    /// The scene that is shown is not that of now.
+    [[nodiscard]] bool isStale() const { return builder.isBusy() || next; }
     [[nodiscard]] SceneView sceneView() const;
+    [[nodiscard]] SceneWish wish();
     [[nodiscard]] RenderOptions options(double pixelRatio) const;
 };
 

@@ -307,13 +307,13 @@ private slots:
         QVERIFY(states[2] == BranchState::Active);
         view.hoverNode = second;
         view.hoverBranch = 5;
-        SceneBuilder().updateHighlights(built, trees.of(), view);
+        updateHighlights(built, trees.of(), view);
         QCOMPARE(built.highlights.size(), std::size_t(2));
         QVERIFY((*built.highlights[0].states)[5] == BranchState::Hovered ||
                 built.highlights[0].node == first);
         view.hoverBranch = 9999;
         view.branches.clear();
-        SceneBuilder().updateHighlights(built, trees.of(), view);
+        updateHighlights(built, trees.of(), view);
         for (const Highlight& of : built.highlights)
             QVERIFY(std::ranges::all_of(*of.states, [](BranchState s) { return s == BranchState::Plain; }));
     }
