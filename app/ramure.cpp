@@ -19,6 +19,8 @@
 #include <QIcon>
 #include <QTimer>
 #include <cstdio>
+#include <ctime>
+#include <utility>
 
 using namespace ramure;
 
@@ -33,6 +35,7 @@ struct Arguments
     QString screenshot;
     QStringList exports;
     QSize size;
+    bool measureStart = false; ///< for developers
 
     [[nodiscard]] bool isBatch() const { return !screenshot.isEmpty() || !exports.isEmpty(); }
 };
@@ -66,7 +69,9 @@ Arguments readArguments(const QApplication& application)
                                       QStringLiteral("FILE"));
     const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window."),
                                   QStringLiteral("WxH"));
-    parser.addOptions({screenshot, exported, size});
+    QCommandLineOption measureStart(QStringLiteral("measure-start")); // see tests/bench/interaction
+    measureStart.setFlags(QCommandLineOption::HiddenFromHelp);
+    parser.addOptions({screenshot, exported, size, measureStart});
     parser.process(application);
     Arguments arguments;
     if (parser.positionalArguments().size() > 1) {
@@ -77,6 +82,7 @@ Arguments readArguments(const QApplication& application)
         arguments.input = parser.positionalArguments().constFirst();
     arguments.screenshot = parser.value(screenshot);
     arguments.exports = parser.values(exported);
+    arguments.measureStart = parser.isSet(measureStart);
     const QStringList sides = parser.value(size).split(u'x');
     if (sides.size() == 2)
         arguments.size = {sides[0].toInt(), sides[1].toInt()};
@@ -99,8 +105,10 @@ void waitForPicture(const MainWindow& window)
     QEventLoop loop;
     QTimer::singleShot(paintMs, &loop, &QEventLoop::quit);
     if (Viewport* view = window.viewportHost()->viewport()) {
-        QObject::connect(view, &Viewport::frameDrawn, &loop,
-                         [&loop] { QTimer::singleShot(200, &loop, &QEventLoop::quit); });
+        QObject::connect(view, &Viewport::frameDrawn, &loop, [&loop, view] {
+            if (!view->isPicturePending())
+                QTimer::singleShot(200, &loop, &QEventLoop::quit);
+        });
         view->update();
     } else {
         QTimer::singleShot(200, &loop, &QEventLoop::quit);
@@ -147,6 +155,27 @@ int runBatch(const Arguments& arguments, MainWindow& window, const Document& doc
     return good ? 0 : 1;
 }
 
+/// Says how much time of the processor it took until a tree, and until the full one, was on the screen, and
+/// quits.
+void measureStart(const MainWindow& window, const Document& document)
+{
+    Viewport* view = window.viewportHost()->viewport();
+    if (!view)
+        return QCoreApplication::exit(1);
+    const auto tell = [view, &document, drawn = false]() mutable {
+        if (document.scene().nodes().empty() || view->frameTimes().revision > document.revision())
+            return; // nothing in the picture yet
+        const double ms = 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+        if (!std::exchange(drawn, true))
+            say(QStringLiteral("first %1").arg(ms));
+        if (!document.isCurrent(document.scene().nodes().front().id) || view->isPicturePending())
+            return;
+        say(QStringLiteral("full %1").arg(ms));
+        QCoreApplication::exit(0);
+    };
+    QObject::connect(view, &QOpenGLWidget::frameSwapped, view, tell);
+}
+
 /// The start of a session at the desk: what a crash left, else the welcome page.
 void greet(MainWindow& window, Recovery& recovery, const Preferences& preferences, const Arguments& arguments)
 {
@@ -186,6 +215,10 @@ int main(int argc, char** argv)
             return 2;
         }
         window.files()->newFromPreset(QStringLiteral("SmallTree"));
+    }
+    if (arguments.measureStart) {
+        measureStart(window, document);
+        return QApplication::exec();
     }
     if (!arguments.isBatch()) {
         Recovery recovery(&document, &preferences, &chooser);

@@ -1,0 +1,208 @@
+#include "tests/bench/interaction/editor_bench.h"
+
+#include "core/document/commands.h"
+#include "tests/bench/interaction/slider_hand.h"
+#include "widgets/actions/file_actions.h"
+#include "widgets/viewport/viewport.h"
+#include "widgets/viewport/viewport_host.h"
+#include <QElapsedTimer>
+#include <QEventLoop>
+#include <QTest>
+#include <QTimer>
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+namespace ramure::bench {
+namespace {
+
+constexpr int patienceMs = 60'000;
+
+/// QTest's own waiting sleeps between its looks at the events.
+void waitMs(int milliseconds)
+{
+    QEventLoop loop;
+    QTimer::singleShot(milliseconds, Qt::PreciseTimer, &loop, &QEventLoop::quit);
+    loop.exec();
+}
+
+double processCpuMs()
+{
+    return 1e3 * double(std::clock()) / CLOCKS_PER_SEC;
+}
+
+} // namespace
+
+EditorBench::EditorBench(WatchedApplication* application)
+    : m_application(application)
+    , m_recompute(&m_document)
+    , m_window(&m_document, &m_recompute, &m_preferences, &m_chooser)
+{
+    m_chooser.setWindow(&m_window, m_window.banner());
+    m_window.resize(1280, 800);
+    m_window.show();
+    if (!isReady())
+        return;
+    m_application->watch(view());
+    m_window.files()->newFromPreset(QStringLiteral("SmallTree"));
+    if (!QTest::qWaitForWindowExposed(&m_window, patienceMs))
+        std::fprintf(stderr, "The window does not appear.\n");
+    settle();
+}
+
+Viewport* EditorBench::view() const
+{
+    return m_window.viewportHost()->viewport();
+}
+
+bool EditorBench::isReady() const
+{
+    return view() != nullptr;
+}
+
+bool EditorBench::shows(quint64 revision, bool full) const
+{
+    if (view()->frameTimes().revision < revision)
+        return false;
+    const NodeResult* result = m_document.result(m_document.scene().nodes().front().id);
+    return !full || (result && !result->draft && !m_recompute.isBusy());
+}
+
+void EditorBench::settle()
+{
+    m_recompute.waitForFull(patienceMs);
+    waitMs(400); // the second opinion, the pick scene, the animation of the camera
+    (void)QTest::qWaitFor([this] { return shows(m_document.revision(), true); }, 1000);
+}
+
+void EditorBench::setIterations(int iterations)
+{
+    const NodeId tree = m_document.scene().nodes().front().id;
+    (void)edit::setParam(m_document, {tree}, *findParam("grammar.iterations"),
+                         ParamValue(std::int64_t(iterations)));
+    settle();
+    view()->frameAll();
+    settle();
+}
+
+void EditorBench::setMode(DisplayMode mode)
+{
+    m_window.viewportHost()->settings()->setDisplayMode(mode);
+    settle();
+}
+
+ChangeTimes EditorBench::measure(const std::function<void()>& move)
+{
+    ChangeTimes times;
+    bool drawn = false;
+    bool fullDrawn = false;
+    quint64 wanted = 0;
+    m_application->takeLongestBlock();
+    const Elapsed before = m_application->rasterised();
+    const double cpuBefore = processCpuMs();
+    const Stopwatch watch;
+    const auto net = [&] { return watch.elapsed().wallMs - (m_application->rasterised() - before).wallMs; };
+    QObject context;
+    QObject::connect(&m_document, &Document::changed, &context, [&](const Change& change) {
+        if (change.has(changeResults) && times.result == 0.0)
+            times.result = net();
+    });
+    // Connected after the application's own: the drawing of this picture is counted already.
+    QObject::connect(view(), &Viewport::frameDrawn, &context, [&](const FrameTimes& frame) {
+        if (wanted == 0 || frame.revision < wanted)
+            return;
+        if (!drawn) {
+            times.first = net();
+            times.firstCpu = processCpuMs() - cpuBefore - (m_application->rasterised() - before).cpuMs;
+            times.build = frame.buildMs;
+            times.upload = frame.uploadMs;
+        }
+        drawn = true;
+        fullDrawn = fullDrawn || shows(wanted, true);
+        if (fullDrawn && times.full == 0.0)
+            times.full = net();
+    });
+    move();
+    times.edit = net();
+    wanted = m_document.revision();
+    QEventLoop loop;
+    QTimer::singleShot(patienceMs, &loop, &QEventLoop::quit);
+    const auto quitWhenDone = [&] {
+        if (drawn && shows(wanted, true))
+            loop.quit();
+    };
+    QObject::connect(view(), &Viewport::frameDrawn, &context, quitWhenDone, Qt::QueuedConnection);
+    QObject::connect(&m_recompute, &Recompute::busyChanged, &context, quitWhenDone, Qt::QueuedConnection);
+    loop.exec();
+    waitMs(120);
+    times.rasteriser = (m_application->rasterised() - before).wallMs;
+    times.blockName = m_application->longestName();
+    const Elapsed block = m_application->takeLongestBlock();
+    times.block = block.wallMs;
+    times.blockCpu = block.cpuMs;
+    return times;
+}
+
+std::vector<ChangeTimes> EditorBench::singleChanges(const QString& key, double from, double to, int changes)
+{
+    std::vector<ChangeTimes> all;
+    SliderHand hand(&m_window, key);
+    if (!hand.isThere())
+        return all;
+    hand.moveTo(from);
+    settle();
+    for (int i = 1; i <= changes; ++i) {
+        const quint64 before = m_document.revision();
+        const auto times = measure([&] { hand.moveTo(from + (to - from) * i / changes); });
+        if (m_document.revision() > before && times.first > 0.0)
+            all.push_back(times);
+    }
+    return all;
+}
+
+EditorBench::DragTimes EditorBench::drag(const QString& key, double from, double to, int moves)
+{
+    DragTimes times;
+    SliderHand hand(&m_window, key);
+    if (!hand.isThere())
+        return times;
+    hand.moveTo(from);
+    settle();
+    std::vector<std::pair<quint64, double>> waiting; // revision, time of the move
+    std::vector<double> latencies;
+    int pictures = 0;
+    QElapsedTimer clock;
+    QObject context;
+    QObject::connect(view(), &Viewport::frameDrawn, &context, [&](const FrameTimes& frame) {
+        const double now = 1e-6 * double(clock.nsecsElapsed());
+        pictures += frame.rebuilt ? 1 : 0;
+        std::erase_if(waiting, [&](const auto& entry) {
+            if (frame.revision < entry.first)
+                return false;
+            latencies.push_back(now - entry.second);
+            return true;
+        });
+    });
+    m_application->takeLongestBlock();
+    clock.start();
+    for (int i = 1; i <= moves; ++i) {
+        const double now = 1e-6 * double(clock.nsecsElapsed());
+        const quint64 before = m_document.revision();
+        hand.moveTo(from + (to - from) * (0.5 - 0.5 * std::cos(6.0 * i / moves)));
+        if (m_document.revision() > before)
+            waiting.emplace_back(m_document.revision(), now);
+        waitMs(16);
+    }
+    times.picturesPerSecond = 1e3 * pictures / (1e-6 * double(clock.nsecsElapsed()));
+    const QString name = m_application->longestName();
+    const Elapsed block = m_application->takeLongestBlock();
+    times.longest.block = block.wallMs;
+    times.longest.blockCpu = block.cpuMs;
+    times.longest.blockName = name;
+    settle();
+    std::sort(latencies.begin(), latencies.end());
+    times.latency = latencies.empty() ? 0.0 : latencies[latencies.size() / 2];
+    return times;
+}
+
+} // namespace ramure::bench

@@ -1,0 +1,166 @@
+// Measures the editor in its real window: from a slider's move to the new picture, and how long the interface
+// is held up. Needs a display with OpenGL, a virtual one will do (./dev bench-window). Asserts nothing.
+#include "core/base/kept_memory.h"
+#include "tests/bench/interaction/editor_bench.h"
+#include "widgets/render/gl_setup.h"
+#include <QCommandLineParser>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+
+using namespace ramure;
+using namespace ramure::bench;
+
+namespace {
+
+struct Scenario
+{
+    const char* key;
+    double from, to; ///< shares of the slider
+    DisplayMode mode;
+};
+
+constexpr Scenario scenarios[] = {
+    {"turtle.theta", 0.30, 0.40, DisplayMode::Mesh},
+    {"sections.radialDivisions", 0.20, 0.60, DisplayMode::Mesh},
+    {"foliage.leavesDensity", 0.30, 0.50, DisplayMode::Mesh},
+    {"turtle.theta", 0.30, 0.40, DisplayMode::Skeleton},
+    {"turtle.theta", 0.30, 0.40, DisplayMode::Rough},
+    {"turtle.theta", 0.30, 0.40, DisplayMode::Sections},
+};
+
+const char* nameOf(DisplayMode mode)
+{
+    constexpr const char* names[] = {"skeleton", "simplified", "rough", "sections", "mesh"};
+    return names[static_cast<std::size_t>(mode)];
+}
+
+struct Spread
+{
+    double best = 0.0, median = 0.0, worst = 0.0;
+};
+
+Spread spread(const std::vector<ChangeTimes>& changes, double ChangeTimes::*member)
+{
+    std::vector<double> values;
+    for (const ChangeTimes& change : changes)
+        values.push_back(change.*member);
+    std::sort(values.begin(), values.end());
+    if (values.empty())
+        return {};
+    return {values.front(), values[values.size() / 2], values.back()};
+}
+
+void printRow(const Scenario& scenario, int iterations, const std::vector<ChangeTimes>& changes)
+{
+    const auto middle = [&](double ChangeTimes::*member) { return spread(changes, member).median; };
+    const Spread first = spread(changes, &ChangeTimes::first);
+    const Spread block = spread(changes, &ChangeTimes::block);
+    const auto worst =
+        std::max_element(changes.begin(), changes.end(),
+                         [](const ChangeTimes& a, const ChangeTimes& b) { return a.block < b.block; });
+    std::printf("%-26s %-9s %2d | %5.1f %6.1f %5.1f %5.1f | %6.1f %6.1f %5.1f | %6.1f | %5.1f %5.1f %5.1f | "
+                "%6.0f | %s\n",
+                scenario.key, nameOf(scenario.mode), iterations, middle(&ChangeTimes::edit),
+                middle(&ChangeTimes::result), middle(&ChangeTimes::build), middle(&ChangeTimes::upload),
+                first.best, first.median, middle(&ChangeTimes::firstCpu), middle(&ChangeTimes::full),
+                block.median, block.worst, spread(changes, &ChangeTimes::blockCpu).worst,
+                middle(&ChangeTimes::rasteriser), worst == changes.end() ? "" : qPrintable(worst->blockName));
+    std::fflush(stdout);
+}
+
+void printHead()
+{
+    std::printf("One change of a slider, milliseconds without the software rasteriser\n");
+    std::printf("%-26s %-9s %2s | %5s %6s %5s %5s | %6s %6s %5s | %6s | %5s %5s %5s | %6s | %s\n",
+                "parameter", "mode", "it", "edit", "result", "build", "upl.", "first", "median", "cpu",
+                "full", "block", "worst", "cpu", "raster", "longest event");
+}
+
+void measureDrag(EditorBench& editor, int iterations)
+{
+    editor.setMode(DisplayMode::Mesh);
+    const auto times = editor.drag(QStringLiteral("turtle.theta"), 0.3, 0.6, 120);
+    std::printf("dragging turtle.theta, %d iterations: %.1f pictures/s, latency %.0f ms (rasteriser "
+                "included), longest block %.1f ms, %.1f ms cpu (%s)\n",
+                iterations, times.picturesPerSecond, times.latency, times.longest.block,
+                times.longest.blockCpu, qPrintable(times.longest.blockName));
+}
+
+/// The program itself, from its start to its tree.
+void measureStart(int times)
+{
+    double firstMs = 1e9;
+    double fullMs = 1e9;
+    double firstCpuMs = 1e9;
+    for (int i = 0; i < times; ++i) {
+        QProcess program;
+        const Stopwatch watch;
+        program.start(QStringLiteral(RAMURE_EDITOR), {QStringLiteral("--measure-start")});
+        while (program.state() != QProcess::NotRunning && program.waitForReadyRead(60'000)) {
+            const double now = watch.elapsed().wallMs;
+            while (program.canReadLine()) {
+                const QList<QByteArray> words = program.readLine().trimmed().split(' ');
+                if (words.value(0) == "first") {
+                    firstMs = std::min(firstMs, now);
+                    firstCpuMs = std::min(firstCpuMs, words.value(1).toDouble());
+                } else if (words.value(0) == "full") {
+                    fullMs = std::min(fullMs, now);
+                }
+            }
+        }
+        program.waitForFinished(60'000);
+    }
+    std::printf("start, best of %d: a tree on the screen after %.0f ms (%.0f ms of the processors, painting "
+                "included), the full one after %.0f ms\n",
+                times, firstMs, firstCpuMs, fullMs);
+    std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    // The software rasteriser would take the processors from what is measured: pictures stay empty.
+    if (std::none_of(argv, argv + argc, [](const char* a) { return std::strcmp(a, "--rasterise") == 0; }))
+        qputenv("LP_NO_RAST", "true");
+    keepFreedMemory(); // as the program
+    prepareOpenGl();
+    QTemporaryDir settings; // nobody's preferences are read or changed
+    qputenv("XDG_CONFIG_HOME", settings.path().toUtf8());
+    qputenv("XDG_DATA_HOME", settings.path().toUtf8());
+    WatchedApplication application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("ramure-measure"));
+    QCommandLineParser parser;
+    const QCommandLineOption iterations(QStringLiteral("iterations"), QStringLiteral("8,10 by default"),
+                                        QStringLiteral("LIST"), QStringLiteral("8,10"));
+    const QCommandLineOption changes(QStringLiteral("changes"), QStringLiteral("per row, 8 by default"),
+                                     QStringLiteral("N"), QStringLiteral("8"));
+    const QCommandLineOption rasterise(QStringLiteral("rasterise"),
+                                       QStringLiteral("Let llvmpipe fill the pictures"));
+    const QCommandLineOption starts(QStringLiteral("starts"), QStringLiteral("of the program, 5 by default"),
+                                    QStringLiteral("N"), QStringLiteral("5"));
+    parser.addOptions({iterations, changes, rasterise, starts});
+    parser.addHelpOption();
+    parser.process(application);
+    measureStart(parser.value(starts).toInt());
+    EditorBench editor(&application);
+    if (!editor.isReady()) {
+        std::fprintf(stderr, "No OpenGL on this display.\n");
+        return 1;
+    }
+    printHead();
+    for (const QString& size : parser.value(iterations).split(u',')) {
+        editor.setIterations(size.toInt());
+        for (const Scenario& scenario : scenarios) {
+            editor.setMode(scenario.mode);
+            printRow(scenario, size.toInt(),
+                     editor.singleChanges(QLatin1String(scenario.key), scenario.from, scenario.to,
+                                          parser.value(changes).toInt()));
+        }
+        measureDrag(editor, size.toInt());
+    }
+    return 0;
+}

@@ -1,0 +1,46 @@
+#include "tests/bench/interaction/watched_application.h"
+
+#include "widgets/viewport/viewport.h"
+#include <QEvent>
+#include <QMetaEnum>
+#include <algorithm>
+
+namespace ramure::bench {
+
+bool WatchedApplication::notify(QObject* receiver, QEvent* event)
+{
+    if (m_depth > 0)
+        return QApplication::notify(receiver, event);
+    const int type = event->type();
+    const QString name = QString::fromLatin1(receiver->metaObject()->className());
+    const Elapsed before = m_rasterised;
+    const Stopwatch watch;
+    ++m_depth;
+    const bool done = QApplication::notify(receiver, event);
+    --m_depth;
+    const Elapsed took = watch.elapsed() - (m_rasterised - before);
+    m_longest.cpuMs = std::max(m_longest.cpuMs, took.cpuMs);
+    if (took.wallMs > m_longest.wallMs) {
+        m_longest.wallMs = took.wallMs;
+        const char* typeName = QMetaEnum::fromType<QEvent::Type>().valueToKey(type);
+        m_longestName = name + QLatin1Char(' ') + QLatin1String(typeName ? typeName : "?");
+    }
+    return done;
+}
+
+void WatchedApplication::watch(Viewport* view)
+{
+    connect(view, &Viewport::frameDrawn, this, [this](const FrameTimes& times) {
+        m_rasterised += {times.drawMs, times.drawCpuMs};
+    });
+    connect(view, &QOpenGLWidget::aboutToCompose, this, [this] { m_composing.restart(); });
+    connect(view, &QOpenGLWidget::frameSwapped, this, [this] { m_rasterised += m_composing.elapsed(); });
+}
+
+Elapsed WatchedApplication::takeLongestBlock()
+{
+    m_longestName = m_longest.wallMs > 0.0 ? m_longestName : QString();
+    return std::exchange(m_longest, Elapsed());
+}
+
+} // namespace ramure::bench
