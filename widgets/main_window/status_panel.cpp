@@ -26,6 +26,27 @@ int pluralCount(quint64 count)
     return static_cast<int>(std::min<quint64>(count, std::numeric_limits<int>::max()));
 }
 
+/// These texts change with every move of a slider. A label of a fixed size has the window laid out again only
+/// where a text needs more room than any before it.
+void showText(QLabel* label, const QString& text)
+{
+    if (label->text() == text)
+        return;
+    label->setText(text);
+    const QSize room = label->minimumSize();
+    const QSize needed = label->sizeHint().expandedTo(room);
+    if (needed != room)
+        label->setFixedSize(needed);
+}
+
+/// In another language the texts need another room.
+void forgetRoom(QLabel* label)
+{
+    label->clear();
+    label->setMinimumSize(0, 0);
+    label->setMaximumSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX);
+}
+
 } // namespace
 
 SceneTotals sceneTotals(const Document& document)
@@ -83,6 +104,9 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, QWidget* pare
     m_cancel->setSizePolicy(kept);
     m_time->setObjectName(QStringLiteral("dim"));
     m_badge->setObjectName(QStringLiteral("badge"));
+    m_badge->setAlignment(Qt::AlignCenter);
+    m_counts->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     for (QWidget* widget : {static_cast<QWidget*>(m_progress), static_cast<QWidget*>(m_cancel)}) {
         layout->addWidget(widget);
         widget->hide();
@@ -131,7 +155,7 @@ void StatusPanel::showBusy(bool busy)
 
 void StatusPanel::setBadge(const QString& state, const QString& text, const QString& tip)
 {
-    m_badge->setText(text);
+    showText(m_badge, text);
     m_badge->setToolTip(tip);
     m_badge->setAccessibleName(text);
     if (badgeState() == state)
@@ -185,14 +209,14 @@ void StatusPanel::update()
     if (totals.draft && totals.results < totals.trees) {
         // A draft has no mesh to count: the numbers of before stay until there are others.
     } else if (totals.results == 0) {
-        m_counts->setText(totals.trees == 0 ? tr("No trees") : QString());
-        m_time->clear();
+        showText(m_counts, totals.trees == 0 ? tr("No trees") : QString());
+        showText(m_time, QString());
     } else {
         const QString counts[] = {tr("%Ln branch(es)", nullptr, pluralCount(totals.branches)),
                                   tr("%Ln vertex(es)", nullptr, pluralCount(totals.vertices)),
                                   tr("%Ln face(s)", nullptr, pluralCount(totals.faces))};
-        m_counts->setText(counts[0] + separator + counts[1] + separator + counts[2]);
-        m_time->setText(timeText(totals.seconds));
+        showText(m_counts, counts[0] + separator + counts[1] + separator + counts[2]);
+        showText(m_time, timeText(totals.seconds));
     }
     m_badge->setVisible(totals.trees > 0);
     if (totals.failed)
@@ -224,6 +248,8 @@ void StatusPanel::retranslate()
         "Time to build the trees, without drawing. “cached”: nothing had to be built, the results of before "
         "still hold."));
     m_counts->setToolTip(tr("Branches after simplification; vertices and faces of the branch meshes"));
+    for (QLabel* label : {m_counts, m_time, m_badge})
+        forgetRoom(label);
     update();
 }
 
