@@ -12,7 +12,9 @@ bool WatchedApplication::notify(QObject* receiver, QEvent* event)
     if (m_depth > 0)
         return QApplication::notify(receiver, event);
     const int type = event->type();
-    const QString name = QString::fromLatin1(receiver->metaObject()->className());
+    QString name = QString::fromLatin1(receiver->metaObject()->className());
+    if (receiver->parent() && !receiver->isWidgetType())
+        name.prepend(QLatin1String(receiver->parent()->metaObject()->className()) + QLatin1Char('/'));
     const Elapsed before = m_rasterised;
     const Stopwatch watch;
     ++m_depth;
