@@ -128,6 +128,8 @@ Expected<MeshReport> validateMesh(const TriangleMesh& mesh, const Progress& prog
         },
         [&] { validation::findDuplicateVertices(mesh.positions, vertexLog); },
     };
+    // Waking a thread costs as much as checking a few thousand faces.
+    const ThreadLimit limit(mesh.triangles.size() < 10'000 ? 1 : parallelThreads());
     parallelFor(tasks.size(), 1, [&](std::size_t begin, std::size_t) { tasks[begin](); });
     if (!corners)
         return fail(corners.error());
