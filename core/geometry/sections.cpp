@@ -46,14 +46,21 @@ glm::dvec3 sectionPoint(const CrossSection& section, int k, int radialDivisions)
 std::vector<glm::vec3> sectionRings(const SectionSet& set, int radialDivisions)
 {
     const std::vector<glm::dvec2> circle = unitCircle(radialDivisions);
-    std::vector<glm::vec3> points, ring(circle.size());
+    // A few rings at a time, in the cache: the large array is written once, and not first with zeros.
+    constexpr std::size_t together = 32;
+    std::vector<glm::vec3> points, rings(together * circle.size());
     points.reserve(set.sections.size() * circle.size());
-    for (const CrossSection& section : set.sections) {
-        const glm::dvec3 u = section.radius * section.frame.normal;
-        const glm::dvec3 v = section.radius * section.frame.binormal;
-        for (std::size_t k = 0; k < circle.size(); ++k)
-            ring[k] = glm::vec3(section.centre + circle[k].x * u + circle[k].y * v);
-        points.insert(points.end(), ring.begin(), ring.end());
+    for (std::size_t first = 0; first < set.sections.size(); first += together) {
+        const std::size_t count = std::min(together, set.sections.size() - first);
+        glm::vec3* to = rings.data();
+        for (std::size_t i = first; i < first + count; ++i) {
+            const CrossSection& section = set.sections[i];
+            const glm::dvec3 u = section.radius * section.frame.normal;
+            const glm::dvec3 v = section.radius * section.frame.binormal;
+            for (const glm::dvec2& on : circle)
+                *to++ = glm::vec3(section.centre + on.x * u + on.y * v);
+        }
+        points.insert(points.end(), rings.data(), to);
     }
     return points;
 }
