@@ -76,7 +76,9 @@ inline QString misfit(const QWidget* widget)
             return {};
         if (button->text().contains(u'…') && !button->toolTip().isEmpty())
             return {}; // elided, whole in the tool tip
-        const int needed = button->minimumSizeHint().width();
+        // Of its padding a button may lose a little, as it does where half pixels are rounded.
+        constexpr int spare = 4;
+        const int needed = button->minimumSizeHint().width() - spare;
         return needed > button->width() ? say(button->text(), needed, button->width()) : cut(button->text());
     }
     if (const auto* combo = qobject_cast<const QComboBox*>(widget)) {
