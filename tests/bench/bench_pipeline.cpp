@@ -25,6 +25,7 @@ void BM_pipeline(benchmark::State& state)
         const TreeResult tree = bench::need(pipeline.evaluate(params, last));
         count = tree.branches->mesh.triangles.size();
     }
+    state.counters["triangles"] = static_cast<double>(count);
     state.SetLabel("SmallTree, items = triangles");
     state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * count));
 }

@@ -13,6 +13,7 @@ STAGES = [
     ("simplify, per input branch", "BM_simplify/0", 8),
     ("sections, per ring vertex", "BM_sections/12", 5),
     ("branch mesh with forks and caps, per triangle", "BM_BranchMesh/SmallTree/iterations:12/threads:1", 90),
+    ("from parameters to the checked mesh, per triangle", "BM_pipeline/iterations:12/threads:1/leaves:0", 126),
     ("rough model, per triangle", "BM_roughModel/12", 3),
     ("full check, 100,000 triangles, per triangle", "BM_ValidateMesh/8", 15),
     ("full check, 1,600,000 triangles, per triangle", "BM_ValidateMesh/12", 15),
