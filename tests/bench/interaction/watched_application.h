@@ -5,7 +5,6 @@
 
 #include "core/base/stopwatch.h"
 #include <QApplication>
-#include <QPointer>
 
 namespace ramure {
 class Viewport;
@@ -29,6 +28,9 @@ public:
     [[nodiscard]] QString longestName() const { return m_longestName; }
 
 private:
+    bool paintView(QEvent* event);
+
+    QWidget* m_view = nullptr;
     Elapsed m_rasterised;
     Elapsed m_longest;
     QString m_longestName;
