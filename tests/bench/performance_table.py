@@ -80,7 +80,8 @@ def page(data):
         "",
         f"Machine: {context['num_cpus']} processors at {context['mhz_per_cpu']} MHz. "
         f"Yardsticks: {nanoseconds(sphere):.0f} ns per triangle of the sphere ({ratio:.2f} times the reference); "
-        f"256 MB copied at {copy:.1f} GB/s.",
+        f"256 MB copied at {copy:.1f} GB/s. Programs that wanted a processor when the run began: "
+        f"{context['load_avg'][0]:.0f}; more than there are processors make all figures worse.",
         "",
         "| stage | ns | bar | bar here | met |",
         "| --- | ---: | ---: | ---: | --- |",
