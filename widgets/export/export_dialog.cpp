@@ -4,6 +4,7 @@
 #include "core/document/recompute.h"
 #include "widgets/actions/chooser.h"
 #include "widgets/export/export_task.h"
+#include "widgets/export/mesh_faults.h"
 #include "widgets/support/core_text.h"
 #include "widgets/support/preferences.h"
 #include <QCheckBox>
@@ -107,7 +108,60 @@ void ExportDialog::buildForm()
     addRow(scope);
     addRow(file);
     layout->addLayout(m_form);
+    buildFaults(layout);
     buildProgress(layout);
+}
+
+/// What is not clean about the mesh, and the way to it.
+void ExportDialog::buildFaults(QVBoxLayout* layout)
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    m_faults = new QLabel(this);
+    m_faults->setObjectName(QStringLiteral("meshFaults"));
+    m_faults->setTextFormat(Qt::PlainText);
+    m_faults->setWordWrap(true);
+    m_show = new QPushButton(this);
+    m_show->setObjectName(QStringLiteral("showFaults"));
+    m_show->setAutoDefault(false);
+    row->addWidget(m_faults, 1);
+    row->addWidget(m_show, 0, Qt::AlignTop);
+    layout->addLayout(row);
+    connect(m_show, &QPushButton::clicked, this, [this] {
+        const NodeId tree = meshFaults(*m_document, m_analysis, options()).tree;
+        reject();
+        emit showRequested(tree);
+    });
+}
+
+void ExportDialog::setAnalysis(const Analysis* analysis)
+{
+    m_analysis = analysis;
+    if (m_analysis)
+        connect(m_analysis, &Analysis::changed, this, &ExportDialog::showFaults);
+    showFaults();
+}
+
+void ExportDialog::showFaults()
+{
+    const QString text = meshFaults(*m_document, m_analysis, options()).text();
+    m_faults->setText(text);
+    m_faults->setVisible(!text.isEmpty());
+    m_show->setVisible(!text.isEmpty());
+    const bool accepted = !text.isEmpty() && text == m_acceptedFaults;
+    m_export->setText(accepted ? tr("Export anyway") : tr("Export"));
+}
+
+/// A mesh with faults is written when the button is pressed a second time.
+bool ExportDialog::mayExportFaults()
+{
+    const MeshFaults found = meshFaults(*m_document, m_analysis, options());
+    if (found.faults.isEmpty() || found.text() == m_acceptedFaults)
+        return true;
+    m_acceptedFaults = found.text();
+    showFaults();
+    setMessage(tr("Export it all the same?"), false);
+    return false;
 }
 
 /// What is below the form: the message, the bar, the buttons.
@@ -203,6 +257,7 @@ void ExportDialog::updateWidgets()
     m_selection->setEnabled(!running && !m_document->selection().nodes.empty());
     m_export->setEnabled(!running && !path().isEmpty() && (lines || options().parts != 0));
     m_progress->setVisible(running);
+    showFaults();
 }
 
 void ExportDialog::browse()
@@ -231,6 +286,8 @@ void ExportDialog::startExport()
         return;
     }
     m_progress->setValue(0);
+    if (!m_recompute->isBusy() && !mayExportFaults())
+        return;
     if (m_recompute->isBusy()) {
         m_waiting = true;
         setMessage(tr("Waiting until the tree is computed…"), false);
@@ -243,6 +300,8 @@ void ExportDialog::startExport()
 void ExportDialog::run()
 {
     m_waiting = false;
+    if (!mayExportFaults()) // they came with the result that was waited for
+        return updateWidgets();
     setMessage({}, false);
     m_task->start(*m_document, options(), path());
     updateWidgets();
@@ -311,7 +370,7 @@ void ExportDialog::retranslate()
     m_selection->setText(tr("Only what is selected"));
     m_hidden->setText(tr("Hidden trees too"));
     m_browse->setText(tr("Browse…"));
-    m_export->setText(tr("Export"));
+    m_show->setText(tr("Show"));
     m_cancel->setText(tr("Cancel"));
     const QString labels[] = {tr("Format"), tr("Model"), tr("Parts"), tr("Trees"), tr("File")};
     for (int row = 0; row < m_form->rowCount(); ++row) {
@@ -322,6 +381,7 @@ void ExportDialog::retranslate()
     m_model->setAccessibleName(labels[1]);
     m_path->setAccessibleName(labels[4]);
     m_progress->setAccessibleName(tr("Progress of the export"));
+    showFaults();
 }
 
 } // namespace ramure

@@ -18,6 +18,7 @@ class QVBoxLayout;
 
 namespace ramure {
 
+class Analysis;
 class Chooser;
 class Document;
 class ExportTask;
@@ -35,6 +36,8 @@ public:
                  QWidget* parent = nullptr);
     ~ExportDialog() override;
 
+    /// What it found is told before a mesh that is not clean is written; without it only defects are.
+    void setAnalysis(const Analysis* analysis);
     void setFormat(Format format);
     void setPath(const QString& path);
     [[nodiscard]] QString path() const;
@@ -45,6 +48,8 @@ public:
 signals:
     /// The file was written, and the dialog has closed itself.
     void exported(const QString& path);
+    /// What is wrong with the mesh of this tree is to be shown; the dialog has closed itself.
+    void showRequested(ramure::NodeId tree);
 
 public slots:
     void reject() override; ///< cancels what is running first
@@ -55,6 +60,9 @@ protected:
 private:
     void buildForm();
     void buildProgress(QVBoxLayout* layout);
+    void buildFaults(QVBoxLayout* layout);
+    void showFaults();
+    [[nodiscard]] bool mayExportFaults();
     void browse();
     void takeFormat();
     void updateWidgets();
@@ -70,7 +78,11 @@ private:
     Preferences* m_preferences;
     Chooser* m_chooser;
     ExportTask* m_task;
+    const Analysis* m_analysis = nullptr;
     bool m_waiting = false;
+    QString m_acceptedFaults; ///< the text about a mesh that is not clean which the user has read
+    QLabel* m_faults = nullptr;
+    QPushButton* m_show = nullptr;
     QString m_mayReplace; ///< the path whose existing file the user has agreed to overwrite
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;

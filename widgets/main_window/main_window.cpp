@@ -1,6 +1,7 @@
 #include "widgets/main_window/main_window.h"
 
 #include "core/document/player.h"
+#include "core/document/analysis.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/actions/chooser.h"
 #include "widgets/actions/edit_actions.h"
@@ -23,6 +24,7 @@
 #include "widgets/support/preferences.h"
 #include "widgets/timeline/play_actions.h"
 #include "widgets/timeline/timeline_panel.h"
+#include "widgets/validation/separate_dialog.h"
 #include "widgets/validation/validation_panel.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/viewport_host.h"
@@ -60,6 +62,7 @@ MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* pr
     : QMainWindow(parent)
     , m_document(document)
     , m_recompute(recompute)
+    , m_analysis(new Analysis(document, this))
     , m_preferences(preferences)
     , m_chooser(chooser)
     , m_actions(new ActionSet(this))
@@ -130,7 +133,7 @@ void MainWindow::buildDocks()
     m_properties = new PropertiesPanel(m_document, m_preferences, this);
     m_history = new HistoryDock(m_document, this);
     m_inspector = new BranchInspector(m_document, this);
-    m_validation = new ValidationPanel(m_document, this);
+    m_validation = new ValidationPanel(m_document, m_analysis, this);
     m_sceneDock = addPanel(QStringLiteral("sceneDock"), m_scene, Qt::RightDockWidgetArea);
     m_historyDock = addPanel(QStringLiteral("historyDock"), m_history, Qt::RightDockWidgetArea);
     m_propertiesDock = addPanel(QStringLiteral("propertiesDock"), m_properties, Qt::RightDockWidgetArea);
@@ -179,6 +182,9 @@ void MainWindow::buildActions()
     m_views = new ViewActions(m_host, m_preferences, m_actions, this);
     m_search = m_actions->add(
         {"view.search", QT_TRANSLATE_NOOP("Actions", "Find a &parameter"), "search", QKeySequence::Find});
+    m_separate = m_actions->add(
+        {"edit.separate", QT_TRANSLATE_NOOP("Actions", "Move colliding branches a&part…"), nullptr, {}});
+    connect(m_separate, &QAction::triggered, this, [this] { showSeparateDialog(); });
     m_resetLayout =
         m_actions->add({"view.resetLayout", QT_TRANSLATE_NOOP("Actions", "Reset the &layout"), nullptr, {}});
     buildBranchActions();
@@ -237,6 +243,7 @@ void MainWindow::buildMenus()
     m_editMenu = menuBar()->addMenu(QString());
     m_edits->fillMenu(m_editMenu);
     m_editMenu->addSeparator();
+    m_editMenu->addAction(m_separate);
     m_editMenu->addAction(m_search);
     m_editMenu->addSeparator();
     m_editMenu->addAction(m_program->preferencesAction());
@@ -282,7 +289,7 @@ void MainWindow::buildStatusBar()
 {
     statusBar()->setSizeGripEnabled(false);
     m_problem = new ProblemButton(m_document, this);
-    m_status = new StatusPanel(m_document, m_recompute, this);
+    m_status = new StatusPanel(m_document, m_recompute, m_analysis, this);
     statusBar()->addWidget(m_problem, 1);
     statusBar()->addPermanentWidget(new IsolationButton(m_isolation, this));
     statusBar()->addPermanentWidget(m_status);
@@ -305,6 +312,7 @@ void MainWindow::connectPanels()
     connect(m_validation, &ValidationPanel::messageRaised, this, say);
     connect(m_timeline, &TimelinePanel::messageRaised, this, say);
     connect(m_player, &Player::failed, this, [say](const Error& error) { say(errorTextWithPlace(error)); });
+    connect(m_validation, &ValidationPanel::separateRequested, this, &MainWindow::showSeparateDialog);
     connect(m_problem, &ProblemButton::paramRequested, this, [this](const QString& key) {
         m_propertiesDock->show();
         m_propertiesDock->raise();
@@ -360,9 +368,35 @@ void MainWindow::showExportDialog()
 {
     auto* dialog = new ExportDialog(m_document, m_recompute, m_preferences, m_chooser, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAnalysis(m_analysis);
+    connect(dialog, &ExportDialog::showRequested, this, [this](NodeId tree) {
+        m_document->setSelection({{tree}, noNode, {}, noIndex});
+        m_validationDock->show();
+        m_validationDock->raise();
+    });
     connect(dialog, &ExportDialog::exported, this, [this](const QString& path) {
         statusBar()->showMessage(tr("Exported to %1").arg(QDir::toNativeSeparators(path)), messageMs);
     });
+    dialog->open();
+}
+
+void MainWindow::showSeparateDialog(NodeId tree)
+{
+    const auto isTree = [this](NodeId id) {
+        const Node* node = m_document->scene().find(id);
+        return node && node->kind == NodeKind::Tree;
+    };
+    if (!isTree(tree))
+        tree = m_document->selection().activeNode();
+    for (const Node& node : m_document->scene().nodes())
+        if (!isTree(tree))
+            tree = node.id;
+    if (!isTree(tree))
+        return statusBar()->showMessage(tr("There is no tree in the scene."), messageMs);
+    auto* dialog = new SeparateDialog(m_document, tree, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &SeparateDialog::messageRaised, this,
+            [this](const QString& text) { statusBar()->showMessage(text, messageMs); });
     dialog->open();
 }
 

@@ -8,6 +8,7 @@
 namespace ramure {
 
 class ActionSet;
+class Analysis;
 class BranchInspector;
 class Chooser;
 class EditActions;
@@ -56,9 +57,12 @@ public:
     [[nodiscard]] ViewportHost* viewportHost() const { return m_host; }
     [[nodiscard]] Player* player() const { return m_player; }
     [[nodiscard]] TimelinePanel* timeline() const { return m_timeline; }
+    [[nodiscard]] Analysis* analysis() const { return m_analysis; }
 
     void showWelcome();
     void showExportDialog();
+    /// Of this tree; without one, of the tree that is active, or of the first.
+    void showSeparateDialog(NodeId tree = noNode);
     void resetLayout();
 
 protected:
@@ -86,6 +90,7 @@ private:
 
     Document* m_document;
     Recompute* m_recompute;
+    Analysis* m_analysis;
     Preferences* m_preferences;
     Chooser* m_chooser;
     ActionSet* m_actions;
@@ -114,6 +119,7 @@ private:
     QAction* m_nextSection = nullptr;
     QAction* m_previousSection = nullptr;
     QAction* m_roll = nullptr;
+    QAction* m_separate = nullptr;
     QMenu* m_fileMenu = nullptr;
     QMenu* m_editMenu = nullptr;
     QMenu* m_selectMenu = nullptr;

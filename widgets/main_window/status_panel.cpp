@@ -1,5 +1,6 @@
 #include "widgets/main_window/status_panel.h"
 
+#include "core/document/analysis.h"
 #include "core/document/recompute.h"
 #include "widgets/theme/icons.h"
 #include <QEvent>
@@ -77,13 +78,20 @@ SceneTotals sceneTotals(const Document& document)
 }
 
 StatusPanel::StatusPanel(Document* document, Recompute* recompute, QWidget* parent)
+    : StatusPanel(document, recompute, nullptr, parent)
+{
+}
+
+StatusPanel::StatusPanel(Document* document, Recompute* recompute, Analysis* analysis, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
     , m_recompute(recompute)
+    , m_analysis(analysis)
     , m_progress(new QProgressBar(this))
     , m_cancel(new QToolButton(this))
     , m_counts(new QLabel(this))
     , m_time(new QLabel(this))
+    , m_hash(new QLabel(this))
     , m_badge(new QLabel(this))
     , m_patience(new QTimer(this))
 {
@@ -103,6 +111,8 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, QWidget* pare
     kept.setRetainSizeWhenHidden(true);
     m_cancel->setSizePolicy(kept);
     m_time->setObjectName(QStringLiteral("dim"));
+    m_hash->setObjectName(QStringLiteral("dim"));
+    m_hash->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_badge->setObjectName(QStringLiteral("badge"));
     m_badge->setAlignment(Qt::AlignCenter);
     m_counts->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -113,6 +123,7 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, QWidget* pare
     }
     layout->addWidget(m_counts);
     layout->addWidget(m_time);
+    layout->addWidget(m_hash);
     layout->addWidget(m_badge);
     m_patience->setSingleShot(true);
     m_patience->setInterval(patienceMs);
@@ -130,7 +141,11 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, QWidget* pare
     });
     connect(m_recompute, &Recompute::progress, this,
             [this](double fraction) { m_progress->setValue(static_cast<int>(fraction * progressSteps)); });
+    if (m_analysis)
+        connect(m_analysis, &Analysis::changed, this, [this] { showHash(); });
     connect(m_document, &Document::changed, this, [this](const Change& change) {
+        if (change.has(changeSelection))
+            showHash();
         if (change.has(changeResults | changeReset | changeStructure | changeParams | changeBranches))
             update();
     });
@@ -140,6 +155,27 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, QWidget* pare
 QString StatusPanel::countsText() const
 {
     return m_counts->text();
+}
+
+QString StatusPanel::hashText() const
+{
+    return m_hash->text();
+}
+
+/// Of the active tree, or of the first.
+void StatusPanel::showHash()
+{
+    std::shared_ptr<const MeshAnalysis> findings;
+    if (m_analysis) {
+        findings = m_analysis->findings(m_document->selection().activeNode());
+        for (const Node& node : m_document->scene().nodes())
+            if (!findings)
+                findings = m_analysis->findings(node.id);
+    }
+    showText(m_hash,
+             findings ? QStringLiteral("#") + QString::fromStdString(findings->hash.shortText()) : QString());
+    m_hash->setToolTip(
+        findings ? tr("Hash of the mesh: %1").arg(QString::fromStdString(findings->hash.text())) : QString());
 }
 
 QString StatusPanel::badgeState() const
@@ -206,6 +242,7 @@ void StatusPanel::update()
 {
     const SceneTotals totals = sceneTotals(*m_document);
     const QLocale locale;
+    showHash();
     if (totals.draft && totals.results < totals.trees) {
         // A draft has no mesh to count: the numbers of before stay until there are others.
     } else if (totals.results == 0) {

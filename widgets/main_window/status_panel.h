@@ -12,6 +12,7 @@ class QToolButton;
 
 namespace ramure {
 
+class Analysis;
 class Recompute;
 
 /// What the status bar counts, over all trees of the scene.
@@ -32,12 +33,14 @@ class StatusPanel : public QWidget
 {
     Q_OBJECT
 public:
-    /// Neither is owned; both must outlive the panel.
+    /// None is owned; all must outlive the panel. Without an analysis no hash is shown.
     StatusPanel(Document* document, Recompute* recompute, QWidget* parent = nullptr);
+    StatusPanel(Document* document, Recompute* recompute, Analysis* analysis, QWidget* parent = nullptr);
 
     [[nodiscard]] QString countsText() const;
     /// How long the trees took; a word where nothing had to be computed.
     [[nodiscard]] static QString timeText(double seconds);
+    [[nodiscard]] QString hashText() const;
     /// "good", "bad", "warning" or "busy".
     [[nodiscard]] QString badgeState() const;
 
@@ -48,15 +51,18 @@ private:
     void update();
     void setBadge(const QString& state, const QString& text, const QString& tip);
     void showBusy(bool busy);
+    void showHash();
     void retranslate();
     [[nodiscard]] QString reportTip(const SceneTotals& totals) const;
 
     Document* m_document;
     Recompute* m_recompute;
+    Analysis* m_analysis;
     QProgressBar* m_progress;
     QToolButton* m_cancel;
     QLabel* m_counts;
     QLabel* m_time;
+    QLabel* m_hash;
     QLabel* m_badge;
     QTimer* m_patience; ///< short work shows no progress
 };

@@ -101,6 +101,33 @@ DefectPlace defectPlace(const TriangleMesh& mesh, const Defect& defect, const gl
     return place;
 }
 
+DefectPlace facesPlace(const TriangleMesh& mesh, const std::array<Index, 2>& faces, const glm::dmat4& world)
+{
+    return defectPlace(mesh, {DefectKind::DuplicateFace, faces[0], faces[1]}, world);
+}
+
+DefectPlace pointPlace(const glm::dvec3& point, double room, const glm::dmat4& world)
+{
+    DefectPlace place;
+    place.kind = DefectKind::DuplicateVertex; // two in one place
+    place.points.emplace_back(world * glm::dvec4(point, 1.0));
+    Box around;
+    around.add(point - glm::dvec3(room));
+    around.add(point + glm::dvec3(room));
+    place.box = around.transformed(world);
+    return place;
+}
+
+std::optional<glm::dvec3> facesMiddle(const TriangleMesh& mesh, const std::array<Index, 2>& faces)
+{
+    return defectMiddle(mesh, {DefectKind::DuplicateFace, faces[0], faces[1]});
+}
+
+Index faceBranch(const TriangleMesh& mesh, Index face)
+{
+    return defectBranch(mesh, {DefectKind::DegenerateFace, face});
+}
+
 std::optional<glm::dvec3> defectMiddle(const TriangleMesh& mesh, const Defect& defect)
 {
     const Box box = bare(mesh, defect, glm::dmat4(1.0)).box;

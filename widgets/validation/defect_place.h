@@ -26,8 +26,15 @@ struct DefectPlace
 
 /// \param world from the mesh's space. Indices that the mesh does not have are left out.
 DefectPlace defectPlace(const TriangleMesh& mesh, const Defect& defect, const glm::dmat4& world);
+/// Faces of a mesh; noIndex is left out.
+DefectPlace facesPlace(const TriangleMesh& mesh, const std::array<Index, 2>& faces, const glm::dmat4& world);
+/// A point of the mesh's space with so much room around it, in the same space.
+DefectPlace pointPlace(const glm::dvec3& point, double room, const glm::dmat4& world);
 /// Its middle in the mesh's space; nothing where the mesh does not have it.
 std::optional<glm::dvec3> defectMiddle(const TriangleMesh& mesh, const Defect& defect);
+std::optional<glm::dvec3> facesMiddle(const TriangleMesh& mesh, const std::array<Index, 2>& faces);
+/// The branch that the face's first vertex follows, or noIndex.
+Index faceBranch(const TriangleMesh& mesh, Index face);
 /// The branch that the defect's first vertex follows, or noIndex.
 Index defectBranch(const TriangleMesh& mesh, const Defect& defect);
 

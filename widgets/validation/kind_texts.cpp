@@ -14,6 +14,8 @@ public:
     static KindText vertices(DefectKind kind);
     static KindText faces(DefectKind kind);
     static KindText repair(SkeletonRepair kind);
+    static KindText crossing(PairKind kind);
+    static KindText finding(FindingKind kind);
     static KindText clean();
     static QString rich(const KindText& text);
 };
@@ -109,13 +111,57 @@ KindText KindTexts::repair(SkeletonRepair kind)
     return {};
 }
 
+KindText KindTexts::crossing(PairKind kind)
+{
+    if (kind == PairKind::Same)
+        return {tr("Crossings within a branch"),
+                tr("Triangles of one branch run through each other: its surface folds over where it bends "
+                   "sharply or begins at a tight fork."),
+                tr("A fold of a hair's breadth inside the wood: slicers that add up walls do not notice it."),
+                tr("A small crease in the shading, and a false edge for tools that cut the mesh.")};
+    if (kind == PairKind::Siblings)
+        return {
+            tr("Crossings between siblings"),
+            tr("Two branches that start at one fork run through each other behind it: they stay close for "
+               "longer than they are thick."),
+            tr("Both are one body there. Most slicers join them; some leave a hollow where they overlap."),
+            tr("The crease between them is hard, not a valley; leaves and bark may flicker in it.")};
+    if (kind == PairKind::ParentChild)
+        return {tr("Crossings of parent and child"),
+                tr("A branch runs back into the one that it grows on: it turns by more than a right angle."),
+                tr("The overlap lies inside the wood. Most slicers join the two."),
+                tr("The bark of one comes out of the other without a seam between them.")};
+    return {tr("Crossings far apart"),
+            tr("Triangles of branches run through each other that do not meet in any fork."),
+            tr("The branches are one body where they cross."),
+            tr("They go through each other, and do so when the wind moves them.")};
+}
+
+KindText KindTexts::finding(FindingKind kind)
+{
+    if (kind == FindingKind::Collision)
+        return {
+            tr("Branches that collide"),
+            tr("Two branches far from each other in the tree run through each other. That is no fault of the "
+               "mesh: the tree grew so. “Move apart” turns the thinner one away as little as it takes."),
+            tr("They come out as one body, joined where they cross. Slicers that do not join overlapping "
+               "walls "
+               "leave a hollow there."),
+            tr("Up close one sees a branch go through another; in the wind both move through each other.")};
+    return {tr("Thinnest triangles"),
+            tr("The triangles with the smallest angles. They are no defects: every mesh has some."),
+            tr("Of no importance, as long as they have an area."),
+            tr("Long thin triangles shade in streaks, subdivide badly and slow down what computes on the "
+               "surface.")};
+}
+
 KindText KindTexts::clean()
 {
     return {
         tr("What this means"),
         tr("The branches are one closed skin without holes or seams: every edge has exactly two faces, and "
            "all "
-           "faces look outward. Whether branches reach into each other is another question, not asked here."),
+           "faces look outward. Branches may still reach into each other: that is listed above as well."),
         tr("The mesh is a solid body; a slicer takes it as it is."),
         tr("Smooth shading, subdividing, unwrapping and physics work without repair.")};
 }
@@ -156,6 +202,16 @@ KindText kindText(DefectKind kind)
 KindText kindText(SkeletonRepair kind)
 {
     return KindTexts::repair(kind);
+}
+
+KindText kindText(PairKind kind)
+{
+    return KindTexts::crossing(kind);
+}
+
+KindText kindText(FindingKind kind)
+{
+    return KindTexts::finding(kind);
 }
 
 KindText cleanText()

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "core/mesh/branch_mesh.h"
+#include "core/mesh/self_intersections.h"
 #include "core/mesh/validate.h"
+#include "widgets/validation/report_model.h"
 #include <QString>
 
 namespace ramure {
@@ -20,6 +22,8 @@ struct KindText
 
 KindText kindText(DefectKind kind);
 KindText kindText(SkeletonRepair kind);
+KindText kindText(PairKind kind);
+KindText kindText(FindingKind kind);
 /// What a mesh without defects is good for.
 KindText cleanText();
 /// As rich text for a label.

@@ -11,6 +11,16 @@ namespace {
 
 constexpr int placeDecimals = 2; ///< the viewport shows it exactly; here it only tells top from bottom
 
+/// Where in the list those stand that are wanted.
+template <class List, class Wanted> std::vector<std::size_t> indices(const List& list, Wanted&& wanted)
+{
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < list.size(); ++i)
+        if (wanted(list[i]))
+            found.push_back(i);
+    return found;
+}
+
 } // namespace
 
 QString defectName(const Defect& defect)
@@ -40,6 +50,30 @@ QString repairName(const RepairNote& note)
     return ReportModel::tr("Branch %1, now with %2").arg(note.branch).arg(note.other);
 }
 
+QString crossingName(const FacePair& pair)
+{
+    return ReportModel::tr("Faces %1 and %2").arg(pair.first).arg(pair.second);
+}
+
+QString collisionName(const Collision& collision)
+{
+    NumberFormat depth;
+    depth.decimals = 1;
+    depth.factor = 1000.0;
+    depth.suffix = QStringLiteral("\u00a0mm");
+    return ReportModel::tr("Branches %1 and %2, %3 deep")
+        .arg(collision.first)
+        .arg(collision.second)
+        .arg(depth.text(collision.depth));
+}
+
+QString thinTriangleName(const WorstFace& face)
+{
+    return ReportModel::tr("Face %1, %2")
+        .arg(face.face)
+        .arg(facttext::angle(face.smallestAngleRad, AngleUnit::Degrees));
+}
+
 void ReportModel::setSource(ReportSource source)
 {
     const auto sameDefects = [](const MeshReport& a, const MeshReport& b) {
@@ -48,8 +82,8 @@ void ReportModel::setSource(ReportSource source)
                 return false;
         return a.defects.size() == b.defects.size();
     };
-    if (source.branches == m_source.branches && source.report && m_source.report &&
-        sameDefects(*source.report, *m_source.report)) {
+    if (source.branches == m_source.branches && source.analysis == m_source.analysis && source.report &&
+        m_source.report && sameDefects(*source.report, *m_source.report)) {
         m_source = std::move(source);
         return;
     }
@@ -62,31 +96,55 @@ void ReportModel::setSource(ReportSource source)
 void ReportModel::makeGroups()
 {
     m_groups.clear();
-    if (m_source.report) {
-        const MeshReport& report = *m_source.report;
-        for (int k = 0; k < defectKindCount; ++k) {
-            Group group{static_cast<DefectKind>(k), report.count(static_cast<DefectKind>(k)), {}, false};
-            for (std::size_t i = 0; i < report.defects.size() && group.items.size() < mostRows; ++i)
-                if (report.defects[i].kind == static_cast<DefectKind>(k))
-                    group.items.push_back(i);
-            if (group.total > 0)
-                m_groups.push_back(std::move(group));
-        }
+    addDefects();
+    addFindings();
+    addRepairs();
+}
+
+void ReportModel::addGroup(const Kind& kind, std::uint64_t total, std::vector<std::size_t> items)
+{
+    if (total == 0)
+        return;
+    items.resize(std::min<std::size_t>(items.size(), mostRows));
+    m_groups.push_back({kind, total, std::move(items), false});
+}
+
+void ReportModel::addDefects()
+{
+    if (!m_source.report)
+        return;
+    const MeshReport& report = *m_source.report;
+    for (int k = 0; k < defectKindCount; ++k) {
+        const auto kind = static_cast<DefectKind>(k);
+        addGroup(kind, report.count(kind),
+                 indices(report.defects, [&](const Defect& defect) { return defect.kind == kind; }));
     }
+}
+
+/// What is far from each other is listed by branches, everything else by triangles.
+void ReportModel::addFindings()
+{
+    if (!m_source.analysis)
+        return;
+    const MeshAnalysis& found = *m_source.analysis;
+    for (const PairKind kind : {PairKind::Same, PairKind::Siblings, PairKind::ParentChild})
+        addGroup(kind, found.crossings.count(kind),
+                 indices(found.crossings.pairs, [&](const FacePair& pair) { return pair.kind == kind; }));
+    const auto all = [](const auto&) { return true; };
+    addGroup(FindingKind::Collision, found.collisions.size(), indices(found.collisions, all));
+    addGroup(FindingKind::ThinTriangle, found.quality.worst.size(), indices(found.quality.worst, all));
+}
+
+void ReportModel::addRepairs()
+{
     if (!m_source.branches)
         return;
     for (int k = 0; k < repairKindCount; ++k) {
-        Group group{static_cast<SkeletonRepair>(k), 0, {}, false};
-        const std::vector<RepairNote>& notes = m_source.branches->repairs;
-        for (std::size_t i = 0; i < notes.size(); ++i) {
-            if (notes[i].kind != static_cast<SkeletonRepair>(k))
-                continue;
-            ++group.total;
-            if (group.items.size() < mostRows)
-                group.items.push_back(i);
-        }
-        if (group.total > 0)
-            m_groups.push_back(std::move(group));
+        const auto kind = static_cast<SkeletonRepair>(k);
+        std::vector<std::size_t> items =
+            indices(m_source.branches->repairs, [&](const RepairNote& note) { return note.kind == kind; });
+        const std::size_t total = items.size();
+        addGroup(kind, total, std::move(items));
     }
 }
 
@@ -123,18 +181,44 @@ QModelIndex ReportModel::kindIndex(const Kind& kind) const
     return {};
 }
 
+std::optional<std::size_t> ReportModel::itemOf(const QModelIndex& index, const Kind& wanted) const
+{
+    if (!index.isValid() || isGroup(index) || kind(index).index() != wanted.index())
+        return std::nullopt;
+    // Of the kinds without a type of their own the value decides, too.
+    if (std::holds_alternative<FindingKind>(wanted) && kind(index) != wanted)
+        return std::nullopt;
+    return groupOf(index).items[static_cast<std::size_t>(index.row())];
+}
+
 const Defect* ReportModel::defect(const QModelIndex& index) const
 {
-    if (!index.isValid() || isGroup(index) || !std::holds_alternative<DefectKind>(kind(index)))
-        return nullptr;
-    return &m_source.report->defects[groupOf(index).items[static_cast<std::size_t>(index.row())]];
+    const auto item = itemOf(index, DefectKind{});
+    return item ? &m_source.report->defects[*item] : nullptr;
 }
 
 const RepairNote* ReportModel::repair(const QModelIndex& index) const
 {
-    if (!index.isValid() || isGroup(index) || !std::holds_alternative<SkeletonRepair>(kind(index)))
-        return nullptr;
-    return &m_source.branches->repairs[groupOf(index).items[static_cast<std::size_t>(index.row())]];
+    const auto item = itemOf(index, SkeletonRepair{});
+    return item ? &m_source.branches->repairs[*item] : nullptr;
+}
+
+const FacePair* ReportModel::crossing(const QModelIndex& index) const
+{
+    const auto item = itemOf(index, PairKind{});
+    return item ? &m_source.analysis->crossings.pairs[*item] : nullptr;
+}
+
+const Collision* ReportModel::collision(const QModelIndex& index) const
+{
+    const auto item = itemOf(index, FindingKind::Collision);
+    return item ? &m_source.analysis->collisions[*item] : nullptr;
+}
+
+const WorstFace* ReportModel::thinTriangle(const QModelIndex& index) const
+{
+    const auto item = itemOf(index, FindingKind::ThinTriangle);
+    return item ? &m_source.analysis->quality.worst[*item] : nullptr;
 }
 
 QModelIndex ReportModel::index(int row, int column, const QModelIndex& parent) const
@@ -193,29 +277,70 @@ QString ReportModel::groupText(const Group& group) const
     const QString name = std::visit([](auto kind) { return kindText(kind).name; }, group.kind);
     const QLocale locale;
     if (group.total <= group.items.size())
-        return tr("%1: %2").arg(name, locale.toString(group.total));
+        return tr("%1: %2").arg(name, locale.toString(static_cast<qulonglong>(group.total)));
     return tr("%1: %2, the first %3 listed")
-        .arg(name, locale.toString(group.total),
+        .arg(name, locale.toString(static_cast<qulonglong>(group.total)),
              locale.toString(static_cast<qulonglong>(group.items.size())));
+}
+
+QString ReportModel::nameOf(const QModelIndex& index) const
+{
+    if (const Defect* bad = defect(index))
+        return defectName(*bad);
+    if (const FacePair* pair = crossing(index))
+        return crossingName(*pair);
+    if (const Collision* found = collision(index))
+        return collisionName(*found);
+    if (const WorstFace* face = thinTriangle(index))
+        return thinTriangleName(*face);
+    return repairName(*repair(index));
+}
+
+QString ReportModel::branchesOf(const QModelIndex& index) const
+{
+    const auto text = [](Index branch) {
+        return branch == noIndex ? QStringLiteral("—") : QString::number(branch);
+    };
+    static const TriangleMesh none;
+    const TriangleMesh& mesh = m_source.branches ? m_source.branches->mesh : none;
+    if (const Defect* bad = defect(index))
+        return text(defectBranch(mesh, *bad));
+    if (const FacePair* pair = crossing(index)) {
+        const Index first = faceBranch(mesh, pair->first), second = faceBranch(mesh, pair->second);
+        return first == second ? text(first) : QStringLiteral("%1, %2").arg(text(first), text(second));
+    }
+    if (const Collision* found = collision(index))
+        return QStringLiteral("%1, %2").arg(found->first).arg(found->second);
+    if (const WorstFace* face = thinTriangle(index))
+        return text(faceBranch(mesh, face->face));
+    return text(repair(index)->branch);
+}
+
+std::optional<glm::dvec3> ReportModel::placeOf(const QModelIndex& index) const
+{
+    if (const Collision* found = collision(index))
+        return found->place;
+    if (const RepairNote* note = repair(index)) {
+        const bool known = m_source.simplified && note->branch < m_source.simplified->skeleton.size();
+        return known ? std::optional(m_source.simplified->skeleton.p0[note->branch]) : std::nullopt;
+    }
+    if (!m_source.branches)
+        return std::nullopt;
+    const TriangleMesh& mesh = m_source.branches->mesh;
+    if (const Defect* bad = defect(index))
+        return defectMiddle(mesh, *bad);
+    if (const FacePair* pair = crossing(index))
+        return facesMiddle(mesh, {pair->first, pair->second});
+    return facesMiddle(mesh, {thinTriangle(index)->face, noIndex});
 }
 
 QString ReportModel::itemText(const QModelIndex& index) const
 {
-    const Defect* bad = defect(index);
-    const RepairNote* note = repair(index);
-    static const TriangleMesh none;
-    const TriangleMesh& mesh = m_source.branches ? m_source.branches->mesh : none;
     if (index.column() == WhatColumn)
-        return bad ? defectName(*bad) : repairName(*note);
-    if (index.column() == BranchColumn) {
-        const Index branch = bad ? defectBranch(mesh, *bad) : note->branch;
-        return branch == noIndex ? QStringLiteral("—") : QString::number(branch);
-    }
-    std::optional<glm::dvec3> place;
-    if (bad)
-        place = defectMiddle(mesh, *bad);
-    else if (m_source.simplified && note->branch < m_source.simplified->skeleton.size())
-        place = m_source.simplified->skeleton.p0[note->branch];
+        return nameOf(index);
+    if (index.column() == BranchColumn)
+        return branchesOf(index);
+    const std::optional<glm::dvec3> place = placeOf(index);
     return place ? facttext::vector(*place, placeDecimals) : QStringLiteral("—");
 }
 

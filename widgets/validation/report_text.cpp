@@ -21,10 +21,13 @@ public:
     static QString counts(const MeshReport& report);
     static QString openMesh(const MeshReport& report, bool draft);
     static ReportSummary judge(const MeshReport& report, Index roots);
-    static ReportSummary summary(const NodeResult* result);
+    static ReportSummary summary(const NodeResult* result, const MeshAnalysis* analysis);
+    static QString crossings(const MeshAnalysis& analysis);
+    static QString quality(const MeshQuality& quality);
+    static QStringList findingLines(const MeshAnalysis& analysis);
     static QStringList defectLines(const TreeResult& tree);
     static QStringList repairLines(const TreeResult& tree);
-    static QString whole(const QString& treeName, const NodeResult* result);
+    static QString whole(const QString& treeName, const NodeResult* result, const MeshAnalysis* analysis);
 };
 
 qulonglong defectTotal(const MeshReport& report)
@@ -71,7 +74,7 @@ ReportSummary ReportTexts::judge(const MeshReport& report, Index roots)
     return {Status::Good, tr("Closed, manifold, oriented"), {}};
 }
 
-ReportSummary ReportTexts::summary(const NodeResult* result)
+ReportSummary ReportTexts::summary(const NodeResult* result, const MeshAnalysis* analysis)
 {
     using Status = StatusBadge::Status;
     if (!result)
@@ -82,10 +85,67 @@ ReportSummary ReportTexts::summary(const NodeResult* result)
         return {Status::Unknown, tr("Not checked yet"), tr("The mesh is being made.")};
     const MeshReport& report = *result->tree.report;
     ReportSummary summary = judge(report, result->tree.branches->roots);
+    const quint64 faults = analysis ? analysis->crossings.aroundForks() : 0;
+    if (faults > 0 && summary.status == Status::Good)
+        summary = {
+            Status::Warning,
+            tr("Closed, but %n pair(s) of triangles cross at forks", nullptr, static_cast<int>(faults)),
+            {}};
     summary.details = counts(report) + QStringLiteral(". ") + openMesh(report, result->draft);
     if (const QString note = coreText(budgetText(result->tree.branches->budget)); !note.isEmpty())
         summary.details += QLatin1Char(' ') + note + QLatin1Char('.');
     return summary;
+}
+
+QString ReportTexts::crossings(const MeshAnalysis& analysis)
+{
+    const QLocale locale;
+    QStringList sentences;
+    if (analysis.crossings.total() == 0)
+        return tr("No triangle runs through another.");
+    const quint64 forks = analysis.crossings.aroundForks();
+    if (forks == 0)
+        sentences += tr("No triangles cross at forks.");
+    else
+        sentences += tr("%n pair(s) of triangles cross at forks.", nullptr, static_cast<int>(forks));
+    if (!analysis.collisions.empty())
+        sentences += tr("%n pair(s) of branches collide (%1 pairs of triangles).", nullptr,
+                        static_cast<int>(analysis.collisions.size()))
+                         .arg(locale.toString(qulonglong(analysis.crossings.count(PairKind::Far))));
+    return sentences.join(QLatin1Char(' '));
+}
+
+QString ReportTexts::quality(const MeshQuality& quality)
+{
+    NumberFormat aspect;
+    aspect.decimals = 1;
+    return tr("Smallest angle %1, largest aspect ratio %2")
+        .arg(facttext::angle(quality.smallestAngleRad, AngleUnit::Degrees),
+             aspect.text(quality.largestAspect));
+}
+
+QStringList ReportTexts::findingLines(const MeshAnalysis& analysis)
+{
+    QStringList lines{crossings(analysis)};
+    for (int k = 0; k < pairKindCount; ++k) {
+        const auto kind = static_cast<PairKind>(k);
+        lines += QStringLiteral("%1: %2").arg(kindText(kind).name).arg(analysis.crossings.count(kind));
+        if (kind == PairKind::Far)
+            continue;
+        for (const FacePair& pair : analysis.crossings.pairs)
+            if (pair.kind == kind)
+                lines += QStringLiteral("    ") + crossingName(pair);
+    }
+    lines +=
+        QStringLiteral("%1: %2").arg(kindText(FindingKind::Collision).name).arg(analysis.collisions.size());
+    for (const Collision& collision : analysis.collisions)
+        lines += QStringLiteral("    %1, %2")
+                     .arg(collisionName(collision),
+                          tr("at %1").arg(facttext::vector(collision.place, placeDecimals)));
+    lines += QString();
+    lines += quality(analysis.quality);
+    lines += tr("Hash %1").arg(QString::fromStdString(analysis.hash.text()));
+    return lines;
 }
 
 QStringList ReportTexts::defectLines(const TreeResult& tree)
@@ -126,9 +186,9 @@ QStringList ReportTexts::repairLines(const TreeResult& tree)
     return lines;
 }
 
-QString ReportTexts::whole(const QString& treeName, const NodeResult* result)
+QString ReportTexts::whole(const QString& treeName, const NodeResult* result, const MeshAnalysis* analysis)
 {
-    const ReportSummary state = summary(result);
+    const ReportSummary state = summary(result, analysis);
     QStringList lines{tr("Check of the mesh of \"%1\"").arg(treeName), state.headline, state.details};
     if (result && !result->error && result->tree.report && result->tree.branches) {
         lines += QString();
@@ -137,19 +197,33 @@ QString ReportTexts::whole(const QString& treeName, const NodeResult* result)
         lines += tr("Repairs of the mesher:");
         lines += repairLines(result->tree);
     }
+    if (analysis) {
+        lines += QString();
+        lines += findingLines(*analysis);
+    }
     return lines.join(QLatin1Char('\n')) + QLatin1Char('\n');
 }
 
 } // namespace
 
-ReportSummary summarise(const NodeResult* result)
+ReportSummary summarise(const NodeResult* result, const MeshAnalysis* analysis)
 {
-    return ReportTexts::summary(result);
+    return ReportTexts::summary(result, analysis);
 }
 
-QString reportText(const QString& treeName, const NodeResult* result)
+QString crossingsText(const MeshAnalysis& analysis)
 {
-    return ReportTexts::whole(treeName, result);
+    return ReportTexts::crossings(analysis);
+}
+
+QString qualityText(const MeshQuality& quality)
+{
+    return ReportTexts::quality(quality);
+}
+
+QString reportText(const QString& treeName, const NodeResult* result, const MeshAnalysis* analysis)
+{
+    return ReportTexts::whole(treeName, result, analysis);
 }
 
 } // namespace ramure

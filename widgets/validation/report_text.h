@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/document/document.h"
+#include "core/mesh/mesh_analysis.h"
 #include "widgets/validation/report_model.h"
 #include "widgets/validation/status_badge.h"
 #include <QString>
@@ -18,10 +19,15 @@ struct ReportSummary
 };
 
 /// \param result null where nothing was computed yet.
-ReportSummary summarise(const NodeResult* result);
+/// \param analysis null where there is none yet: then nothing is said of crossings.
+ReportSummary summarise(const NodeResult* result, const MeshAnalysis* analysis = nullptr);
+/// What runs through what, in a sentence or two.
+QString crossingsText(const MeshAnalysis& analysis);
+/// Smallest angle and largest aspect ratio.
+QString qualityText(const MeshQuality& quality);
 
 /// Everything as plain text: state, counts of every kind, each listed defect and repair with branch and
 /// place.
-QString reportText(const QString& treeName, const NodeResult* result);
+QString reportText(const QString& treeName, const NodeResult* result, const MeshAnalysis* analysis = nullptr);
 
 } // namespace ramure

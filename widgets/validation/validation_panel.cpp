@@ -1,9 +1,11 @@
 #include "widgets/validation/validation_panel.h"
 
+#include "core/document/analysis.h"
 #include "core/document/document.h"
 #include "widgets/inspector/only_branch.h"
 #include "widgets/support/empty_page.h"
 #include "widgets/theme/icons.h"
+#include "widgets/validation/analysis_strip.h"
 #include "widgets/validation/kind_texts.h"
 #include "widgets/validation/report_text.h"
 #include "widgets/validation/report_view.h"
@@ -45,9 +47,10 @@ NodeId treeToShow(const Document& document, NodeId before)
 
 struct ValidationPanel::Private
 {
-    Private(ValidationPanel* panel, Document* ofDocument)
+    Private(ValidationPanel* panel, Document* ofDocument, Analysis* ofMeshes)
         : q(panel)
         , document(ofDocument)
+        , analysis(ofMeshes)
     {
     }
 
@@ -59,11 +62,16 @@ struct ValidationPanel::Private
     void explain();
     void activate(const QModelIndex& index);
     void selectBranch(Index branch);
+    void highlight(const DefectPlace& place);
+    void showCollision(const Collision& collision);
+    [[nodiscard]] std::shared_ptr<const MeshAnalysis> findings() const;
     void retranslate();
     void leave();
 
     ValidationPanel* q;
     Document* document;
+    Analysis* analysis;
+    AnalysisStrip* strip = nullptr;
     QStackedWidget* pages = nullptr;
     EmptyPage* empty = nullptr;
     StatusBadge* badge = nullptr;
@@ -79,8 +87,13 @@ struct ValidationPanel::Private
 };
 
 ValidationPanel::ValidationPanel(Document* document, QWidget* parent)
+    : ValidationPanel(document, nullptr, parent)
+{
+}
+
+ValidationPanel::ValidationPanel(Document* document, Analysis* analysis, QWidget* parent)
     : QWidget(parent)
-    , d(std::make_unique<Private>(this, document))
+    , d(std::make_unique<Private>(this, document, analysis))
 {
     setObjectName(QStringLiteral("validationPanel"));
     d->build();
@@ -88,6 +101,11 @@ ValidationPanel::ValidationPanel(Document* document, QWidget* parent)
         if (change.has(newsThatMatter))
             d->refresh();
     });
+    if (analysis)
+        connect(analysis, &Analysis::changed, this, [this](NodeId tree) {
+            if (tree == d->node)
+                d->refresh();
+        });
     d->retranslate();
 }
 
@@ -107,6 +125,11 @@ void ValidationPanel::Private::build()
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(buildHead(content));
+    if (analysis) {
+        strip = new AnalysisStrip(analysis, content);
+        layout->addWidget(strip);
+        QObject::connect(strip, &AnalysisStrip::separateRequested, q, &ValidationPanel::separateRequested);
+    }
     auto* splitter = new QSplitter(Qt::Vertical, content);
     splitter->setChildrenCollapsible(false);
     model = new ReportModel(q);
@@ -189,17 +212,24 @@ void ValidationPanel::Private::refresh()
     pages->setCurrentIndex(node == noNode ? 0 : 1);
     const NodeResult* result = document->result(node);
     if (result && !result->error)
-        model->setSource({result->tree.report, result->tree.branches, result->tree.simplified});
+        model->setSource({result->tree.report, result->tree.branches, result->tree.simplified, findings()});
     else
         model->setSource({});
     view->setVisible(model->rowCount() > 0);
+    if (strip)
+        strip->setTree(node);
     showSummary();
+}
+
+std::shared_ptr<const MeshAnalysis> ValidationPanel::Private::findings() const
+{
+    return analysis ? analysis->findings(node) : nullptr;
 }
 
 void ValidationPanel::Private::showSummary()
 {
     const Node* shown = document->scene().find(node);
-    const ReportSummary state = summarise(document->result(node));
+    const ReportSummary state = summarise(document->result(node), findings().get());
     badge->setStatus(state.status);
     badge->setAccessibleName(state.headline);
     headline->setText(state.headline);
@@ -225,16 +255,49 @@ void ValidationPanel::Private::explain()
 void ValidationPanel::Private::activate(const QModelIndex& index)
 {
     const ReportSource& source = model->source();
-    if (const Defect* defect = model->defect(index)) {
-        const glm::dmat4 world = worldMatrix(document->scene(), node);
-        const DefectPlace place = defectPlace(source.branches->mesh, *defect, world);
-        selectBranch(defectBranch(source.branches->mesh, *defect));
-        highlighted = true;
-        emit q->defectActivated(node, place);
-    } else if (const RepairNote* note = model->repair(index)) {
+    if (const RepairNote* note = model->repair(index)) {
         leave();
-        selectBranch(note->branch);
+        return selectBranch(note->branch);
     }
+    if (!source.branches)
+        return;
+    const TriangleMesh& mesh = source.branches->mesh;
+    const glm::dmat4 world = worldMatrix(document->scene(), node);
+    if (const Defect* defect = model->defect(index)) {
+        const DefectPlace place = defectPlace(mesh, *defect, world);
+        selectBranch(defectBranch(mesh, *defect));
+        highlight(place);
+    } else if (const FacePair* pair = model->crossing(index)) {
+        const DefectPlace place = facesPlace(mesh, {pair->first, pair->second}, world);
+        selectBranch(faceBranch(mesh, pair->first));
+        highlight(place);
+    } else if (const WorstFace* face = model->thinTriangle(index)) {
+        const DefectPlace place = facesPlace(mesh, {face->face, noIndex}, world);
+        selectBranch(faceBranch(mesh, face->face));
+        highlight(place);
+    } else if (const Collision* collision = model->collision(index)) {
+        showCollision(*collision);
+    }
+}
+
+/// Both branches are selected; the point where they cross is framed with the thicker one around it.
+void ValidationPanel::Private::showCollision(const Collision& collision)
+{
+    const auto simplified = model->source().simplified;
+    if (!simplified || std::max(collision.first, collision.second) >= simplified->skeleton.size())
+        return;
+    const Skeleton& skeleton = simplified->skeleton;
+    const double thick = std::max(skeleton.a0[collision.first], skeleton.a0[collision.second]);
+    const DefectPlace place = pointPlace(collision.place, std::max(6.0 * thick, 4.0 * collision.depth),
+                                         worldMatrix(document->scene(), node));
+    document->setSelection({{node}, node, {collision.first, collision.second}, collision.first});
+    highlight(place);
+}
+
+void ValidationPanel::Private::highlight(const DefectPlace& place)
+{
+    highlighted = true;
+    emit q->defectActivated(node, place);
 }
 
 void ValidationPanel::Private::selectBranch(Index branch)
@@ -259,6 +322,8 @@ void ValidationPanel::Private::retranslate()
     view->setAccessibleName(tr("Defects and repairs"));
     q->setAccessibleName(tr("Mesh check"));
     model->retranslate();
+    if (strip)
+        strip->retranslate();
     showSummary();
 }
 
@@ -273,7 +338,8 @@ void ValidationPanel::copyReport()
         return;
     const Node* tree = d->document->scene().find(d->node);
     const QString name = tree ? QString::fromStdString(tree->name) : QString();
-    QGuiApplication::clipboard()->setText(reportText(name, d->document->result(d->node)));
+    QGuiApplication::clipboard()->setText(
+        reportText(name, d->document->result(d->node), d->findings().get()));
     emit messageRaised(tr("Report copied as text"));
 }
 

@@ -1,6 +1,7 @@
 /// \file
-/// Content of the validation dock: is the active tree's mesh closed, manifold and oriented? Green, or every
-/// defect by kind; below it what the mesher had to repair, and what each kind means for a print or a game.
+/// Content of the validation dock: is the active tree's mesh closed, manifold and oriented, what runs through
+/// what, how well shaped are its triangles? Green, or every defect by kind; below it what the mesher had to
+/// repair, and what each kind means for a print or a game.
 #pragma once
 
 #include "core/scene/scene.h"
@@ -10,14 +11,17 @@
 
 namespace ramure {
 
+class Analysis;
 class Document;
 
 class ValidationPanel : public QWidget
 {
     Q_OBJECT
 public:
-    /// \param document is not owned and must outlive the panel.
+    /// \param document,analysis are not owned and must outlive the panel. Without an analysis only the
+    /// topology is shown.
     explicit ValidationPanel(Document* document, QWidget* parent = nullptr);
+    ValidationPanel(Document* document, Analysis* analysis, QWidget* parent = nullptr);
     ~ValidationPanel() override;
 
     [[nodiscard]] QSize sizeHint() const override;
@@ -31,6 +35,8 @@ signals:
     void defectActivated(ramure::NodeId node, const ramure::DefectPlace& place);
     /// Another tree, another mesh or a repair note: what was highlighted is out of date.
     void defectLeft();
+    /// The colliding branches of the tree are to be moved apart.
+    void separateRequested(ramure::NodeId tree);
     /// For the status bar.
     void messageRaised(const QString& text);
 

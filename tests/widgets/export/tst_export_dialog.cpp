@@ -1,3 +1,4 @@
+#include "core/document/analysis.h"
 #include "core/document/recompute.h"
 #include "tests/widgets/support/fixture.h"
 #include "widgets/export/export_dialog.h"
@@ -6,6 +7,8 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
 
 using namespace ramure;
 
@@ -99,6 +102,65 @@ private slots:
         dialog.startExport();
         QTRY_COMPARE(exported.count(), 1);
         QVERIFY(QFileInfo(old).size() > 1000);
+    }
+
+    void meshesThatAreNotCleanAreTold()
+    {
+        Analysis analysis(&m_document, [](const BranchMesh&, const Skeleton&, const Progress&) {
+            MeshAnalysis found;
+            found.crossings.kindsKnown = true;
+            found.crossings.counts = {0, 2, 0, 5};
+            found.collisions.push_back({3, 9, 5, {}, 0.01});
+            return Expected<MeshAnalysis>(found);
+        });
+        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        QSignalSpy exported(&dialog, &ExportDialog::exported);
+        QSignalSpy shown(&dialog, &ExportDialog::showRequested);
+        dialog.setPath(path("faulty.obj"));
+        dialog.setAnalysis(&analysis);
+        dialog.show();
+        auto* faults = dialog.findChild<QLabel*>(QStringLiteral("meshFaults"));
+        QVERIFY(!faults->isVisible());
+        QVERIFY(analysis.waitForAll(10'000));
+        QVERIFY(faults->isVisible());
+        QVERIFY(faults->text().contains(QStringLiteral("“T”")));
+        dialog.startExport(); // asks first
+        QCOMPARE(exported.count(), 0);
+        QVERIFY(!QFileInfo::exists(path("faulty.obj")));
+        // Nothing to say of a model that is no continuous mesh, nor without the branches.
+        auto* model = dialog.findChildren<QComboBox*>().at(1);
+        model->setCurrentIndex(static_cast<int>(ExportModel::Rough));
+        QVERIFY(!faults->isVisible());
+        model->setCurrentIndex(static_cast<int>(ExportModel::Mesh));
+        QVERIFY(faults->isVisible());
+        dialog.findChild<QPushButton*>(QStringLiteral("showFaults"))->click();
+        QCOMPARE(shown.count(), 1);
+        QCOMPARE(shown[0][0].value<NodeId>(), NodeId(1));
+        QVERIFY(!dialog.isVisible());
+        dialog.show();
+        dialog.startExport();
+        QTRY_COMPARE(exported.count(), 1);
+        QVERIFY(QFileInfo(path("faulty.obj")).size() > 1000);
+    }
+
+    void collisionsAloneDoNotStopAnExport()
+    {
+        Analysis analysis(&m_document, [](const BranchMesh&, const Skeleton&, const Progress&) {
+            MeshAnalysis found;
+            found.crossings.kindsKnown = true;
+            found.crossings.counts = {0, 0, 0, 5};
+            found.collisions.push_back({3, 9, 5, {}, 0.01});
+            return Expected<MeshAnalysis>(found);
+        });
+        QVERIFY(analysis.waitForAll(10'000));
+        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        QSignalSpy exported(&dialog, &ExportDialog::exported);
+        dialog.setAnalysis(&analysis);
+        dialog.setPath(path("collides.obj"));
+        dialog.show();
+        QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("meshFaults"))->isVisible());
+        dialog.startExport();
+        QTRY_COMPARE(exported.count(), 1);
     }
 
     void aTreeBeingComputedIsWaitedFor()

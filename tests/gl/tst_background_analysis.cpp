@@ -1,0 +1,142 @@
+// A mesh of a million triangles is looked at in the background while the view goes on turning in the real
+// window. Times are printed, not judged: the machine of a test may be any.
+#include "core/document/analysis.h"
+#include "core/document/recompute.h"
+#include "core/params/presets.h"
+#include "tests/widgets/support/fixture.h"
+#include "widgets/main_window/main_window.h"
+#include "widgets/render/gl_setup.h"
+#include "widgets/support/preferences.h"
+#include "widgets/viewport/viewport.h"
+#include "widgets/viewport/viewport_host.h"
+#include <QElapsedTimer>
+#include <algorithm>
+
+using namespace ramure;
+
+namespace {
+
+constexpr int patienceMs = 180'000;
+
+/// How long the interface's thread was away from its events at most, and how many pictures it drew.
+struct Heartbeat
+{
+    explicit Heartbeat(Viewport* view)
+    {
+        m_clock.start();
+        QObject::connect(&m_pulse, &QTimer::timeout, &m_pulse, [this] {
+            const qint64 now = m_clock.nsecsElapsed();
+            longestMs = std::max(longestMs, double(now - m_last) * 1e-6);
+            m_last = now;
+        });
+        QObject::connect(view, &Viewport::frameDrawn, &m_pulse, [this, view] {
+            ++pictures;
+            view->orbitBy(0.05, 0.0);
+        });
+        m_last = m_clock.nsecsElapsed();
+        m_pulse.start(1);
+        view->orbitBy(0.05, 0.0);
+    }
+
+    double longestMs = 0.0;
+    int pictures = 0;
+    [[nodiscard]] double seconds() const { return double(m_clock.nsecsElapsed()) * 1e-9; }
+
+private:
+    QTimer m_pulse;
+    QElapsedTimer m_clock;
+    qint64 m_last = 0;
+};
+
+} // namespace
+
+class TestBackgroundAnalysis : public QObject
+{
+    Q_OBJECT
+private:
+    test::OwnSettings m_settings;
+    test::FakeChooser m_chooser;
+    Preferences m_preferences;
+    Document m_document;
+    Recompute m_recompute{&m_document};
+    std::unique_ptr<MainWindow> m_window;
+    NodeId m_tree = noNode;
+
+    Viewport* view() { return m_window->viewportHost()->viewport(); }
+    Analysis& analysis() { return *m_window->analysis(); }
+    void setSections(std::int64_t radial)
+    {
+        QVERIFY(edit::setParam(m_document, {m_tree}, *findParam("sections.radialDivisions"), radial));
+    }
+
+private slots:
+    void initTestCase()
+    {
+        if (!openGlAvailable())
+            QSKIP("no OpenGL on this display");
+        m_window = std::make_unique<MainWindow>(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        Node tree = test::treeNode(1, "Large");
+        tree.params = *presetParams("SmallTree");
+        tree.params.grammar.iterations = 11;
+        tree.params.sections.radialDivisions = 11;
+        tree.params.foliage.leavesDensity = 0;
+        test::openNodes(m_document, {tree});
+        m_tree = m_document.scene().nodes().front().id;
+        m_window->resize(1000, 700);
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_window.get()));
+        QVERIFY(m_recompute.waitForFull(patienceMs));
+    }
+    void init() { test::failOnWidgetWarning(); }
+    void cleanupTestCase() { m_window.reset(); }
+
+    void theViewTurnsWhileAMillionTrianglesAreLookedAt()
+    {
+        const Index faces = m_document.result(m_tree)->tree.branches->mesh.faceCount();
+        QVERIFY(faces > 1'000'000);
+        int during = 0;
+        double longest = 0.0, seconds = 0.0;
+        {
+            Heartbeat heart(view());
+            QVERIFY(analysis().waitForAll(patienceMs));
+            during = heart.pictures;
+            longest = heart.longestMs;
+            seconds = heart.seconds();
+        }
+        QCOMPARE(analysis().state(m_tree), Analysis::State::Done);
+        const auto found = analysis().findings(m_tree);
+        QCOMPARE(found->crossings.aroundForks(), std::uint64_t(0));
+        QVERIFY(during > 0);
+        Heartbeat alone(view());
+        QTest::qWait(static_cast<int>(std::clamp(seconds, 1.0, 10.0) * 1000.0));
+        qInfo("%u triangles: analysed in %.2f s; %.1f pictures a second meanwhile (alone %.1f), the "
+              "interface's "
+              "thread away for %.0f ms at most (alone %.0f ms)",
+              faces, found->seconds, double(during) / seconds, double(alone.pictures) / alone.seconds(),
+              longest, alone.longestMs);
+    }
+
+    void anEditDropsWhatRuns()
+    {
+        setSections(10);
+        QVERIFY(m_recompute.waitForFull(patienceMs));
+        QTRY_COMPARE_WITH_TIMEOUT(analysis().state(m_tree), Analysis::State::Running, patienceMs);
+        QElapsedTimer clock;
+        clock.start();
+        setSections(3);
+        qInfo("dropped in %.2f ms", double(clock.nsecsElapsed()) * 1e-6);
+        QCOMPARE(analysis().state(m_tree), Analysis::State::None);
+        QVERIFY(m_recompute.waitForFull(patienceMs));
+        QVERIFY(analysis().waitForAll(patienceMs));
+        QCOMPARE(analysis().state(m_tree), Analysis::State::Done);
+    }
+};
+
+int main(int argc, char** argv)
+{
+    prepareOpenGl();
+    QApplication application(argc, argv);
+    TestBackgroundAnalysis test;
+    return QTest::qExec(&test, argc, argv);
+}
+#include "tst_background_analysis.moc"
