@@ -33,6 +33,30 @@
     </message>
 </context>
 <context>
+    <name>FaultTexts</name>
+    <message numerus="yes">
+        <source>%n defect(s)</source>
+        <translation>
+            <numerusform>%n defect</numerusform>
+            <numerusform>%n defects</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of triangles cross at forks</source>
+        <translation>
+            <numerusform>%n pair of triangles crosses at forks</numerusform>
+            <numerusform>%n pairs of triangles cross at forks</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of branches collide</source>
+        <translation>
+            <numerusform>%n pair of branches collides</numerusform>
+            <numerusform>%n pairs of branches collide</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ReportTexts</name>
     <message numerus="yes">
         <source>%1 vertices, %2 faces, volume %3, Euler characteristic %4, %n piece(s)</source>
@@ -46,6 +70,27 @@
         <translation>
             <numerusform>%n defect</numerusform>
             <numerusform>%n defects</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Closed, but %n pair(s) of triangles cross at forks</source>
+        <translation>
+            <numerusform>Closed, but %n pair of triangles crosses at forks</numerusform>
+            <numerusform>Closed, but %n pairs of triangles cross at forks</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of triangles cross at forks.</source>
+        <translation>
+            <numerusform>%n pair of triangles crosses at forks.</numerusform>
+            <numerusform>%n pairs of triangles cross at forks.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of branches collide (%1 pairs of triangles).</source>
+        <translation>
+            <numerusform>%n pair of branches collides (%1 pairs of triangles).</numerusform>
+            <numerusform>%n pairs of branches collide (%1 pairs of triangles).</numerusform>
         </translation>
     </message>
 </context>
@@ -164,6 +209,23 @@
         <translation>
             <numerusform>%n section copied as CSV</numerusform>
             <numerusform>%n sections copied as CSV</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::SeparateDialog</name>
+    <message numerus="yes">
+        <source>All %n colliding pair(s) moved apart</source>
+        <translation>
+            <numerusform>The colliding pair was moved apart</numerusform>
+            <numerusform>All %n colliding pairs moved apart</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n colliding pair(s) moved apart; the rest are listed</source>
+        <translation>
+            <numerusform>%1 of %n colliding pair moved apart; the rest are listed</numerusform>
+            <numerusform>%1 of %n colliding pairs moved apart; the rest are listed</numerusform>
         </translation>
     </message>
 </context>

@@ -427,6 +427,10 @@
         <source>Zoom &amp;out</source>
         <translation>&amp;Éloigner</translation>
     </message>
+    <message>
+        <source>Move colliding branches a&amp;part…</source>
+        <translation>É&amp;carter les branches qui se heurtent…</translation>
+    </message>
 </context>
 <context>
     <name>DialogChooser</name>
@@ -535,6 +539,38 @@
     <message>
         <source>column %1</source>
         <translation>colonne %1</translation>
+    </message>
+</context>
+<context>
+    <name>FaultTexts</name>
+    <message>
+        <source>The mesh of “%1” is not clean: %2.</source>
+        <translation>Le maillage de « %1 » n’est pas propre : %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n defect(s)</source>
+        <translation>
+            <numerusform>%n défaut</numerusform>
+            <numerusform>%n défauts</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not closed and outward</source>
+        <translation>pas fermé et tourné vers l’extérieur</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of triangles cross at forks</source>
+        <translation>
+            <numerusform>%n paire de triangles se croise aux fourches</numerusform>
+            <numerusform>%n paires de triangles se croisent aux fourches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of branches collide</source>
+        <translation>
+            <numerusform>%n paire de branches se heurte</numerusform>
+            <numerusform>%n paires de branches se heurtent</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -728,8 +764,104 @@
         <translation>Dans un jeu ou un moteur de rendu&#xa0;:</translation>
     </message>
     <message>
-        <source>The branches are one closed skin without holes or seams: every edge has exactly two faces, and all faces look outward. Whether branches reach into each other is another question, not asked here.</source>
-        <translation>Les branches forment une peau fermée, sans trou ni couture&#xa0;: chaque arête a exactement deux faces, et toutes regardent vers l’extérieur. Que des branches se pénètrent est une autre question, non posée ici.</translation>
+        <source>Crossings within a branch</source>
+        <translation>Croisements dans une branche</translation>
+    </message>
+    <message>
+        <source>Triangles of one branch run through each other: its surface folds over where it bends sharply or begins at a tight fork.</source>
+        <translation>Des triangles d’une même branche se traversent : sa surface se replie là où elle se courbe fortement ou naît d’une fourche serrée.</translation>
+    </message>
+    <message>
+        <source>A fold of a hair&apos;s breadth inside the wood: slicers that add up walls do not notice it.</source>
+        <translation>Un pli de l’épaisseur d’un cheveu à l’intérieur du bois : les trancheurs qui réunissent les parois ne le remarquent pas.</translation>
+    </message>
+    <message>
+        <source>A small crease in the shading, and a false edge for tools that cut the mesh.</source>
+        <translation>Un petit pli dans l’ombrage, et une fausse arête pour les outils qui découpent le maillage.</translation>
+    </message>
+    <message>
+        <source>Crossings between siblings</source>
+        <translation>Croisements entre sœurs</translation>
+    </message>
+    <message>
+        <source>Two branches that start at one fork run through each other behind it: they stay close for longer than they are thick.</source>
+        <translation>Deux branches nées de la même fourche se traversent au-delà : elles restent proches sur une longueur plus grande que leur épaisseur.</translation>
+    </message>
+    <message>
+        <source>Both are one body there. Most slicers join them; some leave a hollow where they overlap.</source>
+        <translation>Elles n’y font qu’un seul corps. La plupart des trancheurs les réunissent ; certains laissent un creux là où elles se recouvrent.</translation>
+    </message>
+    <message>
+        <source>The crease between them is hard, not a valley; leaves and bark may flicker in it.</source>
+        <translation>Le pli entre elles est net, ce n’est pas un creux arrondi ; feuilles et écorce peuvent y scintiller.</translation>
+    </message>
+    <message>
+        <source>Crossings of parent and child</source>
+        <translation>Croisements entre parent et enfant</translation>
+    </message>
+    <message>
+        <source>A branch runs back into the one that it grows on: it turns by more than a right angle.</source>
+        <translation>Une branche rentre dans celle qui la porte : elle tourne de plus d’un angle droit.</translation>
+    </message>
+    <message>
+        <source>The overlap lies inside the wood. Most slicers join the two.</source>
+        <translation>Le recouvrement est à l’intérieur du bois. La plupart des trancheurs réunissent les deux.</translation>
+    </message>
+    <message>
+        <source>The bark of one comes out of the other without a seam between them.</source>
+        <translation>L’écorce de l’une sort de l’autre, sans couture entre elles.</translation>
+    </message>
+    <message>
+        <source>Crossings far apart</source>
+        <translation>Croisements éloignés</translation>
+    </message>
+    <message>
+        <source>Triangles of branches run through each other that do not meet in any fork.</source>
+        <translation>Des triangles se traversent dont les branches ne se rejoignent dans aucune fourche.</translation>
+    </message>
+    <message>
+        <source>The branches are one body where they cross.</source>
+        <translation>Les branches ne font qu’un seul corps là où elles se croisent.</translation>
+    </message>
+    <message>
+        <source>They go through each other, and do so when the wind moves them.</source>
+        <translation>Elles se traversent, aussi quand le vent les remue.</translation>
+    </message>
+    <message>
+        <source>Branches that collide</source>
+        <translation>Branches qui se heurtent</translation>
+    </message>
+    <message>
+        <source>Two branches far from each other in the tree run through each other. That is no fault of the mesh: the tree grew so. “Move apart” turns the thinner one away as little as it takes.</source>
+        <translation>Deux branches éloignées dans l’arbre se traversent. Ce n’est pas une faute du maillage : l’arbre a poussé ainsi. « Écarter » tourne la plus mince, aussi peu que possible.</translation>
+    </message>
+    <message>
+        <source>They come out as one body, joined where they cross. Slicers that do not join overlapping walls leave a hollow there.</source>
+        <translation>Elles sortent en un seul corps, soudées là où elles se croisent. Les trancheurs qui ne réunissent pas les parois y laissent un creux.</translation>
+    </message>
+    <message>
+        <source>Up close one sees a branch go through another; in the wind both move through each other.</source>
+        <translation>De près, on voit une branche en traverser une autre ; au vent, elles bougent l’une à travers l’autre.</translation>
+    </message>
+    <message>
+        <source>Thinnest triangles</source>
+        <translation>Triangles les plus minces</translation>
+    </message>
+    <message>
+        <source>The triangles with the smallest angles. They are no defects: every mesh has some.</source>
+        <translation>Les triangles aux plus petits angles. Ce ne sont pas des défauts : tout maillage en a.</translation>
+    </message>
+    <message>
+        <source>Of no importance, as long as they have an area.</source>
+        <translation>Sans importance, tant qu’ils ont une aire.</translation>
+    </message>
+    <message>
+        <source>Long thin triangles shade in streaks, subdivide badly and slow down what computes on the surface.</source>
+        <translation>Les triangles longs et minces s’ombrent en traînées, se subdivisent mal et ralentissent les calculs sur la surface.</translation>
+    </message>
+    <message>
+        <source>The branches are one closed skin without holes or seams: every edge has exactly two faces, and all faces look outward. Branches may still reach into each other: that is listed above as well.</source>
+        <translation>Les branches forment une seule peau fermée, sans trou ni couture : chaque arête a exactement deux faces, et toutes les faces regardent vers l’extérieur. Des branches peuvent encore s’interpénétrer : c’est aussi dans la liste ci-dessus.</translation>
     </message>
 </context>
 <context>
@@ -841,6 +973,43 @@
     <message>
         <source>Repairs of the mesher:</source>
         <translation>Réparations du mailleur&#xa0;:</translation>
+    </message>
+    <message numerus="yes">
+        <source>Closed, but %n pair(s) of triangles cross at forks</source>
+        <translation>
+            <numerusform>Fermé, mais %n paire de triangles se croise aux fourches</numerusform>
+            <numerusform>Fermé, mais %n paires de triangles se croisent aux fourches</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No triangle runs through another.</source>
+        <translation>Aucun triangle n’en traverse un autre.</translation>
+    </message>
+    <message>
+        <source>No triangles cross at forks.</source>
+        <translation>Aucun triangle ne se croise aux fourches.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of triangles cross at forks.</source>
+        <translation>
+            <numerusform>%n paire de triangles se croise aux fourches.</numerusform>
+            <numerusform>%n paires de triangles se croisent aux fourches.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of branches collide (%1 pairs of triangles).</source>
+        <translation>
+            <numerusform>%n paire de branches se heurte (%1 paires de triangles).</numerusform>
+            <numerusform>%n paires de branches se heurtent (%1 paires de triangles).</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Smallest angle %1, largest aspect ratio %2</source>
+        <translation>Plus petit angle %1, plus grand allongement %2</translation>
+    </message>
+    <message>
+        <source>Hash %1</source>
+        <translation>Empreinte %1</translation>
     </message>
 </context>
 <context>
@@ -1987,6 +2156,53 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::AnalysisStrip</name>
+    <message>
+        <source>Looking for triangles that run through each other…</source>
+        <translation>Recherche de triangles qui se traversent…</translation>
+    </message>
+    <message>
+        <source>Whether triangles run through each other is not known: the search was stopped.</source>
+        <translation>On ne sait pas si des triangles se traversent : la recherche a été arrêtée.</translation>
+    </message>
+    <message>
+        <source>Hash %1</source>
+        <translation>Empreinte %1</translation>
+    </message>
+    <message>
+        <source>Stop looking</source>
+        <translation>Arrêter la recherche</translation>
+    </message>
+    <message>
+        <source>Progress of the search</source>
+        <translation>Avancement de la recherche</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Chercher de nouveau</translation>
+    </message>
+    <message>
+        <source>Move apart…</source>
+        <translation>Écarter…</translation>
+    </message>
+    <message>
+        <source>Turn the thinner branch of each colliding pair as little as it takes. Lengths stay.</source>
+        <translation>Tourner la plus mince des branches de chaque paire qui se heurte, aussi peu que possible. Les longueurs restent.</translation>
+    </message>
+    <message>
+        <source>A name for the mesh: equal on every machine where all positions and triangles are equal</source>
+        <translation>Un nom pour le maillage : le même sur toute machine quand toutes les positions et tous les triangles sont les mêmes</translation>
+    </message>
+    <message>
+        <source>Triangles by their smallest angle, from 0° to 60°; the height is the square root of their number</source>
+        <translation>Triangles selon leur plus petit angle, de 0° à 60° ; la hauteur est la racine carrée de leur nombre</translation>
+    </message>
+    <message>
+        <source>Triangles by their smallest angle</source>
+        <translation>Triangles selon leur plus petit angle</translation>
+    </message>
+</context>
+<context>
     <name>ramure::BoolEditor</name>
     <message>
         <source>on</source>
@@ -2242,6 +2458,18 @@ OpenGL&#xa0;: %4
         <source>“%1” is there already. Export once more to replace it.</source>
         <translation>«&#xa0;%1&#xa0;» existe déjà. Exportez encore une fois pour le remplacer.</translation>
     </message>
+    <message>
+        <source>Export anyway</source>
+        <translation>Exporter quand même</translation>
+    </message>
+    <message>
+        <source>Export it all the same?</source>
+        <translation>L’exporter quand même ?</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Montrer</translation>
+    </message>
 </context>
 <context>
     <name>ramure::FileActions</name>
@@ -2485,6 +2713,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Timeline</source>
         <translation>Ligne de temps</translation>
+    </message>
+    <message>
+        <source>There is no tree in the scene.</source>
+        <translation>Il n’y a pas d’arbre dans la scène.</translation>
     </message>
 </context>
 <context>
@@ -2900,6 +3132,14 @@ OpenGL&#xa0;: %4
         <source>Place (m)</source>
         <translation>Place (m)</translation>
     </message>
+    <message>
+        <source>Branches %1 and %2, %3 deep</source>
+        <translation>Branches %1 et %2, profondeur %3</translation>
+    </message>
+    <message>
+        <source>Face %1, %2</source>
+        <translation>Face %1, %2</translation>
+    </message>
 </context>
 <context>
     <name>ramure::RollEditor</name>
@@ -3244,6 +3484,47 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::SeparateDialog</name>
+    <message>
+        <source>Move colliding branches apart</source>
+        <translation>Écarter les branches qui se heurtent</translation>
+    </message>
+    <message>
+        <source>Turning branches and looking at the mesh again, until none collide or no turn helps…</source>
+        <translation>Les branches sont tournées et le maillage examiné de nouveau, jusqu’à ce qu’aucune ne se heurte ou qu’aucune rotation n’aide…</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Avancement</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>No branches collide.</source>
+        <translation>Aucune branche ne se heurte.</translation>
+    </message>
+    <message numerus="yes">
+        <source>All %n colliding pair(s) moved apart</source>
+        <translation>
+            <numerusform>La paire qui se heurtait a été écartée</numerusform>
+            <numerusform>Les %n paires qui se heurtaient ont été écartées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n colliding pair(s) moved apart; the rest are listed</source>
+        <translation>
+            <numerusform>%1 paire sur %n écartée ; le reste est dans la liste</numerusform>
+            <numerusform>%1 paires sur %n écartées ; le reste est dans la liste</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::ShortcutsDialog</name>
     <message>
         <source>Changed; as supplied: %1</source>
@@ -3420,6 +3701,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Time to build the trees, without drawing. “cached”: nothing had to be built, the results of before still hold.</source>
         <translation>Temps de construction des arbres, sans le dessin. « en mémoire » : rien n’était à construire, les résultats précédents sont toujours valables.</translation>
+    </message>
+    <message>
+        <source>Hash of the mesh: %1</source>
+        <translation>Empreinte du maillage : %1</translation>
     </message>
 </context>
 <context>
