@@ -44,9 +44,9 @@ public:
     }
 
 private:
-    const std::size_t m_chunks;
-    void* const m_work;
-    const parallel::Call m_call;
+    std::size_t m_chunks;
+    void* m_work;
+    parallel::Call m_call;
     std::atomic<std::size_t> m_next = 0;
     std::mutex m_mutex;
     std::exception_ptr m_exception;
