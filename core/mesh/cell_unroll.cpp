@@ -70,14 +70,19 @@ void CellUnroller::smoothRun(const std::vector<CellVertex>& boundary, std::size_
             out[(from + i) % count].azimuth + m_increments[i] * (total / sum);
 }
 
-void CellUnroller::unroll(const std::vector<CellVertex>& boundary, const ForkChild& child, double rollRad,
-                          std::vector<UnrolledVertex>& out)
+void CellUnroller::unroll(const std::vector<CellVertex>& boundary, const ForkChild& child, Index self,
+                          double rollRad, std::vector<UnrolledVertex>& out)
 {
     const std::size_t count = boundary.size();
     out.resize(count);
     for (std::size_t i = 0; i < count; ++i) {
         const CellVertex& from = boundary[i];
         out[i].vertex = from.vertex;
+        out[i].shared = {noIndex, noIndex};
+        std::size_t others = 0;
+        for (const Index sharer : from.cells)
+            if (sharer != noIndex && sharer != self)
+                out[i].shared[others++] = sharer;
         if (from.onRing) {
             out[i].along = 0.0;
             out[i].azimuth = from.azimuth - rollRad;

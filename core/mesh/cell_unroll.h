@@ -13,7 +13,7 @@ namespace ramure {
 class CellUnroller
 {
 public:
-    void unroll(const std::vector<CellVertex>& boundary, const ForkChild& child, double rollRad,
+    void unroll(const std::vector<CellVertex>& boundary, const ForkChild& child, Index self, double rollRad,
                 std::vector<UnrolledVertex>& out);
 
 private:

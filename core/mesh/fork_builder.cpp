@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ramure {
 
@@ -12,6 +13,7 @@ constexpr double roomAboveFront = 0.25; ///< between a fork's highest wall and t
 constexpr double roomInFront = 0.65;    ///< between a wall and a point of a partial ring
 constexpr double freeRoom = 0.25;       ///< between a sibling's tube and such a point
 constexpr double trimMargin = 0.02;     ///< between a trimmed ring and the plane it is trimmed to
+constexpr double leastStretch = 0.35;   ///< see TubeScale
 constexpr double leastTrimmed = 0.05;   ///< no point is drawn nearer to the centre
 
 } // namespace
@@ -99,6 +101,15 @@ void ForkBuilder::trimEndRing(Index child, const AxisSection& section, Index rin
     }
 }
 
+/// Distances along a tube count less the longer its plain triangles are.
+TubeScale ForkBuilder::scaleOf(const ForkChild& tube) const
+{
+    const double radius = tube.sections.front().radius;
+    const auto sides = static_cast<double>(m_context.divisions.ring(tube.branch, radius).size());
+    const double spacing = tube.table.length() / static_cast<double>(tube.sections.size() - 1);
+    return {radius, std::clamp(2.0 * std::numbers::pi * radius / (sides * spacing), leastStretch, 1.0)};
+}
+
 void ForkBuilder::startTube(Index child, std::vector<TubeEnd>& ends)
 {
     const ForkChild& tube = m_children[child];
@@ -107,7 +118,7 @@ void ForkBuilder::startTube(Index child, std::vector<TubeEnd>& ends)
         tube.source, m_ring.source,
         {meshCurve(m_context.skeleton, tube.branch, m_context.clampOvershoot), own.a0, own.a1});
     m_walls.cell(child, m_boundary);
-    m_unroller.unroll(m_boundary, tube, m_context.skeleton.branches[tube.branch].rollRad, m_front);
+    m_unroller.unroll(m_boundary, tube, child, m_context.skeleton.branches[tube.branch].rollRad, m_front);
     const std::size_t full = firstFullSection(tube);
     const bool atEnd = full + 1 == tube.sections.size();
     const AxisSection& section = tube.sections[full];
@@ -125,8 +136,11 @@ void ForkBuilder::startTube(Index child, std::vector<TubeEnd>& ends)
     const double most = section.along - 0.05 * section.radius;
     for (UnrolledVertex& vertex : m_front)
         vertex.along = std::min(vertex.along, most);
-    m_patch.zip(m_front, m_upper, tube.sections.front().radius);
+    m_patch.zip(m_front, m_upper, scaleOf(tube));
+    if (m_count > 2 || m_patch.isCrooked())
+        m_patch.relax();
     insertPartialRings(child, full);
+    m_patch.relax();
     m_patch.write(m_context.sink);
     if (atEnd)
         m_tubes.end(tube.branch, section, ring, points.size(), ends);

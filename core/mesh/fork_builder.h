@@ -22,6 +22,7 @@ public:
     void build(const TubeEnd& parent, std::vector<TubeEnd>& ends);
 
 private:
+    [[nodiscard]] TubeScale scaleOf(const ForkChild& tube) const;
     void startTube(Index child, std::vector<TubeEnd>& ends);
     std::size_t firstFullSection(const ForkChild& tube) const;
     std::size_t lastSectionBelow(const ForkChild& tube, std::size_t full) const;

@@ -14,6 +14,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double widestAngle = 0.95 * pi; ///< a child straight back has no stereographic place
 constexpr int spreadRounds = 60;
+constexpr double flatCosine = -0.94; ///< of the angle at a child that stands between two others
 
 /// A direction's place in the plane of the fork: stereographic, so that circles of directions stay circles.
 glm::dvec2 stereographic(const Frame& frame, const glm::dvec3& direction)
@@ -107,15 +108,16 @@ void ForkPlanner::addChild(const Frame& frame, const glm::dvec3& direction)
 void ForkPlanner::plan(std::span<const RingPoint> regular, ForkLayout& layout)
 {
     layout.triangulation.build(m_sites);
+    layout.triangulation.openFlatSides(flatCosine);
     const auto& hull = layout.triangulation.hull();
     m_splits.clear();
     for (const ForkTriangulation::HullEdge& edge : hull) {
         const glm::dvec2 along = layout.triangulation.place(edge.to) - layout.triangulation.place(edge.from);
         double azimuth = wrapped(std::atan2(-along.x, along.y)); // of the outward normal (y, -x)
-        // The hull is convex: its normals turn one way, once around.
+        // The hull is nearly convex: its normals turn one way, once around, but for small steps back.
         if (!m_splits.empty()) {
             const double step = wrapped(azimuth - m_splits.back());
-            azimuth = m_splits.back() + (step > turn - 1e-6 ? 0.0 : step);
+            azimuth = m_splits.back() + (step > 1.3 * pi ? step - turn : step);
         }
         m_splits.push_back(azimuth);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 namespace ramure {
 
@@ -236,6 +237,56 @@ void ForkTriangulation::build(std::span<const glm::dvec2> points)
     linkNeighbours();
     legalise();
     collectHull();
+}
+
+/// Sets the neighbour of a triangle across one of its edges.
+void ForkTriangulation::setNeighbour(Index triangle, Index from, Index neighbour)
+{
+    Triangle& t = m_triangles[triangle];
+    t.neighbour[t.site[0] == from ? 0 : (t.site[1] == from ? 1 : 2)] = neighbour;
+}
+
+/// Takes a triangle out of the list; the last one takes its number.
+void ForkTriangulation::removeTriangle(Index triangle)
+{
+    const auto last = static_cast<Index>(m_triangles.size() - 1);
+    if (triangle != last) {
+        m_triangles[triangle] = m_triangles[last];
+        for (const Index neighbour : m_triangles[triangle].neighbour)
+            if (neighbour != noIndex)
+                replaceNeighbour(neighbour, last, triangle);
+        for (HullEdge& edge : m_hull)
+            if (edge.triangle == last)
+                edge.triangle = triangle;
+    }
+    m_triangles.pop_back();
+}
+
+void ForkTriangulation::openFlatSides(double mostCosine)
+{
+    if (m_triangles.empty())
+        return;
+    m_outside.assign(m_sites.size(), noIndex); // from here on: is the site on the hull?
+    for (const HullEdge& edge : m_hull)
+        m_outside[edge.from] = 0;
+    for (std::size_t e = 0; e < m_hull.size();) {
+        const HullEdge edge = m_hull[e];
+        const Triangle triangle = m_triangles[edge.triangle];
+        const std::size_t i = triangle.site[0] == edge.from ? 0 : (triangle.site[1] == edge.from ? 1 : 2);
+        const Index apex = triangle.site[(i + 2) % 3];
+        const glm::dvec2 a = place(edge.from) - place(apex), b = place(edge.to) - place(apex);
+        if (m_outside[apex] != noIndex || glm::dot(a, b) > mostCosine * glm::length(a) * glm::length(b)) {
+            ++e;
+            continue;
+        }
+        const Index after = triangle.neighbour[(i + 1) % 3], before = triangle.neighbour[(i + 2) % 3];
+        setNeighbour(before, edge.from, noIndex);
+        setNeighbour(after, apex, noIndex);
+        m_outside[apex] = 0;
+        m_hull[e] = {edge.from, apex, before};
+        m_hull.insert(m_hull.begin() + static_cast<std::ptrdiff_t>(e) + 1, {apex, edge.to, after});
+        removeTriangle(edge.triangle);
+    }
 }
 
 } // namespace ramure

@@ -32,6 +32,10 @@ public:
     /// twice.
     void build(std::span<const glm::dvec2> points);
 
+    /// Takes flat triangles off the sides of the hull, where their third site is inside: it gets a place on
+    /// the hull, which is no longer convex there. \param mostCosine of the angle at that site.
+    void openFlatSides(double mostCosine);
+
     [[nodiscard]] const std::vector<Triangle>& triangles() const { return m_triangles; }
     [[nodiscard]] const std::vector<HullEdge>& hull() const { return m_hull; } ///< counter-clockwise
     /// A site's place after the snap to the grid, in the units of the points.
@@ -51,6 +55,8 @@ private:
     void legalise();
     bool flipIfIllegal(Index triangle, int edge);
     void collectHull();
+    void setNeighbour(Index triangle, Index from, Index neighbour);
+    void removeTriangle(Index triangle);
     [[nodiscard]] std::int64_t orient(Index a, Index b, Index c) const;
     [[nodiscard]] bool inCircle(Index a, Index b, Index c, Index d) const;
     void replaceNeighbour(Index triangle, Index old, Index now);

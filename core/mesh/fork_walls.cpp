@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace ramure {
@@ -10,52 +9,18 @@ namespace ramure {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// Of the shortest child: where the search for a valley looks.
-constexpr std::array<double, 7> searchShares{0.08, 0.16, 0.28, 0.44, 0.62, 0.8, 0.95};
-constexpr double growth = 1.3; ///< of the steps away from a guess
-constexpr int mostRefinements = 5;
-constexpr double closeEnough = 0.02; ///< of the radius: a wall vertex needs no more room than that
-constexpr double wallMargin = 0.06;  ///< of a tube's radius: how far outside its own tubes a wall lies
-constexpr double innerReach = 0.6;   ///< of the radius: how far aside the middle of an inner wall may lie
-
-/// Where the search for a valley stands: inside the tubes below, outside above.
-struct Stretch
-{
-    double inside, roomInside;
-    double outside, roomOutside;
-
-    /// The upper place is inside as well: a higher one takes its part.
-    void rise(double higher)
-    {
-        inside = outside;
-        roomInside = roomOutside;
-        outside = higher;
-    }
-    void narrow(double middle, double roomThere)
-    {
-        (roomThere < 0.0 ? inside : outside) = middle;
-        (roomThere < 0.0 ? roomInside : roomOutside) = roomThere;
-    }
-};
-
-/// Weights of a triangle's circumcentre, kept positive: at obtuse angles the true one lies outside.
-std::array<double, 3> circumcentreWeights(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c)
-{
-    const auto square = [](const glm::dvec2& v) { return glm::dot(v, v); };
-    const double aa = square(b - c), bb = square(c - a), cc = square(a - b);
-    std::array<double, 3> weight{aa * (bb + cc - aa), bb * (cc + aa - bb), cc * (aa + bb - cc)};
-    const double sum = weight[0] + weight[1] + weight[2];
-    if (!(sum > 0.0))
-        return {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
-    double kept = 0.0;
-    for (double& w : weight) {
-        w = std::clamp(w / sum, 0.05, 0.9);
-        kept += w;
-    }
-    for (double& w : weight)
-        w /= kept;
-    return weight;
-}
+constexpr std::size_t mostPerWall = 48; ///< vertices
+constexpr double leastAngle = 0.04;     ///< rad, between vertices added where a wall is steep
+constexpr double leastStepShare = 0.1;  ///< of the height between two neighbours: a vertex between them
+constexpr double leastCosine = 0.97;    ///< how near to the outside, or the far side, a wall may end
+/// A wall from side to side has a vertex in the middle, where the valley is highest, on tubes of less or more
+/// sides. Found by trial: in between, plane forks fold in fewer places without it.
+constexpr int fewSides = 5, manySides = 8;
+constexpr int cornerRounds = 4;
+constexpr double cornerGap = 0.1; ///< of the radius, between two corners
+/// A wall leans to its point of the ring up to this height, of the radius, at least, and to where it is this
+/// far aside, of its reach.
+constexpr double leanHeight = 0.75, leanReach = 0.7;
 
 } // namespace
 
@@ -67,117 +32,24 @@ glm::dvec3 ForkWalls::outward(Index from, Index to) const
     return m_ring->frame.normal * way.y - m_ring->frame.binormal * way.x;
 }
 
-double ForkWalls::pairRadius(Index u, Index v) const
-{
-    return 0.5 * (m_children[u].sections.front().radius + m_children[v].sections.front().radius);
-}
-
-glm::dvec3 ForkWalls::onPath(const Between& between, const glm::dvec3& offset, double along) const
-{
-    glm::dvec3 point = offset;
-    for (std::size_t i = 0; i < between.count; ++i)
-        point += between.weight[i] * m_children[between.child[i]].table.pointAt(along);
-    return point;
-}
-
-/// How far the path's point at an arc length is outside the tubes it lies between, margin included, and, if
-/// wanted, all others; negative inside.
-double ForkWalls::room(const Between& between, const glm::dvec3& offset, double along, Tubes tubes) const
-{
-    std::array<AxisTable::Place, 3> places;
-    glm::dvec3 point = offset;
-    for (std::size_t i = 0; i < between.count; ++i) {
-        places[i] = m_children[between.child[i]].table.at(along);
-        point += between.weight[i] * places[i].point;
-    }
-    // The foot of a point is at most as far as the axis at the same arc length: most points are found inside
-    // so.
-    double least = std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < between.count; ++i) {
-        const glm::dvec3 away = point - places[i].point;
-        least = std::min(least, std::sqrt(glm::dot(away, away)) - (1.0 + wallMargin) * places[i].radius);
-    }
-    if (least < 0.0)
-        return least;
-    for (std::size_t i = 0; i < between.count; ++i) {
-        const double clear = m_children[between.child[i]].table.clearanceFrom(places[i], point, along);
-        least = std::min(least, clear - wallMargin * places[i].radius);
-    }
-    if (tubes == Tubes::Between)
-        return least;
-    for (std::size_t j = 0; j < m_children.size() && least >= 0.0; ++j)
-        if (j != between.child[0] && j != between.child[1] && j != between.child[2])
-            least = std::min(least, m_children[j].table.clearance(point, along));
-    return least;
-}
-
-/// Goes up along the mean of the children's axes until the point leaves the tubes: in growing steps, or from
-/// a guess up or down, then by false position between the last place inside and the first one outside.
-/// \returns the arc length, or nothing if the point never leaves.
-std::optional<double> ForkWalls::exitHeight(const Between& between, const glm::dvec3& offset, double reach,
-                                            double guess, Tubes tubes) const
-{
-    const double radius = pairRadius(between.child[0], between.child[1]), enough = closeEnough * radius;
-    const double most = reach * searchShares.back();
-    Stretch stretch{0.0, -radius, std::min(guess, most), -1.0};
-    if (guess > 0.0) {
-        stretch.roomOutside = room(between, offset, stretch.outside, tubes);
-        while (stretch.roomOutside < 0.0 && stretch.outside < most) {
-            stretch.rise(std::min(most, stretch.outside * growth));
-            stretch.roomOutside = room(between, offset, stretch.outside, tubes);
-        }
-        if (stretch.inside == 0.0 && stretch.roomOutside > enough) { // the guess was too high
-            const double lower = stretch.outside / growth;
-            const double roomThere = room(between, offset, lower, tubes);
-            stretch.narrow(lower, roomThere);
-        }
-    } else {
-        for (const double share : searchShares) {
-            stretch.outside = reach * share;
-            stretch.roomOutside = room(between, offset, stretch.outside, tubes);
-            if (stretch.roomOutside >= 0.0)
-                break;
-            stretch.rise(stretch.outside);
-        }
-    }
-    if (stretch.roomOutside < 0.0)
-        return std::nullopt;
-    for (int round = 0; round < mostRefinements && stretch.roomOutside > enough; ++round) {
-        const double part =
-            std::clamp(stretch.roomInside / (stretch.roomInside - stretch.roomOutside), 0.1, 0.9);
-        const double middle = stretch.inside + (stretch.outside - stretch.inside) * part;
-        stretch.narrow(middle, room(between, offset, middle, tubes));
-    }
-    return stretch.outside;
-}
-
-/// Where a point's path leaves all tubes; tubes that never come apart there end their wall where the shorter
-/// one ends. \param guess the height found last for a vertex of the same kind: forks are often symmetric.
-CellVertex ForkWalls::lift(const Between& between, const glm::dvec3& offset, double& guess)
-{
-    double reach = m_children[between.child[0]].table.length();
-    for (std::size_t i = 1; i < between.count; ++i)
-        reach = std::min(reach, m_children[between.child[i]].table.length());
-    // Seldom does a third tube cover the place where two come apart: it is asked only there.
-    std::optional<double> along = exitHeight(between, offset, reach, guess, Tubes::Between);
-    if (along && m_children.size() > between.count && room(between, offset, *along, Tubes::All) < 0.0)
-        along = exitHeight(between, offset, reach, 0.0, Tubes::All);
-    if (along)
-        guess = *along;
-    else
-        ++m_withoutExit;
-    const double height = along.value_or(reach);
-    return {noIndex, onPath(between, offset, height), height};
-}
-
 /// Returns the vertex' number in m_vertices.
-Index ForkWalls::add(CellVertex vertex, const Between& between)
+Index ForkWalls::add(const ForkLift::Lifted& lifted, const WallPath& path)
 {
-    vertex.vertex = m_sink->addVertex(vertex.position, m_children[between.child[0]].source);
+    CellVertex vertex;
+    vertex.position = lifted.position;
+    vertex.lifted = lifted.along;
+    vertex.cells = path.child;
+    vertex.vertex = m_sink->addVertex(vertex.position, m_children[path.child[0]].source);
     ForkVertex shared{vertex.vertex, m_ring->source, {noIndex, noIndex, noIndex}, {}, float(vertex.lifted)};
-    for (std::size_t i = 0; i < between.count; ++i) {
-        shared.branch[i] = m_children[between.child[i]].source;
-        shared.weight[i] = float(between.weight[i]);
+    std::array<double, 3> weight = m_lift.weightsAt(path, lifted.along);
+    double sum = 0.0;
+    for (double& w : weight) {
+        w = std::max(w, 0.0);
+        sum += w;
+    }
+    for (std::size_t i = 0; i < path.count; ++i) {
+        shared.branch[i] = m_children[path.child[i]].source;
+        shared.weight[i] = float(weight[i] / sum);
     }
     m_sink->forkVertices.push_back(shared);
     m_vertices.push_back(vertex);
@@ -186,14 +58,162 @@ Index ForkWalls::add(CellVertex vertex, const Between& between)
 
 void ForkWalls::makeCorners()
 {
-    const auto& sites = m_layout->triangulation;
-    double guess = 0.0;
-    for (const ForkTriangulation::Triangle& triangle : sites.triangles()) {
-        const auto& s = triangle.site;
-        const Between between{s, circumcentreWeights(sites.place(s[0]), sites.place(s[1]), sites.place(s[2])),
-                              3};
-        add(lift(between, glm::dvec3(0.0), guess), between);
+    m_corners.clear();
+    double guess = 0.0; // the corners of a fork are often about as high as each other
+    for (const ForkTriangulation::Triangle& triangle : m_layout->triangulation.triangles()) {
+        WallPath path;
+        path.child = triangle.site;
+        path.count = 3;
+        m_corners.push_back({path, m_lift.lift(path, guess)});
+        guess = m_corners.back().at.along;
     }
+    for (int round = 0; round < cornerRounds && partCorners(); ++round)
+        ;
+    for (const Corner& corner : m_corners)
+        add(corner.at, corner.path);
+}
+
+/// Where four tubes are about as far from one point, two corners lie there, and perhaps in the wrong order:
+/// pushes neighbours apart. Returns whether that was necessary.
+bool ForkWalls::partCorners()
+{
+    const auto& triangles = m_layout->triangulation.triangles();
+    bool moved = false;
+    for (Index t = 0; t < triangles.size(); ++t)
+        for (std::size_t e = 0; e < 3; ++e) {
+            const Index other = triangles[t].neighbour[e];
+            if (other == noIndex || other < t)
+                continue;
+            WallPath path;
+            path.child = {triangles[t].site[e], triangles[t].site[(e + 1) % 3], noIndex};
+            path.aside = outward(path.child[0], path.child[1]);
+            const double along = 0.5 * (m_corners[t].at.along + m_corners[other].at.along);
+            const glm::dvec3 centre = m_lift.pointAt(path, along);
+            path.out = 1.0;
+            const glm::dvec3 aside = m_lift.pointAt(path, along) - centre;
+            const double lack = cornerGap * m_lift.meanRadius(path) -
+                                glm::dot(m_corners[other].at.position - m_corners[t].at.position, aside);
+            if (lack <= 0.0)
+                continue;
+            m_corners[other].at.position += (0.5 * lack) * aside;
+            m_corners[t].at.position -= (0.5 * lack) * aside;
+            moved = true;
+        }
+    return moved;
+}
+
+/// The wall between two children, without its ends.
+ForkWalls::WallPlan ForkWalls::planWall(Index from, Index to) const
+{
+    WallPlan plan;
+    plan.path.child = {from, to, noIndex};
+    plan.path.aside = outward(from, to);
+    plan.reach = (1.0 + ForkLift::margin) *
+                 std::max(m_children[from].sections.front().radius, m_children[to].sections.front().radius);
+    plan.step = std::numeric_limits<double>::max();
+    for (const Index child : {from, to}) {
+        const ForkChild& tube = m_children[child];
+        const double spacing = tube.table.length() / static_cast<double>(tube.sections.size() - 1);
+        const double pitch = 2.0 * pi * tube.sections.front().radius / m_radialDivisions;
+        plan.step = std::min(plan.step, std::max(spacing, pitch));
+    }
+    return plan;
+}
+
+/// A wall that begins at a point of the ring, or, if \p far, ends there.
+void ForkWalls::leanToRing(WallPlan& plan, std::size_t edge, bool far) const
+{
+    const RingPoint& point = m_layout->ring[m_layout->splitPoint[edge]];
+    const glm::dvec3 direction =
+        m_ring->frame.normal * point.direction.x + m_ring->frame.binormal * point.direction.y;
+    (far ? plan.farRing : plan.nearRing) = direction;
+    (far ? plan.endsOnRing : plan.beginsOnRing) = true;
+}
+
+/// Angle on the circle of a pair's tubes, seen along them from the middle between: 0 on the outside, where
+/// the ring is; half a turn at the far side.
+ForkWalls::WallSample ForkWalls::cornerOf(const WallPlan& plan, Index corner) const
+{
+    const CellVertex& at = m_vertices[corner];
+    WallPath middle = plan.path;
+    middle.out = 0.0;
+    WallPath aside = plan.path;
+    aside.out = 1.0;
+    const glm::dvec3 centre = m_lift.pointAt(middle, at.lifted);
+    const double out = glm::dot(at.position - centre, m_lift.pointAt(aside, at.lifted) - centre);
+    return {std::acos(std::clamp(out / plan.reach, -leastCosine, leastCosine)), {at.position, at.lifted}};
+}
+
+WallPath ForkWalls::pathAt(const WallPlan& plan, double angle)
+{
+    WallPath path = plan.path;
+    const double cosine = std::cos(angle);
+    path.out = plan.reach * cosine;
+    const bool far = cosine < 0.0;
+    if (far ? plan.endsOnRing : plan.beginsOnRing) {
+        path.leansUpTo = plan.leansUpTo;
+        path.atRing = far ? -plan.farRing : plan.nearRing;
+    }
+    return path;
+}
+
+ForkLift::Lifted ForkWalls::liftAt(const WallPlan& plan, double angle, double most) const
+{
+    const WallPath path = pathAt(plan, angle);
+    return m_lift.lift(path, m_guess.exitAt(path.out), most);
+}
+
+/// A vertex between two neighbours that are too far apart in height. None where the wall jumps.
+std::optional<ForkWalls::WallSample> ForkWalls::sampleBetween(const WallPlan& plan, const WallSample& from,
+                                                              const WallSample& to) const
+{
+    const auto [low, high] = std::minmax(from.at.along, to.at.along);
+    const double least = leastStepShare * (high - low);
+    double lowAngle = from.at.along < to.at.along ? from.angle : to.angle;
+    double highAngle = from.at.along < to.at.along ? to.angle : from.angle;
+    while (std::abs(highAngle - lowAngle) >= 2.0 * leastAngle) {
+        const double angle = 0.5 * (lowAngle + highAngle);
+        const ForkLift::Lifted middle = liftAt(plan, angle, high);
+        if (middle.along < low + least)
+            lowAngle = angle;
+        else if (middle.along > high - least)
+            highAngle = angle;
+        else
+            return WallSample{angle, middle};
+    }
+    return std::nullopt;
+}
+
+/// A wall's vertices, first at even angles, then more where it is steep: no two neighbours should be further
+/// apart in height than the sections of the tubes beside it.
+ForkWalls::Wall ForkWalls::makeWall(WallPlan plan, const WallSample& from, const WallSample& to)
+{
+    m_guess.build(m_children, plan.path);
+    plan.leansUpTo = std::max(leanHeight * plan.reach, m_guess.exitAt(leanReach * plan.reach));
+    const double highest = std::max(from.at.along, to.at.along), range = to.angle - from.angle;
+    const bool peaked = plan.endsOnRing && (m_radialDivisions < fewSides || m_radialDivisions > manySides);
+    const long mids =
+        std::max<long>(1, std::lround(2.0 / pi * std::abs(range) * m_midsPerQuarter) + (peaked ? 1 : 0));
+    m_samples.clear();
+    m_samples.push_back(from);
+    for (long i = 1; i <= mids; ++i) {
+        const double angle = from.angle + range * static_cast<double>(i) / static_cast<double>(mids + 1);
+        m_samples.push_back({angle, liftAt(plan, angle, highest)});
+    }
+    m_samples.push_back(to);
+    for (std::size_t i = 0; i + 1 < m_samples.size() && m_samples.size() < mostPerWall;) {
+        const WallSample &a = m_samples[i], &b = m_samples[i + 1];
+        const std::optional<WallSample> middle =
+            std::abs(b.at.along - a.at.along) > plan.step ? sampleBetween(plan, a, b) : std::nullopt;
+        if (middle)
+            m_samples.insert(m_samples.begin() + static_cast<std::ptrdiff_t>(i) + 1, *middle);
+        else
+            ++i;
+    }
+    const Wall wall{static_cast<Index>(m_vertices.size()), static_cast<Index>(m_samples.size() - 2)};
+    for (std::size_t i = 1; i + 1 < m_samples.size(); ++i)
+        add(m_samples[i].at, plan.path);
+    return wall;
 }
 
 /// Walls that begin on the ring. They end at their triangle's corner, or, where all children lie in one
@@ -202,7 +222,6 @@ void ForkWalls::makeHullWalls()
 {
     const auto& hull = m_layout->triangulation.hull();
     m_hullWall.assign(hull.size(), {});
-    m_guesses.assign(2 * m_midsPerWall + 2, 0.0);
     for (std::size_t e = 0; e < hull.size(); ++e) {
         const ForkTriangulation::HullEdge& edge = hull[e];
         const std::size_t opposite = hull.size() - 1 - e;
@@ -211,18 +230,12 @@ void ForkWalls::makeHullWalls()
             m_hullWall[e] = m_hullWall[opposite];
             continue;
         }
-        const std::size_t count = across ? 2 * m_midsPerWall + 1 : m_midsPerWall;
-        const glm::dvec3 aside = outward(edge.from, edge.to);
-        const Between between = pair(edge.from, edge.to);
-        const double reach = pairRadius(edge.from, edge.to);
-        m_hullWall[e].first = static_cast<Index>(m_vertices.size());
-        for (std::size_t i = 1; i <= count; ++i) {
-            const double part = static_cast<double>(i) / static_cast<double>(count + 1);
-            const double out = reach * std::cos(part * (across ? pi : 0.5 * pi));
-            double& guess = m_guesses[across ? std::min(i, count + 1 - i) : i];
-            add(lift(between, aside * out, guess), between);
-        }
-        m_hullWall[e].count = static_cast<Index>(m_vertices.size()) - m_hullWall[e].first;
+        WallPlan plan = planWall(edge.from, edge.to);
+        leanToRing(plan, e, false);
+        if (across)
+            leanToRing(plan, opposite, true);
+        m_hullWall[e] =
+            makeWall(plan, {0.0, {}}, across ? WallSample{pi, {}} : cornerOf(plan, edge.triangle));
     }
 }
 
@@ -230,28 +243,20 @@ void ForkWalls::makeHullWalls()
 void ForkWalls::makeInnerWalls()
 {
     const auto& triangles = m_layout->triangulation.triangles();
-    m_innerWall.assign(triangles.size(), {noIndex, noIndex, noIndex});
-    double guess = 0.0;
+    m_innerWall.assign(triangles.size(), {});
     for (Index t = 0; t < triangles.size(); ++t)
         for (std::size_t e = 0; e < 3; ++e) {
             const Index other = triangles[t].neighbour[e];
             if (other == noIndex || other < t)
                 continue;
             const Index u = triangles[t].site[e], v = triangles[t].site[(e + 1) % 3];
-            const glm::dvec3 aside = outward(u, v);
-            double offset = 0.0;
-            for (const Index corner : {t, other}) {
-                const CellVertex& at = m_vertices[corner];
-                offset += 0.5 * glm::dot(at.position - onPath(pair(u, v), glm::dvec3(0.0), at.lifted), aside);
-            }
-            const double most = innerReach * pairRadius(u, v);
-            const Between between = pair(u, v);
-            const Index mid = add(lift(between, aside * std::clamp(offset, -most, most), guess), between);
-            m_innerWall[t][e] = mid;
+            const WallPlan plan = planWall(u, v);
+            const Wall wall = makeWall(plan, cornerOf(plan, other), cornerOf(plan, t));
+            m_innerWall[t][e] = wall;
             const auto& back = triangles[other].site;
             for (std::size_t i = 0; i < 3; ++i)
                 if (back[i] == v && back[(i + 1) % 3] == u)
-                    m_innerWall[other][i] = mid;
+                    m_innerWall[other][i] = wall;
         }
 }
 
@@ -262,8 +267,9 @@ void ForkWalls::build(const ForkLayout& layout, const ForkRing& ring, std::span<
     m_ring = &ring;
     m_children = children;
     m_sink = &sink;
-    m_midsPerWall = static_cast<std::size_t>(std::clamp((radialDivisions + 1) / 4, 1, 12));
-    m_withoutExit = 0;
+    m_radialDivisions = radialDivisions;
+    m_midsPerQuarter = std::clamp((radialDivisions + 1) / 4, 1, 12);
+    m_lift.begin(children);
     m_vertices.clear();
     makeCorners();
     makeHullWalls();
@@ -277,6 +283,9 @@ void ForkWalls::build(const ForkLayout& layout, const ForkRing& ring, std::span<
         m_hullFrom[hull[e].from] = e;
         m_hullTo[hull[e].to] = e;
     }
+    m_ringCells.assign(ring.points.size(), {noIndex, noIndex, noIndex});
+    for (Index e = 0; e < hull.size(); ++e)
+        m_ringCells[layout.splitPoint[e]] = {hull[e].from, hull[e].to, noIndex};
     const auto& triangles = layout.triangulation.triangles();
     for (Index t = 0; t < triangles.size(); ++t)
         for (const Index site : triangles[t].site)
@@ -285,8 +294,8 @@ void ForkWalls::build(const ForkLayout& layout, const ForkRing& ring, std::span<
 
 void ForkWalls::appendRing(Index point, std::vector<CellVertex>& boundary) const
 {
-    boundary.push_back(
-        {m_ring->firstVertex + point, m_ring->points[point], 0.0, m_layout->ring[point].azimuth, true});
+    boundary.push_back({m_ring->firstVertex + point, m_ring->points[point], 0.0,
+                        m_layout->ring[point].azimuth, true, m_ringCells[point]});
 }
 
 /// The ring from the split point of a hull edge to that of the next.
@@ -305,6 +314,15 @@ void ForkWalls::appendWall(std::size_t edge, bool inwards, std::vector<CellVerte
     const Wall& wall = m_hullWall[edge];
     for (Index i = 0; i < wall.count; ++i)
         boundary.push_back(m_vertices[wall.first + (inwards ? i : wall.count - 1 - i)]);
+}
+
+/// The mids of a wall between two corners, away from that of \p triangle.
+void ForkWalls::appendInner(Index triangle, std::size_t edge, std::vector<CellVertex>& boundary) const
+{
+    const Wall& wall = m_innerWall[triangle][edge];
+    const bool forwards = m_layout->triangulation.triangles()[triangle].neighbour[edge] < triangle;
+    for (Index i = 0; i < wall.count; ++i)
+        boundary.push_back(m_vertices[wall.first + (forwards ? i : wall.count - 1 - i)]);
 }
 
 /// Walls and corners around a child, from the hull edge that leaves it to one that reaches it, which is
@@ -332,7 +350,7 @@ std::size_t ForkWalls::appendAround(Index child, std::size_t edge, std::vector<C
             appendWall(reached, false, boundary);
             return reached;
         }
-        boundary.push_back(m_vertices[m_innerWall[at][back]]);
+        appendInner(at, back, boundary);
         at = triangle.neighbour[back];
     }
 }
@@ -359,7 +377,7 @@ void ForkWalls::cell(Index child, std::vector<CellVertex>& boundary) const
             ++i;
         const std::size_t back = (i + 2) % 3;
         boundary.push_back(m_vertices[at]);
-        boundary.push_back(m_vertices[m_innerWall[at][back]]);
+        appendInner(at, back, boundary);
         at = triangles[at].neighbour[back];
     } while (at != start);
 }

@@ -3,21 +3,11 @@
 /// child's cell.
 #pragma once
 
-#include "core/mesh/branch_axis.h"
 #include "core/mesh/fork_layout.h"
+#include "core/mesh/fork_lift.h"
 #include "core/mesh/mesh_sink.h"
-#include <optional>
 
 namespace ramure {
-
-/// A child at a fork.
-struct ForkChild
-{
-    Index branch = noIndex; ///< of the NormalSkeleton
-    Index source = noIndex; ///< of the input
-    std::vector<AxisSection> sections;
-    AxisTable table;
-};
 
 /// The end ring all children start from.
 struct ForkRing
@@ -33,11 +23,12 @@ struct ForkRing
 /// A vertex on a cell's boundary.
 struct CellVertex
 {
-    Index vertex; ///< of the mesh
-    glm::dvec3 position;
+    Index vertex = noIndex; ///< of the mesh
+    glm::dvec3 position{0.0};
     double lifted = 0.0;  ///< arc length at which the tubes separate there
     double azimuth = 0.0; ///< on the ring, in the parent's end frame; of no meaning elsewhere
     bool onRing = false;
+    std::array<Index, 3> cells{noIndex, noIndex, noIndex}; ///< the children whose boundaries it is on
 };
 
 /// Lifts corners and walls to the height where the tubes come apart, and strings the cells' boundaries
@@ -51,51 +42,67 @@ public:
     /// The boundary of a child's cell, counter-clockwise seen from the child's tip; at least three vertices.
     /// A run on the ring, if there is one, comes first.
     void cell(Index child, std::vector<CellVertex>& boundary) const;
-    /// Wall vertices that found no place outside all tubes.
-    [[nodiscard]] Index withoutExit() const { return m_withoutExit; }
 
 private:
-    /// What a wall vertex lies between: two or three children with weights.
-    struct Between
-    {
-        std::array<Index, 3> child;
-        std::array<double, 3> weight;
-        std::size_t count;
-    };
-    /// Vertices of m_vertices on a wall, from its hull edge's ring point on.
+    /// Vertices of m_vertices on a wall, from its first end to its second.
     struct Wall
     {
         Index first = 0, count = 0;
     };
+    struct WallSample
+    {
+        double angle; ///< rad, see cornerOf
+        ForkLift::Lifted at;
+    };
+    struct WallPlan
+    {
+        WallPath path;          ///< between the two children
+        double reach = 0.0;     ///< m, how far aside the wall is at angle 0
+        double step = 0.0;      ///< m, in height between neighbours
+        double leansUpTo = 0.0; ///< m
+        bool beginsOnRing = false, endsOnRing = false;
+        glm::dvec3 nearRing{0.0}, farRing{0.0}; ///< unit, from the centre to the points of the ring
+    };
+    struct Corner
+    {
+        WallPath path;
+        ForkLift::Lifted at;
+    };
     void makeCorners();
+    bool partCorners();
     void makeHullWalls();
     void makeInnerWalls();
-    CellVertex lift(const Between& between, const glm::dvec3& offset, double& guess);
-    Index add(CellVertex vertex, const Between& between);
-    [[nodiscard]] glm::dvec3 onPath(const Between& between, const glm::dvec3& offset, double along) const;
-    enum class Tubes { Between, All };
-    [[nodiscard]] double room(const Between& between, const glm::dvec3& offset, double along,
-                              Tubes tubes) const;
-    std::optional<double> exitHeight(const Between& between, const glm::dvec3& offset, double reach,
-                                     double guess, Tubes tubes) const;
-    [[nodiscard]] Between pair(Index u, Index v) const { return {{u, v, noIndex}, {0.5, 0.5, 0.0}, 2}; }
+    [[nodiscard]] WallPlan planWall(Index from, Index to) const;
+    void leanToRing(WallPlan& plan, std::size_t edge, bool far) const;
+    [[nodiscard]] WallSample cornerOf(const WallPlan& plan, Index corner) const;
+    [[nodiscard]] static WallPath pathAt(const WallPlan& plan, double angle);
+    [[nodiscard]] ForkLift::Lifted liftAt(const WallPlan& plan, double angle, double most) const;
+    [[nodiscard]] std::optional<WallSample> sampleBetween(const WallPlan& plan, const WallSample& from,
+                                                          const WallSample& to) const;
+    Wall makeWall(WallPlan plan, const WallSample& from, const WallSample& to);
+    Index add(const ForkLift::Lifted& lifted, const WallPath& path);
     [[nodiscard]] glm::dvec3 outward(Index from, Index to) const;
-    [[nodiscard]] double pairRadius(Index u, Index v) const;
     void appendArc(std::size_t edge, std::vector<CellVertex>& boundary) const;
     void appendWall(std::size_t edge, bool inwards, std::vector<CellVertex>& boundary) const;
     void appendRing(Index point, std::vector<CellVertex>& boundary) const;
+    void appendInner(Index triangle, std::size_t edge, std::vector<CellVertex>& boundary) const;
     std::size_t appendAround(Index child, std::size_t edge, std::vector<CellVertex>& boundary) const;
 
     const ForkLayout* m_layout = nullptr;
     const ForkRing* m_ring = nullptr;
     std::span<const ForkChild> m_children;
     MeshSink* m_sink = nullptr;
-    std::size_t m_midsPerWall = 2;
-    Index m_withoutExit = 0;
+    int m_radialDivisions = 8;
+    int m_midsPerQuarter = 2; ///< vertices of a wall over a quarter of a turn
+    ForkLift m_lift;
+    ValleyGuess m_guess;
+    std::vector<WallSample> m_samples;
+    std::vector<Corner> m_corners;      ///< one per triangle
     std::vector<CellVertex> m_vertices; ///< corners first, then the walls
-    std::vector<double> m_guesses;      ///< per mid of a hull wall: the height found last
     std::vector<Wall> m_hullWall;
-    std::vector<std::array<Index, 3>> m_innerWall; ///< per triangle and edge: its mid
+    /// Per triangle and edge; from the corner of the triangle with the higher number.
+    std::vector<std::array<Wall, 3>> m_innerWall;
+    std::vector<std::array<Index, 3>> m_ringCells; ///< per point of the ring; noIndex thrice within a cell
     std::vector<Index> m_hullFrom, m_hullTo; ///< per child: a hull edge that leaves it, one that reaches it
     std::vector<Index> m_triangleOf;         ///< per child: a triangle at it
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace ramure {
@@ -12,6 +13,10 @@ constexpr double turn = 2.0 * std::numbers::pi;
 /// A vertex is inserted, and an edge flipped, only where all triangles keep this share of the tube's radius
 /// squared.
 constexpr double leastAreaShare = 1e-3;
+constexpr double widestChord = 0.2; ///< of the circumference, between two vertices of the lower row
+constexpr double upsideDown = 1e6;  ///< the cost of a triangle that should not be
+constexpr double pitOpening =
+    0.2; ///< a pit is filled where the angle at its bottom is not much more than right
 
 double cross(double ax, double ay, double bx, double by)
 {
@@ -21,13 +26,15 @@ double cross(double ax, double ay, double bx, double by)
 } // namespace
 
 void StripPatch::arrange(const std::vector<UnrolledVertex>& lower, const std::vector<UnrolledVertex>& upper,
-                         double radius)
+                         const TubeScale& tube)
 {
+    const double radius = tube.radius;
     m_lowerCount = lower.size();
     m_upperCount = upper.size();
     m_radius = radius;
     m_circumference = turn * radius;
-    m_least = leastAreaShare * radius * radius;
+    m_stretch = tube.stretch;
+    m_least = leastAreaShare * radius * radius * m_stretch;
     std::size_t start = 0;
     for (std::size_t i = 1; i < m_lowerCount; ++i)
         if (lower[i].along > lower[start].along)
@@ -37,7 +44,8 @@ void StripPatch::arrange(const std::vector<UnrolledVertex>& lower, const std::ve
     for (std::size_t i = 0; i <= m_lowerCount; ++i) {
         const UnrolledVertex& from = lower[(start + i) % m_lowerCount];
         const double once = start + i >= m_lowerCount ? turn : 0.0;
-        m_lowerRow.push_back({(from.azimuth + once - zero) * radius, from.along, from.vertex});
+        m_lowerRow.push_back(
+            {(from.azimuth + once - zero) * radius, m_stretch * from.along, from.vertex, from.shared});
     }
     const auto offset = [&](const UnrolledVertex& v) {
         const double d = v.azimuth - zero;
@@ -52,7 +60,7 @@ void StripPatch::arrange(const std::vector<UnrolledVertex>& lower, const std::ve
     for (std::size_t j = 0; j <= m_upperCount; ++j) {
         const UnrolledVertex& from = upper[(first + j) % m_upperCount];
         const double once = first + j >= m_upperCount ? turn : 0.0;
-        m_upperRow.push_back({(from.azimuth + once + shift) * radius, from.along, from.vertex});
+        m_upperRow.push_back({(from.azimuth + once + shift) * radius, m_stretch * from.along, from.vertex});
     }
 }
 
@@ -66,7 +74,7 @@ bool StripPatch::preferLower(std::size_t i, std::size_t j) const
     if (cross(b.x - a.x, b.y - a.y, v.x - a.x, v.y - a.y) <= 0.0)
         return true;
     const double lag = b.x - v.x;
-    const auto most = static_cast<double>(std::max({std::size_t(8), m_lowerCount, m_upperCount}));
+    const auto most = static_cast<double>(std::max({std::size_t(8), lowerLeft(), m_upperCount}));
     if (std::abs(lag) > 0.5 * m_circumference / most)
         return lag < 0.0;
     const double ifLower = (b.x - u.x) * (b.x - u.x) + (b.y - u.y) * (b.y - u.y);
@@ -74,16 +82,61 @@ bool StripPatch::preferLower(std::size_t i, std::size_t j) const
     return ifLower < ifUpper;
 }
 
-void StripPatch::chooseSteps()
+/// Row by row, greedily. False where that makes a triangle upside down, or a very wide one.
+bool StripPatch::chooseStepsQuickly()
 {
     m_steps.clear();
     std::size_t i = 0, j = 0;
-    while (i < m_lowerCount || j < m_upperCount) {
-        const bool lower = i < m_lowerCount && (j >= m_upperCount || preferLower(i, j));
+    bool fine = true;
+    while (i < lowerLeft() || j < m_upperCount) {
+        const bool lower = i < lowerLeft() && (j >= m_upperCount || preferLower(i, j));
+        fine = fine && stepCost(i, j, lower) < upsideDown;
         m_steps.push_back(lower ? 1 : 0);
         ++(lower ? i : j);
     }
-    breakSingleRun();
+    return fine;
+}
+
+/// What the next triangle costs if the lower (or the upper) row advances: its new edge squared; far more
+/// where it is upside down or reaches around the tube.
+double StripPatch::stepCost(std::size_t i, std::size_t j, bool lower) const
+{
+    const Local &a = lowerAt(i), &u = upperAt(j), &next = lower ? lowerAt(i + 1) : upperAt(j + 1);
+    const double area = cross(next.x - a.x, next.y - a.y, u.x - a.x, u.y - a.y);
+    const Local& other = lower ? u : a;
+    const double dx = next.x - other.x, dy = next.y - other.y;
+    const double cost = (dx * dx + dy * dy) / (m_circumference * m_circumference);
+    const bool bad = area <= m_least * 0.01 || std::abs(dx) > 0.45 * m_circumference;
+    return bad ? upsideDown * (1.0 + cost) : cost;
+}
+
+/// The steps of least cost in all.
+void StripPatch::chooseStepsByCost()
+{
+    const std::size_t rows = lowerLeft() + 1, columns = m_upperCount + 1;
+    m_costs.assign(rows * columns, std::numeric_limits<double>::infinity());
+    m_cameByLower.assign(rows * columns, 0);
+    m_costs[0] = 0.0;
+    for (std::size_t i = 0; i < rows; ++i)
+        for (std::size_t j = 0; j < columns; ++j) {
+            const double here = m_costs[i * columns + j];
+            if (i + 1 < rows) // every place is reached from the row below first
+                if (const double cost = here + stepCost(i, j, true); cost < m_costs[(i + 1) * columns + j]) {
+                    m_costs[(i + 1) * columns + j] = cost;
+                    m_cameByLower[(i + 1) * columns + j] = 1;
+                }
+            if (j + 1 < columns)
+                if (const double cost = here + stepCost(i, j, false); cost < m_costs[i * columns + j + 1]) {
+                    m_costs[i * columns + j + 1] = cost;
+                    m_cameByLower[i * columns + j + 1] = 0;
+                }
+        }
+    m_steps.resize(rows + columns - 2);
+    std::size_t i = rows - 1, j = columns - 1;
+    for (std::size_t s = m_steps.size(); s-- > 0;) {
+        m_steps[s] = m_cameByLower[i * columns + j];
+        --(m_steps[s] ? i : j);
+    }
 }
 
 /// Edges between the rows would exist twice exactly if one row advanced all around in one go.
@@ -96,50 +149,90 @@ void StripPatch::breakSingleRun()
         return;
     std::fill(m_steps.begin(), m_steps.end(), std::uint8_t(0));
     m_steps[0] = 1;
-    std::fill(m_steps.begin() + 2, m_steps.begin() + 1 + static_cast<std::ptrdiff_t>(m_lowerCount),
+    std::fill(m_steps.begin() + 2, m_steps.begin() + 1 + static_cast<std::ptrdiff_t>(lowerLeft()),
               std::uint8_t(1));
+}
+
+/// Narrow pits of the lower row are filled from below: what is left of the row, m_lowerRow, sees the upper
+/// one.
+void StripPatch::fillPits()
+{
+    m_active.clear();
+    for (Index i = 0; i <= m_lowerCount; ++i)
+        m_active.push_back({i, noIndex});
+    const auto at = [&](std::size_t k) -> const Local& { return m_lowerRow[m_active[k].corner]; };
+    const auto local = [&](std::size_t k) { return m_active[k].corner % static_cast<Index>(m_lowerCount); };
+    for (std::size_t k = 1; k + 1 < m_active.size() && m_active.size() > 5;) {
+        const Local &a = at(k - 1), &b = at(k), &c = at(k + 1);
+        const double ax = a.x - b.x, ay = a.y - b.y, cx = c.x - b.x, cy = c.y - b.y;
+        const double area = cross(cx, cy, ax, ay), dot = ax * cx + ay * cy;
+        if (area <= m_least || dot < -pitOpening * area || c.x - a.x > widestChord * m_circumference ||
+            !mayJoin(local(k - 1), local(k + 1))) {
+            ++k;
+            continue;
+        }
+        const auto ear = static_cast<Index>(m_triangles.size());
+        m_triangles.push_back(
+            {{local(k - 1), local(k), local(k + 1)}, {m_active[k - 1].below, m_active[k].below, noIndex}});
+        for (const std::size_t edge : {std::size_t(0), std::size_t(1)})
+            if (const Index below = m_triangles[ear].neighbour[edge]; below != noIndex)
+                m_triangles[below].neighbour[2] = ear;
+        m_active[k - 1].below = ear;
+        m_active.erase(m_active.begin() + static_cast<std::ptrdiff_t>(k));
+        k = std::max<std::size_t>(1, k - 1);
+    }
+    if (m_active.size() == m_lowerRow.size())
+        return;
+    for (std::size_t k = 0; k < m_active.size(); ++k)
+        m_lowerRow[k] = m_lowerRow[m_active[k].corner];
+    m_lowerRow.resize(m_active.size());
 }
 
 void StripPatch::buildTriangles()
 {
-    m_vertices.assign(m_lowerRow.begin(), m_lowerRow.end() - 1);
-    m_vertices.insert(m_vertices.end(), m_upperRow.begin(), m_upperRow.end() - 1);
-    const auto lowerCount = static_cast<Index>(m_lowerCount), upperCount = static_cast<Index>(m_upperCount);
+    const auto lowerCount = static_cast<Index>(m_lowerRow.size() - 1),
+               upperCount = static_cast<Index>(m_upperCount), upperFirst = static_cast<Index>(m_lowerCount);
+    const auto first = static_cast<Index>(m_triangles.size());
     const auto count = static_cast<Index>(m_steps.size());
-    m_triangles.resize(count);
+    m_triangles.resize(first + count);
     m_refinable = true;
     Index i = 0, j = 0;
-    for (Index t = 0; t < count; ++t) {
-        const Index after = t + 1 < count ? t + 1 : 0, before = t > 0 ? t - 1 : count - 1;
-        const Index l = i % lowerCount, u = lowerCount + j % upperCount;
-        if (m_steps[t]) {
-            m_triangles[t] = {{l, (i + 1) % lowerCount, u}, {noIndex, after, before}};
+    const auto lower = [&](Index k) { return m_active[k % lowerCount].corner; };
+    for (Index s = 0; s < count; ++s) {
+        const Index t = first + s;
+        const Index after = first + (s + 1 < count ? s + 1 : 0), before = first + (s > 0 ? s - 1 : count - 1);
+        const Index u = upperFirst + j % upperCount;
+        if (m_steps[s]) {
+            const Index below = m_active[i % lowerCount].below;
+            m_triangles[t] = {{lower(i), lower(i + 1), u}, {below, after, before}};
+            if (below != noIndex)
+                m_triangles[below].neighbour[2] = t;
             ++i;
         } else {
-            m_triangles[t] = {{l, lowerCount + (j + 1) % upperCount, u}, {after, noIndex, before}};
+            m_triangles[t] = {{lower(i), upperFirst + (j + 1) % upperCount, u}, {after, noIndex, before}};
             ++j;
         }
         // Differences of azimuth are taken the short way: that needs edges under half a turn.
         const double across = std::abs(m_lowerRow[i].x - m_upperRow[j].x);
         m_refinable = m_refinable && across < 0.45 * m_circumference;
     }
-    for (std::size_t k = 0; k < m_lowerCount; ++k)
+    for (std::size_t k = 0; k < lowerCount; ++k)
         m_refinable = m_refinable && m_lowerRow[k + 1].x - m_lowerRow[k].x < 0.45 * m_circumference;
 }
 
 void StripPatch::zip(const std::vector<UnrolledVertex>& lower, const std::vector<UnrolledVertex>& upper,
-                     double radius)
+                     const TubeScale& tube)
 {
-    arrange(lower, upper, radius);
-    chooseSteps();
+    arrange(lower, upper, tube);
+    m_vertices.assign(m_lowerRow.begin(), m_lowerRow.end() - 1);
+    m_vertices.insert(m_vertices.end(), m_upperRow.begin(), m_upperRow.end() - 1);
+    m_triangles.clear();
+    fillPits();
+    m_crooked = m_lowerRow.size() <= m_lowerCount || !chooseStepsQuickly();
+    if (m_crooked)
+        chooseStepsByCost();
+    breakSingleRun();
     buildTriangles();
-}
-
-double StripPatch::deltaX(Index from, Index to) const
-{
-    const double d = m_vertices[to].x - m_vertices[from].x;
-    return d > 0.5 * m_circumference ? d - m_circumference
-                                     : (d < -0.5 * m_circumference ? d + m_circumference : d);
 }
 
 /// Does a triangle hold a vertex, well inside or on an edge with another triangle beyond it? Returns 3, the
@@ -240,7 +333,7 @@ bool StripPatch::insert(const UnrolledVertex& vertex)
     const auto local = static_cast<Index>(m_vertices.size());
     double x = (vertex.azimuth - m_zero) * m_radius;
     x -= m_circumference * std::floor(x / m_circumference);
-    m_vertices.push_back({x, vertex.along, vertex.vertex});
+    m_vertices.push_back({x, m_stretch * vertex.along, vertex.vertex});
     for (Index t = 0; t < m_triangles.size(); ++t) {
         const Index at = candidate(t, local);
         const int place = holds(m_triangles[at], local);
@@ -337,6 +430,95 @@ void StripPatch::legalise(Index vertex)
         if (isIllegal(triangle, vertex))
             exchange(triangle, vertex);
     }
+}
+
+/// Two vertices of the lower row that no other strip has in common, or vertices of different rows.
+bool StripPatch::mayJoin(Index a, Index b) const
+{
+    const Index inner = static_cast<Index>(m_lowerCount + m_upperCount);
+    if (a >= inner || b >= inner)
+        return true;
+    const bool lowerA = a < m_lowerCount, lowerB = b < m_lowerCount;
+    if (!lowerA && !lowerB)
+        return false;
+    if (!lowerA || !lowerB)
+        return true;
+    for (const Index s : m_vertices[a].shared)
+        if (s != noIndex && (s == m_vertices[b].shared[0] || s == m_vertices[b].shared[1]))
+            return false;
+    return true;
+}
+
+/// Is there an edge between two vertices? Walks around the first one, which is a corner of the triangle, both
+/// ways as far as its fan goes.
+bool StripPatch::isEdge(Index a, Index b, Index triangle) const
+{
+    for (const std::size_t way : {std::size_t(2), std::size_t(0)}) {
+        Index at = triangle;
+        do {
+            const Triangle& t = m_triangles[at];
+            const std::size_t i = t.corner[0] == a ? 0 : (t.corner[1] == a ? 1 : 2);
+            if (t.corner[(i + 1) % 3] == b || t.corner[(i + 2) % 3] == b)
+                return true;
+            at = t.neighbour[(i + way) % 3];
+        } while (at != noIndex && at != triangle);
+        if (at == triangle)
+            return false;
+    }
+    return false;
+}
+
+/// Exchanges an edge if that makes it Delaunay.
+bool StripPatch::relaxEdge(Index triangle, std::size_t edge)
+{
+    const Triangle t = m_triangles[triangle];
+    const Index other = t.neighbour[edge];
+    if (other == noIndex)
+        return false;
+    const Index a = t.corner[edge], b = t.corner[(edge + 1) % 3], c = t.corner[(edge + 2) % 3];
+    const Triangle& o = m_triangles[other];
+    const std::size_t j = o.corner[0] == b ? 0 : (o.corner[1] == b ? 1 : 2);
+    const Index d = o.corner[(j + 2) % 3];
+    if (c == d || !mayJoin(c, d))
+        return false;
+    const bool chord = c < m_lowerCount && d < m_lowerCount;
+    if (chord && std::abs(deltaX(c, d)) > widestChord * m_circumference)
+        return false;
+    const double half = 0.5 * m_circumference;
+    const double ax = deltaX(c, a), ay = m_vertices[a].y - m_vertices[c].y;
+    const double bx = deltaX(c, b), by = m_vertices[b].y - m_vertices[c].y;
+    const double dx = deltaX(c, d), dy = m_vertices[d].y - m_vertices[c].y;
+    if (std::abs(ax - bx) > half || std::abs(ax - dx) > half || std::abs(bx - dx) > half)
+        return false;
+    if (cross(ax, ay, dx, dy) <= m_least || cross(dx, dy, bx, by) <= m_least)
+        return false;
+    const double aa = ax * ax + ay * ay, bb = bx * bx + by * by, dd = dx * dx + dy * dy;
+    const double inside =
+        aa * cross(bx, by, dx, dy) - bb * cross(ax, ay, dx, dy) + dd * cross(ax, ay, bx, by);
+    if (inside >= -1e-9 * dd * aa || isEdge(c, d, triangle))
+        return false;
+    exchange(triangle, c);
+    return true;
+}
+
+void StripPatch::relax()
+{
+    if (!m_refinable)
+        return;
+    m_suspects.clear();
+    for (Index t = 0; t < m_triangles.size(); ++t)
+        for (std::size_t e = 0; e < 3; ++e) // every edge once: with the triangle of the higher number
+            if (m_triangles[t].neighbour[e] < t && relaxEdge(t, e))
+                break;
+    std::size_t left = 20 * m_triangles.size();
+    while (!m_suspects.empty() && left-- > 0) {
+        const Index t = m_suspects.back();
+        m_suspects.pop_back();
+        for (std::size_t e = 0; e < 3; ++e)
+            if (relaxEdge(t, e))
+                break;
+    }
+    m_suspects.clear();
 }
 
 void StripPatch::write(MeshSink& sink) const

@@ -15,6 +15,18 @@ struct UnrolledVertex
     double azimuth; ///< rad
     double along;   ///< m
     Index vertex;   ///< of the mesh
+    /// Whose strips share it too: an edge between two vertices that both belong to another strip could be in
+    /// both strips.
+    std::array<Index, 2> shared{noIndex, noIndex};
+};
+
+/// What a strip's plane is measured by.
+struct TubeScale
+{
+    double radius; ///< m, of the tube: the scale of the azimuth
+    /// Distances along the tube count so much of those around it: tubes bend around, not along, and their
+    /// triangles may be long.
+    double stretch = 1.0;
 };
 
 /// Whatever the coordinates: the strip is an annulus, each of its edges exists once, and no edge joins two
@@ -23,12 +35,17 @@ class StripPatch
 {
 public:
     /// Starts a strip. Rows are closed, at least three vertices each, azimuths increasing over one turn in
-    /// all. \param radius of the tube: the scale of the azimuth.
+    /// all.
     void zip(const std::vector<UnrolledVertex>& lower, const std::vector<UnrolledVertex>& upper,
-             double radius);
+             const TubeScale& tube);
     /// Inserts a vertex between the rows and makes the edges around it Delaunay. False where no triangle of
     /// the strip holds the place well inside: then nothing happened.
     bool insert(const UnrolledVertex& vertex);
+    /// Makes all edges Delaunay that may be exchanged; now two vertices of the lower row may be joined where
+    /// no other strip could join them.
+    void relax();
+    /// Was the strip hard to zip? Then it should be relaxed before vertices are inserted.
+    [[nodiscard]] bool isCrooked() const { return m_crooked; }
     void write(MeshSink& sink) const;
 
 private:
@@ -41,16 +58,25 @@ private:
     {
         double x, y; ///< m, x = azimuth times radius
         Index vertex;
+        std::array<Index, 2> shared{noIndex, noIndex};
     };
     void arrange(const std::vector<UnrolledVertex>& lower, const std::vector<UnrolledVertex>& upper,
-                 double radius);
-    void chooseSteps();
+                 const TubeScale& tube);
+    bool chooseStepsQuickly();
+    void chooseStepsByCost();
+    [[nodiscard]] double stepCost(std::size_t i, std::size_t j, bool lower) const;
     void breakSingleRun();
+    void fillPits();
     void buildTriangles();
+    [[nodiscard]] std::size_t lowerLeft() const { return m_lowerRow.size() - 1; }
     [[nodiscard]] bool preferLower(std::size_t i, std::size_t j) const;
     [[nodiscard]] const Local& lowerAt(std::size_t i) const { return m_lowerRow[i]; }
     [[nodiscard]] const Local& upperAt(std::size_t j) const { return m_upperRow[j]; }
-    [[nodiscard]] double deltaX(Index from, Index to) const;
+    [[nodiscard]] double deltaX(Index from, Index to) const
+    {
+        const double d = m_vertices[to].x - m_vertices[from].x, half = 0.5 * m_circumference;
+        return d > half ? d - m_circumference : (d < -half ? d + m_circumference : d);
+    }
     [[nodiscard]] int holds(const Triangle& triangle, Index vertex) const;
     [[nodiscard]] bool seesBeyond(const Triangle& triangle, std::size_t edge, Index vertex) const;
     void split(Index triangle, Index vertex);
@@ -61,18 +87,29 @@ private:
     [[nodiscard]] bool isIllegal(Index triangle, Index vertex) const;
     [[nodiscard]] bool joined(Index vertex, Index other, Index triangle) const;
     void relink(Index triangle, Index old, Index now);
+    [[nodiscard]] bool mayJoin(Index a, Index b) const;
+    [[nodiscard]] bool isEdge(Index a, Index b, Index triangle) const;
+    bool relaxEdge(Index triangle, std::size_t edge);
 
     double m_zero = 0.0; ///< azimuth at x = 0
-    double m_circumference = 1.0, m_radius = 1.0, m_least = 0.0;
+    double m_circumference = 1.0, m_radius = 1.0, m_least = 0.0, m_stretch = 1.0;
     std::size_t m_lowerCount = 0, m_upperCount = 0;
     std::vector<Local> m_lowerRow,
         m_upperRow; ///< rotated to begin at the highest lower vertex, the first again at the end
+    struct Active
+    {
+        Index corner; ///< of the lower row
+        Index below;  ///< the triangle below the edge to the next one
+    };
+    std::vector<Active> m_active;      ///< what is left of the lower row, the first again at the end
     std::vector<std::uint8_t> m_steps; ///< 1: the lower row advances
+    std::vector<double> m_costs;       ///< per number of steps taken in the lower and in the upper row
+    std::vector<std::uint8_t> m_cameByLower;
     std::vector<Local> m_vertices;
     Index m_last = 0, m_first = 0; ///< triangles: where a vertex was inserted last, where to look first
     std::vector<Triangle> m_triangles;
     std::vector<Index> m_suspects;
-    bool m_refinable = false;
+    bool m_refinable = false, m_crooked = false;
 };
 
 } // namespace ramure

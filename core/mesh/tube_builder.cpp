@@ -1,6 +1,9 @@
 #include "core/mesh/tube_builder.h"
 
+#include "core/geometry/hermite.h"
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace ramure {
@@ -8,7 +11,9 @@ namespace ramure {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double tipHeight = 0.35;     ///< of the radius: how far a tip is rounded beyond the branch's end
+constexpr double tipHeight = 0.35; ///< of the radius: how far a tip is rounded beyond the branch's end
+constexpr double siteShare =
+    0.4; ///< of the shortest child: where the children's neighbourhoods are looked at
 constexpr double roomBeforeEnd = 0.25; ///< of the radius, between a section and the end
 constexpr double roomBetween = 0.02;   ///< of the radius, between two sections
 
@@ -57,13 +62,24 @@ double twistBetween(const AxisSection& first, const AxisSection& second)
                       glm::dot(second.frame.normal, carried.normal));
 }
 
+/// The tubes' neighbourhoods are those they have part of the way up the shortest of them: a long child bends
+/// away from its parent's direction later than a short one.
 void planFork(const MesherContext& context, Index branch, const AxisSection& end, ForkPlanner& planner,
               ForkLayout& layout)
 {
     planner.begin();
+    double shortest = std::numeric_limits<double>::max();
     for (const Index child : context.skeleton.childrenOf(branch)) {
         const MeshBranch& c = context.skeleton.branches[child];
-        planner.addChild(end.frame, glm::normalize(c.p1 - c.p0));
+        shortest = std::min(shortest, glm::length(c.p1 - c.p0));
+    }
+    for (const Index child : context.skeleton.childrenOf(branch)) {
+        const MeshBranch& c = context.skeleton.branches[child];
+        const BranchCurve curve = meshCurve(context.skeleton, child, context.clampOvershoot);
+        const double t = siteShare * shortest / glm::length(c.p1 - c.p0);
+        const glm::dvec3 way = hermite(curve.h0, curve.h1, curve.v0, curve.v1, t).point - c.p0;
+        const double length = glm::length(way);
+        planner.addChild(end.frame, length > 1e-6 * shortest ? way / length : glm::normalize(c.p1 - c.p0));
     }
     planner.plan(context.divisions.ring(branch, end.radius), layout);
 }

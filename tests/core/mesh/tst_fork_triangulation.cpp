@@ -1,6 +1,7 @@
 #include "core/mesh/fork_triangulation.h"
 #include "core/random/random.h"
 #include "tests/support/suite.h"
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
@@ -21,6 +22,7 @@ private slots:
     void equalSitesAreMovedApart();
     void farSitesStayInsideTheGrid();
     void squareAndRing();
+    void flatSidesAreOpened();
     void randomSites_data();
     void randomSites();
 };
@@ -160,6 +162,55 @@ void TestForkTriangulation::squareAndRing()
         sites.push_back({0.5 * std::cos(k * std::numbers::pi / 6), 0.5 * std::sin(k * std::numbers::pi / 6)});
     result.build(sites);
     QCOMPARE(faults(result, sites.size()), QByteArray());
+}
+
+/// A site a little inside the line between two others gets a place on the hull; one further inside does not.
+void TestForkTriangulation::flatSidesAreOpened()
+{
+    ForkTriangulation result;
+    const std::vector<glm::dvec2> sites{{-1.0, 0.0}, {0.0, 0.01}, {1.0, 0.0}, {0.0, 1.0}, {0.0, 0.4}};
+    result.build(sites);
+    QCOMPARE(result.hull().size(), std::size_t(3));
+    QCOMPARE(result.triangles().size(), std::size_t(5));
+    result.openFlatSides(-0.9);
+    QCOMPARE(result.hull().size(), std::size_t(4));
+    QCOMPARE(result.triangles().size(), std::size_t(4));
+    QVERIFY(std::any_of(result.hull().begin(), result.hull().end(),
+                        [](const auto& edge) { return edge.from == 1; }));
+
+    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+        Random random(seed, RandomStream::Test, 9);
+        std::vector<glm::dvec2> random2(3 + random.below(30));
+        for (glm::dvec2& site : random2)
+            site = {random.range(-1.0, 1.0), random.range(-1.0, 1.0) * (seed % 3 == 0 ? 0.01 : 1.0)};
+        result.build(random2);
+        const std::size_t all = result.triangles().size(), before = result.hull().size();
+        result.openFlatSides(random.range(-1.0, -0.5));
+        // Each triangle that goes gives one more site to the hull, which stays one cycle without a
+        // repetition.
+        QCOMPARE(all - result.triangles().size(), result.hull().size() - before);
+        std::set<Index> seen;
+        for (std::size_t e = 0; e < result.hull().size(); ++e) {
+            const auto& edge = result.hull()[e];
+            QVERIFY(seen.insert(edge.from).second);
+            QCOMPARE(edge.to, result.hull()[(e + 1) % result.hull().size()].from);
+            const auto& sitesOf = result.triangles()[edge.triangle].site;
+            const auto at = std::find(sitesOf.begin(), sitesOf.end(), edge.from) - sitesOf.begin();
+            QCOMPARE(sitesOf[(at + 1) % 3], edge.to);
+            QCOMPARE(result.triangles()[edge.triangle].neighbour[at], noIndex);
+        }
+        std::map<std::pair<Index, Index>, Index> directed;
+        for (Index t = 0; t < result.triangles().size(); ++t)
+            for (std::size_t i = 0; i < 3; ++i)
+                directed[{result.triangles()[t].site[i], result.triangles()[t].site[(i + 1) % 3]}] = t;
+        for (const auto& [edge, t] : directed) {
+            const auto back = directed.find({edge.second, edge.first});
+            const auto& triangle = result.triangles()[t];
+            for (std::size_t i = 0; i < 3; ++i)
+                if (triangle.site[i] == edge.first)
+                    QCOMPARE(triangle.neighbour[i], back == directed.end() ? noIndex : back->second);
+        }
+    }
 }
 
 void TestForkTriangulation::randomSites_data()
