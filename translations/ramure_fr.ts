@@ -431,6 +431,14 @@
         <source>Move colliding branches a&amp;part…</source>
         <translation>É&amp;carter les branches qui se heurtent…</translation>
     </message>
+    <message>
+        <source>Chec&amp;ker of the texture</source>
+        <translation>&amp;Damier de la texture</translation>
+    </message>
+    <message>
+        <source>S&amp;tretch of the texture</source>
+        <translation>Éti&amp;rement de la texture</translation>
+    </message>
 </context>
 <context>
     <name>DialogChooser</name>
@@ -1033,6 +1041,41 @@
     <message>
         <source>terminal</source>
         <translation>terminale</translation>
+    </message>
+</context>
+<context>
+    <name>TextureLegend</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>One square: %1, or 2, 4, 8 … times that</source>
+        <translation>Un carré : %1, ou 2, 4, 8 … fois autant</translation>
+    </message>
+    <message>
+        <source>Red rings: every metre along the branches</source>
+        <translation>Anneaux rouges : chaque mètre le long des branches</translation>
+    </message>
+    <message>
+        <source>Stretch of the texture</source>
+        <translation>Étirement de la texture</translation>
+    </message>
+    <message>
+        <source>Under 1.25: %1 % of the triangles</source>
+        <translation>Sous 1,25 : %1 % des triangles</translation>
+    </message>
+    <message>
+        <source>Mirrored: %1</source>
+        <translation>Inversés : %1</translation>
     </message>
 </context>
 <context>
@@ -2121,6 +2164,22 @@
         <source>the tree was changed meanwhile</source>
         <translation>l’arbre a été modifié entre-temps</translation>
     </message>
+    <message>
+        <source>a texture coordinate of %1 is not a finite number</source>
+        <translation>une coordonnée de texture de %1 n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>Texture</source>
+        <translation>Texture</translation>
+    </message>
+    <message>
+        <source>Bark tile</source>
+        <translation>Carreau d’écorce</translation>
+    </message>
+    <message>
+        <source>Side of the piece of bark that a texture repeats. A whole number of them goes around every branch, so make it small against the twigs; 0 finds the largest that fits them.</source>
+        <translation>Côté du morceau d’écorce qu’une texture répète. Un nombre entier en fait le tour de chaque branche : choisissez-le petit par rapport aux rameaux ; 0 trouve le plus grand qui leur convienne.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>
@@ -2469,6 +2528,14 @@ OpenGL&#xa0;: %4
     <message>
         <source>Show</source>
         <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>Texture coordinates</source>
+        <translation>Coordonnées de texture</translation>
+    </message>
+    <message>
+        <source>Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one repeat of the bark, in metres, is the tree&apos;s parameter &quot;Bark tile&quot;.</source>
+        <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’une pomme. La taille d’une répétition de l’écorce, en mètres, est le paramètre « Carreau d’écorce » de l’arbre.</translation>
     </message>
 </context>
 <context>

@@ -60,6 +60,7 @@ struct Request
     ExportModel model = ExportModel::Mesh;
     bool ascii = false;
     bool needsTree = false; ///< an option that says something about trees was given
+    bool texture = false;
     bool requireValid = false;
     QString report; ///< file, or empty
 
@@ -71,7 +72,8 @@ Expected<Request> requestOf(const CommandLine& line)
     Request out;
     out.files = line.values("o");
     out.ascii = line.has("ascii");
-    out.needsTree = line.has("part") || line.has("model");
+    out.texture = line.has("texture");
+    out.needsTree = line.has("part") || line.has("model") || out.texture;
     if (out.files.isEmpty())
         return fail(ErrorCode::Invalid, "missing -o FILE: `ramure-cli export --help` shows what it takes");
     for (const QString& file : out.files)
@@ -93,6 +95,11 @@ Expected<Request> requestOf(const CommandLine& line)
             return fail(model.error());
         out.model = *model;
     }
+    if (out.texture && out.model != ExportModel::Mesh)
+        return fail(ErrorCode::Invalid,
+                    "--texture needs --model mesh: other models have no texture coordinates");
+    if (out.texture && (line.has("time") || line.has("frames")))
+        return fail(ErrorCode::Invalid, "--texture needs the tree at rest: without --time and --frames");
     if (out.needsCheck() && out.model != ExportModel::Mesh)
         return fail(ErrorCode::Invalid,
                     "--require-valid and --report need --model mesh: there is no closed mesh "
@@ -129,6 +136,7 @@ Expected<void> exportTrees(const Scene& scene, const Request& request, const Tre
         options.model = request.model;
         options.parts = request.parts.value_or(isPly(file) ? exportBranches : exportAll);
         options.ply.ascii = request.ascii;
+        options.texture = request.texture;
         const double from = static_cast<double>(i) / count;
         const auto written =
             exportScene(scene, options, source, systemPath(file), progress.part(from, from + 1.0 / count));
@@ -162,7 +170,7 @@ Expected<void> exportMoments(const Scene& scene, const Request& request, const M
 Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Progress& progress)
 {
     if (request.needsTree)
-        return fail(ErrorCode::Invalid, "--part and --model need a tree: the input is a mesh");
+        return fail(ErrorCode::Invalid, "--part, --model and --texture need a tree: the input is a mesh");
     std::vector<MeshPart> parts;
     for (const ReadObject& object : mesh.objects)
         parts.push_back({object.name, &object.mesh, barkMaterial()});
@@ -272,6 +280,9 @@ Expected<int> runExport(const QStringList& arguments)
                             "or skeleton (line "
                             "segments)."),
              QStringLiteral("MODEL"));
+    line.add({QStringLiteral("texture")},
+             QStringLiteral("With texture coordinates: vt lines of .obj, a list texcoord per face of .ply. "
+                            "Parameter texture.tileSize (metres) is the size of one repeat of the bark."));
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes .ply as text."));
     addMomentOptions(line, MomentOptions::Sequence);
     line.add({QStringLiteral("separate")},

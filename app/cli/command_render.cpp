@@ -95,6 +95,8 @@ Stage stageFor(DisplayMode mode)
         return Stage::Sections;
     case DisplayMode::Rough:
     case DisplayMode::Mesh:
+    case DisplayMode::Checker:
+    case DisplayMode::Stretch:
         break;
     }
     return Stage::Foliage;
@@ -250,7 +252,10 @@ Expected<int> runRender(const QStringList& arguments)
         QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("1280x800"));
     line.addDefault(
         {QStringLiteral("mode")},
-        QStringLiteral("skeleton, simplified (removed nodes in red), rough, sections or mesh (the default)."),
+        QStringLiteral(
+            "skeleton, simplified (removed nodes in red), rough, sections, mesh (the default), checker "
+            "(texture coordinates as squares) or stretch (blue where squares stay squares, yellow "
+            "from 1.25 on, red from 2 on)."),
         QStringLiteral("MODE"), QStringLiteral("mesh"));
     addMomentOptions(line, MomentOptions::Sequence);
     line.add(
@@ -266,6 +271,10 @@ Expected<int> runRender(const QStringList& arguments)
     const auto request = requestOf(line);
     if (!request)
         return fail(request.error());
+    const bool isTexture = request->mode == DisplayMode::Checker || request->mode == DisplayMode::Stretch;
+    if (isTexture && (line.has("time") || line.has("frames")))
+        return fail(ErrorCode::Invalid,
+                    "--mode checker and stretch need the tree at rest: without --time and --frames");
     const auto input = loadInput(line.arguments().front(), line.values("set"));
     if (!input)
         return fail(input.error());

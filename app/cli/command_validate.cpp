@@ -83,10 +83,24 @@ QString textShape(const MeshAnalysis& analysis)
     return lines + row("hash", fromText(analysis.hash.text()));
 }
 
+QString textTexture(const TextureReport& texture)
+{
+    const auto row = [](const char* name, const QString& value) {
+        return QStringLiteral("%1 %2\n").arg(QLatin1String(name), -20).arg(value);
+    };
+    return row("textureStretch", QStringLiteral("under %1 on %2 % of the triangles")
+                                     .arg(TextureReport::goodStretch)
+                                     .arg(100.0 * texture.goodShare(), 0, 'f', 2)) +
+           row("textureMirrored", QString::number(texture.mirrored)) +
+           row("textureUnevenness", QStringLiteral("%1 % between the branches' levels")
+                                        .arg(100.0 * texture.unevenness, 0, 'f', 1));
+}
+
 QString textOf(const CheckedMesh& one, bool crossings)
 {
     return textReport(one.report) + textShape(one.analysis) +
-           (crossings ? textCrossings(one.analysis) : QString());
+           (crossings ? textCrossings(one.analysis) : QString()) +
+           (one.texture ? textTexture(*one.texture) : QString());
 }
 
 Expected<void> show(const std::vector<CheckedMesh>& all, bool crossings, bool json)
@@ -116,6 +130,10 @@ Expected<int> runValidate(const QStringList& arguments)
         {QStringLiteral("self-intersections")},
         QStringLiteral("Also counts the pairs of triangles that run through each other, by kind, and lists "
                        "the branches that collide. They do not change the exit code."));
+    line.add(
+        {QStringLiteral("texture")},
+        QStringLiteral("Also says how the texture coordinates of a tree fit: stretch, mirrored triangles and "
+                       "density by level. They do not change the exit code."));
     const auto done = line.parse(arguments, 1, 1);
     if (!done)
         return fail(done.error());
@@ -128,6 +146,8 @@ Expected<int> runValidate(const QStringList& arguments)
         auto input = loadInput(line.arguments().front(), line.values("set"), progress.part(0.0, 0.1));
         if (!input)
             return fail(input.error());
+        if (line.has("texture") && line.has("time"))
+            return fail(ErrorCode::Invalid, "--texture needs the tree at rest: without --time");
         const auto moments = momentsOf(line, *input);
         if (!moments)
             return fail(moments.error());
@@ -140,7 +160,7 @@ Expected<int> runValidate(const QStringList& arguments)
         }
         MovingSource moving(pipelineSource(pipeline));
         return checkMeshes(*input, moving.at(moments->timeSeconds), crossings, true,
-                           progress.part(begun, 1.0));
+                           progress.part(begun, 1.0), line.has("texture"));
     }();
     if (!checked)
         return fail(checked.error());

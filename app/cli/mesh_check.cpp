@@ -31,13 +31,13 @@ Expected<MeshAnalysis> shapeOf(const TriangleMesh& mesh, const Progress& progres
 }
 
 Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, const TreeSource& source,
-                                bool crossings, const Progress& progress)
+                                bool crossings, bool texture, const Progress& progress)
 {
     const auto result = evaluateTree(source, node, isOneOfSeveral, Stage::Mesh, progress.part(0.0, 0.4));
     if (!result)
         return fail(result.error());
     const BranchMesh& branches = *result->branches;
-    CheckedMesh checked{node.name, *result->report, {}};
+    CheckedMesh checked{node.name, *result->report, {}, {}};
     MeshReport& report = checked.report;
     if (const auto confirmed = confirm(branches.mesh, report, progress.part(0.4, 0.6)); !confirmed)
         return fail(confirmed.error());
@@ -49,6 +49,13 @@ Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, const Tre
     if (!analysis)
         return fail(analysis.error());
     checked.analysis = std::move(*analysis);
+    if (texture) {
+        const auto coordinates =
+            textureCoordinates(branches, {node.params.texture.tileSize}, progress.part(0.9, 1.0));
+        if (!coordinates)
+            return fail(coordinates.error());
+        checked.texture = textureReport(branches, *coordinates);
+    }
     return checked;
 }
 
@@ -64,13 +71,13 @@ Expected<CheckedMesh> checkFile(const ReadMesh& mesh, bool crossings, const Prog
                               : shapeOf(joined, progress.part(0.6, 1.0));
     if (!analysis)
         return fail(analysis.error());
-    return CheckedMesh{{}, std::move(*report), std::move(*analysis)};
+    return CheckedMesh{{}, std::move(*report), std::move(*analysis), {}};
 }
 
 } // namespace
 
 Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, const TreeSource& source, bool crossings,
-                                               bool hidden, const Progress& progress)
+                                               bool hidden, const Progress& progress, bool texture)
 {
     std::vector<CheckedMesh> out;
     if (input.mesh()) {
@@ -89,8 +96,8 @@ Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, const TreeSou
     const auto count = static_cast<double>(nodes->size());
     for (const Node* node : *nodes) {
         const double from = static_cast<double>(out.size()) / count;
-        auto checked =
-            checkTree(*node, nodes->size() > 1, source, crossings, progress.part(from, from + 1.0 / count));
+        auto checked = checkTree(*node, nodes->size() > 1, source, crossings, texture,
+                                 progress.part(from, from + 1.0 / count));
         if (!checked)
             return fail(checked.error());
         out.push_back(std::move(*checked));
@@ -146,14 +153,38 @@ MeshReport sumOf(const std::vector<CheckedMesh>& all)
     return sum;
 }
 
+static QJsonObject jsonOf(const TextureReport& texture)
+{
+    QJsonArray levels;
+    for (const TextureLevel& level : texture.levels)
+        levels.append(QJsonObject{{QStringLiteral("level"), qint64(level.level)},
+                                  {QStringLiteral("triangles"), qint64(level.triangles)},
+                                  {QStringLiteral("tilesPerMetre"), level.tilesPerMetre}});
+    return {{QStringLiteral("triangles"), qint64(texture.triangles)},
+            {QStringLiteral("stretchedFrom"), TextureReport::goodStretch},
+            {QStringLiteral("stretched"), qint64(texture.stretched)},
+            {QStringLiteral("mirrored"), qint64(texture.mirrored)},
+            {QStringLiteral("stretch95"), texture.stretch95},
+            {QStringLiteral("unevenness"), texture.unevenness},
+            {QStringLiteral("levels"), levels}};
+}
+
+static QJsonObject jsonOf(const CheckedMesh& one, bool crossings)
+{
+    QJsonObject out = toJson(one.report, one.analysis, crossings);
+    if (one.texture)
+        out.insert(QStringLiteral("texture"), jsonOf(*one.texture));
+    return out;
+}
+
 QJsonObject jsonOf(const std::vector<CheckedMesh>& all, bool crossings)
 {
     if (all.size() == 1)
-        return toJson(all.front().report, all.front().analysis, crossings);
+        return jsonOf(all.front(), crossings);
     QJsonObject sum = toJson(sumOf(all));
     QJsonArray list;
     for (const CheckedMesh& one : all) {
-        QJsonObject entry = toJson(one.report, one.analysis, crossings);
+        QJsonObject entry = jsonOf(one, crossings);
         entry.insert(QStringLiteral("name"), fromText(one.name));
         list.append(entry);
     }

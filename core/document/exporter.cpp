@@ -1,7 +1,9 @@
 #include "core/document/exporter.h"
 
 #include "core/document/document.h"
+#include "core/mesh/foliage_texture.h"
 #include "core/mesh/rough_model.h"
+#include "core/mesh/texture_coordinates.h"
 
 #include <algorithm>
 #include <cctype>
@@ -90,6 +92,38 @@ Expected<TreeMeshes> roughMeshes(const TreeResult& tree, const NodeParams& param
     return meshes;
 }
 
+/// Copies with texture coordinates.
+Expected<TreeMeshes> texturedMeshes(const TreeResult& tree, const NodeParams& params, std::uint8_t parts,
+                                    const Progress& progress)
+{
+    const TreeMeshes plain = fineMeshes(tree, parts);
+    TreeMeshes meshes;
+    if (plain.branches) {
+        auto made = textureCoordinates(*tree.branches, {params.texture.tileSize}, progress);
+        if (!made) {
+            Error error = std::move(made.error());
+            if (error.code == ErrorCode::Invalid)
+                error.path = "texture.tileSize";
+            return fail(std::move(error));
+        }
+        const auto branches = std::make_shared<TriangleMesh>(*plain.branches);
+        branches->uv = std::move(made->uv);
+        branches->uvTriangles = std::move(made->corners);
+        meshes.branches = branches;
+    }
+    if (plain.leaves) {
+        const auto leaves = std::make_shared<TriangleMesh>(*plain.leaves);
+        addLeafTexture(*leaves);
+        meshes.leaves = leaves;
+    }
+    if (plain.apples) {
+        const auto apples = std::make_shared<TriangleMesh>(*plain.apples);
+        addAppleTexture(*apples);
+        meshes.apples = apples;
+    }
+    return meshes;
+}
+
 void addMeshes(ExportSet& set, const TreeMeshes& meshes, const glm::dmat4& world, const std::string& suffix)
 {
     const auto add = [&](const char* name, const std::shared_ptr<const TriangleMesh>& mesh,
@@ -152,8 +186,14 @@ Expected<void> addTree(ExportSet& set, const Candidate& tree, const glm::dmat4& 
         return fail(named(result.error(), tree));
     if (options.model == ExportModel::Skeleton)
         addLines(*set.lines, result->simplified->skeleton, world);
-    if (options.model == ExportModel::Mesh)
+    if (options.model == ExportModel::Mesh && options.texture) {
+        const auto meshes = texturedMeshes(*result, tree.node->params, options.parts, progress);
+        if (!meshes)
+            return fail(named(meshes.error(), tree));
+        addMeshes(set, *meshes, world, tree.suffix);
+    } else if (options.model == ExportModel::Mesh) {
         addMeshes(set, fineMeshes(*result, options.parts), world, tree.suffix);
+    }
     if (options.model != ExportModel::Rough)
         return {};
     const auto meshes = roughMeshes(*result, tree.node->params, options.parts, progress);
@@ -237,8 +277,9 @@ TriangleMesh transformed(const TriangleMesh& mesh, const glm::dmat4& matrix)
             n = glm::vec3(glm::normalize(forNormals * glm::dvec3(n)));
     }
     if (determinant < 0.0)
-        for (glm::uvec3& t : out.triangles)
-            std::swap(t.y, t.z);
+        for (std::vector<glm::uvec3>* corners : {&out.triangles, &out.uvTriangles})
+            for (glm::uvec3& t : *corners)
+                std::swap(t.y, t.z);
     return out;
 }
 

@@ -32,6 +32,7 @@ struct ExportOptions
     std::uint8_t parts = exportAll; ///< bits of ExportPart
     std::vector<NodeId> nodes;      ///< these and the trees below them; empty = the whole scene
     bool hidden = false;            ///< also trees that are not shown
+    bool texture = false;           ///< with texture coordinates; the rough model and the skeleton have none
     PlyOptions ply;
 };
 

@@ -1,5 +1,6 @@
 #include "core/io/mesh_file.h"
 #include "core/io/read_parts.h"
+#include "core/io/write_parts.h"
 #include <algorithm>
 #include <filesystem>
 
@@ -39,9 +40,18 @@ TriangleMesh appended(const std::vector<ReadObject>& objects)
     const bool hasNormals = std::all_of(objects.begin(), objects.end(), [](const ReadObject& object) {
         return object.mesh.normals.size() == object.mesh.positions.size();
     });
+    const bool hasTexture = std::all_of(objects.begin(), objects.end(), [](const ReadObject& object) {
+        return writing::hasTexture(object.mesh) || object.mesh.triangles.empty();
+    });
     for (const ReadObject& object : objects) {
         const TriangleMesh& mesh = object.mesh;
         const std::size_t before = out.positions.size();
+        if (hasTexture && !mesh.triangles.empty()) {
+            const auto first = static_cast<Index>(out.uv.size());
+            out.uv.insert(out.uv.end(), mesh.uv.begin(), mesh.uv.end());
+            for (const glm::uvec3& t : writing::textureTriangles(mesh))
+                out.uvTriangles.push_back(t + first);
+        }
         out.positions.insert(out.positions.end(), mesh.positions.begin(), mesh.positions.end());
         if (hasNormals)
             out.normals.insert(out.normals.end(), mesh.normals.begin(), mesh.normals.end());

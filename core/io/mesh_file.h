@@ -47,12 +47,14 @@ struct PlyOptions
 
 /// Writes PATH and, beside it, the .mtl with the same stem. Files are written under a temporary name and
 /// renamed, so that an error or a cancel leaves the old ones intact. Devices and pipes are written directly,
-/// without an .mtl. Errors: Io (with file), Invalid (a position or normal is not finite), Cancelled.
+/// without an .mtl. Texture coordinates stand in vt lines: they are split there, positions never. Errors: Io (with
+/// file), Invalid (a number is not finite), Cancelled.
 Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts,
                         const Progress& progress = {});
 Expected<void> writeObjLines(const std::string& path, const LinePart& lines, const Progress& progress = {});
 /// The parts joined into one vertex list with properties x y z nx ny nz red green blue branch level; normals
-/// where all parts have them, branch and level where one has (noIndex, as an int -1, in the others).
+/// where all parts have them, texture coordinates as well (six floats per face, property list texcoord, as
+/// MeshLab has it), branch and level where one has (noIndex, as an int -1, in the others).
 Expected<void> writePly(const std::string& path, std::span<const MeshPart> parts, const PlyOptions& options,
                         const Progress& progress = {});
 Expected<void> writePlyLines(const std::string& path, const LinePart& lines, const PlyOptions& options);
@@ -73,8 +75,9 @@ struct ReadMesh
     [[nodiscard]] TriangleMesh joined() const;
 };
 
-/// Reads .obj and .ply (ASCII, little and big endian) by the ending. What the program does not use (texture
-/// coordinates, materials, unknown PLY properties) is skipped. Indices may be negative. Errors with file and
+/// Reads .obj and .ply (ASCII, little and big endian) by the ending. What the program does not use
+/// (materials, unknown PLY properties) is skipped; texture coordinates are kept where every corner of an object
+/// has them. Indices may be negative. Errors with file and
 /// line (or byte offset): Io, Syntax, Invalid (index out of range, non-finite number), Unknown (ending),
 /// Cancelled.
 Expected<ReadMesh> readMeshFile(const std::string& path, const Progress& progress = {});

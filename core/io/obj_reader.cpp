@@ -88,6 +88,13 @@ Split splitOf(const ObjLists& lists, const std::string& file)
     return out;
 }
 
+/// One coordinate per vertex, in the vertices' order, needs no numbers of its own.
+void simplifyTexture(TriangleMesh& mesh)
+{
+    if (mesh.uv.size() == mesh.positions.size() && mesh.uvTriangles == mesh.triangles)
+        mesh.uvTriangles.clear();
+}
+
 /// Distributes vertices and triangles over the objects.
 class Splitter
 {
@@ -134,11 +141,11 @@ private:
     {
         for (const std::size_t r : ranges)
             for (Index t = m_split.ranges[r].firstTriangle; t < endTriangle(r); ++t)
-                use(m_lists.triangles[t]);
+                use(m_lists.triangles[t], t);
     }
     void collectUsed(std::size_t object, const std::vector<std::size_t>& ranges, std::vector<Index>& to)
     {
-        forTriangles(ranges, [&](const glm::uvec3& t) {
+        forTriangles(ranges, [&](const glm::uvec3& t, Index) {
             for (int k = 0; k < 3; ++k) {
                 Index& user = m_user[t[k]];
                 if (user == object)
@@ -160,15 +167,45 @@ private:
             if (!m_lists.normals.empty())
                 out.mesh.normals.push_back(m_lists.normals[v]);
         }
-        forTriangles(ranges, [&](const glm::uvec3& t) {
+        forTriangles(ranges, [&](const glm::uvec3& t, Index) {
             out.mesh.triangles.emplace_back(m_local[t.x], m_local[t.y], m_local[t.z]);
         });
+        takeTexture(ranges, out.mesh);
         if (m_isShared)
             out.fileVertex = std::move(vertices);
         return out;
     }
 
+    /// Texture coordinates of an object, in the order of the file; none where a corner has none.
+    void takeTexture(const std::vector<std::size_t>& ranges, TriangleMesh& mesh)
+    {
+        std::vector<Index> used;
+        bool hasAll = true;
+        forTriangles(ranges, [&](const glm::uvec3&, Index number) {
+            hasAll = hasAll && number < m_lists.textureTriangles.size();
+            for (int k = 0; k < 3 && hasAll; ++k) {
+                used.push_back(m_lists.textureTriangles[number][k]);
+                hasAll = used.back() != noIndex;
+            }
+        });
+        if (!hasAll || used.empty())
+            return;
+        std::sort(used.begin(), used.end());
+        used.erase(std::unique(used.begin(), used.end()), used.end());
+        m_localTexture.resize(m_lists.texture.size());
+        for (const Index texture : used) {
+            m_localTexture[texture] = static_cast<Index>(mesh.uv.size());
+            mesh.uv.push_back(m_lists.texture[texture]);
+        }
+        forTriangles(ranges, [&](const glm::uvec3&, Index number) {
+            const glm::uvec3& t = m_lists.textureTriangles[number];
+            mesh.uvTriangles.emplace_back(m_localTexture[t.x], m_localTexture[t.y], m_localTexture[t.z]);
+        });
+        simplifyTexture(mesh);
+    }
+
     const ObjLists& m_lists;
+    std::vector<Index> m_localTexture; ///< number of a texture coordinate within the object being built
     const Split& m_split;
     std::vector<Index> m_local; ///< number of a vertex within the object being built
     std::vector<Index> m_user;  ///< the last object that was found to use a vertex
@@ -192,6 +229,16 @@ Expected<ReadMesh> meshOf(Expected<ObjLists> lists, const std::string& file, con
         object.mesh.positions = std::move(lists->positions);
         object.mesh.normals = std::move(lists->normals);
         object.mesh.triangles = std::move(lists->triangles);
+        const auto isWholly = [](const glm::uvec3& t) {
+            return t.x != noIndex && t.y != noIndex && t.z != noIndex;
+        };
+        std::vector<glm::uvec3>& texture = lists->textureTriangles;
+        if (texture.size() == object.mesh.triangles.size() && !texture.empty() &&
+            std::all_of(texture.begin(), texture.end(), isWholly)) {
+            object.mesh.uv = std::move(lists->texture);
+            object.mesh.uvTriangles = std::move(texture);
+            simplifyTexture(object.mesh);
+        }
         out.objects.push_back(std::move(object));
     } else {
         out.objects = Splitter(*lists, split).run();

@@ -46,7 +46,10 @@ private:
     bool scanLine();
     bool scanVector(std::vector<glm::vec3>& to);
     bool scanFace();
-    bool scanCorner(Index& vertex);
+    bool scanCorner(Index& vertex, Index& texture);
+    void scanTexture();
+    void addTexture(const glm::uvec3& corners);
+    void finishTexture();
     bool scanIndex(std::int64_t& value);
     bool resolve(std::int64_t written, std::size_t count, const char* what, std::optional<Index>& out);
     void giveNormal(Index vertex, Index normal);
@@ -71,10 +74,12 @@ private:
     const char* m_at = nullptr;
     const char* m_end = nullptr;
     int m_line = 0;
-    Index m_face[2] = {};       ///< of the face being scanned, the first corner and the one before
-    int m_corners = 0;          ///< and how many there were
-    int m_transformNumbers = 0; ///< how many numbers the matrix of the TRANSFORM line still lacks
-    bool m_hasNormals = false;  ///< some corner has one
+    Index m_face[2] = {};        ///< of the face being scanned, the first corner and the one before
+    Index m_faceTexture[2] = {}; ///< the same for texture coordinates
+    int m_corners = 0;           ///< and how many there were
+    int m_badTextureLine = 0;    ///< where the first texture coordinate is that nobody can use
+    int m_transformNumbers = 0;  ///< how many numbers the matrix of the TRANSFORM line still lacks
+    bool m_hasNormals = false;   ///< some corner has one
     // References to what the file has not given yet are checked at its end.
     std::int64_t m_largestVertex = 0, m_largestNormal = 0;
     int m_largestVertexLine = 0, m_largestNormalLine = 0;
@@ -278,6 +283,11 @@ bool ObjScanner::scanLine()
             m_at += 2;
             return scanVector(m_lists.normals);
         }
+        if (m_at[1] == 't' && endsWord(m_at[2])) {
+            m_at += 2;
+            scanTexture();
+            return true;
+        }
         break;
     case 'f':
         if (endsWord(m_at[1])) {
@@ -333,6 +343,20 @@ bool ObjScanner::scanVector(std::vector<glm::vec3>& to)
     return true;
 }
 
+/// Programs write nothing, one to three numbers, or words here: what cannot be used is no error.
+void ObjScanner::scanTexture()
+{
+    glm::vec2 uv(0.0f);
+    skipBlanks();
+    bool isGood = scanFloat(m_at, uv.x) == FloatScan::Ok && endsWord(*m_at);
+    skipBlanks();
+    isGood = isGood && *m_at != '\n' && scanFloat(m_at, uv.y) == FloatScan::Ok && endsWord(*m_at);
+    if (!isGood && m_badTextureLine == 0)
+        m_badTextureLine = m_line;
+    if (m_lists.texture.size() < maxVertices)
+        m_lists.texture.push_back(uv);
+}
+
 bool ObjScanner::scanIndex(std::int64_t& value)
 {
     const bool isNegative = *m_at == '-';
@@ -358,7 +382,7 @@ bool ObjScanner::resolve(std::int64_t written, std::size_t count, const char* wh
 constexpr const char* noSuchVertex = RAMURE_NOOP("vertex %1 does not exist (there are %2)");
 constexpr const char* noSuchNormal = RAMURE_NOOP("normal %1 does not exist (there are %2)");
 
-bool ObjScanner::scanCorner(Index& vertex)
+bool ObjScanner::scanCorner(Index& vertex, Index& texture)
 {
     const char* const begin = m_at;
     const auto syntax = [&] {
@@ -379,11 +403,15 @@ bool ObjScanner::scanCorner(Index& vertex)
         m_largestVertexLine = m_line;
     }
     bool hasNormal = false;
+    texture = noIndex;
     if (*m_at == '/') {
         ++m_at;
-        std::int64_t texture = 0;
-        if (*m_at != '/' && !scanIndex(texture))
+        std::int64_t number = 0;
+        if (*m_at != '/' && !scanIndex(number))
             return syntax();
+        const std::int64_t place = number < 0 ? number + std::ssize(m_lists.texture) : number - 1;
+        if (number != 0 && place >= 0 && place < maxVertices)
+            texture = static_cast<Index>(place);
         if (*m_at == '/') {
             ++m_at;
             if (!scanIndex(written))
@@ -447,20 +475,53 @@ bool ObjScanner::scanFace()
 {
     m_corners = 0;
     for (skipBlanks(); *m_at != '\n' && *m_at != '#'; skipBlanks(), ++m_corners) {
-        Index vertex = 0;
-        if (!scanCorner(vertex))
+        Index vertex = 0, texture = noIndex;
+        if (!scanCorner(vertex, texture))
             return false;
-        if (m_corners == 0)
+        if (m_corners == 0) {
             m_face[0] = vertex;
-        if (m_corners >= 2)
+            m_faceTexture[0] = texture;
+        }
+        if (m_corners >= 2) {
             m_lists.triangles.emplace_back(m_face[0], m_face[1], vertex);
+            addTexture({m_faceTexture[0], m_faceTexture[1], texture});
+        }
         m_face[1] = vertex;
+        m_faceTexture[1] = texture;
     }
     if (m_corners < 3)
         return fail(ErrorCode::Syntax, RAMURE_NOOP("a face of fewer than three corners"));
     if (m_lists.triangles.size() > noIndex / 2)
         return fail(ErrorCode::Limit, RAMURE_NOOP("more than %1 triangles"), {std::to_string(noIndex / 2)});
     return true;
+}
+
+/// Of the triangle added last.
+void ObjScanner::addTexture(const glm::uvec3& corners)
+{
+    if (corners == glm::uvec3(noIndex))
+        return;
+    m_lists.textureTriangles.resize(m_lists.triangles.size(), glm::uvec3(noIndex));
+    m_lists.textureTriangles.back() = corners;
+}
+
+/// All of them or none: a file that gives numbers which do not exist has none.
+void ObjScanner::finishTexture()
+{
+    std::vector<glm::uvec3>& triangles = m_lists.textureTriangles;
+    if (triangles.empty())
+        return;
+    bool isGood = m_badTextureLine == 0;
+    for (const glm::uvec3& t : triangles)
+        for (int k = 0; k < 3; ++k)
+            isGood = isGood && (t[k] == noIndex || t[k] < m_lists.texture.size());
+    if (isGood)
+        return;
+    triangles.clear();
+    m_lists.notes.push_back(m_badTextureLine > 0
+                                ? "line " + std::to_string(m_badTextureLine) +
+                                      ": not two finite numbers: texture coordinates left out"
+                                : std::string("texture coordinates that do not exist: left out"));
 }
 
 void ObjScanner::scanMark(std::vector<ObjMark>& marks)
@@ -537,6 +598,7 @@ bool ObjScanner::finish()
     for (const auto& [word, skipped] : m_skipped)
         m_lists.notes.push_back("line " + std::to_string(skipped.firstLine) + ": " + word + " skipped" +
                                 (skipped.count > 1 ? ", " + std::to_string(skipped.count) + " lines" : ""));
+    finishTexture();
     return true;
 }
 

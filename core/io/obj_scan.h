@@ -28,6 +28,9 @@ struct ObjLists
     /// Per vertex the first normal that a face gave it, or noIndex; may be shorter.
     std::vector<Index> normalOf;
     std::vector<std::pair<Index, Index>> otherNormals; ///< vertex and a further normal
+    std::vector<glm::vec2> texture;
+    /// Per triangle its corners' places in texture, noIndex where a corner has none; may be shorter.
+    std::vector<glm::uvec3> textureTriangles;
     std::vector<ObjMark> objects, groups;
     std::vector<std::string> notes;
     std::size_t cornersWithoutNormal = 0;

@@ -83,20 +83,53 @@ private:
     std::vector<Kept> m_kept;
 };
 
-/// One object. \p firstVertex and \p firstNormal: how many stand in the file before.
-bool writePart(FileWriter& out, const MeshPart& part, Index firstVertex, Index firstNormal, bool hasMaterials,
-               Ticker& ticker)
+/// How many stand in the file before.
+struct Before
 {
+    Index vertices = 0, normals = 0, texture = 0;
+};
+
+/// Faces v/vt/vn or v/vt.
+bool writeTexturedFaces(FileWriter& out, const TriangleMesh& mesh, const Before& before, bool hasNormals,
+                        Ticker& ticker)
+{
+    const std::vector<glm::uvec3>& texture = writing::textureTriangles(mesh);
+    constexpr std::size_t faceRoom = 32 + 9 * (maxIndexText + 2);
+    return forEach(mesh.triangles.size(), faceRoom, ticker, out, [&](char* to, std::size_t i) {
+        *to++ = 'f';
+        for (int k = 0; k < 3; ++k) {
+            *to++ = ' ';
+            to = appendIndex(to, mesh.triangles[i][k] + before.vertices + 1u);
+            *to++ = '/';
+            to = appendIndex(to, texture[i][k] + before.texture + 1u);
+            if (!hasNormals)
+                continue;
+            *to++ = '/';
+            to = appendIndex(to, mesh.triangles[i][k] + before.normals + 1u);
+        }
+        *to++ = '\n';
+        return to;
+    });
+}
+
+/// One object.
+bool writePart(FileWriter& out, const MeshPart& part, const Before& before, bool hasMaterials, Ticker& ticker)
+{
+    const Index firstVertex = before.vertices, firstNormal = before.normals;
     const TriangleMesh& mesh = *part.mesh;
     const bool hasNormals = writing::hasNormals(mesh);
     out.append("o " + oneLine(part.name) + "\n");
+    const bool hasTexture = writing::hasTexture(mesh);
     if (!writeVectors("v ", mesh.positions, ticker, out) ||
+        (hasTexture && !writeVectors("vt ", mesh.uv, ticker, out)) ||
         (hasNormals && !writeVectors("vn ", mesh.normals, ticker, out)))
         return false;
     if (hasMaterials)
         out.append("usemtl " + oneLine(part.material.name) + "\n");
     if (hasNormals)
         out.append("s 1\n"); // smooth: some programs look at this alone and not at the normals
+    if (hasTexture)
+        return writeTexturedFaces(out, mesh, before, hasNormals, ticker);
     const Index shift = firstVertex - firstNormal;
     CornerTexts corners(hasNormals, shift);
     constexpr std::size_t faceRoom = 8 + 4 * CornerTexts::room;
@@ -140,7 +173,8 @@ std::size_t elementCount(std::span<const MeshPart> parts)
 {
     std::size_t sum = 0;
     for (const MeshPart& part : parts)
-        sum += part.mesh->positions.size() + part.mesh->normals.size() + part.mesh->triangles.size();
+        sum += part.mesh->positions.size() + part.mesh->normals.size() + part.mesh->triangles.size() +
+               part.mesh->uv.size();
     return sum;
 }
 
@@ -165,13 +199,13 @@ Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts
     if (out->isRegular()) // a device has nothing beside it
         out->append("mtllib " + oneLine(std::filesystem::path(library).filename().string()) + "\n");
     Ticker ticker(progress, elementCount(parts));
-    Index vertices = 0;
-    Index normals = 0;
+    Before before;
     for (const MeshPart& part : parts) {
-        if (!writePart(*out, part, vertices, normals, out->isRegular(), ticker))
+        if (!writePart(*out, part, before, out->isRegular(), ticker))
             break;
-        vertices += part.mesh->vertexCount();
-        normals += writing::hasNormals(*part.mesh) ? part.mesh->vertexCount() : 0;
+        before.vertices += part.mesh->vertexCount();
+        before.normals += writing::hasNormals(*part.mesh) ? part.mesh->vertexCount() : 0;
+        before.texture += writing::hasTexture(*part.mesh) ? static_cast<Index>(part.mesh->uv.size()) : 0;
     }
     if (ticker.cancelled())
         return cancelled(path);

@@ -1,8 +1,10 @@
 #include "core/io/ply_header.h"
 #include "core/io/ply_source.h"
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <utility>
 
 namespace ramure {
 
@@ -157,6 +159,7 @@ private:
             return m_source.fail(ErrorCode::Syntax,
                                  RAMURE_NOOP("the faces' vertices are no list of integers"));
         m_mesh.triangles.reserve(m_source.mostTriangles(element, list));
+        const int textureSlot = textureList(element);
         for (std::uint64_t i = 0; i < element.count; ++i) {
             if (i % reading::chunk == 0 && !goesOn())
                 return false;
@@ -165,14 +168,79 @@ private:
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
                 const PlyProperty& property = element.properties[p];
                 double ignored = 0.0;
-                const bool isRead = static_cast<int>(p) == slot ? readFace(property, i)
-                                    : property.isList           ? m_source.skipList(property)
-                                                                : m_source.number(property.type, ignored);
+                const bool isRead = static_cast<int>(p) == slot          ? readFace(property, i)
+                                    : static_cast<int>(p) == textureSlot ? readTexture(property)
+                                    : property.isList                    ? m_source.skipList(property)
+                                                      : m_source.number(property.type, ignored);
                 if (!isRead)
                     return false;
             }
+            if (textureSlot >= 0)
+                takeTexture();
+        }
+        finishTexture(textureSlot >= 0);
+        return true;
+    }
+    /// u and v of each corner of a face, as MeshLab writes them; the number of the property, or -1.
+    static int textureList(const PlyElement& element)
+    {
+        const int slot = element.find("texcoord");
+        if (slot < 0)
+            return -1;
+        const PlyProperty& list = element.properties[static_cast<std::size_t>(slot)];
+        return list.isList && !isInteger(list.type) ? slot : -1;
+    }
+    bool readTexture(const PlyProperty& list)
+    {
+        std::uint64_t numbers = 0;
+        if (!m_source.listSize(list, numbers))
+            return false;
+        m_faceTexture.clear();
+        for (std::uint64_t k = 0; k < numbers; ++k) {
+            double number = 0.0;
+            if (!m_source.number(list.type, number))
+                return false;
+            m_faceTexture.push_back(static_cast<float>(number));
         }
         return true;
+    }
+    /// For the triangles of the face read last.
+    void takeTexture()
+    {
+        const std::size_t known = m_mesh.uvTriangles.size(), count = m_mesh.triangles.size() - known;
+        const bool isGood = m_hasTexture && m_faceTexture.size() == 2 * (count + 2) &&
+                            std::all_of(m_faceTexture.begin(), m_faceTexture.end(),
+                                        [](float number) { return std::isfinite(number); });
+        m_hasTexture = isGood;
+        for (std::size_t i = 0; i < count && isGood; ++i) {
+            glm::uvec3 corners;
+            for (int k = 0; k < 3; ++k) {
+                const std::size_t corner = k == 0 ? 0 : i + static_cast<std::size_t>(k);
+                corners[k] = textureOf(m_mesh.triangles[known + i][k],
+                                       {m_faceTexture[2 * corner], m_faceTexture[2 * corner + 1]});
+            }
+            m_mesh.uvTriangles.push_back(corners);
+        }
+    }
+    /// The same coordinates of one vertex are stored once.
+    Index textureOf(Index vertex, const glm::vec2& uv)
+    {
+        m_firstTexture.resize(std::max<std::size_t>(m_firstTexture.size(), vertex + 1), noIndex);
+        for (Index i = m_firstTexture[vertex]; i != noIndex; i = m_nextTexture[i])
+            if (m_mesh.uv[i] == uv)
+                return i;
+        const auto added = static_cast<Index>(m_mesh.uv.size());
+        m_mesh.uv.push_back(uv);
+        m_nextTexture.push_back(std::exchange(m_firstTexture[vertex], added));
+        return added;
+    }
+    void finishTexture(bool wasAsked)
+    {
+        if (!wasAsked || (m_hasTexture && m_mesh.uvTriangles.size() == m_mesh.triangles.size()))
+            return;
+        m_mesh.uv.clear();
+        m_mesh.uvTriangles.clear();
+        m_out.notes.push_back("faces without two finite numbers per corner: texture coordinates left out");
     }
     bool readFace(const PlyProperty& list, std::uint64_t face)
     {
@@ -229,6 +297,9 @@ private:
     const Progress& m_progress;
     std::uint64_t m_vertexCount = 0;
     TriangleMesh m_mesh;
+    bool m_hasTexture = true;                         ///< every face up to here has its coordinates
+    std::vector<float> m_faceTexture;                 ///< of the face read last
+    std::vector<Index> m_firstTexture, m_nextTexture; ///< per vertex a list of its coordinates
     ReadMesh m_out;
 };
 

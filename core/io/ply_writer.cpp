@@ -1,5 +1,6 @@
 #include "core/io/write_parts.h"
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstring>
 
@@ -20,6 +21,7 @@ struct Layout
     bool normals = true;
     bool branch = false;
     bool level = false;
+    bool texture = true; ///< per corner of the faces, where all parts have it
     std::size_t vertices = 0;
     std::size_t faces = 0;
 };
@@ -31,10 +33,12 @@ Layout layoutOf(std::span<const MeshPart> parts)
         out.normals = out.normals && (writing::hasNormals(*part.mesh) || part.mesh->positions.empty());
         out.branch = out.branch || !part.mesh->branch.empty();
         out.level = out.level || !part.mesh->level.empty();
+        out.texture = out.texture && (writing::hasTexture(*part.mesh) || part.mesh->triangles.empty());
         out.vertices += part.mesh->positions.size();
         out.faces += part.mesh->triangles.size();
     }
     out.normals = out.normals && out.vertices > 0;
+    out.texture = out.texture && out.faces > 0;
     return out;
 }
 
@@ -56,7 +60,8 @@ std::string header(const Layout& layout, bool ascii)
     if (layout.level)
         out += "property int level\n";
     return out + "element face " + std::to_string(layout.faces) +
-           "\nproperty list uchar int vertex_indices\nend_header\n";
+           "\nproperty list uchar int vertex_indices\n" +
+           (layout.texture ? "property list uchar float texcoord\n" : "") + "end_header\n";
 }
 
 template <class T> char* appendBytes(char* to, const T& value)
@@ -138,6 +143,21 @@ char* asciiFace(char* to, const glm::uvec3& t)
     return to;
 }
 
+/// The same with u and v of each corner.
+char* asciiTexturedFace(char* to, const glm::uvec3& t, const std::array<glm::vec2, 3>& uv)
+{
+    to = asciiFace(to, t);
+    to = appendText(to - 1, " 6");
+    for (const glm::vec2& at : uv) {
+        *to++ = ' ';
+        to = appendFloat(to, at.x);
+        *to++ = ' ';
+        to = appendFloat(to, at.y);
+    }
+    *to++ = '\n';
+    return to;
+}
+
 constexpr std::size_t longestVertex = 6 * (maxFloatText + 1) + 5 * (maxIndexText + 1) + 16;
 constexpr std::size_t longestFace = 48;
 
@@ -151,6 +171,23 @@ bool writeVertices(FileWriter& out, const MeshPart& part, const Layout& layout, 
                      [&, write = binaryVerticesOf(layout)](char* to, std::size_t begin, std::size_t end) {
                          return write(to, part, begin, end);
                      });
+}
+
+bool writeTexturedFaces(FileWriter& out, const TriangleMesh& mesh, Index first, bool ascii, Ticker& ticker)
+{
+    const std::vector<glm::uvec3>& texture = writing::textureTriangles(mesh);
+    constexpr std::size_t longest = longestFace + 6 * (maxFloatText + 1) + 8;
+    return forEach(mesh.triangles.size(), longest, ticker, out, [&](char* to, std::size_t i) {
+        const glm::uvec3 t = mesh.triangles[i] + first;
+        const std::array<glm::vec2, 3> uv{mesh.uv[texture[i].x], mesh.uv[texture[i].y],
+                                          mesh.uv[texture[i].z]};
+        if (ascii)
+            return asciiTexturedFace(to, t, uv);
+        *to++ = 3;
+        to = appendBytes(to, t);
+        *to++ = 6;
+        return appendBytes(to, uv);
+    });
 }
 
 bool writeFaces(FileWriter& out, const TriangleMesh& mesh, Index first, bool ascii, Ticker& ticker)
@@ -173,7 +210,8 @@ void writeElements(FileWriter& out, std::span<const MeshPart> parts, const Layou
             return;
     Index first = 0;
     for (const MeshPart& part : parts) {
-        if (!writeFaces(out, *part.mesh, first, ascii, ticker))
+        if (!(layout.texture ? writeTexturedFaces(out, *part.mesh, first, ascii, ticker)
+                             : writeFaces(out, *part.mesh, first, ascii, ticker)))
             return;
         first += part.mesh->vertexCount();
     }

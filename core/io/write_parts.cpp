@@ -37,6 +37,14 @@ Expected<void> checkFinite(std::span<const MeshPart> parts, const std::string& f
             return positions;
         if (const auto normals = checkFinite(part.mesh->normals, part.name, file); !normals)
             return normals;
+        const std::vector<glm::vec2>& uv = part.mesh->uv;
+        if (uv.empty() || areFinite(&uv[0].x, 2 * uv.size()))
+            continue;
+        auto error =
+            fail(ErrorCode::Invalid, RAMURE_NOOP("a texture coordinate of %1 is not a finite number"),
+                 {part.name.empty() ? "the mesh" : part.name});
+        error.value().file = file;
+        return error;
     }
     return {};
 }

@@ -88,6 +88,25 @@ inline bool writeVectors(std::string_view head, std::span<const glm::vec3> vecto
     return vectors.empty() || writeRows(head, &vectors[0].x, 3, vectors.size(), ticker, out);
 }
 
+inline bool writeVectors(std::string_view head, std::span<const glm::vec2> vectors, Ticker& ticker,
+                         FileWriter& out)
+{
+    return vectors.empty() || writeRows(head, &vectors[0].x, 2, vectors.size(), ticker, out);
+}
+
+/// Texture coordinates are written where every corner has one.
+inline bool hasTexture(const TriangleMesh& mesh)
+{
+    if (mesh.uv.empty() || mesh.triangles.empty())
+        return false;
+    return mesh.uvTriangles.empty() ? mesh.uv.size() == mesh.positions.size()
+                                    : mesh.uvTriangles.size() == mesh.triangles.size();
+}
+inline const std::vector<glm::uvec3>& textureTriangles(const TriangleMesh& mesh)
+{
+    return mesh.uvTriangles.empty() ? mesh.triangles : mesh.uvTriangles;
+}
+
 /// Normals are written where there is one for every vertex.
 inline bool hasNormals(const TriangleMesh& mesh)
 {

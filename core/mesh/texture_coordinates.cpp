@@ -212,4 +212,23 @@ Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const Te
     return builder.take();
 }
 
+TriangleMesh splitByTexture(const BranchMesh& mesh, const TextureCoordinates& coordinates)
+{
+    TriangleMesh split;
+    const std::size_t count = coordinates.uv.size();
+    split.triangles = coordinates.corners;
+    split.uv = coordinates.uv;
+    split.positions.reserve(count);
+    split.normals.reserve(count);
+    split.branch.reserve(count);
+    split.level.reserve(count);
+    for (const Index vertex : coordinates.vertex) {
+        split.positions.push_back(mesh.mesh.positions[vertex]);
+        split.normals.push_back(mesh.mesh.normals[vertex]);
+        split.branch.push_back(mesh.mesh.branch[vertex]);
+        split.level.push_back(mesh.mesh.level[vertex]);
+    }
+    return split;
+}
+
 } // namespace ramure

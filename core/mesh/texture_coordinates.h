@@ -33,6 +33,9 @@ struct TextureCoordinates
     bool operator==(const TextureCoordinates&) const = default;
 };
 
+/// The mesh with one vertex per coordinate, for what knows no other texture coordinates: graphics cards.
+TriangleMesh splitByTexture(const BranchMesh& mesh, const TextureCoordinates& coordinates);
+
 /// Errors: Invalid (a tile size that is negative, not finite or too small for the tree; triangles without
 /// tubes), Cancelled.
 Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const TextureOptions& options,

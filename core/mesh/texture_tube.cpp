@@ -19,6 +19,7 @@ constexpr double followed = 0.5;
 constexpr double leastTip = 0.1, tipRadius = 0.5, rootRadius = 0.05;
 constexpr double sameSection = 1e-3; ///< of the tube: cross-sections closer than that are one
 constexpr double leastTurn = 0.02;   ///< rad, between neighbours on a smoothed front
+constexpr double manyTiles = 24.0;
 constexpr int evenSweeps = 3, thoroughSweeps = 60, choosySweeps = 8;
 
 double shortWay(double angle)
@@ -116,9 +117,15 @@ void TubeTexture::chooseSeam()
     }
 }
 
+/// Above two dozen a number that can be halved until it is below: a pattern of two, four ... tiles fits as
+/// well.
 double TubeTexture::fitting(double radius) const
 {
-    return std::max(1.0, std::round(turn * m_chord * radius / m_tile));
+    const double wanted = turn * m_chord * radius / m_tile;
+    double step = 1.0;
+    while (wanted > manyTiles * step)
+        step *= 2.0;
+    return std::max(1.0, std::round(wanted / step) * step);
 }
 
 double TubeTexture::radiusAt(double along) const
@@ -229,7 +236,6 @@ void TubeTexture::assign(const TubeTextureEnd& parent)
         nearest = std::abs(vertex.azimuth);
         u = double(m_given[i].x) - parent.around * vertex.azimuth / turn;
     }
-    u -= std::floor(u);
     double lastAlong = -1.0, around = 0.0, v = 0.0;
     for (std::size_t i = 0; i < m_vertices.size(); ++i) {
         TubeTextureVertex& vertex = m_vertices[i];

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/base/index.h"
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct TriangleMesh
     std::vector<Index>
         branch; ///< per vertex: the branch it follows (index into the mesh's skeleton), or empty
     std::vector<Index> level; ///< per vertex: level of that branch, or empty
+    std::vector<glm::vec2> uv; ///< texture coordinates, or empty
+    /// Per triangle its corners' places in uv; empty where uv has one entry per vertex.
+    std::vector<glm::uvec3> uvTriangles;
 
     [[nodiscard]] Index vertexCount() const { return static_cast<Index>(positions.size()); }
     [[nodiscard]] Index faceCount() const { return static_cast<Index>(triangles.size()); }

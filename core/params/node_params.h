@@ -63,6 +63,13 @@ struct FoliageParams
     bool operator==(const FoliageParams&) const = default;
 };
 
+/// Of the branches; used where texture coordinates are asked for, no geometry depends on them.
+struct TextureParams
+{
+    double tileSize = 0.0; ///< m; 0 = as large as the thinnest branch allows
+    bool operator==(const TextureParams&) const = default;
+};
+
 /// Where a node stands in its parent: T * R * S (SPEC B2, the static transform handed on to the children).
 struct PlacementParams
 {
@@ -90,6 +97,7 @@ struct NodeParams
     SectionParams sections;
     MeshParams mesh;
     FoliageParams foliage;
+    TextureParams texture;
     PlacementParams tree;
     PhysicsParams physics;
     SkinParams skin;

@@ -117,6 +117,7 @@ constexpr const char* turtleGroup = RAMURE_NOOP("Turtle");
 constexpr const char* simplifyGroup = RAMURE_NOOP("Simplification");
 constexpr const char* sectionsGroup = RAMURE_NOOP("Cross-sections");
 constexpr const char* foliageGroup = RAMURE_NOOP("Foliage");
+constexpr const char* textureGroup = RAMURE_NOOP("Texture");
 constexpr const char* placementGroup = RAMURE_NOOP("Placement");
 constexpr const char* physicsGroup = RAMURE_NOOP("Physics");
 constexpr const char* skinGroup = RAMURE_NOOP("Skin");
@@ -207,6 +208,12 @@ constexpr std::array table{
         {"foliage.seed", foliageGroup, RAMURE_NOOP("Seed"),
          RAMURE_NOOP("Another seed arranges leaves and apples anew; the branches stay as they are.")},
         ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Foliage, paramSeed),
+
+    row<&NodeParams::texture, &TextureParams::tileSize>(
+        {"texture.tileSize", textureGroup, RAMURE_NOOP("Bark tile"),
+         RAMURE_NOOP("Side of the piece of bark that a texture repeats. A whole number of them goes around every branch, "
+                     "so make it small against the twigs; 0 finds the largest that fits them.")},
+        ParamUnit::Metre, {0, 1000, 0, 0.1, 0.001, 4}, Stage::Texture, paramAdvanced),
 
     row<&NodeParams::tree, &PlacementParams::translation>(
         {"tree.translation", placementGroup, RAMURE_NOOP("Position"),

@@ -15,6 +15,7 @@ enum class Stage : std::uint8_t {
     Foliage,    ///< leaves and apples
     Placement,  ///< where the node stands: no geometry changes
     Motion,     ///< how it moves: nothing at rest changes
+    Texture,    ///< how its surface is mapped: made when asked for, no geometry changes
 };
 
 } // namespace ramure

@@ -52,7 +52,7 @@ std::size_t bytesOf(const SectionSet& set)
 std::size_t bytesOf(const TriangleMesh& m)
 {
     return bytesOf(m.positions) + bytesOf(m.normals) + bytesOf(m.triangles) + bytesOf(m.branch) +
-           bytesOf(m.level);
+           bytesOf(m.level) + bytesOf(m.uv) + bytesOf(m.uvTriangles);
 }
 std::size_t bytesOf(const MeshedBranches& m)
 {

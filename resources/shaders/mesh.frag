@@ -4,6 +4,7 @@ in Surface
     vec3 normal;
     vec3 local;
     vec4 tint;
+    vec2 uv;
     float shade;
 } v;
 #ifdef WIRE
@@ -45,7 +46,8 @@ void main()
 {
     vec3 flatNormal = cross(dFdx(v.relative), dFdy(v.relative));
     vec3 normal = normalize(dot(v.normal, v.normal) > 1e-8 ? v.normal : (gl_FrontFacing ? flatNormal : -flatNormal));
-    vec3 albedo = toLinear(mix(uColour, v.tint.rgb, v.tint.a)) * v.shade;
+    vec3 paint = painted(v.uv, v.relative, uColour);
+    vec3 albedo = toLinear(mix(paint, v.tint.rgb, v.tint.a)) * v.shade;
     if (!gl_FrontFacing) {
         normal = -normal;
         // The inside of a surface that should be closed looks dull: holes are seen.

@@ -10,6 +10,7 @@ in Surface
     vec3 normal;
     vec3 local;
     vec4 tint;
+    vec2 uv;
     float shade;
 } vIn[];
 
@@ -19,6 +20,7 @@ out Surface
     vec3 normal;
     vec3 local;
     vec4 tint;
+    vec2 uv;
     float shade;
 } v;
 noperspective out vec3 edgeDistance;
@@ -38,6 +40,7 @@ void main()
         v.normal = vIn[i].normal;
         v.local = vIn[i].local;
         v.tint = vIn[i].tint;
+        v.uv = vIn[i].uv;
         v.shade = vIn[i].shade;
         edgeDistance = vec3(behind ? 1e6 : 0.0);
         if (!behind)

@@ -1,6 +1,7 @@
 layout(location = 0) in vec3 aPosition;
 layout(location = 1) in vec3 aNormal;
 layout(location = 2) in uint aBranch;
+layout(location = 3) in vec2 aTexture;
 
 // The depth pass and the shading pass must agree to the last bit.
 invariant gl_Position;
@@ -16,6 +17,7 @@ out Surface
     vec3 normal;
     vec3 local;
     vec4 tint;
+    vec2 uv;
     float shade;
 } v;
 
@@ -30,5 +32,6 @@ void main()
     v.local = aPosition;
     // A branch's leaves are a little lighter or darker than its neighbour's: the crown gets depth.
     v.shade = 1.0 + uVariety * (fract(float(aBranch) * 0.6180340) - 0.5);
+    v.uv = aTexture;
     v.tint = stateTint(branchState(aBranch));
 }

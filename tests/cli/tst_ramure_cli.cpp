@@ -52,13 +52,14 @@ private slots:
         row("export preset:SmallTree -o tree.fbx",
             "unknown file ending \".fbx\": meshes are written as .obj or .ply");
         row("export preset:SmallTree -o tree", "unknown file ending \"\"");
+        row("export preset:SmallTree -o t.obj --texture --model rough", "--texture needs --model mesh");
         row("export preset:SmallTree -o t.obj --part roots", "branches, leaves, apples, all expected");
         row("export preset:SmallTree -o t.obj --model fine", "mesh, rough, skeleton expected");
         row("validate", "missing INPUT");
         row("render preset:SmallTree", "one -o FILE.png expected");
         row("render preset:SmallTree -o a.jpg", "pictures are written as .png");
         row("render preset:SmallTree -o a.png --mode x-ray",
-            "skeleton, simplified, rough, sections, mesh expected");
+            "skeleton, simplified, rough, sections, mesh, checker, stretch expected");
         for (const char* size : {"1280", "x", "12x12", "0x100", "-20x100", "8193x100", "100x8193",
                                  "100x100x100", "axb", "99999999999x100", ""})
             QTest::newRow((QByteArray("size ") + size).constData())

@@ -63,6 +63,7 @@ private slots:
     void oneTreeIsShared();
     void severalTreesGetNumbers();
     void partsAreChosen();
+    void textureCoordinatesOnDemand();
     void hiddenTreesStayAtHome();
     void placementIsApplied();
     void mirroredTreesStayOutward();
@@ -221,6 +222,30 @@ void TestExporter::partsAreChosen()
     };
     QVERIFY(collectExport(oneTree(), options, spy));
     QCOMPARE(asked, Stage::Mesh); // no leaves are grown for nothing
+}
+
+void TestExporter::textureCoordinatesOnDemand()
+{
+    ExportOptions options;
+    const auto plain = collect(oneTree(), options);
+    options.texture = true;
+    const auto set = collect(oneTree(), options);
+    QVERIFY2(set, test::why(set));
+    QCOMPARE(namesOf(*set), (Names{"branches", "leaves", "apples"}));
+    for (std::size_t i = 0; i < set->meshes.size(); ++i) {
+        const TriangleMesh& mesh = *set->meshes[i].mesh;
+        QCOMPARE(mesh.positions, plain->meshes[i].mesh->positions); // never split
+        QCOMPARE(mesh.triangles, plain->meshes[i].mesh->triangles);
+        QVERIFY(plain->meshes[i].mesh->uv.empty());
+        QVERIFY(!mesh.uv.empty());
+        QVERIFY(mesh.uvTriangles.empty() ? mesh.uv.size() == mesh.positions.size()
+                                         : mesh.uvTriangles.size() == mesh.triangles.size());
+    }
+    Node bad = makeTree(1);
+    bad.params.texture.tileSize = 1e-12;
+    const auto refused = collect(*Scene::fromNodes({bad}), options);
+    QVERIFY(!refused);
+    QCOMPARE(refused.error().path, std::string("texture.tileSize"));
 }
 
 void TestExporter::hiddenTreesStayAtHome()

@@ -185,8 +185,9 @@ private slots:
         Window window;
         window.host.settings()->setLeavesVisible(false);
         window.host.settings()->setApplesVisible(false);
-        for (const DisplayMode mode : {DisplayMode::Skeleton, DisplayMode::Simplified, DisplayMode::Rough,
-                                       DisplayMode::Sections, DisplayMode::Mesh}) {
+        for (const DisplayMode mode :
+             {DisplayMode::Skeleton, DisplayMode::Simplified, DisplayMode::Rough, DisplayMode::Sections,
+              DisplayMode::Mesh, DisplayMode::Checker, DisplayMode::Stretch}) {
             window.host.settings()->setDisplayMode(mode);
             window.waitForPicture();
             window.document.setSelection({});

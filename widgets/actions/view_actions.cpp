@@ -143,6 +143,12 @@ void ViewActions::addModes(ActionSet* set)
          DisplayMode::Sections},
         {{"view.mesh", QT_TRANSLATE_NOOP("Actions", "&Mesh"), "mode-mesh", QKeySequence(Qt::ALT | Qt::Key_5)},
          DisplayMode::Mesh},
+        {{"view.checker", QT_TRANSLATE_NOOP("Actions", "Chec&ker of the texture"), "mode-checker",
+          QKeySequence(Qt::ALT | Qt::Key_6)},
+         DisplayMode::Checker},
+        {{"view.stretch", QT_TRANSLATE_NOOP("Actions", "S&tretch of the texture"), "mode-stretch",
+          QKeySequence(Qt::ALT | Qt::Key_7)},
+         DisplayMode::Stretch},
     };
     for (const auto& [spec, mode] : modes) {
         QAction* action = set->add(spec);

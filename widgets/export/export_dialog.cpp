@@ -87,6 +87,8 @@ void ExportDialog::buildForm()
         box->setChecked(true);
         parts->addWidget(box);
     }
+    m_texture = new QCheckBox(this);
+    parts->addWidget(m_texture);
     parts->addStretch(1);
     m_selection = new QCheckBox(this);
     m_selection->setEnabled(!m_document->selection().nodes.empty());
@@ -227,6 +229,7 @@ ExportOptions ExportDialog::options() const
     if (m_selection->isChecked())
         options.nodes = m_document->selection().nodes;
     options.hidden = m_hidden->isChecked();
+    options.texture = options.model == ExportModel::Mesh && m_texture->isChecked();
     options.ply.ascii = format() == PlyAscii;
     return options;
 }
@@ -254,6 +257,7 @@ void ExportDialog::updateWidgets()
         widget->setEnabled(!running);
     for (QCheckBox* box : {m_branches, m_leaves, m_apples})
         box->setEnabled(!running && !lines);
+    m_texture->setEnabled(!running && static_cast<ExportModel>(m_model->currentIndex()) == ExportModel::Mesh);
     m_selection->setEnabled(!running && !m_document->selection().nodes.empty());
     m_export->setEnabled(!running && !path().isEmpty() && (lines || options().parts != 0));
     m_progress->setVisible(running);
@@ -368,6 +372,10 @@ void ExportDialog::retranslate()
     m_leaves->setText(tr("Leaves"));
     m_apples->setText(tr("Apples"));
     m_selection->setText(tr("Only what is selected"));
+    m_texture->setText(tr("Texture coordinates"));
+    m_texture->setToolTip(
+        tr("Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one "
+           "repeat of the bark, in metres, is the tree's parameter \"Bark tile\"."));
     m_hidden->setText(tr("Hidden trees too"));
     m_browse->setText(tr("Browse…"));
     m_show->setText(tr("Show"));

@@ -92,6 +92,7 @@ private:
     QCheckBox* m_apples = nullptr;
     QCheckBox* m_selection = nullptr;
     QCheckBox* m_hidden = nullptr;
+    QCheckBox* m_texture = nullptr;
     QLineEdit* m_path = nullptr;
     QPushButton* m_browse = nullptr;
     QProgressBar* m_progress = nullptr;

@@ -4,7 +4,8 @@
 
 namespace ramure {
 namespace {
-constexpr std::array<const char*, 5> names{"skeleton", "simplified", "rough", "sections", "mesh"};
+constexpr std::array<const char*, 7> names{"skeleton", "simplified", "rough",  "sections",
+                                           "mesh",     "checker",    "stretch"};
 }
 
 std::span<const char* const> displayModeNames()

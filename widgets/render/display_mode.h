@@ -16,12 +16,14 @@ enum class DisplayMode : std::uint8_t {
     Rough,      ///< cones, squares and cubes
     Sections,   ///< curves and cross-sections, with frames on demand
     Mesh,       ///< the one continuous mesh with leaves and apples
+    Checker,    ///< the branches' texture coordinates as a pattern of squares
+    Stretch,    ///< how far those are from squares, as colours
 };
 enum class ShadingMode : std::uint8_t { Solid, SolidWire, Wire };
 /// Which sections show their frame as three arrows: tangent blue, normal red, binormal green.
 enum class FrameDisplay : std::uint8_t { None, Selection, All };
 
-/// "skeleton", "simplified", "rough", "sections", "mesh", in the order of the enum.
+/// "skeleton", "simplified", "rough", "sections", "mesh", "checker", "stretch", in the order of the enum.
 std::span<const char* const> displayModeNames();
 const char* displayModeName(DisplayMode mode);
 std::optional<DisplayMode> displayModeFromName(std::string_view name);

@@ -144,6 +144,11 @@ void GpuCache::fillMesh(GpuBlock& block, const TriangleMesh& mesh)
         m_gl.glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, 0, nullptr);
         m_gl.glEnableVertexAttribArray(2);
     }
+    if (mesh.uv.size() == mesh.positions.size() && mesh.uvTriangles.empty()) {
+        addBuffer(block, GL_ARRAY_BUFFER, mesh.uv.data(), mesh.uv.size() * sizeof(glm::vec2));
+        m_gl.glVertexAttribPointer(3, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+        m_gl.glEnableVertexAttribArray(3);
+    }
     addBuffer(block, GL_ELEMENT_ARRAY_BUFFER, mesh.triangles.data(),
               mesh.triangles.size() * sizeof(glm::uvec3));
     block.count = static_cast<GLsizei>(3 * mesh.triangles.size());

@@ -30,6 +30,8 @@ public:
         made.branch.push_back(m_from.branch[vertex]);
         if (!m_from.level.empty())
             made.level.push_back(m_from.level[vertex]);
+        if (m_from.uv.size() == m_from.positions.size())
+            made.uv.push_back(m_from.uv[vertex]);
         return place;
     }
 

@@ -55,13 +55,30 @@ struct ItemMotion
     bool operator==(const ItemMotion&) const = default;
 };
 
-/// A mesh standing somewhere. The mesh needs normals; branch ids are optional.
+/// What gives a surface its colour.
+enum class Paint : std::uint8_t {
+    Material,
+    Checker, ///< squares of texture tiles, larger ones where they would be too small to see
+    Stretch, ///< from blue (a square stays a square) over yellow to red
+};
+
+/// What the texture modes say about all that is shown.
+struct TextureSummary
+{
+    double tileSize = 0.0; ///< m, the smallest
+    std::size_t triangles = 0, stretched = 0, mirrored = 0;
+};
+
+/// A mesh standing somewhere. The mesh needs normals; branch ids are optional. For a paint but the material it
+/// needs one texture coordinate per vertex.
 struct MeshItem
 {
     std::shared_ptr<const TriangleMesh> mesh; ///< at rest
     Box box;                                  ///< of the mesh as it is now, in its own space
     ItemMotion motion;                        ///< drawn so; the mesh itself stays as it is
     Material material;
+    Paint paint = Paint::Material;
+    float tileSize = 1.0f; ///< m, for the checker's metres
     glm::dmat4 world{1.0};
     NodeId node = noNode;
     bool castsShadow = true;
@@ -105,6 +122,7 @@ struct RenderScene
     std::vector<Highlight> highlights;
     Box box;     ///< world: all items; what frameAll shows
     Box casters; ///< world: what throws shadows
+    TextureSummary texture;
 
     /// Recomputes the two boxes from the items.
     void updateBoxes();

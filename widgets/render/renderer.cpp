@@ -86,7 +86,7 @@ Expected<std::unique_ptr<Renderer>> Renderer::make()
 Expected<void> Renderer::compile()
 {
     m_software = isSoftwareRenderer(reinterpret_cast<const char*>(m_gl.glGetString(GL_RENDERER)));
-    const std::vector<const char*> surface{"colour.glsl", "lighting.glsl", "mesh.frag"};
+    const std::vector<const char*> surface{"colour.glsl", "lighting.glsl", "texture.glsl", "mesh.frag"};
     const auto add = [this](std::unique_ptr<ShaderProgram>& program,
                             const ShaderSources& sources) -> Expected<void> {
         auto made = ShaderProgram::make(m_gl, sources);
@@ -327,6 +327,8 @@ void Renderer::drawMeshes(const Picture& picture)
         program.set("uThrough", isLeaf ? 0.5f : 0.0f);
         program.set("uVariety", isLeaf && !item.mesh->branch.empty() ? 0.45f : 0.0f);
         program.set("uTwoSided", item.material.twoSided);
+        program.set("uPaint", int(item.paint));
+        program.set("uTileSize", item.tileSize);
         m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
         m_gl.glBindVertexArray(block.vertexArray);
         m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);

@@ -2,6 +2,7 @@
 
 #include "core/mesh/normals.h"
 #include "core/mesh/rough_model.h"
+#include "core/mesh/texture_report.h"
 #include "widgets/render/isolated_parts.h"
 #include "widgets/render/line_art.h"
 #include "widgets/render/scene_part_cache.h"
@@ -26,6 +27,22 @@ Material openBark()
 
 /// More selected branches than these are no help to find one.
 constexpr std::size_t mostCurves = 2000;
+
+/// A branch mesh as the texture modes show it.
+struct TexturedMesh
+{
+    TriangleMesh mesh; ///< empty where there are no coordinates
+    TextureReport report;
+    double tileSize = 0.0;
+};
+
+TexturedMesh texturedMesh(const BranchMesh& branches, double tileSize)
+{
+    const auto made = textureCoordinates(branches, {tileSize});
+    if (!made)
+        return {};
+    return {splitByTexture(branches, *made), textureReport(branches, *made), made->tileSize};
+}
 
 /// Appends the items of one tree.
 struct TreeItems
@@ -92,6 +109,30 @@ struct TreeItems
         if (view.apples)
             addMesh(tree.apples, applesMaterial());
     }
+    /// The branches with their texture coordinates, without leaves in front; as a plain mesh where there are
+    /// none.
+    void textured(Paint paint)
+    {
+        if (!tree.branches)
+            return addMesh(tree.draftTubes, openBark());
+        const double tileSize = node.params.texture.tileSize;
+        const auto made =
+            cache.get<TexturedMesh>(ScenePart::Textured, tree.branches, tree.branches, {tileSize},
+                                    [&] { return texturedMesh(*tree.branches, tileSize); });
+        if (made->mesh.empty())
+            return fine();
+        const std::size_t before = scene.meshes.size();
+        addMesh({made, &made->mesh}, barkMaterial());
+        if (scene.meshes.size() == before)
+            return; // nothing of it is shown
+        scene.meshes.back().paint = paint;
+        scene.meshes.back().tileSize = static_cast<float>(made->tileSize);
+        TextureSummary& all = scene.texture;
+        all.tileSize = all.triangles == 0 ? made->tileSize : std::min(all.tileSize, made->tileSize);
+        all.triangles += made->report.triangles;
+        all.stretched += made->report.stretched;
+        all.mirrored += made->report.mirrored;
+    }
     void rough()
     {
         if (!tree.simplified)
@@ -154,8 +195,9 @@ struct TreeItems
     /// Where the selected branches are behind the leaves.
     void selectedCurves()
     {
-        const bool solid = view.mode == DisplayMode::Mesh || view.mode == DisplayMode::Rough;
-        if (!solid || !tree.simplified || view.branchNode != node.id || view.branches.empty() ||
+        const bool lines = view.mode == DisplayMode::Skeleton || view.mode == DisplayMode::Simplified ||
+                           view.mode == DisplayMode::Sections;
+        if (lines || !tree.simplified || view.branchNode != node.id || view.branches.empty() ||
             view.branches.size() > mostCurves)
             return;
         addLines(cache.get<LineSet>(ScenePart::SelectedCurves, tree.simplified, tree.simplified,
@@ -210,6 +252,12 @@ struct TreeItems
             break;
         case DisplayMode::Mesh:
             fine();
+            break;
+        case DisplayMode::Checker:
+            textured(Paint::Checker);
+            break;
+        case DisplayMode::Stretch:
+            textured(Paint::Stretch);
             break;
         }
         selectedCurves();

@@ -25,6 +25,7 @@ enum class ScenePart : std::uint8_t {
     Inspected,
     SelectedCurves,
     Isolated,
+    Textured,
 };
 
 /// What a part was made from: two blocks and some numbers.

@@ -1,6 +1,7 @@
 #include "widgets/viewport/viewport.h"
 
 #include "widgets/viewport/navigation_cube.h"
+#include "widgets/viewport/texture_legend.h"
 #include "widgets/viewport/viewport_private.h"
 #include <QOpenGLContext>
 #include <QPainter>
@@ -197,6 +198,7 @@ void Viewport::paintOverlay()
 {
     QPainter painter(this);
     NavigationCube::paint(painter, d->camera, size(), d->hoverSide);
+    paintTextureLegend(painter, size(), d->settings->displayMode(), d->scene->texture);
     if (d->gesture == Gesture::Select && d->dragging) {
         const QColor colour = palette().color(QPalette::Highlight);
         painter.setPen(QPen(colour, 1.0, Qt::DashLine));

@@ -134,13 +134,13 @@ void TestTextureCoordinates::aCylinderIsUnrolledAsItIs()
         low = std::min(low, made->uv[i].y / at.y);
         high = std::max(high, made->uv[i].y / at.y);
     }
-    QVERIFY(std::abs(right - left - 31.0f) < 1e-3f); // pi m in tiles of 10 cm
+    QVERIFY(std::abs(right - left - 32.0f) < 1e-3f); // pi m in tiles of 10 cm, an even number
     QVERIFY(low > 9.8f && high < 10.2f);
     const TextureReport report = textureReport(mesh, *made);
     QCOMPARE(report.mirrored, Index(0));
     QVERIFY(report.stretch95 < 1.08);
     QCOMPARE(report.levels.size(), std::size_t(1));
-    QVERIFY(std::abs(report.levels[0].tilesPerMetre - 10.0) < 0.3);
+    QVERIFY(std::abs(report.levels[0].tilesPerMetre - 10.0) < 0.4);
 }
 
 void TestTextureCoordinates::theSameTwice()

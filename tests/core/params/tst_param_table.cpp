@@ -101,6 +101,7 @@ void TestParamTable::keysAreThePublicInterface()
                                             "foliage.leavesDensity",
                                             "foliage.applesProbability",
                                             "foliage.seed",
+                                            "texture.tileSize",
                                             "tree.translation",
                                             "tree.rotation",
                                             "tree.scale",

@@ -86,7 +86,7 @@ private slots:
         for (const Stage last :
              {Stage::Symbols, Stage::Skeleton, Stage::Simplified, Stage::Sections, Stage::Mesh}) {
             trees.results[id] = *trees.pipeline.evaluate(trees.scene.find(id)->params, last);
-            for (int mode = 0; mode < 5; ++mode) {
+            for (int mode = 0; mode < 7; ++mode) {
                 SceneView view = in(DisplayMode(mode));
                 view.frames = FrameDisplay::All;
                 view.branchNode = id;
@@ -159,6 +159,27 @@ private slots:
         QCOMPARE(materials(bare), std::vector<std::string>{barkMaterial().name});
         QVERIFY(bare.box == bare.casters);
         QVERIFY(bare.meshes[0].pickable);
+    }
+    void textureModesPaintTheBranches()
+    {
+        Trees trees;
+        const NodeId id = trees.add();
+        for (const auto& [mode, paint] : {std::pair(DisplayMode::Checker, Paint::Checker),
+                                          std::pair(DisplayMode::Stretch, Paint::Stretch)}) {
+            const RenderScene built = trees.build(in(mode));
+            QCOMPARE(built.meshes.size(), std::size_t(1)); // no leaves in front
+            const MeshItem& item = built.meshes[0];
+            QVERIFY(item.paint == paint);
+            QCOMPARE(item.mesh->uv.size(), item.mesh->positions.size());
+            QCOMPARE(item.mesh->triangles.size(), trees.results[id].branches->mesh.triangles.size());
+            QCOMPARE(built.texture.triangles, item.mesh->triangles.size());
+            QCOMPARE(built.texture.mirrored, std::size_t(0));
+            QVERIFY(built.texture.tileSize > 0.0);
+        }
+        QCOMPARE(trees.build(in(DisplayMode::Mesh)).texture.triangles, std::size_t(0));
+        trees.scene.find(id)->params.texture.tileSize = 1e-12; // refused: the plain mesh is shown
+        const RenderScene plain = trees.build(in(DisplayMode::Checker));
+        QVERIFY(plain.meshes[0].paint == Paint::Material);
     }
     void roughModeHasItsOwnMeshes()
     {
