@@ -47,8 +47,8 @@ struct PlyOptions
 
 /// Writes PATH and, beside it, the .mtl with the same stem. Files are written under a temporary name and
 /// renamed, so that an error or a cancel leaves the old ones intact. Devices and pipes are written directly,
-/// without an .mtl. Texture coordinates stand in vt lines: they are split there, positions never. Errors: Io (with
-/// file), Invalid (a number is not finite), Cancelled.
+/// without an .mtl. Texture coordinates stand in vt lines: they are split there, positions never. Errors: Io
+/// (with file), Invalid (a number is not finite), Cancelled.
 Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts,
                         const Progress& progress = {});
 Expected<void> writeObjLines(const std::string& path, const LinePart& lines, const Progress& progress = {});
@@ -76,10 +76,9 @@ struct ReadMesh
 };
 
 /// Reads .obj and .ply (ASCII, little and big endian) by the ending. What the program does not use
-/// (materials, unknown PLY properties) is skipped; texture coordinates are kept where every corner of an object
-/// has them. Indices may be negative. Errors with file and
-/// line (or byte offset): Io, Syntax, Invalid (index out of range, non-finite number), Unknown (ending),
-/// Cancelled.
+/// (materials, unknown PLY properties) is skipped; texture coordinates are kept where every corner of an
+/// object has them. Indices may be negative. Errors with file and line (or byte offset): Io, Syntax, Invalid
+/// (index out of range, non-finite number), Unknown (ending), Cancelled.
 Expected<ReadMesh> readMeshFile(const std::string& path, const Progress& progress = {});
 Expected<ReadMesh> parseObj(std::string_view text, const std::string& file, const Progress& progress = {});
 Expected<ReadMesh> parsePly(std::string_view bytes, const std::string& file, const Progress& progress = {});
