@@ -5,15 +5,14 @@
 #include <optional>
 #include <thread>
 #ifdef __linux__
-#include <pthread.h>
-#include <sched.h>
+#include <sys/resource.h>
 #endif
 
 namespace ramure {
 namespace {
 
 /// Threads that this one starts have its priority too.
-void becomeIdle()
+void becomePolite()
 {
 #ifdef __linux__
     const sched_param none{};
@@ -34,7 +33,7 @@ struct BackgroundThread::Private
 
     void loop(const std::stop_token& quit)
     {
-        becomeIdle();
+        becomePolite();
         for (;;) {
             std::unique_lock lock(mutex);
             wake.wait(lock, quit, [this] { return waiting.has_value(); });

@@ -1,5 +1,5 @@
 /// \file
-/// One piece of work at a time on a thread that takes the processor only while nobody else wants it.
+/// One piece of work at a time on a thread that leaves the processor to whoever else wants it, as a rule.
 #pragma once
 
 #include <functional>
