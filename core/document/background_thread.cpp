@@ -15,9 +15,9 @@ namespace {
 void becomePolite()
 {
 #ifdef __linux__
-    const sched_param none{};
-    pthread_setschedparam(pthread_self(), SCHED_IDLE,
-                          &none); // a wish: without it the work is only less polite
+    // Of this thread alone. Not SCHED_IDLE: where the processor draws the view, that would never get a turn.
+    constexpr int polite = 10;
+    ::setpriority(PRIO_PROCESS, 0, polite); // a wish: without it the work is only less polite
 #endif
 }
 
