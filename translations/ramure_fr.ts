@@ -439,6 +439,22 @@
         <source>S&amp;tretch of the texture</source>
         <translation>Éti&amp;rement de la texture</translation>
     </message>
+    <message>
+        <source>S&amp;hake off an apple</source>
+        <translation>&amp;Faire tomber une pomme</translation>
+    </message>
+    <message>
+        <source>While playing, the next apple of the active tree falls; or double-click on one</source>
+        <translation>Pendant la lecture, la pomme suivante de l&apos;arbre actif tombe ; ou double-cliquez sur une pomme</translation>
+    </message>
+    <message>
+        <source>&amp;Wind arrow</source>
+        <translation>Flèche du &amp;vent</translation>
+    </message>
+    <message>
+        <source>Show the wind of the active tree as an arrow; drag its head to turn and strengthen the wind</source>
+        <translation>Montre le vent de l&apos;arbre actif par une flèche ; tirez sa pointe pour tourner et renforcer le vent</translation>
+    </message>
 </context>
 <context>
     <name>DialogChooser</name>
@@ -3938,6 +3954,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>3D view</source>
         <translation>Vue 3D</translation>
+    </message>
+    <message>
+        <source>Change the wind</source>
+        <translation>Modifier le vent</translation>
     </message>
 </context>
 <context>

@@ -321,12 +321,14 @@ void MainWindow::connectPanels()
     const auto applyUnits = [this] { m_inspector->setAngleUnit(m_preferences->angleUnit()); };
     connect(m_preferences, &Preferences::changed, this, applyUnits);
     applyUnits();
+    m_plays->setView(m_host->settings());
     if (Viewport* view = m_host->viewport())
         connectViewport(view);
 }
 
 void MainWindow::connectViewport(Viewport* view)
 {
+    view->setPlayer(m_player);
     connect(m_isolation, &Isolation::changed, view,
             [this, view] { view->setIsolated(m_isolation->node(), m_isolation->branches()); });
     connect(m_inspector, &BranchInspector::sectionInspected, view, &Viewport::setInspectedSection);

@@ -3,6 +3,7 @@
 #include "core/document/commands.h"
 #include "core/document/player.h"
 #include "widgets/actions/action_set.h"
+#include "widgets/viewport/view_settings.h"
 #include <QActionGroup>
 #include <QIcon>
 #include <QMenu>
@@ -35,6 +36,18 @@ PlayActions::PlayActions(Document* document, Player* player, ActionSet* set, QOb
                     {},
                     QT_TRANSLATE_NOOP("Actions", "Show all frames, if need be slower; off: keep time and "
                                                  "drop frames that come too late")}))
+    , m_shake(
+          set->add({"play.shake",
+                    QT_TRANSLATE_NOOP("Actions", "S&hake off an apple"),
+                    "apple",
+                    {},
+                    QT_TRANSLATE_NOOP("Actions", "While playing, the next apple of the active tree falls; or "
+                                                 "double-click on one")}))
+    , m_wind(set->add(
+          {"play.wind", QT_TRANSLATE_NOOP("Actions", "&Wind arrow"), "wind",
+           QKeySequence(Qt::SHIFT | Qt::Key_W),
+           QT_TRANSLATE_NOOP("Actions", "Show the wind of the active tree as an arrow; drag its head to "
+                                        "turn and strengthen the wind")}))
 {
     m_loops = {set->add({"play.once",
                          QT_TRANSLATE_NOOP("Actions", "Play &once"),
@@ -52,6 +65,8 @@ PlayActions::PlayActions(Document* document, Player* player, ActionSet* set, QOb
                          {},
                          QT_TRANSLATE_NOOP("Actions", "Play forwards and back again")})};
     m_everyFrame->setCheckable(true);
+    m_wind->setCheckable(true);
+    connect(m_shake, &QAction::triggered, this, &PlayActions::shake);
     auto* group = new QActionGroup(this);
     for (qsizetype i = 0; i < m_loops.size(); ++i) {
         m_loops[i]->setCheckable(true);
@@ -92,7 +107,24 @@ void PlayActions::fillMenu(QMenu* menu) const
     menu->addSeparator();
     menu->addActions(m_loops);
     menu->addSeparator();
-    menu->addAction(m_everyFrame);
+    menu->addActions({m_everyFrame, m_wind, m_shake});
+}
+
+void PlayActions::setView(ViewSettings* settings)
+{
+    m_wind->setChecked(settings->windVisible());
+    connect(m_wind, &QAction::toggled, settings, &ViewSettings::setWindVisible);
+    connect(settings, &ViewSettings::windVisibleChanged, m_wind, &QAction::setChecked);
+}
+
+/// One after the other; those that lie on the ground already stay there.
+void PlayActions::shake()
+{
+    const NodeId node = m_document->selection().activeNode();
+    const NodeResult* result = m_document->result(node);
+    if (!result || !result->tree.foliage || result->tree.foliage->apples.empty())
+        return;
+    m_player->shakeOff(node, static_cast<Index>(m_nextApple++ % result->tree.foliage->apples.size()));
 }
 
 void PlayActions::retranslate()
@@ -104,6 +136,9 @@ void PlayActions::retranslate()
 void PlayActions::update()
 {
     const bool playing = m_player->isPlaying();
+    m_shake->setEnabled(playing);
+    if (!playing)
+        m_nextApple = 0;
     m_play->setText(playing ? tr("&Pause") : tr("&Play"));
     m_play->setIcon(
         QIcon::fromTheme(playing ? QStringLiteral("ramure-pause") : QStringLiteral("ramure-play")));

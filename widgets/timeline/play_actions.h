@@ -13,6 +13,7 @@ namespace ramure {
 class ActionSet;
 class Document;
 class Player;
+class ViewSettings;
 
 class PlayActions : public QObject
 {
@@ -21,6 +22,8 @@ public:
     /// Nothing is owned; all must outlive the object.
     PlayActions(Document* document, Player* player, ActionSet* set, QObject* parent = nullptr);
 
+    /// The wind's arrow is switched on there.
+    void setView(ViewSettings* settings);
     [[nodiscard]] QAction* playAction() const { return m_play; }
     [[nodiscard]] QAction* everyFrameAction() const { return m_everyFrame; }
     /// First, back, play, stop, forward, last: as they stand in the panel.
@@ -32,6 +35,7 @@ public:
 
 private:
     void update();
+    void shake();
 
     Document* m_document;
     Player* m_player;
@@ -42,7 +46,10 @@ private:
     QAction* m_first;
     QAction* m_last;
     QAction* m_everyFrame;
+    QAction* m_shake;
+    QAction* m_wind;
     QList<QAction*> m_loops; ///< by PlayLoop
+    std::size_t m_nextApple = 0;
 };
 
 } // namespace ramure

@@ -99,6 +99,18 @@ void TimelinePanel::buildTransport()
     row->addWidget(m_frameLabel);
     row->addSpacing(3);
     row->addWidget(m_frame);
+    m_dropped = new QLabel(m_transport);
+    m_dropped->setObjectName(QStringLiteral("droppedFrames"));
+    m_progress = new QProgressBar(m_transport);
+    m_progress->setRange(0, 1000);
+    m_progress->setFixedWidth(90);
+    m_cancel = new QToolButton(m_transport);
+    m_cancel->setAutoRaise(true);
+    m_cancel->setIcon(QIcon::fromTheme(QStringLiteral("ramure-cancel")));
+    row->addSpacing(6);
+    row->addWidget(m_dropped);
+    row->addWidget(m_progress);
+    row->addWidget(m_cancel);
 }
 
 void TimelinePanel::buildSettings()
@@ -136,13 +148,6 @@ void TimelinePanel::buildSettings()
     m_speed->setStep(0.1);
     m_displays = new QComboBox(m_settings);
     m_displays->addItems({QString(), QString(), QString()});
-    m_dropped = new QLabel(m_settings);
-    m_progress = new QProgressBar(m_settings);
-    m_progress->setRange(0, 1000);
-    m_progress->setFixedWidth(110);
-    m_cancel = new QToolButton(m_settings);
-    m_cancel->setAutoRaise(true);
-    m_cancel->setIcon(QIcon::fromTheme(QStringLiteral("ramure-cancel")));
     const auto add = [&](QLabel*& label, QWidget* field) {
         label = new QLabel(m_settings);
         label->setBuddy(field);
@@ -159,9 +164,6 @@ void TimelinePanel::buildSettings()
     add(m_speedLabel, m_speed);
     row->addSpacing(6);
     row->addWidget(m_displays);
-    row->addWidget(m_dropped);
-    row->addWidget(m_progress);
-    row->addWidget(m_cancel);
 }
 
 void TimelinePanel::connectPlayer()

@@ -1,5 +1,6 @@
 #include "widgets/viewport/background_picker.h"
 
+#include "widgets/viewport/moving_scene.h"
 #include <algorithm>
 #include <utility>
 
@@ -36,7 +37,8 @@ void BackgroundPicker::dispose(std::shared_ptr<const void> last)
 bool BackgroundPicker::picksTheSame(const RenderScene& scene) const
 {
     const auto sameMesh = [](const MeshItem& a, const MeshItem& b) {
-        return a.mesh == b.mesh && a.world == b.world && a.node == b.node && a.pickable == b.pickable;
+        return a.mesh == b.mesh && a.motion == b.motion && a.world == b.world && a.node == b.node &&
+               a.pickable == b.pickable;
     };
     const auto linesOf = [](const RenderScene& of) {
         std::vector<const LineItem*> lines;
@@ -47,7 +49,7 @@ bool BackgroundPicker::picksTheSame(const RenderScene& scene) const
         return lines;
     };
     const auto sameLines = [](const LineItem* a, const LineItem* b) {
-        return a->lines == b->lines && a->world == b->world && a->node == b->node;
+        return a->lines == b->lines && a->motion == b->motion && a->world == b->world && a->node == b->node;
     };
     return m_scene && std::ranges::equal(m_scene->meshes, scene.meshes, sameMesh) &&
            std::ranges::equal(linesOf(*m_scene), linesOf(scene), sameLines);
@@ -83,13 +85,13 @@ void BackgroundPicker::start()
     if (m_current || m_running.valid())
         return;
     const quint64 build = ++m_build;
-    m_running = std::async(std::launch::async,
-                           [this, build, scene = m_scene, previous = m_latest, stop = m_stop.get_token()] {
-                               auto made = std::make_shared<const PickScene>(*scene, previous.get(), stop);
-                               QMetaObject::invokeMethod(
-                                   this, [this, build] { finish(build); }, Qt::QueuedConnection);
-                               return made;
-                           });
+    m_running = std::async(
+        std::launch::async, [this, build, scene = m_scene, previous = m_latest, stop = m_stop.get_token()] {
+            auto made = std::make_shared<const PickScene>(posed(*scene), previous.get(), stop);
+            QMetaObject::invokeMethod(
+                this, [this, build] { finish(build); }, Qt::QueuedConnection);
+            return made;
+        });
 }
 
 void BackgroundPicker::finish(quint64 build)

@@ -49,6 +49,8 @@ void applyDrag(Camera& camera, Gesture gesture, QPointF pixels, QSize size)
         break;
     case Gesture::None:
     case Gesture::Select:
+    case Gesture::Pull:
+    case Gesture::Wind:
         break;
     }
 }

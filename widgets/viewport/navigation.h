@@ -9,7 +9,15 @@
 
 namespace ramure {
 
-enum class Gesture : quint8 { None, Orbit, Pan, Zoom, Select };
+enum class Gesture : quint8 {
+    None,
+    Orbit,
+    Pan,
+    Zoom,
+    Select,
+    Pull, ///< a branch that moves
+    Wind, ///< the arrow of the wind
+};
 
 /// The gesture that begins when \p button goes down. Left alone selects, Alt+left orbits, in both styles.
 Gesture gestureFor(NavigationStyle style, Qt::MouseButton button, Qt::KeyboardModifiers modifiers);

@@ -56,4 +56,9 @@ void ViewSettings::setOrthographic(bool on)
     set(m_orthographic, on, &ViewSettings::orthographicChanged);
 }
 
+void ViewSettings::setWindVisible(bool on)
+{
+    set(m_windVisible, on, &ViewSettings::windVisibleChanged);
+}
+
 } // namespace ramure

@@ -26,6 +26,7 @@ public:
     [[nodiscard]] bool applesVisible() const { return m_applesVisible; }
     [[nodiscard]] bool gridVisible() const { return m_gridVisible; }
     [[nodiscard]] bool orthographic() const { return m_orthographic; }
+    [[nodiscard]] bool windVisible() const { return m_windVisible; }
 
 public slots:
     void setDisplayMode(ramure::DisplayMode mode);
@@ -36,6 +37,7 @@ public slots:
     void setApplesVisible(bool on);
     void setGridVisible(bool on);
     void setOrthographic(bool on);
+    void setWindVisible(bool on);
 
 signals:
     void displayModeChanged(ramure::DisplayMode mode);
@@ -46,6 +48,7 @@ signals:
     void applesVisibleChanged(bool on);
     void gridVisibleChanged(bool on);
     void orthographicChanged(bool on);
+    void windVisibleChanged(bool on);
     /// After any of the above.
     void changed();
 
@@ -60,6 +63,7 @@ private:
     bool m_applesVisible = true;
     bool m_gridVisible = true;
     bool m_orthographic = false;
+    bool m_windVisible = false;
 };
 
 } // namespace ramure

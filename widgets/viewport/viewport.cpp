@@ -179,8 +179,9 @@ void Viewport::paintGL()
         painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap, d->failure);
         return;
     }
+    d->updateShown();
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
-    d->renderer->draw(*d->scene, d->camera, pixels, defaultFramebufferObject(),
+    d->renderer->draw(*d->shown, d->camera, pixels, defaultFramebufferObject(),
                       d->options(devicePixelRatioF()));
     const RenderStats stats = d->renderer->stats();
     for (auto& block : d->renderer->takeReleased())
@@ -199,6 +200,7 @@ void Viewport::paintOverlay()
     QPainter painter(this);
     NavigationCube::paint(painter, d->camera, size(), d->hoverSide);
     paintTextureLegend(painter, size(), d->settings->displayMode(), d->scene->texture);
+    paintMotion(painter);
     if (d->gesture == Gesture::Select && d->dragging) {
         const QColor colour = palette().color(QPalette::Highlight);
         painter.setPen(QPen(colour, 1.0, Qt::DashLine));

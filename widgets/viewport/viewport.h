@@ -16,9 +16,13 @@
 #include <QOpenGLWidget>
 #include <memory>
 
+class QPainter;
+
 namespace ramure {
 
 class Document;
+class Player;
+struct PickView;
 struct Change;
 struct DefectPlace;
 
@@ -44,6 +48,9 @@ public:
     /// Neither is owned; both must outlive the viewport.
     Viewport(Document* document, ViewSettings* settings, QWidget* parent = nullptr);
     ~Viewport() override;
+    /// Trees are shown as the player moves them; while it plays, a drag on a branch pulls it and a double
+    /// click on an apple lets it fall. Not owned; must outlive the viewport.
+    void setPlayer(Player* player);
 
     [[nodiscard]] const Camera& camera() const;
     [[nodiscard]] FrameTimes frameTimes() const;
@@ -97,6 +104,7 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
@@ -117,6 +125,11 @@ private:
     void finishBox();
     void hoverAt(QPointF position);
     void paintOverlay();
+    bool beginMotionGesture(const PickView& view, const glm::dvec2& pixel);
+    void dragMotion(const PickView& view, const glm::dvec2& pixel);
+    void letGo();
+    bool shakeOffAt(const PickView& view, const glm::dvec2& pixel);
+    void paintMotion(QPainter& painter);
     void releaseRenderer();
 
     struct Private;

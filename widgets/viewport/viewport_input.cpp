@@ -40,6 +40,8 @@ void Viewport::mousePressEvent(QMouseEvent* event)
                 NavigationCube::sideAt(d->camera, size(), event->position());
     if (d->onCube)
         d->gesture = Gesture::Orbit;
+    else if (d->gesture == Gesture::Select && event->modifiers() == Qt::NoModifier)
+        beginMotionGesture(pickView(d->camera, size()), asVector(event->position()));
     if (d->gesture != Gesture::None && d->gesture != Gesture::Select)
         d->flight.stop();
     d->hoverRest.stop();
@@ -60,6 +62,11 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
 
 void Viewport::dragTo(QPointF position)
 {
+    if (d->gesture == Gesture::Pull || d->gesture == Gesture::Wind) {
+        dragMotion(pickView(d->camera, size()), asVector(position));
+        d->last = position;
+        return update();
+    }
     if (!d->dragging) {
         const bool far =
             (position - d->pressed).manhattanLength() >= QGuiApplication::styleHints()->startDragDistance();
@@ -83,6 +90,8 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
         return;
     const Gesture gesture = d->gesture;
     const bool onCube = d->onCube;
+    if (gesture == Gesture::Pull || gesture == Gesture::Wind)
+        return letGo();
     d->gesture = Gesture::None;
     d->button = Qt::NoButton;
     d->onCube = false;
@@ -96,6 +105,13 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
     }
     d->dragging = false;
     update();
+}
+
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton ||
+        !shakeOffAt(pickView(d->camera, size()), asVector(event->position())))
+        mousePressEvent(event);
 }
 
 void Viewport::finishSelecting()

@@ -15,7 +15,8 @@ QImage Viewport::screenshot()
     RenderOptions options = d->options(devicePixelRatioF());
     options.shadowTaps = 24;
     options.smoothing = false;
-    auto image = renderImage(*d->scene, d->camera, pixels, options);
+    d->updateShown();
+    auto image = renderImage(*d->shown, d->camera, pixels, options);
     return image ? *image : QImage();
 }
 

@@ -4,9 +4,12 @@
 #pragma once
 
 #include "core/document/document.h"
+#include "core/document/player.h"
 #include "widgets/render/renderer.h"
 #include "widgets/viewport/background_builder.h"
 #include "widgets/viewport/background_picker.h"
+#include "widgets/viewport/motion_tools.h"
+#include "widgets/viewport/moving_scene.h"
 #include "widgets/viewport/navigation.h"
 #include "widgets/viewport/viewport.h"
 #include <QTimer>
@@ -50,6 +53,17 @@ struct Viewport::Private
     QMetaObject::Connection contextGone;
     FrameTimes times;
 
+    // What moves, see viewport_motion.cpp.
+    Player* player = nullptr;
+    MovingScene moving;
+    std::shared_ptr<const RenderScene> shown; ///< what is drawn: the scene with all in its place of now
+    std::shared_ptr<const RenderScene> shownOf;
+    std::shared_ptr<const MotionFrame> shownMotion;
+    GrabbedBranch grabbed;
+    glm::dvec3 handAt{0.0}; ///< world
+    quint64 windGesture = 0;
+    Box windBox;
+
     BackgroundPicker picker;
     QTimer hoverRest;
     QPointF hoverPosition;
@@ -79,6 +93,9 @@ struct Viewport::Private
     }
     /// The scene that is shown is not that of now.
     [[nodiscard]] bool isStale() const { return builder.isBusy() || next; }
+    void updateShown();
+    [[nodiscard]] Box activeTreeBox() const;
+    [[nodiscard]] std::optional<WindArrow> arrow() const;
     [[nodiscard]] SceneView sceneView() const;
     [[nodiscard]] SceneWish wish();
     [[nodiscard]] RenderOptions options(double pixelRatio) const;

@@ -168,7 +168,7 @@ void Viewport::showScene()
     d->sceneIsNew = true;
     d->times.buildMs = built.buildMs;
     d->times.revision = built.revision;
-    d->picker.setScene(d->scene);
+    d->updateShown();
     if (d->frameNext && built.serial > d->frameAfter && !d->scene->box.empty()) {
         d->frameNext = false;
         d->flight.stop();

@@ -1,0 +1,169 @@
+// Trees that move: what the player computed is shown, and what the hand does to it.
+#include "core/document/commands.h"
+#include "core/document/player.h"
+#include "widgets/viewport/viewport_private.h"
+#include <QPainter>
+#include <cmath>
+
+namespace ramure {
+namespace {
+
+constexpr double pullStrength = 8.0; ///< of the hand, see Pull
+constexpr double headReach = 12.0;   ///< logical pixels around the arrow's head
+constexpr double headLength = 13.0;  ///< logical pixels
+
+} // namespace
+
+void Viewport::setPlayer(Player* player)
+{
+    d->player = player;
+    connect(player, &Player::motionChanged, this, qOverload<>(&QWidget::update));
+    connect(player, &Player::playingChanged, this, [this](bool playing) {
+        if (!playing)
+            letGo();
+    });
+    update();
+}
+
+/// The scene as it is now, from the scene at rest and the player's frame.
+void Viewport::Private::updateShown()
+{
+    const auto motion = player ? player->motion() : nullptr;
+    if (shown && shownOf == scene && shownMotion == motion)
+        return;
+    const bool moves = motion && MovingScene::moves(*scene, *motion);
+    shown = moves ? std::make_shared<const RenderScene>(moving.moved(*scene, *motion)) : scene;
+    shownOf = scene;
+    shownMotion = motion;
+    picker.setScene(shown);
+}
+
+/// The box of the active tree as it is now, its own space.
+Box Viewport::Private::activeTreeBox() const
+{
+    const NodeId node = document->selection().activeNode();
+    Box box;
+    for (const MeshItem& item : shown ? shown->meshes : scene->meshes)
+        if (item.node == node)
+            box.add(item.box);
+    return box;
+}
+
+std::optional<WindArrow> Viewport::Private::arrow() const
+{
+    if (!settings->windVisible())
+        return std::nullopt;
+    // While it is dragged it stays in its place, however the tree sways.
+    const Box box = gesture == Gesture::Wind ? windBox : activeTreeBox();
+    return windArrow(document->scene(), document->selection().activeNode(), box);
+}
+
+/// A press that the hand takes: the wind's head, or, while trees move, a branch.
+bool Viewport::beginMotionGesture(const PickView& view, const glm::dvec2& pixel)
+{
+    if (const auto arrow = d->arrow()) {
+        const auto ndc = d->camera.project(arrow->head, view.aspect());
+        const glm::dvec2 head =
+            ndc ? 0.5 * glm::dvec2(ndc->x + 1.0, 1.0 - ndc->y) * view.size : glm::dvec2(-1e9);
+        if (glm::length(head - pixel) <= headReach) {
+            d->windBox = d->activeTreeBox();
+            d->windGesture = newGesture();
+            d->gesture = Gesture::Wind;
+            return true;
+        }
+    }
+    if (!d->player || !d->player->isPlaying())
+        return false;
+    const auto grabbed = branchUnder(view, pixel, *d->document, *d->player->motion());
+    if (!grabbed)
+        return false;
+    d->grabbed = *grabbed;
+    d->gesture = Gesture::Pull;
+    dragMotion(view, pixel);
+    return true;
+}
+
+void Viewport::dragMotion(const PickView& view, const glm::dvec2& pixel)
+{
+    if (d->gesture == Gesture::Wind) {
+        const NodeId node = d->document->selection().activeNode();
+        const auto arrow = d->arrow();
+        const auto values = arrow ? windAt(view, pixel, *arrow, d->document->scene(), node) : std::nullopt;
+        if (values)
+            edit::setParams(*d->document, {node},
+                            {{findParam("physics.windStrength"), values->strength},
+                             {findParam("physics.windDirection"), values->directionRad}},
+                            tr("Change the wind"), d->windGesture);
+        return;
+    }
+    d->handAt = pulledTo(view, pixel, d->grabbed.point);
+    const glm::dmat4 inverse = glm::inverse(worldMatrix(d->document->scene(), d->grabbed.node));
+    d->player->setPull(d->grabbed.node, Pull{d->grabbed.branch, d->grabbed.along,
+                                             glm::dvec3(inverse * glm::dvec4(d->handAt, 1.0)), pullStrength});
+}
+
+void Viewport::letGo()
+{
+    if (d->player && d->grabbed.node != noNode)
+        d->player->setPull(d->grabbed.node, {});
+    d->grabbed = {};
+    if (d->gesture == Gesture::Pull || d->gesture == Gesture::Wind) {
+        d->gesture = Gesture::None;
+        d->button = Qt::NoButton;
+        update();
+    }
+}
+
+/// A double click while trees move: the apple under the cursor falls.
+bool Viewport::shakeOffAt(const PickView& view, const glm::dvec2& pixel)
+{
+    if (!d->player || !d->player->isPlaying())
+        return false;
+    const auto apple = appleUnder(view, pixel, *d->document, *d->player->motion());
+    if (apple)
+        d->player->shakeOff(apple->node, apple->apple);
+    return apple.has_value();
+}
+
+/// The wind's arrow, and the string from the hand to the branch that it holds.
+void Viewport::paintMotion(QPainter& painter)
+{
+    const auto point = [this](const glm::dvec3& world) -> std::optional<QPointF> {
+        const auto ndc = d->camera.project(world, double(width()) / std::max(1, height()));
+        if (!ndc)
+            return std::nullopt;
+        return QPointF(0.5 * (ndc->x + 1.0) * width(), 0.5 * (1.0 - ndc->y) * height());
+    };
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (d->gesture == Gesture::Pull) {
+        const auto hand = point(d->handAt);
+        if (hand) {
+            painter.setPen(QPen(QColor(255, 255, 255, 220), 2.0));
+            painter.setBrush(QColor(255, 140, 30));
+            painter.drawEllipse(*hand, 5.0, 5.0);
+        }
+    }
+    const auto arrow = d->arrow();
+    if (!arrow)
+        return;
+    const auto foot = point(arrow->foot), head = point(arrow->head);
+    if (!foot || !head)
+        return;
+    const QColor colour = d->gesture == Gesture::Wind ? QColor(255, 200, 80) : QColor(120, 205, 255);
+    QPointF way = *head - *foot;
+    const double length = std::hypot(way.x(), way.y());
+    way = length > 1e-6 ? way / length : QPointF(1.0, 0.0);
+    const QPointF across(-way.y(), way.x());
+    for (const auto& [width, ink] : {std::pair{6.0, QColor(20, 40, 60, 150)}, std::pair{3.0, colour}}) {
+        painter.setPen(QPen(ink, width, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(*foot, *head);
+        painter.drawLine(*head, *head - headLength * way + 0.5 * headLength * across);
+        painter.drawLine(*head, *head - headLength * way - 0.5 * headLength * across);
+    }
+    painter.setPen(QPen(QColor(20, 40, 60, 190), 1.0));
+    painter.setBrush(colour);
+    painter.drawEllipse(*foot, 4.0, 4.0);
+    painter.drawEllipse(*head, 5.0, 5.0);
+}
+
+} // namespace ramure
