@@ -28,8 +28,9 @@ constexpr Command commands[] = {
 
 QString helpText()
 {
-    QString out = QStringLiteral("Usage: ramure-cli COMMAND [ARGUMENTS] [OPTIONS]\n\n"
-                                 "Grows, checks, moves, exports and draws trees without a window.\n\nCommands:\n");
+    QString out =
+        QStringLiteral("Usage: ramure-cli COMMAND [ARGUMENTS] [OPTIONS]\n\n"
+                       "Grows, checks, moves, exports and draws trees without a window.\n\nCommands:\n");
     for (const Command& command : commands)
         out += QStringLiteral("  %1 %2\n")
                    .arg(QLatin1String(command.name), -10)

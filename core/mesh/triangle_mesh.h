@@ -18,7 +18,7 @@ struct TriangleMesh
     std::vector<glm::uvec3> triangles;
     std::vector<Index>
         branch; ///< per vertex: the branch it follows (index into the mesh's skeleton), or empty
-    std::vector<Index> level; ///< per vertex: level of that branch, or empty
+    std::vector<Index> level;  ///< per vertex: level of that branch, or empty
     std::vector<glm::vec2> uv; ///< texture coordinates, or empty
     /// Per triangle its corners' places in uv; empty where uv has one entry per vertex.
     std::vector<glm::uvec3> uvTriangles;

@@ -83,8 +83,8 @@ struct PlacementParams
 struct BranchParams
 {
     double rollRad = 0.0; ///< the branch's frames turned about the tangent, handed on to its children
-    /// The branch turned about its start, and what grows on it with it: axis times angle, in tree space before
-    /// the bends of its ancestors (core/skeleton/bend.h).
+    /// The branch turned about its start, and what grows on it with it: axis times angle, in tree space
+    /// before the bends of its ancestors (core/skeleton/bend.h).
     glm::dvec3 bendRad{0.0};
     bool operator==(const BranchParams&) const = default;
 };

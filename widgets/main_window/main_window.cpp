@@ -1,7 +1,7 @@
 #include "widgets/main_window/main_window.h"
 
-#include "core/document/player.h"
 #include "core/document/analysis.h"
+#include "core/document/player.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/actions/chooser.h"
 #include "widgets/actions/edit_actions.h"

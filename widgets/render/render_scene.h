@@ -69,8 +69,8 @@ struct TextureSummary
     std::size_t triangles = 0, stretched = 0, mirrored = 0;
 };
 
-/// A mesh standing somewhere. The mesh needs normals; branch ids are optional. For a paint but the material it
-/// needs one texture coordinate per vertex.
+/// A mesh standing somewhere. The mesh needs normals; branch ids are optional. For a paint but the material
+/// it needs one texture coordinate per vertex.
 struct MeshItem
 {
     std::shared_ptr<const TriangleMesh> mesh; ///< at rest

@@ -7,8 +7,8 @@
 #include "widgets/timeline/time_field.h"
 #include "widgets/timeline/timeline_panel.h"
 #include "widgets/timeline/timeline_ruler.h"
-#include <QAction>
 #include <QAbstractButton>
+#include <QAction>
 #include <QLineEdit>
 #include <QLocale>
 #include <QSignalSpy>
