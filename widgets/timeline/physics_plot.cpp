@@ -61,7 +61,7 @@ void PhysicsPlot::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), palette().base());
-    const double third = double(height()) / double(int(curves));
+    const double third = double(height()) / double(curves);
     for (int curve = 0; curve < curves; ++curve)
         paintCurve(painter, QRectF(0.0, curve * third, width(), third), static_cast<Curve>(curve));
 }

@@ -29,8 +29,9 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    enum Curve { Energy, LengthError, StepTime, curves };
-    using Values = std::array<double, curves>;
+    enum Curve { Energy, LengthError, StepTime };
+    static constexpr int curves = 3;
+    using Values = std::array<double, std::size_t(curves)>;
     void paintCurve(QPainter& painter, const QRectF& area, Curve curve) const;
     void updateToolTip();
 
