@@ -38,12 +38,13 @@ void Viewport::Private::updateShown()
     picker.setScene(shown);
 }
 
-/// The box of the active tree as it is now, its own space.
+/// The box of the active tree at rest, its own space: what stands beside a tree that sways must not sway with
+/// it.
 Box Viewport::Private::activeTreeBox() const
 {
     const NodeId node = document->selection().activeNode();
     Box box;
-    for (const MeshItem& item : shown ? shown->meshes : scene->meshes)
+    for (const MeshItem& item : scene->meshes)
         if (item.node == node)
             box.add(item.box);
     return box;
@@ -53,9 +54,7 @@ std::optional<WindArrow> Viewport::Private::arrow() const
 {
     if (!settings->windVisible())
         return std::nullopt;
-    // While it is dragged it stays in its place, however the tree sways.
-    const Box box = gesture == Gesture::Wind ? windBox : activeTreeBox();
-    return windArrow(document->scene(), document->selection().activeNode(), box);
+    return windArrow(document->scene(), document->selection().activeNode(), activeTreeBox());
 }
 
 /// A press that the hand takes: the wind's head, or, while trees move, a branch.
@@ -66,7 +65,6 @@ bool Viewport::beginMotionGesture(const PickView& view, const glm::dvec2& pixel)
         const glm::dvec2 head =
             ndc ? 0.5 * glm::dvec2(ndc->x + 1.0, 1.0 - ndc->y) * view.size : glm::dvec2(-1e9);
         if (glm::length(head - pixel) <= headReach) {
-            d->windBox = d->activeTreeBox();
             d->windGesture = newGesture();
             d->gesture = Gesture::Wind;
             return true;

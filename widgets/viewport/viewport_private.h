@@ -62,7 +62,6 @@ struct Viewport::Private
     GrabbedBranch grabbed;
     glm::dvec3 handAt{0.0}; ///< world
     quint64 windGesture = 0;
-    Box windBox;
 
     BackgroundPicker picker;
     QTimer hoverRest;
