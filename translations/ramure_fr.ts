@@ -2196,6 +2196,30 @@
         <source>Side of the piece of bark that a texture repeats. A whole number of them goes around every branch, so make it small against the twigs; 0 finds the largest that fits them.</source>
         <translation>Côté du morceau d’écorce qu’une texture répète. Un nombre entier en fait le tour de chaque branche : choisissez-le petit par rapport aux rameaux ; 0 trouve le plus grand qui leur convienne.</translation>
     </message>
+    <message>
+        <source>An angle must be a number</source>
+        <translation>Un angle doit être un nombre</translation>
+    </message>
+    <message>
+        <source>The lower limit of an angle must not be over the upper one</source>
+        <translation>La limite inférieure d&apos;un angle ne doit pas dépasser la limite supérieure</translation>
+    </message>
+    <message>
+        <source>A speed limit must not be negative</source>
+        <translation>Une limite de vitesse ne doit pas être négative</translation>
+    </message>
+    <message>
+        <source>An arm has 1 to 64 joints</source>
+        <translation>Un bras a de 1 à 64 articulations</translation>
+    </message>
+    <message>
+        <source>A segment must be longer than 0</source>
+        <translation>Un segment doit être plus long que 0</translation>
+    </message>
+    <message>
+        <source>The time must be a number of seconds, at most a day</source>
+        <translation>Le temps doit être un nombre de secondes, au plus un jour</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>

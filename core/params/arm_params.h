@@ -1,0 +1,54 @@
+/// \file
+/// An articulated arm (SPEC C1): joints with two angles each, what they may do, and how the arm finds its
+/// target. The member initialisers are the defaults; distances in metres, angles in radians.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+#include <vector>
+
+namespace ramure {
+
+/// One angle of a joint. \c limited off: it may turn for ever and is kept within -pi .. pi.
+struct ArmAngle
+{
+    double angleRad = 0.0;
+    bool limited = false;
+    double minRad = -std::numbers::pi * 170.0 / 180.0; ///< counts where limited; not over maxRad
+    double maxRad = std::numbers::pi * 170.0 / 180.0;
+    double mostSpeed = 0.0; ///< rad/s; 0 = as fast as it likes
+    bool operator==(const ArmAngle&) const = default;
+};
+
+/// Turns by phi about the axis of the segment before it, then by theta about the Y axis turned by phi; its
+/// own segment follows.
+struct ArmJoint
+{
+    double length = 1.0;
+    ArmAngle phi;
+    ArmAngle theta;
+    bool operator==(const ArmJoint&) const = default;
+};
+
+inline constexpr std::size_t leastArmJoints = 1, mostArmJoints = 64;
+
+/// SPEC C1: lengths 1.7, 1.5, 1.2; phi 45, 0, -30 degrees; theta 30, 20, -20 degrees. Without limits.
+std::vector<ArmJoint> defaultArmJoints();
+
+/// The values are positions in the table's list of items; files have the names.
+enum class ArmSolverKind : std::uint8_t {
+    LeastSquares, ///< damped least squares (Levenberg, Marquardt) with an active set for the limits
+    Transpose,    ///< Jacobian transpose exactly as SPEC C2
+};
+
+struct ArmSolverParams
+{
+    ArmSolverKind kind = ArmSolverKind::LeastSquares;
+    double gain = 0.01 * std::numbers::pi; ///< Transpose: dt of angles += dt * transposed J * (target - tip)
+    std::int64_t stepsPerTick = 1;         ///< Transpose: steps for each sixtieth of a second
+    double tolerance = 1e-4;               ///< m; nearer than this the target counts as reached
+    bool operator==(const ArmSolverParams&) const = default;
+};
+
+} // namespace ramure
