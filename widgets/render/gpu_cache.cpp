@@ -20,6 +20,7 @@ constexpr int stateWidth = 2048; ///< of the textures of branch states and bones
 
 GpuCache::GpuCache(Gl& gl)
     : m_gl(gl)
+    , m_pool(gl)
 {
 }
 
@@ -43,24 +44,27 @@ std::pair<GpuBlock&, bool> GpuCache::slot(const std::shared_ptr<const void>& sou
     return {block, isNew};
 }
 
-GLuint GpuCache::addBuffer(GpuBlock& block, GLenum target, const void* data, std::size_t bytes)
+void GpuCache::addBuffer(GpuBlock& block, GLenum target, const void* data, std::size_t bytes)
 {
-    GLuint buffer = 0;
-    m_gl.glGenBuffers(1, &buffer);
-    m_gl.glBindBuffer(target, buffer);
-    m_gl.glBufferData(target, static_cast<GLsizeiptr>(bytes), nullptr, GL_STATIC_DRAW);
+    const GpuBuffer buffer = m_pool.take(bytes);
+    m_gl.glBindBuffer(target, buffer.name);
+    block.waiting.push_back({block.buffers.size(), static_cast<const char*>(data), bytes, 0});
     block.buffers.push_back(buffer);
-    block.waiting.push_back({buffer, static_cast<const char*>(data), bytes, 0});
-    return buffer;
 }
 
 std::size_t GpuCache::fill(GpuBlock& block, std::size_t most)
 {
     while (!block.waiting.empty() && most > 0) {
         GpuBlock::Piece& piece = block.waiting.back();
+        GpuBuffer& buffer = block.buffers[piece.buffer];
+        // Getting memory may take as long as filling it.
+        if (m_pool.allocate(buffer, piece.bytes)) {
+            most -= std::min(most, piece.bytes);
+            continue;
+        }
         const std::size_t bytes = std::min(most, piece.bytes - piece.done);
         // A target that belongs to no vertex array.
-        m_gl.glBindBuffer(GL_COPY_WRITE_BUFFER, piece.buffer);
+        m_gl.glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.name);
         m_gl.glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(piece.done),
                              static_cast<GLsizeiptr>(bytes), piece.data + piece.done);
         piece.done += bytes;
@@ -185,7 +189,7 @@ void GpuCache::attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& sk
 {
     if (!skin)
         return;
-    const GLuint buffer = influences(skin).buffers.front();
+    const GLuint buffer = influences(skin).buffers.front().name;
     if (block.skin == skin)
         return;
     m_gl.glBindVertexArray(block.vertexArray);
@@ -328,8 +332,8 @@ void GpuCache::free(GpuBlock& block)
 {
     if (block.vertexArray != 0)
         m_gl.glDeleteVertexArrays(1, &block.vertexArray);
-    if (!block.buffers.empty())
-        m_gl.glDeleteBuffers(static_cast<GLsizei>(block.buffers.size()), block.buffers.data());
+    for (const GpuBuffer& buffer : block.buffers)
+        m_pool.giveBack(buffer);
     if (block.texture != 0)
         m_gl.glDeleteTextures(1, &block.texture);
 }

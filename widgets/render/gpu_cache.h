@@ -4,6 +4,7 @@
 /// is never reused.
 #pragma once
 
+#include "widgets/render/buffer_pool.h"
 #include "widgets/render/render_scene.h"
 #include "widgets/render/shader_program.h"
 #include <cstdint>
@@ -17,7 +18,7 @@ struct GpuBlock
 {
     std::shared_ptr<const void> source;
     GLuint vertexArray = 0;
-    std::vector<GLuint> buffers;
+    std::vector<GpuBuffer> buffers;
     GLuint texture = 0;
     GLsizei count = 0;                ///< indices, instances, or entries
     std::shared_ptr<const void> skin; ///< of a mesh: whose influences its vertex array reads
@@ -27,7 +28,7 @@ struct GpuBlock
     /// What is not in its buffer yet.
     struct Piece
     {
-        GLuint buffer = 0;
+        std::size_t buffer = 0; ///< among the block's
         const char* data = nullptr;
         std::size_t bytes = 0, done = 0;
     };
@@ -86,10 +87,11 @@ private:
     std::size_t fill(GpuBlock& block, std::size_t most);
     /// The block of this source, and whether it has to be filled.
     std::pair<GpuBlock&, bool> slot(const std::shared_ptr<const void>& source);
-    GLuint addBuffer(GpuBlock& block, GLenum target, const void* data, std::size_t bytes);
+    void addBuffer(GpuBlock& block, GLenum target, const void* data, std::size_t bytes);
     void free(GpuBlock& block);
 
     Gl& m_gl;
+    BufferPool m_pool;
     std::map<const void*, GpuBlock> m_blocks;
     std::vector<glm::vec4> m_boneRows; ///< kept between pictures
     std::vector<std::shared_ptr<const void>> m_released;
