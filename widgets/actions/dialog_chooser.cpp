@@ -5,8 +5,11 @@
 #include "widgets/theme/icons.h"
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QHeaderView>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTreeView>
+#include <algorithm>
 
 namespace ramure {
 void DialogChooser::setWindow(QWidget* window, MessageBanner* banner)
@@ -15,9 +18,33 @@ void DialogChooser::setWindow(QWidget* window, MessageBanner* banner)
     m_banner = banner;
 }
 
+/// Qt's own dialog, shown where the desktop has none, starts with columns too narrow for their headings.
+static void fitColumns(QFileDialog& dialog)
+{
+    for (auto* view : dialog.findChildren<QTreeView*>()) {
+        const QFontMetrics metrics(view->header()->font());
+        for (int i = 1; i < view->header()->count(); ++i) {
+            const QString text = view->model()->headerData(i, Qt::Horizontal).toString();
+            const int wide = metrics.horizontalAdvance(text) + 4 * metrics.averageCharWidth();
+            view->setColumnWidth(i, std::max(view->columnWidth(i), wide));
+        }
+    }
+}
+
+static QString chosen(QFileDialog& dialog)
+{
+    fitColumns(dialog);
+    dialog.resize(dialog.sizeHint().expandedTo(QSize(760, 460)));
+    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
+        return {};
+    return dialog.selectedFiles().constFirst();
+}
+
 QString DialogChooser::openFile(const QString& title, const QString& folder, const QString& filter)
 {
-    return QFileDialog::getOpenFileName(m_window, title, folder, filter);
+    QFileDialog dialog(m_window, title, folder, filter);
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    return chosen(dialog);
 }
 
 QString DialogChooser::saveFile(const QString& title, const QString& suggestion, const QString& filter,
@@ -27,9 +54,7 @@ QString DialogChooser::saveFile(const QString& title, const QString& suggestion,
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
     dialog.selectFile(QFileInfo(suggestion).fileName());
-    if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty())
-        return {};
-    return dialog.selectedFiles().constFirst();
+    return chosen(dialog);
 }
 
 Chooser::Unsaved DialogChooser::unsavedChanges(const QString& documentName)

@@ -193,9 +193,8 @@ void PropertiesPanel::showProblem()
 {
     std::optional<Error> error;
     for (const NodeId id : m_nodes) {
-        const NodeResult* result = m_document->result(id);
-        if (result && result->error) {
-            error = result->error;
+        if (const Error* problem = m_document->problem(id)) {
+            error = *problem;
             break;
         }
     }

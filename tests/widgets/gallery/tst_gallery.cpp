@@ -4,6 +4,7 @@
 #include "tests/widgets/gallery/text_fit.h"
 #include "tests/widgets/support/fixture.h"
 #include "widgets/actions/action_set.h"
+#include "widgets/actions/dialog_chooser.h"
 #include "widgets/actions/edit_actions.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/export/export_dialog.h"
@@ -23,6 +24,8 @@
 #include "widgets/support/language.h"
 #include "widgets/support/preferences.h"
 #include "widgets/theme/theme.h"
+#include <QHeaderView>
+#include <functional>
 
 using namespace ramure;
 
@@ -75,6 +78,25 @@ private:
         QVERIFY(QTest::qWaitForWindowExposed(&dialog));
         look(&dialog, name);
     }
+    /// A menu or dialog with an event loop of its own: looked at from within, then closed.
+    void lookInto(const char* name, const std::function<void()>& open)
+    {
+        bool seen = false;
+        QTimer closer;
+        connect(&closer, &QTimer::timeout, this, [&] {
+            QWidget* shown = QApplication::activePopupWidget();
+            if (!shown)
+                shown = QApplication::activeModalWidget();
+            if (!shown || seen)
+                return;
+            seen = true;
+            look(shown, name);
+            shown->close();
+        });
+        closer.start(10);
+        open();
+        QVERIFY2(seen, name);
+    }
     void raise(const char* name)
     {
         auto* panel = m_window->findChild<QDockWidget*>(QString::fromLatin1(name));
@@ -108,6 +130,9 @@ private:
         selectBranches({1, 2});
         raise("inspectorDock");
         look(m_window.get(), "inspector");
+        lookInto("scene-menu", [&] { emit scene->view()->customContextMenuRequested(QPoint(20, 20)); });
+        lookInto("scene-columns",
+                 [&] { emit scene->view()->header()->customContextMenuRequested(QPoint(20, 5)); });
         m_window->isolation()->toggleSelected();
         look(m_window.get(), "isolated");
         m_window->isolation()->clear();
@@ -169,6 +194,19 @@ private:
         RecoveryDialog recovery(
             {{QStringLiteral("/home/someone/trees/oak.ramure"), then}, {QString(), then}});
         show(recovery, "recovery");
+        DialogChooser asking;
+        asking.setWindow(m_window.get(), m_window->banner());
+        lookInto("unsaved",
+                 [&] { QVERIFY(asking.unsavedChanges(QStringLiteral("oak")) == Chooser::Unsaved::Cancel); });
+        lookInto("save-as", [&] {
+            QCOMPARE(asking.saveFile(QStringLiteral("x"), QStringLiteral("oak.ramure"),
+                                     QStringLiteral("Ramure (*.ramure)"), QStringLiteral("ramure")),
+                     QString());
+        });
+        lookInto("open", [&] {
+            QCOMPARE(asking.openFile(QStringLiteral("x"), QString(), QStringLiteral("Ramure (*.ramure)")),
+                     QString());
+        });
     }
 
 private slots:

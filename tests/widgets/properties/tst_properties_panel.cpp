@@ -500,6 +500,7 @@ private slots:
         error.path = "grammar.rules";
         error.line = 2;
         error.column = 6;
+        result.revision = m_document->revision();
         result.error = error;
         m_document->setResult(1, result);
         ParamRow* row = m_panel->row(param("grammar.rules"));
