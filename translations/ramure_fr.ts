@@ -2220,6 +2220,34 @@
         <source>The time must be a number of seconds, at most a day</source>
         <translation>Le temps doit être un nombre de secondes, au plus un jour</translation>
     </message>
+    <message>
+        <source>The skin&apos;s radius must be above 0</source>
+        <translation>Le rayon de la peau doit être supérieur à 0</translation>
+    </message>
+    <message>
+        <source>The skin needs at least one cell along the arm</source>
+        <translation>La peau a besoin d&apos;au moins une maille le long du bras</translation>
+    </message>
+    <message>
+        <source>The skin needs at least three cells around and at most ten million vertices</source>
+        <translation>La peau a besoin d&apos;au moins trois mailles autour et d&apos;au plus dix millions de sommets</translation>
+    </message>
+    <message>
+        <source>A terrain must be larger than 0</source>
+        <translation>Un terrain doit être plus grand que 0</translation>
+    </message>
+    <message>
+        <source>The height of a terrain must be a number</source>
+        <translation>La hauteur d&apos;un terrain doit être un nombre</translation>
+    </message>
+    <message>
+        <source>The roughness of a terrain lies between 0 and 1</source>
+        <translation>La rugosité d&apos;un terrain est comprise entre 0 et 1</translation>
+    </message>
+    <message>
+        <source>A terrain has 1 to 1024 cells along a side</source>
+        <translation>Un terrain a de 1 à 1024 mailles par côté</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>

@@ -51,4 +51,25 @@ struct ArmSolverParams
     bool operator==(const ArmSolverParams&) const = default;
 };
 
+/// The arm's skin, a cylinder rolled up from a regular grid (SPEC C3).
+struct ArmSkinParams
+{
+    double radius = 0.5;               ///< m; 0 = no skin
+    std::int64_t lengthDivisions = 94; ///< cells of the grid along the arm
+    std::int64_t radialDivisions = 32; ///< and around it
+    double window = 0.2;               ///< m on either side of a joint, over which segments share the skin
+    bool operator==(const ArmSkinParams&) const = default;
+};
+
+/// A terrain around the node's origin: a square grid in X and Z, heights along Y.
+struct ReliefParams
+{
+    std::int64_t seed = 1;
+    double size = 12.0;           ///< m, length of a side
+    double height = 1.5;          ///< m, how far the largest hills rise or fall
+    double roughness = 0.5;       ///< how high hills of half the width are, against the larger ones
+    std::int64_t divisions = 128; ///< cells along a side
+    bool operator==(const ReliefParams&) const = default;
+};
+
 } // namespace ramure

@@ -61,6 +61,11 @@ Columns mixed(const SkinInfluence& influence, const std::vector<DualQuaternion>&
                           w * d[2] + x * d[1] - y * d[0] - z * d[3], 0.0F}};
 }
 
+Float4 cross(Float4 a, Float4 b)
+{
+    return Float4{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0], 0.0F};
+}
+
 Columns mixed(const SkinInfluence& influence, const std::vector<Columns>& bones)
 {
     const Columns& first = bones[influence.bone[0]];
@@ -77,9 +82,45 @@ Columns mixed(const SkinInfluence& influence, const std::vector<Columns>& bones)
     return all;
 }
 
-Float4 cross(Float4 a, Float4 b)
+/// How a place at rest moves as weight passes from the first bone to the second.
+Columns leaning(const SkinInfluence& influence, const std::vector<Columns>& bones)
 {
-    return Float4{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0], 0.0F};
+    const Columns& a = bones[influence.bone[0]];
+    const Columns& b = bones[influence.bone[1]];
+    return {b.x - a.x, b.y - a.y, b.z - a.z, b.w - a.w};
+}
+
+/// The vector part of a * conjugate(b).
+Float4 timesConjugate(Float4 a, Float4 b)
+{
+    const Float4 turned = b[3] * a - a[3] * b + cross(b, a);
+    return Float4{turned[0], turned[1], turned[2], 0.0F};
+}
+
+/// The derivative of the mean screw motion.
+Columns leaning(const SkinInfluence& influence, const std::vector<DualQuaternion>& bones)
+{
+    const DualQuaternion& first = bones[influence.bone[0]];
+    Float4 real{}, dual{}, realTo = -first.real, dualTo = -first.dual;
+    for (std::size_t i = 0; i < 3 && influence.weight[i] > 0.0F; ++i) {
+        const DualQuaternion& bone = bones[influence.bone[i]];
+        const float sign = sum(bone.real * first.real) < 0.0F ? -1.0F : 1.0F;
+        real += sign * influence.weight[i] * bone.real;
+        dual += sign * influence.weight[i] * bone.dual;
+        if (i == 1) {
+            realTo += sign * bone.real;
+            dualTo += sign * bone.dual;
+        }
+    }
+    const float scale = 1.0F / std::sqrt(sum(real * real));
+    const Float4 q = real * scale, d = dual * scale;
+    const float along = sum(q * realTo);
+    const Float4 turning = (realTo - along * q) * scale;
+    const Float4 shifting = (dualTo - along * d) * scale;
+    const Float4 spin = 2.0F * timesConjugate(turning, q);
+    const Columns now = mixed(influence, bones);
+    return {cross(spin, now.x), cross(spin, now.y), cross(spin, now.z),
+            2.0F * (timesConjugate(shifting, q) + timesConjugate(d, turning))};
 }
 
 /// What normals follow under a transform that is not rigid: determinant times inverse transpose.
@@ -122,6 +163,18 @@ void normalise(std::span<glm::vec3> normals, std::span<const glm::vec3> rest)
     }
 }
 
+/// Normals where the weights change along Z: that column of the deformation leans as the place itself does.
+void leanNormals(std::span<const glm::vec3> rest, std::span<const glm::vec3> restNormals, const Columns& by,
+                 const Columns& lean, float slope, std::span<glm::vec3> normals)
+{
+    for (std::size_t i = 0; i < rest.size(); ++i) {
+        const Float4 away = rest[i].x * lean.x + rest[i].y * lean.y + rest[i].z * lean.z + lean.w;
+        const Columns turn = cofactors({by.x, by.y, by.z + slope * away, Float4{}});
+        const Float4 n = restNormals[i].x * turn.x + restNormals[i].y * turn.y + restNormals[i].z * turn.z;
+        normals[i] = {n[0], n[1], n[2]};
+    }
+}
+
 } // namespace
 
 struct Deformer::Bones
@@ -135,6 +188,10 @@ struct Deformer::Bones
         if (influence.weight[1] == 0.0F || method == SkinMethod::Rigid)
             return columns[influence.bone[0]];
         return method == SkinMethod::Linear ? mixed(influence, columns) : mixed(influence, duals);
+    }
+    [[nodiscard]] Columns lean(const SkinInfluence& influence) const
+    {
+        return method == SkinMethod::Linear ? leaning(influence, columns) : leaning(influence, duals);
     }
 };
 
@@ -169,6 +226,13 @@ void Deformer::deform(std::span<const glm::vec3> restPositions, std::span<const 
         moveSpan(restPositions, from, end, by, positions);
         if (normals.empty())
             continue;
+        if (run.slope != 0.0F && m_bones->method != SkinMethod::Rigid && run.influence.weight[1] > 0.0F) {
+            const auto part = [&](auto all) { return all.subspan(from, end - from); };
+            leanNormals(part(restPositions), part(restNormals), by, m_bones->lean(run.influence), run.slope,
+                        part(normals));
+            normalise(part(normals), part(restNormals));
+            continue;
+        }
         const bool skews = m_bones->method == SkinMethod::Linear && run.influence.weight[1] > 0.0F;
         moveSpan(restNormals, from, end, skews ? cofactors(by) : Columns{by.x, by.y, by.z, Float4{}},
                  normals);

@@ -28,6 +28,9 @@ struct SkinRun
 {
     Index firstVertex; ///< up to where the next run begins
     SkinInfluence influence;
+    /// 1/m: how much weight passes from the first bone to the second along Z of the rest mesh; 0 where it
+    /// does not change, or so slowly that normals need not know.
+    float slope = 0.0F;
     bool operator==(const SkinRun&) const = default;
 };
 
@@ -68,8 +71,9 @@ public:
     /// The pose that is used from now on; it is copied.
     void setPose(std::span<const RigidTransform> pose, SkinMethod method);
     /// Positions and unit normals of a mesh in the pose. Normals follow the mixed transform: its cofactors
-    /// for Linear, its rotation for the others. Rest and result may not overlap; \p normals may be empty for
-    /// none. \pre spans as long as the skin has vertices; the pose has at least skin.bones.
+    /// for Linear, its rotation for the others; where a run has a slope, the cofactors of the whole
+    /// deformation, which also leans as the weights change. Rest and result may not overlap; \p normals may
+    /// be empty for none. \pre spans as long as the skin has vertices; the pose has at least skin.bones.
     void deform(std::span<const glm::vec3> restPositions, std::span<const glm::vec3> restNormals,
                 const Skin& skin, std::span<glm::vec3> positions, std::span<glm::vec3> normals) const;
 

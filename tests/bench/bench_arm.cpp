@@ -1,6 +1,9 @@
-// Inverse kinematics: one target of an arm with limits, from a pose near straight (the promise: under 50
-// microseconds with 10 joints). Targets by forward kinematics, so all can be reached.
+// The arm. Inverse kinematics: one target of an arm with limits, from a pose near straight (the promise:
+// under 50 microseconds with 10 joints). Targets by forward kinematics, so all can be reached.
+#include "core/arm/arm_skin.h"
 #include "core/arm/arm_solver.h"
+#include "core/geometry/mesh_rays.h"
+#include "core/mesh/relief.h"
 #include "core/random/random.h"
 #include <benchmark/benchmark.h>
 
@@ -51,5 +54,44 @@ void BM_armSolve(benchmark::State& state)
     state.counters["reached"] = double(reached) / double(state.iterations());
 }
 BENCHMARK(BM_armSolve)->Arg(2)->Arg(3)->Arg(5)->Arg(10)->Arg(20)->Arg(64)->Unit(benchmark::kMicrosecond);
+
+/// A terrain of two million triangles at most; the promise: a click within 1 ms on one of a million.
+void BM_reliefBuild(benchmark::State& state)
+{
+    ReliefParams params;
+    params.divisions = state.range(0);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(buildRelief(params));
+    state.SetItemsProcessed(state.iterations() * 2 * state.range(0) * state.range(0));
+}
+BENCHMARK(BM_reliefBuild)->Arg(128)->Arg(708)->Unit(benchmark::kMillisecond);
+
+void BM_reliefClick(benchmark::State& state)
+{
+    ReliefParams params;
+    params.divisions = state.range(0);
+    const MeshRays rays(std::make_shared<const TriangleMesh>(buildRelief(params).value_or(TriangleMesh{})));
+    Random random(1, RandomStream::Test);
+    std::int64_t hits = 0;
+    for (auto _ : state) {
+        const glm::dvec3 from(3.0, 2.0, 12.0);
+        const glm::dvec3 aim(random.range(-6.0, 6.0), random.range(-1.0, 1.0), random.range(-6.0, 6.0));
+        hits += rays.nearest({from, aim - from}).has_value();
+    }
+    state.counters["hits"] = double(hits) / double(state.iterations());
+}
+BENCHMARK(BM_reliefClick)->Arg(128)->Arg(708)->Unit(benchmark::kMicrosecond);
+
+void BM_armSkinDeform(benchmark::State& state)
+{
+    const std::vector<ArmJoint> joints = defaultArmJoints();
+    const TriangleMesh mesh = armCylinder(joints, {}).value_or(TriangleMesh{});
+    const Skin skin = bindArm(mesh, joints, true, 0.2);
+    std::vector<RigidTransform> bones;
+    ArmChain(joints).pose(bones);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(deformed(mesh, skin, bones, SkinMethod::DualQuaternion));
+}
+BENCHMARK(BM_armSkinDeform)->Unit(benchmark::kMicrosecond);
 
 } // namespace

@@ -1,3 +1,5 @@
+#include "core/arm/arm_chain.h"
+#include "core/arm/arm_skin.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/suite.h"
 #include "widgets/render/gl_setup.h"
@@ -22,16 +24,13 @@ class TestMovingMeshes : public QObject
 private slots:
     void initTestCase();
     void init() { test::failOnAnyWarning(); }
-    void shaderMatchesTheProcessor_data() { methods(); }
+    void shaderMatchesTheProcessor_data();
     void shaderMatchesTheProcessor();
-    void pictureIsThatOfTheDeformedMesh_data() { methods(); }
+    void pictureIsThatOfTheDeformedMesh_data() { shaderMatchesTheProcessor_data(); }
     void pictureIsThatOfTheDeformedMesh();
     void linesFollowTheirBranches();
     void aFrameUploadsOnlyItsBones();
     void restComesBack();
-
-private:
-    static void methods();
 };
 
 namespace {
@@ -71,6 +70,20 @@ Tree swayingTree(SkinMethod method)
         bindBranches(*made, tree.skeleton, method != SkinMethod::Rigid).value_or(Skin{}));
     tree.bones = swaying(tree.skeleton, 0.12);
     return tree;
+}
+
+/// The default arm, its second joint bent by 100 degrees.
+Tree bentArm(SkinMethod method)
+{
+    Tree arm;
+    std::vector<ArmJoint> joints = defaultArmJoints();
+    joints[1].theta.angleRad = 1.75;
+    arm.mesh = std::make_shared<const TriangleMesh>(armCylinder(joints, {}).value_or(TriangleMesh{}));
+    arm.skin = std::make_shared<const Skin>(bindArm(*arm.mesh, joints, method != SkinMethod::Rigid, 0.2));
+    std::vector<RigidTransform> bones;
+    ArmChain(joints).pose(bones);
+    arm.bones = std::make_shared<const std::vector<RigidTransform>>(std::move(bones));
+    return arm;
 }
 
 RenderScene sceneOf(const std::shared_ptr<const TriangleMesh>& mesh, const ItemMotion& motion, const Box& box)
@@ -173,18 +186,23 @@ void TestMovingMeshes::initTestCase()
     QVERIFY(Renderer::make()); // links the shaders in, too
 }
 
-void TestMovingMeshes::methods()
+void TestMovingMeshes::shaderMatchesTheProcessor_data()
 {
+    QTest::addColumn<bool>("arm");
     QTest::addColumn<int>("method");
-    QTest::newRow("rigid") << int(SkinMethod::Rigid);
-    QTest::newRow("linear") << int(SkinMethod::Linear);
-    QTest::newRow("dual quaternion") << int(SkinMethod::DualQuaternion);
+    for (const bool arm : {false, true}) {
+        const char* what = arm ? "arm" : "tree";
+        QTest::addRow("%s, rigid", what) << arm << int(SkinMethod::Rigid);
+        QTest::addRow("%s, linear", what) << arm << int(SkinMethod::Linear);
+        QTest::addRow("%s, dual quaternion", what) << arm << int(SkinMethod::DualQuaternion);
+    }
 }
 
 void TestMovingMeshes::shaderMatchesTheProcessor()
 {
+    QFETCH(bool, arm);
     QFETCH(int, method);
-    const Tree tree = swayingTree(SkinMethod(method));
+    const Tree tree = arm ? bentArm(SkinMethod(method)) : swayingTree(SkinMethod(method));
     const TriangleMesh meant = deformed(*tree.mesh, *tree.skin, *tree.bones, SkinMethod(method));
 
     Context current;
@@ -218,7 +236,7 @@ void TestMovingMeshes::shaderMatchesTheProcessor()
                               back.data());
         gl.glDeleteBuffers(1, &buffer);
         gl.glDeleteProgram(program);
-        const double height = meshBox(*tree.mesh).size().y;
+        const double height = 2.0 * meshBox(*tree.mesh).radius();
         double worst = 0.0, worstNormal = 0.0, moved = 0.0;
         for (std::size_t v = 0; v < std::size_t(count); ++v) {
             worst = std::max(worst, double(glm::length(back[2 * v] - meant.positions[v])));
@@ -233,8 +251,9 @@ void TestMovingMeshes::shaderMatchesTheProcessor()
 
 void TestMovingMeshes::pictureIsThatOfTheDeformedMesh()
 {
+    QFETCH(bool, arm);
     QFETCH(int, method);
-    const Tree tree = swayingTree(SkinMethod(method));
+    const Tree tree = arm ? bentArm(SkinMethod(method)) : swayingTree(SkinMethod(method));
     const auto moved = std::make_shared<const TriangleMesh>(
         deformed(*tree.mesh, *tree.skin, *tree.bones, SkinMethod(method)));
     const Box box = meshBox(*moved);

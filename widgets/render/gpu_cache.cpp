@@ -164,6 +164,7 @@ struct VertexInfluence
 {
     std::array<Index, 3> bone;
     std::array<float, 3> weight;
+    float slope;
 };
 
 const GpuBlock& GpuCache::influences(const std::shared_ptr<const Skin>& skin)
@@ -176,7 +177,7 @@ const GpuBlock& GpuCache::influences(const std::shared_ptr<const Skin>& skin)
         const SkinRun& run = skin->runs[r];
         const Index end = r + 1 < skin->runs.size() ? skin->runs[r + 1].firstVertex : skin->vertices;
         std::fill(all.begin() + run.firstVertex, all.begin() + end,
-                  VertexInfluence{run.influence.bone, run.influence.weight});
+                  VertexInfluence{run.influence.bone, run.influence.weight, run.slope});
     }
     addBuffer(block, GL_ARRAY_BUFFER, all.data(), all.size() * sizeof(VertexInfluence));
     fill(block, std::numeric_limits<std::size_t>::max()); // the vector is gone afterwards
@@ -197,8 +198,9 @@ void GpuCache::attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& sk
     constexpr GLsizei stride = sizeof(VertexInfluence);
     m_gl.glVertexAttribIPointer(5, 3, GL_UNSIGNED_INT, stride, offset(offsetof(VertexInfluence, bone)));
     m_gl.glVertexAttribPointer(6, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(VertexInfluence, weight)));
-    m_gl.glEnableVertexAttribArray(5);
-    m_gl.glEnableVertexAttribArray(6);
+    m_gl.glVertexAttribPointer(7, 1, GL_FLOAT, GL_FALSE, stride, offset(offsetof(VertexInfluence, slope)));
+    for (const GLuint attribute : {5u, 6u, 7u})
+        m_gl.glEnableVertexAttribArray(attribute);
     m_gl.glBindVertexArray(0);
     block.skin = skin;
 }
