@@ -455,6 +455,22 @@
         <source>Show the wind of the active tree as an arrow; drag its head to turn and strengthen the wind</source>
         <translation>Montre le vent de l&apos;arbre actif par une flèche ; tirez sa pointe pour tourner et renforcer le vent</translation>
     </message>
+    <message>
+        <source>&amp;Bake the motion</source>
+        <translation>Pré&amp;calculer le mouvement</translation>
+    </message>
+    <message>
+        <source>Compute all frames of the range and keep them beside the project; pulls and fallen apples are not kept</source>
+        <translation>Calcule toutes les images de la plage et les garde à côté du projet ; tractions et pommes tombées ne sont pas gardées</translation>
+    </message>
+    <message>
+        <source>F&amp;ree the baked motion</source>
+        <translation>Li&amp;bérer le mouvement précalculé</translation>
+    </message>
+    <message>
+        <source>Delete the project&apos;s baked motion from the disk</source>
+        <translation>Supprime du disque le mouvement précalculé du projet</translation>
+    </message>
 </context>
 <context>
     <name>DialogChooser</name>
@@ -2248,6 +2264,34 @@
         <source>A terrain has 1 to 1024 cells along a side</source>
         <translation>Un terrain a de 1 à 1024 mailles par côté</translation>
     </message>
+    <message>
+        <source>there is not enough memory for this</source>
+        <translation>il n’y a pas assez de mémoire pour cela</translation>
+    </message>
+    <message>
+        <source>a file of this name is there that is no baked motion: it stays</source>
+        <translation>un fichier de ce nom existe, qui n’est pas un mouvement précalculé : il reste</translation>
+    </message>
+    <message>
+        <source>there is no visible tree to bake</source>
+        <translation>il n’y a pas d’arbre visible à précalculer</translation>
+    </message>
+    <message>
+        <source>baked motion lies beside the project: save that first</source>
+        <translation>le mouvement précalculé se place à côté du projet : enregistrez d’abord celui-ci</translation>
+    </message>
+    <message>
+        <source>the range ends at frame 0 or before, where trees rest</source>
+        <translation>la plage s’arrête à l’image 0 ou avant, où les arbres sont au repos</translation>
+    </message>
+    <message>
+        <source>cannot be deleted: %1</source>
+        <translation>suppression impossible : %1</translation>
+    </message>
+    <message>
+        <source>this motion was baked with other parameters</source>
+        <translation>ce mouvement a été précalculé avec d’autres paramètres</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>
@@ -2327,6 +2371,45 @@ OpenGL&#xa0;: %4
     <message>
         <source>Triangles by their smallest angle</source>
         <translation>Triangles selon leur plus petit angle</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::BakeActions</name>
+    <message>
+        <source>Baked motion is not used: frames are computed when they are needed.</source>
+        <translation>Le mouvement précalculé n’est pas utilisé : les images sont calculées au besoin.</translation>
+    </message>
+    <message>
+        <source>The motion cannot be baked.</source>
+        <translation>Le mouvement ne peut pas être précalculé.</translation>
+    </message>
+    <message>
+        <source>Not all of the baked motion could be deleted.</source>
+        <translation>Le mouvement précalculé n’a pas pu être supprimé en entier.</translation>
+    </message>
+    <message>
+        <source>The baked motion is deleted</source>
+        <translation>Le mouvement précalculé est supprimé</translation>
+    </message>
+    <message>
+        <source>Baking was cancelled; no half-written file stays</source>
+        <translation>Précalcul annulé ; aucun fichier inachevé ne reste</translation>
+    </message>
+    <message>
+        <source>The motion could not be baked.</source>
+        <translation>Le mouvement n’a pas pu être précalculé.</translation>
+    </message>
+    <message>
+        <source>The motion is baked: %1 beside the project</source>
+        <translation>Mouvement précalculé : %1 à côté du projet</translation>
+    </message>
+    <message>
+        <source>Baked: every frame of the range comes at once</source>
+        <translation>Précalculé : chaque image de la plage vient aussitôt</translation>
+    </message>
+    <message>
+        <source>The baked motion is of another tree or of other parameters and is not used</source>
+        <translation>Le mouvement précalculé vient d’un autre arbre ou d’autres paramètres et n’est pas utilisé</translation>
     </message>
 </context>
 <context>
@@ -2792,6 +2875,17 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::JobPanel</name>
+    <message>
+        <source>Give this up; no half-written file stays</source>
+        <translation>Abandonner ; aucun fichier inachevé ne reste</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
     <name>ramure::MainWindow</name>
     <message>
         <source>Exported to %1</source>
@@ -2852,6 +2946,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>There is no tree in the scene.</source>
         <translation>Il n’y a pas d’arbre dans la scène.</translation>
+    </message>
+    <message>
+        <source>Baking the motion</source>
+        <translation>Précalcul du mouvement</translation>
     </message>
 </context>
 <context>
@@ -3115,6 +3213,38 @@ OpenGL&#xa0;: %4
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>T&amp;imes in:</source>
+        <translation>&amp;Instants en :</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Secondes</translation>
+    </message>
+    <message>
+        <source>Timecode</source>
+        <translation>Timecode</translation>
+    </message>
+    <message>
+        <source>&amp;Memory for motion:</source>
+        <translation>&amp;Mémoire du mouvement :</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> Mo</translation>
+    </message>
+    <message>
+        <source>Megabytes for computed frames, of all trees together: %L1 to %L2</source>
+        <translation>Mégaoctets pour les images calculées, tous les arbres ensemble : %L1 à %L2</translation>
+    </message>
+    <message>
+        <source>With less, fewer moments of a long run are kept: a jump within it computes a few steps more.</source>
+        <translation>Avec moins, on garde moins d’instants d’un long calcul : un saut recalcule quelques pas de plus.</translation>
     </message>
 </context>
 <context>

@@ -50,6 +50,13 @@ enum class FrameState : std::uint8_t {
     Cached,  ///< comes at once
 };
 
+/// What lies beside the project.
+enum class BakeState : std::uint8_t {
+    None,  ///< no baked motion
+    Good,  ///< of the present trees and parameters: frames of its range come at once
+    Stale, ///< at least one file is of another tree or other parameters, or cannot be used: it is not
+};
+
 /// Frames first .. last of one state, for the band under the timeline's ruler.
 struct FrameRange
 {

@@ -1,11 +1,13 @@
 #include "core/document/motion_worker.h"
 
+#include "core/physics/physics_bake.h"
 #include "core/physics/physics_cache.h"
 #include "core/physics/tree_body.h"
 
 #include <algorithm>
 #include <chrono>
 #include <new>
+#include <utility>
 
 namespace ramure {
 
@@ -21,6 +23,9 @@ static constexpr std::chrono::milliseconds bandRest{200};
 struct MotionWorker::Actor
 {
     Expected<void> prepare(const MotionTree& wanted, const MotionRequest& request, std::size_t memoryBytes);
+    /// The baked run in place of what is computed, where it is of use. Error: why it is not; it is told once.
+    Expected<void> takeBake(const MotionTree& wanted, const Progress& progress);
+    [[nodiscard]] BakeState bakeState() const;
     Expected<NodeMotion> motionAt(std::int64_t step, const Progress& progress);
     void addBand(const TimelineSettings& timeline, std::vector<FrameState>& states) const;
 
@@ -30,13 +35,20 @@ private:
     Expected<void> setTree(const MotionTree& wanted);
     Expected<void> setSkins(const MotionTree& wanted);
     void setParams(const PhysicsParams& params, bool live);
+    [[nodiscard]] bool isBakeOfUse() const;
+    [[nodiscard]] bool isBakeHere() const;
 
     std::shared_ptr<const SimplifiedSkeleton> m_skeleton;
     std::shared_ptr<const Foliage> m_foliage;
     double m_alpha = 0.0;
     PhysicsParams m_params;
     bool m_mixed = false; ///< parameters changed within the run
-    NodeMotion m_motion;  ///< meshes and skins; the rest is of the frame made last
+    std::string m_bakeFile;
+    int m_bakeVersion = 0;
+    std::optional<BakeLabel> m_bake; ///< of a file that may become of use
+    std::int64_t m_bakedStep = -1;   ///< the last one of the file, where it was loaded
+    bool m_lookAtBake = false;       ///< tree, parameters or hand are others than when the file was looked at
+    NodeMotion m_motion;             ///< meshes and skins; the rest is of the frame made last
     bool m_smooth = false;
     Pose m_pose;
 };
@@ -59,6 +71,7 @@ Expected<void> MotionWorker::Actor::setTree(const MotionTree& wanted)
         cache = std::make_unique<PhysicsCache>(body, m_params);
     cache->setScript(PhysicsScript(m_params));
     m_mixed = false;
+    m_lookAtBake = true;
     return {};
 }
 
@@ -99,6 +112,7 @@ Expected<void> MotionWorker::Actor::setSkins(const MotionTree& wanted)
 /// Live, new values act from now on and what lies behind stays as it was; at rest the whole run is theirs.
 void MotionWorker::Actor::setParams(const PhysicsParams& params, bool live)
 {
+    m_lookAtBake = m_lookAtBake || params != m_params || (m_mixed && !live);
     if (live && params != m_params) {
         cache->setParams(params, cache->step());
         m_mixed = cache->step() > 0;
@@ -121,6 +135,7 @@ Expected<void> MotionWorker::Actor::prepare(const MotionTree& wanted, const Moti
         PhysicsScript calm = cache->script();
         calm.clear();
         cache->setScript(calm);
+        m_lookAtBake = true;
     }
     setParams(wanted.params.physics, request.live);
     if (!request.live)
@@ -129,6 +144,57 @@ Expected<void> MotionWorker::Actor::prepare(const MotionTree& wanted, const Moti
     for (const Index apple : wanted.shaken)
         cache->shakeOff(apple, cache->step());
     return {};
+}
+
+/// The run is, from its beginning on, the one that the file says it holds.
+bool MotionWorker::Actor::isBakeOfUse() const
+{
+    return m_bake && !m_mixed && m_bake->params == m_params && m_bake->bodyKey == cache->physics().body().key;
+}
+
+/// The hand, or other parameters, may have put their own states in the place of some.
+bool MotionWorker::Actor::isBakeHere() const
+{
+    return m_bakedStep >= 0 &&
+           cache->ranges(0, m_bakedStep) == std::vector<StepRange>{{0, m_bakedStep, StepState::Cached}};
+}
+
+BakeState MotionWorker::Actor::bakeState() const
+{
+    if (m_bakeFile.empty())
+        return BakeState::None;
+    return isBakeOfUse() ? BakeState::Good : BakeState::Stale;
+}
+
+/// A file is read when it is new, and again when what made its states stale is taken back.
+Expected<void> MotionWorker::Actor::takeBake(const MotionTree& wanted, const Progress& progress)
+{
+    const bool isNew = m_bakeFile != wanted.bakeFile || m_bakeVersion != wanted.bakeVersion;
+    if (isNew && wanted.bakeFile.empty() && m_bakedStep >= 0)
+        cache->clearStates(); // freed
+    const bool look = isNew || (std::exchange(m_lookAtBake, false) && isBakeOfUse() &&
+                                cache->script() == PhysicsScript(m_params) && !isBakeHere());
+    if (isNew) {
+        m_bakeFile = wanted.bakeFile;
+        m_bakeVersion = wanted.bakeVersion;
+        m_bakedStep = -1;
+        m_bake.reset();
+    }
+    if (!look || m_bakeFile.empty())
+        return {};
+    const auto loaded = loadBake(*cache, m_params, m_bakeFile, progress);
+    const auto label = readBakeLabel(m_bakeFile);
+    m_bake = label ? std::optional(*label) : std::nullopt;
+    if (loaded) {
+        const auto states = cache->validStates();
+        m_bakedStep = states.empty() ? 0 : states.back()->step;
+        return {};
+    }
+    if (loaded.error().code == ErrorCode::Cancelled)
+        m_lookAtBake = true;
+    else if (isBakeOfUse())
+        m_bake.reset(); // it says that it is this run, and yet it is not sound
+    return loaded;
 }
 
 /// Around all branches and apples, with room for leaves.
@@ -285,6 +351,9 @@ void MotionWorker::run(const MotionRequest& request, const Progress& progress)
                                       ? 0
                                       : std::min(actor->cache->stepAt(frame->timeSeconds), maxPhysicsSteps);
         const double from = static_cast<double>(i) / count;
+        if (auto baked = actor->takeBake(tree, progress.part(from, from + 0.5 / count));
+            !baked && baked.error().code != ErrorCode::Cancelled)
+            m_listener.bakeRefused(std::move(baked.error()));
         auto motion = actor->motionAt(step, progress.part(from, from + 1.0 / count));
         if (motion)
             frame->nodes.emplace(tree.node, std::move(*motion));
@@ -295,7 +364,16 @@ void MotionWorker::run(const MotionRequest& request, const Progress& progress)
         m_listener.frame(std::move(frame));
     if (problem)
         m_listener.failed(*problem);
+    m_listener.bakes(bakeState());
     sendBand(request);
+}
+
+BakeState MotionWorker::bakeState() const
+{
+    BakeState worst = BakeState::None;
+    for (const auto& [node, actor] : m_actors)
+        worst = std::max(worst, actor->bakeState());
+    return worst;
 }
 
 /// Adjacent frames of one state as one range.

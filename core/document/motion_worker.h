@@ -23,6 +23,8 @@ struct MotionTree
     NodeParams params;
     std::optional<Pull> pull;
     std::vector<Index> shaken; ///< apples let go at the frame before this one
+    std::string bakeFile;      ///< of this tree; empty: there is none
+    int bakeVersion = 0;       ///< another number: the file is another
 };
 
 struct MotionRequest
@@ -47,7 +49,9 @@ public:
         std::function<void(std::vector<FrameRange>)> band; ///< of the timeline's range; seldom
         std::function<void(double)> progress;              ///< of a frame that takes long, 0..1
         std::function<void(Error)> failed;                 ///< no frame comes for this request
-        std::function<void()> idle;                        ///< nothing runs or waits
+        std::function<void(Error)> bakeRefused;            ///< a file of baked motion is not used, and why
+        std::function<void(BakeState)> bakes;
+        std::function<void()> idle; ///< nothing runs or waits
     };
 
     explicit MotionWorker(Listener listener);
@@ -65,6 +69,7 @@ private:
     struct Actor;
     void loop(const std::stop_token& quit);
     void run(const MotionRequest& request, const Progress& progress);
+    [[nodiscard]] BakeState bakeState() const;
     void sendBand(const MotionRequest& request);
 
     Listener m_listener;

@@ -1,9 +1,11 @@
 #include "core/document/player.h"
 
+#include "core/document/baker.h"
 #include "core/document/motion_worker.h"
 
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QFile>
 #include <QPointer>
 #include <QTimer>
 #include <algorithm>
@@ -27,6 +29,11 @@ struct Player::Private
     void take(std::shared_ptr<const MotionFrame> made);
     void rewindClock();
     void setBusy(bool now);
+    void findBakes();
+    [[nodiscard]] bool isAtRest() const
+    {
+        return frame <= 0 && motion->nodes.empty() && !playing && bakes.isEmpty();
+    }
     [[nodiscard]] const TimelineSettings& timeline() const { return document->scene().timeline(); }
     [[nodiscard]] std::vector<MotionTree> trees();
 
@@ -47,6 +54,10 @@ struct Player::Private
     std::map<NodeId, std::vector<Index>> shaken;
     std::shared_ptr<const MotionFrame> motion = std::make_shared<const MotionFrame>();
     std::vector<FrameRange> band;
+    QString project;   ///< the file beside which was looked for baked motion
+    QStringList bakes; ///< what was found there
+    int bakeVersion = 0;
+    BakeState bakeState = BakeState::None;
     MotionWorker worker; ///< last: its thread calls the listener
 };
 
@@ -68,6 +79,13 @@ MotionWorker::Listener Player::Private::listener()
         },
         [this, post](double fraction) { post([this, fraction] { emit q->progress(fraction); }); },
         [this, post](const Error& error) { post([this, error] { emit q->failed(error); }); },
+        [this, post](const Error& error) { post([this, error] { emit q->bakeRefused(error); }); },
+        [this, post](BakeState state) {
+            post([this, state] {
+                if (std::exchange(bakeState, state) != state)
+                    emit q->bakeStateChanged(state);
+            });
+        },
         [this, post] {
             post([this] {
                 computing = worker.isBusy();
@@ -159,7 +177,26 @@ void Player::setPace(PlayPace pace)
 
 void Player::setMemoryLimit(std::size_t bytes)
 {
-    d->memoryBytes = bytes;
+    if (std::exchange(d->memoryBytes, bytes) != bytes && !d->isAtRest())
+        d->request(false);
+}
+
+std::size_t Player::memoryLimit() const
+{
+    return d->memoryBytes;
+}
+
+BakeState Player::bakeState() const
+{
+    return d->bakeState;
+}
+
+void Player::reloadBakes()
+{
+    const bool had = !d->bakes.isEmpty();
+    d->findBakes();
+    if (had || !d->bakes.isEmpty())
+        d->request(false);
 }
 
 void Player::setPull(NodeId node, const std::optional<Pull>& pull)
@@ -253,6 +290,13 @@ void Player::cancel()
     d->worker.stop();
 }
 
+void Player::Private::findBakes()
+{
+    project = document->filePath();
+    bakes = bakeFiles(project);
+    ++bakeVersion;
+}
+
 void Player::Private::rewindClock()
 {
     travelled = double(frame - timeline().firstFrame);
@@ -298,7 +342,14 @@ std::vector<MotionTree> Player::Private::trees()
         if (!result || !result->tree.branches || !result->tree.simplified ||
             !document->scene().isShown(node.id))
             continue;
-        MotionTree tree{node.id, result->tree, node.params, {}, {}};
+        MotionTree tree;
+        tree.node = node.id;
+        tree.tree = result->tree;
+        tree.params = node.params;
+        if (const QString file = bakeFile(document->filePath(), node.id); bakes.contains(file)) {
+            tree.bakeFile = QFile::encodeName(file).toStdString();
+            tree.bakeVersion = bakeVersion;
+        }
         if (const auto pull = pulls.find(node.id); pull != pulls.end())
             tree.pull = pull->second;
         if (const auto apples = shaken.find(node.id); apples != shaken.end())
@@ -359,15 +410,19 @@ void Player::Private::documentChanged(const Change& change)
         motion = std::make_shared<const MotionFrame>();
         band.clear();
         setFrame(timeline().firstFrame);
+        findBakes();
         emit q->motionChanged();
         emit q->bandChanged();
+        if (std::exchange(bakeState, BakeState::None) != BakeState::None)
+            emit q->bakeStateChanged(bakeState);
         return;
     }
+    if (change.has(changeFile) && project != document->filePath())
+        q->reloadBakes();
     if (change.has(changeTimeline) && playing)
         rewindClock();
     const bool physics = change.has(changeParams) && change.firstStale == Stage::Motion;
-    const bool atRest = frame <= 0 && motion->nodes.empty() && !playing;
-    if (!atRest &&
+    if (!isAtRest() &&
         (physics || change.has(changeResults | changeStructure | changeNodeState | changeTimeline)))
         request(!playing);
 }

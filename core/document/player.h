@@ -45,7 +45,11 @@ public:
 
     void setSpeed(double factor); ///< clamped to leastSpeed .. mostSpeed
     void setPace(PlayPace pace);
-    void setMemoryLimit(std::size_t bytes); ///< for all runs together
+    void setMemoryLimit(std::size_t bytes); ///< for all runs together; at once
+    [[nodiscard]] std::size_t memoryLimit() const;
+    /// What lies beside the project (see baker.h) is loaded when the project is opened, and used where it is
+    /// of the present trees and parameters.
+    [[nodiscard]] BakeState bakeState() const;
 
     /// While playing: the hand on one branch, until it is let go with an empty pull.
     void setPull(NodeId node, const std::optional<Pull>& pull);
@@ -69,6 +73,8 @@ public slots:
     void seek(qint64 frame);
     /// What takes long is given up; the last frame stays on show.
     void cancel();
+    /// The files of baked motion are others than before.
+    void reloadBakes();
 
 signals:
     void playingChanged(bool playing);
@@ -79,6 +85,9 @@ signals:
     void progress(double fraction); ///< of a frame that takes long
     void settingsChanged();         ///< speed or pace
     void failed(const ramure::Error& error);
+    void bakeStateChanged(ramure::BakeState state);
+    /// A file of baked motion is not used: stale, damaged, or something else under its name.
+    void bakeRefused(const ramure::Error& error);
 
 private:
     struct Private;

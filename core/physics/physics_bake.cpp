@@ -273,7 +273,9 @@ Expected<std::vector<Word>> readWords(const std::string& path)
     return words;
 }
 
-Expected<Baked> readBake(const std::string& path, const TreeBody& body, const Progress& progress)
+/// \param wanted null: any run.
+Expected<Baked> readBake(const std::string& path, const TreeBody& body, const PhysicsParams* wanted,
+                         const Progress& progress)
 {
     const auto words = readWords(path);
     if (!words)
@@ -287,6 +289,8 @@ Expected<Baked> readBake(const std::string& path, const TreeBody& body, const Pr
     in.demand(out.checkpointSteps > 0);
     readParams(in, out.script);
     readHand(in, body, out.script);
+    if (wanted && in.isGood() && !(out.script == PhysicsScript(*wanted)))
+        return refuse(path, ErrorCode::Invalid, RAMURE_NOOP("this motion was baked with other parameters"));
     const std::size_t count = in.count(stateHeadWords);
     for (std::size_t i = 0; i < count && in.isGood(); ++i) {
         if (progress.cancelled())
@@ -360,14 +364,58 @@ Expected<void> saveBake(PhysicsCache& cache, std::int64_t lastStep, const std::s
     return file->commit();
 }
 
-Expected<void> loadBake(PhysicsCache& cache, const std::string& path, const Progress& progress)
+static Expected<void> load(PhysicsCache& cache, const PhysicsParams* wanted, const std::string& path,
+                           const Progress& progress)
 {
-    auto baked = readBake(path, cache.physics().body(), progress);
+    auto baked = readBake(path, cache.physics().body(), wanted, progress);
     if (!baked)
         return fail(baked.error());
     cache.setScript(baked->script);
     cache.takeStates(std::move(baked->states), baked->checkpointSteps);
     return {};
+}
+
+Expected<void> loadBake(PhysicsCache& cache, const std::string& path, const Progress& progress)
+{
+    return load(cache, nullptr, path, progress);
+}
+
+Expected<void> loadBake(PhysicsCache& cache, const PhysicsParams& params, const std::string& path,
+                        const Progress& progress)
+{
+    return load(cache, &params, path, progress);
+}
+
+Expected<BakeLabel> readBakeLabel(const std::string& path)
+{
+    constexpr std::size_t most = 64; // more than all that stands before the second set of parameters
+    std::array<Word, most> read{};
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        return refuse(path, ErrorCode::Io, RAMURE_NOOP("cannot be read: %1"),
+                      {std::generic_category().message(errno)});
+    file.read(reinterpret_cast<char*>(read.data()), sizeof(read));
+    std::vector<Word> words(read.begin(), read.begin() + file.gcount() / std::streamsize(sizeof(Word)));
+    if (words.size() < headWords || words[0] != std::bit_cast<Word>(magicWord) || words[1] != version)
+        return refuse(path, ErrorCode::Syntax, RAMURE_NOOP("not a file of baked motion"));
+    words.erase(words.begin(), words.begin() + headWords);
+    WordReader in(words);
+    BakeLabel label;
+    label.bodyKey = in.word();
+    in.word(), in.word(), in.word(), in.word(); // slots, checkpoints, number of changes, step of the first
+    NodeParams node;
+    visitFields(node.physics, [&](auto& field) { in.field(field); });
+    if (!in.isGood() || !checkParams(node))
+        return refuse(path, ErrorCode::Invalid, RAMURE_NOOP("the file holds values that cannot be"));
+    label.params = node.physics;
+    return label;
+}
+
+bool isBakeFile(const std::string& path)
+{
+    std::array<char, sizeof(Word)> begin{};
+    std::ifstream file(path, std::ios::binary);
+    return file.read(begin.data(), begin.size()) && begin == magicWord;
 }
 
 } // namespace ramure

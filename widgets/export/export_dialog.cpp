@@ -307,7 +307,7 @@ void ExportDialog::run()
     if (!mayExportFaults()) // they came with the result that was waited for
         return updateWidgets();
     setMessage({}, false);
-    m_task->start(*m_document, options(), path());
+    m_task->startExport(*m_document, options(), path());
     updateWidgets();
 }
 

@@ -2,38 +2,24 @@
 /// One export on a thread of its own.
 #pragma once
 
+#include "core/document/background_job.h"
 #include "core/document/exporter.h"
-#include <QObject>
 #include <QString>
-#include <optional>
-#include <thread>
 
 namespace ramure {
 
-class ExportTask : public QObject
+/// The document's results, shared with a thread: the document itself stays where it is.
+TreeSource snapshotOf(const Document& document);
+
+class ExportTask : public BackgroundJob
 {
     Q_OBJECT
 public:
-    explicit ExportTask(QObject* parent = nullptr);
-    ~ExportTask() override; ///< stops the thread and waits for it
+    using BackgroundJob::BackgroundJob;
 
     /// Takes what it needs from the document and returns at once; nothing happens while another export is
     /// running.
-    void start(const Document& document, const ExportOptions& options, const QString& path);
-    void cancel();
-    [[nodiscard]] bool isRunning() const { return m_running; }
-
-signals:
-    void progress(double fraction);
-    /// Nothing: it is done.
-    void finished(const std::optional<ramure::Error>& error);
-
-private:
-    void finish(quint64 run, const std::optional<Error>& error);
-
-    std::jthread m_thread;
-    bool m_running = false;
-    quint64 m_run = 0;
+    void startExport(const Document& document, const ExportOptions& options, const QString& path);
 };
 
 } // namespace ramure

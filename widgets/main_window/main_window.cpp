@@ -13,6 +13,7 @@
 #include "widgets/history/history_dock.h"
 #include "widgets/inspector/branch_inspector.h"
 #include "widgets/main_window/isolation_button.h"
+#include "widgets/main_window/job_panel.h"
 #include "widgets/main_window/message_banner.h"
 #include "widgets/main_window/problem_button.h"
 #include "widgets/main_window/status_panel.h"
@@ -22,6 +23,7 @@
 #include "widgets/scene/select_actions.h"
 #include "widgets/support/core_text.h"
 #include "widgets/support/preferences.h"
+#include "widgets/timeline/bake_actions.h"
 #include "widgets/timeline/play_actions.h"
 #include "widgets/timeline/timeline_panel.h"
 #include "widgets/validation/separate_dialog.h"
@@ -140,7 +142,9 @@ void MainWindow::buildDocks()
     m_inspectorDock = addPanel(QStringLiteral("inspectorDock"), m_inspector, Qt::RightDockWidgetArea);
     m_validationDock = addPanel(QStringLiteral("validationDock"), m_validation, Qt::RightDockWidgetArea);
     m_plays = new PlayActions(m_document, m_player, m_actions, this);
+    m_bakes = new BakeActions(m_document, m_player, m_chooser, m_actions, this);
     m_timeline = new TimelinePanel(m_document, m_player, m_plays, this);
+    m_timeline->setBakeActions(m_bakes);
     m_timelineDock = addPanel(QStringLiteral("timelineDock"), m_timeline, Qt::BottomDockWidgetArea);
 }
 
@@ -260,6 +264,8 @@ void MainWindow::buildMenus()
                       m_resetLayout);
     m_playMenu = menuBar()->addMenu(QString());
     m_plays->fillMenu(m_playMenu);
+    m_playMenu->addSeparator();
+    m_bakes->fillMenu(m_playMenu);
     m_helpMenu = menuBar()->addMenu(QString());
     m_helpMenu->addActions(m_program->helpActions());
     m_program->setMenus({m_fileMenu, m_editMenu, m_selectMenu, m_viewMenu, m_playMenu, m_helpMenu});
@@ -292,6 +298,8 @@ void MainWindow::buildStatusBar()
     m_status = new StatusPanel(m_document, m_recompute, m_analysis, this);
     statusBar()->addWidget(m_problem, 1);
     statusBar()->addPermanentWidget(new IsolationButton(m_isolation, this));
+    m_bakeProgress = new JobPanel(m_bakes->job(), QStringLiteral("bakeProgress"), this);
+    statusBar()->addPermanentWidget(m_bakeProgress);
     statusBar()->addPermanentWidget(m_status);
 }
 
@@ -311,6 +319,7 @@ void MainWindow::connectPanels()
     connect(m_inspector, &BranchInspector::messageRaised, this, say);
     connect(m_validation, &ValidationPanel::messageRaised, this, say);
     connect(m_timeline, &TimelinePanel::messageRaised, this, say);
+    connect(m_bakes, &BakeActions::messageRaised, this, say);
     connect(m_player, &Player::failed, this, [say](const Error& error) { say(errorTextWithPlace(error)); });
     connect(m_validation, &ValidationPanel::separateRequested, this, &MainWindow::showSeparateDialog);
     connect(m_problem, &ProblemButton::paramRequested, this, [this](const QString& key) {
@@ -322,8 +331,22 @@ void MainWindow::connectPanels()
     connect(m_preferences, &Preferences::changed, this, applyUnits);
     applyUnits();
     m_plays->setView(m_host->settings());
+    connectTimeline();
     if (Viewport* view = m_host->viewport())
         connectViewport(view);
+}
+
+/// What the preferences say about motion.
+void MainWindow::connectTimeline()
+{
+    const auto apply = [this] {
+        m_timeline->setDisplay(m_preferences->timeDisplay());
+        m_player->setMemoryLimit(std::size_t(m_preferences->motionMemoryMb()) << 20);
+    };
+    connect(m_preferences, &Preferences::changed, this, apply);
+    connect(m_timeline, &TimelinePanel::displayChanged, m_preferences, &Preferences::setTimeDisplay);
+    m_bakes->setSave([this] { return m_files->save(); });
+    apply();
 }
 
 void MainWindow::connectViewport(Viewport* view)
@@ -456,6 +479,8 @@ void MainWindow::retranslate()
     m_validationDock->setWindowTitle(tr("Validation"));
     m_timelineDock->setWindowTitle(tr("Timeline"));
     m_plays->retranslate();
+    m_bakes->retranslate();
+    m_bakeProgress->setText(tr("Baking the motion"));
     updateTitle();
 }
 

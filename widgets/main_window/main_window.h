@@ -9,6 +9,7 @@ namespace ramure {
 
 class ActionSet;
 class Analysis;
+class BakeActions;
 class BranchInspector;
 class Chooser;
 class EditActions;
@@ -16,6 +17,7 @@ class FileActions;
 class HistoryDock;
 class Isolation;
 class IsolationButton;
+class JobPanel;
 class MessageBanner;
 class PictureActions;
 class PlayActions;
@@ -82,6 +84,7 @@ private:
     void buildStatusBar();
     void connectPanels();
     void connectViewport(Viewport* view);
+    void connectTimeline();
     void showInspector();
     void follow(const Change& change);
     void updateTitle();
@@ -105,6 +108,8 @@ private:
     ValidationPanel* m_validation = nullptr;
     TimelinePanel* m_timeline = nullptr;
     PlayActions* m_plays = nullptr;
+    BakeActions* m_bakes = nullptr;
+    JobPanel* m_bakeProgress = nullptr;
     StatusPanel* m_status = nullptr;
     ProblemButton* m_problem = nullptr;
     FileActions* m_files = nullptr;

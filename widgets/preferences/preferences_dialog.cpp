@@ -48,12 +48,17 @@ PreferencesDialog::PreferencesDialog(Preferences* preferences, QWidget* parent)
     , m_language(new QComboBox(this))
     , m_unitsLabel(new QLabel(this))
     , m_units(new QComboBox(this))
+    , m_timesLabel(new QLabel(this))
+    , m_times(new QComboBox(this))
     , m_navigationLabel(new QLabel(this))
     , m_navigation(new QComboBox(this))
     , m_navigationHint(hint(this))
     , m_autosaveLabel(new QLabel(this))
     , m_autosave(new QSpinBox(this))
     , m_autosaveHint(hint(this))
+    , m_memoryLabel(new QLabel(this))
+    , m_memory(new QSpinBox(this))
+    , m_memoryHint(hint(this))
     , m_welcome(new QCheckBox(this))
 {
     m_navigation->setObjectName(QStringLiteral("navigation"));
@@ -62,6 +67,12 @@ PreferencesDialog::PreferencesDialog(Preferences* preferences, QWidget* parent)
     m_theme->setObjectName(QStringLiteral("theme"));
     m_language->setObjectName(QStringLiteral("language"));
     m_welcome->setObjectName(QStringLiteral("welcome"));
+    m_times->setObjectName(QStringLiteral("times"));
+    m_memory->setObjectName(QStringLiteral("motionMemory"));
+    m_memory->setRange(Preferences::leastMotionMb, Preferences::mostMotionMb);
+    m_memory->setSingleStep(256);
+    m_memory->setGroupSeparatorShown(true);
+    m_memory->setKeyboardTracking(false); // half a number must not throw motion away
     m_autosave->setRange(0, Preferences::maxAutosaveMinutes);
     build();
     retranslate();
@@ -93,8 +104,10 @@ void PreferencesDialog::build()
     add(m_themeLabel, m_theme);
     add(m_languageLabel, m_language);
     add(m_unitsLabel, m_units);
+    add(m_timesLabel, m_times);
     add(m_navigationLabel, m_navigation, m_navigationHint);
     add(m_autosaveLabel, m_autosave, m_autosaveHint);
+    add(m_memoryLabel, m_memory, m_memoryHint);
     form->addRow(QString(), m_welcome);
     layout->addLayout(form);
     auto* buttons = new QDialogButtonBox(this);
@@ -119,11 +132,16 @@ void PreferencesDialog::connectFields()
     on(m_navigation,
        [this](int index) { m_preferences->setNavigationStyle(static_cast<NavigationStyle>(index)); });
     on(m_units, [this](int index) { m_preferences->setAngleUnit(static_cast<AngleUnit>(index)); });
+    on(m_times, [this](int index) { m_preferences->setTimeDisplay(static_cast<TimeDisplay>(index)); });
     on(m_theme, [this](int index) { m_preferences->setTheme(static_cast<ThemeChoice>(index)); });
     on(m_language, [this](int index) { m_preferences->setLanguage(m_language->itemData(index).toString()); });
     connect(m_autosave, &QSpinBox::valueChanged, this, [this](int minutes) {
         if (!m_taking)
             m_preferences->setAutosaveMinutes(minutes);
+    });
+    connect(m_memory, &QSpinBox::valueChanged, this, [this](int megabytes) {
+        if (!m_taking)
+            m_preferences->setMotionMemoryMb(megabytes);
     });
     connect(m_welcome, &QCheckBox::toggled, this, [this](bool shown) {
         if (!m_taking)
@@ -137,6 +155,8 @@ void PreferencesDialog::take()
     m_taking = true;
     m_navigation->setCurrentIndex(static_cast<int>(m_preferences->navigationStyle()));
     m_units->setCurrentIndex(static_cast<int>(m_preferences->angleUnit()));
+    m_times->setCurrentIndex(static_cast<int>(m_preferences->timeDisplay()));
+    m_memory->setValue(m_preferences->motionMemoryMb());
     m_theme->setCurrentIndex(static_cast<int>(m_preferences->theme()));
     m_language->setCurrentIndex(std::max(0, m_language->findData(m_preferences->language())));
     m_autosave->setValue(m_preferences->autosaveMinutes());
@@ -163,6 +183,8 @@ void PreferencesDialog::retranslate()
     m_language->setItemText(0, tr("As the system"));
     m_unitsLabel->setText(tr("&Angles in:"));
     setTexts(m_units, {tr("Degrees"), tr("Radians")});
+    m_timesLabel->setText(tr("T&imes in:"));
+    setTexts(m_times, {tr("Frames"), tr("Seconds"), tr("Timecode")});
     m_navigationLabel->setText(tr("&Navigation:"));
     setTexts(m_navigation, {tr("Like Blender"), tr("Like Maya")});
     m_autosaveLabel->setText(tr("A&utosave every:"));
@@ -171,6 +193,13 @@ void PreferencesDialog::retranslate()
     m_autosaveHint->setText(
         tr("Unsaved changes are kept aside, so that a crash costs no more than that. Your own file is "
            "written only when you save it."));
+    m_memoryLabel->setText(tr("&Memory for motion:"));
+    m_memory->setSuffix(tr(" MB"));
+    m_memory->setToolTip(tr("Megabytes for computed frames, of all trees together: %L1 to %L2")
+                             .arg(Preferences::leastMotionMb)
+                             .arg(Preferences::mostMotionMb));
+    m_memoryHint->setText(tr("With less, fewer moments of a long run are kept: a jump within it computes "
+                             "a few steps more."));
     m_welcome->setText(tr("Show the &welcome page at the start"));
     m_defaults->setText(tr("Restore defaults"));
     m_close->setText(tr("Close"));

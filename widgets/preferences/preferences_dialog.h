@@ -39,12 +39,17 @@ private:
     QComboBox* m_language;
     QLabel* m_unitsLabel;
     QComboBox* m_units;
+    QLabel* m_timesLabel;
+    QComboBox* m_times;
     QLabel* m_navigationLabel;
     QComboBox* m_navigation;
     QLabel* m_navigationHint;
     QLabel* m_autosaveLabel;
     QSpinBox* m_autosave;
     QLabel* m_autosaveHint;
+    QLabel* m_memoryLabel;
+    QSpinBox* m_memory;
+    QLabel* m_memoryHint;
     QCheckBox* m_welcome;
     QPushButton* m_defaults;
     QPushButton* m_close;

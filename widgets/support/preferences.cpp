@@ -14,6 +14,8 @@ const QString themeKey = QStringLiteral("view/theme");
 const QString languageKey = QStringLiteral("view/language");
 const QString navigationKey = QStringLiteral("view/navigation");
 const QString autosaveKey = QStringLiteral("files/autosaveMinutes");
+const QString timeKey = QStringLiteral("units/time");
+const QString motionMemoryKey = QStringLiteral("motion/memoryMb");
 const QString welcomeKey = QStringLiteral("view/welcomeAtStart");
 const QString shortcutsKey = QStringLiteral("shortcuts");
 const QString recentKey = QStringLiteral("files/recent");
@@ -106,6 +108,33 @@ void Preferences::setAutosaveMinutes(int minutes)
     store(autosaveKey, std::clamp(minutes, 0, maxAutosaveMinutes));
 }
 
+TimeDisplay Preferences::timeDisplay() const
+{
+    const QString name = m_settings.value(timeKey).toString();
+    if (name == QLatin1String("seconds"))
+        return TimeDisplay::Seconds;
+    return name == QLatin1String("timecode") ? TimeDisplay::Timecode : TimeDisplay::Frames;
+}
+
+void Preferences::setTimeDisplay(TimeDisplay display)
+{
+    store(timeKey, display == TimeDisplay::Seconds    ? QStringLiteral("seconds")
+                   : display == TimeDisplay::Timecode ? QStringLiteral("timecode")
+                                                      : QStringLiteral("frames"));
+}
+
+int Preferences::motionMemoryMb() const
+{
+    bool good = false;
+    const int megabytes = m_settings.value(motionMemoryKey).toInt(&good);
+    return good ? std::clamp(megabytes, leastMotionMb, mostMotionMb) : defaultMotionMb;
+}
+
+void Preferences::setMotionMemoryMb(int megabytes)
+{
+    store(motionMemoryKey, std::clamp(megabytes, leastMotionMb, mostMotionMb));
+}
+
 bool Preferences::welcomeAtStart() const
 {
     return m_settings.value(welcomeKey, true).toBool();
@@ -118,7 +147,8 @@ void Preferences::setWelcomeAtStart(bool on)
 
 void Preferences::restoreDefaults()
 {
-    for (const QString& key : {angleKey, themeKey, languageKey, navigationKey, autosaveKey, welcomeKey})
+    for (const QString& key :
+         {angleKey, timeKey, themeKey, languageKey, navigationKey, autosaveKey, motionMemoryKey, welcomeKey})
         m_settings.remove(key);
     emit changed();
 }

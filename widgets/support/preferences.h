@@ -3,6 +3,7 @@
 #pragma once
 
 #include "widgets/numbers/number_format.h"
+#include "widgets/timeline/time_text.h"
 #include "widgets/viewport/view_settings.h"
 #include <QKeySequence>
 #include <QMap>
@@ -22,6 +23,7 @@ public:
     static constexpr int maxRecentFiles = 10;
     static constexpr int defaultAutosaveMinutes = 1;
     static constexpr int maxAutosaveMinutes = 60;
+    static constexpr int leastMotionMb = 64, mostMotionMb = 65'536, defaultMotionMb = 1024;
 
     explicit Preferences(QObject* parent = nullptr);
 
@@ -40,6 +42,12 @@ public:
     /// The same in milliseconds. The settings file may name a part of a minute ("0.05"), which no dialog
     /// offers: for slow disks to be tried out, and for tests.
     [[nodiscard]] int autosaveMs() const;
+    /// How moments are shown.
+    [[nodiscard]] TimeDisplay timeDisplay() const;
+    void setTimeDisplay(TimeDisplay display);
+    /// Megabytes (2^20 bytes) of memory for computed motion, of all trees together.
+    [[nodiscard]] int motionMemoryMb() const;
+    void setMotionMemoryMb(int megabytes);
     /// Whether the welcome page comes up when the program starts without a file.
     [[nodiscard]] bool welcomeAtStart() const;
     void setWelcomeAtStart(bool on);

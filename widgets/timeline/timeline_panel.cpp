@@ -2,6 +2,7 @@
 
 #include "core/document/player.h"
 #include "widgets/numbers/number_field.h"
+#include "widgets/timeline/bake_actions.h"
 #include "widgets/timeline/physics_plot.h"
 #include "widgets/timeline/play_actions.h"
 #include "widgets/timeline/time_field.h"
@@ -111,6 +112,13 @@ void TimelinePanel::buildTransport()
     row->addWidget(m_dropped);
     row->addWidget(m_progress);
     row->addWidget(m_cancel);
+}
+
+/// Behind "every frame": all that says how frames come about stands together.
+void TimelinePanel::setBakeActions(BakeActions* actions)
+{
+    auto* row = qobject_cast<QHBoxLayout*>(m_transport->layout());
+    row->insertWidget(int(m_actions->transport().size()) + 2, actions->makeButton(m_transport));
 }
 
 void TimelinePanel::buildSettings()

@@ -16,6 +16,7 @@ class QToolButton;
 namespace ramure {
 
 class NumberField;
+class BakeActions;
 class PhysicsPlot;
 class PlayActions;
 class Player;
@@ -28,6 +29,8 @@ class TimelinePanel : public QWidget
 public:
     /// Nothing is owned; all must outlive the panel.
     TimelinePanel(Document* document, Player* player, PlayActions* actions, QWidget* parent = nullptr);
+    /// Adds the button that bakes.
+    void setBakeActions(BakeActions* actions);
 
     [[nodiscard]] TimelineRuler* ruler() const { return m_ruler; }
     [[nodiscard]] TimeDisplay display() const { return m_display; }

@@ -200,7 +200,7 @@ private slots:
             error = e;
             done = true;
         });
-        task.start(m_document, {}, path("cancelled.obj"));
+        task.startExport(m_document, {}, path("cancelled.obj"));
         task.cancel();
         QVERIFY(task.isRunning());
         QTRY_VERIFY(done);

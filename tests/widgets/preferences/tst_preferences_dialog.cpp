@@ -35,6 +35,14 @@ private slots:
         QCOMPARE(preferences.autosaveMinutes(), 0);
         settings.setValue(QStringLiteral("files/autosaveMinutes"), 1'000'000);
         QCOMPARE(preferences.autosaveMinutes(), Preferences::maxAutosaveMinutes);
+        settings.setValue(QStringLiteral("units/time"), QStringLiteral("moons"));
+        QCOMPARE(preferences.timeDisplay(), TimeDisplay::Frames);
+        for (const auto& [text, megabytes] :
+             {std::pair{"much", Preferences::defaultMotionMb}, std::pair{"-1", Preferences::leastMotionMb},
+              std::pair{"2000000000", Preferences::mostMotionMb}}) {
+            settings.setValue(QStringLiteral("motion/memoryMb"), QString::fromLatin1(text));
+            QCOMPARE(preferences.motionMemoryMb(), megabytes);
+        }
     }
 
     void noMoreThanAMinuteIsLostUnlessAskedFor()
@@ -67,7 +75,9 @@ private slots:
             dialog.findChild<QComboBox*>(QStringLiteral("language"))->setCurrentIndex(2);
             dialog.findChild<QSpinBox*>(QStringLiteral("autosave"))->setValue(0);
             dialog.findChild<QCheckBox*>(QStringLiteral("welcome"))->setChecked(false);
-            QCOMPARE(changes.count(), 6);
+            dialog.findChild<QComboBox*>(QStringLiteral("times"))->setCurrentIndex(2);
+            dialog.findChild<QSpinBox*>(QStringLiteral("motionMemory"))->setValue(300);
+            QCOMPARE(changes.count(), 8);
         }
         const Preferences later;
         QCOMPARE(later.navigationStyle(), NavigationStyle::Maya);
@@ -76,6 +86,8 @@ private slots:
         QCOMPARE(later.language(), QStringLiteral("fr"));
         QCOMPARE(later.autosaveMinutes(), 0);
         QVERIFY(!later.welcomeAtStart());
+        QCOMPARE(later.timeDisplay(), TimeDisplay::Timecode);
+        QCOMPARE(later.motionMemoryMb(), 300);
     }
 
     void restoringDefaultsLeavesFilesAndShortcuts()
