@@ -98,8 +98,6 @@ Expected<Request> requestOf(const CommandLine& line)
     if (out.texture && out.model != ExportModel::Mesh)
         return fail(ErrorCode::Invalid,
                     "--texture needs --model mesh: other models have no texture coordinates");
-    if (out.texture && (line.has("time") || line.has("frames")))
-        return fail(ErrorCode::Invalid, "--texture needs the tree at rest: without --time and --frames");
     if (out.needsCheck() && out.model != ExportModel::Mesh)
         return fail(ErrorCode::Invalid,
                     "--require-valid and --report need --model mesh: there is no closed mesh "
@@ -282,7 +280,8 @@ Expected<int> runExport(const QStringList& arguments)
              QStringLiteral("MODEL"));
     line.add({QStringLiteral("texture")},
              QStringLiteral("With texture coordinates: vt lines of .obj, a list texcoord per face of .ply. "
-                            "Parameter texture.tileSize (metres) is the size of one repeat of the bark."));
+                            "Parameter texture.tileSize (metres) is the size of one repeat of the bark. A "
+                            "tree that moves keeps the coordinates it has at rest."));
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes .ply as text."));
     addMomentOptions(line, MomentOptions::Sequence);
     line.add({QStringLiteral("separate")},

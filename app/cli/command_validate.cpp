@@ -96,9 +96,21 @@ QString textTexture(const TextureReport& texture)
                                         .arg(100.0 * texture.unevenness, 0, 'f', 1));
 }
 
+/// What became of the triangle budget; nothing where there is none.
+QString textBudget(const CheckedMesh& one)
+{
+    if (one.budget == BudgetFit::NotAsked)
+        return {};
+    const QString note = QLatin1String(budgetText(one.budget));
+    return QStringLiteral("%1 %2 triangles wanted: %3\n")
+        .arg(QStringLiteral("budget"), -20)
+        .arg(one.targetTriangles)
+        .arg(note.isEmpty() ? QStringLiteral("kept within %1 %").arg(100.0 * budgetSlack) : note);
+}
+
 QString textOf(const CheckedMesh& one, bool crossings)
 {
-    return textReport(one.report) + textShape(one.analysis) +
+    return textReport(one.report) + textBudget(one) + textShape(one.analysis) +
            (crossings ? textCrossings(one.analysis) : QString()) +
            (one.texture ? textTexture(*one.texture) : QString());
 }
@@ -133,7 +145,8 @@ Expected<int> runValidate(const QStringList& arguments)
     line.add(
         {QStringLiteral("texture")},
         QStringLiteral("Also says how the texture coordinates of a tree fit: stretch, mirrored triangles and "
-                       "density by level. They do not change the exit code."));
+                       "density by level; with --time how those of the tree at rest fit it then. They do not "
+                       "change the exit code."));
     const auto done = line.parse(arguments, 1, 1);
     if (!done)
         return fail(done.error());
@@ -146,8 +159,6 @@ Expected<int> runValidate(const QStringList& arguments)
         auto input = loadInput(line.arguments().front(), line.values("set"), progress.part(0.0, 0.1));
         if (!input)
             return fail(input.error());
-        if (line.has("texture") && line.has("time"))
-            return fail(ErrorCode::Invalid, "--texture needs the tree at rest: without --time");
         const auto moments = momentsOf(line, *input);
         if (!moments)
             return fail(moments.error());

@@ -37,7 +37,8 @@ Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, const Tre
     if (!result)
         return fail(result.error());
     const BranchMesh& branches = *result->branches;
-    CheckedMesh checked{node.name, *result->report, {}, {}};
+    CheckedMesh checked{node.name, *result->report, {},
+                        {},        branches.budget, static_cast<Index>(node.params.mesh.targetTriangles)};
     MeshReport& report = checked.report;
     if (const auto confirmed = confirm(branches.mesh, report, progress.part(0.4, 0.6)); !confirmed)
         return fail(confirmed.error());
@@ -50,8 +51,9 @@ Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, const Tre
         return fail(analysis.error());
     checked.analysis = std::move(*analysis);
     if (texture) {
+        const BranchMesh& rest = result->restBranches ? *result->restBranches : branches;
         const auto coordinates =
-            textureCoordinates(branches, {node.params.texture.tileSize}, progress.part(0.9, 1.0));
+            textureCoordinates(rest, {node.params.texture.tileSize}, progress.part(0.9, 1.0));
         if (!coordinates)
             return fail(coordinates.error());
         checked.texture = textureReport(branches, *coordinates);
@@ -169,11 +171,35 @@ static QJsonObject jsonOf(const TextureReport& texture)
             {QStringLiteral("levels"), levels}};
 }
 
+static QJsonObject budgetJson(const CheckedMesh& one)
+{
+    const char* fit = "within";
+    switch (one.budget) {
+    case BudgetFit::NotAsked:
+    case BudgetFit::Within:
+        break;
+    case BudgetFit::Smallest:
+        fit = "smallest";
+        break;
+    case BudgetFit::Largest:
+        fit = "largest";
+        break;
+    case BudgetFit::Nearest:
+        fit = "nearest";
+        break;
+    }
+    return {{QStringLiteral("targetTriangles"), qint64(one.targetTriangles)},
+            {QStringLiteral("fit"), QLatin1String(fit)},
+            {QStringLiteral("note"), QLatin1String(budgetText(one.budget))}};
+}
+
 static QJsonObject jsonOf(const CheckedMesh& one, bool crossings)
 {
     QJsonObject out = toJson(one.report, one.analysis, crossings);
     if (one.texture)
         out.insert(QStringLiteral("texture"), jsonOf(*one.texture));
+    if (one.budget != BudgetFit::NotAsked)
+        out.insert(QStringLiteral("budget"), budgetJson(one));
     return out;
 }
 

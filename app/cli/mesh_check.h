@@ -18,6 +18,8 @@ struct CheckedMesh
     MeshReport report;
     MeshAnalysis analysis;                ///< without crossings unless they were asked for
     std::optional<TextureReport> texture; ///< of a tree, if it was asked for
+    BudgetFit budget = BudgetFit::NotAsked;
+    Index targetTriangles = 0; ///< of a tree, as its parameters say; 0 = none
 };
 
 /// Is the mesh closed, manifold and oriented, does OpenMesh agree, and has a tree as many pieces as roots;

@@ -92,14 +92,15 @@ Expected<TreeMeshes> roughMeshes(const TreeResult& tree, const NodeParams& param
     return meshes;
 }
 
-/// Copies with texture coordinates.
+/// Copies with texture coordinates: those of the tree at rest, which it keeps while it moves.
 Expected<TreeMeshes> texturedMeshes(const TreeResult& tree, const NodeParams& params, std::uint8_t parts,
                                     const Progress& progress)
 {
     const TreeMeshes plain = fineMeshes(tree, parts);
     TreeMeshes meshes;
     if (plain.branches) {
-        auto made = textureCoordinates(*tree.branches, {params.texture.tileSize}, progress);
+        const BranchMesh& rest = tree.restBranches ? *tree.restBranches : *tree.branches;
+        auto made = textureCoordinates(rest, {params.texture.tileSize}, progress);
         if (!made) {
             Error error = std::move(made.error());
             if (error.code == ErrorCode::Invalid)

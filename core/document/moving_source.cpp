@@ -91,6 +91,7 @@ static Expected<void> moveMeshes(TreeResult& tree, const Skeleton& rest, const F
         tree.report = std::make_shared<const MeshReport>(std::move(*report));
     }
     tree.branches = std::move(branches);
+    tree.restBranches = restMesh;
     const std::pair<std::shared_ptr<const TriangleMesh>*, const std::vector<FoliageItem>*> pieces[] = {
         {&tree.leaves, &foliage.leaves}, {&tree.apples, &foliage.apples}};
     for (const auto& [mesh, items] : pieces) {

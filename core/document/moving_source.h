@@ -21,8 +21,9 @@ public:
 
     /// A source of the trees at \p timeSeconds (the step round(T / stepSeconds), SPEC A7): skeletons,
     /// sections, meshes and foliage are all in their place of then, skinned as skin.method says; the report
-    /// is of the moved mesh. Times up to 0 give the trees at rest. Valid as long as this object. Errors:
-    /// those of the rest; Invalid for a time that is no number or beyond maxPhysicsSteps; Cancelled.
+    /// is of the moved mesh, restBranches the mesh at rest. Times up to 0 give the trees at rest. Valid as
+    /// long as this object. Errors: those of the rest; Invalid for a time that is no number or beyond
+    /// maxPhysicsSteps; Cancelled.
     [[nodiscard]] TreeSource at(double timeSeconds);
 
 private:

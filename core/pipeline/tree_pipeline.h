@@ -26,7 +26,9 @@ struct TreeResult
         simplified;                             ///< equal to the skeleton where simplify.enabled is off
     std::shared_ptr<const SectionSet> sections; ///< of the simplified skeleton
     std::shared_ptr<const BranchMesh> branches; ///< branch ids are those of the simplified skeleton
-    std::shared_ptr<const MeshReport> report;   ///< of the branch mesh; OpenMesh asked only if wanted
+    /// The branch mesh at rest where branches is in a pose: what texture coordinates are made of. Else null.
+    std::shared_ptr<const BranchMesh> restBranches;
+    std::shared_ptr<const MeshReport> report; ///< of the branch mesh; OpenMesh asked only if wanted
     /// Drafts only, in place of branches and report: open tubes to look at.
     std::shared_ptr<const TriangleMesh> draftTubes;
     std::shared_ptr<const Foliage> foliage;

@@ -72,6 +72,27 @@ private slots:
         QFETCH(QString, part);
         QVERIFY(isRefused(runCli(arguments), part));
     }
+    void validateTellsOfTheBudget()
+    {
+        const auto budget = [](const char* target) {
+            return runCli({"validate", "preset:TinyTree", "--json", "--set",
+                           QStringLiteral("mesh.targetTriangles=") + QLatin1String(target)})
+                .json()
+                .value("budget")
+                .toObject();
+        };
+        QVERIFY(!runCli({"validate", "preset:TinyTree", "--json"}).json().contains("budget"));
+        QCOMPARE(budget("5000").value("fit").toString(), QString("within"));
+        QCOMPARE(budget("5000").value("note").toString(), QString());
+        QCOMPARE(budget("500").value("fit").toString(), QString("smallest"));
+        QCOMPARE(budget("500").value("targetTriangles").toInt(), 500);
+        QVERIFY(budget("500").value("note").toString().contains("smallest mesh"));
+        const auto text = runCli({"validate", "preset:TinyTree", "--set", "mesh.targetTriangles=500"});
+        QCOMPARE(text.code, 0);
+        QVERIFY(text.out.contains("500 triangles wanted: So many branches"));
+        QVERIFY(runCli({"validate", "preset:TinyTree", "--set", "mesh.targetTriangles=5000"})
+                    .out.contains("5000 triangles wanted: kept within 5 %"));
+    }
     void badValues_data()
     {
         QTest::addColumn<QString>("setting");

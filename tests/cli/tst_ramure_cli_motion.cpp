@@ -85,6 +85,30 @@ private slots:
         QVERIFY(QFile::exists(path("seq_0020.ply")));
         QVERIFY(!QFile::exists(path("seq_0000.ply")) && !QFile::exists(path("seq.ply")));
     }
+    void textureStaysThatOfTheRest()
+    {
+        for (const char* ending : {"obj", "ply"}) {
+            const QString rest = path("textured.") + QLatin1String(ending);
+            const QString moved = path("moving.") + QLatin1String(ending);
+            QCOMPARE(runCli({"export", "preset:TinyTree", "--texture", "-o", rest}).code, 0);
+            QCOMPARE(runCli({"export", "preset:TinyTree", "--texture", "-o", moved, "--time", "1"}).code, 0);
+            const TriangleMesh before = read(rest), now = read(moved);
+            QVERIFY(!now.uv.empty() && now.positions != before.positions);
+            QVERIFY(now.uv == before.uv && now.uvTriangles == before.uvTriangles);
+        }
+        QCOMPARE(
+            runCli({"export", "preset:TinyTree", "--texture", "-o", path("film.obj"), "--frames", "23:24"})
+                .code,
+            0);
+        QCOMPARE(bytesOf(path("film_0024.obj")).replace("film_0024", "moving"), bytesOf(path("moving.obj")));
+        const QJsonObject still = runCli({"validate", "preset:TinyTree", "--texture", "--json"}).json();
+        const QJsonObject then =
+            runCli({"validate", "preset:TinyTree", "--texture", "--json", "--time", "1"}).json();
+        const QJsonObject a = still.value("texture").toObject(), b = then.value("texture").toObject();
+        QCOMPARE(b.value("mirrored").toInt(-1), 0);
+        QCOMPARE(b.value("triangles"), a.value("triangles"));
+        QVERIFY(b.value("stretch95") != a.value("stretch95"));
+    }
     void movedMeshesAreValid()
     {
         const CliRun checked = runCli({"validate", "preset:SmallTree", "--json", "--time", "2.5"});

@@ -26,6 +26,7 @@ private slots:
     void movedMeshesAreValid_data();
     void movedMeshesAreValid();
     void exportTakesIt();
+    void textureStaysThatOfTheRest();
 };
 
 static Node treeNode(const char* preset)
@@ -182,6 +183,31 @@ void TestMovingSource::exportTakesIt()
             QVERIFY(now->meshes[i].mesh->positions != rest->meshes[i].mesh->positions);
         }
     }
+}
+
+void TestMovingSource::textureStaysThatOfTheRest()
+{
+    Scene scene;
+    QVERIFY(scene.insert({treeNode("TinyTree")}, noNode, 0));
+    TreePipeline pipeline;
+    MovingSource source(pipelineSource(pipeline));
+    ExportOptions options;
+    options.texture = true;
+    const auto rest = collectExport(scene, options, source.at(0.0));
+    const auto now = collectExport(scene, options, source.at(1.0));
+    QVERIFY(rest && now);
+    QCOMPARE(now->meshes.size(), rest->meshes.size());
+    for (std::size_t i = 0; i < now->meshes.size(); ++i) {
+        const TriangleMesh &moved = *now->meshes[i].mesh, &still = *rest->meshes[i].mesh;
+        QVERIFY(moved.positions != still.positions);
+        QVERIFY(!moved.uv.empty());
+        QVERIFY(moved.uv == still.uv && moved.uvTriangles == still.uvTriangles);
+    }
+    const Node& node = scene.nodes().front();
+    QVERIFY(!source.at(0.0)(node, Stage::Mesh, {})->restBranches);
+    const auto tree = source.at(1.0)(node, Stage::Mesh, {});
+    QVERIFY(tree && tree->restBranches);
+    QVERIFY(tree->restBranches->mesh.positions != tree->branches->mesh.positions);
 }
 
 QTEST_GUILESS_MAIN(TestMovingSource)

@@ -69,12 +69,20 @@ struct TextureSummary
     std::size_t triangles = 0, stretched = 0, mirrored = 0;
 };
 
+/// A mesh whose vertices are copies of another's: several where texture coordinates split them.
+struct SplitMesh
+{
+    std::shared_ptr<const TriangleMesh> from;         ///< null: split from none
+    std::shared_ptr<const std::vector<Index>> vertex; ///< per vertex the one it copies
+};
+
 /// A mesh standing somewhere. The mesh needs normals; branch ids are optional. For a paint but the material
 /// it needs one texture coordinate per vertex.
 struct MeshItem
 {
     std::shared_ptr<const TriangleMesh> mesh; ///< at rest
     Box box;                                  ///< of the mesh as it is now, in its own space
+    SplitMesh split;                          ///< whose skin it follows, where it has none of its own
     ItemMotion motion;                        ///< drawn so; the mesh itself stays as it is
     Material material;
     Paint paint = Paint::Material;

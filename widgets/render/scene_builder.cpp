@@ -32,16 +32,20 @@ constexpr std::size_t mostCurves = 2000;
 struct TexturedMesh
 {
     TriangleMesh mesh; ///< empty where there are no coordinates
+    std::vector<Index> vertex;
     TextureReport report;
     double tileSize = 0.0;
 };
 
 TexturedMesh texturedMesh(const BranchMesh& branches, double tileSize)
 {
-    const auto made = textureCoordinates(branches, {tileSize});
+    auto made = textureCoordinates(branches, {tileSize});
     if (!made)
         return {};
-    return {splitByTexture(branches, *made), textureReport(branches, *made), made->tileSize};
+    TexturedMesh textured{
+        splitByTexture(branches, *made), {}, textureReport(branches, *made), made->tileSize};
+    textured.vertex = std::move(made->vertex);
+    return textured;
 }
 
 /// Appends the items of one tree.
@@ -125,8 +129,11 @@ struct TreeItems
         addMesh({made, &made->mesh}, barkMaterial());
         if (scene.meshes.size() == before)
             return; // nothing of it is shown
-        scene.meshes.back().paint = paint;
-        scene.meshes.back().tileSize = static_cast<float>(made->tileSize);
+        MeshItem& item = scene.meshes.back();
+        item.paint = paint;
+        item.tileSize = static_cast<float>(made->tileSize);
+        if (item.mesh.get() == &made->mesh)
+            item.split = {{tree.branches, &tree.branches->mesh}, {made, &made->vertex}};
         TextureSummary& all = scene.texture;
         all.tileSize = all.triangles == 0 ? made->tileSize : std::min(all.tileSize, made->tileSize);
         all.triangles += made->report.triangles;

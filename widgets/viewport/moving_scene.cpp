@@ -61,6 +61,33 @@ std::shared_ptr<const Skin> MovingScene::rigidSkin(const std::shared_ptr<const T
     return bound.skin;
 }
 
+/// Copies of a vertex follow the bones that it follows: nothing comes apart at a seam.
+std::shared_ptr<const Skin> MovingScene::splitSkin(const MeshItem& item,
+                                                   const std::shared_ptr<const Skin>& whole)
+{
+    Bound& bound = m_bound[item.mesh.get()];
+    bound.used = true;
+    if (bound.skin && bound.whole == whole)
+        return bound.skin;
+    auto skin = std::make_shared<Skin>();
+    skin->vertices = item.mesh->vertexCount();
+    skin->bones = whole->bones;
+    const std::vector<SkinRun>& runs = whole->runs;
+    std::size_t last = runs.size();
+    std::vector<std::size_t> runOf(whole->vertices);
+    for (std::size_t r = 0; r < runs.size(); ++r)
+        std::fill(runOf.begin() + runs[r].firstVertex,
+                  r + 1 < runs.size() ? runOf.begin() + runs[r + 1].firstVertex : runOf.end(), r);
+    for (Index v = 0; v < skin->vertices; ++v) {
+        const std::size_t run = runOf[(*item.split.vertex)[v]];
+        if (run != last)
+            skin->runs.push_back({v, runs[run].influence});
+        last = run;
+    }
+    bound = {item.mesh, std::move(skin), whole, true};
+    return bound.skin;
+}
+
 std::shared_ptr<const Skin> MovingScene::skinOf(const MeshItem& item, const NodeMotion& motion)
 {
     const std::pair<const TriangleMesh*, const std::shared_ptr<const Skin>&> known[] = {
@@ -71,6 +98,8 @@ std::shared_ptr<const Skin> MovingScene::skinOf(const MeshItem& item, const Node
     for (const auto& [mesh, skin] : known)
         if (skin && mesh == item.mesh.get())
             return skin;
+    if (motion.mesh && motion.branches && item.split.from.get() == &motion.mesh->mesh)
+        return splitSkin(item, motion.branches);
     if (item.mesh->branch.size() != item.mesh->positions.size() || item.mesh->positions.empty())
         return nullptr;
     auto skin = rigidSkin(item.mesh);

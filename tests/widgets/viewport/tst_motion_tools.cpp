@@ -29,6 +29,7 @@ private slots:
     void movedScenesShareTheirMeshes();
     void posedScenesAreTheDeformedMeshes();
     void foreignMeshesFollowTheirBranches();
+    void splitMeshesDoNotComeApart();
 
 private:
     PickView viewOf() const;
@@ -238,6 +239,30 @@ void TestMotionTools::foreignMeshesFollowTheirBranches()
         QCOMPARE(bark.motion.skin->of(v).bone[0], bark.mesh->branch[v]);
     // Skins made here are made once.
     QCOMPARE(moving.moved(rest, *m_frame).meshes.front().motion.skin, bark.motion.skin);
+}
+
+/// The texture modes split vertices: their copies move together, as the branches do, so that no seam opens.
+void TestMotionTools::splitMeshesDoNotComeApart()
+{
+    for (const DisplayMode mode : {DisplayMode::Checker, DisplayMode::Stretch}) {
+        SceneView view;
+        view.mode = mode;
+        SceneBuilder builder;
+        const RenderScene rest = builder.build(
+            m_document->scene(), [this](NodeId id) { return &m_document->result(id)->tree; }, view);
+        MovingScene moving;
+        const RenderScene now = moving.moved(rest, *m_frame);
+        const MeshItem& bark = now.meshes.front();
+        QVERIFY(bark.motion.moves());
+        QVERIFY(bark.split.from != nullptr && bark.split.from != bark.mesh);
+        const Skin& whole = *m_frame->of(m_tree)->branches;
+        QCOMPARE(bark.motion.skin->vertices, bark.mesh->vertexCount());
+        QCOMPARE(bark.split.vertex->size(), bark.mesh->positions.size());
+        for (Index v = 0; v < bark.mesh->vertexCount(); ++v)
+            QVERIFY(bark.motion.skin->of(v) == whole.of((*bark.split.vertex)[v]));
+        QVERIFY(posed(now).meshes.front().mesh->positions != bark.mesh->positions);
+        QCOMPARE(moving.moved(rest, *m_frame).meshes.front().motion.skin, bark.motion.skin);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestMotionTools)
