@@ -569,6 +569,10 @@
             <numerusform>Tourner %n branches</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Insert Keys</source>
+        <translation>Insérer des clés</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -2291,6 +2295,198 @@
     <message>
         <source>this motion was baked with other parameters</source>
         <translation>ce mouvement a été précalculé avec d’autres paramètres</translation>
+    </message>
+    <message>
+        <source>there is no track &quot;%1&quot; for this kind of node</source>
+        <translation>il n&apos;y a pas de piste « %1 » pour ce genre de nœud</translation>
+    </message>
+    <message>
+        <source>there is no key %1</source>
+        <translation>il n&apos;y a pas de clé %1</translation>
+    </message>
+    <message>
+        <source>the time lies beyond a million seconds</source>
+        <translation>le temps est au-delà d&apos;un million de secondes</translation>
+    </message>
+    <message>
+        <source>must be a finite number that is not negative</source>
+        <translation>doit être un nombre fini qui n&apos;est pas négatif</translation>
+    </message>
+    <message>
+        <source>must be finite numbers</source>
+        <translation>doivent être des nombres finis</translation>
+    </message>
+    <message>
+        <source>a quaternion of this length has no direction</source>
+        <translation>un quaternion de cette longueur n&apos;a pas de direction</translation>
+    </message>
+    <message>
+        <source>base64 of rows of three numbers of 32 bits is expected here</source>
+        <translation>on attend ici en base64 des rangées de trois nombres de 32 bits</translation>
+    </message>
+    <message>
+        <source>there must be one for each position</source>
+        <translation>il en faut une pour chaque position</translation>
+    </message>
+    <message>
+        <source>there is no vertex %1</source>
+        <translation>il n&apos;y a pas de sommet %1</translation>
+    </message>
+    <message>
+        <source>one of %1 is expected here</source>
+        <translation>on attend ici l&apos;un de %1</translation>
+    </message>
+    <message>
+        <source>four pairs of numbers are expected here</source>
+        <translation>on attend ici quatre paires de nombres</translation>
+    </message>
+    <message>
+        <source>an array of %1 numbers is expected here</source>
+        <translation>on attend ici un tableau de %1 nombres</translation>
+    </message>
+    <message>
+        <source>a key has nothing of this name</source>
+        <translation>une clé n&apos;a rien de ce nom</translation>
+    </message>
+    <message>
+        <source>the time must lie behind that of the key before</source>
+        <translation>le temps doit suivre celui de la clé précédente</translation>
+    </message>
+    <message>
+        <source>a loop takes time</source>
+        <translation>une boucle prend du temps</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no such track</source>
+        <translation>« %1 » n&apos;a pas une telle piste</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Cylindre</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Boîte</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Cône</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Frame cross</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Own shape</source>
+        <translation>Forme propre</translation>
+    </message>
+    <message>
+        <source>Primitive</source>
+        <translation>Primitive</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Surface</translation>
+    </message>
+    <message>
+        <source>Own position</source>
+        <translation>Position propre</translation>
+    </message>
+    <message>
+        <source>Moves what the node itself shows, but none of its children.</source>
+        <translation>Déplace ce que le nœud montre lui-même, mais aucun de ses enfants.</translation>
+    </message>
+    <message>
+        <source>Own rotation</source>
+        <translation>Rotation propre</translation>
+    </message>
+    <message>
+        <source>Turns what the node itself shows, but none of its children: first about X, then Y, then Z.</source>
+        <translation>Tourne ce que le nœud montre lui-même, mais aucun de ses enfants : d&apos;abord autour de X, puis Y, puis Z.</translation>
+    </message>
+    <message>
+        <source>Own scale</source>
+        <translation>Échelle propre</translation>
+    </message>
+    <message>
+        <source>Stretches what the node itself shows, but none of its children.</source>
+        <translation>Étire ce que le nœud montre lui-même, mais aucun de ses enfants.</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>Which solid it is. Cylinders and cones stand on their origin, the others lie about it.</source>
+        <translation>Quel solide c&apos;est. Les cylindres et les cônes se dressent sur leur origine, les autres l&apos;entourent.</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Of cylinders, cones and spheres; of a frame cross the thickness of its arrows.</source>
+        <translation>Des cylindres, cônes et sphères ; d&apos;un repère, l&apos;épaisseur de ses flèches.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Of cylinders and cones along their axis; of a frame cross the length of its arrows.</source>
+        <translation>Des cylindres et des cônes le long de leur axe ; d&apos;un repère, la longueur de ses flèches.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Width, height and depth of a box; of a plane the first and the last.</source>
+        <translation>Largeur, hauteur et profondeur d&apos;une boîte ; d&apos;un plan, la première et la dernière.</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Côtés</translation>
+    </message>
+    <message>
+        <source>How many sides make a circle. More make it rounder.</source>
+        <translation>Combien de côtés font un cercle. Davantage le rendent plus rond.</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Along which of its own axes it stands.</source>
+        <translation>Le long duquel de ses propres axes il se dresse.</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Red, green and blue of the surface, each from 0 to 1.</source>
+        <translation>Rouge, vert et bleu de la surface, chacun de 0 à 1.</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,7 @@ enum ChangeKind : quint32 {
     changeReset = 64,     ///< another document: everything
     changeBranches = 128, ///< per-branch values of nodes
     changeTimeline = 256, ///< frames and frame rate of the scene
+    changeTracks = 512,   ///< keys or extrapolation of tracks of nodes (Change::nodes)
 };
 
 struct Change

@@ -20,12 +20,21 @@ enum class CommandId : int {
     MoveNode,
     SetBranchParams,
     SetTimeline,
+    SetTracks,
 };
 
 /// A gesture: commands with the same id merge. 0 = never merge.
 using GestureId = quint64;
 /// Another one than ever before; from any thread.
 GestureId newGesture();
+
+/// A track that a channel of a node gets; null or without keys: none.
+struct TrackEdit
+{
+    NodeId node = noNode;
+    Channel channel;
+    NodeAnimation::TrackPtr track;
+};
 
 /// Each function pushes one undo step (or none where nothing would change) and returns an error where the
 /// value is refused, the node unknown or locked; then nothing is pushed. Nodes that are locked, or below a
@@ -53,8 +62,10 @@ Expected<void> removeNodes(Document& document, const std::vector<NodeId>& nodes)
 /// Copies beside their originals, selected, with names of their own; returns their ids.
 Expected<std::vector<NodeId>> duplicateNodes(Document& document, const std::vector<NodeId>& nodes);
 /// \param row among the new siblings without the node itself.
-/// \param keepWorld changes the placement so that the node stays where it is (sheared parents: an error).
-Expected<void> moveNode(Document& document, NodeId node, NodeId newParent, int row, bool keepWorld);
+/// \param keepWorld changes the placement so that the node stays where it is at \p timeSeconds (sheared
+/// parents: an error).
+Expected<void> moveNode(Document& document, NodeId node, NodeId newParent, int row, bool keepWorld,
+                        double timeSeconds = 0.0);
 /// Sets the hand-made values of branches (by Skeleton::key) of one tree.
 Expected<void> setBranchRoll(Document& document, NodeId node, const std::vector<std::uint64_t>& keys,
                              double rollRad, GestureId gesture = 0);
@@ -66,6 +77,17 @@ Expected<void> setBranchBends(Document& document, NodeId node,
 /// fixed order that repeats after 2^31 of them; trees of one call never get the same. Nodes that are no trees
 /// are left out; error where no tree remains.
 Expected<void> newTree(Document& document, const std::vector<NodeId>& nodes);
+/// Tracks of any channels of any nodes as one step: every edit of keys (insert, remove, drag, paste, modes,
+/// extrapolation) is made on copies of the tracks and set with this. While a gesture goes on, the dragged
+/// tracks are given again from the ones before the gesture. Of a channel named twice the last counts. Errors:
+/// Unknown (node), Invalid (locked; a channel this kind of node has not; a track of the wrong kind).
+Expected<void> setTracks(Document& document, const std::vector<TrackEdit>& edits, const QString& text,
+                         GestureId gesture = 0);
+/// A key at \p time in each of these channels, with the value the channel has then ("insert key"). A key that
+/// is there already stays. Channels that a node has not are left out. New keys have the mode of the key
+/// before them, or \p mode where there is none.
+Expected<void> insertKeys(Document& document, const std::vector<NodeId>& nodes,
+                          const std::vector<Channel>& channels, Ticks time, KeyMode mode = KeyMode::Bezier);
 /// Frames and frame rate. Errors: those of checkTimeline.
 Expected<void> setTimeline(Document& document, const TimelineSettings& settings, GestureId gesture = 0);
 } // namespace edit

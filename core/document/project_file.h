@@ -18,6 +18,8 @@
 ///         "version": 1
 ///     }
 ///
+/// A node may also have "tracks" (project_tracks.h) and a "mesh" (project_mesh.h).
+///
 /// The list of nodes is flat, depth-first, siblings in their order: moving a subtree changes few lines, and
 /// no depth of a scene meets a parser's limit on nesting. Parents may also stand behind their children when
 /// read. Texts of several lines are arrays of lines. Numbers are in the program's units (metres, radians).

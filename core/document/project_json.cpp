@@ -28,7 +28,7 @@ tl::unexpected<Error> failInside(const std::string& outer, Error error)
     return fail(std::move(error));
 }
 
-static constexpr std::array<const char*, nodeKindCount> kindNames{"group", "tree"};
+static constexpr std::array<const char*, nodeKindCount> kindNames{"group", "tree", "primitive", "mesh"};
 
 QString kindName(NodeKind kind)
 {

@@ -1,5 +1,8 @@
 #include "core/document/project_json.h"
 
+#include "core/document/project_mesh.h"
+#include "core/document/project_tracks.h"
+
 #include <QJsonArray>
 #include <limits>
 
@@ -51,6 +54,10 @@ QJsonObject writeNode(const Node& node)
         object.insert(QStringLiteral("params"), params);
     if (const QJsonObject branches = writeBranches(node); !branches.isEmpty())
         object.insert(QStringLiteral("branches"), branches);
+    if (const QJsonObject tracks = writeTracks(node.animation); !tracks.isEmpty())
+        object.insert(QStringLiteral("tracks"), tracks);
+    if (node.mesh)
+        object.insert(QStringLiteral("mesh"), writeMesh(*node.mesh));
     return merged(object, node.extras);
 }
 
@@ -67,8 +74,9 @@ public:
 
     Expected<Node> read()
     {
-        for (const auto step : {&NodeReader::readIds, &NodeReader::readKind, &NodeReader::readState,
-                                &NodeReader::readParams, &NodeReader::readBranches})
+        for (const auto step :
+             {&NodeReader::readIds, &NodeReader::readKind, &NodeReader::readState, &NodeReader::readParams,
+              &NodeReader::readBranches, &NodeReader::readAnimation, &NodeReader::readGeometry})
             if (auto done = (this->*step)(); !done)
                 return fail(std::move(done.error()));
         m_node.extras = extrasText(m_rest);
@@ -201,6 +209,35 @@ private:
                 return done;
         if (!unknown.isEmpty())
             m_rest.insert(QStringLiteral("branches"), unknown);
+        return {};
+    }
+
+    Expected<void> readAnimation()
+    {
+        auto object = takeObject("tracks");
+        if (!object)
+            return fail(object.error());
+        auto animation = readTracks(*object, m_node.kind);
+        if (!animation)
+            return failInside("tracks", std::move(animation.error()));
+        m_node.animation = std::move(*animation);
+        if (!object->isEmpty())
+            m_rest.insert(QStringLiteral("tracks"), *object);
+        return {};
+    }
+    Expected<void> readGeometry()
+    {
+        if (m_node.kind != NodeKind::Mesh)
+            return {};
+        auto object = takeObject("mesh");
+        if (!object)
+            return fail(object.error());
+        auto mesh = readMesh(*object);
+        if (!mesh)
+            return failInside("mesh", std::move(mesh.error()));
+        m_node.mesh = SharedValue<TriangleMesh>(std::move(*mesh));
+        if (!object->isEmpty())
+            m_rest.insert(QStringLiteral("mesh"), *object);
         return {};
     }
 

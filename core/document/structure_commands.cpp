@@ -1,5 +1,6 @@
 // Nodes that come, go and move.
 #include "core/document/document_command.h"
+#include "core/scene/places.h"
 
 #include <glm/gtc/matrix_inverse.hpp>
 #include <map>
@@ -207,10 +208,13 @@ void selectNodes(Document& document, const std::vector<NodeId>& nodes)
     document.setSelection(std::move(selection));
 }
 
-/// The placement that keeps \p node where it is in the world when it is put below \p parent.
-Expected<PlacementParams> keptPlacement(const Scene& scene, const Node& node, NodeId parent)
+/// The placement that keeps \p node where it is in the world at a time when it is put below \p parent. Its
+/// track stands between the parent and the placement.
+Expected<PlacementParams> keptPlacement(const Scene& scene, const Node& node, NodeId parent, double seconds)
 {
-    const glm::dmat4 from = worldMatrix(scene, node.parent), into = worldMatrix(scene, parent);
+    const glm::dmat4 track = transformAt(node.animation, ChannelPart::GlobalTranslation, seconds);
+    const glm::dmat4 from = placeAt(scene, node.parent, seconds).world * track;
+    const glm::dmat4 into = placeAt(scene, parent, seconds).world * track;
     if (from == into)
         return node.params.tree;
     if (glm::determinant(glm::dmat3(into)) == 0.0)
@@ -301,7 +305,8 @@ Expected<std::vector<NodeId>> edit::duplicateNodes(Document& document, const std
     return tops;
 }
 
-Expected<void> edit::moveNode(Document& document, NodeId node, NodeId newParent, int row, bool keepWorld)
+Expected<void> edit::moveNode(Document& document, NodeId node, NodeId newParent, int row, bool keepWorld,
+                              double timeSeconds)
 {
     const Scene& scene = document.scene();
     for (const auto& allowed : {checkEditable(scene, node), checkParent(scene, newParent)})
@@ -312,7 +317,7 @@ Expected<void> edit::moveNode(Document& document, NodeId node, NodeId newParent,
         return moved;
     MoveCommand::Place place = MoveCommand::placeOf(trial, node);
     if (keepWorld) {
-        const auto kept = keptPlacement(scene, *scene.find(node), newParent);
+        const auto kept = keptPlacement(scene, *scene.find(node), newParent, timeSeconds);
         if (!kept)
             return fail(kept.error());
         place.placement = *kept;

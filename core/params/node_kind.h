@@ -7,10 +7,12 @@
 namespace ramure {
 
 enum class NodeKind : std::uint8_t {
-    Group, ///< only a place for its children
-    Tree,  ///< a skeleton grown from a grammar, with its skin
+    Group,     ///< only a place for its children
+    Tree,      ///< a skeleton grown from a grammar, with its skin
+    Primitive, ///< a simple solid, by its parameters
+    Mesh,      ///< an imported mesh, kept in the node
 };
-inline constexpr int nodeKindCount = 2;
+inline constexpr int nodeKindCount = 4;
 
 constexpr std::uint8_t kindBit(NodeKind kind)
 {

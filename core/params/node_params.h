@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/params/physics_params.h"
+#include "core/params/primitive_params.h"
 #include "core/params/skin_params.h"
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -99,6 +100,9 @@ struct NodeParams
     FoliageParams foliage;
     TextureParams texture;
     PlacementParams tree;
+    PlacementParams local; ///< of its own geometry alone: not handed on to the children (SPEC B2)
+    PrimitiveParams primitive;
+    SurfaceParams surface;
     PhysicsParams physics;
     SkinParams skin;
     std::map<std::uint64_t, BranchParams>

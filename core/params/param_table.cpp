@@ -41,6 +41,15 @@ constexpr std::array itemsOf<SkinMethod>{EnumItem{"rigid", RAMURE_NOOP("Rigid")}
                                          EnumItem{"linear", RAMURE_NOOP("Linear blend")},
                                          EnumItem{"dualQuaternion", RAMURE_NOOP("Dual quaternion")}};
 
+template <>
+constexpr std::array itemsOf<PrimitiveShape>{
+    EnumItem{"cylinder", RAMURE_NOOP("Cylinder")}, EnumItem{"sphere", RAMURE_NOOP("Sphere")},
+    EnumItem{"box", RAMURE_NOOP("Box")},           EnumItem{"cone", RAMURE_NOOP("Cone")},
+    EnumItem{"plane", RAMURE_NOOP("Plane")},       EnumItem{"frameCross", RAMURE_NOOP("Frame cross")}};
+template <>
+constexpr std::array itemsOf<PrimitiveAxis>{EnumItem{"x", RAMURE_NOOP("X")}, EnumItem{"y", RAMURE_NOOP("Y")},
+                                            EnumItem{"z", RAMURE_NOOP("Z")}};
+
 template <class T> constexpr ParamType typeOf()
 {
     static_assert(std::is_enum_v<T> == !itemsOf<T>.empty(), "an enumeration has items");
@@ -85,7 +94,11 @@ template <auto Group, auto Member> struct Field
 };
 
 constexpr std::uint8_t treeOnly = kindBit(NodeKind::Tree);
-constexpr std::uint8_t everyKind = kindBit(NodeKind::Tree) | kindBit(NodeKind::Group);
+constexpr std::uint8_t primitiveOnly = kindBit(NodeKind::Primitive);
+constexpr std::uint8_t objectKinds = kindBit(NodeKind::Primitive) | kindBit(NodeKind::Mesh);
+/// All but groups, which have no geometry.
+constexpr std::uint8_t shapedKinds = kindBit(NodeKind::Tree) | objectKinds;
+constexpr std::uint8_t everyKind = shapedKinds | kindBit(NodeKind::Group);
 
 template <auto Group, auto Member>
 constexpr ParamDef row(const Words& words, ParamUnit unit, const Range& range, Stage stage,
@@ -119,6 +132,9 @@ constexpr const char* sectionsGroup = RAMURE_NOOP("Cross-sections");
 constexpr const char* foliageGroup = RAMURE_NOOP("Foliage");
 constexpr const char* textureGroup = RAMURE_NOOP("Texture");
 constexpr const char* placementGroup = RAMURE_NOOP("Placement");
+constexpr const char* localGroup = RAMURE_NOOP("Own shape");
+constexpr const char* primitiveGroup = RAMURE_NOOP("Primitive");
+constexpr const char* surfaceGroup = RAMURE_NOOP("Surface");
 constexpr const char* physicsGroup = RAMURE_NOOP("Physics");
 constexpr const char* skinGroup = RAMURE_NOOP("Skin");
 
@@ -153,17 +169,17 @@ constexpr std::array table{
         {"turtle.theta", turtleGroup, RAMURE_NOOP("Turn"),
          RAMURE_NOOP("The angle of every turn a symbol asks for. Small angles give slender trees, large ones "
                      "spreading trees.")},
-        ParamUnit::Radian, {-2 * pi, 2 * pi, 0, pi / 2, 0.01, 4}, Stage::Skeleton),
+        ParamUnit::Radian, {-2 * pi, 2 * pi, 0, pi / 2, 0.01, 4}, Stage::Skeleton, paramAnimatable),
     row<&NodeParams::turtle, &TurtleParams::alpha>(
         {"turtle.alpha", turtleGroup, RAMURE_NOOP("Step"),
          RAMURE_NOOP("Length of each piece of branch, and the radius of the trunk at the ground. Leaves and apples "
                      "take their size from it too: it scales the whole tree.")},
-        ParamUnit::Metre, {1e-4, 1000, 0.01, 1, 0.01, 4}, Stage::Skeleton),
+        ParamUnit::Metre, {1e-4, 1000, 0.01, 1, 0.01, 4}, Stage::Skeleton, paramAnimatable),
     row<&NodeParams::turtle, &TurtleParams::decay>(
         {"turtle.decay", turtleGroup, RAMURE_NOOP("Taper"),
          RAMURE_NOOP("What remains of the radius at the end of each piece of branch. 1 keeps branches as thick as "
                      "the trunk.")},
-        ParamUnit::Ratio, {0.01, 1, 0.5, 1, 0.01, 4}, Stage::Skeleton),
+        ParamUnit::Ratio, {0.01, 1, 0.5, 1, 0.01, 4}, Stage::Skeleton, paramAnimatable),
 
     row<&NodeParams::simplify, &SimplifyParams::enabled>(
         {"simplify.enabled", simplifyGroup, RAMURE_NOOP("Merge straight runs"),
@@ -195,15 +211,15 @@ constexpr std::array table{
         {"foliage.leavesCutoff", foliageGroup, RAMURE_NOOP("Twig thickness"),
          RAMURE_NOOP("Branches thinner than this share of the trunk's radius carry leaves and apples. 0 leaves the tree "
                      "bare.")},
-        ParamUnit::Ratio, {0, 10, 0, 1, 0.01, 3}, Stage::Foliage),
+        ParamUnit::Ratio, {0, 10, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable),
     row<&NodeParams::foliage, &FoliageParams::leavesDensity>(
         {"foliage.leavesDensity", foliageGroup, RAMURE_NOOP("Leaves per twig"),
          RAMURE_NOOP("How many leaves grow on each branch that is thin enough.")},
-        ParamUnit::Count, {0, 1000, 0, 50, 1, 0}, Stage::Foliage),
+        ParamUnit::Count, {0, 1000, 0, 50, 1, 0}, Stage::Foliage, paramAnimatable),
     row<&NodeParams::foliage, &FoliageParams::applesProbability>(
         {"foliage.applesProbability", foliageGroup, RAMURE_NOOP("Apples"),
          RAMURE_NOOP("The chance that a branch which is thin enough carries an apple: 0 for none, 1 for one on each.")},
-        ParamUnit::Ratio, {0, 1, 0, 1, 0.01, 3}, Stage::Foliage),
+        ParamUnit::Ratio, {0, 1, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable),
     row<&NodeParams::foliage, &FoliageParams::seed>(
         {"foliage.seed", foliageGroup, RAMURE_NOOP("Seed"),
          RAMURE_NOOP("Another seed arranges leaves and apples anew; the branches stay as they are.")},
@@ -218,15 +234,57 @@ constexpr std::array table{
     row<&NodeParams::tree, &PlacementParams::translation>(
         {"tree.translation", placementGroup, RAMURE_NOOP("Position"),
          RAMURE_NOOP("Where it stands, measured from its parent.")},
-        ParamUnit::Metre, {-1e6, 1e6, -10, 10, 0.1, 3}, Stage::Placement, paramAnimatable, everyKind),
+        ParamUnit::Metre, {-1e6, 1e6, -10, 10, 0.1, 3}, Stage::Placement, paramNone, everyKind),
     row<&NodeParams::tree, &PlacementParams::rotation>(
         {"tree.rotation", placementGroup, RAMURE_NOOP("Rotation"),
          RAMURE_NOOP("How it is turned: first about the parent's X axis, then Y, then Z. Y points up.")},
-        ParamUnit::Radian, {-200 * pi, 200 * pi, -pi, pi, pi / 180, 4}, Stage::Placement, paramAnimatable, everyKind),
+        ParamUnit::Radian, {-200 * pi, 200 * pi, -pi, pi, pi / 180, 4}, Stage::Placement, paramNone, everyKind),
     row<&NodeParams::tree, &PlacementParams::scale>(
         {"tree.scale", placementGroup, RAMURE_NOOP("Scale"),
          RAMURE_NOOP("How large it is along its own axes; 1 is its natural size.")},
-        ParamUnit::Ratio, {1e-4, 1e4, 0.1, 10, 0.1, 3}, Stage::Placement, paramAnimatable, everyKind),
+        ParamUnit::Ratio, {1e-4, 1e4, 0.1, 10, 0.1, 3}, Stage::Placement, paramNone, everyKind),
+
+    row<&NodeParams::local, &PlacementParams::translation>(
+        {"local.translation", localGroup, RAMURE_NOOP("Own position"),
+         RAMURE_NOOP("Moves what the node itself shows, but none of its children.")},
+        ParamUnit::Metre, {-1e6, 1e6, -10, 10, 0.1, 3}, Stage::Placement, paramAdvanced, shapedKinds),
+    row<&NodeParams::local, &PlacementParams::rotation>(
+        {"local.rotation", localGroup, RAMURE_NOOP("Own rotation"),
+         RAMURE_NOOP("Turns what the node itself shows, but none of its children: first about X, then Y, then Z.")},
+        ParamUnit::Radian, {-200 * pi, 200 * pi, -pi, pi, pi / 180, 4}, Stage::Placement, paramAdvanced, shapedKinds),
+    row<&NodeParams::local, &PlacementParams::scale>(
+        {"local.scale", localGroup, RAMURE_NOOP("Own scale"),
+         RAMURE_NOOP("Stretches what the node itself shows, but none of its children.")},
+        ParamUnit::Ratio, {1e-4, 1e4, 0.1, 10, 0.1, 3}, Stage::Placement, paramAdvanced, shapedKinds),
+
+    row<&NodeParams::primitive, &PrimitiveParams::shape>(
+        {"primitive.shape", primitiveGroup, RAMURE_NOOP("Shape"),
+         RAMURE_NOOP("Which solid it is. Cylinders and cones stand on their origin, the others lie about it.")},
+        ParamUnit::None, {}, Stage::Mesh, paramNone, primitiveOnly),
+    row<&NodeParams::primitive, &PrimitiveParams::radius>(
+        {"primitive.radius", primitiveGroup, RAMURE_NOOP("Radius"),
+         RAMURE_NOOP("Of cylinders, cones and spheres; of a frame cross the thickness of its arrows.")},
+        ParamUnit::Metre, {1e-4, 1e4, 0.01, 5, 0.05, 4}, Stage::Mesh, paramAnimatable, primitiveOnly),
+    row<&NodeParams::primitive, &PrimitiveParams::height>(
+        {"primitive.height", primitiveGroup, RAMURE_NOOP("Height"),
+         RAMURE_NOOP("Of cylinders and cones along their axis; of a frame cross the length of its arrows.")},
+        ParamUnit::Metre, {1e-4, 1e4, 0.01, 5, 0.05, 4}, Stage::Mesh, paramAnimatable, primitiveOnly),
+    row<&NodeParams::primitive, &PrimitiveParams::size>(
+        {"primitive.size", primitiveGroup, RAMURE_NOOP("Size"),
+         RAMURE_NOOP("Width, height and depth of a box; of a plane the first and the last.")},
+        ParamUnit::Metre, {1e-4, 1e4, 0.01, 5, 0.05, 4}, Stage::Mesh, paramAnimatable, primitiveOnly),
+    row<&NodeParams::primitive, &PrimitiveParams::sides>(
+        {"primitive.sides", primitiveGroup, RAMURE_NOOP("Sides"),
+         RAMURE_NOOP("How many sides make a circle. More make it rounder.")},
+        ParamUnit::Count, {3, 1024, 3, 64, 1, 0}, Stage::Mesh, paramNone, primitiveOnly),
+    row<&NodeParams::primitive, &PrimitiveParams::axis>(
+        {"primitive.axis", primitiveGroup, RAMURE_NOOP("Axis"),
+         RAMURE_NOOP("Along which of its own axes it stands.")},
+        ParamUnit::None, {}, Stage::Mesh, paramNone, primitiveOnly),
+    row<&NodeParams::surface, &SurfaceParams::color>(
+        {"surface.color", surfaceGroup, RAMURE_NOOP("Colour"),
+         RAMURE_NOOP("Red, green and blue of the surface, each from 0 to 1.")},
+        ParamUnit::None, {0, 1, 0, 1, 0.01, 3}, Stage::Placement, paramAnimatable, objectKinds),
 
     row<&NodeParams::physics, &PhysicsParams::mode>(
         {"physics.mode", physicsGroup, RAMURE_NOOP("Mode"),

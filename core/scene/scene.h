@@ -3,7 +3,10 @@
 /// document change the scene of an open document.
 #pragma once
 
+#include "core/animation/node_animation.h"
 #include "core/base/error.h"
+#include "core/base/shared_value.h"
+#include "core/mesh/triangle_mesh.h"
 #include "core/params/node_kind.h"
 #include "core/params/node_params.h"
 #include "core/scene/timeline_settings.h"
@@ -25,6 +28,8 @@ struct Node
     bool visible = true;
     bool locked = false; ///< cannot be selected in the viewport nor changed
     NodeParams params;
+    NodeAnimation animation;
+    SharedValue<TriangleMesh> mesh; ///< of NodeKind::Mesh: kept in the project file, see project_mesh.h
     std::string
         extras; ///< keys of the project file that this version does not know: one JSON object, or empty
     bool operator==(const Node&) const = default;
@@ -90,7 +95,8 @@ private:
 glm::dmat4 placementMatrix(const PlacementParams& placement);
 /// The rotation alone, Rz * Ry * Rx.
 glm::dmat3 rotationMatrix(const glm::dvec3& rotationRad);
-/// Parent world * own placement, from the top down. Unknown ids: identity.
+/// At rest, without tracks: parent world * own placement, from the top down. Unknown ids: identity. At a time:
+/// core/scene/places.h.
 glm::dmat4 worldMatrix(const Scene& scene, NodeId id);
 /// The placement whose matrix is \p matrix. Error Invalid: the matrix is sheared, flattened, projective or
 /// not finite, so that no translation, rotation and scale give it. A mirrored matrix gets its negative scale

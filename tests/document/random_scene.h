@@ -53,6 +53,31 @@ inline ParamValue randomValue(const ParamDef& def, Random& random)
     return false;
 }
 
+inline AnyTrack randomTrack(const Channel& channel, Random& random)
+{
+    const auto fill = [&random](auto track, auto&& value) {
+        for (std::uint32_t i = 1 + random.below(5); i-- > 0;) {
+            typename decltype(track)::KeyKind key;
+            key.time = ticksOf(random.range(-100.0, 100.0));
+            key.value = value();
+            key.mode = static_cast<KeyMode>(random.below(keyModeCount));
+            key.easing = static_cast<Easing>(random.below(easingCount));
+            key.before = static_cast<HandleType>(random.below(handleTypeCount));
+            key.behind = static_cast<HandleType>(random.below(handleTypeCount));
+            key.period = random.range(0.0, 2.0);
+            [[maybe_unused]] const auto done = track.insert(key);
+        }
+        track.before = static_cast<Extrapolation>(random.below(extrapolationCount));
+        track.behind = static_cast<Extrapolation>(random.below(extrapolationCount));
+        track.loop = random.below(2) == 0 ? 0 : 5 * ticksPerSecond;
+        return AnyTrack(track);
+    };
+    const auto number = [&random] { return random.range(-1.0, 1.0); };
+    if (channel.isOrientation())
+        return fill(OrientationTrack(), [&] { return glm::dquat(number(), number(), number(), 1.0); });
+    return fill(Track(), number);
+}
+
 inline Node randomNode(NodeId id, NodeId parent, Random& random)
 {
     Node node;
@@ -70,6 +95,16 @@ inline Node randomNode(NodeId id, NodeId parent, Random& random)
     if (random.below(4) == 0)
         node.params.branches[random.next()].bendRad =
             glm::dvec3(random.range(-1.0, 1.0), random.range(-1.0, 1.0), random.range(-1.0, 1.0));
+    for (const Channel& channel : channelsOf(node.kind))
+        if (random.below(10) == 0)
+            node.animation.set(channel, randomTrack(channel, random));
+    if (node.kind == NodeKind::Mesh) {
+        TriangleMesh mesh;
+        for (int i = 0; i < 3; ++i)
+            mesh.positions.emplace_back(float(random.range(-1.0, 1.0)), float(i), 0.5f);
+        mesh.triangles.emplace_back(0u, 1u, 2u);
+        node.mesh = SharedValue<TriangleMesh>(std::move(mesh));
+    }
     if (random.below(4) == 0)
         node.extras = R"({"future":[1,{"deep":0.1}],"params":{"bark.moss":0.25}})";
     return node;

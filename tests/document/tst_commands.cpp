@@ -1,6 +1,7 @@
 #include "core/document/commands.h"
 #include "tests/document/random_scene.h"
 #include "tests/document/recorder.h"
+#include "tests/support/kind_with.h"
 #include "tests/support/suite.h"
 
 #include <QElapsedTimer>
@@ -36,10 +37,10 @@ static QByteArray fileOf(const Document& document)
 /// Group 1 with trees 2 and 3, tree 4 beside it.
 struct Fixture
 {
-    Fixture()
+    explicit Fixture(NodeKind kind = NodeKind::Tree)
     {
-        document.reset(*Scene::fromNodes({makeNode(1, noNode, NodeKind::Group), makeNode(2, 1),
-                                          makeNode(3, 1), makeNode(4)}),
+        document.reset(*Scene::fromNodes({makeNode(1, noNode, NodeKind::Group), makeNode(2, 1, kind),
+                                          makeNode(3, 1, kind), makeNode(4, noNode, kind)}),
                        {});
         recorder.changes.clear();
     }
@@ -179,7 +180,7 @@ void TestCommands::everyParameter_data()
 void TestCommands::everyParameter()
 {
     const ParamDef& def = fetchedDef();
-    Fixture f;
+    Fixture f(test::kindWith(def));
     Random random(1, RandomStream::Test);
     const ParamValue before = def.get(f.document.scene().find(2)->params);
     const ParamValue after = otherValue(def, before, random);
@@ -221,7 +222,7 @@ void TestCommands::gesturesMerge_data()
 void TestCommands::gesturesMerge()
 {
     const ParamDef& def = fetchedDef();
-    Fixture f;
+    Fixture f(test::kindWith(def));
     Random random(2, RandomStream::Test);
     const QByteArray file = fileOf(f.document);
     ParamValue value = def.get(f.document.scene().find(2)->params);

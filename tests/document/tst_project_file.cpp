@@ -1,6 +1,7 @@
 #include "core/document/project_file.h"
 #include "core/document/project_migrations.h"
 #include "tests/document/random_scene.h"
+#include "tests/support/kind_with.h"
 #include "tests/support/suite.h"
 
 #include <QDir>
@@ -290,7 +291,7 @@ void TestProjectFile::everyParameterRoundTrips()
     for (int i = 0; i < 50; ++i) {
         Node node;
         node.id = 1;
-        node.kind = hasParam(NodeKind::Tree, def) ? NodeKind::Tree : NodeKind::Group;
+        node.kind = test::kindWith(def);
         const ParamValue value = test::randomValue(def, random);
         QVERIFY(setParam(node.params, def, value));
         Project project{*Scene::fromNodes({node}), {}};

@@ -379,10 +379,16 @@ void TestParamTable::checkParamsSeesBranches()
 void TestParamTable::kindsOfNodes()
 {
     for (const ParamDef& def : paramTable()) {
-        QVERIFY2(hasParam(NodeKind::Tree, def), def.key);
-        const bool placement = std::string_view(def.key).starts_with("tree.");
+        const auto inGroup = [&def](const char* group) {
+            return std::string_view(def.key).starts_with(std::string(group) + ".");
+        };
+        const bool placement = inGroup("tree"), own = inGroup("local");
+        const bool primitive = inGroup("primitive"), surface = inGroup("surface");
         QCOMPARE(hasParam(NodeKind::Group, def), placement);
-        QCOMPARE(def.stage == Stage::Placement, placement);
+        QCOMPARE(hasParam(NodeKind::Tree, def), !primitive && !surface);
+        QCOMPARE(hasParam(NodeKind::Primitive, def), placement || own || primitive || surface);
+        QCOMPARE(hasParam(NodeKind::Mesh, def), placement || own || surface);
+        QCOMPARE(def.stage == Stage::Placement, placement || own || surface);
     }
 }
 

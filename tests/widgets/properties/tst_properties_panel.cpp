@@ -1,3 +1,4 @@
+#include "tests/support/kind_with.h"
 #include "tests/widgets/support/fixture.h"
 #include "widgets/grammar/grammar_edit.h"
 #include "widgets/numbers/number_field.h"
@@ -39,11 +40,17 @@ private:
         for (const ParamDef& def : paramTable())
             QTest::newRow(def.key) << QString::fromLatin1(def.key);
     }
-    /// The parameter of the present row of data.
+    /// The parameter of the present row of data; the nodes become of a kind that has it.
     const ParamDef& fetched()
     {
         const auto* key = static_cast<QString*>(QTest::qData("key", qMetaTypeId<QString>()));
-        return *findParam(key->toStdString());
+        const ParamDef& def = *findParam(key->toStdString());
+        if (!hasParam(NodeKind::Tree, def)) {
+            Node one = test::treeNode(1, "One"), two = test::treeNode(2, "Two");
+            one.kind = two.kind = test::kindWith(def);
+            test::openNodes(*m_document, {one, two});
+        }
+        return def;
     }
 
     /// Types something else into the first editor of the row.
@@ -518,13 +525,15 @@ private slots:
         QSet<QWidget*> reached;
         QWidget* start = m_panel->findChild<QLineEdit*>();
         start->setFocus();
-        for (int i = 0; i < 300; ++i) {
+        for (int i = 0; i < 500; ++i) {
             QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
             if (QApplication::focusWidget() == start)
                 break;
             reached += QApplication::focusWidget();
         }
         for (const ParamDef& def : paramTable()) {
+            if (!hasParam(NodeKind::Tree, def))
+                continue;
             const bool hit = std::ranges::any_of(
                 reached, [&](QWidget* widget) { return m_panel->row(def)->editor()->isAncestorOf(widget); });
             QVERIFY2(hit, def.key);

@@ -1,0 +1,75 @@
+/// \file
+/// Channels: what of a node can have a track.
+#pragma once
+
+#include "core/animation/track.h"
+#include "core/params/param_def.h"
+#include <compare>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace ramure {
+
+/// A track of either kind.
+using AnyTrack = std::variant<Track, OrientationTrack>;
+
+/// In the order in which timelines show them.
+enum class ChannelPart : std::uint8_t {
+    GlobalTranslation, ///< handed on to the children (SPEC B2)
+    GlobalOrientation,
+    GlobalScale,
+    LocalTranslation, ///< shapes the node's own geometry only
+    LocalOrientation,
+    LocalScale,
+    Parameter, ///< a row of the parameter table with paramAnimatable
+};
+
+/// Names one track of a node. Numbers have a channel each: three of a translation, of a scale and of a vector
+/// parameter. An orientation is one channel.
+struct Channel
+{
+    ChannelPart part = ChannelPart::GlobalTranslation;
+    std::uint8_t component = 0; ///< 0, 1, 2 = x, y, z; of everything else 0
+    ParamId param = 0;          ///< of ChannelPart::Parameter
+    auto operator<=>(const Channel&) const = default;
+
+    [[nodiscard]] bool isOrientation() const
+    {
+        return part == ChannelPart::GlobalOrientation || part == ChannelPart::LocalOrientation;
+    }
+    [[nodiscard]] bool isScale() const
+    {
+        return part == ChannelPart::GlobalScale || part == ChannelPart::LocalScale;
+    }
+    [[nodiscard]] const ParamDef* def() const
+    {
+        return part == ChannelPart::Parameter ? &paramTable()[param] : nullptr;
+    }
+};
+
+/// All channels a node of this kind may have, in order.
+std::vector<Channel> channelsOf(NodeKind kind);
+bool hasChannel(NodeKind kind, const Channel& channel);
+/// "global.translation.x", "local.orientation", "physics.windStrength", "primitive.size.y": unique, used by
+/// files.
+std::string channelKey(const Channel& channel);
+/// Error: Unknown, where no channel of this kind of node has this key.
+Expected<Channel> channelFromKey(std::string_view key, NodeKind kind);
+/// What the channel has where nothing moves it: 0 of translations, 1 of scales, the parameter's value. Not
+/// for orientations, which rest at the identity.
+double restValue(const NodeParams& params, const Channel& channel);
+
+/// \name Keys of tracks of either kind
+/// \{
+[[nodiscard]] std::size_t keyCount(const AnyTrack& track);
+[[nodiscard]] const KeyShape& keyShape(const AnyTrack& track, std::size_t index);
+[[nodiscard]] bool isEmpty(const AnyTrack& track);
+/// Changes of times, modes and handle types of some keys at once; values stay. As KeyTrack::replace.
+Expected<AnyTrack> withShapes(const AnyTrack& track, std::span<const std::size_t> indices,
+                              std::span<const KeyShape> shapes);
+[[nodiscard]] AnyTrack withoutKeys(const AnyTrack& track, std::span<const std::size_t> indices);
+/// \}
+
+} // namespace ramure

@@ -1,0 +1,215 @@
+#include "core/animation/handles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ramure {
+namespace {
+
+/// dx of Blender's round handles: with it four of them make the best circle.
+constexpr double roundLength = 2.5614;
+
+struct Sides
+{
+    double before = 0.0, behind = 0.0;           ///< seconds to the neighbours, 0 at an end
+    double slopeBefore = 0.0, slopeBehind = 0.0; ///< of the secants; at an end 0
+    [[nodiscard]] bool isEnd() const { return before == 0.0 || behind == 0.0; }
+};
+
+Sides sidesOf(const std::vector<Key>& keys, std::size_t i)
+{
+    Sides sides;
+    if (i > 0) {
+        sides.before = secondsOf(keys[i].time - keys[i - 1].time);
+        sides.slopeBefore = (keys[i].value - keys[i - 1].value) / sides.before;
+    }
+    if (i + 1 < keys.size()) {
+        sides.behind = secondsOf(keys[i + 1].time - keys[i].time);
+        sides.slopeBehind = (keys[i + 1].value - keys[i].value) / sides.behind;
+    }
+    return sides;
+}
+
+void settleSimple(Key& key, const Sides& sides)
+{
+    const double slope = sides.isEnd() ? 0.0 : 0.5 * (sides.slopeBefore + sides.slopeBehind);
+    if (key.before == HandleType::Vector)
+        key.in = {-sides.before / 3.0, -sides.before / 3.0 * sides.slopeBefore};
+    else if (key.before == HandleType::Auto)
+        key.in = {-sides.before / roundLength, -sides.before / roundLength * slope};
+    if (key.behind == HandleType::Vector)
+        key.out = {sides.behind / 3.0, sides.behind / 3.0 * sides.slopeBehind};
+    else if (key.behind == HandleType::Auto)
+        key.out = {sides.behind / roundLength, sides.behind / roundLength * slope};
+}
+
+/// Puts \p handle opposite \p other, which tells the direction.
+void align(Handle& handle, const Handle& other)
+{
+    const double from = std::hypot(other.dt, other.dv), length = std::hypot(handle.dt, handle.dv);
+    if (from > 0.0)
+        handle = {-other.dt * length / from, -other.dv * length / from};
+}
+
+/// The slopes of a run of clamped keys: a tridiagonal system for a curve without jumps of its second
+/// derivative, within a box for each slope. Who leaves the box is held at its wall, and let go once if then
+/// it wants to come back in.
+class ClampedSlopes
+{
+public:
+    struct Row
+    {
+        double a = 0.0, b = 1.0, c = 0.0, d = 0.0;
+        double least = 0.0, most = 0.0;
+        bool given = false; ///< not to be solved for
+        bool held = false;
+        bool letGo = false;
+        double slope = 0.0;
+    };
+
+    explicit ClampedSlopes(std::vector<Row> rows)
+        : m_rows(std::move(rows))
+    {
+    }
+    const std::vector<Row>& solved()
+    {
+        // Each round holds or lets go at least one row, each row at most twice.
+        for (std::size_t round = 0; round < 3 * m_rows.size() + 1; ++round) {
+            solve();
+            if (!hold() && !release())
+                break;
+        }
+        return m_rows;
+    }
+
+private:
+    void solve()
+    {
+        const std::size_t n = m_rows.size();
+        m_c.assign(n, 0.0);
+        m_d.assign(n, 0.0);
+        for (std::size_t i = 0; i < n; ++i) {
+            const Row& row = m_rows[i];
+            const bool fixed = row.given || row.held;
+            const double a = fixed ? 0.0 : row.a, c = fixed ? 0.0 : row.c;
+            const double pivot = fixed ? 1.0 : row.b - (i > 0 ? a * m_c[i - 1] : 0.0);
+            m_c[i] = c / pivot;
+            m_d[i] = ((fixed ? row.slope : row.d) - (i > 0 ? a * m_d[i - 1] : 0.0)) / pivot;
+        }
+        for (std::size_t i = n; i-- > 0;)
+            m_rows[i].slope = m_d[i] - (i + 1 < n ? m_c[i] * m_rows[i + 1].slope : 0.0);
+    }
+    /// Walls that are not flat first: often the others come back by themselves then.
+    bool hold()
+    {
+        for (const bool all : {false, true}) {
+            bool any = false;
+            for (Row& row : m_rows) {
+                if (row.given || row.held || (row.slope >= row.least && row.slope <= row.most))
+                    continue;
+                const double wall = row.slope > row.most ? row.most : row.least;
+                if (wall == 0.0 && !all)
+                    continue;
+                row.held = any = true;
+                row.slope = wall;
+            }
+            if (any)
+                return true;
+        }
+        return false;
+    }
+    bool release()
+    {
+        bool any = false;
+        for (std::size_t i = 0; i < m_rows.size(); ++i) {
+            Row& row = m_rows[i];
+            if (!row.held || row.letGo)
+                continue;
+            const double wish = row.d - row.b * row.slope - (i > 0 ? row.a * m_rows[i - 1].slope : 0.0) -
+                                (i + 1 < m_rows.size() ? row.c * m_rows[i + 1].slope : 0.0);
+            if ((wish > 0.0 && row.slope < row.most) || (wish < 0.0 && row.slope > row.least)) {
+                row.held = false;
+                row.letGo = any = true;
+            }
+        }
+        return any;
+    }
+
+    std::vector<Row> m_rows;
+    std::vector<double> m_c, m_d;
+};
+
+bool isClamped(const Key& key)
+{
+    return key.before == HandleType::AutoClamped || key.behind == HandleType::AutoClamped;
+}
+
+double slopeOf(const Handle& handle)
+{
+    return handle.dt != 0.0 ? handle.dv / handle.dt : 0.0;
+}
+
+ClampedSlopes::Row clampedRow(const Key& key, const Sides& sides)
+{
+    ClampedSlopes::Row row;
+    const double low = sides.slopeBefore, high = sides.slopeBehind;
+    if (!isClamped(key)) {
+        row.given = true; // the neighbours only see the side that faces them; both agree where it is smooth
+        row.slope = slopeOf(key.before == HandleType::Vector ? key.out : key.in);
+        return row;
+    }
+    if (sides.isEnd() || low * high <= 0.0) {
+        row.given = true;
+        return row;
+    }
+    row.a = sides.behind;
+    row.b = 2.0 * (sides.before + sides.behind);
+    row.c = sides.before;
+    row.d = 3.0 * (sides.behind * low + sides.before * high);
+    const double wall = 3.0 * std::min(std::abs(low), std::abs(high));
+    (low > 0.0 ? row.most : row.least) = low > 0.0 ? wall : -wall;
+    return row;
+}
+
+void settleClamped(std::vector<Key>& keys)
+{
+    if (std::none_of(keys.begin(), keys.end(), isClamped))
+        return;
+    std::vector<ClampedSlopes::Row> rows;
+    rows.reserve(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        rows.push_back(clampedRow(keys[i], sidesOf(keys, i)));
+    ClampedSlopes slopes(std::move(rows));
+    const std::vector<ClampedSlopes::Row>& solved = slopes.solved();
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const Sides sides = sidesOf(keys, i);
+        if (keys[i].before == HandleType::AutoClamped)
+            keys[i].in = {-sides.before / 3.0, -sides.before / 3.0 * solved[i].slope};
+        if (keys[i].behind == HandleType::AutoClamped)
+            keys[i].out = {sides.behind / 3.0, sides.behind / 3.0 * solved[i].slope};
+    }
+}
+
+/// Handles never lie on the wrong side of their key.
+void settleByHand(Key& key)
+{
+    key.in.dt = std::min(key.in.dt, 0.0);
+    key.out.dt = std::max(key.out.dt, 0.0);
+    if (key.behind == HandleType::Aligned)
+        align(key.out, key.in);
+    else if (key.before == HandleType::Aligned)
+        align(key.in, key.out);
+}
+
+} // namespace
+
+void settleHandles(std::vector<Key>& keys)
+{
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        settleSimple(keys[i], sidesOf(keys, i));
+    settleClamped(keys);
+    for (Key& key : keys)
+        settleByHand(key);
+}
+
+} // namespace ramure

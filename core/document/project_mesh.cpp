@@ -1,0 +1,88 @@
+#include "core/document/project_mesh.h"
+
+#include "core/document/project_json.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace ramure::json {
+
+static_assert(std::endian::native == std::endian::little, "the numbers in files are little-endian");
+
+template <class T> static QString toText(const std::vector<T>& rows)
+{
+    const QByteArray bytes = QByteArray::fromRawData(reinterpret_cast<const char*>(rows.data()),
+                                                     static_cast<qsizetype>(rows.size() * sizeof(T)));
+    return QString::fromLatin1(bytes.toBase64());
+}
+
+template <class T> static Expected<std::vector<T>> fromText(QJsonObject& object, const char* key)
+{
+    static_assert(sizeof(T) == 12, "three numbers of 32 bits");
+    const QJsonValue value = object.take(QLatin1String(key));
+    std::vector<T> rows;
+    if (value.isUndefined())
+        return rows;
+    const auto decoded =
+        QByteArray::fromBase64Encoding(value.toString().toLatin1(), QByteArray::AbortOnBase64DecodingErrors);
+    const QByteArray bytes = decoded ? *decoded : QByteArray();
+    if (!value.isString() || !decoded || bytes.size() % qsizetype(sizeof(T)) != 0)
+        return failAt(key, ErrorCode::Invalid,
+                      RAMURE_NOOP("base64 of rows of three numbers of 32 bits is expected here"));
+    rows.resize(static_cast<std::size_t>(bytes.size()) / sizeof(T));
+    if (!rows.empty())
+        std::memcpy(rows.data(), bytes.constData(), static_cast<std::size_t>(bytes.size()));
+    return rows;
+}
+
+static Expected<void> checkMesh(const TriangleMesh& mesh)
+{
+    const auto isFinite = [](const glm::vec3& v) {
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    };
+    if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), isFinite))
+        return failAt("positions", ErrorCode::Invalid, RAMURE_NOOP("must be finite numbers"));
+    if (!std::all_of(mesh.normals.begin(), mesh.normals.end(), isFinite))
+        return failAt("normals", ErrorCode::Invalid, RAMURE_NOOP("must be finite numbers"));
+    if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size())
+        return failAt("normals", ErrorCode::Invalid, RAMURE_NOOP("there must be one for each position"));
+    const Index count = mesh.vertexCount();
+    for (const glm::uvec3& t : mesh.triangles)
+        if (t.x >= count || t.y >= count || t.z >= count)
+            return failAt("indices", ErrorCode::Invalid, RAMURE_NOOP("there is no vertex %1"),
+                          {std::to_string(std::max({t.x, t.y, t.z}))});
+    return {};
+}
+
+QJsonObject writeMesh(const TriangleMesh& mesh)
+{
+    QJsonObject object{{QStringLiteral("positions"), toText(mesh.positions)},
+                       {QStringLiteral("indices"), toText(mesh.triangles)}};
+    if (!mesh.normals.empty())
+        object.insert(QStringLiteral("normals"), toText(mesh.normals));
+    return object;
+}
+
+Expected<TriangleMesh> readMesh(QJsonObject& object)
+{
+    TriangleMesh mesh;
+    auto positions = fromText<glm::vec3>(object, "positions");
+    auto normals = fromText<glm::vec3>(object, "normals");
+    auto triangles = fromText<glm::uvec3>(object, "indices");
+    if (!positions)
+        return fail(std::move(positions.error()));
+    if (!normals)
+        return fail(std::move(normals.error()));
+    if (!triangles)
+        return fail(std::move(triangles.error()));
+    mesh.positions = std::move(*positions);
+    mesh.normals = std::move(*normals);
+    mesh.triangles = std::move(*triangles);
+    if (auto good = checkMesh(mesh); !good)
+        return fail(std::move(good.error()));
+    return mesh;
+}
+
+} // namespace ramure::json

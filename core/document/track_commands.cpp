@@ -1,0 +1,150 @@
+// Tracks of nodes.
+#include "core/document/document_command.h"
+
+namespace ramure {
+
+namespace {
+
+/// Compared by what it holds: a drag that ends where it began leaves no step.
+struct HeldTrack
+{
+    NodeAnimation::TrackPtr track;
+    bool operator==(const HeldTrack& other) const
+    {
+        const bool none = !track || isEmpty(*track), otherNone = !other.track || isEmpty(*other.track);
+        return none || otherNone ? none == otherNone : track == other.track || *track == *other.track;
+    }
+};
+
+struct TrackTarget
+{
+    using Value = HeldTrack;
+    static constexpr CommandId id = CommandId::SetTracks;
+
+    NodeId node;
+    Channel channel;
+
+    [[nodiscard]] Value get(const Node& from) const { return {from.animation.find(channel)}; }
+    void set(Node& into, Value value) const { into.animation.set(channel, std::move(value.track)); }
+    void describe(Change& change) const
+    {
+        change.kinds |= changeTracks;
+        change.firstStale = Stage::Placement;
+        if (change.nodes.empty() || change.nodes.back() != node)
+            addOnce(change.nodes, node);
+        if (channel.part == ChannelPart::Parameter)
+            addOnce(change.params, channel.param);
+    }
+    bool operator==(const TrackTarget&) const = default;
+};
+using TrackEntry = SetCommand<TrackTarget>::Entry;
+
+bool fits(const Channel& channel, const AnyTrack& track)
+{
+    return channel.isOrientation() == std::holds_alternative<OrientationTrack>(track);
+}
+
+Expected<void> checkEdit(const Scene& scene, const TrackEdit& edit)
+{
+    const Node& node = *scene.find(edit.node);
+    auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" has no such track"), {node.name});
+    error.value().path = channelKey(edit.channel);
+    if (!hasChannel(node.kind, edit.channel))
+        return error;
+    if (edit.track && !fits(edit.channel, *edit.track))
+        return error;
+    return {};
+}
+
+/// A new key goes on as the one before it does.
+template <class KeyType> void takeShape(KeyType& key, const std::vector<KeyType>& keys, KeyMode mode)
+{
+    key.mode = mode;
+    const auto behind = std::find_if(keys.begin(), keys.end(),
+                                     [&key](const KeyType& other) { return other.time > key.time; });
+    if (keys.empty())
+        return;
+    const Ticks time = key.time;
+    static_cast<KeyShape&>(key) = behind == keys.begin() ? keys.front() : *std::prev(behind);
+    key.time = time;
+}
+
+template <class TrackType, class Value>
+Expected<AnyTrack> withKey(TrackType track, Ticks time, KeyMode mode, const Value& value)
+{
+    typename TrackType::KeyKind key;
+    key.time = time;
+    key.value = value;
+    takeShape(key, track.keys(), mode);
+    if (auto done = track.insert(key); !done)
+        return fail(std::move(done.error()));
+    return AnyTrack(std::move(track));
+}
+
+/// Null where there is a key at this time.
+Expected<NodeAnimation::TrackPtr> keyed(const Node& node, const Channel& channel, Ticks time, KeyMode mode)
+{
+    const NodeAnimation::TrackPtr present = node.animation.find(channel);
+    Expected<AnyTrack> made;
+    if (channel.isOrientation()) {
+        const OrientationTrack track = present ? std::get<OrientationTrack>(*present) : OrientationTrack();
+        if (track.find(time))
+            return nullptr;
+        made = withKey(track, time, mode,
+                       track.empty() ? glm::dquat(1.0, 0.0, 0.0, 0.0) : valueAt(track, secondsOf(time)));
+    } else {
+        const Track track = present ? std::get<Track>(*present) : Track();
+        if (track.find(time))
+            return nullptr;
+        made = withKey(track, time, mode,
+                       track.empty() ? restValue(node.params, channel) : valueAt(track, secondsOf(time)));
+    }
+    if (!made)
+        return fail(std::move(made.error()));
+    return std::make_shared<const AnyTrack>(std::move(*made));
+}
+
+} // namespace
+
+Expected<void> edit::setTracks(Document& document, const std::vector<TrackEdit>& edits, const QString& text,
+                               GestureId gesture)
+{
+    std::map<std::pair<NodeId, Channel>, NodeAnimation::TrackPtr> wanted;
+    for (const TrackEdit& edit : edits) {
+        if (auto allowed = checkEditable(document.scene(), edit.node); !allowed)
+            return allowed;
+        if (auto allowed = checkEdit(document.scene(), edit); !allowed)
+            return allowed;
+        wanted[{edit.node, edit.channel}] = edit.track;
+    }
+    std::vector<TrackEntry> entries;
+    entries.reserve(wanted.size());
+    for (auto& [place, track] : wanted)
+        entries.push_back({{place.first, place.second}, {std::move(track)}});
+    pushSet<TrackTarget>(document, std::move(entries), text, gesture);
+    return {};
+}
+
+Expected<void> edit::insertKeys(Document& document, const std::vector<NodeId>& nodes,
+                                const std::vector<Channel>& channels, Ticks time, KeyMode mode)
+{
+    const auto ids = editable(document.scene(), nodes);
+    if (!ids)
+        return fail(ids.error());
+    std::vector<TrackEdit> edits;
+    for (const NodeId id : *ids) {
+        const Node& node = *document.scene().find(id);
+        for (const Channel& channel : channels) {
+            if (!hasChannel(node.kind, channel))
+                continue;
+            auto track = keyed(node, channel, time, mode);
+            if (!track)
+                return fail(std::move(track.error()));
+            if (*track)
+                edits.push_back({id, channel, std::move(*track)});
+        }
+    }
+    return setTracks(document, edits, DocumentCommand::tr("Insert Keys"));
+}
+
+} // namespace ramure
