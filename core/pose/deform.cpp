@@ -1,4 +1,5 @@
 #include "core/base/float4.h"
+#include "core/base/wide_clone.h"
 #include "core/pose/skin.h"
 #include <cmath>
 
@@ -34,7 +35,7 @@ DualQuaternion dualQuaternionOf(const RigidTransform& bone)
     return {four(q), four(dual)};
 }
 
-float sum(Float4 v)
+[[gnu::always_inline]] inline float sum(Float4 v)
 {
     return (v[0] + v[1]) + (v[2] + v[3]);
 }
@@ -61,12 +62,12 @@ Columns mixed(const SkinInfluence& influence, const std::vector<DualQuaternion>&
                           w * d[2] + x * d[1] - y * d[0] - z * d[3], 0.0F}};
 }
 
-Float4 cross(Float4 a, Float4 b)
+[[gnu::always_inline]] inline Float4 cross(Float4 a, Float4 b)
 {
     return Float4{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0], 0.0F};
 }
 
-Columns mixed(const SkinInfluence& influence, const std::vector<Columns>& bones)
+[[gnu::always_inline]] inline Columns mixed(const SkinInfluence& influence, const std::vector<Columns>& bones)
 {
     const Columns& first = bones[influence.bone[0]];
     const float weight = influence.weight[0];
@@ -124,54 +125,45 @@ Columns leaning(const SkinInfluence& influence, const std::vector<DualQuaternion
 }
 
 /// What normals follow under a transform that is not rigid: determinant times inverse transpose.
-Columns cofactors(const Columns& m)
+[[gnu::always_inline]] inline Columns cofactors(const Columns& m)
 {
     return {cross(m.y, m.z), cross(m.z, m.x), cross(m.x, m.y), Float4{}};
 }
 
+[[gnu::always_inline]] inline Float4 moved(const float* rest, const Columns& by)
+{
+    return rest[0] * by.x + rest[1] * by.y + rest[2] * by.z + by.w;
+}
+
+[[gnu::always_inline]] inline Float4 turned(const float* rest, const Columns& by)
+{
+    return rest[0] * by.x + rest[1] * by.y + rest[2] * by.z;
+}
+
+/// Under a transform that is not rigid; one that flattens the normal leaves it as it was.
+[[gnu::always_inline]] inline Float4 turnedUnit(const float* rest, const Columns& by)
+{
+    const Float4 normal = turned(rest, by);
+    const float square = sum(normal * normal);
+    return square > 0.0F ? normal * (1.0F / std::sqrt(square)) : Float4{rest[0], rest[1], rest[2], 0.0F};
+}
+
 /// Four floats are stored where three are meant: the next vertex overwrites the fourth. Only the last one of
-/// all has nothing behind it. (Clones, since broadcasting from memory takes AVX; the results are the same
-/// bits.)
-[[gnu::target_clones("avx2", "default")]] void moveRun(const float* rest, std::size_t count,
-                                                       const Columns& by, float* out)
+/// all has nothing behind it.
+void storeLast(float* out, Float4 value)
 {
-    const Columns m = by;
-    for (std::size_t i = 0; i < count; ++i)
-        storeFloat4(out + 3 * i, rest[3 * i] * m.x + rest[3 * i + 1] * m.y + rest[3 * i + 2] * m.z + m.w);
-}
-
-void moveLast(const glm::vec3& rest, const Columns& by, glm::vec3& out)
-{
-    const Float4 at = rest.x * by.x + rest.y * by.y + rest.z * by.z + by.w;
-    out = {at[0], at[1], at[2]};
-}
-
-void moveSpan(std::span<const glm::vec3> rest, std::size_t from, std::size_t end, const Columns& by,
-              std::span<glm::vec3> out)
-{
-    const std::size_t inner = std::min(end, out.size() - 1);
-    moveRun(&rest[from].x, inner - from, by, &out[from].x);
-    if (inner < end)
-        moveLast(rest[inner], by, out[inner]);
-}
-
-void normalise(std::span<glm::vec3> normals, std::span<const glm::vec3> rest)
-{
-    for (std::size_t i = 0; i < normals.size(); ++i) {
-        const float length = std::sqrt(glm::dot(normals[i], normals[i]));
-        normals[i] = length > 0.0F ? normals[i] / length : rest[i];
-    }
+    out[0] = value[0];
+    out[1] = value[1];
+    out[2] = value[2];
 }
 
 /// Normals where the weights change along Z: that column of the deformation leans as the place itself does.
-void leanNormals(std::span<const glm::vec3> rest, std::span<const glm::vec3> restNormals, const Columns& by,
-                 const Columns& lean, float slope, std::span<glm::vec3> normals)
+void leanNormals(const float* rest, const float* restNormals, std::size_t count, const Columns& by,
+                 const Columns& lean, float slope, float* normals)
 {
-    for (std::size_t i = 0; i < rest.size(); ++i) {
-        const Float4 away = rest[i].x * lean.x + rest[i].y * lean.y + rest[i].z * lean.z + lean.w;
-        const Columns turn = cofactors({by.x, by.y, by.z + slope * away, Float4{}});
-        const Float4 n = restNormals[i].x * turn.x + restNormals[i].y * turn.y + restNormals[i].z * turn.z;
-        normals[i] = {n[0], n[1], n[2]};
+    for (std::size_t i = 0; i < 3 * count; i += 3) {
+        const Columns turn = cofactors({by.x, by.y, by.z + slope * moved(rest + i, lean), Float4{}});
+        storeLast(normals + i, turnedUnit(restNormals + i, turn));
     }
 }
 
@@ -183,7 +175,9 @@ struct Deformer::Bones
     std::vector<Columns> columns;
     std::vector<DualQuaternion> duals; ///< for DualQuaternion only
 
-    [[nodiscard]] Columns transform(const SkinInfluence& influence) const
+    void deform(const Skin& skin, const float* rest, const float* restNormals, float* out,
+                float* outNormals) const;
+    [[nodiscard, gnu::always_inline]] inline Columns transform(const SkinInfluence& influence) const
     {
         if (influence.weight[1] == 0.0F || method == SkinMethod::Rigid)
             return columns[influence.bone[0]];
@@ -215,30 +209,48 @@ void Deformer::setPose(std::span<const RigidTransform> pose, SkinMethod method)
         m_bones->duals[b] = dualQuaternionOf(pose[b]);
 }
 
+/// All runs, with loops for positions and for normals that keep the transform in registers.
+RAMURE_WIDE_CLONE void Deformer::Bones::deform(const Skin& skin, const float* rest, const float* restNormals,
+                                               float* out, float* outNormals) const
+{
+    const std::size_t last = std::size_t(skin.vertices) - 1;
+    for (std::size_t r = 0; r < skin.runs.size(); ++r) {
+        const SkinRun& run = skin.runs[r];
+        const bool isLast = r + 1 == skin.runs.size();
+        const std::size_t end = isLast ? last : skin.runs[r + 1].firstVertex;
+        const Columns by = transform(run.influence);
+        const std::size_t first = 3 * std::size_t(run.firstVertex);
+        for (std::size_t i = first; i < 3 * end; i += 3)
+            storeFloat4(out + i, moved(rest + i, by));
+        if (isLast)
+            storeLast(out + 3 * last, moved(rest + 3 * last, by));
+        if (!outNormals)
+            continue;
+        if (run.slope != 0.0F && method != SkinMethod::Rigid && run.influence.weight[1] > 0.0F) {
+            const std::size_t from = run.firstVertex, count = end + (isLast ? 1 : 0) - from;
+            leanNormals(rest + 3 * from, restNormals + 3 * from, count, by, lean(run.influence), run.slope,
+                        outNormals + 3 * from);
+            continue;
+        }
+        const bool skews = method == SkinMethod::Linear && run.influence.weight[1] > 0.0F;
+        const Columns turn = skews ? cofactors(by) : by;
+        const auto normal = [&](std::size_t i) {
+            return skews ? turnedUnit(restNormals + i, turn) : turned(restNormals + i, turn);
+        };
+        for (std::size_t i = first; i < 3 * end; i += 3)
+            storeFloat4(outNormals + i, normal(i));
+        if (isLast)
+            storeLast(outNormals + 3 * last, normal(3 * last));
+    }
+}
+
 void Deformer::deform(std::span<const glm::vec3> restPositions, std::span<const glm::vec3> restNormals,
                       const Skin& skin, std::span<glm::vec3> positions, std::span<glm::vec3> normals) const
 {
-    for (std::size_t r = 0; r < skin.runs.size(); ++r) {
-        const SkinRun& run = skin.runs[r];
-        const std::size_t from = run.firstVertex;
-        const std::size_t end = r + 1 < skin.runs.size() ? skin.runs[r + 1].firstVertex : skin.vertices;
-        const Columns by = m_bones->transform(run.influence);
-        moveSpan(restPositions, from, end, by, positions);
-        if (normals.empty())
-            continue;
-        if (run.slope != 0.0F && m_bones->method != SkinMethod::Rigid && run.influence.weight[1] > 0.0F) {
-            const auto part = [&](auto all) { return all.subspan(from, end - from); };
-            leanNormals(part(restPositions), part(restNormals), by, m_bones->lean(run.influence), run.slope,
-                        part(normals));
-            normalise(part(normals), part(restNormals));
-            continue;
-        }
-        const bool skews = m_bones->method == SkinMethod::Linear && run.influence.weight[1] > 0.0F;
-        moveSpan(restNormals, from, end, skews ? cofactors(by) : Columns{by.x, by.y, by.z, Float4{}},
-                 normals);
-        if (skews)
-            normalise(normals.subspan(from, end - from), restNormals.subspan(from, end - from));
-    }
+    if (skin.vertices == 0)
+        return;
+    m_bones->deform(skin, &restPositions.data()->x, &restNormals.data()->x, &positions.data()->x,
+                    normals.empty() ? nullptr : &normals.data()->x);
 }
 
 TriangleMesh deformed(const TriangleMesh& rest, const Skin& skin, std::span<const RigidTransform> pose,
