@@ -48,26 +48,32 @@ public:
             return;
         if (count > std::size_t(-1) / 2 / sizeof(T))
             throw std::bad_alloc();
+        // Aligned here and not by the allocator: that looks for room for the alignment too, finds it too
+        // small where the same array was freed before, and takes fresh memory.
         constexpr std::size_t alignment = std::max(alignof(T), alignof(std::max_align_t));
         const std::size_t unit = count * sizeof(T) >= hugePageSize ? hugePageSize : alignment;
         const std::size_t bytes = (count * sizeof(T) + unit - 1) / unit * unit;
-        m_data = static_cast<T*>(std::aligned_alloc(unit, bytes));
-        if (!m_data)
+        m_block = std::malloc(bytes + unit);
+        if (!m_block)
             throw std::bad_alloc();
+        const auto from = reinterpret_cast<std::uintptr_t>(m_block);
+        m_data = reinterpret_cast<T*>((from + unit - 1) / unit * unit);
         adviseHugePages(m_data, bytes);
     }
     LargeBuffer(LargeBuffer&& other) noexcept
-        : m_data(std::exchange(other.m_data, nullptr))
+        : m_block(std::exchange(other.m_block, nullptr))
+        , m_data(std::exchange(other.m_data, nullptr))
         , m_size(std::exchange(other.m_size, 0))
     {
     }
     LargeBuffer& operator=(LargeBuffer&& other) noexcept
     {
+        std::swap(m_block, other.m_block);
         std::swap(m_data, other.m_data);
         std::swap(m_size, other.m_size);
         return *this;
     }
-    ~LargeBuffer() { std::free(m_data); }
+    ~LargeBuffer() { std::free(m_block); }
 
     [[nodiscard]] T* data() { return m_data; }
     [[nodiscard]] const T* data() const { return m_data; }
@@ -76,6 +82,7 @@ public:
     const T& operator[](std::size_t i) const { return m_data[i]; }
 
 private:
+    void* m_block = nullptr;
     T* m_data = nullptr;
     std::size_t m_size = 0;
 };

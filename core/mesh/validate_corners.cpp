@@ -60,15 +60,12 @@ Expected<Corners> collectCorners(const TriangleMesh& mesh, const Progress& progr
         corners += degree;
     }
     out.faces = corners / 3;
-    out.next = LargeBuffer<Index>(std::size_t(corners) + nearDegree);
-    out.previous = LargeBuffer<Index>(std::size_t(corners) + nearDegree);
-    std::fill_n(out.next.data() + corners, nearDegree, noIndex);
-    std::fill_n(out.previous.data() + corners, nearDegree, noIndex);
-    const auto put = [at, next = out.next.data(), previous = out.previous.data()](glm::uvec3 t) {
-        const Index x = at[t.x]++, y = at[t.y]++, z = at[t.z]++;
-        next[x] = t.y, previous[x] = t.z;
-        next[y] = t.z, previous[y] = t.x;
-        next[z] = t.x, previous[z] = t.y;
+    out.at = LargeBuffer<Corner>(std::size_t(corners) + nearDegree);
+    std::fill_n(out.at.data() + corners, nearDegree, Corner{noIndex, noIndex});
+    const auto put = [at, to = out.at.data()](glm::uvec3 t) {
+        to[at[t.x]++] = {t.y, t.z};
+        to[at[t.y]++] = {t.z, t.x};
+        to[at[t.z]++] = {t.x, t.y};
     };
     if (!forFaces(mesh, progress.part(0.3, 1.0), put))
         return cancelled();

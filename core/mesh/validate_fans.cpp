@@ -1,8 +1,5 @@
-#include "core/base/wide_clone.h"
 #include "core/mesh/validate_parts.h"
 #include <algorithm>
-#include <bit>
-#include <cstring>
 #include <tuple>
 
 namespace ramure::validation {
@@ -11,118 +8,6 @@ namespace {
 
 /// Vertices between two looks at the stop token.
 constexpr Index chunk = 1u << 16;
-
-using Lanes [[gnu::vector_size(32)]] = Index;
-
-/// Eight sets of up to eight elements, one a byte: the byte of set i is byteOf(i).
-using Sets = std::uint64_t;
-constexpr unsigned byteOf(unsigned i)
-{
-    return i / 2 + 4 * (i % 2);
-}
-
-/// The first \p degree sets with the first \p degree elements.
-constexpr std::array<Sets, nearDegree + 1> fullSets = [] {
-    std::array<Sets, nearDegree + 1> out{};
-    for (unsigned degree = 0; degree <= nearDegree; ++degree)
-        for (unsigned i = 0; i < degree; ++i)
-            out[degree] |= ((Sets(1) << degree) - 1u) << (8 * byteOf(i));
-    return out;
-}();
-
-/// Full where there is no face: the same sets with another degree are another arrangement.
-constexpr std::array<Sets, nearDegree + 1> setsBeyond = [] {
-    std::array<Sets, nearDegree + 1> out{};
-    for (unsigned degree = 0; degree <= nearDegree; ++degree)
-        for (unsigned i = degree; i < nearDegree; ++i)
-            out[degree] |= Sets(0xFF) << (8 * byteOf(i));
-    return out;
-}();
-
-/// For each of the faces around a vertex: the set of the faces whose next vertex is its previous one, which
-/// may come after it. Sets and elements from the degree on mean nothing.
-template <unsigned Columns>
-[[gnu::always_inline]] inline Sets followers(const Index* next, const Index* previous)
-{
-    Lanes wanted;
-    std::memcpy(&wanted, previous, sizeof wanted);
-    Lanes found{};
-    for (unsigned j = 0; j < Columns; ++j)
-        found |= Lanes(wanted == Lanes{} + next[j]) & (Lanes{} + (1u << j));
-    Sets pairs[4];
-    std::memcpy(pairs, &found, sizeof pairs);
-    return pairs[0] | pairs[1] << 8 | pairs[2] << 16 | pairs[3] << 24;
-}
-
-/// All ones from lane \p degree on.
-constexpr std::array<std::array<Index, nearDegree>, nearDegree + 1> beyondDegree = [] {
-    std::array<std::array<Index, nearDegree>, nearDegree + 1> out{};
-    for (unsigned degree = 0; degree <= nearDegree; ++degree)
-        for (unsigned i = degree; i < nearDegree; ++i)
-            out[degree][i] = noIndex;
-    return out;
-}();
-
-/// The lowest of \p degree (up to 8) indices.
-[[gnu::always_inline]] inline Index lowestOf(const Index* indices, Index degree)
-{
-    Lanes lanes, beyond;
-    std::memcpy(&lanes, indices, sizeof lanes);
-    std::memcpy(&beyond, beyondDegree[degree].data(), sizeof beyond);
-    lanes |= beyond;
-    using Half [[gnu::vector_size(16)]] = Index;
-    Half low, high;
-    std::memcpy(&low, &lanes, sizeof low);
-    std::memcpy(&high, reinterpret_cast<const char*>(&lanes) + sizeof low, sizeof high);
-    low = low < high ? low : high;
-    return std::min(std::min(low[0], low[1]), std::min(low[2], low[3]));
-}
-
-/// True only where the \p degree (3..8) faces around a vertex are one closed fan: the face after each is the
-/// only one that may come after it, and going from face to face passes all of them once. All edges at the
-/// vertex are then manifold and consistent, and no two of the faces are the same.
-bool areClosedFan(Sets sets, Index degree)
-{
-    Index seen = 0;
-    Index several = 0;
-    unsigned face = 0;
-    for (Index step = 0; step < degree; ++step) {
-        const auto set = static_cast<Index>(sets >> (8 * byteOf(face)) & 0xFFu);
-        several |= set & (set - 1u);
-        face = static_cast<unsigned>(std::countr_zero(set | 0x80u)) & 7u;
-        seen |= (1u << face) & set;
-    }
-    return several == 0 && seen == (1u << degree) - 1u;
-}
-
-/// Closed fans come in few arrangements: those found closed are remembered.
-class KnownFans
-{
-public:
-    /// \p degree 3..8; there is something to read behind the corners.
-    [[gnu::always_inline]] bool isClosedFan(const Index* next, const Index* previous, Index degree)
-    {
-        const Sets all = degree <= 6 ? followers<6>(next, previous) : followers<8>(next, previous);
-        const Sets sets = (all & fullSets[degree]) | setsBeyond[degree];
-        Sets& known = m_known[sets * 0x9E3779B97F4A7C15u >> 56];
-        if (known == sets)
-            return true;
-        if (!areClosedFan(sets, degree))
-            return false;
-        known = sets;
-        return true;
-    }
-
-private:
-    std::array<Sets, 256> m_known = unknown();
-
-    static constexpr std::array<Sets, 256> unknown()
-    {
-        std::array<Sets, 256> out{};
-        out.fill(~Sets(0)); // all may come after all: no fan
-        return out;
-    }
-};
 
 /// One of the two edges of a face at the vertex looked at.
 struct EdgeUse
@@ -148,14 +33,14 @@ public:
 
     /// Returns the number of distinct edges at the vertex; sets hasDuplicates() where two faces whose
     /// smallest vertex is v are the same.
-    std::int64_t inspect(Index v, const Index* next, const Index* previous, Index degree)
+    std::int64_t inspect(Index v, const Corner* corners, Index degree)
     {
         m_uses.clear();
         m_group.resize(degree);
         for (Index c = 0; c < degree; ++c) {
             m_group[c] = c;
-            m_uses.push_back({next[c], c, 1});
-            m_uses.push_back({previous[c], c, 0});
+            m_uses.push_back({corners[c].next, c, 1});
+            m_uses.push_back({corners[c].previous, c, 0});
         }
         std::sort(m_uses.begin(), m_uses.end());
         Index fans = degree;
@@ -173,7 +58,7 @@ public:
         }
         if (fans > 1)
             m_log.add(DefectKind::NonManifoldVertex, v);
-        m_hasDuplicates = findTwins(v, next, previous, degree);
+        m_hasDuplicates = findTwins(v, corners, degree);
         return edges;
     }
     [[nodiscard]] bool hasDuplicates() const { return m_hasDuplicates; }
@@ -201,12 +86,12 @@ private:
         else if (leaving != 1)
             m_log.add(DefectKind::InconsistentEdge, v, other);
     }
-    bool findTwins(Index v, const Index* next, const Index* previous, Index degree)
+    bool findTwins(Index v, const Corner* corners, Index degree)
     {
         m_faces.clear();
         for (Index c = 0; c < degree; ++c)
-            if (v < next[c] && v < previous[c])
-                m_faces.push_back(std::minmax(next[c], previous[c]));
+            if (v < corners[c].next && v < corners[c].previous)
+                m_faces.push_back(std::minmax(corners[c].next, corners[c].previous));
         std::sort(m_faces.begin(), m_faces.end());
         return std::adjacent_find(m_faces.begin(), m_faces.end()) != m_faces.end();
     }
@@ -255,7 +140,7 @@ struct FanWalk
     const Corners& corners;
     DefectLog& log;
     FanInspector inspector{log};
-    KnownFans known{};
+    FanFinder finder{};
     ComponentFinder components{mesh.vertexCount()};
     std::vector<bool> isSmallestOfTwins{};
     std::vector<Index> neighbours{};
@@ -263,43 +148,61 @@ struct FanWalk
 
     void inspect(Index v, Index begin, Index degree)
     {
-        neighbours.assign(&corners.next[begin], &corners.next[begin] + degree);
-        neighbours.insert(neighbours.end(), &corners.previous[begin], &corners.previous[begin] + degree);
+        takeNeighbours(begin, degree, true);
         const Index lowest = *std::min_element(neighbours.begin(), neighbours.end());
         if (!components.takeIntoRun(v, lowest))
             components.visit(v, neighbours.data(), 2 * degree);
-        result.edges += inspector.inspect(v, &corners.next[begin], &corners.previous[begin], degree);
+        result.edges += inspector.inspect(v, &corners.at[begin], degree);
         if (inspector.hasDuplicates()) {
             isSmallestOfTwins.resize(mesh.positions.size());
             isSmallestOfTwins[v] = true;
         }
     }
+    /// In a closed fan each neighbour comes next once.
+    void takeNeighbours(Index begin, Index degree, bool previousToo)
+    {
+        neighbours.clear();
+        for (Index c = begin; c < begin + degree; ++c)
+            neighbours.push_back(corners.at[c].next);
+        for (Index c = begin; c < begin + degree && previousToo; ++c)
+            neighbours.push_back(corners.at[c].previous);
+    }
 };
 
+/// Vertices whose fans are found together.
+constexpr Index together = 512;
+
 /// The vertices from \p from on, as far as \p to.
-RAMURE_WIDE_CLONE void walk(FanWalk& w, Index from, Index to)
+void walk(FanWalk& w, Index from, Index to)
 {
-    const Index* const next = w.corners.next.data();
-    const Index* const previous = w.corners.previous.data();
+    std::array<Index, together> lowest;
     const Index* const ends = w.corners.end.data();
-    Index begin = w.corners.begin(from);
-    for (Index v = from; v < to; ++v) {
-        const Index end = ends[v];
-        const Index degree = end - begin;
-        if (degree >= 3 && degree <= nearDegree &&
-            w.known.isClosedFan(next + begin, previous + begin, degree)) {
-            w.result.edges += degree;
-            ++w.result.vertices;
-            if (!w.components.takeIntoRun(v, lowestOf(next + begin, degree)))
-                w.components.visit(v, next + begin, degree);
-        } else if (degree != 0) {
-            ++w.result.vertices;
-            w.inspect(v, begin, degree);
-        } else {
-            w.components.leaveOut(v);
+    std::int64_t edges = 0, vertices = 0;
+    for (Index first = from; first < to; first += together) {
+        const Index last = first + std::min(together, to - first);
+        w.finder.find(w.corners, first, last, lowest.data());
+        Index begin = w.corners.begin(first);
+        for (Index v = first; v < last; ++v) {
+            const Index end = ends[v];
+            const Index degree = end - begin;
+            const Index low = lowest[v - first];
+            edges += low != noIndex ? degree : 0;
+            vertices += degree != 0 ? 1 : 0;
+            if (low != noIndex) {
+                if (!w.components.takeIntoRun(v, low)) {
+                    w.takeNeighbours(begin, degree, false);
+                    w.components.visit(v, w.neighbours.data(), degree);
+                }
+            } else if (degree != 0) {
+                w.inspect(v, begin, degree);
+            } else {
+                w.components.leaveOut(v);
+            }
+            begin = end;
         }
-        begin = end;
     }
+    w.result.edges += edges;
+    w.result.vertices += vertices;
 }
 
 } // namespace

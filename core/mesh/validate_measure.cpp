@@ -88,34 +88,68 @@ RAMURE_WIDE_CLONE bool solve(Block& b, const glm::dvec3& centre, double smallest
     return small != 0;
 }
 
-void load(Block& b, const TriangleMesh& mesh, std::size_t from, std::size_t count)
+void storeLanes(Block& b, std::size_t row, std::size_t i, Float4* four)
 {
-    const glm::uvec3* const triangles = &mesh.triangles[from];
-    for (std::size_t i = 0; i < count; ++i)
-        for (int k = 0; k < 3; ++k) {
-            const glm::vec3& p = mesh.positions[triangles[i][k]];
-            const auto row = static_cast<std::size_t>(3 * k);
-            b.in[row][i] = p.x, b.in[row + 1][i] = p.y, b.in[row + 2][i] = p.z;
-        }
+    transpose(four[0], four[1], four[2], four[3]);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        storeFloat4(&b.in[row + axis][i], four[axis]);
 }
 
-/// Calls \p use(block, first, count, smallestSquared) for all faces in order, until cancelled; the last is
-/// negative where none of them is degenerate.
-template <class Use> void forMeasured(const TriangleMesh& mesh, const Progress& progress, Use&& use)
+/// Faces from \p from on, and calls \p also(i) for i below \p alsoCount on the way: sums in a fixed order
+/// wait for each addition, and there is time for them here.
+template <class Also>
+void load(Block& b, const TriangleMesh& mesh, std::size_t from, std::size_t count, std::size_t alsoCount,
+          Also&& also)
+{
+    const glm::uvec3* const triangles = &mesh.triangles[from];
+    const glm::vec3* const positions = mesh.positions.data();
+    const auto last = static_cast<Index>(mesh.positions.size() - 1); // nothing behind it can be read
+    const auto at = [positions, last](Index v) {
+        return v != last ? loadFloat4(&positions[v].x) : loadFloat3(&positions[v].x);
+    };
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4) {
+        Float4 corners[3][4];
+        for (std::size_t k = 0; k < 4; ++k)
+            for (int corner = 0; corner < 3; ++corner)
+                corners[corner][k] = at(triangles[i + k][corner]);
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            storeLanes(b, 3 * corner, i, corners[corner]);
+        if (i + 4 <= alsoCount)
+            for (std::size_t k = 0; k < 4; ++k)
+                also(i + k);
+    }
+    for (std::size_t k = i; k < count; ++k)
+        for (std::size_t row = 0; row < 9; ++row)
+            b.in[row][k] = positions[triangles[k][int(row / 3)]][int(row % 3)];
+    for (; i < alsoCount; ++i)
+        also(i);
+}
+
+/// Calls \p add(block, i, face) for all faces in order and \p check(block, first, count, smallestSquared) for
+/// blocks of them, in which there may be degenerate ones; until cancelled.
+template <class Add, class Check>
+void forMeasured(const TriangleMesh& mesh, const Progress& progress, Add&& add, Check&& check)
 {
     const Box box = boxOf(mesh.positions);
     // Doubled areas are compared squared: |cross|² <= (2 * area)².
     const double smallest = 2.0 * smallestAreaRatio * box.squaredDiagonal;
-    Block block{};
+    Block blocks[2] = {};
+    std::size_t countBefore = 0;
     for (std::size_t from = 0; from < mesh.triangles.size(); from += blockSize) {
         if (from % (blockSize << 10) == 0 && progress.cancelled())
             return;
         const std::size_t count = std::min(blockSize, mesh.triangles.size() - from);
-        load(block, mesh, from, count);
-        const bool mayBeDegenerate = solve(block, box.centre, smallest * smallest);
-        use(block, static_cast<Index>(from), static_cast<Index>(count),
-            mayBeDegenerate ? smallest * smallest : -1.0);
+        Block &block = blocks[from / blockSize % 2], &before = blocks[1 - from / blockSize % 2];
+        load(block, mesh, from, count, countBefore,
+             [&](std::size_t i) { add(before, i, from - blockSize + i); });
+        if (solve(block, box.centre, smallest * smallest))
+            check(block, from, count, smallest * smallest);
+        countBefore = count;
     }
+    const std::size_t lastBlock = mesh.triangles.size() - countBefore;
+    for (std::size_t i = 0; i < countBefore; ++i)
+        add(blocks[lastBlock / blockSize % 2], i, lastBlock + i);
 }
 
 } // namespace
@@ -125,24 +159,24 @@ template <class Use> void forMeasured(const TriangleMesh& mesh, const Progress& 
 Volumes measureFaces(const TriangleMesh& mesh, DefectLog& log, const Progress& progress)
 {
     double volume = 0.0;
-    forMeasured(mesh, progress, [&](const Block& block, Index first, Index count, double smallestSquared) {
-        for (Index i = 0; i < count; ++i)
-            volume += block.sixfold[i];
-        for (Index i = 0; i < count && smallestSquared >= 0.0; ++i)
-            if (!(block.squared[i] > smallestSquared))
-                log.add(DefectKind::DegenerateFace, first + i);
-    });
+    const auto add = [&](const Block& block, std::size_t i, std::size_t) { volume += block.sixfold[i]; };
+    forMeasured(mesh, progress, add,
+                [&](const Block& block, std::size_t first, std::size_t count, double smallestSquared) {
+                    for (std::size_t i = 0; i < count; ++i)
+                        if (!(block.squared[i] > smallestSquared))
+                            log.add(DefectKind::DegenerateFace, static_cast<Index>(first + i));
+                });
     return {volume / 6.0, volume / 6.0 > 0.0};
 }
 
 Volumes measureComponents(const TriangleMesh& mesh, const Components& components)
 {
     std::vector<double> volume(components.count, 0.0);
-    forMeasured(mesh, {}, [&](const Block& block, Index first, Index count, double) {
-        for (Index i = 0; i < count; ++i)
-            if (const Index component = components.of[mesh.triangles[first + i].x]; component != noIndex)
-                volume[component] += block.sixfold[i];
-    });
+    const auto add = [&](const Block& block, std::size_t i, std::size_t face) {
+        if (const Index component = components.of[mesh.triangles[face].x]; component != noIndex)
+            volume[component] += block.sixfold[i];
+    };
+    forMeasured(mesh, {}, add, [](const Block&, std::size_t, std::size_t, double) {});
     Volumes result;
     for (const double v : volume) {
         result.sum += v / 6.0;

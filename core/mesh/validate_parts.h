@@ -91,21 +91,55 @@ private:
     std::vector<Run> m_runs{{noIndex, noIndex}}; ///< they follow each other; the first stands for none
 };
 
-/// For every vertex the faces around it, in a fixed order: the vertex after it and the vertex before it in
-/// the face. Those of vertex v stand from end[v - 1] (0 for the first) to end[v].
+/// A face around a vertex: the vertex after it and the vertex before it in the face.
+struct Corner
+{
+    Index next, previous;
+};
+
+/// For every vertex the faces around it, in a fixed order. Those of vertex v stand from end[v - 1] (0 for the
+/// first) to end[v].
 struct Corners
 {
     LargeBuffer<Index> end;
-    LargeBuffer<Index> next, previous; ///< nearDegree more than are used, so that eight can be read anywhere
-    Index faces = 0;                   ///< those without a repeated vertex
+    LargeBuffer<Corner> at; ///< nearDegree more than are used, so that as many can be read anywhere
+    Index faces = 0;        ///< those without a repeated vertex
 
     [[nodiscard]] Index begin(Index v) const { return v == 0 ? 0 : end[v - 1]; }
     [[nodiscard]] Index degree(Index v) const { return end[v] - begin(v); }
 };
 /// Most faces around a vertex that are looked at together.
-inline constexpr Index nearDegree = 8;
+inline constexpr Index nearDegree = 16;
 /// Errors: Cancelled.
 Expected<Corners> collectCorners(const TriangleMesh& mesh, const Progress& progress);
+
+/// Tells vertices whose faces are one closed fan: the face after each is the only one that may come after it,
+/// and going from face to face passes all of them once. All edges at the vertex are then manifold and
+/// consistent, and no two of the faces are the same.
+class FanFinder
+{
+public:
+    /// \p lowest: for each vertex from \p from to \p to its lowest neighbour, where its faces are certainly
+    /// one closed fan; noIndex for all others, which have to be looked at one by one.
+    void find(const Corners& corners, Index from, Index to, Index* lowest);
+
+private:
+    /// For every face around a vertex the set of those that may follow it, as bits.
+    using Sets = std::uint64_t;
+    static constexpr std::size_t knownSets = 1024;
+    static std::size_t slotOf(Sets sets) { return sets * 0x9E3779B97F4A7C15u >> 54; }
+    void findPlain(const Corners& corners, Index from, Index to, Index* lowest);
+    void findWide(const Corners& corners, Index from, Index to, Index* lowest);
+
+    /// Closed fans come in few arrangements: those found closed are remembered.
+    std::array<Sets, knownSets> m_known = unknown();
+    static constexpr std::array<Sets, knownSets> unknown()
+    {
+        std::array<Sets, knownSets> out{};
+        out.fill(~Sets(0)); // every face after every face, also itself: there is no such vertex
+        return out;
+    }
+};
 
 /// What the look at the faces around every vertex finds out besides the defects.
 struct FanResult
