@@ -1,10 +1,9 @@
 #include "core/arm/arm_solver.h"
 
+#include "core/arm/damped_step.h"
 #include "core/random/random.h"
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 namespace ramure {
 namespace {
@@ -20,14 +19,6 @@ constexpr int descentSteps = 20, furtherStarts = 16, startSteps = 40, polishStep
 constexpr double smallBend = 0.1; ///< rad
 constexpr double stillRad = 1e-9; ///< an arm whose angles move less stands still
 constexpr std::size_t mostResiduals = 4096;
-
-/// y of (sum of c * transposed c + d * I) y = e: symmetric, positive definite for d > 0.
-glm::dvec3 solved(const glm::dmat3& m, const glm::dvec3& e)
-{
-    const glm::dvec3 c0 = glm::cross(m[1], m[2]), c1 = glm::cross(m[2], m[0]), c2 = glm::cross(m[0], m[1]);
-    const double determinant = glm::dot(m[0], c0);
-    return (c0 * e.x + c1 * e.y + c2 * e.z) / determinant;
-}
 
 } // namespace
 
@@ -280,7 +271,7 @@ void ArmSolver::solveFree(const glm::dvec3& error, double damping)
         else
             normal += glm::dmat3(c * c.x, c * c.y, c * c.z);
     }
-    const glm::dvec3 pull = solved(normal, left);
+    const glm::dvec3 pull = solvedSymmetric(normal, left);
     for (std::size_t i = 0; i < m_columns.size(); ++i)
         if (!m_held[i])
             m_move[i] = glm::dot(m_columns[i], pull);

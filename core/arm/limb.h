@@ -1,0 +1,61 @@
+/// \file
+/// Inverse kinematics on a chain of branches: the hand drags a twig, the limb it grows on follows, thin
+/// branches more than thick ones. The same damped least squares as an arm's, each branch turning any way
+/// about its start. What comes out are bends (core/skeleton/bend.h).
+#pragma once
+
+#include "core/skeleton/skeleton.h"
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+
+namespace ramure {
+
+struct LimbOptions
+{
+    std::size_t branches = 8; ///< as many turn, from the grabbed one towards the root; at least 1
+    /// A branch gives way in proportion to length / radius^stiffness: 0 = all alike, 4 = as beams do.
+    double stiffness = 2.0;
+};
+
+class Limb
+{
+public:
+    using Bends = std::map<std::uint64_t, glm::dvec3>; ///< by Skeleton::key
+
+    /// \param skeleton as it is now; \param bendRad the bends it was made with; branches that are missing
+    /// have none. \param branch that the hand holds at its end. \pre it exists
+    Limb(const Skeleton& skeleton, const Bends& bendRad, Index branch, const LimbOptions& options);
+
+    /// Where the end of the grabbed branch is, tree space.
+    [[nodiscard]] glm::dvec3 tip() const;
+    /// Turns the limb so that its tip comes to \p target, or as near as it gets. The result depends on the
+    /// target alone, not on the targets before. Not finite: nothing changes. Tree space.
+    /// \return m short of the target
+    double pullTo(const glm::dvec3& target);
+    /// The bends of the branches of the chain, each of them, as they are now.
+    [[nodiscard]] Bends bends() const;
+    [[nodiscard]] std::size_t branchCount() const { return m_links.size(); }
+
+private:
+    struct Link
+    {
+        std::uint64_t key = 0;
+        glm::dvec3 along{0.0}; ///< from its start to its end, unbent
+        double give = 1.0;     ///< how easily it turns, at most 1
+        glm::dquat bend{1.0, 0.0, 0.0, 0.0};
+    };
+    using Chain = std::vector<Link>; ///< from the root towards the tip
+
+    /// Where each link starts and, last, the tip; and what the links before each turn it by.
+    void place(const Chain& chain);
+    [[nodiscard]] bool turned(const Chain& from, const glm::dvec3& error, double damping, Chain& to) const;
+
+    Chain m_atGrab, m_links;
+    glm::dvec3 m_foot{0.0};                   ///< start of the first link
+    glm::dquat m_carried{1.0, 0.0, 0.0, 0.0}; ///< by what the branches below the chain turn it
+    double m_reach = 0.0;
+    std::vector<glm::dvec3> m_points;
+    std::vector<glm::dquat> m_before;
+};
+
+} // namespace ramure
