@@ -263,4 +263,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ramure::Viewport</name>
+    <message numerus="yes">
+        <source>%n branch(es) follow; the wheel sets how many</source>
+        <translation>
+            <numerusform>%n branch follows; the wheel sets how many</numerusform>
+            <numerusform>%n branches follow; the wheel sets how many</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -4337,6 +4337,17 @@ OpenGL&#xa0;: %4
         <source>Change the wind</source>
         <translation>Modifier le vent</translation>
     </message>
+    <message numerus="yes">
+        <source>%n branch(es) follow; the wheel sets how many</source>
+        <translation>
+            <numerusform>%n branche suit ; la molette règle combien</numerusform>
+            <numerusform>%n branches suivent ; la molette règle combien</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>out of reach: %1 m short</source>
+        <translation>hors d&apos;atteinte : il manque %1 m</translation>
+    </message>
 </context>
 <context>
     <name>ramure::ViewportHost</name>

@@ -49,7 +49,35 @@ Expected<void> checkTree(const Document& document, NodeId node)
     return {};
 }
 
+Expected<void> checkBends(const std::map<std::uint64_t, glm::dvec3>& bendRad)
+{
+    for (const auto& [key, bend] : bendRad)
+        if (!std::isfinite(bend.x) || !std::isfinite(bend.y) || !std::isfinite(bend.z))
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("the bend of a branch must be finite"));
+    return {};
+}
+
 } // namespace
+
+Expected<void> edit::turnBranches(Document& document, NodeId node,
+                                  const std::map<std::uint64_t, glm::dvec3>& bendRad, GestureId gesture)
+{
+    if (auto allowed = checkTree(document, node); !allowed)
+        return allowed;
+    if (auto checked = checkBends(bendRad); !checked)
+        return checked;
+    std::vector<BranchEntry> entries;
+    for (const auto& [key, bend] : bendRad) {
+        const BranchTarget target{node, key, Stage::Simplified};
+        BranchParams values = target.get(*document.scene().find(node));
+        values.bendRad = bend;
+        entries.push_back({target, values});
+    }
+    const int count = static_cast<int>(entries.size());
+    pushSet<BranchTarget>(document, std::move(entries),
+                          DocumentCommand::tr("Turn %n branch(es)", nullptr, count), gesture);
+    return {};
+}
 
 Expected<void> edit::setBranchBends(Document& document, NodeId node,
                                     const std::map<std::uint64_t, glm::dvec3>& bendRad)
@@ -57,9 +85,8 @@ Expected<void> edit::setBranchBends(Document& document, NodeId node,
     if (auto allowed = checkTree(document, node); !allowed)
         return allowed;
     const Node& tree = *document.scene().find(node);
-    for (const auto& [key, bend] : bendRad)
-        if (!std::isfinite(bend.x) || !std::isfinite(bend.y) || !std::isfinite(bend.z))
-            return fail(ErrorCode::Invalid, RAMURE_NOOP("the bend of a branch must be finite"));
+    if (auto checked = checkBends(bendRad); !checked)
+        return checked;
     std::map<std::uint64_t, glm::dvec3> all = bendRad;
     for (const auto& [key, values] : tree.params.branches)
         all.try_emplace(key, 0.0);

@@ -73,6 +73,10 @@ Expected<void> setBranchRoll(Document& document, NodeId node, const std::vector<
 /// are not named lose their bend.
 Expected<void> setBranchBends(Document& document, NodeId node,
                               const std::map<std::uint64_t, glm::dvec3>& bendRad);
+/// Sets how these branches are turned about their starts; the others stay. Errors as above; Invalid where a
+/// bend is not finite.
+Expected<void> turnBranches(Document& document, NodeId node,
+                            const std::map<std::uint64_t, glm::dvec3>& bendRad, GestureId gesture = 0);
 /// "New tree" (Space): the next seeds and stochastic rewriting on, as one step. Seeds follow each other in a
 /// fixed order that repeats after 2^31 of them; trees of one call never get the same. Nodes that are no trees
 /// are left out; error where no tree remains.

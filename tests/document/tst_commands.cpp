@@ -75,6 +75,7 @@ private slots:
     void moveKeepsTheWorld();
     void branchRolls();
     void branchBends();
+    void turnedBranches();
     void newTrees();
     void randomEditsUndoAndRedo();
 };
@@ -496,6 +497,29 @@ void TestCommands::branchBends()
     f.stack.redo();
     f.stack.redo();
     QCOMPARE(fileOf(f.document), bent);
+}
+
+void TestCommands::turnedBranches()
+{
+    Fixture f;
+    const QByteArray file = fileOf(f.document);
+    QVERIFY(!edit::turnBranches(f.document, 99, {{5, {1.0, 0.0, 0.0}}}));
+    QVERIFY(!edit::turnBranches(f.document, 2, {{5, {std::nan(""), 0.0, 0.0}}}));
+    QVERIFY(edit::turnBranches(f.document, 2, {{5, glm::dvec3(0.0)}}));
+    QCOMPARE(f.stack.count(), 0);
+    QVERIFY(edit::setBranchBends(f.document, 2, {{3, {1.0, 0.0, 0.0}}}));
+    const GestureId drag = newGesture();
+    // The bend of one of them does not change at first: the drag is one step all the same.
+    QVERIFY(edit::turnBranches(f.document, 2, {{5, {0.1, 0.0, 0.0}}, {7, glm::dvec3(0.0)}}, drag));
+    QVERIFY(edit::turnBranches(f.document, 2, {{5, {0.2, 0.0, 0.0}}, {7, {0.0, 0.3, 0.0}}}, drag));
+    QCOMPARE(f.stack.count(), 2);
+    const auto& branches = f.document.scene().find(2)->params.branches;
+    QVERIFY(branches.at(3).bendRad == glm::dvec3(1.0, 0.0, 0.0));
+    QVERIFY(branches.at(7).bendRad == glm::dvec3(0.0, 0.3, 0.0));
+    f.stack.undo();
+    QVERIFY(!f.document.scene().find(2)->params.branches.contains(5));
+    f.stack.undo();
+    QCOMPARE(fileOf(f.document), file);
 }
 
 void TestCommands::newTrees()

@@ -51,6 +51,7 @@ void applyDrag(Camera& camera, Gesture gesture, QPointF pixels, QSize size)
     case Gesture::Select:
     case Gesture::Pull:
     case Gesture::Wind:
+    case Gesture::Limb:
         break;
     }
 }

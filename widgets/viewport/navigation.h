@@ -17,6 +17,7 @@ enum class Gesture : quint8 {
     Select,
     Pull, ///< a branch that moves
     Wind, ///< the arrow of the wind
+    Limb, ///< a branch at rest, the limb follows
 };
 
 /// The gesture that begins when \p button goes down. Left alone selects, Alt+left orbits, in both styles.

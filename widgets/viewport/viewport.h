@@ -3,8 +3,9 @@
 /// selection. All shortcuts belong to actions of the main window; the viewport offers slots.
 ///
 /// Left click selects (Shift adds or removes), left drag over the scene selects by box, Esc (an action)
-/// clears; the wheel zooms to the cursor; Alt+left drag orbits in both navigation styles; the arrow keys
-/// orbit.
+/// clears; Ctrl+drag on a branch of a tree at rest bends the limb after the hand (the wheel sets how many
+/// branches follow); the wheel zooms to the cursor; Alt+left drag orbits in both navigation styles; the arrow
+/// keys orbit.
 #pragma once
 
 #include "core/base/error.h"
@@ -130,6 +131,9 @@ private:
     void letGo();
     bool shakeOffAt(const PickView& view, const glm::dvec2& pixel);
     void paintMotion(QPainter& painter);
+    bool beginReach(const PickView& view, const glm::dvec2& pixel);
+    void lengthenLimb(int branches);
+    void paintReach(QPainter& painter, QPointF hand);
     void releaseRenderer();
 
     struct Private;

@@ -42,6 +42,8 @@ void Viewport::mousePressEvent(QMouseEvent* event)
         d->gesture = Gesture::Orbit;
     else if (d->gesture == Gesture::Select && event->modifiers() == Qt::NoModifier)
         beginMotionGesture(pickView(d->camera, size()), asVector(event->position()));
+    else if (d->gesture == Gesture::Select && event->modifiers() == Qt::ControlModifier)
+        beginReach(pickView(d->camera, size()), asVector(event->position()));
     if (d->gesture != Gesture::None && d->gesture != Gesture::Select)
         d->flight.stop();
     d->hoverRest.stop();
@@ -70,10 +72,15 @@ void Viewport::dragTo(QPointF position)
     if (!d->dragging) {
         const bool far =
             (position - d->pressed).manhattanLength() >= QGuiApplication::styleHints()->startDragDistance();
-        const bool waits = d->gesture == Gesture::Select || d->onCube;
+        const bool waits = d->gesture == Gesture::Select || d->gesture == Gesture::Limb || d->onCube;
         if (waits && !far)
             return;
         d->dragging = true;
+    }
+    if (d->gesture == Gesture::Limb) {
+        d->limb->dragTo(pickView(d->camera, size()), asVector(position));
+        d->last = position;
+        return update();
     }
     applyDrag(d->camera, d->gesture, position - d->last, size());
     d->last = position;
@@ -88,10 +95,12 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() != d->button || d->gesture == Gesture::None)
         return;
-    const Gesture gesture = d->gesture;
+    // A branch that was clicked, not dragged, is selected.
+    const Gesture gesture = d->gesture == Gesture::Limb && !d->dragging ? Gesture::Select : d->gesture;
     const bool onCube = d->onCube;
-    if (gesture == Gesture::Pull || gesture == Gesture::Wind)
+    if (gesture == Gesture::Pull || gesture == Gesture::Wind || gesture == Gesture::Limb)
         return letGo();
+    d->limb.reset();
     d->gesture = Gesture::None;
     d->button = Qt::NoButton;
     d->onCube = false;
@@ -167,6 +176,8 @@ void Viewport::hoverAt(QPointF position)
 
 void Viewport::wheelEvent(QWheelEvent* event)
 {
+    if (d->gesture == Gesture::Limb)
+        return lengthenLimb(event->angleDelta().y() > 0 ? 1 : -1);
     const double turn = event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
     event->accept();
     if (turn == 0.0)

@@ -105,7 +105,8 @@ void Viewport::letGo()
     if (d->player && d->grabbed.node != noNode)
         d->player->setPull(d->grabbed.node, {});
     d->grabbed = {};
-    if (d->gesture == Gesture::Pull || d->gesture == Gesture::Wind) {
+    d->limb.reset();
+    if (d->gesture == Gesture::Pull || d->gesture == Gesture::Wind || d->gesture == Gesture::Limb) {
         d->gesture = Gesture::None;
         d->button = Qt::NoButton;
         update();
@@ -141,6 +142,9 @@ void Viewport::paintMotion(QPainter& painter)
             painter.drawEllipse(*hand, 5.0, 5.0);
         }
     }
+    if (d->gesture == Gesture::Limb)
+        if (const auto hand = point(d->limb->hand()))
+            paintReach(painter, *hand);
     const auto arrow = d->arrow();
     if (!arrow)
         return;

@@ -9,6 +9,7 @@
 #include "widgets/viewport/background_builder.h"
 #include "widgets/viewport/background_picker.h"
 #include "widgets/viewport/motion_tools.h"
+#include "widgets/viewport/limb_tool.h"
 #include "widgets/viewport/moving_scene.h"
 #include "widgets/viewport/navigation.h"
 #include "widgets/viewport/viewport.h"
@@ -62,6 +63,8 @@ struct Viewport::Private
     GrabbedBranch grabbed;
     glm::dvec3 handAt{0.0}; ///< world
     quint64 windGesture = 0;
+    std::unique_ptr<LimbTool> limb; ///< while a limb follows the hand
+    std::size_t limbBranches = LimbTool::usualBranches;
 
     BackgroundPicker picker;
     QTimer hoverRest;
