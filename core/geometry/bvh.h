@@ -45,7 +45,7 @@ public:
 
     /// Calls \p test(primitive, certain) for every primitive whose box is not wholly outside one of the
     /// planes; certain: the box is inside all of them.
-    template <class Test> void inPlanes(std::span<const Plane> planes, Test&& test) const;
+    template <class Test> void inPlanes(std::span<const CutPlane> planes, Test&& test) const;
 
 private:
     struct Node
@@ -140,7 +140,7 @@ template <class Growth, class Test> void Bvh::nearRay(const Ray& ray, Growth&& g
     }
 }
 
-template <class Test> void Bvh::inPlanes(std::span<const Plane> planes, Test&& test) const
+template <class Test> void Bvh::inPlanes(std::span<const CutPlane> planes, Test&& test) const
 {
     Stack stack;
     std::size_t depth = 0;
@@ -152,7 +152,7 @@ template <class Test> void Bvh::inPlanes(std::span<const Plane> planes, Test&& t
         bool outside = false;
         const glm::dvec3 centre = 0.5 * (glm::dvec3(node.min) + glm::dvec3(node.max));
         const glm::dvec3 half = 0.5 * (glm::dvec3(node.max) - glm::dvec3(node.min));
-        for (const Plane& plane : planes) {
+        for (const CutPlane& plane : planes) {
             const double reach = glm::dot(glm::abs(glm::dvec3(plane)), half);
             const double at = glm::dot(glm::dvec3(plane), centre) + plane.w;
             outside = outside || at + reach < 0.0;

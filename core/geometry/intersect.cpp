@@ -7,7 +7,7 @@
 namespace ramure {
 namespace {
 
-double side(const Plane& plane, const glm::dvec3& p)
+double side(const CutPlane& plane, const glm::dvec3& p)
 {
     return glm::dot(glm::dvec3(plane), p) + plane.w;
 }
@@ -35,11 +35,11 @@ std::optional<TriangleHit> intersect(const Ray& ray, const glm::dvec3& a, const 
     return TriangleHit{t, {1.0 - u - v, u, v}};
 }
 
-bool touches(std::span<const Plane> planes, const glm::dvec3& a, const glm::dvec3& b)
+bool touches(std::span<const CutPlane> planes, const glm::dvec3& a, const glm::dvec3& b)
 {
     double from = 0.0;
     double to = 1.0;
-    for (const Plane& plane : planes) {
+    for (const CutPlane& plane : planes) {
         const double atA = side(plane, a);
         const double atB = side(plane, b);
         if (atA < 0.0 && atB < 0.0)
@@ -55,11 +55,11 @@ bool touches(std::span<const Plane> planes, const glm::dvec3& a, const glm::dvec
 }
 
 // The triangle is cut down plane by plane (Sutherland & Hodgman 1974); each cut adds at most one corner.
-bool touches(std::span<const Plane> planes, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+bool touches(std::span<const CutPlane> planes, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
 {
     std::array<glm::dvec3, 12> polygon{a, b, c};
     std::size_t count = 3;
-    for (const Plane& plane : planes) {
+    for (const CutPlane& plane : planes) {
         std::array<glm::dvec3, 12> cut;
         std::size_t kept = 0;
         for (std::size_t i = 0; i < count && kept + 2 <= cut.size(); ++i) {

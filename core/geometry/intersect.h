@@ -29,10 +29,10 @@ std::optional<TriangleHit> intersect(const Ray& ray, const glm::dvec3& a, const 
                                      const glm::dvec3& c);
 
 /// The half-space dot(plane, (p, 1)) >= 0.
-using Plane = glm::dvec4;
+using CutPlane = glm::dvec4;
 
 /// Is any point of the segment, of the triangle, inside all half-spaces (at most 8)?
-bool touches(std::span<const Plane> planes, const glm::dvec3& a, const glm::dvec3& b);
-bool touches(std::span<const Plane> planes, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+bool touches(std::span<const CutPlane> planes, const glm::dvec3& a, const glm::dvec3& b);
+bool touches(std::span<const CutPlane> planes, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
 } // namespace ramure

@@ -1,3 +1,4 @@
+#include "core/base/wide_clone.h"
 #include "core/io/ply_source.h"
 #include <iterator>
 #include <utility>
@@ -121,13 +122,20 @@ void appendStrided(std::vector<T>& to, const char* from, std::ptrdiff_t offset, 
 }
 
 /// All finite: numbers that are not have all ones in the exponent.
-bool areFinite(const glm::vec3* vectors, std::size_t count)
+RAMURE_WIDE_CLONE bool areFinite(const float* numbers, std::size_t count)
 {
     std::uint32_t anyBad = 0;
     for (std::size_t i = 0; i < count; ++i)
-        for (int k = 0; k < 3; ++k)
-            anyBad |= (std::bit_cast<std::uint32_t>(vectors[i][k]) & 0x7F800000u) == 0x7F800000u ? 1u : 0u;
+        anyBad |= (std::bit_cast<std::uint32_t>(numbers[i]) & 0x7F800000u) == 0x7F800000u ? 1u : 0u;
     return anyBad == 0;
+}
+
+RAMURE_WIDE_CLONE Index largestOf(const Index* indices, std::size_t count)
+{
+    Index largest = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        largest = std::max(largest, indices[i]);
+    return largest;
 }
 
 /// Records of \p count vertices, while they are in the cache. False where a number is not finite.
@@ -138,8 +146,8 @@ bool appendVertices(TriangleMesh& mesh, const char* from, const PlainLayout& lay
     appendStrided(mesh.normals, from, layout.normal, layout.stride, count);
     appendStrided(mesh.branch, from, layout.branch, layout.stride, count);
     appendStrided(mesh.level, from, layout.level, layout.stride, count);
-    return areFinite(&mesh.positions[before], count) &&
-           (layout.normal < 0 || areFinite(&mesh.normals[before], count));
+    return areFinite(&mesh.positions[before].x, 3 * count) &&
+           (layout.normal < 0 || areFinite(&mesh.normals[before].x, 3 * count));
 }
 
 constexpr std::size_t faceBytes = 1 + sizeof(glm::uvec3);
@@ -152,10 +160,7 @@ bool appendFaces(std::vector<glm::uvec3>& to, const char* from, std::size_t coun
     unsigned anyOther = 0;
     for (std::size_t i = 0; i < count; ++i)
         anyOther |= static_cast<unsigned char>(from[i * faceBytes]) ^ 3u;
-    Index largest = 0;
-    for (std::size_t i = before; i < to.size(); ++i)
-        largest = std::max(largest, std::max(to[i].x, std::max(to[i].y, to[i].z)));
-    return anyOther == 0 && largest < vertices;
+    return anyOther == 0 && largestOf(&to[before].x, 3 * count) < vertices;
 }
 
 /// Bytes that are in memory.

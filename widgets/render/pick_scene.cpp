@@ -101,10 +101,10 @@ struct PickScene::Part
         return {glm::dvec3(inverse * glm::dvec4(ray.origin, 1.0)), glm::dmat3(inverse) * ray.direction};
     }
     /// Half-spaces of the world, here.
-    [[nodiscard]] std::vector<Plane> localPlanes(std::span<const Plane> planes) const
+    [[nodiscard]] std::vector<CutPlane> localPlanes(std::span<const CutPlane> planes) const
     {
-        std::vector<Plane> local;
-        for (const Plane& plane : planes)
+        std::vector<CutPlane> local;
+        for (const CutPlane& plane : planes)
             local.push_back(glm::transpose(world) * plane);
         return local;
     }
@@ -120,7 +120,7 @@ struct PickScene::Part
     void pickLine(const PickView& view, const ViewRay& ray, const glm::dvec2& pixel, double& least,
                   double& leastDepth, std::optional<PickHit>& hit) const;
     /// Marks the branches inside, by their index.
-    void collect(std::span<const Plane> planes, std::vector<bool>& inside) const;
+    void collect(std::span<const CutPlane> planes, std::vector<bool>& inside) const;
 };
 
 void PickScene::Part::pickSurface(const ViewRay& ray, double& nearest, std::optional<PickHit>& hit) const
@@ -172,9 +172,9 @@ void PickScene::Part::pickLine(const PickView& view, const ViewRay& ray, const g
     });
 }
 
-void PickScene::Part::collect(std::span<const Plane> planes, std::vector<bool>& inside) const
+void PickScene::Part::collect(std::span<const CutPlane> planes, std::vector<bool>& inside) const
 {
-    const std::vector<Plane> local = localPlanes(planes);
+    const std::vector<CutPlane> local = localPlanes(planes);
     // A branch has hundreds of triangles: one is enough.
     const auto isNew = [&inside](Index branch) { return branch >= inside.size() || !inside[branch]; };
     const auto mark = [&inside](Index branch) {
@@ -271,8 +271,8 @@ std::vector<PickedBranches> PickScene::inRectangle(const PickView& view, const g
     const DepthRange range{1e-6 * camera.distance, 1e6 * camera.distance};
     const glm::dmat4 rows =
         glm::transpose(camera.projectionMatrix(view.aspect(), range) * camera.viewMatrix());
-    std::vector<Plane> planes{rows[0] - low.x * rows[3], high.x * rows[3] - rows[0],
-                              rows[1] - low.y * rows[3], high.y * rows[3] - rows[1]};
+    std::vector<CutPlane> planes{rows[0] - low.x * rows[3], high.x * rows[3] - rows[0],
+                                 rows[1] - low.y * rows[3], high.y * rows[3] - rows[1]};
     if (!camera.orthographic)
         planes.push_back(rows[3]);
     std::vector<std::pair<NodeId, std::vector<bool>>> marked;

@@ -182,7 +182,7 @@ private slots:
         const std::vector<Triangle> triangles = randomTriangles(random, 2000, 1.0);
         const Bvh bvh(boundsOf(triangles));
         for (int i = 0; i < 200; ++i) {
-            std::vector<Plane> planes;
+            std::vector<CutPlane> planes;
             for (int k = 0; k < 5; ++k)
                 planes.emplace_back(glm::dvec3(randomPoint(random, 1.0)), random.range(0.0, 5.0));
             std::set<Index> found;
@@ -227,7 +227,7 @@ private slots:
     }
     void touchingPlanes()
     {
-        const std::vector<Plane> slab{{1, 0, 0, 0}, {-1, 0, 0, 1}}; // 0 <= x <= 1
+        const std::vector<CutPlane> slab{{1, 0, 0, 0}, {-1, 0, 0, 1}}; // 0 <= x <= 1
         QVERIFY(touches(slab, {-1, 0, 0}, {2, 0, 0}));
         QVERIFY(touches(slab, {0.5, 9, 9}, {0.5, 9, 9}));
         QVERIFY(!touches(slab, {1.1, 0, 0}, {2, 0, 0}));
