@@ -1,17 +1,22 @@
 #include "tests/bench/interaction/editor_bench.h"
 
+#include "core/document/analysis.h"
 #include "core/document/commands.h"
+#include "core/document/player.h"
 #include "tests/bench/interaction/slider_hand.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/viewport_host.h"
+#include <QDir>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QFile>
 #include <QTest>
 #include <QTimer>
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <unistd.h>
 
 namespace ramure::bench {
 namespace {
@@ -82,6 +87,14 @@ void EditorBench::setIterations(int iterations)
                          ParamValue(std::int64_t(iterations)));
     settle();
     view()->frameAll();
+    settle();
+}
+
+void EditorBench::setLeavesPerTwig(int leaves)
+{
+    const NodeId tree = m_document.scene().nodes().front().id;
+    (void)edit::setParam(m_document, {tree}, *findParam("foliage.leavesDensity"),
+                         ParamValue(std::int64_t(leaves)));
     settle();
 }
 
@@ -202,6 +215,73 @@ EditorBench::DragTimes EditorBench::drag(const QString& key, double from, double
     settle();
     std::sort(latencies.begin(), latencies.end());
     times.latency = latencies.empty() ? 0.0 : latencies[latencies.size() / 2];
+    return times;
+}
+
+namespace {
+
+/// Of the threads that llvmpipe made for itself.
+double rasteriserThreadsCpuMs()
+{
+    double ticks = 0.0;
+    const QDir tasks(QStringLiteral("/proc/self/task"));
+    for (const QString& task : tasks.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+        QFile file(tasks.filePath(task + QStringLiteral("/stat")));
+        if (!file.open(QIODevice::ReadOnly))
+            continue;
+        const QByteArray line = file.readAll();
+        const qsizetype open = line.indexOf('('), close = line.lastIndexOf(')');
+        if (!line.mid(open + 1, close - open - 1).startsWith("llvmpipe"))
+            continue;
+        const QList<QByteArray> words = line.mid(close + 2).split(' ');
+        ticks += words.value(11).toDouble() + words.value(12).toDouble();
+    }
+    return 1e3 * ticks / double(sysconf(_SC_CLK_TCK));
+}
+
+} // namespace
+
+EditorBench::PlayTimes EditorBench::play(int milliseconds)
+{
+    PlayTimes times;
+    Player* player = m_window.player();
+    (void)edit::setTimeline(m_document, {60.0, 0, 100'000, PlayLoop::Once});
+    player->setPace(PlayPace::EveryFrame);
+    player->setSpeed(Player::mostSpeed);
+    settle();
+    (void)m_window.analysis()->waitForAll(patienceMs);
+    QObject context;
+    std::vector<double> steps;
+    QObject::connect(player, &Player::motionChanged, &context, [&] {
+        for (const auto& [node, motion] : player->motion()->nodes)
+            if (motion.stepSeconds > 0.0)
+                steps.push_back(1e3 * motion.stepSeconds);
+    });
+    player->play();
+    waitMs(500); // the first frames bind the skin
+    std::int64_t last = player->motion()->frame;
+    QObject::connect(view(), &Viewport::frameDrawn, &context, [&] {
+        times.frames += player->motion()->frame != last ? 1 : 0;
+        last = player->motion()->frame;
+    });
+    m_application->takeLongestBlock();
+    const auto rasteriser = [&] { return m_application->rasterised().cpuMs + rasteriserThreadsCpuMs(); };
+    const double cpuBefore = processCpuMs() - rasteriser();
+    QElapsedTimer clock;
+    clock.start();
+    waitMs(milliseconds);
+    const double seconds = 1e-9 * double(clock.nsecsElapsed());
+    const double cpu = processCpuMs() - rasteriser() - cpuBefore;
+    times.longest.blockName = m_application->longestName();
+    const Elapsed block = m_application->takeLongestBlock();
+    times.longest.block = block.wallMs;
+    times.longest.blockCpu = block.cpuMs;
+    player->stop();
+    settle();
+    times.framesPerSecond = times.frames / seconds;
+    times.cpuPerFrame = cpu / std::max(1, times.frames);
+    std::sort(steps.begin(), steps.end());
+    times.stepMs = steps.empty() ? 0.0 : steps[steps.size() / 2];
     return times;
 }
 

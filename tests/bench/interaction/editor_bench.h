@@ -47,6 +47,17 @@ public:
         ChangeTimes longest;  ///< only block, blockCpu
     };
     DragTimes drag(const QString& key, double from, double to, int moves);
+    /// Plays every frame as fast as it goes. Without the software rasteriser, whose threads do not count.
+    struct PlayTimes
+    {
+        int frames = 0;
+        double framesPerSecond = 0.0; ///< rasteriser included
+        double cpuPerFrame = 0.0; ///< ms of all threads together: step, pose, upload, the window around it
+        double stepMs = 0.0;      ///< of that, the physics, on the wall
+        ChangeTimes longest;      ///< only block, blockCpu
+    };
+    PlayTimes play(int milliseconds);
+    void setLeavesPerTwig(int leaves);
 
 private:
     [[nodiscard]] Viewport* view() const;

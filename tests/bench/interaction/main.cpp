@@ -89,6 +89,21 @@ void measureDrag(EditorBench& editor, int iterations)
                 times.longest.blockCpu, qPrintable(times.longest.blockName));
 }
 
+void measurePlay(EditorBench& editor, int iterations)
+{
+    editor.setMode(DisplayMode::Mesh);
+    editor.setLeavesPerTwig(10);
+    const auto times = editor.play(8000);
+    std::printf(
+        "playing, %d iterations, 10 leaves a twig: %.2f ms cpu a frame without the rasteriser (%.0f "
+        "frames/s on one core; a physics step %.2f ms), %.1f frames/s with it, longest block %.1f ms, "
+        "%.1f ms cpu (%s)\n",
+        iterations, times.cpuPerFrame, 1e3 / std::max(1e-3, times.cpuPerFrame), times.stepMs,
+        times.framesPerSecond, times.longest.block, times.longest.blockCpu,
+        qPrintable(times.longest.blockName));
+    std::fflush(stdout);
+}
+
 /// The program itself, from its start to its tree.
 void measureStart(int times)
 {
@@ -161,6 +176,7 @@ int main(int argc, char** argv)
                                           parser.value(changes).toInt()));
         }
         measureDrag(editor, size.toInt());
+        measurePlay(editor, size.toInt());
     }
     return 0;
 }
