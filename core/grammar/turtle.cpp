@@ -1,6 +1,8 @@
 #include "core/grammar/turtle.h"
 
+#include "core/base/wide_clone.h"
 #include "core/random/random.h"
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -29,27 +31,48 @@ Action actionOf(char symbol)
     return actions[static_cast<unsigned char>(symbol)];
 }
 
+/// Of up to 255 symbols: a byte counts them, and vector instructions count in many bytes at once.
+RAMURE_WIDE_CLONE std::size_t countFewCommands(const char* symbols, std::size_t count)
+{
+    std::uint8_t commands = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const char c = symbols[i];
+        // A sum: the compiler makes one test with jumps of an or.
+        commands = static_cast<std::uint8_t>(commands + (c == '+') + (c == '-') + (c == '/') + (c == '\\') +
+                                             (c == '^') + (c == '_') + (c == '[') + (c == ']'));
+    }
+    return commands;
+}
+
 std::size_t countBranches(std::string_view symbols)
 {
+    constexpr std::size_t few = 224;
     std::size_t commands = 0;
-    for (const char c : symbols)
-        commands +=
-            c == '+' || c == '-' || c == '/' || c == '\\' || c == '^' || c == '_' || c == '[' || c == ']';
+    for (std::size_t from = 0; from < symbols.size(); from += few)
+        commands += countFewCommands(symbols.data() + from, std::min(few, symbols.size() - from));
     return symbols.size() - commands;
 }
+
+/// A vector and a number that stays zero: always read and written in the same pieces. With three numbers a
+/// state is copied in pieces that two writes made, and each waits until both have arrived.
+struct Column
+{
+    using Two [[gnu::vector_size(16)]] = double;
+    Two xy, z;
+};
 
 /// The turtle's matrix as its columns; its position is the end of the branch it stands on.
 struct State
 {
-    glm::dvec3 x{1.0, 0.0, 0.0}, y{0.0, 1.0, 0.0}, z{0.0, 0.0, 1.0};
+    Column x{{1.0, 0.0}, {0.0, 0.0}}, y{{0.0, 1.0}, {0.0, 0.0}}, z{{0.0, 0.0}, {1.0, 0.0}};
     double radius = 0.0;
     Index branch = noIndex;
 };
 
-struct Saved
+struct Level
 {
     State state;
-    std::size_t at; ///< of the bracket
+    std::size_t at = 0; ///< of the bracket that opened it
 };
 
 class Turtle
@@ -61,7 +84,7 @@ public:
         , m_sin(std::sin(params.theta))
         , m_cos(std::cos(params.theta))
     {
-        m_state.radius = params.alpha;
+        m_levels.back().state.radius = params.alpha;
         m_skeleton.reserve(branches);
         m_children.reserve(branches);
     }
@@ -73,42 +96,44 @@ public:
         const std::size_t branches = m_count + countBranches(part);
         m_skeleton.resize(branches);
         m_children.resize(branches, 0);
+        Level* top = &m_levels.back();
         for (std::size_t i = 0; i < part.size(); ++i) {
             switch (actionOf(part[i])) {
             case Action::Grow:
-                grow();
+                grow(top->state);
                 break;
             case Action::TurnX:
-                turn(m_state.y, m_state.z, m_sin);
+                turn(top->state.y, top->state.z, m_sin);
                 break;
             case Action::TurnXBack:
-                turn(m_state.y, m_state.z, -m_sin);
+                turn(top->state.y, top->state.z, -m_sin);
                 break;
             case Action::TurnY:
-                turn(m_state.z, m_state.x, m_sin);
+                turn(top->state.z, top->state.x, m_sin);
                 break;
             case Action::TurnYBack:
-                turn(m_state.z, m_state.x, -m_sin);
+                turn(top->state.z, top->state.x, -m_sin);
                 break;
             case Action::TurnZ:
-                turn(m_state.x, m_state.y, m_sin);
+                turn(top->state.x, top->state.y, m_sin);
                 break;
             case Action::TurnZBack:
-                turn(m_state.x, m_state.y, -m_sin);
+                turn(top->state.x, top->state.y, -m_sin);
                 break;
             case Action::Push:
-                if (m_stack.size() == maxBracketDepth)
+                if (m_levels.size() > maxBracketDepth)
                     return fail(ErrorCode::Limit, RAMURE_NOOP("brackets are nested deeper than %1"),
                                 {std::to_string(maxBracketDepth)});
-                m_stack.push_back({m_state, offset + i});
+                m_levels.push_back({top->state, offset + i});
+                top = &m_levels.back();
                 break;
             case Action::Pop:
-                if (m_stack.empty())
+                if (m_levels.size() == 1)
                     return unbalanced(offset + i,
                                       RAMURE_NOOP("\"]\" without \"[\" before it, symbol %1 of the "
                                                   "rewritten string"));
-                m_state = m_stack.back().state;
-                m_stack.pop_back();
+                m_levels.pop_back();
+                --top;
                 break;
             }
         }
@@ -117,8 +142,8 @@ public:
 
     Expected<Skeleton> finish()
     {
-        if (!m_stack.empty())
-            return unbalanced(m_stack.back().at,
+        if (m_levels.size() > 1)
+            return unbalanced(m_levels.back().at,
                               RAMURE_NOOP("\"[\" is never closed, symbol %1 of the rewritten string"));
         return std::move(m_skeleton);
     }
@@ -132,16 +157,18 @@ private:
     }
 
     /// Post-multiplies by the rotation in the plane of two columns, from \p a towards \p b.
-    void turn(glm::dvec3& a, glm::dvec3& b, double sine) const
+    void turn(Column& a, Column& b, double sine) const
     {
-        const glm::dvec3 turned = m_cos * a + sine * b;
-        b = m_cos * b - sine * a;
-        a = turned;
+        const Column before = a;
+        a.xy = m_cos * a.xy + sine * b.xy;
+        a.z = m_cos * a.z + sine * b.z;
+        b.xy = m_cos * b.xy - sine * before.xy;
+        b.z = m_cos * b.z - sine * before.z;
     }
 
-    void grow()
+    void grow(State& state)
     {
-        const Index parent = m_state.branch;
+        const Index parent = state.branch;
         const bool isRoot = parent == noIndex;
         const glm::dvec3 from = isRoot ? glm::dvec3(0.0) : m_skeleton.p1[parent];
         const std::uint64_t parentKey = isRoot ? rootKey : m_skeleton.key[parent];
@@ -149,14 +176,14 @@ private:
         const Index i = m_count++;
         m_skeleton.parent[i] = parent;
         m_skeleton.p0[i] = from;
-        m_skeleton.p1[i] = from + m_alpha * m_state.y;
-        m_skeleton.a0[i] = m_state.radius;
-        m_state.radius *= m_decay;
-        m_skeleton.a1[i] = m_state.radius;
-        m_skeleton.level[i] = static_cast<Index>(m_stack.size());
+        m_skeleton.p1[i] = from + m_alpha * glm::dvec3(state.y.xy[0], state.y.xy[1], state.y.z[0]);
+        m_skeleton.a0[i] = state.radius;
+        state.radius *= m_decay;
+        m_skeleton.a1[i] = state.radius;
+        m_skeleton.level[i] = static_cast<Index>(m_levels.size() - 1);
         m_skeleton.key[i] = mixBits(parentKey + keyStep * (std::uint64_t(number) + 1));
         m_skeleton.source[i] = i;
-        m_state.branch = i;
+        state.branch = i;
     }
 
     /// Both are part of the file format: per-branch values are saved by key.
@@ -164,9 +191,8 @@ private:
     static constexpr std::uint64_t keyStep = 0x9E3779B97F4A7C15ull;
 
     double m_alpha, m_decay, m_sin, m_cos;
-    State m_state;
-    std::vector<Saved> m_stack;
-    std::vector<Index> m_children; ///< children that each branch has so far
+    std::vector<Level> m_levels{Level()}; ///< the last one is where the turtle is
+    std::vector<Index> m_children;        ///< children that each branch has so far
     Index m_roots = 0;
     Index m_count = 0;
     Skeleton m_skeleton;
