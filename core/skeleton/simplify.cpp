@@ -38,12 +38,6 @@ private:
     double m_squaredTangent;
 };
 
-/// A run of merged branches: a branch of the result.
-struct Run
-{
-    Index first, last;
-};
-
 std::vector<Index> countChildren(const Skeleton& skeleton)
 {
     std::vector<Index> counts(skeleton.size(), 0);
@@ -53,35 +47,38 @@ std::vector<Index> countChildren(const Skeleton& skeleton)
     return counts;
 }
 
-/// Continues for the branches from \p from up to \p to.
-void findRuns(const Skeleton& skeleton, const AngleTest& angle, const std::vector<Index>& children,
-              Index from, Index to, std::vector<Run>& runs, std::vector<Index>& runOf)
+/// The branch as a new one of the result.
+void append(const Skeleton& skeleton, Index i, Index parent, Skeleton& out)
 {
-    for (Index i = from; i < to; ++i) {
-        const Index parent = skeleton.parent[i];
-        if (parent != noIndex && children[parent] == 1) {
-            Run& run = runs[runOf[parent]];
-            const glm::dvec3 merged = skeleton.p1[run.last] - skeleton.p0[run.first];
-            if (angle.isBelow(merged, skeleton.p1[i] - skeleton.p0[i])) {
-                run.last = i;
-                runOf[i] = runOf[parent];
-                continue;
-            }
-        }
-        runOf[i] = static_cast<Index>(runs.size());
-        runs.push_back({i, i});
-    }
+    out.parent.push_back(parent);
+    out.p0.push_back(skeleton.p0[i]);
+    out.p1.push_back(skeleton.p1[i]);
+    out.a0.push_back(skeleton.a0[i]);
+    out.a1.push_back(skeleton.a1[i]);
+    out.level.push_back(skeleton.level[i]);
+    out.key.push_back(skeleton.key[i]);
+    out.source.push_back(skeleton.source[i]);
 }
 
-/// Memory is written once, not first with zeros.
-template <class T>
-std::vector<T> gathered(const std::vector<T>& from, const std::vector<Run>& runs, Index Run::*end)
+/// Continues for the branches from \p from up to \p to.
+void merge(const Skeleton& skeleton, const AngleTest& angle, const std::vector<Index>& children, Index from,
+           Index to, SimplifiedSkeleton& result)
 {
-    std::vector<T> picked;
-    picked.reserve(runs.size());
-    for (const Run& run : runs)
-        picked.push_back(from[run.*end]);
-    return picked;
+    Skeleton& out = result.skeleton;
+    std::vector<Index>& mergedInto = result.mergedInto;
+    for (Index i = from; i < to; ++i) {
+        const Index parent = skeleton.parent[i];
+        const Index into = parent == noIndex ? noIndex : mergedInto[parent];
+        if (parent != noIndex && children[parent] == 1 &&
+            angle.isBelow(out.p1[into] - out.p0[into], skeleton.p1[i] - skeleton.p0[i])) {
+            out.p1[into] = skeleton.p1[i];
+            out.a1[into] = skeleton.a1[i];
+            mergedInto[i] = into;
+            continue;
+        }
+        mergedInto[i] = out.size();
+        append(skeleton, i, into, out);
+    }
 }
 
 } // namespace
@@ -94,38 +91,19 @@ SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRa
 Expected<SimplifiedSkeleton> simplify(const Skeleton& skeleton, double rotationThresholdRad,
                                       const Progress& progress)
 {
-    const auto cancelled = [&progress] { return progress.cancelled(); };
-    const auto stopped = [] { return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled")); };
     SimplifiedSkeleton result;
     result.mergedInto.resize(skeleton.size());
     const AngleTest angle(rotationThresholdRad);
     const std::vector<Index> children = countChildren(skeleton);
-    std::vector<Run> runs;
-    runs.reserve(skeleton.size());
+    result.skeleton.reserve(skeleton.size());
     constexpr Index stride = Index(1) << 19;
     for (Index from = 0; from < skeleton.size(); from += stride) {
-        if (cancelled())
-            return stopped();
-        findRuns(skeleton, angle, children, from, std::min(skeleton.size(), from + stride), runs,
-                 result.mergedInto);
+        if (progress.cancelled())
+            return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+        merge(skeleton, angle, children, from, std::min(skeleton.size(), from + stride), result);
     }
-    Skeleton& out = result.skeleton;
-    out.parent = gathered(skeleton.parent, runs, &Run::first);
-    for (Index& parent : out.parent)
-        parent = parent == noIndex ? noIndex : result.mergedInto[parent];
-    const auto gather = [&](auto Skeleton::*values, Index Run::*end) {
-        if (!cancelled())
-            out.*values = gathered(skeleton.*values, runs, end);
-    };
-    gather(&Skeleton::p0, &Run::first);
-    gather(&Skeleton::p1, &Run::last);
-    gather(&Skeleton::a0, &Run::first);
-    gather(&Skeleton::a1, &Run::last);
-    gather(&Skeleton::level, &Run::first);
-    gather(&Skeleton::key, &Run::first);
-    gather(&Skeleton::source, &Run::first);
-    if (cancelled())
-        return stopped();
+    if (progress.cancelled())
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
     return result;
 }
 
