@@ -38,7 +38,6 @@ private:
     std::vector<std::uint8_t> m_isWall; ///< per vertex
     std::vector<Index> m_tubeOf;        ///< per branch
     std::vector<TubeTextureEnd> m_ends; ///< per tube
-    std::vector<glm::uvec3> m_triangles;
     std::vector<Index> m_plain, m_shifted, m_flat; ///< per vertex of the tube: its coordinates
 };
 
@@ -74,7 +73,6 @@ TubeTextureEnd CoordinateBuilder::parentOf(std::size_t index) const
 void CoordinateBuilder::gather(Index first, Index end)
 {
     m_tube.begin();
-    m_triangles.clear();
     for (Index t = first; t < end; ++t) {
         glm::uvec3 corners;
         for (int c = 0; c < 3; ++c) {
@@ -90,7 +88,6 @@ void CoordinateBuilder::gather(Index first, Index end)
             }
             corners[c] = slot;
         }
-        m_triangles.push_back(corners);
         m_tube.addTriangle(corners);
     }
 }
@@ -115,8 +112,9 @@ void CoordinateBuilder::write(Index first)
     for (std::size_t i = 0; i < vertices.size(); ++i)
         if (!vertices[i].isPole)
             m_plain[i] = add(vertices[i].vertex, {vertices[i].u, vertices[i].v});
-    for (std::size_t t = 0; t < m_triangles.size(); ++t)
-        m_result.corners[first + t] = place(m_triangles[t]);
+    const std::span<const glm::uvec3> triangles = m_tube.triangles();
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        m_result.corners[first + t] = place(triangles[t]);
 }
 
 /// The coordinates of a triangle's corners.
@@ -161,6 +159,7 @@ void CoordinateBuilder::addTube(std::size_t index)
     gather(tube.firstTriangle, end);
     m_tube.unroll(m_mesh.axes[index], parentOf(index));
     m_ends[index] = m_tube.end();
+    m_result.cut += m_tube.isCut() ? 1 : 0;
     m_tubeOf[tube.branch] = static_cast<Index>(index);
     write(tube.firstTriangle);
 }

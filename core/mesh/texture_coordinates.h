@@ -8,6 +8,10 @@
 /// ridges, are the borders. Where a child is thinner than its parent, the number of tiles around changes
 /// between the valley and the child's first whole cross-section, on the edge of the seam there. Flat ends and
 /// tips are mapped as discs.
+///
+/// Where a tube bends so much at its first whole cross-section that it cannot be laid flat in one piece
+/// without stretching a tenth of its triangles by 1.25, it is cut there all around, and the seam below is
+/// open: the picture slips at the bend by about a tile along it.
 #pragma once
 
 #include "core/mesh/branch_mesh.h"
@@ -29,6 +33,7 @@ struct TextureCoordinates
     std::vector<Index> vertex;       ///< per coordinate: the vertex of the mesh
     std::vector<glm::uvec3> corners; ///< per triangle of the mesh: its corners' coordinates
     double tileSize = 0.0;           ///< m, as used
+    Index cut = 0;                   ///< tubes that are cut around their first whole cross-section
     Index apart = 0; ///< triangles with coordinates of their own: where the mesh itself is folded
     bool operator==(const TextureCoordinates&) const = default;
 };

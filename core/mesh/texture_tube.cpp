@@ -20,7 +20,10 @@ constexpr double leastTip = 0.1, tipRadius = 0.5, rootRadius = 0.05;
 constexpr double sameSection = 1e-3; ///< of the tube: cross-sections closer than that are one
 constexpr double leastTurn = 0.02;   ///< rad, between neighbours on a smoothed front
 constexpr double manyTiles = 24.0;
-constexpr int evenSweeps = 3, thoroughSweeps = 60, choosySweeps = 8;
+constexpr double mostGrowth = 0.35; ///< of its area, or shrinking, when a tube is cut
+constexpr int thoroughSweeps = 60, choosySweeps = 8;
+constexpr TubeTexture::Effort wholeEffort{1, 2, 4, 2}, cutEffort{2, 8, 3, 2};
+constexpr double mostBad = 0.1; ///< of a tube's triangles may be stretched by 1.25 before it is cut
 
 double shortWay(double angle)
 {
@@ -35,6 +38,7 @@ void TubeTexture::begin()
     m_positions.clear();
     m_given.clear();
     m_triangles.clear();
+    m_copies.clear();
 }
 
 Index TubeTexture::addVertex(Index vertex, const glm::vec3& position, bool onParent, bool onWall,
@@ -58,14 +62,8 @@ void TubeTexture::unroll(const TubeAxis& axis, const TubeTextureEnd& parent)
     chooseTiles(parent.around);
     measureAlong();
     assign(parent);
-    if (!relax(false)) {
-        // Triangles lie the wrong way round: the axis may pass beside the front, or the tube itself is
-        // folded.
-        smoothFront();
-        chooseSeam();
-        assign(parent);
-        relax(true);
-    }
+    if (!even())
+        unfold(parent);
     m_end.normal = m_axis.end().frame.normal;
     m_end.around = m_knots.back().around;
     m_end.along = parent.along + m_tilesAt.back();
@@ -172,7 +170,8 @@ void TubeTexture::chooseTiles(double before)
         }
     }
     while (i < m_sections.size()) {
-        const double first = radiusAt(m_sections[i]);
+        // A root's first cross-section, at its foot, has the number of the next.
+        const double first = radiusAt(m_knots.empty() ? 0.5 * m_sections[i] : m_sections[i]);
         double last = first;
         std::size_t end = i + 1;
         for (; end < m_sections.size(); ++end) {
@@ -292,13 +291,11 @@ glm::dvec2 TubeTexture::onDisc(const TubeTextureVertex& vertex, const glm::vec3&
     return {0.5 + (start ? -x : x), 0.5 + y};
 }
 
-/// \param thoroughly many rounds, for a patch that is folded.
-/// \returns false where triangles are mirrored and, if not thorough, nothing was moved.
-bool TubeTexture::relax(bool thoroughly)
+template <class Relaxer> void TubeTexture::fill(Relaxer& relaxer) const
 {
-    m_relaxer.clear();
+    relaxer.clear();
     for (const TubeTextureVertex& vertex : m_vertices)
-        m_relaxer.addVertex({vertex.u, vertex.v}, !vertex.onParent && !vertex.isPole);
+        relaxer.addVertex({vertex.u, vertex.v}, !vertex.onParent && !vertex.isPole);
     for (const glm::uvec3& triangle : m_triangles) {
         if (isCap(triangle))
             continue;
@@ -310,16 +307,172 @@ bool TubeTexture::relax(bool thoroughly)
             shift[corner] = beyond[corner] ? m_vertices[triangle[c]].around : 0.0;
             places[corner] = position(triangle[c]) / m_tile;
         }
-        m_relaxer.addTriangle({triangle.x, triangle.y, triangle.z}, places, shift);
+        relaxer.addTriangle({triangle.x, triangle.y, triangle.z}, places, shift);
     }
-    if (!thoroughly && m_relaxer.isFolded())
-        return false;
-    const bool flat = m_relaxer.run(thoroughly ? thoroughSweeps : evenSweeps, choosySweeps);
+}
+
+template <class Relaxer> void TubeTexture::read(const Relaxer& relaxer)
+{
     for (Index i = 0; i < m_vertices.size(); ++i) {
-        m_vertices[i].u = m_relaxer.uv(i).x;
-        m_vertices[i].v = m_relaxer.uv(i).y;
+        const glm::dvec2 uv = relaxer.uv(i);
+        m_vertices[i].u = uv.x;
+        m_vertices[i].v = uv.y;
     }
-    return flat;
+}
+
+/// Area in the texture of what is not mapped as a disc.
+double TubeTexture::textureArea() const
+{
+    double doubled = 0.0;
+    for (const glm::uvec3& triangle : m_triangles) {
+        if (isCap(triangle))
+            continue;
+        const std::array<bool, 3> beyond = beyondSeam(triangle);
+        std::array<glm::dvec2, 3> uv;
+        for (int c = 0; c < 3; ++c) {
+            const auto corner = static_cast<std::size_t>(c);
+            const TubeTextureVertex& vertex = m_vertices[triangle[c]];
+            uv[corner] = {vertex.u + (beyond[corner] ? vertex.around : 0.0), vertex.v};
+        }
+        const glm::dvec2 ab = uv[1] - uv[0], ac = uv[2] - uv[0];
+        doubled += ab.x * ac.y - ab.y * ac.x;
+    }
+    return 0.5 * doubled;
+}
+
+bool TubeTexture::isStretched() const
+{
+    return double(m_conformal.badTriangles()) > mostBad * double(m_triangles.size());
+}
+
+/// Moves vertices to where fewest triangles are stretched.
+void TubeTexture::settle(const Effort& effort)
+{
+    using Weights = ConformalRelaxer::Weights;
+    fill(m_conformal);
+    m_conformal.run(effort.evenRounds, effort.evenSweeps, Weights::Even);
+    m_conformal.run(effort.choosyRounds, effort.choosySweeps, Weights::Choosy);
+    if (isStretched())
+        m_conformal.run(effort.choosyRounds, effort.choosySweeps, Weights::Choosy);
+    if (m_conformal.isFolded()) {
+        fill(m_conformal);
+        m_conformal.run(effort.evenRounds + effort.choosyRounds, effort.evenSweeps, Weights::Even);
+    }
+    read(m_conformal);
+}
+
+/// Cuts the tube where too much of it is stretched, if that helps. \returns whether nothing is folded.
+bool TubeTexture::even()
+{
+    settle(wholeEffort);
+    const Index bad = m_conformal.badTriangles();
+    const bool folded = m_conformal.isFolded();
+    if (!isStretched())
+        return !folded;
+    const double area = textureArea();
+    m_wholeVertices = m_vertices;
+    m_wholeTriangles = m_triangles;
+    if (cut()) {
+        settle(cutEffort);
+        const bool keepsSize = std::abs(textureArea() - area) < mostGrowth * area;
+        if (keepsSize && m_conformal.badTriangles() < bad && !m_conformal.isFolded()) {
+            moveTogether();
+            return true;
+        }
+    }
+    m_positions.resize(m_wholeVertices.size());
+    m_vertices.swap(m_wholeVertices);
+    m_triangles.swap(m_wholeTriangles);
+    m_copies.clear();
+    return !folded;
+}
+
+/// For a tube with triangles that lie the wrong way round: the axis may pass beside the front, or the tube
+/// itself is folded.
+void TubeTexture::unfold(const TubeTextureEnd& parent)
+{
+    smoothFront();
+    chooseSeam();
+    assign(parent);
+    if (even())
+        return;
+    assign(parent);
+    fill(m_relaxer);
+    m_relaxer.run(thoroughSweeps, choosySweeps);
+    read(m_relaxer);
+}
+
+/// A triangle's corner becomes a copy of its vertex, the same one for all triangles.
+void TubeTexture::copyCorner(Index& corner, std::vector<Index>& copies)
+{
+    Index& copy = copies[corner];
+    if (copy == noIndex) {
+        copy = static_cast<Index>(m_vertices.size());
+        m_vertices.push_back(TubeTextureVertex(m_vertices[corner]));
+        m_positions.push_back(glm::vec3(m_positions[corner]));
+    }
+    corner = copy;
+}
+
+/// Cuts the tube around its first whole cross-section, and opens the seam below: there the tube leaves the
+/// direction of its parent, and what is below and what is above can be laid flat, together they cannot.
+/// False where there is no such cross-section but the tube's end, which its children share.
+bool TubeTexture::cut()
+{
+    const double apart = sameSection * m_axis.length(), height = m_sections.front();
+    if (height > m_axis.length() - apart || height < apart)
+        return false;
+    const std::size_t before = m_vertices.size();
+    std::vector<Index>&above = m_front, &beyond = m_next;
+    above.assign(before, noIndex);
+    beyond.assign(before, noIndex);
+    const bool opens = std::any_of(m_vertices.begin(), m_vertices.end(),
+                                   [](const TubeTextureVertex& vertex) { return vertex.onParent; });
+    for (glm::uvec3& triangle : m_triangles) {
+        double highest = 0.0;
+        for (int c = 0; c < 3; ++c)
+            highest = std::max(highest, m_vertices[triangle[c]].along);
+        const std::array<bool, 3> isBeyond = beyondSeam(triangle);
+        for (int c = 0; c < 3; ++c) {
+            const TubeTextureVertex& vertex = m_vertices[triangle[c]];
+            if (highest > height + apart) {
+                if (!vertex.onParent && !vertex.onWall && std::abs(vertex.along - height) <= apart)
+                    copyCorner(triangle[c], above);
+            } else if (opens && isBeyond[static_cast<std::size_t>(c)]) {
+                copyCorner(triangle[c], beyond);
+            }
+        }
+    }
+    for (std::size_t i = 0; i < before; ++i) {
+        if (above[i] != noIndex)
+            m_copies.push_back({static_cast<Index>(i), above[i]});
+        if (beyond[i] != noIndex) {
+            TubeTextureVertex& vertex = m_vertices[beyond[i]];
+            vertex.azimuth += turn;
+            vertex.u += vertex.around;
+        }
+    }
+    return !m_copies.empty();
+}
+
+/// Moves what is above the cut, as a whole, to where the copies are beside their originals on the average.
+void TubeTexture::moveTogether()
+{
+    glm::dvec2 away(0.0);
+    for (const auto& [below, above] : m_copies)
+        away +=
+            glm::dvec2(m_vertices[below].u - m_vertices[above].u, m_vertices[below].v - m_vertices[above].v);
+    away = away / double(m_copies.size());
+    const auto move = [away](TubeTextureVertex& vertex) {
+        vertex.u += away.x;
+        vertex.v += away.y;
+    };
+    for (const auto& [below, above] : m_copies)
+        move(m_vertices[above]);
+    const double height = m_sections.front() + sameSection * m_axis.length();
+    for (TubeTextureVertex& vertex : m_vertices)
+        if (vertex.along > height)
+            move(vertex);
 }
 
 /// Azimuths along the front made to increase by one turn in all; those on the parent stay.

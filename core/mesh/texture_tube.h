@@ -3,6 +3,7 @@
 /// Internal to the texture coordinates.
 #pragma once
 
+#include "core/mesh/texture_conformal.h"
 #include "core/mesh/texture_relax.h"
 #include "core/mesh/tube_unroll.h"
 #include <glm/vec2.hpp>
@@ -34,6 +35,11 @@ struct TubeTextureVertex
 class TubeTexture
 {
 public:
+    /// Rounds of a relaxation, and sweeps in each.
+    struct Effort
+    {
+        int evenRounds, evenSweeps, choosyRounds, choosySweeps;
+    };
     explicit TubeTexture(double tileSize)
         : m_tile(tileSize)
     {
@@ -45,8 +51,12 @@ public:
     void addTriangle(const glm::uvec3& corners) { m_triangles.push_back(corners); }
     void unroll(const TubeAxis& axis, const TubeTextureEnd& parent);
 
+    /// More than were added where the tube is cut: copies follow at the end.
     [[nodiscard]] std::span<const TubeTextureVertex> vertices() const { return m_vertices; }
+    /// In the order in which they were added; their corners are those of vertices().
+    [[nodiscard]] std::span<const glm::uvec3> triangles() const { return m_triangles; }
     [[nodiscard]] const TubeTextureEnd& end() const { return m_end; }
+    [[nodiscard]] bool isCut() const { return !m_copies.empty(); }
     /// Which corners of a triangle stand on the far side of the seam: their u is larger by their around.
     [[nodiscard]] std::array<bool, 3> beyondSeam(const glm::uvec3& triangle) const;
     /// Is it part of a flat end or a tip, which are mapped as discs?
@@ -69,7 +79,16 @@ private:
     void chooseTiles(double before);
     void measureAlong();
     void assign(const TubeTextureEnd& parent);
-    bool relax(bool thoroughly);
+    bool even();
+    void settle(const Effort& effort);
+    void unfold(const TubeTextureEnd& parent);
+    [[nodiscard]] bool isStretched() const;
+    [[nodiscard]] double textureArea() const;
+    bool cut();
+    void copyCorner(Index& corner, std::vector<Index>& copies);
+    void moveTogether();
+    template <class Relaxer> void fill(Relaxer& relaxer) const;
+    template <class Relaxer> void read(const Relaxer& relaxer);
     [[nodiscard]] double fitting(double radius) const;
     [[nodiscard]] double aroundAt(double along) const;
     [[nodiscard]] double tilesAlong(double along) const;
@@ -78,15 +97,23 @@ private:
 
     double m_tile;
     UnrollAxis m_axis;
+    ConformalRelaxer m_conformal;
     TextureRelaxer m_relaxer;
     TubeTextureEnd m_end;
     std::vector<TubeTextureVertex> m_vertices;
     std::vector<glm::vec3> m_positions;
     std::vector<glm::vec2> m_given; ///< per vertex: uv on the parent
     std::vector<glm::uvec3> m_triangles;
+    std::vector<TubeTextureVertex> m_wholeVertices; ///< of a tube before it was cut
+    std::vector<glm::uvec3> m_wholeTriangles;
     std::vector<Knot> m_knots; ///< tiles around by height
     std::vector<double> m_sorted, m_sections;
     std::vector<Index> m_next, m_front;
+    struct Copy
+    {
+        Index below, above; ///< vertices at the cut
+    };
+    std::vector<Copy> m_copies; ///< empty where the tube is not cut
     std::array<double, UnrollAxis::steps + 1> m_tilesAt{};
     double m_chord = 1.0;       ///< circumference of the cross-sections, as a share of the circle's
     double m_highestWall = 0.0; ///< m

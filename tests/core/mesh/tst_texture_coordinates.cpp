@@ -24,6 +24,9 @@ private slots:
     void theSameTwice();
     void presetsAreEven_data();
     void presetsAreEven();
+    void twoSectionsAreNeverMirrored_data() { presets(); }
+    void twoSectionsAreNeverMirrored();
+    void onlyBendsAreCut();
     void childrenGoOnFromTheirParent_data() { presets(); }
     void childrenGoOnFromTheirParent();
     void oneSeamPerTube_data() { presets(); }
@@ -156,17 +159,11 @@ void TestTextureCoordinates::presetsAreEven_data()
     QTest::addColumn<int>("radial");
     QTest::addColumn<int>("length");
     QTest::addColumn<double>("good");
-    // Four cross-sections are few for curves that overshoot: their long triangles bend with every ring.
-    const std::map<std::string, std::pair<double, double>> bars{{"SmallTree", {0.87, 0.95}},
-                                                                {"FanTree", {0.87, 0.92}},
-                                                                {"TinyTree", {0.83, 0.95}},
-                                                                {"Fern2D", {0.93, 0.95}}};
-    for (const auto& [preset, bar] : bars)
+    for (const char* preset : {"SmallTree", "FanTree", "TinyTree", "Fern2D"})
         for (const int radial : {5, 8, 16})
             for (const int length : {4, 8})
-                QTest::addRow("%s %d x %d", preset.c_str(), radial, length)
-                    << QString::fromStdString(preset) << radial << length
-                    << (length == 4 ? bar.first : bar.second);
+                QTest::addRow("%s %d x %d", preset, radial, length)
+                    << QString(preset) << radial << length << 0.95;
 }
 
 void TestTextureCoordinates::presetsAreEven()
@@ -184,6 +181,31 @@ void TestTextureCoordinates::presetsAreEven()
     QVERIFY2(report.goodShare() >= good, qPrintable(QString::number(report.goodShare())));
     QVERIFY2(report.unevenness < 0.1, qPrintable(QString::number(report.unevenness)));
     QVERIFY(made->apart <= 5 * mesh.mesh.faceCount() / 10000);
+}
+
+/// Two cross-sections per branch: tubes bend where they share their ends with others, and may not be cut.
+void TestTextureCoordinates::twoSectionsAreNeverMirrored()
+{
+    QFETCH(QString, preset);
+    for (const int radial : {5, 8, 16}) {
+        const BranchMesh mesh = meshOf(preset, radial, 2);
+        const auto made = textureCoordinates(mesh, {});
+        QVERIFY(made);
+        const TextureReport report = textureReport(mesh, *made);
+        QCOMPARE(report.mirrored, Index(0));
+        QCOMPARE(made->cut, Index(0));
+        QVERIFY2(report.goodShare() >= 0.7, qPrintable(QString::number(report.goodShare())));
+    }
+}
+
+void TestTextureCoordinates::onlyBendsAreCut()
+{
+    QCOMPARE(textureCoordinates(cylinder(0.1, 2.0), {})->cut, Index(0));
+    const BranchMesh coarse = meshOf("SmallTree", 8, 4), fine = meshOf("SmallTree", 8, 8);
+    const auto many = textureCoordinates(coarse, {}), few = textureCoordinates(fine, {});
+    QVERIFY(many && few);
+    QVERIFY2(many->cut < 6 * coarse.tubes.size() / 10, qPrintable(QString::number(many->cut)));
+    QVERIFY2(few->cut < 3 * fine.tubes.size() / 100, qPrintable(QString::number(few->cut)));
 }
 
 void TestTextureCoordinates::childrenGoOnFromTheirParent()

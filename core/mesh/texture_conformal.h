@@ -1,0 +1,76 @@
+/// \file
+/// Evens out texture coordinates quickly: moves them until angles are kept as well as they can.
+/// Internal to the texture coordinates.
+#pragma once
+
+#include "core/base/index.h"
+#include <array>
+#include <complex>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace ramure {
+
+/// A patch of triangles in the texture plane as complex numbers z = u + iv. On a triangle the map is
+/// a x + b conj(x) of its own plane, its stretch (1 + k) / (1 - k) with k = |b| / |a|. Vertices are moved one
+/// after the other to where the weighted sum of |b|² around them is least, a linear matter (Lévy et al.,
+/// "Least squares conformal maps", 2002); the weights follow |a| and, so that few triangles are bad rather
+/// than many nearly good, k. Nothing keeps triangles from folding: look at isFolded().
+class ConformalRelaxer
+{
+public:
+    enum class Weights : std::uint8_t {
+        Even,   ///< all triangles count: what is folded unfolds, as a rule
+        Choosy, ///< the worse a triangle is the less it counts
+    };
+    static constexpr double goodK = 1.0 / 9.0; ///< of a triangle stretched by 1.25
+
+    void clear();
+    void addVertex(const glm::dvec2& uv, bool isFree);
+    /// \param place in tiles. \param shift is added to each corner's u: it stands beyond the seam.
+    void addTriangle(const std::array<Index, 3>& corner, const std::array<glm::dvec3, 3>& place,
+                     const std::array<double, 3>& shift);
+    /// Rounds of new weights, a few sweeps over the vertices each; vertices at triangles that are hardly
+    /// stretched stay.
+    void run(int rounds, int sweeps, Weights weights = Weights::Choosy);
+    /// Is a triangle turned over, or next to it?
+    [[nodiscard]] bool isFolded() const { return m_folded; }
+    [[nodiscard]] Index badTriangles() const { return m_bad; }
+    [[nodiscard]] glm::dvec2 uv(Index vertex) const { return {m_z[vertex].re, m_z[vertex].im}; }
+
+private:
+    struct Complex
+    {
+        double re = 0.0, im = 0.0;
+    };
+    struct Triangle
+    {
+        std::array<Complex, 3> opposite; ///< the corners' opposite edges in the triangle's plane
+        Complex shift;                   ///< what the corners' shifts add to the sum over these edges
+        std::array<Complex, 3> slope;    ///< of b / a by the corners' places
+        Complex value;                   ///< b / a, to first order since the last weighing
+        double weight = 0.0;
+        std::array<Index, 3> corner;
+    };
+    struct Use
+    {
+        Index triangle;
+        Index place; ///< which of its corners
+    };
+    static Complex times(const Complex& a, const Complex& b);
+    void link();
+    void weigh(Weights weights);
+    void sweep();
+
+    std::vector<Complex> m_z;
+    std::vector<std::uint8_t> m_free, m_awake;
+    std::vector<Triangle> m_triangles;
+    std::vector<Index> m_first;
+    std::vector<Use> m_uses; ///< triangles around each vertex, in compressed rows
+    bool m_folded = false, m_stretched = false;
+    Index m_bad = 0;
+};
+
+} // namespace ramure
