@@ -3100,7 +3100,7 @@ OpenGL&#xa0;: %4
         <translation>&amp;Affichage</translation>
     </message>
     <message>
-        <source>&amp;Help</source>
+        <source>He&amp;lp</source>
         <translation>A&amp;ide</translation>
     </message>
     <message>

@@ -470,7 +470,7 @@ void MainWindow::retranslate()
     m_selectMenu->setTitle(tr("&Select"));
     m_viewMenu->setTitle(tr("&View"));
     m_playMenu->setTitle(tr("&Play"));
-    m_helpMenu->setTitle(tr("&Help"));
+    m_helpMenu->setTitle(tr("He&lp"));
     m_toolBar->setWindowTitle(tr("Toolbar"));
     m_sceneDock->setWindowTitle(tr("Scene"));
     m_propertiesDock->setWindowTitle(tr("Properties"));

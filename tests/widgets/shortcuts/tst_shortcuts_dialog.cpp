@@ -100,6 +100,10 @@ private slots:
                 QVERIFY2(!key.isEmpty() && !keys.contains(key), qPrintable(top->text()));
                 keys += key;
             }
+            // Of two owners of a key neither is called.
+            for (const QAction* each : m_window->actionSet()->actions())
+                for (const QKeySequence& own : each->shortcuts())
+                    QVERIFY2(!keys.contains(own.toString()), qPrintable(each->objectName()));
         }
     }
 
