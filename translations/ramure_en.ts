@@ -115,6 +115,23 @@
     </message>
 </context>
 <context>
+    <name>ramure::ExportDialog</name>
+    <message numerus="yes">
+        <source>%Ln file(s)</source>
+        <translation>
+            <numerusform>%Ln file</numerusform>
+            <numerusform>%Ln files</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln of these files are there already. Export once more to replace them.</source>
+        <translation>
+            <numerusform>%Ln of these files is there already. Export once more to replace it.</numerusform>
+            <numerusform>%Ln of these files are there already. Export once more to replace them.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::GenerationsView</name>
     <message numerus="yes">
         <source>%Ln symbol(s)</source>
@@ -162,6 +179,23 @@
         <translation>
             <numerusform>%Ln branch alone</numerusform>
             <numerusform>%Ln branches alone</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::MainWindow</name>
+    <message numerus="yes">
+        <source>Writing %Ln file(s)</source>
+        <translation>
+            <numerusform>Writing %Ln file</numerusform>
+            <numerusform>Writing %Ln files</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln file(s) written to %1</source>
+        <translation>
+            <numerusform>%Ln file written to %1</numerusform>
+            <numerusform>%Ln files written to %1</numerusform>
         </translation>
     </message>
 </context>

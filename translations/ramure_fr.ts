@@ -72,10 +72,6 @@
         <translation>E&amp;xporter…</translation>
     </message>
     <message>
-        <source>Write meshes as OBJ or PLY</source>
-        <translation>Écrire les maillages en OBJ ou PLY</translation>
-    </message>
-    <message>
         <source>&amp;Quit</source>
         <translation>&amp;Quitter</translation>
     </message>
@@ -470,6 +466,10 @@
     <message>
         <source>Delete the project&apos;s baked motion from the disk</source>
         <translation>Supprime du disque le mouvement précalculé du projet</translation>
+    </message>
+    <message>
+        <source>Write meshes, sequences of frames or pictures</source>
+        <translation>Écrire des maillages, des suites d’images animées ou des vues</translation>
     </message>
 </context>
 <context>
@@ -2488,6 +2488,26 @@
         <source>Red, green and blue of the surface, each from 0 to 1.</source>
         <translation>Rouge, vert et bleu de la surface, chacun de 0 à 1.</translation>
     </message>
+    <message>
+        <source>frames of a sequence are numbered from 0 on</source>
+        <translation>les images d’une suite sont numérotées à partir de 0</translation>
+    </message>
+    <message>
+        <source>the step must be at least one frame</source>
+        <translation>le pas doit être d’au moins une image</translation>
+    </message>
+    <message>
+        <source>a sequence has at most %1 frames</source>
+        <translation>une suite a au plus %1 images</translation>
+    </message>
+    <message>
+        <source>The graphics driver cannot draw beside the window: `ramure-cli render` writes the same pictures</source>
+        <translation>Le pilote graphique ne peut pas dessiner à côté de la fenêtre : `ramure-cli render` écrit les mêmes images</translation>
+    </message>
+    <message>
+        <source>cannot be encoded: %1</source>
+        <translation>encodage impossible : %1</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>
@@ -2884,6 +2904,52 @@ OpenGL&#xa0;: %4
         <source>Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one repeat of the bark, in metres, is the tree&apos;s parameter &quot;Bark tile&quot;.</source>
         <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’une pomme. La taille d’une répétition de l’écorce, en mètres, est le paramètre « Carreau d’écorce » de l’arbre.</translation>
     </message>
+    <message>
+        <source>PNG pictures (*.png)</source>
+        <translation>Images PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>PNG pictures of the view</source>
+        <translation>Images PNG de la vue</translation>
+    </message>
+    <message>
+        <source>Moment</source>
+        <translation>Instant</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Image</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln file(s)</source>
+        <translation>
+            <numerusform>%Ln fichier</numerusform>
+            <numerusform>%Ln fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>about %1</source>
+        <translation>environ %1</translation>
+    </message>
+    <message>
+        <source>Unknown file ending: pictures are written as .png</source>
+        <translation>Extension inconnue : les images s’écrivent en .png</translation>
+    </message>
+    <message>
+        <source>Another sequence is still being written: its progress stands in the status bar.</source>
+        <translation>Une autre suite est encore en cours d’écriture : sa progression est dans la barre d’état.</translation>
+    </message>
+    <message>
+        <source>There is no folder “%1”.</source>
+        <translation>Il n’y a pas de dossier « %1 ».</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln of these files are there already. Export once more to replace them.</source>
+        <translation>
+            <numerusform>%Ln de ces fichiers existe déjà. Exportez encore une fois pour le remplacer.</numerusform>
+            <numerusform>%Ln de ces fichiers existent déjà. Exportez encore une fois pour les remplacer.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ramure::FileActions</name>
@@ -3147,12 +3213,97 @@ OpenGL&#xa0;: %4
         <source>Baking the motion</source>
         <translation>Précalcul du mouvement</translation>
     </message>
+    <message numerus="yes">
+        <source>Writing %Ln file(s)</source>
+        <translation>
+            <numerusform>Écriture de %Ln fichier</numerusform>
+            <numerusform>Écriture de %Ln fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The export was cancelled; the files written so far are whole</source>
+        <translation>L’export est annulé ; les fichiers déjà écrits sont entiers</translation>
+    </message>
+    <message>
+        <source>The export has ended with an error; the files written before it are whole.</source>
+        <translation>L’export s’est arrêté sur une erreur ; les fichiers écrits auparavant sont entiers.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln file(s) written to %1</source>
+        <translation>
+            <numerusform>%Ln fichier écrit dans %1</numerusform>
+            <numerusform>%Ln fichiers écrits dans %1</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ramure::MessageBanner</name>
     <message>
         <source>Close this message</source>
         <translation>Fermer ce message</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::MomentForm</name>
+    <message>
+        <source>At rest, as at frame 0</source>
+        <translation>Au repos, comme à l’image 0</translation>
+    </message>
+    <message>
+        <source>The frame on show, %1</source>
+        <translation>L’image affichée, %1</translation>
+    </message>
+    <message>
+        <source>A sequence of frames</source>
+        <translation>Une suite d’images</translation>
+    </message>
+    <message>
+        <source>A turn around the tree (pictures)</source>
+        <translation>Un tour de l’arbre (images PNG)</translation>
+    </message>
+    <message>
+        <source>Moment</source>
+        <translation>Instant</translation>
+    </message>
+    <message>
+        <source>First frame that is written</source>
+        <translation>Première image écrite</translation>
+    </message>
+    <message>
+        <source>Last frame that is written</source>
+        <translation>Dernière image écrite</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>Première image</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Dernière image</translation>
+    </message>
+    <message>
+        <source>every</source>
+        <translation>toutes les</translation>
+    </message>
+    <message>
+        <source>Frames from one file to the next: 1 writes all</source>
+        <translation>Images d’un fichier au suivant : 1 les écrit toutes</translation>
+    </message>
+    <message>
+        <source>at %1 fps</source>
+        <translation>à %1 i/s</translation>
+    </message>
+    <message>
+        <source> pictures</source>
+        <translation> images</translation>
+    </message>
+    <message>
+        <source>Pictures all around, 2 to 10000; the view&apos;s camera keeps its height and its distance</source>
+        <translation>Images tout autour, de 2 à 10000 ; la caméra de la vue garde sa hauteur et sa distance</translation>
+    </message>
+    <message>
+        <source>Pictures all around</source>
+        <translation>Images tout autour</translation>
     </message>
 </context>
 <context>
@@ -3311,6 +3462,41 @@ OpenGL&#xa0;: %4
     <message>
         <source>Picture written to %1</source>
         <translation>Image écrite dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::PictureForm</name>
+    <message>
+        <source>Width of the pictures in pixels, 16 to 8192</source>
+        <translation>Largeur des images en pixels, de 16 à 8192</translation>
+    </message>
+    <message>
+        <source>Height of the pictures in pixels, 16 to 8192</source>
+        <translation>Hauteur des images en pixels, de 16 à 8192</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>Own size</source>
+        <translation>Taille libre</translation>
+    </message>
+    <message>
+        <source>Common sizes</source>
+        <translation>Tailles courantes</translation>
+    </message>
+    <message>
+        <source>Transparent background</source>
+        <translation>Fond transparent</translation>
+    </message>
+    <message>
+        <source>Without sky and ground, to put the trees in front of something else</source>
+        <translation>Sans ciel ni sol, pour placer les arbres devant autre chose</translation>
     </message>
 </context>
 <context>

@@ -4,13 +4,10 @@
 #include "app/cli/virtual_display.h"
 #include "app/cli/work.h"
 #include "core/document/moving_source.h"
-#include "core/io/file_writer.h"
 #include "widgets/render/offscreen_renderer.h"
 #include "widgets/render/scene_builder.h"
-#include <QBuffer>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QImageWriter>
 #include <map>
 #include <numbers>
 #include <optional>
@@ -135,24 +132,6 @@ Expected<RenderScene> sceneOf(const Input& input, const CommandLine& line, Displ
     return sceneOfMesh(input.mesh()->joined());
 }
 
-Expected<void> savePng(const QImage& image, const QString& file)
-{
-    // Encoded first: then all that can go wrong is writing.
-    QBuffer bytes;
-    bytes.open(QIODevice::WriteOnly);
-    QImageWriter writer(&bytes, "png");
-    if (!writer.write(image))
-        return fail(ErrorCode::Io, "%1: cannot be encoded: %2",
-                    {file.toStdString(), writer.errorString().toStdString()});
-    auto target = FileWriter::open(systemPath(file));
-    if (!target)
-        return fail(target.error());
-    target->append({bytes.data().constData(), static_cast<std::size_t>(bytes.data().size())});
-    if (const auto finished = target->finish(); !finished)
-        return finished;
-    return target->commit();
-}
-
 /// The platform without windows of Qt: all it needs is the X server behind DISPLAY, where it finds OpenGL.
 class Painter
 {
@@ -171,7 +150,7 @@ public:
         const auto image = renderImage(scene, camera, size);
         if (!image)
             return fail(image.error());
-        return savePng(*image, file);
+        return savePng(*image, systemPath(file));
     }
 
 private:

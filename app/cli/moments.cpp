@@ -1,12 +1,11 @@
 #include "app/cli/moments.h"
 
-#include <QFileInfo>
+#include "core/document/sequence.h"
 #include <cmath>
 
 namespace ramure::cli {
 namespace {
 
-constexpr std::int64_t mostFrames = 100'000;
 constexpr double mostSeconds = 1e6;
 
 Expected<double> numberOf(const CommandLine& line, const char* option, double least, double most)
@@ -42,9 +41,9 @@ Expected<std::vector<std::int64_t>> framesOf(const QString& text)
                     "--frames \"%1\": FIRST:LAST or FIRST:LAST:STEP expected, whole numbers from 0 on",
                     {text.toStdString()});
     const std::int64_t step = numbers.size() == 3 ? numbers[2] : 1;
-    if ((numbers[1] - numbers[0]) / step >= mostFrames)
+    if ((numbers[1] - numbers[0]) / step >= mostSequenceFrames)
         return fail(ErrorCode::Limit, "--frames \"%1\": more than %2 frames",
-                    {text.toStdString(), std::to_string(mostFrames)});
+                    {text.toStdString(), std::to_string(mostSequenceFrames)});
     std::vector<std::int64_t> frames;
     for (std::int64_t frame = numbers[0]; frame <= numbers[1]; frame += step)
         frames.push_back(frame);
@@ -104,9 +103,7 @@ Expected<Moments> momentsOf(const CommandLine& line, const Input& input)
 
 QString numberedFile(const QString& file, std::int64_t frame)
 {
-    const QString suffix = QFileInfo(file).suffix();
-    const QString number = QString::number(qlonglong{frame}).rightJustified(4, u'0');
-    return file.chopped(suffix.size() + 1) + u'_' + number + u'.' + suffix;
+    return QString::fromStdString(ramure::numberedFile(file.toStdString(), frame));
 }
 
 } // namespace ramure::cli

@@ -25,7 +25,7 @@ void addMomentOptions(CommandLine& line, MomentOptions kind);
 /// more than 100,000 frames, a mesh file as input).
 Expected<Moments> momentsOf(const CommandLine& line, const Input& input);
 
-/// "tree.obj" of frame 7 with 250 the last: "tree_007.obj"; at least four digits.
+/// See core/document/sequence.h.
 QString numberedFile(const QString& file, std::int64_t frame);
 
 } // namespace ramure::cli

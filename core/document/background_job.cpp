@@ -52,6 +52,11 @@ void BackgroundJob::cancel()
     m_thread.request_stop();
 }
 
+void BackgroundJob::stopAndWait()
+{
+    m_thread = {};
+}
+
 void BackgroundJob::finish(const std::optional<Error>& error)
 {
     m_running = false;

@@ -26,6 +26,10 @@ public:
     void cancel();
     [[nodiscard]] bool isRunning() const { return m_running; }
 
+protected:
+    /// For destructors of those who lend the work something of their own.
+    void stopAndWait();
+
 signals:
     void runningChanged(bool running);
     void progress(double fraction); ///< not more often than the eye sees

@@ -51,6 +51,29 @@ Foliage movedFoliage(const Foliage& rest, std::span<const RigidTransform> bones)
 
 struct MovingSource::Run
 {
+    struct Bound
+    {
+        std::shared_ptr<const void> mesh;
+        bool smooth = false;
+        Skin skin;
+    };
+    /// Binds a mesh once for all frames.
+    template <class Bind>
+    Expected<const Skin*> skinOf(Bound& bound, const std::shared_ptr<const void>& mesh, bool smooth,
+                                 const Bind& bind)
+    {
+        if (bound.mesh == mesh && bound.smooth == smooth)
+            return &bound.skin;
+        auto skin = bind();
+        if (!skin)
+            return fail(std::move(skin.error()));
+        bound = {mesh, smooth, std::move(*skin)};
+        return &bound.skin;
+    }
+    Expected<void> moveMeshes(TreeResult& tree, const Foliage& foliage, SkinMethod method,
+                              const Progress& progress);
+
+    Bound branches, leaves, apples;
     std::shared_ptr<const SimplifiedSkeleton> skeleton;
     std::unique_ptr<PhysicsCache> cache;
     Pose pose;
@@ -73,34 +96,44 @@ TreeSource MovingSource::at(double timeSeconds)
 }
 
 /// The meshes of a result and its report, deformed.
-static Expected<void> moveMeshes(TreeResult& tree, const Skeleton& rest, const Foliage& foliage,
-                                 SkinMethod method, std::span<const RigidTransform> bones,
-                                 const Progress& progress)
+Expected<void> MovingSource::Run::moveMeshes(TreeResult& tree, const Foliage& foliage, SkinMethod method,
+                                             const Progress& progress)
 {
     const bool smooth = method != SkinMethod::Rigid;
+    const Skeleton& rest = skeleton->skeleton;
+    const std::span<const RigidTransform> bones = pose.bones;
     const std::shared_ptr<const BranchMesh> restMesh = tree.branches;
-    const auto skin = bindBranches(*restMesh, rest, smooth);
+    const auto skin =
+        skinOf(branches, restMesh, smooth, [&] { return bindBranches(*restMesh, rest, smooth); });
     if (!skin)
         return fail(skin.error());
-    auto branches = std::make_shared<BranchMesh>(*restMesh);
-    branches->mesh = deformed(restMesh->mesh, *skin, bones, method);
+    auto moved = std::make_shared<BranchMesh>(*restMesh);
+    moved->mesh = deformed(restMesh->mesh, **skin, bones, method);
     if (tree.report) {
-        auto report = validateMesh(branches->mesh, progress);
+        auto report = validateMesh(moved->mesh, progress);
         if (!report)
             return fail(std::move(report.error()));
         tree.report = std::make_shared<const MeshReport>(std::move(*report));
     }
-    tree.branches = std::move(branches);
+    tree.branches = std::move(moved);
     tree.restBranches = restMesh;
-    const std::pair<std::shared_ptr<const TriangleMesh>*, const std::vector<FoliageItem>*> pieces[] = {
-        {&tree.leaves, &foliage.leaves}, {&tree.apples, &foliage.apples}};
-    for (const auto& [mesh, items] : pieces) {
-        if (!*mesh)
+    struct Piece
+    {
+        std::shared_ptr<const TriangleMesh>* mesh;
+        const std::vector<FoliageItem>* items;
+        Bound* bound;
+    };
+    for (const Piece& piece :
+         {Piece{&tree.leaves, &foliage.leaves, &leaves}, Piece{&tree.apples, &foliage.apples, &apples}}) {
+        const std::shared_ptr<const TriangleMesh> mesh = *piece.mesh;
+        if (!mesh)
             continue;
-        const auto pieceSkin = bindFoliage(**mesh, *items, *restMesh, rest, smooth);
+        const auto pieceSkin = skinOf(*piece.bound, mesh, smooth, [&] {
+            return bindFoliage(*mesh, *piece.items, *restMesh, rest, smooth);
+        });
         if (!pieceSkin)
             return fail(pieceSkin.error());
-        *mesh = std::make_shared<const TriangleMesh>(deformed(**mesh, *pieceSkin, bones, method));
+        *piece.mesh = std::make_shared<const TriangleMesh>(deformed(*mesh, **pieceSkin, bones, method));
     }
     return {};
 }
@@ -128,10 +161,9 @@ Expected<TreeResult> MovingSource::moved(const Node& node, Stage last, double ti
     const std::span<const RigidTransform> bones = run->pose.bones;
     const std::shared_ptr<const Foliage> foliage = tree->foliage;
     if (tree->branches)
-        if (auto moved = moveMeshes(*tree, run->skeleton->skeleton, *foliage, node.params.skin.method, bones,
-                                    progress.part(0.9, 1.0));
-            !moved)
-            return fail(std::move(moved.error()));
+        if (auto done = run->moveMeshes(*tree, *foliage, node.params.skin.method, progress.part(0.9, 1.0));
+            !done)
+            return fail(std::move(done.error()));
     if (tree->skeleton)
         tree->skeleton = std::make_shared<const Skeleton>(
             movedSkeleton(*tree->skeleton, bones, run->skeleton->mergedInto));

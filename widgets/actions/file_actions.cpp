@@ -51,7 +51,7 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
                          QT_TRANSLATE_NOOP("Actions", "Save the scene under another name")}))
     , m_export(set->add({"file.export", QT_TRANSLATE_NOOP("Actions", "&Export…"), "export",
                          QKeySequence(Qt::CTRL | Qt::Key_E),
-                         QT_TRANSLATE_NOOP("Actions", "Write meshes as OBJ or PLY")}))
+                         QT_TRANSLATE_NOOP("Actions", "Write meshes, sequences of frames or pictures")}))
     , m_quit(set->add({"file.quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), "quit", QKeySequence::Quit}))
 {
     for (const Preset& preset : presets()) {

@@ -5,6 +5,8 @@
 #include "widgets/actions/chooser.h"
 #include "widgets/export/export_task.h"
 #include "widgets/export/mesh_faults.h"
+#include "widgets/export/moment_form.h"
+#include "widgets/export/picture_form.h"
 #include "widgets/support/core_text.h"
 #include "widgets/support/preferences.h"
 #include <QCheckBox>
@@ -18,18 +20,23 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QStandardItemModel>
 #include <QStyle>
 
 namespace ramure {
 
+/// Rows of the form, from the top.
+enum Row { FormatRow, ModelRow, PartsRow, TreesRow, MomentRow, PictureRow, FileRow };
+
 ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences* preferences,
-                           Chooser* chooser, QWidget* parent)
+                           Chooser* chooser, QWidget* parent, std::int64_t shownFrame)
     : QDialog(parent)
     , m_document(document)
     , m_recompute(recompute)
     , m_preferences(preferences)
     , m_chooser(chooser)
     , m_task(new ExportTask(this))
+    , m_shownFrame(shownFrame)
 {
     setObjectName(QStringLiteral("exportDialog"));
     buildForm();
@@ -38,6 +45,10 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     for (QCheckBox* box : {m_branches, m_leaves, m_apples})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::updateWidgets);
     connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::updateWidgets);
+    connect(m_moments, &MomentForm::changed, this, &ExportDialog::updateWidgets);
+    connect(m_pictures, &PictureForm::changed, this, &ExportDialog::updateSummary);
+    for (QCheckBox* box : {m_selection, m_hidden, m_texture})
+        connect(box, &QCheckBox::toggled, this, &ExportDialog::updateSummary);
     connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::startExport);
     connect(m_cancel, &QPushButton::clicked, this, &ExportDialog::reject);
@@ -55,6 +66,7 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
         name = nodes.empty() ? QStringLiteral("tree") : QString::fromStdString(nodes.front().name);
     m_path->setText(
         QDir::toNativeSeparators(QDir(preferences->lastFolder()).filePath(name + QStringLiteral(".obj"))));
+    qobject_cast<QStandardItemModel*>(m_format->model())->item(Png)->setEnabled(false);
     retranslate();
     takeFormat();
 }
@@ -74,10 +86,12 @@ void ExportDialog::buildForm()
     const auto addRow = [this](auto* field) { m_form->addRow(new QLabel(this), field); };
     m_format = new QComboBox(this);
     m_model = new QComboBox(this);
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 4; ++i)
         m_format->addItem(QString());
+    for (int i = 0; i < 3; ++i)
         m_model->addItem(QString());
-    }
+    m_moments = new MomentForm(m_document->scene().timeline(), m_shownFrame, this);
+    m_pictures = new PictureForm(this);
     m_branches = new QCheckBox(this);
     m_leaves = new QCheckBox(this);
     m_apples = new QCheckBox(this);
@@ -97,21 +111,37 @@ void ExportDialog::buildForm()
     scope->setSpacing(6);
     scope->addWidget(m_selection);
     scope->addWidget(m_hidden);
-    m_path = new QLineEdit(this);
-    m_path->setMinimumWidth(320);
-    m_browse = new QPushButton(this);
-    auto* file = new QHBoxLayout;
-    file->setSpacing(8);
-    file->addWidget(m_path, 1);
-    file->addWidget(m_browse);
     addRow(m_format);
     addRow(m_model);
     addRow(parts);
     addRow(scope);
-    addRow(file);
+    addRow(m_moments);
+    addRow(m_pictures);
+    addRow(buildTarget());
     layout->addLayout(m_form);
     buildFaults(layout);
     buildProgress(layout);
+}
+
+/// The file, and below it what that will come to.
+QLayout* ExportDialog::buildTarget()
+{
+    m_path = new QLineEdit(this);
+    m_path->setMinimumWidth(320);
+    m_browse = new QPushButton(this);
+    m_summary = new QLabel(this);
+    m_summary->setObjectName(QStringLiteral("dim"));
+    m_summary->setTextFormat(Qt::PlainText);
+    m_summary->setWordWrap(true);
+    auto* file = new QHBoxLayout;
+    file->setSpacing(8);
+    file->addWidget(m_path, 1);
+    file->addWidget(m_browse);
+    auto* target = new QVBoxLayout;
+    target->setSpacing(6);
+    target->addLayout(file);
+    target->addWidget(m_summary);
+    return target;
 }
 
 /// What is not clean about the mesh, and the way to it.
@@ -146,7 +176,7 @@ void ExportDialog::setAnalysis(const Analysis* analysis)
 
 void ExportDialog::showFaults()
 {
-    const QString text = meshFaults(*m_document, m_analysis, options()).text();
+    const QString text = format() == Png ? QString() : meshFaults(*m_document, m_analysis, options()).text();
     m_faults->setText(text);
     m_faults->setVisible(!text.isEmpty());
     m_show->setVisible(!text.isEmpty());
@@ -157,7 +187,7 @@ void ExportDialog::showFaults()
 /// A mesh with faults is written when the button is pressed a second time.
 bool ExportDialog::mayExportFaults()
 {
-    const MeshFaults found = meshFaults(*m_document, m_analysis, options());
+    const MeshFaults found = format() == Png ? MeshFaults() : meshFaults(*m_document, m_analysis, options());
     if (found.faults.isEmpty() || found.text() == m_acceptedFaults)
         return true;
     m_acceptedFaults = found.text();
@@ -201,6 +231,8 @@ ExportDialog::Format ExportDialog::format() const
 
 QString ExportDialog::suffix() const
 {
+    if (format() == Png)
+        return QStringLiteral("png");
     return format() == Obj ? QStringLiteral("obj") : QStringLiteral("ply");
 }
 
@@ -237,14 +269,22 @@ ExportOptions ExportDialog::options() const
 void ExportDialog::takeFormat()
 {
     // PLY has no objects: by default it holds the branches, the one closed mesh.
-    const bool all = format() == Obj;
+    const bool all = format() == Obj || format() == Png;
     m_leaves->setChecked(all);
     m_apples->setChecked(all);
     const QFileInfo info(path());
     const QString ending = info.suffix().toLower();
-    if (ending == QLatin1String("obj") || ending == QLatin1String("ply"))
+    if (ending == QLatin1String("obj") || ending == QLatin1String("ply") || ending == QLatin1String("png"))
         setPath(info.path() + u'/' + info.completeBaseName() + u'.' + suffix());
+    for (const Row row : {ModelRow, PartsRow, TreesRow})
+        m_form->setRowVisible(row, format() != Png);
+    m_form->setRowVisible(PictureRow, format() == Png);
+    m_moments->setPictures(format() == Png);
+    // A picture shows what the view shows.
+    if (format() == Png && m_shownFrame > 0 && m_moments->moment() == ExportMoment::Rest)
+        m_moments->setMoment(ExportMoment::Shown);
     updateWidgets();
+    adjustSize();
 }
 
 void ExportDialog::updateWidgets()
@@ -258,37 +298,34 @@ void ExportDialog::updateWidgets()
     for (QCheckBox* box : {m_branches, m_leaves, m_apples})
         box->setEnabled(!running && !lines);
     m_texture->setEnabled(!running && static_cast<ExportModel>(m_model->currentIndex()) == ExportModel::Mesh);
+    m_moments->setEnabled(!running);
+    m_pictures->setEnabled(!running);
     m_selection->setEnabled(!running && !m_document->selection().nodes.empty());
     m_export->setEnabled(!running && !path().isEmpty() && (lines || options().parts != 0));
     m_progress->setVisible(running);
+    updateSummary();
     showFaults();
 }
 
 void ExportDialog::browse()
 {
-    const QString filter = format() == Obj ? tr("Wavefront OBJ (*.obj)") : tr("Stanford PLY (*.ply)");
+    const QString filter = format() == Png   ? tr("PNG pictures (*.png)")
+                           : format() == Obj ? tr("Wavefront OBJ (*.obj)")
+                                             : tr("Stanford PLY (*.ply)");
     const QString chosen = m_chooser->saveFile(tr("Export"), path(), filter, suffix());
     if (chosen.isEmpty())
         return;
     setPath(chosen);
-    m_mayReplace = path(); // the chooser has asked
+    if (!m_moments->isNumbered())
+        m_mayReplace = path(); // the chooser has asked
 }
 
 void ExportDialog::startExport()
 {
     if (QFileInfo(path()).suffix().isEmpty())
         setPath(path() + u'.' + suffix());
-    if (const auto known = checkExportEnding(path().toStdString()); !known) {
-        setMessage(errorText(known.error()), true);
+    if (!mayStart() || !mayReplaceFiles())
         return;
-    }
-    if (m_mayReplace != path() && QFileInfo::exists(path())) {
-        m_mayReplace = path();
-        setMessage(
-            tr("“%1” is there already. Export once more to replace it.").arg(QFileInfo(path()).fileName()),
-            false);
-        return;
-    }
     m_progress->setValue(0);
     if (!m_recompute->isBusy() && !mayExportFaults())
         return;
@@ -307,7 +344,9 @@ void ExportDialog::run()
     if (!mayExportFaults()) // they came with the result that was waited for
         return updateWidgets();
     setMessage({}, false);
-    m_task->startExport(*m_document, options(), path());
+    if (isInBackground())
+        return startSequence();
+    m_task->startExport(*m_document, options(), path(), m_moments->timeSeconds());
     updateWidgets();
 }
 
@@ -365,6 +404,7 @@ void ExportDialog::retranslate()
     m_format->setItemText(Obj, tr("Wavefront OBJ, with materials"));
     m_format->setItemText(PlyBinary, tr("PLY, binary"));
     m_format->setItemText(PlyAscii, tr("PLY, text"));
+    m_format->setItemText(Png, tr("PNG pictures of the view"));
     m_model->setItemText(static_cast<int>(ExportModel::Mesh), tr("Finished mesh"));
     m_model->setItemText(static_cast<int>(ExportModel::Rough), tr("Rough model"));
     m_model->setItemText(static_cast<int>(ExportModel::Skeleton), tr("Skeleton as lines"));
@@ -380,15 +420,17 @@ void ExportDialog::retranslate()
     m_browse->setText(tr("Browse…"));
     m_show->setText(tr("Show"));
     m_cancel->setText(tr("Cancel"));
-    const QString labels[] = {tr("Format"), tr("Model"), tr("Parts"), tr("Trees"), tr("File")};
+    const QString labels[] = {tr("Format"), tr("Model"),   tr("Parts"), tr("Trees"),
+                              tr("Moment"), tr("Picture"), tr("File")};
     for (int row = 0; row < m_form->rowCount(); ++row) {
         auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
         label->setText(labels[row]);
     }
     m_format->setAccessibleName(labels[0]);
     m_model->setAccessibleName(labels[1]);
-    m_path->setAccessibleName(labels[4]);
+    m_path->setAccessibleName(labels[FileRow]);
     m_progress->setAccessibleName(tr("Progress of the export"));
+    updateSummary();
     showFaults();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/document/exporter.h"
+#include "widgets/export/sequence_task.h"
 #include <QDialog>
 #include <optional>
 
@@ -11,6 +12,7 @@ class QComboBox;
 class QDialogButtonBox;
 class QFormLayout;
 class QLabel;
+class QLayout;
 class QLineEdit;
 class QProgressBar;
 class QPushButton;
@@ -22,6 +24,8 @@ class Analysis;
 class Chooser;
 class Document;
 class ExportTask;
+class MomentForm;
+class PictureForm;
 class Preferences;
 class Recompute;
 
@@ -29,16 +33,22 @@ class ExportDialog : public QDialog
 {
     Q_OBJECT
 public:
-    enum Format { Obj, PlyBinary, PlyAscii };
+    enum Format { Obj, PlyBinary, PlyAscii, Png };
 
-    /// Nothing is owned; all must outlive the dialog.
+    /// Nothing is owned; all must outlive the dialog. \param shownFrame of the timeline.
     ExportDialog(Document* document, Recompute* recompute, Preferences* preferences, Chooser* chooser,
-                 QWidget* parent = nullptr);
+                 QWidget* parent = nullptr, std::int64_t shownFrame = 0);
     ~ExportDialog() override;
 
     /// What it found is told before a mesh that is not clean is written; without it only defects are.
     void setAnalysis(const Analysis* analysis);
+    /// What writes sequences while the work goes on; without it there are none. Not owned.
+    void setSequenceTask(SequenceTask* task);
+    /// How pictures look; without it there are none.
+    void setPictureLook(const PictureLook& look);
     void setFormat(Format format);
+    [[nodiscard]] MomentForm* moments() const { return m_moments; }
+    [[nodiscard]] PictureForm* pictures() const { return m_pictures; }
     void setPath(const QString& path);
     [[nodiscard]] QString path() const;
     [[nodiscard]] ExportOptions options() const;
@@ -48,6 +58,8 @@ public:
 signals:
     /// The file was written, and the dialog has closed itself.
     void exported(const QString& path);
+    /// A sequence, or a picture, is being written by the task; the dialog has closed itself.
+    void started();
     /// What is wrong with the mesh of this tree is to be shown; the dialog has closed itself.
     void showRequested(ramure::NodeId tree);
 
@@ -59,6 +71,7 @@ protected:
 
 private:
     void buildForm();
+    [[nodiscard]] QLayout* buildTarget();
     void buildProgress(QVBoxLayout* layout);
     void buildFaults(QVBoxLayout* layout);
     void showFaults();
@@ -67,6 +80,12 @@ private:
     void takeFormat();
     void updateWidgets();
     void run();
+    // export_sequence.cpp
+    void updateSummary();
+    [[nodiscard]] bool isInBackground() const;
+    [[nodiscard]] bool mayStart();
+    [[nodiscard]] bool mayReplaceFiles();
+    void startSequence();
     void finish(const std::optional<Error>& error);
     void setMessage(const QString& text, bool isError);
     void retranslate();
@@ -83,7 +102,7 @@ private:
     QString m_acceptedFaults; ///< the text about a mesh that is not clean which the user has read
     QLabel* m_faults = nullptr;
     QPushButton* m_show = nullptr;
-    QString m_mayReplace; ///< the path whose existing file the user has agreed to overwrite
+    QString m_mayReplace; ///< the path (and frames) whose existing files the user has agreed to overwrite
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
     QComboBox* m_model = nullptr;
@@ -95,6 +114,12 @@ private:
     QCheckBox* m_texture = nullptr;
     QLineEdit* m_path = nullptr;
     QPushButton* m_browse = nullptr;
+    SequenceTask* m_sequences = nullptr;
+    std::optional<PictureLook> m_look;
+    MomentForm* m_moments = nullptr;
+    PictureForm* m_pictures = nullptr;
+    QLabel* m_summary = nullptr;
+    std::int64_t m_shownFrame;
     QProgressBar* m_progress = nullptr;
     QLabel* m_message = nullptr;
     QPushButton* m_export = nullptr;

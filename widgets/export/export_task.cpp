@@ -1,6 +1,7 @@
 #include "widgets/export/export_task.h"
 
 #include "core/document/document.h"
+#include "core/document/moving_source.h"
 #include <map>
 
 namespace ramure {
@@ -18,10 +19,14 @@ TreeSource snapshotOf(const Document& document)
     return [trees](const Node& node, Stage, const Progress&) { return trees->at(node.id); };
 }
 
-void ExportTask::startExport(const Document& document, const ExportOptions& options, const QString& path)
+void ExportTask::startExport(const Document& document, const ExportOptions& options, const QString& path,
+                             double timeSeconds)
 {
-    start([options, scene = document.scene(), source = snapshotOf(document), file = path.toStdString()](
-              const Progress& progress) { return exportScene(scene, options, source, file, progress); });
+    start([options, timeSeconds, scene = document.scene(), source = snapshotOf(document),
+           file = path.toStdString()](const Progress& progress) {
+        MovingSource moving(source);
+        return exportScene(scene, options, moving.at(timeSeconds), file, progress);
+    });
 }
 
 } // namespace ramure

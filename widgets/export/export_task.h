@@ -18,8 +18,9 @@ public:
     using BackgroundJob::BackgroundJob;
 
     /// Takes what it needs from the document and returns at once; nothing happens while another export is
-    /// running.
-    void startExport(const Document& document, const ExportOptions& options, const QString& path);
+    /// running. The trees are as their physics has moved them at \p timeSeconds.
+    void startExport(const Document& document, const ExportOptions& options, const QString& path,
+                     double timeSeconds = 0.0);
 };
 
 } // namespace ramure

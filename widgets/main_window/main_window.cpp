@@ -10,6 +10,7 @@
 #include "widgets/actions/program_actions.h"
 #include "widgets/actions/view_actions.h"
 #include "widgets/export/export_dialog.h"
+#include "widgets/export/sequence_task.h"
 #include "widgets/history/history_dock.h"
 #include "widgets/inspector/branch_inspector.h"
 #include "widgets/main_window/isolation_button.h"
@@ -300,7 +301,35 @@ void MainWindow::buildStatusBar()
     statusBar()->addPermanentWidget(new IsolationButton(m_isolation, this));
     m_bakeProgress = new JobPanel(m_bakes->job(), QStringLiteral("bakeProgress"), this);
     statusBar()->addPermanentWidget(m_bakeProgress);
+    buildSequences();
     statusBar()->addPermanentWidget(m_status);
+}
+
+/// Sequences are written while the work goes on.
+void MainWindow::buildSequences()
+{
+    m_sequences = new SequenceTask(this);
+    m_sequenceProgress = new JobPanel(m_sequences, QStringLiteral("sequenceProgress"), this);
+    statusBar()->addPermanentWidget(m_sequenceProgress);
+    connect(m_sequences, &BackgroundJob::runningChanged, this, [this](bool running) {
+        if (running)
+            m_sequenceProgress->setText(tr("Writing %Ln file(s)", nullptr, int(m_sequences->fileCount())));
+    });
+    connect(m_sequences, &BackgroundJob::finished, this, [this](const std::optional<Error>& error) {
+        const QString folder = QDir::toNativeSeparators(QFileInfo(m_sequences->path()).absolutePath());
+        if (error && error->code == ErrorCode::Cancelled)
+            statusBar()->showMessage(tr("The export was cancelled; the files written so far are whole"),
+                                     messageMs);
+        else if (error)
+            m_chooser->report(Severity::Error, QStringLiteral("%1\n%2").arg(
+                                                   tr("The export has ended with an error; the files written "
+                                                      "before it are whole."),
+                                                   errorTextWithPlace(*error)));
+        else
+            statusBar()->showMessage(
+                tr("%Ln file(s) written to %1", nullptr, int(m_sequences->fileCount())).arg(folder),
+                messageMs);
+    });
 }
 
 void MainWindow::connectPanels()
@@ -391,7 +420,19 @@ void MainWindow::showWelcome()
 
 void MainWindow::showExportDialog()
 {
-    auto* dialog = new ExportDialog(m_document, m_recompute, m_preferences, m_chooser, this);
+    auto* dialog =
+        new ExportDialog(m_document, m_recompute, m_preferences, m_chooser, this, m_player->frame());
+    dialog->setSequenceTask(m_sequences);
+    if (const Viewport* view = m_host->viewport()) {
+        const ViewSettings* settings = m_host->settings();
+        PictureLook look;
+        look.camera = view->camera();
+        look.options.shading = settings->shadingMode();
+        look.view.mode = settings->displayMode();
+        look.view.leaves = settings->leavesVisible();
+        look.view.apples = settings->applesVisible();
+        dialog->setPictureLook(look);
+    }
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAnalysis(m_analysis);
     connect(dialog, &ExportDialog::showRequested, this, [this](NodeId tree) {

@@ -28,6 +28,7 @@ class ProgramActions;
 class PropertiesPanel;
 class Recompute;
 class ScenePanel;
+class SequenceTask;
 class SelectActions;
 class StatusPanel;
 class TimelinePanel;
@@ -85,6 +86,7 @@ private:
     void connectPanels();
     void connectViewport(Viewport* view);
     void connectTimeline();
+    void buildSequences();
     void showInspector();
     void follow(const Change& change);
     void updateTitle();
@@ -110,6 +112,8 @@ private:
     PlayActions* m_plays = nullptr;
     BakeActions* m_bakes = nullptr;
     JobPanel* m_bakeProgress = nullptr;
+    SequenceTask* m_sequences = nullptr;
+    JobPanel* m_sequenceProgress = nullptr;
     StatusPanel* m_status = nullptr;
     ProblemButton* m_problem = nullptr;
     FileActions* m_files = nullptr;

@@ -8,6 +8,7 @@
 #include "widgets/actions/edit_actions.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/export/export_dialog.h"
+#include "widgets/export/moment_form.h"
 #include "widgets/inspector/branch_inspector.h"
 #include "widgets/main_window/about_dialog.h"
 #include "widgets/main_window/main_window.h"
@@ -190,6 +191,12 @@ private:
         show(about, "about");
         ExportDialog exporting(m_document.get(), m_recompute.get(), m_preferences.get(), &m_chooser);
         show(exporting, "export");
+        exporting.moments()->setMoment(ExportMoment::Sequence);
+        look(&exporting, "export-sequence");
+        exporting.setPictureLook({});
+        exporting.setFormat(ExportDialog::Png);
+        exporting.moments()->setMoment(ExportMoment::Turntable);
+        look(&exporting, "export-pictures");
         const QDateTime then(QDate(2024, 12, 31), QTime(23, 59));
         RecoveryDialog recovery(
             {{QStringLiteral("/home/someone/trees/oak.ramure"), then}, {QString(), then}});

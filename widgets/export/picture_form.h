@@ -1,0 +1,41 @@
+/// \file
+/// How exported pictures look: size in pixels, with or without the world behind the trees.
+#pragma once
+
+#include <QSize>
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QSpinBox;
+
+namespace ramure {
+
+class PictureForm : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit PictureForm(QWidget* parent = nullptr);
+
+    void setPictureSize(QSize pixels);
+    [[nodiscard]] QSize pictureSize() const;
+    [[nodiscard]] bool isTransparent() const;
+
+signals:
+    void changed();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+
+    QSpinBox* m_width;
+    QLabel* m_times;
+    QSpinBox* m_height;
+    QComboBox* m_sizes;
+    QCheckBox* m_transparent;
+};
+
+} // namespace ramure
