@@ -2508,6 +2508,150 @@
         <source>cannot be encoded: %1</source>
         <translation>encodage impossible : %1</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is no arm</source>
+        <translation>« %1 » n&apos;est pas un bras</translation>
+    </message>
+    <message>
+        <source>nothing of this name is expected here</source>
+        <translation>rien de ce nom n&apos;est attendu ici</translation>
+    </message>
+    <message>
+        <source>Damped least squares</source>
+        <translation>Moindres carrés amortis</translation>
+    </message>
+    <message>
+        <source>Jacobian transpose</source>
+        <translation>Transposée de la jacobienne</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Bras</translation>
+    </message>
+    <message>
+        <source>Inverse kinematics</source>
+        <translation>Cinématique inverse</translation>
+    </message>
+    <message>
+        <source>Skin of the arm</source>
+        <translation>Peau du bras</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Terrain</translation>
+    </message>
+    <message>
+        <source>Follows the target</source>
+        <translation>Suit la cible</translation>
+    </message>
+    <message>
+        <source>Inverse kinematics turns the joints until the tip is at the target. Otherwise the angles stay.</source>
+        <translation>La cinématique inverse tourne les articulations jusqu&apos;à ce que le bout soit à la cible. Sinon les angles restent.</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Cible</translation>
+    </message>
+    <message>
+        <source>Where the tip is to go, in the arm&apos;s own space: its foot at 0, Z up.</source>
+        <translation>Où le bout doit aller, dans l&apos;espace du bras : son pied en 0, Z vers le haut.</translation>
+    </message>
+    <message>
+        <source>Joint size</source>
+        <translation>Taille des articulations</translation>
+    </message>
+    <message>
+        <source>Radius of the spheres at the joints.</source>
+        <translation>Rayon des sphères aux articulations.</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>Solveur</translation>
+    </message>
+    <message>
+        <source>Damped least squares keeps to the limits and reaches nearly everything in a few steps. Jacobian transpose goes downhill in many small ones.</source>
+        <translation>Les moindres carrés amortis respectent les limites et atteignent presque tout en quelques pas. La transposée de la jacobienne descend la pente par beaucoup de petits pas.</translation>
+    </message>
+    <message>
+        <source>Step size</source>
+        <translation>Taille du pas</translation>
+    </message>
+    <message>
+        <source>Jacobian transpose only: how far each step goes. Too much, and the arm shakes.</source>
+        <translation>Transposée de la jacobienne seulement : jusqu&apos;où va chaque pas. Trop grand, le bras tremble.</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Jacobian transpose only: steps for each sixtieth of a second.</source>
+        <translation>Transposée de la jacobienne seulement : pas par soixantième de seconde.</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Nearer than this, the target counts as reached.</source>
+        <translation>Plus près que cela, la cible compte comme atteinte.</translation>
+    </message>
+    <message>
+        <source>Of the cylinder around the arm.</source>
+        <translation>Du cylindre autour du bras.</translation>
+    </message>
+    <message>
+        <source>Divisions along</source>
+        <translation>Divisions en longueur</translation>
+    </message>
+    <message>
+        <source>Cells of the skin&apos;s grid along the arm.</source>
+        <translation>Mailles de la peau le long du bras.</translation>
+    </message>
+    <message>
+        <source>Divisions around</source>
+        <translation>Divisions autour</translation>
+    </message>
+    <message>
+        <source>Cells of the skin&apos;s grid around the arm.</source>
+        <translation>Mailles de la peau autour du bras.</translation>
+    </message>
+    <message>
+        <source>Blending</source>
+        <translation>Mélange</translation>
+    </message>
+    <message>
+        <source>How far on either side of a joint two segments share the skin; at most half a segment.</source>
+        <translation>Jusqu&apos;où, de chaque côté d&apos;une articulation, deux segments partagent la peau ; au plus un demi-segment.</translation>
+    </message>
+    <message>
+        <source>Another seed, another terrain.</source>
+        <translation>Une autre graine, un autre terrain.</translation>
+    </message>
+    <message>
+        <source>Length of a side.</source>
+        <translation>Longueur d&apos;un côté.</translation>
+    </message>
+    <message>
+        <source>How far the widest hills rise and fall.</source>
+        <translation>Jusqu&apos;où montent et descendent les plus larges collines.</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rugosité</translation>
+    </message>
+    <message>
+        <source>How high hills of half the width are, compared with the wider ones.</source>
+        <translation>Hauteur des collines deux fois moins larges, par rapport aux plus larges.</translation>
+    </message>
+    <message>
+        <source>Divisions</source>
+        <translation>Divisions</translation>
+    </message>
+    <message>
+        <source>Cells of the grid along a side.</source>
+        <translation>Mailles de la grille par côté.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>

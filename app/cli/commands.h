@@ -12,6 +12,7 @@ Expected<int> runInfo(const QStringList& arguments);
 Expected<int> runExport(const QStringList& arguments);
 Expected<int> runValidate(const QStringList& arguments);
 Expected<int> runSimulate(const QStringList& arguments);
+Expected<int> runIk(const QStringList& arguments);
 /// Starts the application that it needs itself: none may exist.
 Expected<int> runRender(const QStringList& arguments);
 

@@ -2,6 +2,7 @@
 #include "core/document/project_file.h"
 #include "core/params/param_def.h"
 #include "core/params/presets.h"
+#include "core/scene/arm_demo.h"
 #include <QFileInfo>
 
 namespace ramure::cli {
@@ -53,7 +54,7 @@ Expected<void> applySettings(Scene& scene, const QStringList& sets)
         if (!setting)
             return fail(setting.error());
         for (const Node& listed : scene.nodes()) {
-            if (listed.kind != NodeKind::Tree || !hasParam(listed.kind, *setting->def))
+            if (!hasParam(listed.kind, *setting->def))
                 continue;
             if (const auto set = setParam(scene.find(listed.id)->params, *setting->def, setting->value); !set)
                 return set;
@@ -76,9 +77,11 @@ Expected<Input> loadInput(const QString& text, const QStringList& sets, const Pr
 {
     const QString presetPrefix = QStringLiteral("preset:");
     const QString ending = QFileInfo(text).suffix().toLower();
-    const bool isPreset = text.startsWith(presetPrefix);
-    if (isPreset || ending == QLatin1String("ramure")) {
-        auto scene = isPreset ? presetScene(text.mid(presetPrefix.size())) : projectScene(text);
+    const bool isPreset = text.startsWith(presetPrefix), isDemo = text == QLatin1String("demo:Arm");
+    if (isPreset || isDemo || ending == QLatin1String("ramure")) {
+        auto scene = isPreset ? presetScene(text.mid(presetPrefix.size()))
+                     : isDemo ? armDemo()
+                              : projectScene(text);
         if (!scene)
             return fail(scene.error());
         if (const auto applied = applySettings(*scene, sets); !applied)

@@ -23,6 +23,7 @@ constexpr Command commands[] = {
     {"export", "writes OBJ and PLY", &runExport, false},
     {"validate", "is the mesh closed and manifold?", &runValidate, false},
     {"simulate", "lets a tree move", &runSimulate, false},
+    {"ik", "turns the joints of an arm to a target", &runIk, false},
     {"render", "draws a picture", &runRender, true},
 };
 

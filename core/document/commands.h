@@ -21,6 +21,7 @@ enum class CommandId : int {
     SetBranchParams,
     SetTimeline,
     SetTracks,
+    SetJoints,
 };
 
 /// A gesture: commands with the same id merge. 0 = never merge.
@@ -77,6 +78,10 @@ Expected<void> setBranchBends(Document& document, NodeId node,
 /// bend is not finite.
 Expected<void> turnBranches(Document& document, NodeId node,
                             const std::map<std::uint64_t, glm::dvec3>& bendRad, GestureId gesture = 0);
+/// Sets the joints of an arm: their number, lengths, angles and limits. Errors: Unknown (node), Invalid
+/// (locked, no arm, what checkArm refuses).
+Expected<void> setJoints(Document& document, NodeId node, std::vector<ArmJoint> joints, const QString& text,
+                         GestureId gesture = 0);
 /// "New tree" (Space): the next seeds and stochastic rewriting on, as one step. Seeds follow each other in a
 /// fixed order that repeats after 2^31 of them; trees of one call never get the same. Nodes that are no trees
 /// are left out; error where no tree remains.

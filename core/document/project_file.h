@@ -18,7 +18,7 @@
 ///         "version": 1
 ///     }
 ///
-/// A node may also have "tracks" (project_tracks.h) and a "mesh" (project_mesh.h).
+/// A node may also have "tracks" (project_tracks.h), a "mesh" (project_mesh.h) and "joints" (project_arm.h).
 ///
 /// The list of nodes is flat, depth-first, siblings in their order: moving a subtree changes few lines, and
 /// no depth of a scene meets a parser's limit on nesting. Parents may also stand behind their children when

@@ -28,7 +28,8 @@ tl::unexpected<Error> failInside(const std::string& outer, Error error)
     return fail(std::move(error));
 }
 
-static constexpr std::array<const char*, nodeKindCount> kindNames{"group", "tree", "primitive", "mesh"};
+static constexpr std::array<const char*, nodeKindCount> kindNames{"group", "tree", "primitive",
+                                                                  "mesh",  "arm",  "relief"};
 
 QString kindName(NodeKind kind)
 {

@@ -1,5 +1,6 @@
 #include "core/document/project_json.h"
 
+#include "core/document/project_arm.h"
 #include "core/document/project_mesh.h"
 #include "core/document/project_tracks.h"
 
@@ -54,6 +55,8 @@ QJsonObject writeNode(const Node& node)
         object.insert(QStringLiteral("params"), params);
     if (const QJsonObject branches = writeBranches(node); !branches.isEmpty())
         object.insert(QStringLiteral("branches"), branches);
+    if (node.kind == NodeKind::Arm && node.params.joints != defaultArmJoints())
+        object.insert(QStringLiteral("joints"), writeJoints(node.params.joints));
     if (const QJsonObject tracks = writeTracks(node.animation); !tracks.isEmpty())
         object.insert(QStringLiteral("tracks"), tracks);
     if (node.mesh)
@@ -74,9 +77,9 @@ public:
 
     Expected<Node> read()
     {
-        for (const auto step :
-             {&NodeReader::readIds, &NodeReader::readKind, &NodeReader::readState, &NodeReader::readParams,
-              &NodeReader::readBranches, &NodeReader::readAnimation, &NodeReader::readGeometry})
+        for (const auto step : {&NodeReader::readIds, &NodeReader::readKind, &NodeReader::readState,
+                                &NodeReader::readParams, &NodeReader::readBranches, &NodeReader::readArm,
+                                &NodeReader::readAnimation, &NodeReader::readGeometry})
             if (auto done = (this->*step)(); !done)
                 return fail(std::move(done.error()));
         m_node.extras = extrasText(m_rest);
@@ -212,6 +215,16 @@ private:
         return {};
     }
 
+    Expected<void> readArm()
+    {
+        if (m_node.kind != NodeKind::Arm || !m_rest.contains(QLatin1String("joints")))
+            return {};
+        auto joints = readJoints(m_rest.take(QLatin1String("joints")));
+        if (!joints)
+            return fail(std::move(joints.error()));
+        m_node.params.joints = std::move(*joints);
+        return {};
+    }
     Expected<void> readAnimation()
     {
         auto object = takeObject("tracks");

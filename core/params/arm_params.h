@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <numbers>
 #include <vector>
 
@@ -51,10 +52,19 @@ struct ArmSolverParams
     bool operator==(const ArmSolverParams&) const = default;
 };
 
+/// What an arm does and shows.
+struct ArmParams
+{
+    bool follows = true;              ///< inverse kinematics turns the joints towards the target
+    glm::dvec3 target{2.0, 1.0, 2.5}; ///< m, in the arm's own space, Z up
+    double jointRadius = 0.2;         ///< m
+    bool operator==(const ArmParams&) const = default;
+};
+
 /// The arm's skin, a cylinder rolled up from a regular grid (SPEC C3).
 struct ArmSkinParams
 {
-    double radius = 0.5;               ///< m; 0 = no skin
+    double radius = 0.5;               ///< m
     std::int64_t lengthDivisions = 94; ///< cells of the grid along the arm
     std::int64_t radialDivisions = 32; ///< and around it
     double window = 0.2;               ///< m on either side of a joint, over which segments share the skin

@@ -11,8 +11,10 @@ enum class NodeKind : std::uint8_t {
     Tree,      ///< a skeleton grown from a grammar, with its skin
     Primitive, ///< a simple solid, by its parameters
     Mesh,      ///< an imported mesh, kept in the node
+    Arm,       ///< an articulated arm with its skin
+    Relief,    ///< a terrain
 };
-inline constexpr int nodeKindCount = 4;
+inline constexpr int nodeKindCount = 6;
 
 constexpr std::uint8_t kindBit(NodeKind kind)
 {

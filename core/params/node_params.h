@@ -4,6 +4,7 @@
 /// what a parameter means, its unit and its range stand in param_table.cpp.
 #pragma once
 
+#include "core/params/arm_params.h"
 #include "core/params/physics_params.h"
 #include "core/params/primitive_params.h"
 #include "core/params/skin_params.h"
@@ -11,6 +12,7 @@
 #include <glm/vec3.hpp>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace ramure {
 
@@ -105,6 +107,11 @@ struct NodeParams
     SurfaceParams surface;
     PhysicsParams physics;
     SkinParams skin;
+    ArmParams arm;
+    ArmSolverParams ik;
+    ArmSkinParams armSkin;
+    ReliefParams relief;
+    std::vector<ArmJoint> joints = defaultArmJoints(); ///< of an arm, from the foot on
     std::map<std::uint64_t, BranchParams>
         branches; ///< by Skeleton::key; only branches that differ from the default
     bool operator==(const NodeParams&) const = default;

@@ -50,6 +50,10 @@ template <>
 constexpr std::array itemsOf<PrimitiveAxis>{EnumItem{"x", RAMURE_NOOP("X")}, EnumItem{"y", RAMURE_NOOP("Y")},
                                             EnumItem{"z", RAMURE_NOOP("Z")}};
 
+template <>
+constexpr std::array itemsOf<ArmSolverKind>{EnumItem{"leastSquares", RAMURE_NOOP("Damped least squares")},
+                                            EnumItem{"transpose", RAMURE_NOOP("Jacobian transpose")}};
+
 template <class T> constexpr ParamType typeOf()
 {
     static_assert(std::is_enum_v<T> == !itemsOf<T>.empty(), "an enumeration has items");
@@ -96,8 +100,10 @@ template <auto Group, auto Member> struct Field
 constexpr std::uint8_t treeOnly = kindBit(NodeKind::Tree);
 constexpr std::uint8_t primitiveOnly = kindBit(NodeKind::Primitive);
 constexpr std::uint8_t objectKinds = kindBit(NodeKind::Primitive) | kindBit(NodeKind::Mesh);
+constexpr std::uint8_t armOnly = kindBit(NodeKind::Arm);
+constexpr std::uint8_t reliefOnly = kindBit(NodeKind::Relief);
 /// All but groups, which have no geometry.
-constexpr std::uint8_t shapedKinds = kindBit(NodeKind::Tree) | objectKinds;
+constexpr std::uint8_t shapedKinds = kindBit(NodeKind::Tree) | objectKinds | armOnly | reliefOnly;
 constexpr std::uint8_t everyKind = shapedKinds | kindBit(NodeKind::Group);
 
 template <auto Group, auto Member>
@@ -137,6 +143,10 @@ constexpr const char* primitiveGroup = RAMURE_NOOP("Primitive");
 constexpr const char* surfaceGroup = RAMURE_NOOP("Surface");
 constexpr const char* physicsGroup = RAMURE_NOOP("Physics");
 constexpr const char* skinGroup = RAMURE_NOOP("Skin");
+constexpr const char* armGroup = RAMURE_NOOP("Arm");
+constexpr const char* ikGroup = RAMURE_NOOP("Inverse kinematics");
+constexpr const char* armSkinGroup = RAMURE_NOOP("Skin of the arm");
+constexpr const char* reliefGroup = RAMURE_NOOP("Terrain");
 
 // Every text stands in one line per clause; the columns of a table read better than those of the formatter.
 // clang-format off
@@ -284,7 +294,8 @@ constexpr std::array table{
     row<&NodeParams::surface, &SurfaceParams::color>(
         {"surface.color", surfaceGroup, RAMURE_NOOP("Colour"),
          RAMURE_NOOP("Red, green and blue of the surface, each from 0 to 1.")},
-        ParamUnit::None, {0, 1, 0, 1, 0.01, 3}, Stage::Placement, paramAnimatable, objectKinds),
+        ParamUnit::None, {0, 1, 0, 1, 0.01, 3}, Stage::Placement, paramAnimatable,
+        objectKinds | armOnly | reliefOnly),
 
     row<&NodeParams::physics, &PhysicsParams::mode>(
         {"physics.mode", physicsGroup, RAMURE_NOOP("Mode"),
@@ -355,7 +366,74 @@ constexpr std::array table{
         {"skin.method", skinGroup, RAMURE_NOOP("Bends"),
          RAMURE_NOOP("How the bark follows moving branches at forks and bends. Rigid: every ring follows one branch. Linear "
                      "blend: smooth, but strong bends get thin. Dual quaternion: smooth, and branches keep their thickness.")},
-        ParamUnit::None, {}, Stage::Motion),
+        ParamUnit::None, {}, Stage::Motion, paramNone, treeOnly | armOnly),
+
+    row<&NodeParams::arm, &ArmParams::follows>(
+        {"arm.follows", armGroup, RAMURE_NOOP("Follows the target"),
+         RAMURE_NOOP("Inverse kinematics turns the joints until the tip is at the target. Otherwise the angles stay.")},
+        ParamUnit::None, {}, Stage::Motion, paramNone, armOnly),
+    row<&NodeParams::arm, &ArmParams::target>(
+        {"arm.target", armGroup, RAMURE_NOOP("Target"),
+         RAMURE_NOOP("Where the tip is to go, in the arm's own space: its foot at 0, Z up.")},
+        ParamUnit::Metre, {-1e6, 1e6, -5, 5, 0.1, 3}, Stage::Motion, paramAnimatable, armOnly),
+    row<&NodeParams::arm, &ArmParams::jointRadius>(
+        {"arm.jointRadius", armGroup, RAMURE_NOOP("Joint size"),
+         RAMURE_NOOP("Radius of the spheres at the joints.")},
+        ParamUnit::Metre, {0, 1e3, 0, 1, 0.01, 3}, Stage::Mesh, paramNone, armOnly),
+    row<&NodeParams::ik, &ArmSolverParams::kind>(
+        {"ik.solver", ikGroup, RAMURE_NOOP("Solver"),
+         RAMURE_NOOP("Damped least squares keeps to the limits and reaches nearly everything in a few steps. Jacobian transpose "
+                     "goes downhill in many small ones.")},
+        ParamUnit::None, {}, Stage::Motion, paramNone, armOnly),
+    row<&NodeParams::ik, &ArmSolverParams::gain>(
+        {"ik.gain", ikGroup, RAMURE_NOOP("Step size"),
+         RAMURE_NOOP("Jacobian transpose only: how far each step goes. Too much, and the arm shakes.")},
+        ParamUnit::None, {1e-5, 10, 0.001, 0.1, 0.001, 5}, Stage::Motion, paramAdvanced, armOnly),
+    row<&NodeParams::ik, &ArmSolverParams::stepsPerTick>(
+        {"ik.stepsPerTick", ikGroup, RAMURE_NOOP("Steps"),
+         RAMURE_NOOP("Jacobian transpose only: steps for each sixtieth of a second.")},
+        ParamUnit::Count, {1, 1000, 1, 50, 1, 0}, Stage::Motion, paramAdvanced, armOnly),
+    row<&NodeParams::ik, &ArmSolverParams::tolerance>(
+        {"ik.tolerance", ikGroup, RAMURE_NOOP("Tolerance"),
+         RAMURE_NOOP("Nearer than this, the target counts as reached.")},
+        ParamUnit::Metre, {1e-6, 1e3, 1e-5, 0.01, 1e-4, 6}, Stage::Motion, paramAdvanced, armOnly),
+    row<&NodeParams::armSkin, &ArmSkinParams::radius>(
+        {"armSkin.radius", armSkinGroup, RAMURE_NOOP("Radius"),
+         RAMURE_NOOP("Of the cylinder around the arm.")},
+        ParamUnit::Metre, {1e-4, 1e3, 0.05, 1, 0.05, 4}, Stage::Mesh, paramNone, armOnly),
+    row<&NodeParams::armSkin, &ArmSkinParams::lengthDivisions>(
+        {"armSkin.lengthDivisions", armSkinGroup, RAMURE_NOOP("Divisions along"),
+         RAMURE_NOOP("Cells of the skin's grid along the arm.")},
+        ParamUnit::Count, {1, 4096, 4, 256, 1, 0}, Stage::Mesh, paramNone, armOnly),
+    row<&NodeParams::armSkin, &ArmSkinParams::radialDivisions>(
+        {"armSkin.radialDivisions", armSkinGroup, RAMURE_NOOP("Divisions around"),
+         RAMURE_NOOP("Cells of the skin's grid around the arm.")},
+        ParamUnit::Count, {3, 1024, 3, 64, 1, 0}, Stage::Mesh, paramNone, armOnly),
+    row<&NodeParams::armSkin, &ArmSkinParams::window>(
+        {"armSkin.window", armSkinGroup, RAMURE_NOOP("Blending"),
+         RAMURE_NOOP("How far on either side of a joint two segments share the skin; at most half a segment.")},
+        ParamUnit::Metre, {0, 1e3, 0, 1, 0.01, 3}, Stage::Mesh, paramNone, armOnly),
+
+    row<&NodeParams::relief, &ReliefParams::seed>(
+        {"relief.seed", reliefGroup, RAMURE_NOOP("Seed"),
+         RAMURE_NOOP("Another seed, another terrain.")},
+        ParamUnit::None, {0, maxSeed, 0, 1000, 1, 0}, Stage::Mesh, paramSeed, reliefOnly),
+    row<&NodeParams::relief, &ReliefParams::size>(
+        {"relief.size", reliefGroup, RAMURE_NOOP("Size"),
+         RAMURE_NOOP("Length of a side.")},
+        ParamUnit::Metre, {1e-3, 1e5, 1, 50, 0.5, 3}, Stage::Mesh, paramAnimatable, reliefOnly),
+    row<&NodeParams::relief, &ReliefParams::height>(
+        {"relief.height", reliefGroup, RAMURE_NOOP("Height"),
+         RAMURE_NOOP("How far the widest hills rise and fall.")},
+        ParamUnit::Metre, {-1e4, 1e4, 0, 5, 0.1, 3}, Stage::Mesh, paramAnimatable, reliefOnly),
+    row<&NodeParams::relief, &ReliefParams::roughness>(
+        {"relief.roughness", reliefGroup, RAMURE_NOOP("Roughness"),
+         RAMURE_NOOP("How high hills of half the width are, compared with the wider ones.")},
+        ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 3}, Stage::Mesh, paramAnimatable, reliefOnly),
+    row<&NodeParams::relief, &ReliefParams::divisions>(
+        {"relief.divisions", reliefGroup, RAMURE_NOOP("Divisions"),
+         RAMURE_NOOP("Cells of the grid along a side.")},
+        ParamUnit::Count, {1, 1024, 8, 256, 1, 0}, Stage::Mesh, paramNone, reliefOnly),
 };
 // clang-format on
 

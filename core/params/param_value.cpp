@@ -2,6 +2,8 @@
 #include "core/base/number_text.h"
 #include "core/params/param_def.h"
 
+#include "core/arm/arm_chain.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -252,6 +254,8 @@ Expected<void> checkParams(const NodeParams& params)
     for (const ParamDef& def : paramTable())
         if (auto ok = checkValue(def, def.get(params)); !ok)
             return ok;
+    if (auto ok = checkArm(params.joints); !ok)
+        return ok;
     for (const auto& [key, branch] : params.branches) {
         const glm::dvec3& bend = branch.bendRad;
         const bool rollIsFinite = std::isfinite(branch.rollRad);

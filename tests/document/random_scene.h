@@ -98,6 +98,14 @@ inline Node randomNode(NodeId id, NodeId parent, Random& random)
     for (const Channel& channel : channelsOf(node.kind))
         if (random.below(10) == 0)
             node.animation.set(channel, randomTrack(channel, random));
+    if (node.kind == NodeKind::Arm && random.below(2) == 0) {
+        node.params.joints.resize(1 + random.below(5));
+        for (ArmJoint& joint : node.params.joints) {
+            joint.length = random.range(0.1, 3.0);
+            joint.phi = {random.range(-3.0, 3.0), random.below(2) == 0, -1.0, random.range(-1.0, 2.0), 0.5};
+            joint.theta.angleRad = random.range(-3.0, 3.0);
+        }
+    }
     if (node.kind == NodeKind::Mesh) {
         TriangleMesh mesh;
         for (int i = 0; i < 3; ++i)
