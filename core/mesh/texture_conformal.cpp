@@ -29,6 +29,7 @@ void ConformalRelaxer::clear()
     m_triangles.clear();
     m_first.clear();
     m_awake.clear();
+    m_moved.clear();
 }
 
 void ConformalRelaxer::addVertex(const glm::dvec2& uv, bool isFree)
@@ -46,14 +47,14 @@ void ConformalRelaxer::addTriangle(const std::array<Index, 3>& corner, const std
     const double doubled = std::sqrt(std::max(square * glm::dot(second, second) - part * part, 0.0));
     if (!(doubled > 1e-9 * square))
         return;
-    const double x1 = std::sqrt(square), x2 = part / x1, y2 = doubled / x1;
+    const double x1 = std::sqrt(square);
     Triangle& added = m_triangles.emplace_back();
     added.corner = corner;
-    added.opposite = {Complex{x2 - x1, y2}, Complex{-x2, -y2}, Complex{x1, 0.0}};
-    for (std::size_t c = 0; c < 3; ++c) {
-        added.shift.re += added.opposite[c].re * shift[c];
-        added.shift.im += added.opposite[c].im * shift[c];
-    }
+    added.x1 = x1;
+    added.x2 = part / x1;
+    added.y2 = doubled / x1;
+    added.shift1 = shift[1] - shift[0];
+    added.shift2 = shift[2] - shift[0];
 }
 
 void ConformalRelaxer::link()
@@ -71,48 +72,62 @@ void ConformalRelaxer::link()
             m_uses[--m_first[m_triangles[t].corner[c]]] = {t, c};
 }
 
-/// Residuals anew, and what each triangle counts.
-void ConformalRelaxer::weigh(Weights weights)
+/// How much a triangle is stretched. With z = a x + b conj(x), the sum of the corners' z times their opposite
+/// edges is b times 2i the doubled area, and a with the conjugate edges.
+void ConformalRelaxer::measure(Triangle& t) const
 {
-    std::fill(m_awake.begin(), m_awake.end(), std::uint8_t(0));
+    const Complex &from = m_z[t.corner[0]], &to1 = m_z[t.corner[1]], &to2 = m_z[t.corner[2]];
+    const Complex way1{to1.re - from.re + t.shift1, to1.im - from.im};
+    const Complex way2{to2.re - from.re + t.shift2, to2.im - from.im};
+    const double re = t.x1 * way2.re - t.x2 * way1.re, im = t.x1 * way2.im - t.x2 * way1.im;
+    const Complex r{re + t.y2 * way1.im, im - t.y2 * way1.re};
+    const Complex q{re - t.y2 * way1.im, im + t.y2 * way1.re};
+    const double b = r.re * r.re + r.im * r.im, a = q.re * q.re + q.im * q.im;
+    const double doubled = t.x1 * t.y2;
+    const double size = 1.0 / std::max({a, 0.25 * b, leastSize * 4.0 * doubled * doubled});
+    t.stretch = std::min(b * size, 4.0);
+    t.inverse = {q.re * size, -q.im * size};
+    t.value = times(r, t.inverse);
+}
+
+/// Who is awake. \param all triangles have moved, or only those around vertices that were awake.
+void ConformalRelaxer::measure(bool all)
+{
+    m_moved.swap(m_awake);
+    m_awake.assign(m_z.size(), 0);
     m_folded = m_stretched = false;
     m_bad = 0;
-    for (Triangle& triangle : m_triangles) {
-        Complex r = triangle.shift;
-        // With conjugate edges the same sum gives a instead of b; shifts are real.
-        Complex q{triangle.shift.re, -triangle.shift.im};
-        for (std::size_t c = 0; c < 3; ++c) {
-            const Complex& w = triangle.opposite[c];
-            const Complex& z = m_z[triangle.corner[c]];
-            const double rr = w.re * z.re, ii = w.im * z.im, ri = w.re * z.im, ir = w.im * z.re;
-            r.re += rr - ii;
-            r.im += ri + ir;
-            q.re += rr + ii;
-            q.im += ri - ir;
-        }
-        // Both are 2i times the doubled area too large.
-        const double b = r.re * r.re + r.im * r.im, a = q.re * q.re + q.im * q.im;
-        const double doubled = triangle.opposite[2].re * triangle.opposite[0].im;
-        const double size = 1.0 / std::max({a, 0.25 * b, leastSize * 4.0 * doubled * doubled});
-        const double k2 = std::min(b * size, 4.0);
-        m_folded = m_folded || !(k2 <= foldedK * foldedK); // or no number
-        if (k2 > calmK * calmK) {
+    for (Triangle& t : m_triangles) {
+        if (all || (m_moved[t.corner[0]] | m_moved[t.corner[1]] | m_moved[t.corner[2]]) != 0)
+            measure(t);
+        m_folded = m_folded || !(t.stretch <= foldedK * foldedK); // or no number
+        m_bad += t.stretch >= goodK * goodK ? 1 : 0;
+        if (t.stretch > calmK * calmK) {
             m_stretched = true;
-            for (const Index corner : triangle.corner)
+            for (const Index corner : t.corner)
                 m_awake[corner] = m_free[corner];
         }
-        m_bad += k2 >= goodK * goodK ? 1 : 0;
-        const Complex inverse{q.re * size, -q.im * size};
-        const Complex value = times(r, inverse);
-        for (std::size_t c = 0; c < 3; ++c) {
-            const Complex &w = triangle.opposite[c], turned = times(value, {w.re, -w.im});
-            triangle.slope[c] = times({w.re - turned.re, w.im - turned.im}, inverse);
-        }
-        triangle.value = value;
+    }
+}
+
+/// What the triangles count around vertices that are awake.
+void ConformalRelaxer::weigh(bool choosy)
+{
+    for (Triangle& t : m_triangles) {
+        if ((m_awake[t.corner[0]] | m_awake[t.corner[1]] | m_awake[t.corner[2]]) == 0)
+            continue;
+        // The edges opposite to the second and third corner, less the value times their conjugates.
+        const Complex& value = t.value;
+        const Complex second{value.re * t.x2 + value.im * t.y2 - t.x2,
+                             value.im * t.x2 - value.re * t.y2 - t.y2};
+        const Complex third{t.x1 - value.re * t.x1, -value.im * t.x1};
+        t.slope[1] = times(second, t.inverse);
+        t.slope[2] = times(third, t.inverse);
+        t.slope[0] = {-t.slope[1].re - t.slope[2].re, -t.slope[1].im - t.slope[2].im};
         // Next to folding a triangle counts more and more, as in an energy that would be infinite there.
-        const double room = std::max(1.0 - k2, leastRoom);
-        const double excess = weights == Weights::Choosy ? k2 / halfK2 : 0.0;
-        triangle.weight = (1.0 + k2) / ((1.0 + excess * excess) * room * room * room);
+        const double room = std::max(1.0 - t.stretch, leastRoom);
+        const double excess = choosy ? t.stretch / halfK2 : 0.0;
+        t.weight = (1.0 + t.stretch) / ((1.0 + excess * excess) * room * room * room);
     }
 }
 
@@ -146,15 +161,18 @@ void ConformalRelaxer::sweep()
     }
 }
 
-void ConformalRelaxer::run(int rounds, int sweeps, Weights weights)
+void ConformalRelaxer::run(const Effort& effort)
 {
-    weigh(weights);
+    if (m_moved.size() != m_z.size())
+        measure(true);
     if (m_stretched && m_first.size() != m_z.size() + 1)
         link();
-    for (int round = 0; round < rounds && m_stretched; ++round) {
-        for (int i = 0; i < sweeps; ++i)
+    for (int round = 0; round < effort.evenRounds + effort.choosyRounds && m_stretched; ++round) {
+        const bool choosy = round >= effort.evenRounds;
+        weigh(choosy);
+        for (int i = 0; i < (choosy ? effort.choosySweeps : effort.evenSweeps); ++i)
             sweep();
-        weigh(weights);
+        measure(false);
     }
 }
 

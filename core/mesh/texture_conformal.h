@@ -21,9 +21,11 @@ namespace ramure {
 class ConformalRelaxer
 {
 public:
-    enum class Weights : std::uint8_t {
-        Even,   ///< all triangles count: what is folded unfolds, as a rule
-        Choosy, ///< the worse a triangle is the less it counts
+    /// Rounds of new weights, and sweeps over the vertices in each.
+    struct Effort
+    {
+        int evenRounds, evenSweeps;     ///< all triangles count: what is folded unfolds, as a rule
+        int choosyRounds, choosySweeps; ///< then the worse a triangle is the less it counts
     };
     static constexpr double goodK = 1.0 / 9.0; ///< of a triangle stretched by 1.25
 
@@ -32,9 +34,8 @@ public:
     /// \param place in tiles. \param shift is added to each corner's u: it stands beyond the seam.
     void addTriangle(const std::array<Index, 3>& corner, const std::array<glm::dvec3, 3>& place,
                      const std::array<double, 3>& shift);
-    /// Rounds of new weights, a few sweeps over the vertices each; vertices at triangles that are hardly
-    /// stretched stay.
-    void run(int rounds, int sweeps, Weights weights = Weights::Choosy);
+    /// Vertices at triangles that are hardly stretched stay.
+    void run(const Effort& effort);
     /// Is a triangle turned over, or next to it?
     [[nodiscard]] bool isFolded() const { return m_folded; }
     [[nodiscard]] Index badTriangles() const { return m_bad; }
@@ -47,12 +48,15 @@ private:
     };
     struct Triangle
     {
-        std::array<Complex, 3> opposite; ///< the corners' opposite edges in the triangle's plane
-        Complex shift;                   ///< what the corners' shifts add to the sum over these edges
-        std::array<Complex, 3> slope;    ///< of b / a by the corners' places
-        Complex value;                   ///< b / a, to first order since the last weighing
-        double weight = 0.0;
         std::array<Index, 3> corner;
+        double x1, x2, y2;     ///< in its own plane the corners are at 0, x1 and x2 + i y2
+        double shift1, shift2; ///< of the second and third corner's u, against the first's
+        double stretch;        ///< k²
+        Complex inverse;       ///< of a, with the factor of the sums over edges
+        // To first order since the last weighing:
+        Complex value;                ///< b / a
+        std::array<Complex, 3> slope; ///< of it by the corners' places
+        double weight;
     };
     struct Use
     {
@@ -61,11 +65,13 @@ private:
     };
     static Complex times(const Complex& a, const Complex& b);
     void link();
-    void weigh(Weights weights);
+    void measure(bool all);
+    void measure(Triangle& triangle) const;
+    void weigh(bool choosy);
     void sweep();
 
     std::vector<Complex> m_z;
-    std::vector<std::uint8_t> m_free, m_awake;
+    std::vector<std::uint8_t> m_free, m_awake, m_moved;
     std::vector<Triangle> m_triangles;
     std::vector<Index> m_first;
     std::vector<Use> m_uses; ///< triangles around each vertex, in compressed rows

@@ -1,9 +1,12 @@
 #include "core/mesh/texture_coordinates.h"
 
+#include "core/base/parallel.h"
 #include "core/mesh/texture_tube.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <numbers>
 
 namespace ramure {
@@ -11,80 +14,75 @@ namespace ramure {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double leastAround = 6.0;    ///< tiles around the thinnest branch, where the size is chosen for it
-constexpr double mostAround = 1e6;     ///< more of them than floats tell apart
-constexpr std::size_t pollEvery = 256; ///< tubes
+constexpr double leastAround = 6.0; ///< tiles around the thinnest branch, where the size is chosen for it
+constexpr double mostAround = 1e6;  ///< more of them than floats tell apart
+constexpr std::size_t tubesInPiece = 16; ///< about half a millisecond of work
+constexpr std::size_t pollEvery = 512;  ///< tubes
 
-/// Unrolls tube after tube, parents first, and strings their coordinates together.
-class CoordinateBuilder
+/// What tubes hand on to those that grow on them.
+struct Shared
+{
+    const BranchMesh& mesh;
+    std::vector<std::uint8_t> isWall;      ///< per vertex
+    std::vector<std::uint8_t> isKnown;     ///< per vertex that is no wall: a tube has given it coordinates
+    std::vector<glm::vec2> uv;             ///< per vertex that is known: on the tube that made it
+    std::vector<TubeTextureEnd> ends;      ///< per tube
+    std::vector<Index> parent;             ///< per tube: the one it starts from, or noIndex
+    std::vector<std::vector<Index>> waves; ///< tubes whose parents are in the waves before
+};
+
+/// The coordinates of some tubes, one after the other.
+struct Piece
+{
+    struct Tube
+    {
+        Index tube, first, count; ///< its coordinates in this piece
+    };
+    std::vector<glm::vec2> uv;
+    std::vector<Index> vertex;
+    std::vector<Tube> tubes;
+    Index cut = 0, apart = 0;
+};
+
+/// Unrolls tubes; one per thread.
+class TubeUnroller
 {
 public:
-    CoordinateBuilder(const BranchMesh& mesh, double tileSize);
-    void addTube(std::size_t index);
-    TextureCoordinates take() { return std::move(m_result); }
+    TubeUnroller(const Shared& shared, double tileSize)
+        : m_tube(tileSize)
+        , m_slot(shared.mesh.mesh.positions.size(), 0)
+    {
+    }
+    /// Corners of the tube's triangles go to their place in \p corners, counted from its own first one.
+    void unroll(Shared& shared, Index tube, Piece& piece, std::vector<glm::uvec3>& corners);
 
 private:
-    [[nodiscard]] TubeTextureEnd parentOf(std::size_t index) const;
-    void gather(Index first, Index end);
-    void write(Index first);
-    glm::uvec3 place(const glm::uvec3& triangle);
+    void gather(const Shared& shared, Index first, Index end);
+    void write(Shared& shared, glm::uvec3* corners);
+    glm::uvec3 place(const BranchMesh& mesh, const glm::uvec3& triangle);
     Index add(Index vertex, const glm::dvec2& uv);
 
-    const BranchMesh& m_mesh;
     TubeTexture m_tube;
-    TextureCoordinates m_result;
-    std::vector<Index> m_slot;          ///< per vertex: its place in the tube at hand, if it is in there
-    std::vector<Index> m_coordinate;    ///< per vertex: its first coordinate, or noIndex
-    std::vector<std::uint8_t> m_isWall; ///< per vertex
-    std::vector<Index> m_tubeOf;        ///< per branch
-    std::vector<TubeTextureEnd> m_ends; ///< per tube
+    Piece* m_piece = nullptr;
+    Index m_begin = 0;                             ///< of the tube's coordinates in the piece
+    std::vector<Index> m_slot;                     ///< per vertex: its place in the tube at hand, if any
     std::vector<Index> m_plain, m_shifted, m_flat; ///< per vertex of the tube: its coordinates
 };
 
-CoordinateBuilder::CoordinateBuilder(const BranchMesh& mesh, double tileSize)
-    : m_mesh(mesh)
-    , m_tube(tileSize)
-    , m_slot(mesh.mesh.positions.size(), 0)
-    , m_coordinate(mesh.mesh.positions.size(), noIndex)
-    , m_isWall(mesh.mesh.positions.size(), 0)
-    , m_ends(mesh.tubes.size())
-{
-    for (const ForkVertex& fork : mesh.forkVertices)
-        m_isWall[fork.vertex] = 1;
-    Index branches = 0;
-    for (const TubeRange& tube : mesh.tubes)
-        branches = std::max(branches, tube.branch + 1);
-    m_tubeOf.assign(branches, noIndex);
-    const std::size_t expected = mesh.mesh.positions.size() * 3 / 2;
-    m_result.uv.reserve(expected);
-    m_result.vertex.reserve(expected);
-    m_result.corners.resize(mesh.mesh.triangles.size());
-    m_result.tileSize = tileSize;
-}
-
-TubeTextureEnd CoordinateBuilder::parentOf(std::size_t index) const
-{
-    const Index parent = m_mesh.tubes[index].parent;
-    if (parent == noIndex || parent >= m_tubeOf.size() || m_tubeOf[parent] == noIndex)
-        return {};
-    return m_ends[m_tubeOf[parent]];
-}
-
-void CoordinateBuilder::gather(Index first, Index end)
+void TubeUnroller::gather(const Shared& shared, Index first, Index end)
 {
     m_tube.begin();
     for (Index t = first; t < end; ++t) {
         glm::uvec3 corners;
         for (int c = 0; c < 3; ++c) {
-            const Index vertex = m_mesh.mesh.triangles[t][c];
+            const Index vertex = shared.mesh.mesh.triangles[t][c];
             const std::span<const TubeTextureVertex> known = m_tube.vertices();
             Index& slot = m_slot[vertex];
             if (slot >= known.size() || known[slot].vertex != vertex) {
-                const bool onWall = m_isWall[vertex] != 0;
-                const Index coordinate = m_coordinate[vertex];
-                const bool onParent = !onWall && coordinate != noIndex;
-                slot = m_tube.addVertex(vertex, m_mesh.mesh.positions[vertex], onParent, onWall,
-                                        onParent ? m_result.uv[coordinate] : glm::vec2(0.0f));
+                const bool onWall = shared.isWall[vertex] != 0;
+                const bool onParent = !onWall && shared.isKnown[vertex] != 0;
+                slot = m_tube.addVertex(vertex, shared.mesh.mesh.positions[vertex], onParent, onWall,
+                                        onParent ? shared.uv[vertex] : glm::vec2(0.0f));
             }
             corners[c] = slot;
         }
@@ -92,33 +90,37 @@ void CoordinateBuilder::gather(Index first, Index end)
     }
 }
 
-Index CoordinateBuilder::add(Index vertex, const glm::dvec2& uv)
+Index TubeUnroller::add(Index vertex, const glm::dvec2& uv)
 {
-    const auto index = static_cast<Index>(m_result.uv.size());
-    m_result.uv.emplace_back(uv);
-    m_result.vertex.push_back(vertex);
-    if (m_coordinate[vertex] == noIndex)
-        m_coordinate[vertex] = index;
+    const auto index = static_cast<Index>(m_piece->uv.size()) - m_begin;
+    m_piece->uv.emplace_back(uv);
+    m_piece->vertex.push_back(vertex);
     return index;
 }
 
-void CoordinateBuilder::write(Index first)
+void TubeUnroller::write(Shared& shared, glm::uvec3* corners)
 {
     const std::span<const TubeTextureVertex> vertices = m_tube.vertices();
     m_plain.assign(vertices.size(), noIndex);
     m_shifted.assign(vertices.size(), noIndex);
     m_flat.assign(vertices.size(), noIndex);
     // A ring's vertices get their place on the tube first: children go on from there, not from a cap.
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        if (!vertices[i].isPole)
-            m_plain[i] = add(vertices[i].vertex, {vertices[i].u, vertices[i].v});
-    const std::span<const glm::uvec3> triangles = m_tube.triangles();
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        m_result.corners[first + t] = place(triangles[t]);
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const TubeTextureVertex& vertex = vertices[i];
+        if (vertex.isPole)
+            continue;
+        m_plain[i] = add(vertex.vertex, {vertex.u, vertex.v});
+        if (!vertex.onWall && shared.isKnown[vertex.vertex] == 0) {
+            shared.isKnown[vertex.vertex] = 1;
+            shared.uv[vertex.vertex] = glm::vec2(vertex.u, vertex.v);
+        }
+    }
+    for (const glm::uvec3& triangle : m_tube.triangles())
+        *corners++ = place(shared.mesh, triangle);
 }
 
 /// The coordinates of a triangle's corners.
-glm::uvec3 CoordinateBuilder::place(const glm::uvec3& triangle)
+glm::uvec3 TubeUnroller::place(const BranchMesh& mesh, const glm::uvec3& triangle)
 {
     const std::span<const TubeTextureVertex> vertices = m_tube.vertices();
     const bool cap = m_tube.isCap(triangle);
@@ -130,13 +132,13 @@ glm::uvec3 CoordinateBuilder::place(const glm::uvec3& triangle)
         const auto corner = static_cast<std::size_t>(c);
         std::vector<Index>& kind = cap ? m_flat : beyond[corner] ? m_shifted : m_plain;
         slot[corner] = &kind[triangle[c]];
-        uv[corner] = cap ? glm::vec2(m_tube.onDisc(vertex, m_mesh.mesh.positions[vertex.vertex]))
+        uv[corner] = cap ? glm::vec2(m_tube.onDisc(vertex, mesh.mesh.positions[vertex.vertex]))
                          : glm::vec2(vertex.u + (beyond[corner] ? vertex.around : 0.0), vertex.v);
     }
     const glm::dvec2 a(uv[0]), ab = glm::dvec2(uv[1]) - a, ac = glm::dvec2(uv[2]) - a;
     const bool folded = !(ab.x * ac.y - ab.y * ac.x > 0.0);
     const std::array<glm::dvec2, 3> apart = folded ? m_tube.apart(triangle) : std::array<glm::dvec2, 3>{};
-    m_result.apart += folded ? 1 : 0;
+    m_piece->apart += folded ? 1 : 0;
     glm::uvec3 out;
     for (int c = 0; c < 3; ++c) {
         const auto corner = static_cast<std::size_t>(c);
@@ -151,17 +153,157 @@ glm::uvec3 CoordinateBuilder::place(const glm::uvec3& triangle)
     return out;
 }
 
-void CoordinateBuilder::addTube(std::size_t index)
+void TubeUnroller::unroll(Shared& shared, Index index, Piece& piece, std::vector<glm::uvec3>& corners)
 {
-    const TubeRange& tube = m_mesh.tubes[index];
+    const std::vector<TubeRange>& tubes = shared.mesh.tubes;
+    const Index first = tubes[index].firstTriangle;
     const Index end =
-        index + 1 < m_mesh.tubes.size() ? m_mesh.tubes[index + 1].firstTriangle : m_mesh.mesh.faceCount();
-    gather(tube.firstTriangle, end);
-    m_tube.unroll(m_mesh.axes[index], parentOf(index));
-    m_ends[index] = m_tube.end();
-    m_result.cut += m_tube.isCut() ? 1 : 0;
-    m_tubeOf[tube.branch] = static_cast<Index>(index);
-    write(tube.firstTriangle);
+        index + 1 < tubes.size() ? tubes[index + 1].firstTriangle : shared.mesh.mesh.faceCount();
+    const Index parent = shared.parent[index];
+    m_piece = &piece;
+    m_begin = static_cast<Index>(piece.uv.size());
+    gather(shared, first, end);
+    m_tube.unroll(shared.mesh.axes[index], parent == noIndex ? TubeTextureEnd{} : shared.ends[parent]);
+    shared.ends[index] = m_tube.end();
+    write(shared, corners.data() + first);
+    piece.cut += m_tube.isCut() ? 1 : 0;
+    piece.tubes.push_back({index, m_begin, static_cast<Index>(piece.uv.size()) - m_begin});
+}
+
+Shared shareOf(const BranchMesh& mesh)
+{
+    const std::size_t vertices = mesh.mesh.positions.size(), tubes = mesh.tubes.size();
+    Shared shared{mesh, {}, {}, {}, {}, {}, {}};
+    shared.isWall.assign(vertices, 0);
+    for (const ForkVertex& fork : mesh.forkVertices)
+        shared.isWall[fork.vertex] = 1;
+    shared.isKnown.assign(vertices, 0);
+    shared.uv.resize(vertices);
+    shared.ends.resize(tubes);
+    shared.parent.assign(tubes, noIndex);
+    Index branches = 0;
+    for (const TubeRange& tube : mesh.tubes)
+        branches = std::max(branches, tube.branch + 1);
+    std::vector<Index> tubeOf(branches, noIndex), wave(tubes, 0);
+    for (Index t = 0; t < tubes; ++t) {
+        const TubeRange& tube = mesh.tubes[t];
+        if (tube.parent != noIndex && tube.parent < branches && tubeOf[tube.parent] != noIndex) {
+            shared.parent[t] = tubeOf[tube.parent];
+            wave[t] = wave[shared.parent[t]] + 1;
+        }
+        tubeOf[tube.branch] = t;
+        if (wave[t] >= shared.waves.size())
+            shared.waves.emplace_back();
+        shared.waves[wave[t]].push_back(t);
+    }
+    return shared;
+}
+
+/// All tubes on as many threads as there are, parents first; the same on any number of them.
+class CoordinateBuilder
+{
+public:
+    CoordinateBuilder(const BranchMesh& mesh, double tileSize)
+        : m_shared(shareOf(mesh))
+        , m_tile(tileSize)
+    {
+        m_result.corners.resize(mesh.mesh.triangles.size());
+        m_result.tileSize = tileSize;
+    }
+    bool run(const Progress& progress);
+    TextureCoordinates join();
+
+private:
+    std::unique_ptr<TubeUnroller> borrow();
+    void unroll(std::span<const Index> tubes);
+
+    Shared m_shared;
+    double m_tile;
+    TextureCoordinates m_result;
+    std::vector<Piece> m_pieces;
+    std::mutex m_mutex;
+    std::vector<std::unique_ptr<TubeUnroller>> m_idle;
+};
+
+std::unique_ptr<TubeUnroller> CoordinateBuilder::borrow()
+{
+    const std::scoped_lock lock(m_mutex);
+    if (m_idle.empty())
+        return std::make_unique<TubeUnroller>(m_shared, m_tile);
+    std::unique_ptr<TubeUnroller> unroller = std::move(m_idle.back());
+    m_idle.pop_back();
+    return unroller;
+}
+
+void CoordinateBuilder::unroll(std::span<const Index> tubes)
+{
+    const std::size_t first = m_pieces.size();
+    m_pieces.resize(first + (tubes.size() + tubesInPiece - 1) / tubesInPiece);
+    parallelFor(tubes.size(), tubesInPiece, [&](std::size_t from, std::size_t to) {
+        std::unique_ptr<TubeUnroller> unroller = borrow();
+        Piece& piece = m_pieces[first + from / tubesInPiece];
+        for (std::size_t i = from; i < to; ++i)
+            unroller->unroll(m_shared, tubes[i], piece, m_result.corners);
+        const std::scoped_lock lock(m_mutex);
+        m_idle.push_back(std::move(unroller));
+    });
+}
+
+/// False: cancelled.
+bool CoordinateBuilder::run(const Progress& progress)
+{
+    std::size_t done = 0, told = 0;
+    for (const std::vector<Index>& wave : m_shared.waves)
+        for (std::size_t i = 0; i < wave.size(); i += pollEvery) {
+            const std::size_t count = std::min(pollEvery, wave.size() - i);
+            unroll({wave.data() + i, count});
+            done += count;
+            if (done - told < pollEvery && done < m_shared.ends.size())
+                continue;
+            told = done;
+            if (progress.cancelled())
+                return false;
+            progress.report(double(done) / double(m_shared.ends.size()));
+        }
+    return true;
+}
+
+/// Puts the tubes' coordinates one after the other, in the order of the tubes.
+TextureCoordinates CoordinateBuilder::join()
+{
+    struct Place
+    {
+        const Piece* piece;
+        Index from, count, to;
+    };
+    const std::vector<TubeRange>& tubes = m_shared.mesh.tubes;
+    std::vector<Place> places(tubes.size());
+    for (const Piece& piece : m_pieces) {
+        for (const Piece::Tube& tube : piece.tubes)
+            places[tube.tube] = {&piece, tube.first, tube.count, 0};
+        m_result.cut += piece.cut;
+        m_result.apart += piece.apart;
+    }
+    Index sum = 0;
+    for (Place& place : places) {
+        place.to = sum;
+        sum += place.count;
+    }
+    m_result.uv.resize(sum);
+    m_result.vertex.resize(sum);
+    parallelFor(places.size(), pollEvery, [&](std::size_t from, std::size_t to) {
+        for (std::size_t t = from; t < to; ++t) {
+            const Place& place = places[t];
+            std::copy_n(place.piece->uv.data() + place.from, place.count, m_result.uv.data() + place.to);
+            std::copy_n(place.piece->vertex.data() + place.from, place.count,
+                        m_result.vertex.data() + place.to);
+            const std::size_t end =
+                t + 1 < tubes.size() ? tubes[t + 1].firstTriangle : m_result.corners.size();
+            for (std::size_t f = tubes[t].firstTriangle; f < end; ++f)
+                m_result.corners[f] += place.to;
+        }
+    });
+    return std::move(m_result);
 }
 
 double tileFor(const BranchMesh& mesh, double wanted)
@@ -199,16 +341,12 @@ Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const Te
 {
     if (auto checked = check(mesh, options); !checked)
         return fail(checked.error());
+    if (progress.cancelled())
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
     CoordinateBuilder builder(mesh, tileFor(mesh, options.tileSize));
-    for (std::size_t i = 0; i < mesh.tubes.size(); ++i) {
-        if (i % pollEvery == 0) {
-            if (progress.cancelled())
-                return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
-            progress.report(double(i) / double(mesh.tubes.size()));
-        }
-        builder.addTube(i);
-    }
-    return builder.take();
+    if (!builder.run(progress))
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
+    return builder.join();
 }
 
 TriangleMesh splitByTexture(const BranchMesh& mesh, const TextureCoordinates& coordinates)

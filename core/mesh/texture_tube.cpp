@@ -22,8 +22,9 @@ constexpr double leastTurn = 0.02;   ///< rad, between neighbours on a smoothed 
 constexpr double manyTiles = 24.0;
 constexpr double mostGrowth = 0.35; ///< of its area, or shrinking, when a tube is cut
 constexpr int thoroughSweeps = 60, choosySweeps = 8;
-constexpr TubeTexture::Effort wholeEffort{1, 2, 4, 2}, cutEffort{2, 8, 3, 2};
-constexpr double mostBad = 0.1; ///< of a tube's triangles may be stretched by 1.25 before it is cut
+constexpr ConformalRelaxer::Effort wholeEffort{1, 2, 2, 2}, cutEffort{2, 5, 2, 2};
+constexpr double hopelessShare = 0.18; ///< of triangles stretched after few rounds: it will be cut
+constexpr double mostBad = 0.1;        ///< of a tube's triangles may be stretched by 1.25 before it is cut
 
 double shortWay(double angle)
 {
@@ -267,20 +268,6 @@ std::array<glm::dvec2, 3> TubeTexture::apart(const glm::uvec3& triangle) const
             at + glm::dvec2(glm::dot(first, second), glm::length(glm::cross(first, second))) / length};
 }
 
-std::array<bool, 3> TubeTexture::beyondSeam(const glm::uvec3& triangle) const
-{
-    const double a = m_vertices[triangle.x].azimuth, b = m_vertices[triangle.y].azimuth,
-                 c = m_vertices[triangle.z].azimuth;
-    if (std::max({a, b, c}) - std::min({a, b, c}) <= pi)
-        return {false, false, false};
-    return {a < 0.0, b < 0.0, c < 0.0};
-}
-
-bool TubeTexture::isCap(const glm::uvec3& triangle) const
-{
-    return m_vertices[triangle.x].isPole || m_vertices[triangle.y].isPole || m_vertices[triangle.z].isPole;
-}
-
 glm::dvec2 TubeTexture::onDisc(const TubeTextureVertex& vertex, const glm::vec3& position) const
 {
     const bool start = vertex.along < 0.5 * m_axis.length();
@@ -340,23 +327,31 @@ double TubeTexture::textureArea() const
     return 0.5 * doubled;
 }
 
-bool TubeTexture::isStretched() const
+bool TubeTexture::isStretched(double share) const
 {
-    return double(m_conformal.badTriangles()) > mostBad * double(m_triangles.size());
+    return double(m_conformal.badTriangles()) > share * double(m_triangles.size());
+}
+
+/// Has it a whole cross-section but its end, which its children share?
+bool TubeTexture::canBeCut() const
+{
+    const double apart = sameSection * m_axis.length(), height = m_sections.front();
+    return height >= apart && height <= m_axis.length() - apart;
 }
 
 /// Moves vertices to where fewest triangles are stretched.
-void TubeTexture::settle(const Effort& effort)
+/// \param hopeless share of stretched triangles at which it gives up after the first rounds.
+void TubeTexture::settle(const ConformalRelaxer::Effort& effort, double hopeless)
 {
-    using Weights = ConformalRelaxer::Weights;
     fill(m_conformal);
-    m_conformal.run(effort.evenRounds, effort.evenSweeps, Weights::Even);
-    m_conformal.run(effort.choosyRounds, effort.choosySweeps, Weights::Choosy);
-    if (isStretched())
-        m_conformal.run(effort.choosyRounds, effort.choosySweeps, Weights::Choosy);
+    m_conformal.run(effort);
+    if (!isStretched(hopeless))
+        m_conformal.run({0, 0, effort.choosyRounds, effort.choosySweeps});
+    if (isStretched(mostBad) && !isStretched(hopeless))
+        m_conformal.run({0, 0, 2 * effort.choosyRounds, effort.choosySweeps});
     if (m_conformal.isFolded()) {
         fill(m_conformal);
-        m_conformal.run(effort.evenRounds + effort.choosyRounds, effort.evenSweeps, Weights::Even);
+        m_conformal.run({effort.evenRounds + effort.choosyRounds, effort.evenSweeps, 0, 0});
     }
     read(m_conformal);
 }
@@ -364,16 +359,16 @@ void TubeTexture::settle(const Effort& effort)
 /// Cuts the tube where too much of it is stretched, if that helps. \returns whether nothing is folded.
 bool TubeTexture::even()
 {
-    settle(wholeEffort);
+    settle(wholeEffort, canBeCut() ? hopelessShare : 1.0);
     const Index bad = m_conformal.badTriangles();
     const bool folded = m_conformal.isFolded();
-    if (!isStretched())
+    if (!isStretched(mostBad))
         return !folded;
     const double area = textureArea();
     m_wholeVertices = m_vertices;
     m_wholeTriangles = m_triangles;
     if (cut()) {
-        settle(cutEffort);
+        settle(cutEffort, 1.0);
         const bool keepsSize = std::abs(textureArea() - area) < mostGrowth * area;
         if (keepsSize && m_conformal.badTriangles() < bad && !m_conformal.isFolded()) {
             moveTogether();
@@ -419,9 +414,9 @@ void TubeTexture::copyCorner(Index& corner, std::vector<Index>& copies)
 /// False where there is no such cross-section but the tube's end, which its children share.
 bool TubeTexture::cut()
 {
-    const double apart = sameSection * m_axis.length(), height = m_sections.front();
-    if (height > m_axis.length() - apart || height < apart)
+    if (!canBeCut())
         return false;
+    const double apart = sameSection * m_axis.length(), height = m_sections.front();
     const std::size_t before = m_vertices.size();
     std::vector<Index>&above = m_front, &beyond = m_next;
     above.assign(before, noIndex);

@@ -6,7 +6,9 @@
 #include "core/mesh/texture_conformal.h"
 #include "core/mesh/texture_relax.h"
 #include "core/mesh/tube_unroll.h"
+#include <cmath>
 #include <glm/vec2.hpp>
+#include <numbers>
 #include <span>
 
 namespace ramure {
@@ -35,11 +37,6 @@ struct TubeTextureVertex
 class TubeTexture
 {
 public:
-    /// Rounds of a relaxation, and sweeps in each.
-    struct Effort
-    {
-        int evenRounds, evenSweeps, choosyRounds, choosySweeps;
-    };
     explicit TubeTexture(double tileSize)
         : m_tile(tileSize)
     {
@@ -58,9 +55,21 @@ public:
     [[nodiscard]] const TubeTextureEnd& end() const { return m_end; }
     [[nodiscard]] bool isCut() const { return !m_copies.empty(); }
     /// Which corners of a triangle stand on the far side of the seam: their u is larger by their around.
-    [[nodiscard]] std::array<bool, 3> beyondSeam(const glm::uvec3& triangle) const;
+    [[nodiscard]] std::array<bool, 3> beyondSeam(const glm::uvec3& triangle) const
+    {
+        const double a = m_vertices[triangle.x].azimuth, b = m_vertices[triangle.y].azimuth,
+                     c = m_vertices[triangle.z].azimuth;
+        constexpr double pi = std::numbers::pi;
+        if (std::abs(a - b) <= pi && std::abs(b - c) <= pi && std::abs(c - a) <= pi)
+            return {false, false, false};
+        return {a < 0.0, b < 0.0, c < 0.0};
+    }
     /// Is it part of a flat end or a tip, which are mapped as discs?
-    [[nodiscard]] bool isCap(const glm::uvec3& triangle) const;
+    [[nodiscard]] bool isCap(const glm::uvec3& triangle) const
+    {
+        return m_vertices[triangle.x].isPole || m_vertices[triangle.y].isPole ||
+               m_vertices[triangle.z].isPole;
+    }
     /// Coordinates of a triangle that lies the wrong way round whatever was tried: its true shape, on a place
     /// of its own.
     [[nodiscard]] std::array<glm::dvec2, 3> apart(const glm::uvec3& triangle) const;
@@ -80,9 +89,10 @@ private:
     void measureAlong();
     void assign(const TubeTextureEnd& parent);
     bool even();
-    void settle(const Effort& effort);
+    void settle(const ConformalRelaxer::Effort& effort, double hopeless);
     void unfold(const TubeTextureEnd& parent);
-    [[nodiscard]] bool isStretched() const;
+    [[nodiscard]] bool isStretched(double share) const;
+    [[nodiscard]] bool canBeCut() const;
     [[nodiscard]] double textureArea() const;
     bool cut();
     void copyCorner(Index& corner, std::vector<Index>& copies);

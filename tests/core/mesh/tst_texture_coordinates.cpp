@@ -1,3 +1,4 @@
+#include "core/base/parallel.h"
 #include "core/mesh/texture_report.h"
 #include "tests/support/preset_trees.h"
 #include "tests/support/skeleton_zoo.h"
@@ -21,7 +22,9 @@ private slots:
     void cancels();
     void stretchOfATriangle();
     void aCylinderIsUnrolledAsItIs();
-    void theSameTwice();
+    void theSameOnAnyNumberOfThreads_data() { presets(); }
+    void theSameOnAnyNumberOfThreads();
+    void tellsHowFarItIs();
     void presetsAreEven_data();
     void presetsAreEven();
     void twoSectionsAreNeverMirrored_data() { presets(); }
@@ -146,11 +149,29 @@ void TestTextureCoordinates::aCylinderIsUnrolledAsItIs()
     QVERIFY(std::abs(report.levels[0].tilesPerMetre - 10.0) < 0.4);
 }
 
-void TestTextureCoordinates::theSameTwice()
+void TestTextureCoordinates::theSameOnAnyNumberOfThreads()
 {
-    const BranchMesh mesh = meshOf("TinyTree");
-    const auto first = textureCoordinates(mesh, {}), second = textureCoordinates(mesh, {});
-    QVERIFY(first && second && *first == *second);
+    QFETCH(QString, preset);
+    const BranchMesh mesh = meshOf(preset);
+    const auto onMany = textureCoordinates(mesh, {});
+    QVERIFY(onMany);
+    for (const unsigned threads : {1U, 2U, 5U}) {
+        const ThreadLimit limit(threads);
+        const auto made = textureCoordinates(mesh, {});
+        QVERIFY(made && *made == *onMany);
+    }
+}
+
+void TestTextureCoordinates::tellsHowFarItIs()
+{
+    const BranchMesh mesh = meshOf("SmallTree");
+    std::vector<double> told;
+    QVERIFY(textureCoordinates(mesh, {}, {{}, [&told](double fraction) { told.push_back(fraction); }}));
+    QVERIFY(told.size() > 1 && told.front() > 0.0 && told.back() == 1.0);
+    QVERIFY(std::is_sorted(told.begin(), told.end()));
+    std::stop_source stop;
+    const Progress stopping{stop.get_token(), [&stop](double) { stop.request_stop(); }};
+    QCOMPARE(textureCoordinates(mesh, {}, stopping).error().code, ErrorCode::Cancelled);
 }
 
 void TestTextureCoordinates::presetsAreEven_data()
