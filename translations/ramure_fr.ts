@@ -2652,6 +2652,22 @@
         <source>Cells of the grid along a side.</source>
         <translation>Mailles de la grille par côté.</translation>
     </message>
+    <message>
+        <source>Visible</source>
+        <translation>Visible</translation>
+    </message>
+    <message>
+        <source>Shows the skin; without it, joints and rods.</source>
+        <translation>Montre la peau ; sans elle, les articulations et les tiges.</translation>
+    </message>
+    <message>
+        <source>Show weights</source>
+        <translation>Montrer les poids</translation>
+    </message>
+    <message>
+        <source>Colours the skin by the segments that it follows.</source>
+        <translation>Colore la peau selon les segments qu&apos;elle suit.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>
@@ -2731,6 +2747,13 @@ OpenGL&#xa0;: %4
     <message>
         <source>Triangles by their smallest angle</source>
         <translation>Triangles selon leur plus petit angle</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::ArmReach</name>
+    <message>
+        <source>Reach for the target</source>
+        <translation>Atteindre la cible</translation>
     </message>
 </context>
 <context>

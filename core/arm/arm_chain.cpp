@@ -89,6 +89,11 @@ double wrappedAngle(double angleRad)
     return angleRad >= -pi && angleRad <= pi ? angleRad : std::remainder(angleRad, 2.0 * pi);
 }
 
+glm::dmat4 armUpright()
+{
+    return {{1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, -1.0, 0.0}, {0.0, 1.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 1.0}};
+}
+
 ArmChain::ArmChain(std::span<const ArmJoint> joints)
     : m_points(joints.size() + 1, glm::dvec3(0.0))
     , m_axes(2 * joints.size())

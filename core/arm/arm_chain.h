@@ -9,6 +9,7 @@
 #include "core/params/arm_params.h"
 #include "core/pose/pose.h"
 #include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
 #include <span>
 
 namespace ramure {
@@ -24,6 +25,9 @@ void setArmAngles(std::span<ArmJoint> joints, std::span<const double> angles);
 
 /// The same direction within -pi .. pi. Not finite stays so.
 double wrappedAngle(double angleRad);
+
+/// The arm's own space, Z up, as it stands in the world of its node, Y up: (x, y, z) -> (x, z, -y).
+glm::dmat4 armUpright();
 
 /// Keeps its buffers; setAngles allocates nothing.
 class ArmChain

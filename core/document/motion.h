@@ -3,6 +3,7 @@
 /// long as they draw it.
 #pragma once
 
+#include "core/arm/arm_solver.h"
 #include "core/geometry/box.h"
 #include "core/physics/physics_state.h"
 #include "core/pose/skin.h"
@@ -13,7 +14,22 @@
 
 namespace ramure {
 
-/// One tree. Skins belong to exactly the meshes named here: a view that shows others shows them at rest.
+/// What views show of an arm on its way.
+struct ArmProgress
+{
+    NodeId node = noNode;
+    std::vector<double> angles;
+    std::vector<ArmLimit> limits; ///< by angle
+    ArmFigures figures;           ///< of the solver
+    double residual = 0.0;        ///< m, from the arm's own tip to the target
+    std::vector<float> residuals; ///< of the arm, by ticks; at most 4096
+    bool moves = false;
+};
+/// Which of \p angles lie on a limit of their joints.
+std::vector<ArmLimit> armLimits(std::span<const ArmJoint> joints, std::span<const double> angles);
+
+/// One tree or arm. Skins belong to exactly the meshes named here: a view that shows others shows them at
+/// rest.
 struct NodeMotion
 {
     std::shared_ptr<const BranchMesh> mesh;
@@ -24,12 +40,16 @@ struct NodeMotion
     std::shared_ptr<const std::vector<RigidTransform>> bones;
     Box box; ///< of the moved tree, tree space; a little generous
     PhysicsFigures figures;
-    std::int64_t step = 0;    ///< of the physics
+    std::shared_ptr<const ArmProgress> arm; ///< of arms only
+    std::int64_t step = 0;                  ///< of the physics
     double stepSeconds = 0.0; ///< what one step took, mean over those computed for this frame; 0 = none was
 
     /// At rest there is nothing to deform.
     [[nodiscard]] bool moves() const { return step > 0; }
 };
+
+/// An arm with these angles. \pre two per joint
+NodeMotion armMotion(const NodeParams& params, std::span<const double> angles);
 
 struct MotionFrame
 {

@@ -1,5 +1,6 @@
 #include "core/document/motion_worker.h"
 
+#include "core/arm/arm_driver.h"
 #include "core/physics/physics_bake.h"
 #include "core/physics/physics_cache.h"
 #include "core/physics/tree_body.h"
@@ -250,6 +251,66 @@ void MotionWorker::Actor::addBand(const TimelineSettings& timeline, std::vector<
     }
 }
 
+/// One arm on the worker's thread: its driver, as long as nothing that it was made from changes.
+struct MotionWorker::ArmActor
+{
+    explicit ArmActor(const MotionArm& from)
+        : arm(from)
+        , driver(from.params.joints, from.params.ik, targetOf(from))
+    {
+    }
+    static ArmDriver::Target targetOf(const MotionArm& arm)
+    {
+        if (!arm.params.arm.follows)
+            return {};
+        return [params = arm.params, animation = arm.animation](double seconds) {
+            return animation.movesParams() ? paramsAt(params, animation, seconds).arm.target
+                                           : params.arm.target;
+        };
+    }
+    [[nodiscard]] bool isFor(const MotionArm& other) const
+    {
+        return arm.params.joints == other.params.joints && arm.params.ik == other.params.ik &&
+               arm.params.arm == other.params.arm && arm.animation == other.animation;
+    }
+
+    MotionArm arm;
+    ArmDriver driver;
+};
+
+std::optional<Error> MotionWorker::runArms(const MotionRequest& request, MotionFrame& frame,
+                                           const Progress& progress)
+{
+    std::erase_if(m_arms, [&](const auto& actor) {
+        return std::ranges::none_of(request.arms,
+                                    [&](const MotionArm& arm) { return arm.node == actor.first; });
+    });
+    std::optional<Error> problem;
+    for (const MotionArm& arm : request.arms) {
+        std::unique_ptr<ArmActor>& actor = m_arms[arm.node];
+        if (!actor || !actor->isFor(arm))
+            actor = std::make_unique<ArmActor>(arm);
+        const auto moment = actor->driver.momentAt(frame.timeSeconds, progress);
+        if (!moment) {
+            if (moment.error().code != ErrorCode::Cancelled)
+                problem = moment.error();
+            continue;
+        }
+        NodeMotion motion = armMotion(arm.params, moment->angles);
+        motion.step = frame.timeSeconds > 0.0 && arm.params.arm.follows ? 1 : 0;
+        auto told = std::make_shared<ArmProgress>();
+        told->node = arm.node;
+        told->angles = moment->angles;
+        told->limits = armLimits(arm.params.joints, moment->angles);
+        told->figures = moment->figures;
+        told->residual = moment->residual;
+        told->residuals = moment->figures.residuals;
+        motion.arm = std::move(told);
+        frame.nodes.insert_or_assign(arm.node, std::move(motion));
+    }
+    return problem;
+}
+
 MotionWorker::MotionWorker(Listener listener)
     : m_listener(std::move(listener))
     , m_thread([this](const std::stop_token& quit) { loop(quit); })
@@ -360,6 +421,8 @@ void MotionWorker::run(const MotionRequest& request, const Progress& progress)
         else if (motion.error().code != ErrorCode::Cancelled)
             problem = std::move(motion.error());
     }
+    if (auto failed = runArms(request, *frame, progress))
+        problem = std::move(failed);
     if (!progress.cancelled())
         m_listener.frame(std::move(frame));
     if (problem)

@@ -27,11 +27,20 @@ struct MotionTree
     int bakeVersion = 0;       ///< another number: the file is another
 };
 
+/// And of one arm.
+struct MotionArm
+{
+    NodeId node = noNode;
+    NodeParams params;
+    NodeAnimation animation;
+};
+
 struct MotionRequest
 {
     std::int64_t frame = 0;
     TimelineSettings timeline;
     std::vector<MotionTree> trees;
+    std::vector<MotionArm> arms;
     std::size_t memoryBytes = std::size_t(1) << 30; ///< for the runs of all trees together
     /// Playing: changed parameters and the hand act from the present step on. Otherwise the whole run is that
     /// of the present parameters.
@@ -67,9 +76,11 @@ public:
 
 private:
     struct Actor;
+    struct ArmActor;
     void loop(const std::stop_token& quit);
     void run(const MotionRequest& request, const Progress& progress);
     [[nodiscard]] BakeState bakeState() const;
+    std::optional<Error> runArms(const MotionRequest& request, MotionFrame& frame, const Progress& progress);
     void sendBand(const MotionRequest& request);
 
     Listener m_listener;
@@ -77,9 +88,10 @@ private:
     std::condition_variable_any m_wake;
     std::optional<MotionRequest> m_waiting;
     std::optional<std::stop_source> m_running;
-    std::map<NodeId, std::unique_ptr<Actor>> m_actors; ///< only the thread looks
-    std::chrono::steady_clock::time_point m_bandSent;  ///< only the thread looks
-    std::jthread m_thread;                             ///< last: it needs all of the above
+    std::map<NodeId, std::unique_ptr<Actor>> m_actors;  ///< only the thread looks
+    std::map<NodeId, std::unique_ptr<ArmActor>> m_arms; ///< likewise
+    std::chrono::steady_clock::time_point m_bandSent;   ///< only the thread looks
+    std::jthread m_thread;                              ///< last: it needs all of the above
 };
 
 } // namespace ramure

@@ -36,6 +36,7 @@ struct Player::Private
     }
     [[nodiscard]] const TimelineSettings& timeline() const { return document->scene().timeline(); }
     [[nodiscard]] std::vector<MotionTree> trees();
+    [[nodiscard]] std::vector<MotionArm> arms() const;
 
     Player* q;
     Document* document;
@@ -360,6 +361,15 @@ std::vector<MotionTree> Player::Private::trees()
     return list;
 }
 
+std::vector<MotionArm> Player::Private::arms() const
+{
+    std::vector<MotionArm> list;
+    for (const Node& node : document->scene().nodes())
+        if (node.kind == NodeKind::Arm && document->scene().isShown(node.id))
+            list.push_back({node.id, node.params, node.animation});
+    return list;
+}
+
 /// One frame at a time: while one is computed, the newest wish waits here, where the hand may still change
 /// it.
 void Player::Private::request(bool interrupt)
@@ -373,6 +383,7 @@ void Player::Private::request(bool interrupt)
     next.frame = frame;
     next.timeline = timeline();
     next.trees = trees();
+    next.arms = arms();
     next.memoryBytes = memoryBytes;
     next.live = playing;
     next.forgetHand = std::exchange(forgetHand, false);
@@ -422,8 +433,8 @@ void Player::Private::documentChanged(const Change& change)
     if (change.has(changeTimeline) && playing)
         rewindClock();
     const bool physics = change.has(changeParams) && change.firstStale == Stage::Motion;
-    if (!isAtRest() &&
-        (physics || change.has(changeResults | changeStructure | changeNodeState | changeTimeline)))
+    if (!isAtRest() && (physics || change.has(changeResults | changeStructure | changeNodeState |
+                                              changeTimeline | changeJoints | changeTracks)))
         request(!playing);
 }
 

@@ -64,10 +64,12 @@ struct ArmParams
 /// The arm's skin, a cylinder rolled up from a regular grid (SPEC C3).
 struct ArmSkinParams
 {
+    bool shown = true;                 ///< otherwise joints and rods are seen
     double radius = 0.5;               ///< m
     std::int64_t lengthDivisions = 94; ///< cells of the grid along the arm
     std::int64_t radialDivisions = 32; ///< and around it
     double window = 0.2;               ///< m on either side of a joint, over which segments share the skin
+    bool weights = false;              ///< coloured by the segments that it follows
     bool operator==(const ArmSkinParams&) const = default;
 };
 

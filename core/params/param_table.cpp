@@ -397,6 +397,10 @@ constexpr std::array table{
         {"ik.tolerance", ikGroup, RAMURE_NOOP("Tolerance"),
          RAMURE_NOOP("Nearer than this, the target counts as reached.")},
         ParamUnit::Metre, {1e-6, 1e3, 1e-5, 0.01, 1e-4, 6}, Stage::Motion, paramAdvanced, armOnly),
+    row<&NodeParams::armSkin, &ArmSkinParams::shown>(
+        {"armSkin.shown", armSkinGroup, RAMURE_NOOP("Visible"),
+         RAMURE_NOOP("Shows the skin; without it, joints and rods.")},
+        ParamUnit::None, {}, Stage::Mesh, paramNone, armOnly),
     row<&NodeParams::armSkin, &ArmSkinParams::radius>(
         {"armSkin.radius", armSkinGroup, RAMURE_NOOP("Radius"),
          RAMURE_NOOP("Of the cylinder around the arm.")},
@@ -413,6 +417,10 @@ constexpr std::array table{
         {"armSkin.window", armSkinGroup, RAMURE_NOOP("Blending"),
          RAMURE_NOOP("How far on either side of a joint two segments share the skin; at most half a segment.")},
         ParamUnit::Metre, {0, 1e3, 0, 1, 0.01, 3}, Stage::Mesh, paramNone, armOnly),
+    row<&NodeParams::armSkin, &ArmSkinParams::weights>(
+        {"armSkin.weights", armSkinGroup, RAMURE_NOOP("Show weights"),
+         RAMURE_NOOP("Colours the skin by the segments that it follows.")},
+        ParamUnit::None, {}, Stage::Mesh, paramNone, armOnly),
 
     row<&NodeParams::relief, &ReliefParams::seed>(
         {"relief.seed", reliefGroup, RAMURE_NOOP("Seed"),

@@ -1,5 +1,5 @@
 // Texture coordinates made visible: a checker, or how far a triangle's map is from one that keeps squares.
-uniform int uPaint;      // enum Paint: 0 the material, 1 checker, 2 stretch
+uniform int uPaint;      // enum Paint: 0 the material, 1 checker, 2 stretch, 3 weights
 uniform float uTileSize; // m
 
 const vec3 lightSquare = vec3(0.95, 0.92, 0.85);
@@ -64,8 +64,16 @@ vec3 stretchColour(vec2 uv, vec3 place)
 }
 
 // sRGB
+vec3 boneColour(float bone)
+{
+    vec3 hue = abs(fract(bone * 0.3819660 + vec3(0.0, 2.0, 1.0) / 3.0) * 6.0 - 3.0) - 1.0;
+    return mix(vec3(0.9), clamp(hue, 0.0, 1.0), 0.75);
+}
+
 vec3 painted(vec2 uv, vec3 place, vec3 material)
 {
+    if (uPaint == 3)
+        return mix(boneColour(floor(uv.x)), boneColour(floor(uv.x) + 1.0), fract(uv.x));
     if (uPaint == 1)
         return checker(uv, place);
     if (uPaint == 2)

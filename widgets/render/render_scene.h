@@ -60,6 +60,7 @@ enum class Paint : std::uint8_t {
     Material,
     Checker, ///< squares of texture tiles, larger ones where they would be too small to see
     Stretch, ///< from blue (a square stays a square) over yellow to red
+    Weights, ///< the first texture coordinate is a bone; between two whole numbers two bones share the place
 };
 
 /// What the texture modes say about all that is shown.

@@ -3,6 +3,7 @@
 #include "core/mesh/normals.h"
 #include "core/mesh/rough_model.h"
 #include "core/mesh/texture_report.h"
+#include "widgets/render/arm_items.h"
 #include "widgets/render/isolated_parts.h"
 #include "widgets/render/line_art.h"
 #include "widgets/render/scene_part_cache.h"
@@ -309,7 +310,13 @@ RenderScene SceneBuilder::build(const Scene& scene, const ResultOf& resultOf, co
     RenderScene built;
     std::vector<NodeId> shown;
     for (const Node& node : scene.nodes()) {
-        if (node.kind != NodeKind::Tree || !scene.isShown(node.id))
+        if (!scene.isShown(node.id))
+            continue;
+        if (addArmOrRelief(built, *m_cache, node, worldMatrix(scene, node.id), view)) {
+            shown.push_back(node.id);
+            continue;
+        }
+        if (node.kind != NodeKind::Tree)
             continue;
         const TreeResult* tree = resultOf(node.id);
         if (!tree)

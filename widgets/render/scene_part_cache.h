@@ -26,6 +26,10 @@ enum class ScenePart : std::uint8_t {
     SelectedCurves,
     Isolated,
     Textured,
+    ArmSkin,
+    ArmRods,
+    ArmTarget,
+    Relief,
 };
 
 /// What a part was made from: two blocks and some numbers.

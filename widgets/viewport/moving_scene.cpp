@@ -90,6 +90,8 @@ std::shared_ptr<const Skin> MovingScene::splitSkin(const MeshItem& item,
 
 std::shared_ptr<const Skin> MovingScene::skinOf(const MeshItem& item, const NodeMotion& motion)
 {
+    if (item.motion.skin) // of an arm: it is never at rest
+        return item.motion.skin;
     const std::pair<const TriangleMesh*, const std::shared_ptr<const Skin>&> known[] = {
         {motion.mesh ? &motion.mesh->mesh : nullptr, motion.branches},
         {motion.leavesMesh.get(), motion.leaves},

@@ -1,0 +1,184 @@
+#include "core/document/arm_reach.h"
+
+#include <QElapsedTimer>
+#include <QScopedValueRollback>
+#include <QTimer>
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace ramure {
+
+namespace {
+
+constexpr int mostTicksAtOnce = 6; ///< after a stall the arm does not leap
+constexpr int longestWay = 20'000;
+constexpr std::size_t mostResiduals = 4096;
+
+} // namespace
+
+struct ArmReach::Way
+{
+    Way(const Node& arm, std::vector<ArmJoint> from)
+        : joints(std::move(from))
+        , motion(joints, arm.params.ik)
+        , ik(arm.params.ik)
+    {
+        progress.node = arm.id;
+        target = arm.params.arm.target;
+        motion.setTarget(target);
+    }
+
+    std::vector<ArmJoint> joints; ///< as the document has them, with the angles at the start
+    ArmMotion motion;
+    ArmSolverParams ik;
+    glm::dvec3 target;
+    ArmProgress progress;
+    QTimer timer;
+    QElapsedTimer clock;
+    double waiting = 0.0; ///< s that have gone by since the last tick
+};
+
+ArmReach::ArmReach(Document* document, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+{
+    connect(document, &Document::changed, this, [this](const Change& change) { documentChanged(change); });
+}
+
+ArmReach::~ArmReach() = default;
+
+const ArmProgress* ArmReach::progress() const
+{
+    return m_way ? &m_way->progress : nullptr;
+}
+
+Expected<void> ArmReach::reachFor(NodeId arm, const glm::dvec3& target, GestureId gesture)
+{
+    {
+        const QScopedValueRollback own(m_editing, true);
+        const ParamDef& def = *findParam("arm.target");
+        if (auto done = edit::setParam(*m_document, {arm}, def, target, gesture); !done)
+            return done;
+        if (auto done = edit::setParam(*m_document, {arm}, *findParam("arm.follows"), true); !done)
+            return done;
+    }
+    start(arm);
+    return {};
+}
+
+/// An arm that is on its way already goes on from where it is.
+void ArmReach::start(NodeId arm)
+{
+    const Node* node = m_document->scene().find(arm);
+    if (!node || node->kind != NodeKind::Arm)
+        return;
+    std::vector<ArmJoint> joints = node->params.joints;
+    const bool goesOn = m_way && m_way->progress.node == arm && m_way->progress.moves;
+    if (goesOn && m_way->ik == node->params.ik) {
+        m_way->target = node->params.arm.target;
+        m_way->motion.setTarget(m_way->target);
+    } else {
+        if (goesOn)
+            setArmAngles(joints, m_way->motion.angles());
+        auto way = std::make_unique<Way>(*node, std::move(joints));
+        way->timer.setInterval(16);
+        connect(&way->timer, &QTimer::timeout, this, [this] {
+            const double seconds = double(m_way->clock.nsecsElapsed()) * 1e-9;
+            m_way->clock.restart();
+            m_way->waiting += seconds;
+            const int ticks = static_cast<int>(m_way->waiting / armTickSeconds);
+            m_way->waiting -= ticks * armTickSeconds;
+            advance(std::min(ticks, mostTicksAtOnce));
+        });
+        m_way = std::move(way);
+    }
+    m_way->progress.moves = true;
+    if (!m_paused && !m_way->timer.isActive()) {
+        m_way->clock.start();
+        m_way->timer.start();
+    }
+    report();
+}
+
+void ArmReach::advance(int ticks)
+{
+    if (ticks <= 0 || !m_way || !m_way->progress.moves)
+        return;
+    for (int i = 0; i < ticks && !m_way->motion.isStill(); ++i) {
+        m_way->motion.tick();
+        report();
+    }
+    if (m_way->motion.isStill())
+        land();
+    emit moved();
+}
+
+void ArmReach::report()
+{
+    ArmProgress& progress = m_way->progress;
+    ArmChain chain(m_way->joints);
+    const std::span<const double> angles = m_way->motion.angles();
+    chain.setAngles(angles);
+    progress.angles.assign(angles.begin(), angles.end());
+    progress.limits = armLimits(m_way->joints, angles);
+    progress.figures = m_way->motion.solver().figures();
+    progress.residual = glm::distance(chain.tip(), m_way->target);
+    if (progress.residuals.size() < mostResiduals)
+        progress.residuals.push_back(static_cast<float>(progress.residual));
+}
+
+/// The joints of the document are where the arm is.
+void ArmReach::land()
+{
+    m_way->timer.stop();
+    m_way->progress.moves = false;
+    setArmAngles(m_way->joints, m_way->motion.angles());
+    const QScopedValueRollback own(m_editing, true);
+    // Errors (locked meanwhile) leave the joints as they are: the arm is shown there then.
+    if (!edit::setJoints(*m_document, m_way->progress.node, m_way->joints, tr("Reach for the target")))
+        m_way.reset();
+}
+
+void ArmReach::setPaused(bool paused)
+{
+    m_paused = paused;
+    if (!m_way || !m_way->progress.moves)
+        return;
+    if (paused)
+        m_way->timer.stop();
+    else {
+        m_way->clock.start();
+        m_way->timer.start();
+    }
+    emit moved();
+}
+
+void ArmReach::step()
+{
+    advance(1);
+}
+
+void ArmReach::finish()
+{
+    advance(longestWay);
+}
+
+/// Whatever else happens to the arm ends its way, where it is not one that it can follow.
+void ArmReach::documentChanged(const Change& change)
+{
+    if (!m_way || m_editing)
+        return;
+    const Node* node = m_document->scene().find(m_way->progress.node);
+    const bool concerns =
+        std::find(change.nodes.begin(), change.nodes.end(), m_way->progress.node) != change.nodes.end();
+    const bool other = change.has(changeReset) || !node ||
+                       (concerns && change.has(changeJoints | changeParams | changeStructure));
+    if (!other)
+        return;
+    m_way.reset();
+    emit moved();
+}
+
+} // namespace ramure
+
+#include "moc_arm_reach.cpp"
