@@ -88,7 +88,8 @@ void storeLanes(Lanes& to, std::size_t i, Float4 a, Float4 b, Float4 c, Float4 d
 }
 
 /// \p vertexCount positions; of all but the last, four floats can be read.
-void loadBlock(const TriangleMesh& mesh, std::size_t from, std::size_t count, float scale, Block& b)
+RAMURE_WIDE_CLONE void loadBlock(const TriangleMesh& mesh, std::size_t from, std::size_t count, float scale,
+                                 Block& b)
 {
     const glm::vec3* const positions = mesh.positions.data();
     const auto last = static_cast<Index>(mesh.positions.size() - 1);
@@ -96,33 +97,50 @@ void loadBlock(const TriangleMesh& mesh, std::size_t from, std::size_t count, fl
     const auto load = [&](Index v) {
         return v != last ? loadFloat4(&positions[v].x) : loadFloat3(&positions[v].x);
     };
+    const auto edges = [&](const glm::uvec3& t, Float4& e1, Float4& e2) {
+        const Float4 p = load(t.x);
+        e1 = scale * (load(t.y) - p);
+        e2 = scale * (load(t.z) - p);
+    };
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4) {
+        Float4 a1, a2, b1, b2, c1, c2, d1, d2;
+        edges(triangles[i], a1, a2);
+        edges(triangles[i + 1], b1, b2);
+        edges(triangles[i + 2], c1, c2);
+        edges(triangles[i + 3], d1, d2);
+        storeLanes(b.e1, i, a1, b1, c1, d1);
+        storeLanes(b.e2, i, a2, b2, c2, d2);
+    }
     // What lies behind the last triangle is solved too, and not used.
-    for (std::size_t i = 0; i < count; i += 4) {
-        Float4 e1[4] = {}, e2[4] = {};
-        for (std::size_t k = 0; k < std::min<std::size_t>(4, count - i); ++k) {
-            const glm::uvec3& t = triangles[i + k];
-            const Float4 p = load(t.x);
-            e1[k] = scale * (load(t.y) - p);
-            e2[k] = scale * (load(t.z) - p);
-        }
-        storeLanes(b.e1, i, e1[0], e1[1], e1[2], e1[3]);
-        storeLanes(b.e2, i, e2[0], e2[1], e2[2], e2[3]);
+    for (; i < count; ++i) {
+        Float4 e1, e2;
+        edges(triangles[i], e1, e2);
+        b.e1.x[i] = e1[0], b.e1.y[i] = e1[1], b.e1.z[i] = e1[2];
+        b.e2.x[i] = e2[0], b.e2.y[i] = e2[1], b.e2.z[i] = e2[2];
     }
 }
 
-void addBlock(const Block& b, const glm::uvec3* triangles, std::size_t count, Sum* sums)
+RAMURE_WIDE_CLONE void addBlock(const Block& b, const glm::uvec3* triangles, std::size_t count, Sum* sums)
 {
-    for (std::size_t i = 0; i < count; i += 4) {
-        Float4 n[4] = {
-            loadFloat4(&b.normal.x[i]), loadFloat4(&b.normal.y[i]), loadFloat4(&b.normal.z[i]), {}};
-        transpose(n[0], n[1], n[2], n[3]);
-        for (std::size_t k = 0; k < std::min<std::size_t>(4, count - i); ++k) {
-            const glm::uvec3 t = triangles[i + k];
-            sums[t.x].xyz += b.angle0[i + k] * n[k];
-            sums[t.y].xyz += b.angle1[i + k] * n[k];
-            sums[t.z].xyz += b.angle2[i + k] * n[k];
-        }
+    const auto add = [&](std::size_t i, const Float4& normal) {
+        const glm::uvec3 t = triangles[i];
+        sums[t.x].xyz += b.angle0[i] * normal;
+        sums[t.y].xyz += b.angle1[i] * normal;
+        sums[t.z].xyz += b.angle2[i] * normal;
+    };
+    std::size_t i = 0;
+    for (; i + 4 <= count; i += 4) {
+        Float4 n0 = loadFloat4(&b.normal.x[i]), n1 = loadFloat4(&b.normal.y[i]),
+               n2 = loadFloat4(&b.normal.z[i]), n3{};
+        transpose(n0, n1, n2, n3);
+        add(i, n0);
+        add(i + 1, n1);
+        add(i + 2, n2);
+        add(i + 3, n3);
     }
+    for (; i < count; ++i)
+        add(i, Float4{b.normal.x[i], b.normal.y[i], b.normal.z[i], 0.0f});
 }
 
 RAMURE_WIDE_CLONE void normalise(Lanes& lanes)
@@ -139,15 +157,21 @@ RAMURE_WIDE_CLONE void normalise(Lanes& lanes)
     }
 }
 
-/// A power of two, so that scaling is exact. Floats without their sign compare like whole numbers, which is
-/// quick.
-float scaleOf(const std::vector<glm::vec3>& positions)
+/// Floats without their sign compare like whole numbers, which is quick.
+RAMURE_WIDE_CLONE std::int32_t largestSize(const float* numbers, std::size_t count)
 {
     std::int32_t largest = 0;
-    for (const glm::vec3& p : positions)
-        for (int i = 0; i < 3; ++i)
-            largest = std::max(largest, std::bit_cast<std::int32_t>(p[i]) & std::int32_t(0x7FFFFFFF));
-    const auto size = std::bit_cast<float>(largest);
+    for (std::size_t i = 0; i < count; ++i)
+        largest = std::max(largest, std::bit_cast<std::int32_t>(numbers[i]) & std::int32_t(0x7FFFFFFF));
+    return largest;
+}
+
+/// A power of two, so that scaling is exact.
+float scaleOf(const std::vector<glm::vec3>& positions)
+{
+    if (positions.empty())
+        return 1.0f;
+    const auto size = std::bit_cast<float>(largestSize(&positions[0].x, 3 * positions.size()));
     return size > 0.0f && size <= std::numeric_limits<float>::max() ? std::ldexp(1.0f, -std::ilogb(size))
                                                                     : 1.0f;
 }
