@@ -45,7 +45,7 @@ bool areClosedFan(std::uint64_t sets, Index degree, BitOf bitOf)
 }
 
 /// The same for up to nearDegree faces, from the corners. Nobody can guess the order: compared all with all.
-RAMURE_WIDE_CLONE bool isLargeClosedFan(const Corner* corners, Index degree)
+bool isLargeClosedFan(const Corner* corners, Index degree)
 {
     std::array<Index, nearDegree> next, previous, found{};
     for (std::size_t i = 0; i < nearDegree; ++i)
@@ -73,14 +73,6 @@ Index lowestNext(const Corner* corners, Index degree)
     return lowest;
 }
 
-/// Lowest neighbour or noIndex, of a vertex with any number of faces but 3 to 8.
-Index findLarge(const Corner* corners, Index degree)
-{
-    return degree > wordDegree && degree <= nearDegree && isLargeClosedFan(corners, degree)
-               ? lowestNext(corners, degree)
-               : noIndex;
-}
-
 using Lanes [[gnu::vector_size(32)]] = Index;
 
 constexpr unsigned plainBit(unsigned i, unsigned j)
@@ -100,7 +92,8 @@ void FanFinder::findPlain(const Corners& corners, Index from, Index to, Index* l
         const Corner* const at = &corners.at[begin];
         begin = end;
         if (degree < 3 || degree > wordDegree) {
-            *lowest++ = findLarge(at, degree);
+            const bool isLarge = degree > wordDegree && degree <= nearDegree;
+            *lowest++ = isLarge && isLargeClosedFan(at, degree) ? lowestNext(at, degree) : noIndex;
             continue;
         }
         Lanes low, high, found{};
@@ -158,6 +151,51 @@ RAMURE_WIDE [[gnu::always_inline]] inline std::uint64_t followed(const __m256i& 
     return static_cast<std::uint32_t>(_mm256_movemask_epi8(_mm256_packs_epi16(low, high)));
 }
 
+/// The previous vertices of eight faces.
+RAMURE_WIDE [[gnu::always_inline]] inline __m256i previousOf(const Corner* at)
+{
+    const __m256 low = _mm256_loadu_ps(reinterpret_cast<const float*>(at));
+    const __m256 high = _mm256_loadu_ps(reinterpret_cast<const float*>(at + 4));
+    return _mm256_permute4x64_epi64(_mm256_castps_si256(_mm256_shuffle_ps(low, high, 0xDD)), 0xD8);
+}
+
+/// Sixteen numbers below 256.
+RAMURE_WIDE [[gnu::always_inline]] inline __m128i asBytes(const __m256i& words)
+{
+    return _mm_packus_epi16(_mm256_castsi256_si128(words), _mm256_extracti128_si256(words, 1));
+}
+
+/// As isLargeClosedFan().
+RAMURE_WIDE bool isLargeClosedFanWide(const Corner* at, Index degree)
+{
+    const __m256i low = previousOf(at), high = previousOf(at + 8);
+    // For each face how many follow it, times 256, and the sum of their numbers, which for one is its number.
+    __m256i foundLow = _mm256_setzero_si256(), foundHigh = foundLow, number = _mm256_set1_epi32(256);
+    for (Index j = 0; j < degree; ++j) {
+        foundLow = _mm256_add_epi32(foundLow, _mm256_and_si256(same(low, at[j].next), number));
+        foundHigh = _mm256_add_epi32(foundHigh, _mm256_and_si256(same(high, at[j].next), number));
+        number = _mm256_add_epi32(number, _mm256_set1_epi32(1));
+    }
+    const __m256i words = _mm256_permute4x64_epi64(_mm256_packs_epi32(foundLow, foundHigh), 0xD8);
+    const __m128i counts = asBytes(_mm256_srli_epi16(words, 8));
+    __m128i follower = asBytes(_mm256_and_si256(words, _mm256_set1_epi16(0xFF)));
+    const unsigned all = (1u << degree) - 1u;
+    const auto ones = static_cast<unsigned>(_mm_movemask_epi8(_mm_cmpeq_epi8(counts, _mm_set1_epi8(1))));
+    const auto firsts =
+        static_cast<unsigned>(_mm_movemask_epi8(_mm_cmpeq_epi8(follower, _mm_setzero_si128())));
+    // The faces that one passes from each: one, then two, four, eight and sixteen of them, as bits.
+    __m128i seenLow = _mm_setr_epi8(1, 2, 4, 8, 16, 32, 64, -128, 0, 0, 0, 0, 0, 0, 0, 0);
+    __m128i seenHigh = _mm_setr_epi8(0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 4, 8, 16, 32, 64, -128);
+    for (int step = 0; step < 4; ++step) {
+        seenLow = _mm_or_si128(seenLow, _mm_shuffle_epi8(seenLow, follower));
+        seenHigh = _mm_or_si128(seenHigh, _mm_shuffle_epi8(seenHigh, follower));
+        follower = _mm_shuffle_epi8(follower, follower);
+    }
+    const unsigned seen = (static_cast<unsigned>(_mm_cvtsi128_si32(seenLow)) & 0xFFu) |
+                          (static_cast<unsigned>(_mm_cvtsi128_si32(seenHigh)) & 0xFFu) << 8;
+    return (ones & all) == all && (firsts & all) != 0 && seen == all;
+}
+
 } // namespace
 
 RAMURE_WIDE void FanFinder::findWide(const Corners& corners, Index from, Index to, Index* lowest)
@@ -170,7 +208,8 @@ RAMURE_WIDE void FanFinder::findWide(const Corners& corners, Index from, Index t
         const Corner* const at = first + begin;
         begin = end;
         if (degree < 3 || degree > wordDegree) {
-            *lowest++ = findLarge(at, degree);
+            const bool isLarge = degree > wordDegree && degree <= nearDegree;
+            *lowest++ = isLarge && isLargeClosedFanWide(at, degree) ? lowestNext(at, degree) : noIndex;
             continue;
         }
         const __m256 low = _mm256_loadu_ps(reinterpret_cast<const float*>(at));
