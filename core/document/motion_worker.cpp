@@ -397,6 +397,7 @@ void MotionWorker::run(const MotionRequest& request, const Progress& progress)
     });
     auto frame = std::make_shared<MotionFrame>();
     frame->frame = request.frame;
+    frame->document = request.document;
     frame->timeSeconds = request.timeline.timeOf(request.frame);
     const auto count = static_cast<double>(request.trees.size());
     std::optional<Error> problem;
@@ -461,7 +462,7 @@ void MotionWorker::sendBand(const MotionRequest& request)
             band.push_back({frame, frame, states[i]});
         band.back().last = frame;
     }
-    m_listener.band(std::move(band));
+    m_listener.band(request.document, std::move(band));
 }
 
 } // namespace ramure
