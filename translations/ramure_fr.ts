@@ -2668,6 +2668,50 @@
         <source>Colours the skin by the segments that it follows.</source>
         <translation>Colore la peau selon les segments qu&apos;elle suit.</translation>
     </message>
+    <message>
+        <source>The reach of forks must be between 0 and 4</source>
+        <translation>La portée des fourches doit être comprise entre 0 et 4</translation>
+    </message>
+    <message>
+        <source>The softness of forks must be between 0 and 1</source>
+        <translation>La douceur des fourches doit être comprise entre 0 et 1</translation>
+    </message>
+    <message>
+        <source>Forks</source>
+        <translation>Fourches</translation>
+    </message>
+    <message>
+        <source>Softness</source>
+        <translation>Douceur</translation>
+    </message>
+    <message>
+        <source>How far wood grows over the creases between the branches of a fork: 0 leaves them sharp, 1 rounds them fully.</source>
+        <translation>Jusqu&apos;où le bois recouvre les plis entre les branches d&apos;une fourche : 0 les laisse vifs, 1 les arrondit tout à fait.</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Portée</translation>
+    </message>
+    <message>
+        <source>How far from the crease the branches of a fork begin to swell, as a share of the thinner one&apos;s radius.</source>
+        <translation>À quelle distance du pli les branches d&apos;une fourche commencent à grossir, en part du rayon de la plus mince.</translation>
+    </message>
+    <message>
+        <source>Calm short branches</source>
+        <translation>Calmer les branches courtes</translation>
+    </message>
+    <message>
+        <source>A branch much shorter than its parent swings out in a wide bow before it turns to its own direction. On: the bow is no larger than one and a half times the branch.</source>
+        <translation>Une branche bien plus courte que sa branche mère décrit un grand arc avant de prendre sa propre direction. Activé : l&apos;arc ne dépasse pas une fois et demie la branche.</translation>
+    </message>
+    <message>
+        <source>Join twins below</source>
+        <translation>Réunir les jumelles sous</translation>
+    </message>
+    <message>
+        <source>Branches of a fork become one where their ends are closer than this share of their added radii: they would lie in each other all along. 0 joins only those in the same place.</source>
+        <translation>Les branches d&apos;une fourche n&apos;en font qu&apos;une si leurs extrémités sont plus proches que cette part de la somme de leurs rayons : elles seraient l&apos;une dans l&apos;autre sur toute leur longueur. 0 ne réunit que celles qui coïncident.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>

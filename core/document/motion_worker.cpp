@@ -241,17 +241,14 @@ Expected<NodeMotion> MotionWorker::Actor::motionAt(std::int64_t step, const Prog
     return motion;
 }
 
-/// A frame is as good as its worst tree. By ranges: a timeline may have a million frames.
+/// A frame is as good as its worst tree.
 void MotionWorker::Actor::addBand(const TimelineSettings& timeline, std::vector<FrameState>& states) const
 {
-    const auto stepOf = [&](std::size_t i) {
-        return std::max<std::int64_t>(cache->stepAt(timeline.timeOf(timeline.firstFrame + std::int64_t(i))),
-                                      0);
-    };
-    std::size_t i = 0;
-    for (const StepRange& range : cache->ranges(0, stepOf(states.size() - 1)))
-        for (; i < states.size() && stepOf(i) <= range.last; ++i)
-            states[i] = std::min(states[i], static_cast<FrameState>(range.state));
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const double time = timeline.timeOf(timeline.firstFrame + std::int64_t(i));
+        const StepState state = time <= 0.0 ? StepState::Cached : cache->stateOf(cache->stepAt(time));
+        states[i] = std::min(states[i], static_cast<FrameState>(state));
+    }
 }
 
 /// One arm on the worker's thread: its driver, as long as nothing that it was made from changes.
@@ -397,7 +394,6 @@ void MotionWorker::run(const MotionRequest& request, const Progress& progress)
     });
     auto frame = std::make_shared<MotionFrame>();
     frame->frame = request.frame;
-    frame->document = request.document;
     frame->timeSeconds = request.timeline.timeOf(request.frame);
     const auto count = static_cast<double>(request.trees.size());
     std::optional<Error> problem;
@@ -462,7 +458,7 @@ void MotionWorker::sendBand(const MotionRequest& request)
             band.push_back({frame, frame, states[i]});
         band.back().last = frame;
     }
-    m_listener.band(request.document, std::move(band));
+    m_listener.band(std::move(band));
 }
 
 } // namespace ramure

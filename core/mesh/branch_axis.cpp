@@ -101,6 +101,19 @@ double AxisTable::clearanceFrom(Place place, const glm::dvec3& point, double gue
     return std::sqrt(std::max(beyond ? square : square - ahead * ahead, 0.0)) - place.radius;
 }
 
+AxisTable::Away AxisTable::awayFrom(const glm::dvec3& point, double guess) const
+{
+    const double along = footOf(point, guess);
+    const Place place = at(along);
+    glm::dvec3 away = point - place.point;
+    const double ahead = glm::dot(away, place.tangent);
+    if (!(along >= m_length && ahead > 0.0))
+        away -= ahead * place.tangent;
+    const double distance = std::sqrt(glm::dot(away, away));
+    return {distance > 0.0 ? away * (1.0 / distance) : glm::dvec3(0.0), place.tangent,
+            distance - place.radius, place.radius};
+}
+
 void AxisBuilder::build(const BranchCurve& curve, const MeshBranch& branch, const Frame& start,
                         int lengthDivisions, std::vector<AxisSection>& sections, AxisTable* table)
 {

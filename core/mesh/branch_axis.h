@@ -57,6 +57,15 @@ public:
     }
     /// The same where the place at \p guess is known already.
     [[nodiscard]] double clearanceFrom(Place place, const glm::dvec3& point, double guess) const;
+    /// How a point lies to the tube around this axis.
+    struct Away
+    {
+        glm::dvec3 out;     ///< unit, away from the axis
+        glm::dvec3 tangent; ///< of the axis beside the point
+        double clearance;   ///< m, see clearance()
+        double radius;      ///< m, of the tube beside the point
+    };
+    [[nodiscard]] Away awayFrom(const glm::dvec3& point, double guess) const;
     /// Arc length of the point of the axis nearest to \p point, found from \p guess.
     [[nodiscard]] double footOf(const glm::dvec3& point, double guess) const;
 

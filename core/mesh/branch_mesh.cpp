@@ -31,6 +31,10 @@ Expected<void> checkOptions(const Skeleton& skeleton, const BranchMeshOptions& o
                                     [](double roll) { return std::isfinite(roll); });
     if (!finite || !std::isfinite(options.nearTwinRatio) || options.nearTwinRatio < 0.0)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("A roll or the near-twin ratio is not a usable number"));
+    if (!(options.forkReach >= 0.0 && options.forkReach <= 4.0))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("The reach of forks must be between 0 and 4"));
+    if (!(options.forkSoftness >= 0.0 && options.forkSoftness <= 1.0))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("The softness of forks must be between 0 and 1"));
     const bool hasBudget = options.targetTriangles > 0;
     const double along = hasBudget ? leastSections : options.lengthDivisions;
     const double around = hasBudget ? leastSides : options.radialDivisions;

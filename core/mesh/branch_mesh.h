@@ -30,6 +30,11 @@ struct BranchMeshOptions
     double nearTwinRatio = 0.25;
     /// Clamp the curve's start tangent to 1.5 times the branch's length (off: SPEC A4 as written).
     bool clampOvershoot = false;
+    /// How far a fork reaches: up to this distance from each other, as a share of the thinner one's radius,
+    /// tubes of a fork grow towards each other; 0..4.
+    double forkReach = 0.9;
+    /// How soft a fork is: 0 leaves the crease where tubes meet, 1 rounds it fully.
+    double forkSoftness = 0.7;
     /// An extra turn of each branch's frames about its tangent, radians, one per branch; empty = none.
     std::span<const double> rollRad;
 };

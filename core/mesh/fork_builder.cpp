@@ -38,13 +38,19 @@ void ForkBuilder::insertPartialRings(Index child, std::size_t full)
             tube.sections[full].along - section.along < roomAboveFront * section.radius)
             continue;
         last = k;
+        const bool swells = m_softener.isOn() && m_softener.comesNear(child, section);
         for (const RingPoint& on : m_context.divisions.ring(tube.branch, section.radius)) {
             if (alongAt(m_front, on.azimuth) + roomInFront * section.radius >= section.along)
                 continue;
-            const glm::dvec3 point = ringPosition(section, on);
-            if (isFree(child, point, section.along) &&
-                m_patch.insert({on.azimuth, section.along, m_context.sink.nextVertex()}))
-                m_context.sink.addVertex(point, tube.source);
+            glm::dvec3 point = ringPosition(section, on);
+            if (!isFree(child, point, section.along) ||
+                !m_patch.insert({on.azimuth, section.along, m_context.sink.nextVertex()}))
+                continue;
+            if (swells) {
+                const glm::dvec3 out = (point - section.centre) / section.radius;
+                point += m_softener.swelling(section, point, out) * out;
+            }
+            m_context.sink.addVertex(point, tube.source);
         }
     }
 }
@@ -71,6 +77,35 @@ std::size_t ForkBuilder::lastSectionBelow(const ForkChild& tube, std::size_t ful
         if (keepsSection(tube.sections, last, k))
             last = k;
     return last;
+}
+
+void ForkBuilder::swellRing(const AxisSection& section, Index ring, std::size_t count)
+{
+    for (std::size_t i = ring; i < ring + count; ++i) {
+        glm::vec3& position = m_context.sink.positions[i];
+        const glm::dvec3 point(position), out = (point - section.centre) / section.radius;
+        if (const double way = m_softener.swelling(section, point, out); way > 0.0)
+            position = glm::vec3(point + way * out);
+    }
+}
+
+/// Complete rings swell as well, as far as a sibling is near; not the last one, which the next fork starts
+/// from.
+void ForkBuilder::swellRingsAbove(Index child, std::size_t full, Index ring)
+{
+    const ForkChild& tube = m_children[child];
+    std::size_t below = full;
+    for (std::size_t k = full; k + 1 < tube.sections.size(); ++k) {
+        const AxisSection& section = tube.sections[k];
+        if (k != full && !keepsSection(tube.sections, below, k))
+            continue;
+        if (!m_softener.comesNear(child, section))
+            return;
+        const std::size_t count = m_context.divisions.ring(tube.branch, section.radius).size();
+        swellRing(section, ring, count);
+        ring += static_cast<Index>(count);
+        below = k;
+    }
 }
 
 /// Tubes that never come apart end inside each other: the points of a last ring that lie in a sibling's tube
@@ -146,6 +181,8 @@ void ForkBuilder::startTube(Index child, std::vector<TubeEnd>& ends)
         m_tubes.end(tube.branch, section, ring, points.size(), ends);
     else
         m_tubes.finish(tube.branch, tube.sections, full, {ring, points}, ends);
+    if (m_softener.isOn())
+        swellRingsAbove(child, full, ring);
 }
 
 /// On the average: what the walls between them are divided by.
@@ -181,7 +218,9 @@ void ForkBuilder::build(const TubeEnd& parent, std::vector<TubeEnd>& ends)
     m_ring.points.clear();
     for (std::size_t i = 0; i < m_layout.ring.size(); ++i)
         m_ring.points.emplace_back(m_context.sink.positions[parent.ring + i]);
-    m_walls.build(m_layout, m_ring, {m_children.data(), m_count}, sidesOfChildren(), m_context.sink);
+    const std::span<const ForkChild> children(m_children.data(), m_count);
+    m_softener.begin(children, m_context.options.forkReach, m_context.options.forkSoftness);
+    m_walls.build(m_layout, m_ring, children, m_softener, sidesOfChildren(), m_context.sink);
     for (Index i = 0; i < m_count; ++i)
         startTube(i, ends);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/mesh/cell_unroll.h"
+#include "core/mesh/fork_softening.h"
 #include "core/mesh/fork_walls.h"
 #include "core/mesh/strip_patch.h"
 #include "core/mesh/tube_builder.h"
@@ -27,6 +28,8 @@ private:
     std::size_t firstFullSection(const ForkChild& tube) const;
     std::size_t lastSectionBelow(const ForkChild& tube, std::size_t full) const;
     void trimEndRing(Index child, const AxisSection& section, Index ring, std::size_t count);
+    void swellRing(const AxisSection& section, Index ring, std::size_t count);
+    void swellRingsAbove(Index child, std::size_t full, Index ring);
     void insertPartialRings(Index child, std::size_t full);
     [[nodiscard]] int sidesOfChildren() const;
     [[nodiscard]] bool isFree(Index child, const glm::dvec3& point, double along) const;
@@ -36,6 +39,7 @@ private:
     AxisBuilder m_axes;
     ForkPlanner m_planner;
     ForkLayout m_layout;
+    ForkSoftener m_softener;
     ForkWalls m_walls;
     ForkRing m_ring;
     CellUnroller m_unroller;

@@ -13,9 +13,12 @@ constexpr std::size_t mostPerWall = 48; ///< vertices
 constexpr double leastAngle = 0.04;     ///< rad, between vertices added where a wall is steep
 constexpr double leastStepShare = 0.1;  ///< of the height between two neighbours: a vertex between them
 constexpr double leastCosine = 0.97;    ///< how near to the outside, or the far side, a wall may end
-/// A wall from side to side has a vertex in the middle, where the valley is highest, on tubes of less or more
-/// sides. Found by trial: in between, plane forks fold in fewer places without it.
-constexpr int fewSides = 5, manySides = 8;
+/// Does a wall from side to side have a vertex in the middle, where the valley is highest? Found by trial: on
+/// tubes of 5, 7 or 8 sides, plane forks fold in fewer places without it.
+constexpr bool isPeaked(int sides)
+{
+    return sides < 5 || sides == 6 || sides > 8;
+}
 constexpr int cornerRounds = 4;
 constexpr double cornerGap = 0.1; ///< of the radius, between two corners
 /// A wall leans to its point of the ring up to this height, of the radius, at least, and to where it is this
@@ -134,14 +137,14 @@ void ForkWalls::leanToRing(WallPlan& plan, std::size_t edge, bool far) const
 /// the ring is; half a turn at the far side.
 ForkWalls::WallSample ForkWalls::cornerOf(const WallPlan& plan, Index corner) const
 {
-    const CellVertex& at = m_vertices[corner];
+    const ForkLift::Lifted& at = m_corners[corner].at;
     WallPath middle = plan.path;
     middle.out = 0.0;
     WallPath aside = plan.path;
     aside.out = 1.0;
-    const glm::dvec3 centre = m_lift.pointAt(middle, at.lifted);
-    const double out = glm::dot(at.position - centre, m_lift.pointAt(aside, at.lifted) - centre);
-    return {std::acos(std::clamp(out / plan.reach, -leastCosine, leastCosine)), {at.position, at.lifted}};
+    const glm::dvec3 centre = m_lift.pointAt(middle, at.along);
+    const double out = glm::dot(at.position - centre, m_lift.pointAt(aside, at.along) - centre);
+    return {std::acos(std::clamp(out / plan.reach, -leastCosine, leastCosine)), at};
 }
 
 WallPath ForkWalls::pathAt(const WallPlan& plan, double angle)
@@ -191,7 +194,7 @@ ForkWalls::Wall ForkWalls::makeWall(WallPlan plan, const WallSample& from, const
     m_guess.build(m_children, plan.path);
     plan.leansUpTo = std::max(leanHeight * plan.reach, m_guess.exitAt(leanReach * plan.reach));
     const double highest = std::max(from.at.along, to.at.along), range = to.angle - from.angle;
-    const bool peaked = plan.endsOnRing && (m_radialDivisions < fewSides || m_radialDivisions > manySides);
+    const bool peaked = plan.endsOnRing && isPeaked(m_radialDivisions);
     const long mids =
         std::max<long>(1, std::lround(2.0 / pi * std::abs(range) * m_midsPerQuarter) + (peaked ? 1 : 0));
     m_samples.clear();
@@ -260,8 +263,27 @@ void ForkWalls::makeInnerWalls()
         }
 }
 
+/// Moves the walls' vertices out of the valleys, once all of them are known.
+void ForkWalls::soften(ForkSoftener& softener)
+{
+    double highest = 0.0;
+    for (const CellVertex& vertex : m_vertices)
+        highest = std::max(highest, vertex.lifted);
+    softener.limit(highest);
+    if (!softener.isOn())
+        return;
+    const std::size_t first = m_sink->forkVertices.size() - m_vertices.size();
+    for (std::size_t i = 0; i < m_vertices.size(); ++i) {
+        CellVertex& vertex = m_vertices[i];
+        if (!softener.soften(vertex.cells, vertex.position, vertex.lifted))
+            continue;
+        m_sink->positions[vertex.vertex] = glm::vec3(vertex.position);
+        m_sink->forkVertices[first + i].along = float(vertex.lifted);
+    }
+}
+
 void ForkWalls::build(const ForkLayout& layout, const ForkRing& ring, std::span<const ForkChild> children,
-                      int radialDivisions, MeshSink& sink)
+                      ForkSoftener& softener, int radialDivisions, MeshSink& sink)
 {
     m_layout = &layout;
     m_ring = &ring;
@@ -274,6 +296,7 @@ void ForkWalls::build(const ForkLayout& layout, const ForkRing& ring, std::span<
     makeCorners();
     makeHullWalls();
     makeInnerWalls();
+    soften(softener);
 
     m_hullFrom.assign(children.size(), noIndex);
     m_hullTo.assign(children.size(), noIndex);

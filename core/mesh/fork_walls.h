@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/mesh/fork_layout.h"
-#include "core/mesh/fork_lift.h"
+#include "core/mesh/fork_softening.h"
 #include "core/mesh/mesh_sink.h"
 
 namespace ramure {
@@ -38,7 +38,7 @@ class ForkWalls
 public:
     /// Adds all wall vertices to \p sink.
     void build(const ForkLayout& layout, const ForkRing& ring, std::span<const ForkChild> children,
-               int radialDivisions, MeshSink& sink);
+               ForkSoftener& softener, int radialDivisions, MeshSink& sink);
     /// The boundary of a child's cell, counter-clockwise seen from the child's tip; at least three vertices.
     /// A run on the ring, if there is one, comes first.
     void cell(Index child, std::vector<CellVertex>& boundary) const;
@@ -72,6 +72,7 @@ private:
     bool partCorners();
     void makeHullWalls();
     void makeInnerWalls();
+    void soften(ForkSoftener& softener);
     [[nodiscard]] WallPlan planWall(Index from, Index to) const;
     void leanToRing(WallPlan& plan, std::size_t edge, bool far) const;
     [[nodiscard]] WallSample cornerOf(const WallPlan& plan, Index corner) const;

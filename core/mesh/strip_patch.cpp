@@ -82,19 +82,22 @@ bool StripPatch::preferLower(std::size_t i, std::size_t j) const
     return ifLower < ifUpper;
 }
 
-/// Row by row, greedily. False where that makes a triangle upside down, or a very wide one.
-bool StripPatch::chooseStepsQuickly()
+/// Row by row, greedily. Returns what that costs in all, and whether it is crooked: whether it makes a
+/// triangle upside down, or a very wide one.
+double StripPatch::chooseStepsQuickly()
 {
     m_steps.clear();
     std::size_t i = 0, j = 0;
-    bool fine = true;
+    double cost = 0.0;
     while (i < lowerLeft() || j < m_upperCount) {
         const bool lower = i < lowerLeft() && (j >= m_upperCount || preferLower(i, j));
-        fine = fine && stepCost(i, j, lower) < upsideDown;
+        const double step = stepCost(i, j, lower);
+        m_crooked = m_crooked || step >= upsideDown;
+        cost += step;
         m_steps.push_back(lower ? 1 : 0);
         ++(lower ? i : j);
     }
-    return fine;
+    return cost;
 }
 
 /// What the next triangle costs if the lower (or the upper) row advances: its new edge squared; far more
@@ -110,8 +113,8 @@ double StripPatch::stepCost(std::size_t i, std::size_t j, bool lower) const
     return bad ? upsideDown * (1.0 + cost) : cost;
 }
 
-/// The steps of least cost in all.
-void StripPatch::chooseStepsByCost()
+/// The steps of least cost in all. \param most what some steps cost: nothing dearer is followed up.
+void StripPatch::chooseStepsByCost(double most)
 {
     const std::size_t rows = lowerLeft() + 1, columns = m_upperCount + 1;
     m_costs.assign(rows * columns, std::numeric_limits<double>::infinity());
@@ -120,6 +123,8 @@ void StripPatch::chooseStepsByCost()
     for (std::size_t i = 0; i < rows; ++i)
         for (std::size_t j = 0; j < columns; ++j) {
             const double here = m_costs[i * columns + j];
+            if (here > most)
+                continue;
             if (i + 1 < rows) // every place is reached from the row below first
                 if (const double cost = here + stepCost(i, j, true); cost < m_costs[(i + 1) * columns + j]) {
                     m_costs[(i + 1) * columns + j] = cost;
@@ -228,9 +233,10 @@ void StripPatch::zip(const std::vector<UnrolledVertex>& lower, const std::vector
     m_vertices.insert(m_vertices.end(), m_upperRow.begin(), m_upperRow.end() - 1);
     m_triangles.clear();
     fillPits();
-    m_crooked = m_lowerRow.size() <= m_lowerCount || !chooseStepsQuickly();
+    m_crooked = m_lowerRow.size() <= m_lowerCount;
+    const double cost = chooseStepsQuickly();
     if (m_crooked)
-        chooseStepsByCost();
+        chooseStepsByCost(cost);
     breakSingleRun();
     buildTriangles();
 }

@@ -62,8 +62,8 @@ private:
     };
     void arrange(const std::vector<UnrolledVertex>& lower, const std::vector<UnrolledVertex>& upper,
                  const TubeScale& tube);
-    bool chooseStepsQuickly();
-    void chooseStepsByCost();
+    double chooseStepsQuickly();
+    void chooseStepsByCost(double most);
     [[nodiscard]] double stepCost(std::size_t i, std::size_t j, bool lower) const;
     void breakSingleRun();
     void fillPits();

@@ -54,6 +54,10 @@ struct SectionParams
 struct MeshParams
 {
     std::int64_t targetTriangles = 0; ///< 0: as the sections say
+    double forkReach = 0.9;           ///< of the thinner tube's radius
+    double forkSoftness = 0.7;
+    bool clampOvershoot = false;
+    double nearTwinRatio = 0.25; ///< of the added radii
     bool operator==(const MeshParams&) const = default;
 };
 

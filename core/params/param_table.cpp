@@ -135,6 +135,7 @@ constexpr const char* grammarGroup = RAMURE_NOOP("Grammar");
 constexpr const char* turtleGroup = RAMURE_NOOP("Turtle");
 constexpr const char* simplifyGroup = RAMURE_NOOP("Simplification");
 constexpr const char* sectionsGroup = RAMURE_NOOP("Cross-sections");
+constexpr const char* forksGroup = RAMURE_NOOP("Forks");
 constexpr const char* foliageGroup = RAMURE_NOOP("Foliage");
 constexpr const char* textureGroup = RAMURE_NOOP("Texture");
 constexpr const char* placementGroup = RAMURE_NOOP("Placement");
@@ -216,6 +217,26 @@ constexpr std::array table{
                      "more of them, thin and straight ones fewer, and the two numbers above have no say. 0 sets no "
                      "budget.")},
         ParamUnit::Count, {0, 20'000'000, 0, 500'000, 1000, 0}, Stage::Mesh),
+    row<&NodeParams::mesh, &MeshParams::forkSoftness>(
+        {"mesh.forkSoftness", forksGroup, RAMURE_NOOP("Softness"),
+         RAMURE_NOOP("How far wood grows over the creases between the branches of a fork: 0 leaves them sharp, 1 rounds "
+                     "them fully.")},
+        ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 3}, Stage::Mesh),
+    row<&NodeParams::mesh, &MeshParams::forkReach>(
+        {"mesh.forkReach", forksGroup, RAMURE_NOOP("Reach"),
+         RAMURE_NOOP("How far from the crease the branches of a fork begin to swell, as a share of the thinner one's "
+                     "radius.")},
+        ParamUnit::Ratio, {0, 4, 0, 2, 0.05, 3}, Stage::Mesh),
+    row<&NodeParams::mesh, &MeshParams::clampOvershoot>(
+        {"mesh.clampOvershoot", forksGroup, RAMURE_NOOP("Calm short branches"),
+         RAMURE_NOOP("A branch much shorter than its parent swings out in a wide bow before it turns to its own direction. "
+                     "On: the bow is no larger than one and a half times the branch.")},
+        ParamUnit::None, {}, Stage::Mesh),
+    row<&NodeParams::mesh, &MeshParams::nearTwinRatio>(
+        {"mesh.nearTwinRatio", forksGroup, RAMURE_NOOP("Join twins below"),
+         RAMURE_NOOP("Branches of a fork become one where their ends are closer than this share of their added radii: they "
+                     "would lie in each other all along. 0 joins only those in the same place.")},
+        ParamUnit::Ratio, {0, 4, 0, 1, 0.05, 3}, Stage::Mesh, paramAdvanced),
 
     row<&NodeParams::foliage, &FoliageParams::leavesCutoff>(
         {"foliage.leavesCutoff", foliageGroup, RAMURE_NOOP("Twig thickness"),

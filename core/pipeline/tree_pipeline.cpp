@@ -192,6 +192,10 @@ Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams
     options.lengthDivisions = static_cast<int>(params.sections.lengthDivisions);
     options.radialDivisions = static_cast<int>(params.sections.radialDivisions);
     options.targetTriangles = static_cast<Index>(params.mesh.targetTriangles);
+    options.forkReach = params.mesh.forkReach;
+    options.forkSoftness = params.mesh.forkSoftness;
+    options.clampOvershoot = params.mesh.clampOvershoot;
+    options.nearTwinRatio = params.mesh.nearTwinRatio;
     options.rollRad = rolls;
     auto mesh = buildBranchMesh(skeleton, options, progress.part(0.0, 0.8), &scratch);
     if (!mesh)
@@ -272,9 +276,15 @@ struct StageHashes
         for (const auto& [key, branch] : p.branches)
             rolls.add(key).add(branch.rollRad);
         sections = StageHash(rolls).add(p.sections.lengthDivisions).value();
-        branches = p.mesh.targetTriangles > 0
-                       ? rolls.add(p.mesh.targetTriangles).add(std::string_view("budget")).value()
-                       : StageHash(sections).add(p.sections.radialDivisions).value();
+        StageHash mesh(sections);
+        if (p.mesh.targetTriangles > 0)
+            mesh = rolls.add(p.mesh.targetTriangles).add(std::string_view("budget"));
+        else
+            mesh.add(p.sections.radialDivisions);
+        mesh.add(p.mesh.clampOvershoot).add(p.mesh.nearTwinRatio).add(p.mesh.forkSoftness);
+        if (p.mesh.forkSoftness > 0.0)
+            mesh.add(p.mesh.forkReach);
+        branches = mesh.value();
         const FoliageParams& f = p.foliage;
         StageHash foliageHash(simplified);
         foliage =

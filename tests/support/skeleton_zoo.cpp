@@ -419,10 +419,15 @@ Specimen specimen(std::uint64_t number)
     if (random.below(4) == 0)
         for (Index i = 0; i < s.skeleton.size(); ++i)
             s.rollRad.push_back(random.below(2) == 0 ? 0.0 : random.range(-2.0 * pi, 2.0 * pi));
+    static constexpr std::array<double, 5> softness{0.0, 0.3, 0.8, 0.8, 1.0};
+    static constexpr std::array<double, 5> reach{0.2, 1.0, 1.0, 2.0, 4.0};
+    s.options.forkSoftness = softness[random.below(softness.size())];
+    s.options.forkReach = reach[random.below(reach.size())];
     std::ostringstream name;
     name << "specimen " << number << ": " << zooName(family) << " seed " << seed << ", " << s.skeleton.size()
          << " branches, " << s.options.radialDivisions << " radial x " << s.options.lengthDivisions
-         << " length, twins " << s.options.nearTwinRatio << (s.options.clampOvershoot ? ", clamped" : "")
+         << " length, softness " << s.options.forkSoftness << " over " << s.options.forkReach << ", twins "
+         << s.options.nearTwinRatio << (s.options.clampOvershoot ? ", clamped" : "")
          << (s.rollRad.empty() ? "" : ", rolled");
     s.name = name.str();
     return s;

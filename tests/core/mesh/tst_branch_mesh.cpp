@@ -88,6 +88,10 @@ void TestBranchMesh::badOptionsAreErrors()
         QVERIFY(refused([&](BranchMeshOptions& o) { o.radialDivisions = bad; }));
     for (const double bad : {double(NAN), double(INFINITY), -0.1})
         QVERIFY(refused([&](BranchMeshOptions& o) { o.nearTwinRatio = bad; }));
+    for (const double bad : {double(NAN), double(INFINITY), -0.1, 4.1})
+        QVERIFY(refused([&](BranchMeshOptions& o) { o.forkReach = bad; }));
+    for (const double bad : {double(NAN), double(INFINITY), -0.1, 1.1})
+        QVERIFY(refused([&](BranchMeshOptions& o) { o.forkSoftness = bad; }));
     const std::vector<double> two{0.0, 0.0}, notANumber{double(NAN)};
     QVERIFY(refused([&](BranchMeshOptions& o) { o.rollRad = two; }));
     QVERIFY(refused([&](BranchMeshOptions& o) { o.rollRad = notANumber; }));

@@ -53,7 +53,7 @@ void TestForksIntersections::aroundForks_data()
     for (const char* preset : {"SmallTree", "TinyTree", "Fern2D", "FanTree"}) {
         row(preset, 5, 4, 0);
         row(preset, 8, 4, 0);
-        row(preset, 16, 4, std::string_view(preset) == "FanTree" ? 80 : 0);
+        row(preset, 16, 4, std::string_view(preset) == "FanTree" ? 60 : 0);
         row(preset, 8, 2, 0);
         row(preset, 5, 8, 0);
         row(preset, 8, 8, 0);

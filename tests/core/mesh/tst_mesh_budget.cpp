@@ -136,9 +136,7 @@ void TestMeshBudget::forksStayClean()
     QVERIFY2(built, why(built));
     const auto crossings = findSelfIntersections(built->mesh, repairedParents(*skeleton, built->repairs));
     QVERIFY2(crossings, why(crossings));
-    // One fork of the fern, whose middle tube is as good as plane with its siblings, is still to be cleared.
-    const std::uint64_t bar = preset == "Fern2D" && budget == 90'000U ? 5 : 0;
-    QVERIFY2(crossings->aroundForks() <= bar, qPrintable(QString::number(crossings->aroundForks())));
+    QVERIFY2(crossings->aroundForks() == 0, qPrintable(QString::number(crossings->aroundForks())));
 }
 
 void TestMeshBudget::whatCannotBeIsTold()
