@@ -55,6 +55,7 @@ struct MotionFrame
 {
     std::int64_t frame = 0;
     double timeSeconds = 0.0;
+    int document = 0; ///< which one of those that the player has seen
     std::map<NodeId, NodeMotion> nodes;
 
     [[nodiscard]] const NodeMotion* of(NodeId node) const

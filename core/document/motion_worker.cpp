@@ -241,14 +241,17 @@ Expected<NodeMotion> MotionWorker::Actor::motionAt(std::int64_t step, const Prog
     return motion;
 }
 
-/// A frame is as good as its worst tree.
+/// A frame is as good as its worst tree. By ranges: a timeline may have a million frames.
 void MotionWorker::Actor::addBand(const TimelineSettings& timeline, std::vector<FrameState>& states) const
 {
-    for (std::size_t i = 0; i < states.size(); ++i) {
-        const double time = timeline.timeOf(timeline.firstFrame + std::int64_t(i));
-        const StepState state = time <= 0.0 ? StepState::Cached : cache->stateOf(cache->stepAt(time));
-        states[i] = std::min(states[i], static_cast<FrameState>(state));
-    }
+    const auto stepOf = [&](std::size_t i) {
+        return std::max<std::int64_t>(cache->stepAt(timeline.timeOf(timeline.firstFrame + std::int64_t(i))),
+                                      0);
+    };
+    std::size_t i = 0;
+    for (const StepRange& range : cache->ranges(0, stepOf(states.size() - 1)))
+        for (; i < states.size() && stepOf(i) <= range.last; ++i)
+            states[i] = std::min(states[i], static_cast<FrameState>(range.state));
 }
 
 /// One arm on the worker's thread: its driver, as long as nothing that it was made from changes.
@@ -394,6 +397,7 @@ void MotionWorker::run(const MotionRequest& request, const Progress& progress)
     });
     auto frame = std::make_shared<MotionFrame>();
     frame->frame = request.frame;
+    frame->document = request.document;
     frame->timeSeconds = request.timeline.timeOf(request.frame);
     const auto count = static_cast<double>(request.trees.size());
     std::optional<Error> problem;
@@ -458,7 +462,7 @@ void MotionWorker::sendBand(const MotionRequest& request)
             band.push_back({frame, frame, states[i]});
         band.back().last = frame;
     }
-    m_listener.band(std::move(band));
+    m_listener.band(request.document, std::move(band));
 }
 
 } // namespace ramure

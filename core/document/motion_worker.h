@@ -38,6 +38,7 @@ struct MotionArm
 struct MotionRequest
 {
     std::int64_t frame = 0;
+    int document = 0; ///< counted by the player: what comes late from one that was left is of no use
     TimelineSettings timeline;
     std::vector<MotionTree> trees;
     std::vector<MotionArm> arms;
@@ -55,10 +56,11 @@ public:
     struct Listener
     {
         std::function<void(std::shared_ptr<const MotionFrame>)> frame;
-        std::function<void(std::vector<FrameRange>)> band; ///< of the timeline's range; seldom
-        std::function<void(double)> progress;              ///< of a frame that takes long, 0..1
-        std::function<void(Error)> failed;                 ///< no frame comes for this request
-        std::function<void(Error)> bakeRefused;            ///< a file of baked motion is not used, and why
+        /// Of the timeline's range of a request's document; seldom.
+        std::function<void(int document, std::vector<FrameRange>)> band;
+        std::function<void(double)> progress;   ///< of a frame that takes long, 0..1
+        std::function<void(Error)> failed;      ///< no frame comes for this request
+        std::function<void(Error)> bakeRefused; ///< a file of baked motion is not used, and why
         std::function<void(BakeState)> bakes;
         std::function<void()> idle; ///< nothing runs or waits
     };

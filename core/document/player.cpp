@@ -58,6 +58,7 @@ struct Player::Private
     QString project;   ///< the file beside which was looked for baked motion
     QStringList bakes; ///< what was found there
     int bakeVersion = 0;
+    int documents = 0; ///< opened so far
     BakeState bakeState = BakeState::None;
     MotionWorker worker; ///< last: its thread calls the listener
 };
@@ -70,9 +71,9 @@ MotionWorker::Listener Player::Private::listener()
     };
     return {
         [this, post](std::shared_ptr<const MotionFrame> made) { post([this, made] { take(made); }); },
-        [this, post](std::vector<FrameRange> made) {
-            post([this, kept = std::move(made)] {
-                if (band == kept)
+        [this, post](int of, std::vector<FrameRange> made) {
+            post([this, of, kept = std::move(made)] {
+                if (of != documents || band == kept)
                     return;
                 band = kept;
                 emit q->bandChanged();
@@ -381,6 +382,7 @@ void Player::Private::request(bool interrupt)
     wanted = false;
     MotionRequest next;
     next.frame = frame;
+    next.document = documents;
     next.timeline = timeline();
     next.trees = trees();
     next.arms = arms();
@@ -395,6 +397,8 @@ void Player::Private::request(bool interrupt)
 
 void Player::Private::take(std::shared_ptr<const MotionFrame> made)
 {
+    if (made->document != documents)
+        return;
     motion = std::move(made);
     emit q->motionChanged();
 }
@@ -415,6 +419,7 @@ void Player::Private::documentChanged(const Change& change)
     if (change.has(changeReset)) {
         q->pause();
         worker.stop();
+        ++documents;
         pulls.clear();
         shaken.clear();
         forgetHand = true;
