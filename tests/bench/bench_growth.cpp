@@ -49,8 +49,11 @@ std::string file(const char* name)
         .string();
 }
 
+/// Warm: memory that a first round took is used again, as in the editor.
 template <class Work> void perTriangle(benchmark::State& state, std::size_t triangles, Work&& work)
 {
+    for (int i = 0; i < 2; ++i)
+        work();
     for (auto _ : state)
         work();
     state.counters["triangles"] = static_cast<double>(triangles);
@@ -184,7 +187,7 @@ bool sameBits(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b)
 void BM_tenMillionVertices(benchmark::State& state, const char* name)
 {
     const TriangleMesh mesh = tenMillionVertices();
-    perTriangle(state, mesh.faceCount(), [&] {
+    const auto round = [&] {
         if (!write(name, mesh))
             return state.SkipWithError("not written");
         const ReadMesh back = bench::need(readMeshFile(file(name)));
@@ -192,7 +195,10 @@ void BM_tenMillionVertices(benchmark::State& state, const char* name)
         if (back.objects.size() != 1 || !sameBits(read.positions, mesh.positions) ||
             !sameBits(read.normals, mesh.normals) || read.triangles != mesh.triangles)
             state.SkipWithError("not the same mesh");
-    });
+    };
+    for (auto _ : state) // once: this is a proof more than a measure
+        round();
+    state.counters["triangles"] = static_cast<double>(mesh.faceCount());
     state.SetLabel("written, read back and compared: equal");
     clean();
 }
