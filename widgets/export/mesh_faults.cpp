@@ -17,6 +17,9 @@ public:
 
 QString FaultTexts::sentence(const MeshFaults& faults)
 {
+    if (faults.faults.isEmpty())
+        return tr("The mesh of “%1” is closed, but %2.")
+            .arg(faults.name, faults.notes.join(QStringLiteral(", ")));
     return tr("The mesh of “%1” is not clean: %2.")
         .arg(faults.name, (faults.faults + faults.notes).join(QStringLiteral(", ")));
 }

@@ -38,9 +38,10 @@ struct TexturedMesh
     double tileSize = 0.0;
 };
 
-TexturedMesh texturedMesh(const BranchMesh& branches, double tileSize)
+/// \param rest the mesh whose coordinates it has: that of the tree at rest.
+TexturedMesh texturedMesh(const BranchMesh& branches, const BranchMesh& rest, double tileSize)
 {
-    auto made = textureCoordinates(branches, {tileSize});
+    auto made = textureCoordinates(rest, {tileSize});
     if (!made)
         return {};
     TexturedMesh textured{
@@ -121,9 +122,10 @@ struct TreeItems
         if (!tree.branches)
             return addMesh(tree.draftTubes, openBark());
         const double tileSize = node.params.texture.tileSize;
-        const auto made =
-            cache.get<TexturedMesh>(ScenePart::Textured, tree.branches, tree.branches, {tileSize},
-                                    [&] { return texturedMesh(*tree.branches, tileSize); });
+        const std::shared_ptr<const BranchMesh>& rest = tree.restBranches ? tree.restBranches : tree.branches;
+        const auto made = cache.get<TexturedMesh>(ScenePart::Textured, tree.branches, rest, {tileSize}, [&] {
+            return texturedMesh(*tree.branches, *rest, tileSize);
+        });
         if (made->mesh.empty())
             return fine();
         const std::size_t before = scene.meshes.size();

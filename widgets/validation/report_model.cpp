@@ -61,7 +61,8 @@ QString collisionName(const Collision& collision)
     depth.decimals = 1;
     depth.factor = 1000.0;
     depth.suffix = QStringLiteral("\u00a0mm");
-    return ReportModel::tr("Branches %1 and %2, %3 deep")
+    // The depth first: the branches have a column of their own, should there be no room.
+    return ReportModel::tr("%3 deep: branches %1 and %2")
         .arg(collision.first)
         .arg(collision.second)
         .arg(depth.text(collision.depth));

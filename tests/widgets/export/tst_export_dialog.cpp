@@ -104,6 +104,21 @@ private slots:
         QVERIFY(QFileInfo(old).size() > 1000);
     }
 
+    /// Branches that run through each other are the tree's doing: its mesh is not called faulty.
+    void collisionsAreNoFaultOfTheMesh()
+    {
+        Analysis analysis(&m_document, [](const BranchMesh&, const Skeleton&, const Progress&) {
+            MeshAnalysis found;
+            found.collisions.push_back({3, 9, 5, {}, 0.01});
+            return Expected<MeshAnalysis>(found);
+        });
+        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        dialog.setAnalysis(&analysis);
+        dialog.show();
+        QVERIFY(analysis.waitForAll(10'000));
+        const QString text = dialog.findChild<QLabel*>(QStringLiteral("meshFaults"))->text();
+        QVERIFY2(text.contains(QStringLiteral("is closed, but")), qPrintable(text));
+    }
     void meshesThatAreNotCleanAreTold()
     {
         Analysis analysis(&m_document, [](const BranchMesh&, const Skeleton&, const Progress&) {

@@ -181,6 +181,22 @@ private slots:
         const RenderScene plain = trees.build(in(DisplayMode::Checker));
         QVERIFY(plain.meshes[0].paint == Paint::Material);
     }
+    /// A tree in a pose: the texture does not swim.
+    void textureIsThatOfTheTreeAtRest()
+    {
+        Trees trees;
+        TreeResult& tree = trees.results[trees.add()];
+        const RenderScene rest = trees.build(in(DisplayMode::Checker));
+        auto bent = std::make_shared<BranchMesh>(*tree.branches);
+        for (glm::vec3& place : bent->mesh.positions)
+            place.x += 0.3F * place.y * place.y;
+        tree.restBranches = tree.branches;
+        tree.branches = bent;
+        const RenderScene moved = trees.build(in(DisplayMode::Checker));
+        QVERIFY(moved.meshes[0].mesh->uv == rest.meshes[0].mesh->uv);
+        QVERIFY(moved.meshes[0].mesh->positions != rest.meshes[0].mesh->positions);
+        QVERIFY(moved.texture.stretched != rest.texture.stretched);
+    }
     void roughModeHasItsOwnMeshes()
     {
         Trees trees;
