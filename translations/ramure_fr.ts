@@ -589,11 +589,11 @@
     <name>FaultTexts</name>
     <message>
         <source>The mesh of “%1” is closed, but %2.</source>
-        <translation>Le maillage de « %1 » est fermé, mais %2.</translation>
+        <translation>Le maillage de «&#xa0;%1&#xa0;» est fermé, mais %2.</translation>
     </message>
     <message>
         <source>The mesh of “%1” is not clean: %2.</source>
-        <translation>Le maillage de « %1 » n’est pas propre : %2.</translation>
+        <translation>Le maillage de «&#xa0;%1&#xa0;» n’est pas propre : %2.</translation>
     </message>
     <message numerus="yes">
         <source>%n defect(s)</source>
@@ -881,7 +881,7 @@
     </message>
     <message>
         <source>Two branches far from each other in the tree run through each other. That is no fault of the mesh: the tree grew so. “Move apart” turns the thinner one away as little as it takes.</source>
-        <translation>Deux branches éloignées dans l’arbre se traversent. Ce n’est pas une faute du maillage : l’arbre a poussé ainsi. « Écarter » tourne la plus mince, aussi peu que possible.</translation>
+        <translation>Deux branches éloignées dans l’arbre se traversent. Ce n’est pas une faute du maillage : l’arbre a poussé ainsi. «&#xa0;Écarter&#xa0;» tourne la plus mince, aussi peu que possible.</translation>
     </message>
     <message>
         <source>They come out as one body, joined where they cross. Slicers that do not join overlapping walls leave a hollow there.</source>
@@ -1906,11 +1906,11 @@
     </message>
     <message>
         <source>“%1” cannot be compared</source>
-        <translation>« %1 » ne peut pas être comparé</translation>
+        <translation>«&#xa0;%1&#xa0;» ne peut pas être comparé</translation>
     </message>
     <message>
         <source>a number is missing after “%1”</source>
-        <translation>il manque un nombre après « %1 »</translation>
+        <translation>il manque un nombre après «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>it is a device, not a file</source>
@@ -2302,7 +2302,7 @@
     </message>
     <message>
         <source>there is no track &quot;%1&quot; for this kind of node</source>
-        <translation>il n&apos;y a pas de piste « %1 » pour ce genre de nœud</translation>
+        <translation>il n&apos;y a pas de piste «&#xa0;%1&#xa0;» pour ce genre de nœud</translation>
     </message>
     <message>
         <source>there is no key %1</source>
@@ -2362,7 +2362,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; has no such track</source>
-        <translation>« %1 » n&apos;a pas une telle piste</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;a pas une telle piste</translation>
     </message>
     <message>
         <source>Cylinder</source>
@@ -2514,7 +2514,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; is no arm</source>
-        <translation>« %1 » n&apos;est pas un bras</translation>
+        <translation>«&#xa0;%1&#xa0;» n&apos;est pas un bras</translation>
     </message>
     <message>
         <source>nothing of this name is expected here</source>
@@ -3117,7 +3117,7 @@ OpenGL&#xa0;: %4
     </message>
     <message>
         <source>Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one repeat of the bark, in metres, is the tree&apos;s parameter &quot;Bark tile&quot;.</source>
-        <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’une pomme. La taille d’une répétition de l’écorce, en mètres, est le paramètre « Carreau d’écorce » de l’arbre.</translation>
+        <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’une pomme. La taille d’une répétition de l’écorce, en mètres, est le paramètre «&#xa0;Carreau d’écorce&#xa0;» de l’arbre.</translation>
     </message>
     <message>
         <source>PNG pictures (*.png)</source>
@@ -3156,7 +3156,7 @@ OpenGL&#xa0;: %4
     </message>
     <message>
         <source>There is no folder “%1”.</source>
-        <translation>Il n’y a pas de dossier « %1 ».</translation>
+        <translation>Il n’y a pas de dossier «&#xa0;%1&#xa0;».</translation>
     </message>
     <message numerus="yes">
         <source>%Ln of these files are there already. Export once more to replace them.</source>
@@ -4562,7 +4562,7 @@ OpenGL&#xa0;: %4
     </message>
     <message>
         <source>Time to build the trees, without drawing. “cached”: nothing had to be built, the results of before still hold.</source>
-        <translation>Temps de construction des arbres, sans le dessin. « en mémoire » : rien n’était à construire, les résultats précédents sont toujours valables.</translation>
+        <translation>Temps de construction des arbres, sans le dessin. «&#xa0;en mémoire&#xa0;» : rien n’était à construire, les résultats précédents sont toujours valables.</translation>
     </message>
     <message>
         <source>Hash of the mesh: %1</source>
@@ -4584,7 +4584,7 @@ OpenGL&#xa0;: %4
     </message>
     <message>
         <source>The moment on show: frames, seconds (&quot;2 s&quot;) or timecode (&quot;0:02:00&quot;)</source>
-        <translation>L&apos;instant montré : images, secondes (« 2 s ») ou timecode (« 0:02:00 »)</translation>
+        <translation>L&apos;instant montré : images, secondes («&#xa0;2 s&#xa0;») ou timecode («&#xa0;0:02:00&#xa0;»)</translation>
     </message>
     <message>
         <source>Range</source>
