@@ -42,6 +42,8 @@ BakeActions::BakeActions(Document* document, Player* player, Chooser* chooser, A
         complain(tr("Baked motion is not used: frames are computed when they are needed."), error);
     });
     connect(document, &Document::changed, this, [this](const Change& change) {
+        if (change.has(changeReset))
+            m_baker.job()->cancel(); // nobody waits for the motion of a project that was left
         if (change.has(changeFile | changeReset))
             update();
     });
@@ -76,8 +78,9 @@ void BakeActions::finish(const std::optional<Error>& error)
     else if (error)
         complain(tr("The motion could not be baked."), *error);
     else
-        emit messageRaised(tr("The motion is baked: %1 beside the project")
-                               .arg(QLocale().formattedDataSize(m_baker.bytes())));
+        emit messageRaised(
+            tr("The motion is baked: %1 beside the project")
+                .arg(QLocale().formattedDataSize(m_baker.bytes(), 1, QLocale::DataSizeTraditionalFormat)));
 }
 
 void BakeActions::fillMenu(QMenu* menu) const

@@ -104,6 +104,7 @@ void TimelinePanel::buildTransport()
     m_dropped->setObjectName(QStringLiteral("droppedFrames"));
     m_progress = new QProgressBar(m_transport);
     m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
     m_progress->setFixedWidth(90);
     m_cancel = new QToolButton(m_transport);
     m_cancel->setAutoRaise(true);
