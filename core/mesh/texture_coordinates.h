@@ -10,7 +10,7 @@
 /// tips are mapped as discs.
 ///
 /// Where a tube bends so much at its first whole cross-section that it cannot be laid flat in one piece
-/// without stretching a tenth of its triangles by 1.25, it is cut there all around, and the seam below is
+/// without stretching 8 of 100 triangles by 1.25, it is cut there all around, and the seam below is
 /// open: the picture slips at the bend by about a tile along it.
 #pragma once
 

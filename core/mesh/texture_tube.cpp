@@ -24,7 +24,7 @@ constexpr double mostGrowth = 0.35; ///< of its area, or shrinking, when a tube 
 constexpr int thoroughSweeps = 60, choosySweeps = 8;
 constexpr ConformalRelaxer::Effort wholeEffort{1, 2, 2, 2}, cutEffort{2, 5, 2, 2};
 constexpr double hopelessShare = 0.18; ///< of triangles stretched after few rounds: it will be cut
-constexpr double mostBad = 0.1;        ///< of a tube's triangles may be stretched by 1.25 before it is cut
+constexpr double mostBad = 0.08;        ///< of a tube's triangles may be stretched by 1.25 before it is cut
 
 double shortWay(double angle)
 {
@@ -348,7 +348,7 @@ void TubeTexture::settle(const ConformalRelaxer::Effort& effort, double hopeless
     if (!isStretched(hopeless))
         m_conformal.run({0, 0, effort.choosyRounds, effort.choosySweeps});
     if (isStretched(mostBad) && !isStretched(hopeless))
-        m_conformal.run({0, 0, 2 * effort.choosyRounds, effort.choosySweeps});
+        m_conformal.run({0, 0, 3 * effort.choosyRounds, effort.choosySweeps});
     if (m_conformal.isFolded()) {
         fill(m_conformal);
         m_conformal.run({effort.evenRounds + effort.choosyRounds, effort.evenSweeps, 0, 0});
