@@ -17,7 +17,7 @@ constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double leastAround = 6.0; ///< tiles around the thinnest branch, where the size is chosen for it
 constexpr double mostAround = 1e6;  ///< more of them than floats tell apart
 constexpr std::size_t tubesInPiece = 16; ///< about half a millisecond of work
-constexpr std::size_t pollEvery = 512;  ///< tubes
+constexpr std::size_t pollEvery = 512;   ///< tubes
 
 /// What tubes hand on to those that grow on them.
 struct Shared

@@ -24,7 +24,7 @@ constexpr double mostGrowth = 0.35; ///< of its area, or shrinking, when a tube 
 constexpr int thoroughSweeps = 60, choosySweeps = 8;
 constexpr ConformalRelaxer::Effort wholeEffort{1, 2, 2, 2}, cutEffort{2, 5, 2, 2};
 constexpr double hopelessShare = 0.18; ///< of triangles stretched after few rounds: it will be cut
-constexpr double mostBad = 0.08;        ///< of a tube's triangles may be stretched by 1.25 before it is cut
+constexpr double mostBad = 0.08;       ///< of a tube's triangles may be stretched by 1.25 before it is cut
 
 double shortWay(double angle)
 {
