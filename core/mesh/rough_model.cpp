@@ -1,6 +1,7 @@
 #include "core/mesh/rough_model.h"
 
 #include "core/base/float4.h"
+#include "core/base/large_buffer.h"
 #include "core/geometry/frame.h"
 #include "core/geometry/ring.h"
 #include <algorithm>
@@ -151,11 +152,15 @@ TriangleMesh buildRoughBranches(const Skeleton& skeleton, int radialDivisions)
     const int sides = std::max(radialDivisions, 3);
     TriangleMesh mesh;
     const std::size_t vertices = std::size_t(skeleton.size()) * 2 * static_cast<std::size_t>(sides);
-    mesh.positions.reserve(vertices);
-    mesh.normals.reserve(vertices);
-    mesh.branch.reserve(vertices);
-    mesh.level.reserve(vertices);
-    mesh.triangles.reserve(vertices);
+    const auto reserve = [vertices](auto& to) {
+        to.reserve(vertices);
+        adviseHugePages(to.data(), vertices * sizeof to[0]);
+    };
+    reserve(mesh.positions);
+    reserve(mesh.normals);
+    reserve(mesh.branch);
+    reserve(mesh.level);
+    reserve(mesh.triangles);
     ConeWriter writer(skeleton, static_cast<Index>(sides), mesh);
     for (Index i = 0; i < skeleton.size(); ++i) {
         const glm::dvec3 axis = skeleton.p1[i] - skeleton.p0[i];
