@@ -17,11 +17,6 @@ constexpr double beyond = 1.2;     ///< of the way to where the energy is least:
 
 } // namespace
 
-ConformalRelaxer::Complex ConformalRelaxer::times(const Complex& a, const Complex& b)
-{
-    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
-
 void ConformalRelaxer::clear()
 {
     m_z.clear();
@@ -74,7 +69,7 @@ void ConformalRelaxer::link()
 
 /// How much a triangle is stretched. With z = a x + b conj(x), the sum of the corners' z times their opposite
 /// edges is b times 2i the doubled area, and a with the conjugate edges.
-void ConformalRelaxer::measure(Triangle& t) const
+inline void ConformalRelaxer::measure(Triangle& t) const
 {
     const Complex &from = m_z[t.corner[0]], &to1 = m_z[t.corner[1]], &to2 = m_z[t.corner[2]];
     const Complex way1{to1.re - from.re + t.shift1, to1.im - from.im};

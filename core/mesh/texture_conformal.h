@@ -63,10 +63,13 @@ private:
         Index triangle;
         Index place; ///< which of its corners
     };
-    static Complex times(const Complex& a, const Complex& b);
+    static Complex times(const Complex& a, const Complex& b)
+    {
+        return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
+    }
     void link();
     void measure(bool all);
-    void measure(Triangle& triangle) const;
+    inline void measure(Triangle& triangle) const;
     void weigh(bool choosy);
     void sweep();
 

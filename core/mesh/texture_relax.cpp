@@ -13,6 +13,7 @@ constexpr double densityWeight = 0.1;
 constexpr double awakeAbove = 1.008; ///< (s/t + t/s) / 2 of a triangle stretched by 1.13
 constexpr double halfWeight = 0.07;  ///< shape above 1 at which a triangle counts half: stretched by 1.45
 constexpr double leastSoftness = 0.05;
+constexpr int sweepsWhenFlat = 6;
 constexpr double shorter = 0.4; ///< of a step that leads up
 constexpr int mostTries = 6;
 constexpr double enough = 1e-3; ///< tiles: a shorter step ends the moves of a vertex
@@ -206,12 +207,15 @@ bool TextureRelaxer::run(int evenSweeps, int choosySweeps)
     const bool folded = m_least <= 0.0;
     if (folded)
         m_awake = m_free;
+    int flat = 0; // sweeps since nothing is folded
     for (int i = 0; i < evenSweeps; ++i) {
         m_softness = m_least > 0.0 ? 0.0 : std::max(leastSoftness, -0.5 * m_least);
         if (!sweep())
             break;
         if (folded)
             m_least = leastArea();
+        if (m_least > 0.0 && ++flat == sweepsWhenFlat)
+            break;
     }
     m_softness = 0.0;
     for (int i = 0; i < choosySweeps && m_least > 0.0; ++i) {
