@@ -183,6 +183,36 @@
     </message>
 </context>
 <context>
+    <name>ramure::KeyCommands</name>
+    <message numerus="yes">
+        <source>%n key(s) copied</source>
+        <translation>
+            <numerusform>%n key copied</numerusform>
+            <numerusform>%n keys copied</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::KeyPanel</name>
+    <message numerus="yes">
+        <source>%n key(s) selected</source>
+        <translation>
+            <numerusform>%n key selected</numerusform>
+            <numerusform>%n keys selected</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::KeyRowList</name>
+    <message numerus="yes">
+        <source>%n key(s)</source>
+        <translation>
+            <numerusform>%n key</numerusform>
+            <numerusform>%n keys</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::MainWindow</name>
     <message numerus="yes">
         <source>Writing %Ln file(s)</source>

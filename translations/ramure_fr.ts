@@ -471,6 +471,170 @@
         <source>Write meshes, sequences of frames or pictures</source>
         <translation>Écrire des maillages, des suites d’images animées ou des vues</translation>
     </message>
+    <message>
+        <source>&amp;Insert key</source>
+        <translation>&amp;Insérer une clé</translation>
+    </message>
+    <message>
+        <source>Keys of location, rotation and scale of the selected nodes, at the frame on show</source>
+        <translation>Clés de position, rotation et échelle des nœuds sélectionnés, à l’image affichée</translation>
+    </message>
+    <message>
+        <source>&amp;Remove key here</source>
+        <translation>&amp;Retirer la clé ici</translation>
+    </message>
+    <message>
+        <source>Take out all keys that the selected nodes have at this frame</source>
+        <translation>Retire toutes les clés que les nœuds sélectionnés ont à cette image</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious key</source>
+        <translation>Clé &amp;précédente</translation>
+    </message>
+    <message>
+        <source>Go to the key before this frame</source>
+        <translation>Va à la clé avant cette image</translation>
+    </message>
+    <message>
+        <source>&amp;Next key</source>
+        <translation>Clé sui&amp;vante</translation>
+    </message>
+    <message>
+        <source>Go to the key behind this frame</source>
+        <translation>Va à la clé après cette image</translation>
+    </message>
+    <message>
+        <source>&amp;Location</source>
+        <translation>&amp;Position</translation>
+    </message>
+    <message>
+        <source>&amp;Rotation</source>
+        <translation>&amp;Rotation</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>&amp;Échelle</translation>
+    </message>
+    <message>
+        <source>&amp;Geometry alone</source>
+        <translation>&amp;Géométrie seule</translation>
+    </message>
+    <message>
+        <source>Location, rotation and scale that children do not follow</source>
+        <translation>Position, rotation et échelle que les enfants ne suivent pas</translation>
+    </message>
+    <message>
+        <source>&amp;All that has keys</source>
+        <translation>&amp;Tout ce qui a des clés</translation>
+    </message>
+    <message>
+        <source>A key in every channel of the selected nodes that has keys already</source>
+        <translation>Une clé dans chaque canal des nœuds sélectionnés qui a déjà des clés</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate keys</source>
+        <translation>&amp;Dupliquer les clés</translation>
+    </message>
+    <message>
+        <source>Copies right behind the selected keys; in the dope sheet Ctrl+D, or Ctrl+drag to any place</source>
+        <translation>Copies juste après les clés sélectionnées ; dans la feuille de clés Ctrl+D, ou glisser avec Ctrl n’importe où</translation>
+    </message>
+    <message>
+        <source>C&amp;ut keys</source>
+        <translation>Co&amp;uper les clés</translation>
+    </message>
+    <message>
+        <source>In the dope sheet Ctrl+X</source>
+        <translation>Dans la feuille de clés Ctrl+X</translation>
+    </message>
+    <message>
+        <source>&amp;Copy keys</source>
+        <translation>&amp;Copier les clés</translation>
+    </message>
+    <message>
+        <source>In the dope sheet Ctrl+C</source>
+        <translation>Dans la feuille de clés Ctrl+C</translation>
+    </message>
+    <message>
+        <source>&amp;Paste keys</source>
+        <translation>C&amp;oller les clés</translation>
+    </message>
+    <message>
+        <source>The first key comes to the frame on show; in the dope sheet Ctrl+V</source>
+        <translation>La première clé vient à l’image affichée ; dans la feuille de clés Ctrl+V</translation>
+    </message>
+    <message>
+        <source>Paste keys in p&amp;lace</source>
+        <translation>Coller les clés sur p&amp;lace</translation>
+    </message>
+    <message>
+        <source>At the times they were copied from; in the dope sheet Ctrl+Shift+V</source>
+        <translation>Aux moments d’où elles viennent ; dans la feuille de clés Ctrl+Maj+V</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror keys</source>
+        <translation>&amp;Mettre les clés en miroir</translation>
+    </message>
+    <message>
+        <source>Backwards, about the frame on show; in the dope sheet Ctrl+M</source>
+        <translation>À rebours, autour de l’image affichée ; dans la feuille de clés Ctrl+M</translation>
+    </message>
+    <message>
+        <source>Move to the nearest &amp;frames</source>
+        <translation>Déplacer aux images les plus proc&amp;hes</translation>
+    </message>
+    <message>
+        <source>Move to the nearest &amp;seconds</source>
+        <translation>Déplacer aux &amp;secondes les plus proches</translation>
+    </message>
+    <message>
+        <source>D&amp;elete keys</source>
+        <translation>Supprim&amp;er les clés</translation>
+    </message>
+    <message>
+        <source>In the dope sheet Del</source>
+        <translation>Dans la feuille de clés Suppr</translation>
+    </message>
+    <message>
+        <source>&amp;All keys</source>
+        <translation>&amp;Toutes les clés</translation>
+    </message>
+    <message>
+        <source>In the dope sheet Ctrl+A</source>
+        <translation>Dans la feuille de clés Ctrl+A</translation>
+    </message>
+    <message>
+        <source>&amp;No key</source>
+        <translation>&amp;Aucune clé</translation>
+    </message>
+    <message>
+        <source>In the dope sheet Esc</source>
+        <translation>Dans la feuille de clés Échap</translation>
+    </message>
+    <message>
+        <source>All at this &amp;frame</source>
+        <translation>Toutes à cette &amp;image</translation>
+    </message>
+    <message>
+        <source>In the dope sheet K, or Alt+click on a key</source>
+        <translation>Dans la feuille de clés K, ou Alt+clic sur une clé</translation>
+    </message>
+    <message>
+        <source>All &amp;up to this frame</source>
+        <translation>Toutes &amp;jusqu’à cette image</translation>
+    </message>
+    <message>
+        <source>In the dope sheet [</source>
+        <translation>Dans la feuille de clés [</translation>
+    </message>
+    <message>
+        <source>All f&amp;rom this frame on</source>
+        <translation>Toutes à &amp;partir de cette image</translation>
+    </message>
+    <message>
+        <source>In the dope sheet ]</source>
+        <translation>Dans la feuille de clés ]</translation>
+    </message>
 </context>
 <context>
     <name>DialogChooser</name>
@@ -2716,6 +2880,213 @@
         <source>Branches of a fork become one where their ends are closer than this share of their added radii: they would lie in each other all along. 0 joins only those in the same place.</source>
         <translation>Les branches d&apos;une fourche n&apos;en font qu&apos;une si leurs extrémités sont plus proches que cette part de la somme de leurs rayons : elles seraient l&apos;une dans l&apos;autre sur toute leur longueur. 0 ne réunit que celles qui coïncident.</translation>
     </message>
+    <message>
+        <source>no selected node has tracks for these keys</source>
+        <translation>aucun nœud sélectionné n’a de pistes pour ces clés</translation>
+    </message>
+</context>
+<context>
+    <name>keys</name>
+    <message>
+        <source>Insert &amp;only</source>
+        <translation>Insérer &amp;seulement</translation>
+    </message>
+    <message>
+        <source>Select &amp;keys</source>
+        <translation>Séle&amp;ctionner des clés</translation>
+    </message>
+    <message>
+        <source>In&amp;terpolation</source>
+        <translation>In&amp;terpolation</translation>
+    </message>
+    <message>
+        <source>E&amp;asing</source>
+        <translation>&amp;Accélération</translation>
+    </message>
+    <message>
+        <source>&amp;Handles</source>
+        <translation>Poi&amp;gnées</translation>
+    </message>
+    <message>
+        <source>E&amp;xtrapolation</source>
+        <translation>E&amp;xtrapolation</translation>
+    </message>
+    <message>
+        <source>Duplicate Keys</source>
+        <translation>Dupliquer des clés</translation>
+    </message>
+    <message>
+        <source>Insert Keys</source>
+        <translation>Insérer des clés</translation>
+    </message>
+    <message>
+        <source>Delete Keys</source>
+        <translation>Supprimer des clés</translation>
+    </message>
+    <message>
+        <source>Change Extrapolation</source>
+        <translation>Changer l’extrapolation</translation>
+    </message>
+    <message>
+        <source>Paste Keys</source>
+        <translation>Coller des clés</translation>
+    </message>
+    <message>
+        <source>Constant</source>
+        <translation>Constant</translation>
+    </message>
+    <message>
+        <source>Linear</source>
+        <translation>Linéaire</translation>
+    </message>
+    <message>
+        <source>Bézier</source>
+        <translation>Bézier</translation>
+    </message>
+    <message>
+        <source>Spline</source>
+        <translation>Spline</translation>
+    </message>
+    <message>
+        <source>Sine</source>
+        <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>Quadratic</source>
+        <translation>Quadratique</translation>
+    </message>
+    <message>
+        <source>Cubic</source>
+        <translation>Cubique</translation>
+    </message>
+    <message>
+        <source>Quartic</source>
+        <translation>Quartique</translation>
+    </message>
+    <message>
+        <source>Quintic</source>
+        <translation>Quintique</translation>
+    </message>
+    <message>
+        <source>Exponential</source>
+        <translation>Exponentiel</translation>
+    </message>
+    <message>
+        <source>Circular</source>
+        <translation>Circulaire</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Recul</translation>
+    </message>
+    <message>
+        <source>Bounce</source>
+        <translation>Rebond</translation>
+    </message>
+    <message>
+        <source>Elastic</source>
+        <translation>Élastique</translation>
+    </message>
+    <message>
+        <source>The value stays until the next key</source>
+        <translation>La valeur reste jusqu’à la clé suivante</translation>
+    </message>
+    <message>
+        <source>Straight to the next key</source>
+        <translation>Tout droit jusqu’à la clé suivante</translation>
+    </message>
+    <message>
+        <source>Along the handles of this key and the next</source>
+        <translation>Suivant les poignées de cette clé et de la suivante</translation>
+    </message>
+    <message>
+        <source>A spline through the keys around, without handles</source>
+        <translation>Une spline par les clés voisines, sans poignées</translation>
+    </message>
+    <message>
+        <source>An easing: the picture shows the way to the next key</source>
+        <translation>Une accélération : l’image montre le chemin vers la clé suivante</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>Au début</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>À la fin</translation>
+    </message>
+    <message>
+        <source>At both ends</source>
+        <translation>Aux deux bouts</translation>
+    </message>
+    <message>
+        <source>Free</source>
+        <translation>Libres</translation>
+    </message>
+    <message>
+        <source>Aligned</source>
+        <translation>Alignées</translation>
+    </message>
+    <message>
+        <source>Vector</source>
+        <translation>Vectorielles</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Lisses</translation>
+    </message>
+    <message>
+        <source>Smooth, never beyond the keys</source>
+        <translation>Lisses, jamais au-delà des clés</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Tenir</translation>
+    </message>
+    <message>
+        <source>Go on straight</source>
+        <translation>Continuer tout droit</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Répéter</translation>
+    </message>
+    <message>
+        <source>Repeat with offset</source>
+        <translation>Répéter avec décalage</translation>
+    </message>
+    <message>
+        <source>Back and forth</source>
+        <translation>Aller et retour</translation>
+    </message>
+    <message>
+        <source>Location</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Local location</source>
+        <translation>Position locale</translation>
+    </message>
+    <message>
+        <source>Local rotation</source>
+        <translation>Rotation locale</translation>
+    </message>
+    <message>
+        <source>Local scale</source>
+        <translation>Échelle locale</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>
@@ -3363,6 +3734,222 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::KeyActions</name>
+    <message>
+        <source>Easings</source>
+        <translation>Accélérations</translation>
+    </message>
+    <message>
+        <source>Where the easing shows its character</source>
+        <translation>Là où l’accélération montre son caractère</translation>
+    </message>
+    <message>
+        <source>Where the handles of Bézier keys stand</source>
+        <translation>Où se trouvent les poignées des clés de Bézier</translation>
+    </message>
+    <message>
+        <source>Before the first key</source>
+        <translation>Avant la première clé</translation>
+    </message>
+    <message>
+        <source>Behind the last key</source>
+        <translation>Après la dernière clé</translation>
+    </message>
+    <message>
+        <source>For every channel with a selected key</source>
+        <translation>Pour chaque canal ayant une clé sélectionnée</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::KeyCommands</name>
+    <message>
+        <source>No key is selected.</source>
+        <translation>Aucune clé n’est sélectionnée.</translation>
+    </message>
+    <message>
+        <source>Select a node first: it gets the key.</source>
+        <translation>Sélectionnez d’abord un nœud : il reçoit la clé.</translation>
+    </message>
+    <message>
+        <source>The selected nodes have no keys yet.</source>
+        <translation>Les nœuds sélectionnés n’ont pas encore de clés.</translation>
+    </message>
+    <message>
+        <source>The selected nodes have no key at this frame.</source>
+        <translation>Les nœuds sélectionnés n’ont pas de clé à cette image.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s) copied</source>
+        <translation>
+            <numerusform>%n clé copiée</numerusform>
+            <numerusform>%n clés copiées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No keys have been copied.</source>
+        <translation>Aucune clé n’a été copiée.</translation>
+    </message>
+    <message>
+        <source>Mirror Keys</source>
+        <translation>Mettre des clés en miroir</translation>
+    </message>
+    <message>
+        <source>Snap Keys to Seconds</source>
+        <translation>Aligner des clés sur les secondes</translation>
+    </message>
+    <message>
+        <source>Snap Keys to Frames</source>
+        <translation>Aligner des clés sur les images</translation>
+    </message>
+    <message>
+        <source>Move Keys</source>
+        <translation>Déplacer des clés</translation>
+    </message>
+    <message>
+        <source>Scale Keys</source>
+        <translation>Étirer des clés</translation>
+    </message>
+    <message>
+        <source>Change Interpolation</source>
+        <translation>Changer l’interpolation</translation>
+    </message>
+    <message>
+        <source>Change Easing</source>
+        <translation>Changer l’accélération</translation>
+    </message>
+    <message>
+        <source>Change Handles</source>
+        <translation>Changer les poignées</translation>
+    </message>
+    <message>
+        <source>There is no key behind this frame.</source>
+        <translation>Il n’y a pas de clé après cette image.</translation>
+    </message>
+    <message>
+        <source>There is no key before this frame.</source>
+        <translation>Il n’y a pas de clé avant cette image.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::KeyPanel</name>
+    <message numerus="yes">
+        <source>%n key(s) selected</source>
+        <translation>
+            <numerusform>%n clé sélectionnée</numerusform>
+            <numerusform>%n clés sélectionnées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Mode</translation>
+    </message>
+    <message>
+        <source>How the value goes from each selected key to the next</source>
+        <translation>Comment la valeur va de chaque clé sélectionnée à la suivante</translation>
+    </message>
+    <message>
+        <source>Easing</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>At which end the easings of the selected keys show their character</source>
+        <translation>À quel bout les accélérations des clés sélectionnées montrent leur caractère</translation>
+    </message>
+    <message>
+        <source>Handles</source>
+        <translation>Poignées</translation>
+    </message>
+    <message>
+        <source>Where the handles of the selected Bézier keys stand</source>
+        <translation>Où se trouvent les poignées des clés de Bézier sélectionnées</translation>
+    </message>
+    <message>
+        <source>Ends</source>
+        <translation>Extrémités</translation>
+    </message>
+    <message>
+        <source>What the channels do before their first key and behind their last</source>
+        <translation>Ce que font les canaux avant leur première clé et après leur dernière</translation>
+    </message>
+    <message>
+        <source>All nodes</source>
+        <translation>Tous les nœuds</translation>
+    </message>
+    <message>
+        <source>Show the keys of all nodes, not only of those selected in the scene</source>
+        <translation>Montrer les clés de tous les nœuds, pas seulement de ceux sélectionnés dans la scène</translation>
+    </message>
+    <message>
+        <source>Snap to</source>
+        <translation>Aligner sur</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>images</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>secondes</translation>
+    </message>
+    <message>
+        <source>Where dragged keys land; hold Shift to drag freely</source>
+        <translation>Où arrivent les clés glissées ; tenir Maj pour glisser librement</translation>
+    </message>
+    <message>
+        <source>Snapping</source>
+        <translation>Alignement</translation>
+    </message>
+    <message>
+        <source>No keys here. Select a node and press I to insert keys of its location, rotation and scale at the frame on show.</source>
+        <translation>Pas de clés ici. Sélectionnez un nœud et appuyez sur I pour insérer des clés de position, rotation et échelle à l’image affichée.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::KeyRowList</name>
+    <message>
+        <source>All keys</source>
+        <translation>Toutes les clés</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s)</source>
+        <translation>
+            <numerusform>%n clé</numerusform>
+            <numerusform>%n clés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click selects all of them, Shift+click adds; the triangle folds.</source>
+        <translation>Un clic les sélectionne toutes, Maj+clic ajoute ; le triangle replie.</translation>
+    </message>
+    <message>
+        <source>Show or hide this curve</source>
+        <translation>Montrer ou masquer cette courbe</translation>
+    </message>
+    <message>
+        <source>Click selects all of them, Shift+click adds.</source>
+        <translation>Un clic les sélectionne toutes, Maj+clic ajoute.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::KeySheet</name>
+    <message>
+        <source>Dope sheet</source>
+        <translation>Feuille de clés</translation>
+    </message>
+    <message>
+        <source>Drag to scale the selected keys in time; Shift: without snapping</source>
+        <translation>Glisser pour étirer les clés sélectionnées dans le temps ; Maj : sans alignement</translation>
+    </message>
+    <message>
+        <source>Frame %1, %2 s</source>
+        <translation>Image %1, %2 s</translation>
+    </message>
+</context>
+<context>
     <name>ramure::MainWindow</name>
     <message>
         <source>Exported to %1</source>
@@ -3449,6 +4036,14 @@ OpenGL&#xa0;: %4
             <numerusform>%Ln fichier écrit dans %1</numerusform>
             <numerusform>%Ln fichiers écrits dans %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Clés</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Clés</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,9 @@
 #include "widgets/actions/picture_actions.h"
 #include "widgets/actions/program_actions.h"
 #include "widgets/actions/view_actions.h"
+#include "widgets/animation/key_actions.h"
+#include "widgets/animation/key_commands.h"
+#include "widgets/animation/key_panel.h"
 #include "widgets/export/export_dialog.h"
 #include "widgets/export/sequence_task.h"
 #include "widgets/history/history_dock.h"
@@ -47,7 +50,7 @@ namespace ramure {
 namespace {
 
 constexpr int messageMs = 6000;
-constexpr int layoutVersion = 2; ///< of saveState; another one means another set of docks
+constexpr int layoutVersion = 3; ///< of saveState; another one means another set of docks
 
 QString droppedFile(const QMimeData* data)
 {
@@ -147,6 +150,17 @@ void MainWindow::buildDocks()
     m_timeline = new TimelinePanel(m_document, m_player, m_plays, this);
     m_timeline->setBakeActions(m_bakes);
     m_timelineDock = addPanel(QStringLiteral("timelineDock"), m_timeline, Qt::BottomDockWidgetArea);
+    m_keyModel = new KeyModel(m_document, this);
+    m_keyCommands = new KeyCommands(m_keyModel, m_player, this);
+    m_keyActions = new KeyActions(m_keyCommands, m_actions, this);
+    m_keys = new KeyPanel(m_keyModel, m_keyCommands, m_keyActions, m_player, this);
+    m_keysDock = addPanel(QStringLiteral("keysDock"), m_keys, Qt::BottomDockWidgetArea);
+    // The timeline's height is no room for rows of keys: the first look at them makes some.
+    connect(m_keysDock, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+        constexpr int least = 220, wanted = 290;
+        if (visible && !std::exchange(m_keysSeen, true) && m_keysDock->height() < least)
+            resizeDocks({m_keysDock}, {wanted}, Qt::Vertical);
+    });
 }
 
 void MainWindow::resetLayout()
@@ -157,13 +171,17 @@ void MainWindow::resetLayout()
         addDockWidget(Qt::RightDockWidgetArea, dock);
         dock->show();
     }
-    m_timelineDock->setFloating(false);
-    addDockWidget(Qt::BottomDockWidgetArea, m_timelineDock);
-    m_timelineDock->show();
+    for (QDockWidget* dock : {m_timelineDock, m_keysDock}) {
+        dock->setFloating(false);
+        addDockWidget(Qt::BottomDockWidgetArea, dock);
+        dock->show();
+    }
     splitDockWidget(m_sceneDock, m_propertiesDock, Qt::Vertical);
     tabifyDockWidget(m_sceneDock, m_historyDock);
     tabifyDockWidget(m_propertiesDock, m_inspectorDock);
     tabifyDockWidget(m_inspectorDock, m_validationDock);
+    tabifyDockWidget(m_timelineDock, m_keysDock);
+    m_timelineDock->raise();
     m_sceneDock->raise();
     m_propertiesDock->raise();
     m_toolBar->show();
@@ -261,15 +279,19 @@ void MainWindow::buildMenus()
     m_views->fillMenu(m_viewMenu,
                       {m_sceneDock->toggleViewAction(), m_propertiesDock->toggleViewAction(),
                        m_inspectorDock->toggleViewAction(), m_validationDock->toggleViewAction(),
-                       m_historyDock->toggleViewAction(), m_timelineDock->toggleViewAction()},
+                       m_historyDock->toggleViewAction(), m_timelineDock->toggleViewAction(),
+                       m_keysDock->toggleViewAction()},
                       m_resetLayout);
     m_playMenu = menuBar()->addMenu(QString());
     m_plays->fillMenu(m_playMenu);
     m_playMenu->addSeparator();
     m_bakes->fillMenu(m_playMenu);
+    m_keysMenu = menuBar()->addMenu(QString());
+    m_keyActions->fillMenu(m_keysMenu);
     m_helpMenu = menuBar()->addMenu(QString());
     m_helpMenu->addActions(m_program->helpActions());
-    m_program->setMenus({m_fileMenu, m_editMenu, m_selectMenu, m_viewMenu, m_playMenu, m_helpMenu});
+    m_program->setMenus(
+        {m_fileMenu, m_editMenu, m_selectMenu, m_viewMenu, m_playMenu, m_keysMenu, m_helpMenu});
     m_scene->setMenuActions(m_edits->nodeActions(), m_selects);
 }
 
@@ -349,6 +371,7 @@ void MainWindow::connectPanels()
     connect(m_validation, &ValidationPanel::messageRaised, this, say);
     connect(m_timeline, &TimelinePanel::messageRaised, this, say);
     connect(m_bakes, &BakeActions::messageRaised, this, say);
+    connect(m_keyCommands, &KeyCommands::messageRaised, this, say);
     connect(m_player, &Player::failed, this, [say](const Error& error) { say(errorTextWithPlace(error)); });
     connect(m_validation, &ValidationPanel::separateRequested, this, &MainWindow::showSeparateDialog);
     connect(m_problem, &ProblemButton::paramRequested, this, [this](const QString& key) {
@@ -511,6 +534,7 @@ void MainWindow::retranslate()
     m_selectMenu->setTitle(tr("&Select"));
     m_viewMenu->setTitle(tr("&View"));
     m_playMenu->setTitle(tr("&Play"));
+    m_keysMenu->setTitle(tr("&Keys"));
     m_helpMenu->setTitle(tr("He&lp"));
     m_toolBar->setWindowTitle(tr("Toolbar"));
     m_sceneDock->setWindowTitle(tr("Scene"));
@@ -519,6 +543,8 @@ void MainWindow::retranslate()
     m_inspectorDock->setWindowTitle(tr("Inspector"));
     m_validationDock->setWindowTitle(tr("Validation"));
     m_timelineDock->setWindowTitle(tr("Timeline"));
+    m_keysDock->setWindowTitle(tr("Keys"));
+    m_keyActions->retranslate();
     m_plays->retranslate();
     m_bakes->retranslate();
     m_bakeProgress->setText(tr("Baking the motion"));

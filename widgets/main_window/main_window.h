@@ -18,6 +18,10 @@ class HistoryDock;
 class Isolation;
 class IsolationButton;
 class JobPanel;
+class KeyActions;
+class KeyCommands;
+class KeyModel;
+class KeyPanel;
 class MessageBanner;
 class PictureActions;
 class PlayActions;
@@ -60,6 +64,8 @@ public:
     [[nodiscard]] ViewportHost* viewportHost() const { return m_host; }
     [[nodiscard]] Player* player() const { return m_player; }
     [[nodiscard]] TimelinePanel* timeline() const { return m_timeline; }
+    [[nodiscard]] KeyPanel* keys() const { return m_keys; }
+    [[nodiscard]] KeyModel* keyModel() const { return m_keyModel; }
     [[nodiscard]] Analysis* analysis() const { return m_analysis; }
 
     void showWelcome();
@@ -114,6 +120,10 @@ private:
     JobPanel* m_bakeProgress = nullptr;
     SequenceTask* m_sequences = nullptr;
     JobPanel* m_sequenceProgress = nullptr;
+    KeyModel* m_keyModel = nullptr;
+    KeyCommands* m_keyCommands = nullptr;
+    KeyActions* m_keyActions = nullptr;
+    KeyPanel* m_keys = nullptr;
     StatusPanel* m_status = nullptr;
     ProblemButton* m_problem = nullptr;
     FileActions* m_files = nullptr;
@@ -134,6 +144,7 @@ private:
     QMenu* m_selectMenu = nullptr;
     QMenu* m_viewMenu = nullptr;
     QMenu* m_playMenu = nullptr;
+    QMenu* m_keysMenu = nullptr;
     QMenu* m_helpMenu = nullptr;
     QToolBar* m_toolBar = nullptr;
     QDockWidget* m_sceneDock = nullptr;
@@ -142,6 +153,8 @@ private:
     QDockWidget* m_inspectorDock = nullptr;
     QDockWidget* m_validationDock = nullptr;
     QDockWidget* m_timelineDock = nullptr;
+    QDockWidget* m_keysDock = nullptr;
+    bool m_keysSeen = false;
 };
 
 } // namespace ramure

@@ -118,6 +118,19 @@ void TimelineRuler::setView(double from, double to)
     m_from = std::clamp(from, 2.0 * double(leastFrame), 2.0 * double(mostFrame) - span);
     m_to = m_from + span;
     update();
+    emit viewChanged();
+}
+
+void TimelineRuler::showFrames(double from, double to)
+{
+    m_zoomed = true;
+    setView(from, to);
+}
+
+void TimelineRuler::resizeEvent(QResizeEvent* event)
+{
+    QWidget::resizeEvent(event);
+    emit viewChanged();
 }
 
 double TimelineRuler::pixelsPerFrame() const
@@ -130,10 +143,14 @@ double TimelineRuler::xOf(double frame) const
     return margin + (frame - m_from) * pixelsPerFrame();
 }
 
+double TimelineRuler::framesAt(double x) const
+{
+    return m_from + (x - margin) / pixelsPerFrame();
+}
+
 qint64 TimelineRuler::frameAt(double x) const
 {
-    const double frame = m_from + (x - margin) / pixelsPerFrame();
-    return std::llround(std::clamp(frame, double(leastFrame), double(mostFrame)));
+    return std::llround(std::clamp(framesAt(x), double(leastFrame), double(mostFrame)));
 }
 
 QString TimelineRuler::labelOf(qint64 frame) const

@@ -29,11 +29,19 @@ public:
 
     [[nodiscard]] double xOf(double frame) const;
     [[nodiscard]] qint64 frameAt(double x) const;
+    /// The moment at x in frames, between whole ones too.
+    [[nodiscard]] double framesAt(double x) const;
+    /// Frames at the edges.
+    [[nodiscard]] double from() const { return m_from; }
+    [[nodiscard]] double to() const { return m_to; }
+    /// Shows these frames, until a double click shows the range again.
+    void showFrames(double from, double to);
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 signals:
     void frameSought(qint64 frame);
+    void viewChanged(); ///< other frames are in sight, or at other places
     /// \p begins: with the first one of a drag, so that all of it is one step of undo.
     void rangeDragged(qint64 first, qint64 last, bool begins);
 
@@ -44,6 +52,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     bool event(QEvent* event) override;
 

@@ -1,0 +1,78 @@
+/// \file
+/// The dock of keys: tool buttons, the column of names, ruler and dope sheet.
+#pragma once
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QMenu;
+class QScrollBar;
+class QSplitter;
+class QStackedWidget;
+class QToolButton;
+
+namespace ramure {
+
+class EmptyPage;
+class KeyActions;
+class KeyCommands;
+class KeyModel;
+class KeyRowList;
+class KeySheet;
+class Player;
+class TimelineRuler;
+
+class KeyPanel : public QWidget
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the panel.
+    KeyPanel(KeyModel* model, KeyCommands* commands, KeyActions* actions, Player* player,
+             QWidget* parent = nullptr);
+
+    [[nodiscard]] TimelineRuler* ruler() const { return m_ruler; }
+    [[nodiscard]] KeySheet* sheet() const { return m_sheet; }
+    [[nodiscard]] KeyRowList* names() const { return m_names; }
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void buildTools();
+    void buildSheet();
+    void connectAll();
+    void addMenuButton(QToolButton*& button, QMenu* menu);
+    void showTimeline();
+    void showRows();
+    void showSelection();
+    void retranslate();
+
+    KeyModel* m_model;
+    KeyCommands* m_commands;
+    KeyActions* m_actions;
+    Player* m_player;
+    QWidget* m_tools = nullptr;
+    QToolButton* m_insert = nullptr;
+    QToolButton* m_modes = nullptr;
+    QToolButton* m_easings = nullptr;
+    QToolButton* m_handles = nullptr;
+    QToolButton* m_extrapolations = nullptr;
+    QToolButton* m_all = nullptr;
+    QLabel* m_snapLabel = nullptr;
+    QComboBox* m_snap = nullptr;
+    QLabel* m_count = nullptr;
+    QStackedWidget* m_pages = nullptr;
+    EmptyPage* m_empty = nullptr;
+    QSplitter* m_splitter = nullptr;
+    QScrollBar* m_scroll = nullptr;
+    TimelineRuler* m_ruler = nullptr;
+    KeyRowList* m_names = nullptr;
+    KeySheet* m_sheet = nullptr;
+    QWidget* m_corner = nullptr;
+    QMenu* m_menu = nullptr;
+};
+
+} // namespace ramure
