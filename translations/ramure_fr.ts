@@ -635,6 +635,14 @@
         <source>In the dope sheet ]</source>
         <translation>Dans la feuille de clés ]</translation>
     </message>
+    <message>
+        <source>Auto-ke&amp;y</source>
+        <translation>Clés automati&amp;ques</translation>
+    </message>
+    <message>
+        <source>Changed parameters that may have keys get one at the frame on show</source>
+        <translation>Les paramètres animables que l’on change reçoivent une clé à l’image affichée</translation>
+    </message>
 </context>
 <context>
     <name>DialogChooser</name>
@@ -2884,6 +2892,10 @@
         <source>no selected node has tracks for these keys</source>
         <translation>aucun nœud sélectionné n’a de pistes pour ces clés</translation>
     </message>
+    <message>
+        <source>this parameter has keys, but none at this frame: insert one with the button beside it, or switch auto-key on</source>
+        <translation>ce paramètre a des clés, mais aucune à cette image : insérez-en une par le bouton à côté, ou activez les clés automatiques</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -3173,6 +3185,13 @@ OpenGL&#xa0;: %4
     <message>
         <source>Reach for the target</source>
         <translation>Atteindre la cible</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::AutoKey</name>
+    <message>
+        <source>Set Key</source>
+        <translation>Placer une clé</translation>
     </message>
 </context>
 <context>
@@ -3829,6 +3848,17 @@ OpenGL&#xa0;: %4
         <source>There is no key before this frame.</source>
         <translation>Il n’y a pas de clé avant cette image.</translation>
     </message>
+    <message>
+        <source>Drag Handle</source>
+        <translation>Glisser une poignée</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::KeyCurves</name>
+    <message>
+        <source>Curves</source>
+        <translation>Courbes</translation>
+    </message>
 </context>
 <context>
     <name>ramure::KeyPanel</name>
@@ -3907,6 +3937,22 @@ OpenGL&#xa0;: %4
         <source>No keys here. Select a node and press I to insert keys of its location, rotation and scale at the frame on show.</source>
         <translation>Pas de clés ici. Sélectionnez un nœud et appuyez sur I pour insérer des clés de position, rotation et échelle à l’image affichée.</translation>
     </message>
+    <message>
+        <source>Curves</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Show the values over time instead of the dope sheet</source>
+        <translation>Montrer les valeurs dans le temps à la place de la feuille de clés</translation>
+    </message>
+    <message>
+        <source>Normalise</source>
+        <translation>Normaliser</translation>
+    </message>
+    <message>
+        <source>Every curve over the same height, whatever its values</source>
+        <translation>Chaque courbe sur la même hauteur, quelles que soient ses valeurs</translation>
+    </message>
 </context>
 <context>
     <name>ramure::KeyRowList</name>
@@ -3947,6 +3993,37 @@ OpenGL&#xa0;: %4
     <message>
         <source>Frame %1, %2 s</source>
         <translation>Image %1, %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::KeyValues</name>
+    <message>
+        <source>Change Key Values</source>
+        <translation>Changer des valeurs de clés</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Value of the selected keys: metres, a factor, the parameter&apos;s unit, or degrees about %1</source>
+        <translation>Valeur des clés sélectionnées : mètres, un facteur, l’unité du paramètre, ou degrés autour de %1</translation>
+    </message>
+    <message>
+        <source>Key value %1</source>
+        <translation>Valeur de clé %1</translation>
     </message>
 </context>
 <context>
@@ -4226,6 +4303,18 @@ OpenGL&#xa0;: %4
     <message>
         <source>seconds; also ms, min</source>
         <translation>secondes&#xa0;; aussi ms, min</translation>
+    </message>
+    <message>
+        <source>%1: take the key at this frame away</source>
+        <translation>%1 : retirer la clé à cette image</translation>
+    </message>
+    <message>
+        <source>%1 has keys: insert one at this frame</source>
+        <translation>%1 a des clés : en insérer une à cette image</translation>
+    </message>
+    <message>
+        <source>%1: insert a key at this frame</source>
+        <translation>%1 : insérer une clé à cette image</translation>
     </message>
 </context>
 <context>

@@ -36,6 +36,12 @@ KeyActions::KeyActions(KeyCommands* commands, ActionSet* set, QObject* parent)
           {"keys.removeHere", QT_TRANSLATE_NOOP("Actions", "&Remove key here"), nullptr,
            QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I),
            QT_TRANSLATE_NOOP("Actions", "Take out all keys that the selected nodes have at this frame")}))
+    , m_auto(set->add({"keys.auto",
+                       QT_TRANSLATE_NOOP("Actions", "Auto-ke&y"),
+                       "key-auto",
+                       {},
+                       QT_TRANSLATE_NOOP(
+                           "Actions", "Changed parameters that may have keys get one at the frame on show")}))
     , m_previous(set->add({"keys.previous", QT_TRANSLATE_NOOP("Actions", "Pre&vious key"), "key-previous",
                            QKeySequence(Qt::ALT | Qt::Key_Comma),
                            QT_TRANSLATE_NOOP("Actions", "Go to the key before this frame")}))
@@ -43,6 +49,7 @@ KeyActions::KeyActions(KeyCommands* commands, ActionSet* set, QObject* parent)
                        QKeySequence(Qt::ALT | Qt::Key_Period),
                        QT_TRANSLATE_NOOP("Actions", "Go to the key behind this frame")}))
 {
+    m_auto->setCheckable(true);
     KeyCommands* c = commands;
     connect(m_insert, &QAction::triggered, this, [c] { c->insert(KeyParts::Transform); });
     connect(m_removeHere, &QAction::triggered, c, &KeyCommands::removeAtPlayhead);
@@ -261,7 +268,7 @@ void KeyActions::fillMenu(QMenu* menu)
     inserts->addActions(m_inserts);
     inserts->setToolTipsVisible(true);
     menu->addMenu(inserts);
-    menu->addActions({m_removeHere, m_previous, m_next});
+    menu->addActions({m_removeHere, m_auto, m_previous, m_next});
     menu->addSeparator();
     auto* selects = new QMenu(menu);
     selects->addActions(m_selects);

@@ -28,6 +28,8 @@ public:
     /// May be called for several menus; the submenus belong to them, and they must live as long as this.
     void fillMenu(QMenu* menu);
     [[nodiscard]] QAction* insertAction() const { return m_insert; }
+    /// Checkable: edits of parameters become keys.
+    [[nodiscard]] QAction* autoAction() const { return m_auto; }
     [[nodiscard]] QAction* previousAction() const { return m_previous; }
     [[nodiscard]] QAction* nextAction() const { return m_next; }
     /// New menus with pictures, for the parent's tool buttons or other menus.
@@ -47,6 +49,7 @@ private:
     KeyCommands* m_commands;
     QAction* m_insert;
     QAction* m_removeHere;
+    QAction* m_auto;
     QAction* m_previous;
     QAction* m_next;
     QList<QAction*> m_inserts;

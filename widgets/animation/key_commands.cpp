@@ -199,6 +199,17 @@ void KeyCommands::retime(const Retiming& retiming, bool copies)
                           retiming.factor == 1.0 ? tr("Move Keys") : tr("Scale Keys")));
 }
 
+void KeyCommands::shift(Ticks offset, const std::map<TrackRef, double>& values)
+{
+    if (hasSelection())
+        take(keys::shift(document(), m_model->selection(), offset, values, tr("Move Keys")));
+}
+
+void KeyCommands::replaceKey(const TrackRef& ref, const Key& key, GestureId gesture)
+{
+    report(keys::replace(document(), ref, key, tr("Drag Handle"), gesture));
+}
+
 void KeyCommands::setMode(KeyMode mode)
 {
     if (hasSelection())

@@ -48,6 +48,10 @@ public:
     void nudge(int frames);
     /// Of a drag: \p copies leave the keys where they are.
     void retime(const Retiming& retiming, bool copies);
+    /// In time, and by each track's share of \p values.
+    void shift(Ticks offset, const std::map<TrackRef, double>& values);
+    /// Of a handle that is dragged: one step per gesture.
+    void replaceKey(const TrackRef& ref, const Key& key, GestureId gesture);
     void setMode(KeyMode mode);
     void setEasing(Easing easing);
     void setHandles(HandleType type);

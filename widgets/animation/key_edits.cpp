@@ -379,6 +379,67 @@ Expected<void> keys::changeValues(Document& document, const KeySelection& select
                      });
 }
 
+Expected<void> keys::changeOrientations(Document& document, const KeySelection& selection,
+                                        const std::function<glm::dquat(const glm::dquat&)>& change,
+                                        const QString& text, GestureId gesture)
+{
+    return eachTrack(document, selection, text, gesture,
+                     [&](const TrackRef& ref, auto held, const auto& indices, auto& edits) -> Expected<void> {
+                         using KeyType = typename decltype(held)::KeyKind;
+                         if constexpr (std::is_same_v<KeyType, OrientationKey>) {
+                             std::vector<OrientationKey> changed;
+                             for (const std::size_t index : indices) {
+                                 changed.push_back(held.keys()[index]);
+                                 changed.back().value = change(changed.back().value);
+                             }
+                             if (auto good = held.replace(indices, std::span<const OrientationKey>(changed));
+                                 !good)
+                                 return good;
+                             edits.push_back(editOf(ref, std::move(held)));
+                         }
+                         return {};
+                     });
+}
+
+Expected<KeySelection> keys::shift(Document& document, const KeySelection& selection, Ticks offset,
+                                   const std::map<TrackRef, double>& values, const QString& text)
+{
+    KeySelection moved;
+    auto done = eachTrack(document, selection, text, 0,
+                          [&](const TrackRef& ref, auto held, const auto& indices, auto& edits) {
+                              using KeyType = typename decltype(held)::KeyKind;
+                              auto changed = retimed(held.keys(), indices, {0, 1.0, offset});
+                              const auto value = values.find(ref);
+                              if constexpr (std::is_same_v<KeyType, Key>)
+                                  for (Key& key : changed)
+                                      key.value += value == values.end() ? 0.0 : value->second;
+                              auto good = held.replace(indices, std::span<const KeyType>(changed));
+                              if (good) {
+                                  moved[ref] = timesOf(changed);
+                                  edits.push_back(editOf(ref, std::move(held)));
+                              }
+                              return good;
+                          });
+    if (!done)
+        return fail(std::move(done.error()));
+    return moved;
+}
+
+Expected<void> keys::replace(Document& document, const TrackRef& ref, const Key& key, const QString& text,
+                             GestureId gesture)
+{
+    return eachTrack(
+        document, {{ref, {key.time}}}, text, gesture,
+        [&](const TrackRef& place, auto held, const auto& indices, auto& edits) -> Expected<void> {
+            if constexpr (std::is_same_v<typename decltype(held)::KeyKind, Key>) {
+                if (auto good = held.replace(indices, std::span<const Key>(&key, 1)); !good)
+                    return good;
+                edits.push_back(editOf(place, std::move(held)));
+            }
+            return {};
+        });
+}
+
 Expected<void> keys::extrapolate(Document& document, const KeySelection& selection, bool before, bool behind,
                                  Extrapolation extrapolation)
 {

@@ -70,10 +70,21 @@ Expected<void> remove(Document& document, const KeySelection& selection);
 /// Changes mode, easing, handle types; times must stay.
 Expected<void> reshape(Document& document, const KeySelection& selection,
                        const std::function<void(KeyShape&)>& change, const QString& text);
-/// Moves values of number keys; of orientations nothing.
+/// Changes values of number keys; of orientations nothing.
 Expected<void> changeValues(Document& document, const KeySelection& selection,
                             const std::function<double(const TrackRef&, double)>& change, const QString& text,
                             GestureId gesture = 0);
+/// Moves keys in time, and those of numbers by their track's share of \p values. Returns them at their new
+/// times.
+Expected<KeySelection> shift(Document& document, const KeySelection& selection, Ticks offset,
+                             const std::map<TrackRef, double>& values, const QString& text);
+/// Puts a number key in the place of the one at its time.
+Expected<void> replace(Document& document, const TrackRef& ref, const Key& key, const QString& text,
+                       GestureId gesture);
+/// Changes values of orientation keys; of numbers nothing.
+Expected<void> changeOrientations(Document& document, const KeySelection& selection,
+                                  const std::function<glm::dquat(const glm::dquat&)>& change,
+                                  const QString& text, GestureId gesture = 0);
 /// Of every track with a selected key.
 Expected<void> extrapolate(Document& document, const KeySelection& selection, bool before, bool behind,
                            Extrapolation extrapolation);

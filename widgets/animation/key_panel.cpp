@@ -2,7 +2,9 @@
 
 #include "core/document/player.h"
 #include "widgets/animation/key_actions.h"
+#include "widgets/animation/key_curves.h"
 #include "widgets/animation/key_sheet.h"
+#include "widgets/animation/key_values.h"
 #include "widgets/support/empty_page.h"
 #include "widgets/theme/icons.h"
 #include "widgets/timeline/timeline_ruler.h"
@@ -71,6 +73,7 @@ void KeyPanel::buildTools()
     m_insert->setMenu(m_actions->insertMenu(m_insert));
     m_insert->setPopupMode(QToolButton::MenuButtonPopup);
     m_insert->setMinimumWidth(m_insert->sizeHint().width() + 16); // the arrow must not cover the picture
+    addAction(m_actions->autoAction());
     addAction(m_actions->previousAction());
     addAction(m_actions->nextAction());
     row->addSpacing(6);
@@ -91,7 +94,20 @@ void KeyPanel::buildTools()
     m_all->setCheckable(true);
     m_all->setFocusPolicy(Qt::TabFocus);
     row->addWidget(m_all);
+    for (QToolButton** button : {&m_showCurves, &m_normalise}) {
+        *button = new QToolButton(m_tools);
+        (*button)->setAutoRaise(true);
+        (*button)->setCheckable(true);
+        (*button)->setFocusPolicy(Qt::TabFocus);
+        row->addWidget(*button);
+    }
+    m_showCurves->setObjectName(QStringLiteral("curvesButton"));
+    m_normalise->setObjectName(QStringLiteral("normaliseButton"));
+    m_normalise->hide();
     row->addStretch(1);
+    m_values = new KeyValues(m_model, m_tools);
+    row->addWidget(m_values);
+    row->addSpacing(6);
     m_count = new QLabel(m_tools);
     m_count->setObjectName(QStringLiteral("dim"));
     row->addWidget(m_count);
@@ -125,7 +141,11 @@ void KeyPanel::buildSheet()
     m_names = new KeyRowList(m_model, m_scroll, m_splitter);
     m_sheet = new KeySheet(m_model, m_commands, m_ruler, m_scroll, m_splitter);
     column(m_corner, m_names);
-    column(m_ruler, m_sheet);
+    m_views = new QStackedWidget(m_splitter);
+    m_curves = new KeyCurves(m_model, m_commands, m_ruler, m_views);
+    m_views->addWidget(m_sheet);
+    m_views->addWidget(m_curves);
+    column(m_ruler, m_views);
     m_splitter->setStretchFactor(0, 0);
     m_splitter->setStretchFactor(1, 1);
     m_splitter->setSizes({190, 800});
@@ -146,10 +166,14 @@ void KeyPanel::connectAll()
     connect(m_player, &Player::frameChanged, this, [this](qint64 frame) {
         m_ruler->setFrame(frame);
         m_sheet->setFrame(frame);
+        m_curves->setFrame(frame);
     });
+    connect(m_showCurves, &QToolButton::toggled, this, &KeyPanel::setCurvesShown);
+    connect(m_normalise, &QToolButton::toggled, m_curves, &KeyCurves::setNormalised);
     connect(m_player, &Player::bandChanged, this, [this] { m_ruler->setBand(m_player->band()); });
     connect(m_ruler, &TimelineRuler::frameSought, m_player, &Player::seek);
     connect(m_names, &KeyRowList::rowClicked, m_sheet, &KeySheet::setCurrentRow);
+    connect(m_values, &KeyValues::messageRaised, m_commands, &KeyCommands::messageRaised);
     connect(m_all, &QToolButton::toggled, m_model, &KeyModel::setAllNodes);
     connect(m_snap, &QComboBox::activated, this,
             [this](int index) { m_commands->setSnapping(static_cast<KeySnap>(index)); });
@@ -161,12 +185,23 @@ void KeyPanel::showTimeline()
     m_ruler->setTimeline(m_model->timeline());
     m_ruler->setFrame(m_player->frame());
     m_sheet->setFrame(m_player->frame());
+    m_curves->setFrame(m_player->frame());
+}
+
+void KeyPanel::setCurvesShown(bool shown)
+{
+    m_showCurves->setChecked(shown);
+    m_views->setCurrentIndex(shown ? 1 : 0);
+    m_names->setEyes(shown);
+    m_normalise->setVisible(shown);
+    if (shown)
+        m_curves->fit();
 }
 
 void KeyPanel::showRows()
 {
     const int rows = int(m_model->rows().size());
-    const int room = m_sheet->height() - KeyRowsView::strip;
+    const int room = m_names->height() - KeyRowsView::strip;
     m_scroll->setSingleStep(m_sheet->rowHeight());
     m_scroll->setPageStep(std::max(1, room));
     m_scroll->setRange(0, std::max(0, rows * m_sheet->rowHeight() - room));
@@ -214,6 +249,8 @@ void KeyPanel::retranslate()
     set(m_extrapolations, tr("Ends"),
         tr("What the channels do before their first key and behind their last"));
     set(m_all, tr("All nodes"), tr("Show the keys of all nodes, not only of those selected in the scene"));
+    set(m_showCurves, tr("Curves"), tr("Show the values over time instead of the dope sheet"));
+    set(m_normalise, tr("Normalise"), tr("Every curve over the same height, whatever its values"));
     m_snapLabel->setText(tr("Snap to"));
     m_snap->setItemText(0, tr("nothing"));
     m_snap->setItemText(1, tr("frames"));

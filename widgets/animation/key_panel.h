@@ -17,9 +17,11 @@ namespace ramure {
 class EmptyPage;
 class KeyActions;
 class KeyCommands;
+class KeyCurves;
 class KeyModel;
 class KeyRowList;
 class KeySheet;
+class KeyValues;
 class Player;
 class TimelineRuler;
 
@@ -33,6 +35,9 @@ public:
 
     [[nodiscard]] TimelineRuler* ruler() const { return m_ruler; }
     [[nodiscard]] KeySheet* sheet() const { return m_sheet; }
+    [[nodiscard]] KeyCurves* curves() const { return m_curves; }
+    void setCurvesShown(bool shown);
+    [[nodiscard]] KeyValues* values() const { return m_values; }
     [[nodiscard]] KeyRowList* names() const { return m_names; }
     [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -61,8 +66,11 @@ private:
     QToolButton* m_handles = nullptr;
     QToolButton* m_extrapolations = nullptr;
     QToolButton* m_all = nullptr;
+    QToolButton* m_showCurves = nullptr;
+    QToolButton* m_normalise = nullptr;
     QLabel* m_snapLabel = nullptr;
     QComboBox* m_snap = nullptr;
+    KeyValues* m_values = nullptr;
     QLabel* m_count = nullptr;
     QStackedWidget* m_pages = nullptr;
     EmptyPage* m_empty = nullptr;
@@ -71,6 +79,8 @@ private:
     TimelineRuler* m_ruler = nullptr;
     KeyRowList* m_names = nullptr;
     KeySheet* m_sheet = nullptr;
+    KeyCurves* m_curves = nullptr;
+    QStackedWidget* m_views = nullptr;
     QWidget* m_corner = nullptr;
     QMenu* m_menu = nullptr;
 };

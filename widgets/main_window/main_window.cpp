@@ -9,6 +9,7 @@
 #include "widgets/actions/picture_actions.h"
 #include "widgets/actions/program_actions.h"
 #include "widgets/actions/view_actions.h"
+#include "widgets/animation/auto_key.h"
 #include "widgets/animation/key_actions.h"
 #include "widgets/animation/key_commands.h"
 #include "widgets/animation/key_panel.h"
@@ -153,6 +154,8 @@ void MainWindow::buildDocks()
     m_keyModel = new KeyModel(m_document, this);
     m_keyCommands = new KeyCommands(m_keyModel, m_player, this);
     m_keyActions = new KeyActions(m_keyCommands, m_actions, this);
+    m_autoKey = new AutoKey(m_document, m_player, this);
+    m_properties->setKeys(m_autoKey);
     m_keys = new KeyPanel(m_keyModel, m_keyCommands, m_keyActions, m_player, this);
     m_keysDock = addPanel(QStringLiteral("keysDock"), m_keys, Qt::BottomDockWidgetArea);
     // The timeline's height is no room for rows of keys: the first look at them makes some.
@@ -372,6 +375,7 @@ void MainWindow::connectPanels()
     connect(m_timeline, &TimelinePanel::messageRaised, this, say);
     connect(m_bakes, &BakeActions::messageRaised, this, say);
     connect(m_keyCommands, &KeyCommands::messageRaised, this, say);
+    connect(m_keyActions->autoAction(), &QAction::toggled, m_autoKey, &AutoKey::setOn);
     connect(m_player, &Player::failed, this, [say](const Error& error) { say(errorTextWithPlace(error)); });
     connect(m_validation, &ValidationPanel::separateRequested, this, &MainWindow::showSeparateDialog);
     connect(m_problem, &ProblemButton::paramRequested, this, [this](const QString& key) {

@@ -9,6 +9,7 @@ namespace ramure {
 
 class ActionSet;
 class Analysis;
+class AutoKey;
 class BakeActions;
 class BranchInspector;
 class Chooser;
@@ -123,6 +124,7 @@ private:
     KeyModel* m_keyModel = nullptr;
     KeyCommands* m_keyCommands = nullptr;
     KeyActions* m_keyActions = nullptr;
+    AutoKey* m_autoKey = nullptr;
     KeyPanel* m_keys = nullptr;
     StatusPanel* m_status = nullptr;
     ProblemButton* m_problem = nullptr;

@@ -12,6 +12,8 @@
 namespace ramure {
 namespace {
 
+constexpr int keySide = 16; ///< of the button for keys
+
 QString unitText(const ParamDef& def, AngleUnit unit)
 {
     switch (def.unit) {
@@ -90,13 +92,27 @@ ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(6);
     grid->setVerticalSpacing(3);
+    auto* name = new QHBoxLayout;
+    name->setSpacing(2);
+    if (def.flags & paramAnimatable) {
+        m_key = new QToolButton(this);
+        m_key->setAutoRaise(true);
+        m_key->setFixedSize(keySide, keySide);
+        m_key->setIconSize({10, 10});
+        m_key->setFocusPolicy(Qt::TabFocus);
+        m_key->setObjectName(QStringLiteral("keyButton"));
+        m_key->hide();
+        name->addWidget(m_key);
+        connect(m_key, &QToolButton::clicked, this, &ParamRow::keyToggled);
+    }
+    name->addWidget(m_label, 1);
     if (m_editor->isWide()) {
-        grid->addWidget(m_label, 0, 0, 1, 2);
+        grid->addLayout(name, 0, 0, 1, 2);
         grid->addWidget(m_reset, 0, 2);
         grid->addWidget(m_editor, 1, 0, 1, 3);
         grid->addWidget(m_message, 2, 0, 1, 3);
     } else {
-        grid->addWidget(m_label, 0, 0);
+        grid->addLayout(name, 0, 0);
         grid->addWidget(m_editor, 0, 1);
         grid->addWidget(m_reset, 0, 2);
         grid->addWidget(m_message, 1, 0, 1, 3);
@@ -165,6 +181,21 @@ void ParamRow::showMessage()
     m_message->setVisible(!text.isEmpty());
 }
 
+void ParamRow::showKeyState(KeyState state)
+{
+    if (!m_key)
+        return;
+    m_key->show();
+    m_key->setIcon(icon(state == KeyState::Here       ? "key-here"
+                        : state == KeyState::Animated ? "key-animated"
+                                                      : "key-none"));
+    const QString name = coreText(def().label);
+    m_key->setToolTip(state == KeyState::Here       ? tr("%1: take the key at this frame away").arg(name)
+                      : state == KeyState::Animated ? tr("%1 has keys: insert one at this frame").arg(name)
+                                                    : tr("%1: insert a key at this frame").arg(name));
+    m_key->setAccessibleName(m_key->toolTip());
+}
+
 void ParamRow::setAngleUnit(AngleUnit unit)
 {
     m_angleUnit = unit;
@@ -178,7 +209,8 @@ int ParamRow::labelWidth() const
         return 0;
     QFont bold = m_label->font();
     bold.setBold(true); // a changed value must not move its neighbours
-    return QFontMetrics(bold).horizontalAdvance(coreText(def().label)) + 2;
+    const int key = m_key && !m_key->isHidden() ? keySide + 2 : 0;
+    return QFontMetrics(bold).horizontalAdvance(coreText(def().label)) + 2 + key;
 }
 
 void ParamRow::addBelow(QWidget* widget)
@@ -190,7 +222,7 @@ void ParamRow::addBelow(QWidget* widget)
 void ParamRow::setLabelWidth(int width)
 {
     if (!m_editor->isWide())
-        m_label->setFixedWidth(width);
+        m_label->setFixedWidth(width - (m_key && !m_key->isHidden() ? keySide + 2 : 0));
 }
 
 bool ParamRow::matches(const QStringList& words) const

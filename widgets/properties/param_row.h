@@ -2,6 +2,7 @@
 /// One parameter in the panel: label, editor, reset arrow, and a line for what is wrong.
 #pragma once
 
+#include "widgets/animation/key_state.h"
 #include "widgets/properties/param_editor.h"
 
 class QLabel;
@@ -26,6 +27,9 @@ public:
     void showProblem(const std::optional<Error>& error);
     /// Why the last value was not taken; empty: it was.
     void showRefusal(const QString& reason);
+    /// The button for keys; null where the parameter cannot have any. Hidden until a state is shown.
+    [[nodiscard]] QToolButton* keyButton() const { return m_key; }
+    void showKeyState(KeyState state);
     void setAngleUnit(AngleUnit unit);
     void setLabelWidth(int width);
     /// Something more about this parameter, below its editor and message; the row owns it.
@@ -37,6 +41,7 @@ public:
 
 signals:
     void resetRequested();
+    void keyToggled();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -48,6 +53,7 @@ private:
     QLabel* m_label = nullptr;
     ParamEditor* m_editor = nullptr;
     QToolButton* m_reset = nullptr;
+    QToolButton* m_key = nullptr;
     QLabel* m_message = nullptr;
     std::optional<Error> m_problem;
     QString m_refusal;

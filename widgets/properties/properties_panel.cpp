@@ -1,6 +1,8 @@
 #include "widgets/properties/properties_panel.h"
 
 #include "core/document/commands.h"
+#include "core/document/player.h"
+#include "widgets/animation/auto_key.h"
 #include "widgets/grammar/generations_view.h"
 #include "widgets/properties/group_section.h"
 #include "widgets/properties/param_row.h"
@@ -143,6 +145,8 @@ void PropertiesPanel::follow(const Change& change)
         return;
     if (change.has(changeParams))
         showValues(change.params);
+    if (change.has(changeTracks) && !change.params.empty())
+        showValues(change.params);
     if (change.has(changeResults))
         showProblem();
 }
@@ -172,7 +176,7 @@ std::vector<ParamValue> PropertiesPanel::valuesOf(const ParamDef& def) const
     std::vector<ParamValue> values;
     values.reserve(m_nodes.size());
     for (const NodeId id : m_nodes)
-        values.push_back(def.get(m_document->scene().find(id)->params));
+        values.push_back(m_keys ? m_keys->value(id, def) : def.get(m_document->scene().find(id)->params));
     return values;
 }
 
@@ -184,9 +188,39 @@ void PropertiesPanel::showValues(const std::vector<ParamId>& params)
         const ParamId id = paramId(def);
         if (params.empty() || std::ranges::count(params, id) > 0)
             m_rows[id]->showValues(valuesOf(def));
+        if (m_keys)
+            m_rows[id]->showKeyState(m_keys->state(m_nodes, def));
     }
     for (GroupSection* section : m_sections)
         section->updateHeading();
+}
+
+void PropertiesPanel::setKeys(AutoKey* keys)
+{
+    m_keys = keys;
+    connect(keys, &AutoKey::changed, this, [this] { showValues({}); });
+    connect(keys->player(), &Player::frameChanged, this, &PropertiesPanel::showKeys);
+    for (ParamRow* row : m_rows)
+        connect(row, &ParamRow::keyToggled, this, [this, row] {
+            const auto done = m_keys->toggle(m_nodes, row->def());
+            if (!done)
+                row->showRefusal(errorText(done.error()));
+        });
+    showValues({});
+    for (ParamRow* row : m_rows)
+        row->showKeyState(KeyState::None); // also while nothing is selected: the labels' width counts
+    showValues({});
+    alignLabels();
+}
+
+/// At another frame only what has keys looks different.
+void PropertiesPanel::showKeys()
+{
+    for (ParamRow* row : m_rows)
+        if (row->keyButton() && m_keys->state(m_nodes, row->def()) != KeyState::None) {
+            row->showValues(valuesOf(row->def()));
+            row->showKeyState(m_keys->state(m_nodes, row->def()));
+        }
 }
 
 void PropertiesPanel::showProblem()
@@ -229,7 +263,9 @@ void PropertiesPanel::applyPreferences()
 
 void PropertiesPanel::setValue(ParamRow* row, const ParamValue& value, quint64 gesture)
 {
-    const auto done = edit::setParam(*m_document, m_nodes, row->def(), value, gesture);
+    const bool keyed = m_keys && m_keys->takes(m_nodes, row->def());
+    const auto done = keyed ? m_keys->set(m_nodes, row->def(), value, std::nullopt, gesture)
+                            : edit::setParam(*m_document, m_nodes, row->def(), value, gesture);
     if (!done) {
         row->showValues(valuesOf(row->def()));
         row->showRefusal(errorText(done.error()));
@@ -238,7 +274,14 @@ void PropertiesPanel::setValue(ParamRow* row, const ParamValue& value, quint64 g
 
 void PropertiesPanel::setComponent(ParamRow* row, int axis, double value, quint64 gesture)
 {
-    const auto done = edit::setComponent(*m_document, m_nodes, row->def(), axis, value, gesture);
+    Expected<void> done;
+    if (m_keys && m_keys->takes(m_nodes, row->def())) {
+        ParamValue whole = m_keys->value(m_nodes.front(), row->def());
+        std::get<glm::dvec3>(whole)[axis] = value;
+        done = m_keys->set(m_nodes, row->def(), whole, axis, gesture);
+    } else {
+        done = edit::setComponent(*m_document, m_nodes, row->def(), axis, value, gesture);
+    }
     if (!done) {
         row->showValues(valuesOf(row->def()));
         row->showRefusal(errorText(done.error()));

@@ -13,6 +13,7 @@ class QScrollArea;
 
 namespace ramure {
 
+class AutoKey;
 class GenerationsView;
 class GroupSection;
 class ParamRow;
@@ -28,6 +29,8 @@ public:
     /// The row of a parameter; every row of the table has one.
     [[nodiscard]] ParamRow* row(const ParamDef& def) const;
     [[nodiscard]] const std::vector<NodeId>& nodes() const { return m_nodes; }
+    /// Parameters that may have keys get buttons, and show what they are at the frame on show. Not owned.
+    void setKeys(AutoKey* keys);
     [[nodiscard]] QSize sizeHint() const override { return {360, 640}; }
     /// As wide as the widest row in sight needs.
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -45,6 +48,7 @@ private:
     void follow(const Change& change);
     void takeTargets();
     void showValues(const std::vector<ParamId>& params);
+    void showKeys();
     void showProblem();
     void applyFilter();
     void applyPreferences();
@@ -61,6 +65,7 @@ private:
 
     Document* m_document;
     Preferences* m_preferences;
+    AutoKey* m_keys = nullptr;
     std::vector<NodeId> m_nodes;
     std::uint8_t m_kinds = 0;      ///< bits of the kinds of m_nodes
     std::vector<ParamRow*> m_rows; ///< by ParamId

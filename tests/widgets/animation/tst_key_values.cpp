@@ -1,0 +1,182 @@
+#include "core/document/commands.h"
+#include "tests/widgets/animation/key_fixture.h"
+#include "widgets/animation/auto_key.h"
+#include "widgets/animation/key_curves.h"
+#include "widgets/animation/key_values.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/properties/param_row.h"
+#include "widgets/properties/properties_panel.h"
+#include "widgets/support/preferences.h"
+#include <QToolButton>
+
+using namespace ramure;
+using test::KeyDock;
+
+/// Values of keys: the fields, the curves, and the properties with auto-key.
+class TestKeyValues : public QObject
+{
+    Q_OBJECT
+private:
+    test::OwnSettings m_settings;
+    static std::vector<double> values(const KeyDock& dock, std::size_t track)
+    {
+        std::vector<double> result;
+        const auto held = keys::find(dock.document.scene(), dock.model.tracks()[track]);
+        for (const Key& key : std::get<Track>(*held).keys())
+            result.push_back(key.value);
+        return result;
+    }
+    static void drag(QWidget* widget, QPointF from, QPointF to, Qt::KeyboardModifiers held = {})
+    {
+        const auto send = [&](QEvent::Type type, QPointF at, Qt::MouseButton button,
+                              Qt::MouseButtons buttons) {
+            QMouseEvent event(type, at, widget->mapToGlobal(at), button, buttons, held);
+            QCoreApplication::sendEvent(widget, &event);
+        };
+        send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
+        for (int i = 1; i <= 5; ++i)
+            send(QEvent::MouseMove, from + (to - from) * i / 5.0, Qt::NoButton, Qt::LeftButton);
+        send(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
+    }
+
+private slots:
+    void init() { test::failOnWidgetWarning(); }
+
+    void parametersWithKeysRefuseEditsBetweenThem()
+    {
+        KeyDock dock(test::keyScene(1, 1));
+        AutoKey keys(&dock.document, &dock.player);
+        const NodeId node = dock.document.scene().nodes().front().id;
+        const ParamDef& radius = *findParam("primitive.radius");
+        QVERIFY(!keys.takes({node}, radius));
+        QVERIFY(keys.toggle({node}, radius));
+        QVERIFY(keys.state({node}, radius) == KeyState::Here);
+        dock.player.seek(20);
+        QVERIFY(keys.state({node}, radius) == KeyState::Animated);
+        const QByteArray before = dock.bytes();
+        QVERIFY(!keys.set({node}, radius, ParamValue(2.0), std::nullopt, 0));
+        keys.setOn(true);
+        QVERIFY(!keys.set({node}, radius, ParamValue(-1.0), std::nullopt, 0)); // out of range
+        QCOMPARE(dock.bytes(), before);
+        QVERIFY(keys.set({node}, radius, ParamValue(2.0), std::nullopt, 0));
+        QCOMPARE(std::get<double>(keys.value(node, radius)), 2.0);
+        QVERIFY(keys.toggle({node}, radius));
+        QVERIFY(keys.state({node}, radius) == KeyState::Animated);
+    }
+
+    void propertiesMakeKeys()
+    {
+        KeyDock dock(test::keyScene(1, 1));
+        Preferences preferences;
+        PropertiesPanel panel(&dock.document, &preferences);
+        AutoKey keys(&dock.document, &dock.player);
+        panel.setKeys(&keys);
+        panel.show();
+        const NodeId node = dock.document.scene().nodes().front().id;
+        ParamRow* row = panel.row(*findParam("primitive.size"));
+        QVERIFY(row->keyButton());
+        QVERIFY(!row->keyButton()->toolTip().isEmpty());
+        QVERIFY(!panel.row(*findParam("tree.translation"))->keyButton());
+        const QByteArray before = dock.bytes();
+        row->keyButton()->click();
+        QCOMPARE(dock.document.scene().find(node)->animation.tracks().size(), std::size_t(1 + 3));
+        dock.player.seek(24);
+        keys.setOn(true);
+        const GestureId gesture = newGesture();
+        for (int i = 0; i < 5; ++i)
+            emit row->editor()->componentEdited(1, 2.0 + i, gesture);
+        QCOMPARE(dock.steps(), 2); // the button, and all of the drag
+        QCOMPARE(std::get<glm::dvec3>(keys.value(node, row->def())).y, 6.0);
+        dock.document.undoStack()->undo();
+        dock.document.undoStack()->undo();
+        QCOMPARE(dock.bytes(), before);
+    }
+
+    void valuesOfManyKeysAreTyped()
+    {
+        KeyDock dock(test::keyScene(2, 3, 10));
+        dock.commands.selectAll();
+        auto* field = dock.panel.findChild<NumberField*>(QStringLiteral("keyValue0"));
+        QVERIFY(!field->value()); // they differ
+        emit field->valueEdited(1.5);
+        QCOMPARE(values(dock, 1), (std::vector<double>{1.5, 1.5, 1.5}));
+        QCOMPARE(field->value().value_or(0.0), 1.5);
+        QCOMPARE(dock.steps(), 1);
+    }
+
+    void anglesAreTyped()
+    {
+        KeyDock dock(test::keyScene(4, 3, 10));
+        const TrackRef ref = dock.model.tracks()[3];
+        QVERIFY(ref.channel.isOrientation());
+        dock.model.setSelection({{ref, {0}}});
+        auto* field = dock.panel.findChild<NumberField*>(QStringLiteral("keyValue2"));
+        for (const char* name : {"keyValue0", "keyValue1", "keyValue2"})
+            emit dock.panel.findChild<NumberField*>(QLatin1String(name))->valueEdited(0.0);
+        emit field->valueEdited(0.5);
+        const auto q = std::get<OrientationTrack>(*keys::find(dock.document.scene(), ref)).keys()[0].value;
+        QVERIFY(std::abs(std::abs(glm::dot(q, glm::dquat(std::cos(0.25), 0.0, 0.0, std::sin(0.25)))) - 1.0) <
+                1e-12);
+        QVERIFY(std::abs(field->value().value_or(0.0) - 0.5) < 1e-12);
+    }
+
+    void curvesAreDraggedAsOneStep()
+    {
+        KeyDock dock(test::keyScene(1, 3, 10));
+        const QByteArray before = dock.bytes();
+        dock.panel.setCurvesShown(true);
+        KeyCurves* curves = dock.panel.curves();
+        const TrackRef ref = dock.model.tracks()[0];
+        const double value = values(dock, 0)[1];
+        const QPointF place = curves->placeOf(ref, keys::ticksOfFrame(dock.model.timeline(), 10), value);
+        drag(curves, place, place + QPointF(0, -30));
+        QCOMPARE(dock.steps(), 1);
+        QVERIFY(values(dock, 0)[1] > value);
+        QCOMPARE(dock.frames(2), (std::vector<double>{0, 10, 20}));
+        dock.document.undoStack()->undo();
+        QCOMPARE(dock.bytes(), before);
+    }
+
+    void handlesAreDraggedAsOneStep()
+    {
+        KeyDock dock(test::keyScene(1, 3, 10));
+        const QByteArray before = dock.bytes();
+        dock.panel.setCurvesShown(true);
+        KeyCurves* curves = dock.panel.curves();
+        const TrackRef ref = dock.model.tracks()[0];
+        const auto key = [&] { return std::get<Track>(*keys::find(dock.document.scene(), ref)).keys()[1]; };
+        dock.model.setSelection({{ref, {key().time}}});
+        const QPointF end =
+            curves->placeOf(ref, key().time + ticksOf(key().out.dt), key().value + key().out.dv);
+        drag(curves, end, end + QPointF(10, 40));
+        QCOMPARE(dock.steps(), 1);
+        QCOMPARE(key().behind, HandleType::Aligned);
+        QVERIFY(key().out.dv < 0.0);
+        dock.document.undoStack()->undo();
+        QCOMPARE(dock.bytes(), before);
+    }
+
+    void hiddenAndEmptyCurvesAreLeftAlone()
+    {
+        KeyDock dock(test::keyScene(5, 3, 10));
+        dock.panel.setCurvesShown(true);
+        KeyCurves* curves = dock.panel.curves();
+        const TrackRef ref = dock.model.tracks()[0];
+        dock.model.setHidden(ref, true);
+        QCOMPARE(curves->placeOf(ref, 0, 0.0), QPointF());
+        dock.panel.findChild<QToolButton*>(QStringLiteral("normaliseButton"))->click();
+        drag(curves, {0, 0}, {double(curves->width()), double(curves->height())});
+        QVERIFY(dock.selected() >= 9u - 3u);
+        dock.commands.remove();
+        QTest::keyClick(curves, Qt::Key_Home);
+        dock.commands.selectAll();
+        dock.commands.remove();
+        QTest::keyClick(curves, Qt::Key_Home);
+        QTest::keyClick(curves, Qt::Key_Up);
+        QImage image(curves->size(), QImage::Format_ARGB32_Premultiplied);
+        curves->render(&image);
+    }
+};
+
+QTEST_MAIN(TestKeyValues)
+#include "tst_key_values.moc"

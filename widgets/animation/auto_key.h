@@ -1,0 +1,49 @@
+/// \file
+/// Parameters with keys: whether they have any, one at the frame on show, and edits that become keys.
+#pragma once
+
+#include "core/document/commands.h"
+#include "widgets/animation/key_state.h"
+#include <QObject>
+#include <optional>
+
+namespace ramure {
+
+class Player;
+
+class AutoKey : public QObject
+{
+    Q_OBJECT
+public:
+    /// Neither is owned; both must outlive the object.
+    AutoKey(Document* document, Player* player, QObject* parent = nullptr);
+
+    [[nodiscard]] Player* player() const { return m_player; }
+    [[nodiscard]] bool isOn() const { return m_on; }
+    [[nodiscard]] KeyState state(const std::vector<NodeId>& nodes, const ParamDef& def) const;
+    /// What the parameter is at the frame on show.
+    [[nodiscard]] ParamValue value(NodeId node, const ParamDef& def) const;
+    /// An edit of this parameter is to become keys: auto-key is on and it may have keys, or it has keys.
+    [[nodiscard]] bool takes(const std::vector<NodeId>& nodes, const ParamDef& def) const;
+    /// Keys at the frame on show, of one component (0, 1, 2) or all. Error Invalid: the parameter has keys,
+    /// but none here, and auto-key is off.
+    Expected<void> set(const std::vector<NodeId>& nodes, const ParamDef& def, const ParamValue& value,
+                       std::optional<int> component, GestureId gesture);
+    /// The button beside the parameter: takes the keys here away, or inserts them.
+    Expected<void> toggle(const std::vector<NodeId>& nodes, const ParamDef& def);
+
+public slots:
+    void setOn(bool on);
+
+signals:
+    void changed(bool on);
+
+private:
+    [[nodiscard]] Ticks now() const;
+
+    Document* m_document;
+    Player* m_player;
+    bool m_on = false;
+};
+
+} // namespace ramure

@@ -1,0 +1,288 @@
+// Mouse and keyboard of the curve editor.
+#include "widgets/animation/key_curves.h"
+#include "widgets/timeline/timeline_ruler.h"
+
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ramure {
+
+static constexpr double reach = 8.0;
+
+std::optional<KeyCurves::Hit> KeyCurves::hitAt(const QPointF& place) const
+{
+    std::optional<Hit> best;
+    double nearest = reach;
+    const auto look = [&](const QPointF& at, const Hit& hit) {
+        const double distance = std::hypot(at.x() - place.x(), at.y() - place.y());
+        if (distance >= nearest)
+            return;
+        nearest = distance;
+        best = hit;
+    };
+    const auto ticksAt = [&](double x) {
+        return keys::ticksOfFrame(m_model->timeline(), m_ruler->framesAt(x));
+    };
+    for (const Curve& curve : m_curves) {
+        const auto& track = std::get<Track>(*curve.track);
+        const Ticks last = ticksAt(place.x() + reach);
+        for (std::size_t i = track.lowerBound(ticksAt(place.x() - reach));
+             i < track.size() && track.keys()[i].time <= last; ++i)
+            look({xOf(secondsOf(track.keys()[i].time)), yOf(curve, track.keys()[i].value)},
+                 {curve.ref, track.keys()[i].time, 0});
+        const auto selected = m_model->selection().find(curve.ref);
+        if (selected == m_model->selection().end())
+            continue;
+        for (const Ticks time : selected->second)
+            if (const auto index = track.find(time))
+                for (const int side : {-1, 1}) {
+                    const Key& key = track.keys()[*index];
+                    const bool used = side > 0
+                                          ? key.mode == KeyMode::Bezier && *index + 1 < track.size()
+                                          : *index > 0 && track.keys()[*index - 1].mode == KeyMode::Bezier;
+                    if (used)
+                        look(handlePlace(curve, key, side), {curve.ref, time, side});
+                }
+    }
+    return best;
+}
+
+void KeyCurves::mousePressEvent(QMouseEvent* event)
+{
+    if (m_drag != Drag::None)
+        return;
+    m_press = m_at = event->position();
+    m_moved = false;
+    m_offset = 0;
+    m_pixels = 0.0;
+    if (event->button() == Qt::MiddleButton) {
+        m_drag = Drag::Scroll;
+        return;
+    }
+    if (event->button() != Qt::LeftButton)
+        return;
+    const auto hit = hitAt(m_press);
+    if (!hit) {
+        m_drag = Drag::Box;
+        return;
+    }
+    m_hit = *hit;
+    if (hit->side != 0) {
+        m_drag = Drag::Handle;
+        m_gesture = newGesture();
+        return;
+    }
+    if (event->modifiers() & Qt::ShiftModifier) {
+        KeySelection selection = m_model->selection();
+        std::vector<Ticks>& times = selection[hit->ref];
+        const auto at = std::lower_bound(times.begin(), times.end(), hit->time);
+        if (at != times.end() && *at == hit->time)
+            times.erase(at);
+        else
+            times.insert(at, hit->time);
+        return m_model->setSelection(selection);
+    }
+    if (!isSelected(hit->ref, hit->time))
+        m_model->setSelection({{hit->ref, {hit->time}}});
+    m_drag = Drag::Keys;
+}
+
+void KeyCurves::mouseMoveEvent(QMouseEvent* event)
+{
+    const QPointF before = m_at;
+    m_at = event->position();
+    if (m_drag == Drag::None ||
+        (!m_moved && (m_at - m_press).manhattanLength() < QApplication::startDragDistance()))
+        return;
+    m_moved = true;
+    if (m_drag == Drag::Scroll) {
+        const double frames = m_ruler->framesAt(before.x()) - m_ruler->framesAt(m_at.x());
+        const double values = (m_at.y() - before.y()) * (m_high - m_low) / std::max(1, height());
+        m_low += values;
+        m_high += values;
+        m_ruler->showFrames(m_ruler->from() + frames, m_ruler->to() + frames);
+    } else if (m_drag == Drag::Keys) {
+        const Ticks way = keys::ticksOfFrame(m_model->timeline(), m_ruler->framesAt(m_at.x())) -
+                          keys::ticksOfFrame(m_model->timeline(), m_ruler->framesAt(m_press.x()));
+        const bool valueOnly = (event->modifiers() & Qt::ControlModifier) != 0;
+        const bool free = (event->modifiers() & Qt::ShiftModifier) != 0;
+        m_offset = valueOnly ? 0 : free ? way : m_commands->snapped(m_hit.time + way) - m_hit.time;
+        // A key on half a frame does not jump by itself.
+        if (std::abs(m_at.x() - m_press.x()) < 3.0)
+            m_offset = 0;
+        m_pixels = m_at.y() - m_press.y();
+    } else if (m_drag == Drag::Handle) {
+        dragHandle(m_at);
+    }
+    update();
+}
+
+/// The curve follows at once; all of the drag is one step.
+void KeyCurves::dragHandle(const QPointF& place)
+{
+    const Curve* curve = curveOf(m_hit.ref);
+    const auto& track = std::get<Track>(*curve->track);
+    const auto index = track.find(m_hit.time);
+    if (!index)
+        return giveUp();
+    Key key = track.keys()[*index];
+    const double rate = m_model->timeline().framesPerSecond;
+    Handle handle;
+    handle.dt = std::clamp(m_ruler->framesAt(place.x()) / rate - secondsOf(key.time), -1e6, 1e6);
+    handle.dt = m_hit.side < 0 ? std::min(handle.dt, 0.0) : std::max(handle.dt, 0.0);
+    handle.dv = -(place.y() - yOf(*curve, key.value)) * unitsPerPixel(*curve);
+    HandleType& mine = m_hit.side < 0 ? key.before : key.behind;
+    HandleType& other = m_hit.side < 0 ? key.behind : key.before;
+    // As in Blender: a handle that stood by itself is now put by hand, smooth ones both.
+    if (mine == HandleType::Auto || mine == HandleType::AutoClamped) {
+        mine = HandleType::Aligned;
+        if (other == HandleType::Auto || other == HandleType::AutoClamped)
+            other = HandleType::Aligned;
+    } else if (mine == HandleType::Vector) {
+        mine = HandleType::Free;
+    }
+    (m_hit.side < 0 ? key.in : key.out) = handle;
+    if (mine == HandleType::Aligned && other == HandleType::Aligned) {
+        Handle& opposite = m_hit.side < 0 ? key.out : key.in;
+        const double length = std::abs(opposite.dt);
+        if (handle.dt != 0.0)
+            opposite = {m_hit.side < 0 ? length : -length,
+                        handle.dv / handle.dt * (m_hit.side < 0 ? length : -length)};
+    }
+    m_commands->replaceKey(m_hit.ref, key, m_gesture);
+}
+
+void KeyCurves::mouseReleaseEvent(QMouseEvent* event)
+{
+    const Drag drag = std::exchange(m_drag, Drag::None);
+    m_at = event->position();
+    if (drag == Drag::Keys) {
+        if (m_moved)
+            finishKeys();
+        else
+            m_model->setSelection({{m_hit.ref, {m_hit.time}}});
+    } else if (drag == Drag::Box) {
+        finishBox((event->modifiers() & Qt::ShiftModifier) != 0);
+    }
+    update();
+}
+
+void KeyCurves::finishKeys()
+{
+    if (m_offset == 0 && m_pixels == 0.0)
+        return;
+    std::map<TrackRef, double> shifts;
+    for (const Curve& curve : m_curves)
+        shifts[curve.ref] = -m_pixels * unitsPerPixel(curve);
+    m_commands->shift(m_offset, shifts);
+}
+
+void KeyCurves::finishBox(bool adds)
+{
+    KeySelection selection = adds ? m_model->selection() : KeySelection();
+    const QRectF box = QRectF(m_press, m_at).normalized();
+    for (const Curve& curve : m_curves) {
+        if (!m_moved)
+            break;
+        std::vector<Ticks>& times = selection[curve.ref];
+        for (const Key& key : std::get<Track>(*curve.track).keys())
+            if (box.contains(xOf(secondsOf(key.time)), yOf(curve, key.value)))
+                times.push_back(key.time);
+        std::sort(times.begin(), times.end());
+        times.erase(std::unique(times.begin(), times.end()), times.end());
+    }
+    m_model->setSelection(selection);
+}
+
+void KeyCurves::giveUp()
+{
+    m_drag = Drag::None;
+    m_offset = 0;
+    m_pixels = 0.0;
+    update();
+}
+
+void KeyCurves::wheelEvent(QWheelEvent* event)
+{
+    const double factor = std::pow(0.8, double(event->angleDelta().y()) / 120.0);
+    if (event->modifiers() & Qt::ControlModifier) {
+        const double at = m_ruler->framesAt(event->position().x());
+        m_ruler->showFrames(at - (at - m_ruler->from()) * factor, at + (m_ruler->to() - at) * factor);
+    } else {
+        const double at = m_high - (m_high - m_low) * event->position().y() / std::max(1, height());
+        if ((m_high - m_low) * factor < 1e12 && (m_high - m_low) * factor > 1e-9) {
+            m_low = at - (at - m_low) * factor;
+            m_high = at + (m_high - at) * factor;
+        }
+    }
+    update();
+    event->accept();
+}
+
+void KeyCurves::keyPressEvent(QKeyEvent* event)
+{
+    const bool control = (event->modifiers() & Qt::ControlModifier) != 0;
+    const bool shift = (event->modifiers() & Qt::ShiftModifier) != 0;
+    const auto nudgeValue = [this, shift](double pixels) {
+        std::map<TrackRef, double> shifts;
+        for (const Curve& curve : m_curves)
+            shifts[curve.ref] = pixels * (shift ? 10.0 : 1.0) * unitsPerPixel(curve);
+        m_commands->shift(0, shifts);
+    };
+    switch (event->key()) {
+    case Qt::Key_Home:
+        return fit();
+    case Qt::Key_Escape:
+        return m_drag == Drag::None ? m_commands->selectNone() : giveUp();
+    case Qt::Key_Delete:
+        return m_commands->remove();
+    case Qt::Key_Up:
+        return nudgeValue(1.0);
+    case Qt::Key_Down:
+        return nudgeValue(-1.0);
+    case Qt::Key_Left:
+        return m_commands->nudge(shift ? -10 : -1);
+    case Qt::Key_Right:
+        return m_commands->nudge(shift ? 10 : 1);
+    case Qt::Key_A:
+        if (control)
+            return m_commands->selectAll();
+        break;
+    case Qt::Key_C:
+        if (control)
+            return m_commands->copy();
+        break;
+    case Qt::Key_V:
+        if (control)
+            return m_commands->paste(shift);
+        break;
+    default:
+        break;
+    }
+    QWidget::keyPressEvent(event);
+}
+
+bool KeyCurves::event(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        setAccessibleName(tr("Curves"));
+    if (event->type() == QEvent::ShortcutOverride) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        static constexpr std::array plain{Qt::Key_Delete, Qt::Key_Home, Qt::Key_Escape, Qt::Key_Up,
+                                          Qt::Key_Down,   Qt::Key_Left, Qt::Key_Right};
+        static constexpr std::array control{Qt::Key_A, Qt::Key_C, Qt::Key_V};
+        if (std::count(plain.begin(), plain.end(), key->key()) > 0 ||
+            ((key->modifiers() & Qt::ControlModifier) &&
+             std::count(control.begin(), control.end(), key->key()) > 0)) {
+            event->accept();
+            return true;
+        }
+    }
+    return QWidget::event(event);
+}
+
+} // namespace ramure

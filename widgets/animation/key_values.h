@@ -1,0 +1,44 @@
+/// \file
+/// The value of the selected keys: one number, or three angles of an orientation. Keys of other kinds than
+/// the first selected one stay as they are.
+#pragma once
+
+#include "core/document/commands.h"
+#include <QWidget>
+#include <array>
+
+class QLabel;
+
+namespace ramure {
+
+class KeyModel;
+class NumberField;
+
+class KeyValues : public QWidget
+{
+    Q_OBJECT
+public:
+    /// \param model is not owned and must outlive the widget.
+    explicit KeyValues(KeyModel* model, QWidget* parent = nullptr);
+
+signals:
+    void messageRaised(const QString& text);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void showValues();
+    void setNumber(double value);
+    void setAngle(int axis, double angleRad);
+    void report(const Expected<void>& done);
+    void retranslate();
+
+    KeyModel* m_model;
+    QLabel* m_label;
+    std::array<NumberField*, 3> m_fields{};
+    bool m_angles = false;
+    GestureId m_gesture = 0;
+};
+
+} // namespace ramure
