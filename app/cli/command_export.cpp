@@ -124,8 +124,8 @@ TreeSource notingSource(TreePipeline& pipeline)
     };
 }
 
-Expected<void> exportTrees(const Scene& scene, const Request& request, const TreeSource& source,
-                           const QStringList& files, const Progress& progress)
+Expected<void> exportAt(const Scene& scene, const Request& request, double timeSeconds, MovingSource& moving,
+                        const QStringList& files, const Progress& progress)
 {
     const auto count = static_cast<double>(files.size());
     for (qsizetype i = 0; i < files.size(); ++i) {
@@ -135,9 +135,10 @@ Expected<void> exportTrees(const Scene& scene, const Request& request, const Tre
         options.parts = request.parts.value_or(isPly(file) ? exportBranches : exportAll);
         options.ply.ascii = request.ascii;
         options.texture = request.texture;
+        options.timeSeconds = timeSeconds;
         const double from = static_cast<double>(i) / count;
-        const auto written =
-            exportScene(scene, options, source, systemPath(file), progress.part(from, from + 1.0 / count));
+        const auto written = exportScene(scene, options, moving.at(timeSeconds), systemPath(file),
+                                         progress.part(from, from + 1.0 / count));
         if (!written)
             return written;
     }
@@ -149,7 +150,7 @@ Expected<void> exportMoments(const Scene& scene, const Request& request, const M
                              MovingSource& moving, const Progress& progress)
 {
     if (!moments.isSequence())
-        return exportTrees(scene, request, moving.at(moments.timeSeconds), request.files, progress);
+        return exportAt(scene, request, moments.timeSeconds, moving, request.files, progress);
     const auto count = static_cast<double>(moments.frames.size());
     for (std::size_t i = 0; i < moments.frames.size(); ++i) {
         const std::int64_t frame = moments.frames[i];
@@ -157,8 +158,8 @@ Expected<void> exportMoments(const Scene& scene, const Request& request, const M
         for (const QString& file : request.files)
             files << numberedFile(file, frame);
         const double from = static_cast<double>(i) / count;
-        const auto written = exportTrees(scene, request, moving.at(moments.timeOf(frame)), files,
-                                         progress.part(from, from + 1.0 / count));
+        const auto written = exportAt(scene, request, moments.timeOf(frame), moving, files,
+                                      progress.part(from, from + 1.0 / count));
         if (!written)
             return written;
     }

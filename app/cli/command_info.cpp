@@ -1,6 +1,10 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
+#include "app/cli/moments.h"
+#include "core/document/project_json.h"
 #include "core/geometry/box.h"
+#include "core/scene/object_mesh.h"
+#include "core/scene/places.h"
 #include <QJsonArray>
 #include <QJsonObject>
 #include <algorithm>
@@ -16,7 +20,10 @@ constexpr CommandText text = {
     "several trees the counts "
     "and lengths are summed, maxChildren is the largest, min and max are the box of all trees in world "
     "space, and \"trees\" "
-    "(JSON) lists each. Of an .obj or .ply file: vertices, faces, box and its objects."};
+    "(JSON) lists each. \"nodes\" (JSON) lists every node of a scene with its world matrix at --time: 16 "
+    "numbers, "
+    "row after row; \"geometry\" is where its own shape stands, which its children do not see. Of an .obj or "
+    ".ply file: vertices, faces, box and its objects."};
 
 /// What is said of one skeleton, or of several together.
 struct SkeletonFacts
@@ -110,12 +117,15 @@ QString textOf(const TreeFacts& tree)
            row("max", vectorText(a.box.max), vectorText(b.box.max));
 }
 
-Expected<std::vector<TreeFacts>> factsOfTrees(const std::vector<const Node*>& trees)
+/// At rest, but with the parameters of the time.
+Expected<std::vector<TreeFacts>> factsOfTrees(const std::vector<const Node*>& trees, double timeSeconds)
 {
     TreePipeline pipeline;
     std::vector<TreeFacts> out;
     for (const Node* node : trees) {
-        const auto result = evaluateTree(pipeline, *node, trees.size() > 1, Stage::Simplified);
+        Node now = *node;
+        now.params = paramsAt(node->params, node->animation, timeSeconds);
+        const auto result = evaluateTree(pipeline, now, trees.size() > 1, Stage::Simplified);
         if (!result)
             return fail(result.error());
         out.push_back({node->name, std::int64_t(result->symbols->size()), factsOf(*result->skeleton),
@@ -124,34 +134,95 @@ Expected<std::vector<TreeFacts>> factsOfTrees(const std::vector<const Node*>& tr
     return out;
 }
 
-Expected<void> showScene(const Scene& scene, bool json)
+QJsonArray jsonMatrix(const glm::dmat4& matrix)
 {
-    const auto nodes = treesOf(scene);
-    if (!nodes)
-        return fail(nodes.error());
-    const auto trees = factsOfTrees(*nodes);
-    if (!trees)
-        return fail(trees.error());
-    if (trees->size() == 1)
-        return json ? printJson(jsonTree(trees->front())) : print(textOf(trees->front()));
-    TreeFacts sum;
+    QJsonArray rows;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            rows.append(matrix[column][row] + 0.0);
+    return rows;
+}
+
+/// Every node with its place at a time.
+QJsonArray jsonNodes(const Scene& scene, double timeSeconds)
+{
     QJsonArray list;
-    QString texts;
-    for (std::size_t i = 0; i < trees->size(); ++i) {
-        const TreeFacts& tree = (*trees)[i];
-        const glm::dmat4 world = worldMatrix(scene, (*nodes)[i]->id);
-        sum.symbols += tree.symbols;
-        add(sum.full, tree.full, world);
-        add(sum.simplified, tree.simplified, world);
+    const std::vector<NodePlace> places = placesAt(scene, timeSeconds);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Node& node = scene.nodes()[i];
+        QJsonObject entry{{QStringLiteral("id"), qint64{node.id}},
+                          {QStringLiteral("name"), fromText(node.name)},
+                          {QStringLiteral("kind"), json::kindName(node.kind)},
+                          {QStringLiteral("world"), jsonMatrix(places[i].world)}};
+        if (node.parent != noNode)
+            entry.insert(QStringLiteral("parent"), qint64{node.parent});
+        if (node.kind != NodeKind::Group)
+            entry.insert(QStringLiteral("geometry"), jsonMatrix(places[i].geometry));
+        list.append(entry);
+    }
+    return list;
+}
+
+/// How many there are of what is no tree.
+QString objectsText(const Scene& scene)
+{
+    const auto& nodes = scene.nodes();
+    const auto objects =
+        std::count_if(nodes.begin(), nodes.end(), [](const Node& node) { return isObject(node.kind); });
+    const auto moving =
+        std::count_if(nodes.begin(), nodes.end(), [](const Node& node) { return !node.animation.empty(); });
+    return objects == 0 && moving == 0
+               ? QString()
+               : row("objects", QString::number(objects)) + row("animated", QString::number(moving));
+}
+
+/// One tree, or the sum of several with each of them.
+QJsonObject jsonTrees(const TreeFacts& sum, const std::vector<TreeFacts>& trees)
+{
+    if (trees.size() == 1)
+        return jsonTree(trees.front());
+    QJsonObject all = jsonTree(sum);
+    QJsonArray list;
+    for (const TreeFacts& tree : trees) {
         QJsonObject entry = jsonTree(tree);
         entry.insert(QStringLiteral("name"), fromText(tree.name));
         list.append(entry);
-        texts += QStringLiteral("%1\n%2\n").arg(fromText(tree.name), textOf(tree));
     }
-    QJsonObject all = jsonTree(sum);
     all.insert(QStringLiteral("trees"), list);
-    return json ? printJson(all)
-                : print(texts + QStringLiteral("%1 trees\n%2").arg(trees->size()).arg(textOf(sum)));
+    return all;
+}
+
+QString textOfTrees(const TreeFacts& sum, const std::vector<TreeFacts>& trees)
+{
+    if (trees.size() == 1)
+        return textOf(trees.front());
+    QString texts;
+    for (const TreeFacts& tree : trees)
+        texts += QStringLiteral("%1\n%2\n").arg(fromText(tree.name), textOf(tree));
+    return texts + QStringLiteral("%1 trees\n%2").arg(trees.size()).arg(textOf(sum));
+}
+
+Expected<void> showScene(const Scene& scene, double timeSeconds, bool json)
+{
+    const auto nodes = treesOrObjects(scene);
+    if (!nodes)
+        return fail(nodes.error());
+    const auto trees = factsOfTrees(*nodes, timeSeconds);
+    if (!trees)
+        return fail(trees.error());
+    TreeFacts sum;
+    for (std::size_t i = 0; i < trees->size(); ++i) {
+        const TreeFacts& tree = (*trees)[i];
+        const glm::dmat4 world = placeAt(scene, (*nodes)[i]->id, timeSeconds).geometry;
+        sum.symbols += tree.symbols;
+        add(sum.full, tree.full, world);
+        add(sum.simplified, tree.simplified, world);
+    }
+    if (!json)
+        return print((trees->empty() ? QString() : textOfTrees(sum, *trees)) + objectsText(scene));
+    QJsonObject all = trees->empty() ? QJsonObject() : jsonTrees(sum, *trees);
+    all.insert(QStringLiteral("nodes"), jsonNodes(scene, timeSeconds));
+    return printJson(all);
 }
 
 Box boxOf(const TriangleMesh& mesh)
@@ -205,6 +276,10 @@ Expected<int> runInfo(const QStringList& arguments)
     CommandLine line(text);
     line.addInputOptions();
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
+    line.add(
+        {QStringLiteral("time")},
+        QStringLiteral("Tracks as they are after so many seconds; 0 without it. Trees are measured at rest."),
+        QStringLiteral("SECONDS"));
     const auto done = line.parse(arguments, 1, 1);
     if (!done)
         return fail(done.error());
@@ -213,7 +288,10 @@ Expected<int> runInfo(const QStringList& arguments)
     const auto input = loadInput(line.arguments().front(), line.values("set"));
     if (!input)
         return fail(input.error());
-    const auto shown = input->scene() ? showScene(*input->scene(), line.has("json"))
+    const auto moments = momentsOf(line, *input);
+    if (!moments)
+        return fail(moments.error());
+    const auto shown = input->scene() ? showScene(*input->scene(), moments->timeSeconds, line.has("json"))
                                       : showMesh(*input->mesh(), line.has("json"));
     if (!shown)
         return fail(shown.error());

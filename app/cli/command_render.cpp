@@ -99,9 +99,10 @@ Stage stageFor(DisplayMode mode)
     return Stage::Foliage;
 }
 
-Expected<RenderScene> treeScene(const Scene& scene, DisplayMode mode, const TreeSource& source)
+Expected<RenderScene> treeScene(const Scene& scene, DisplayMode mode, const TreeSource& source,
+                                double timeSeconds)
 {
-    const auto nodes = treesOf(scene);
+    const auto nodes = treesOrObjects(scene);
     if (!nodes)
         return fail(nodes.error());
     std::map<NodeId, TreeResult> results;
@@ -115,6 +116,7 @@ Expected<RenderScene> treeScene(const Scene& scene, DisplayMode mode, const Tree
     }
     SceneView view;
     view.mode = mode;
+    view.timeSeconds = timeSeconds;
     const auto resultOf = [&](NodeId id) {
         const auto found = results.find(id);
         return found == results.end() ? nullptr : &found->second;
@@ -123,10 +125,10 @@ Expected<RenderScene> treeScene(const Scene& scene, DisplayMode mode, const Tree
 }
 
 Expected<RenderScene> sceneOf(const Input& input, const CommandLine& line, DisplayMode mode,
-                              const TreeSource& source)
+                              const TreeSource& source, double timeSeconds)
 {
     if (input.scene())
-        return treeScene(*input.scene(), mode, source);
+        return treeScene(*input.scene(), mode, source, timeSeconds);
     if (line.has("mode") && mode != DisplayMode::Mesh)
         return fail(ErrorCode::Invalid, "--mode needs a tree: the input is a mesh");
     return sceneOfMesh(input.mesh()->joined());
@@ -198,7 +200,7 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Reques
         moments.isSequence() ? moments.frames : std::vector<std::int64_t>{0};
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const double time = moments.isSequence() ? moments.timeOf(frames[i]) : moments.timeSeconds;
-        const auto scene = sceneOf(input, line, request.mode, moving.at(time));
+        const auto scene = sceneOf(input, line, request.mode, moving.at(time), time);
         if (!scene)
             return fail(scene.error());
         if (!camera) {

@@ -2,8 +2,10 @@
 #include "core/document/project_file.h"
 #include "core/params/param_def.h"
 #include "core/params/presets.h"
-#include "core/scene/arm_demo.h"
+#include "core/scene/demo_scenes.h"
+#include "core/scene/object_mesh.h"
 #include <QFileInfo>
+#include <algorithm>
 
 namespace ramure::cli {
 
@@ -75,12 +77,12 @@ Expected<Scene> projectScene(const QString& path)
 
 Expected<Input> loadInput(const QString& text, const QStringList& sets, const Progress& progress)
 {
-    const QString presetPrefix = QStringLiteral("preset:");
+    const QString presetPrefix = QStringLiteral("preset:"), demoPrefix = QStringLiteral("demo:");
     const QString ending = QFileInfo(text).suffix().toLower();
-    const bool isPreset = text.startsWith(presetPrefix), isDemo = text == QLatin1String("demo:Arm");
+    const bool isPreset = text.startsWith(presetPrefix), isDemo = text.startsWith(demoPrefix);
     if (isPreset || isDemo || ending == QLatin1String("ramure")) {
         auto scene = isPreset ? presetScene(text.mid(presetPrefix.size()))
-                     : isDemo ? armDemo()
+                     : isDemo ? demoScene(text.mid(demoPrefix.size()).toStdString())
                               : projectScene(text);
         if (!scene)
             return fail(scene.error());
@@ -90,7 +92,7 @@ Expected<Input> loadInput(const QString& text, const QStringList& sets, const Pr
     }
     if (ending != QLatin1String("obj") && ending != QLatin1String("ply"))
         return fail(ErrorCode::Unknown,
-                    "\"%1\" is no input: preset:NAME or a file .ramure, .obj or .ply expected",
+                    "\"%1\" is no input: preset:NAME, demo:NAME or a file .ramure, .obj or .ply expected",
                     {text.toStdString()});
     if (!sets.isEmpty())
         return fail(ErrorCode::Invalid, "--set needs a tree: \"%1\" is a mesh", {text.toStdString()});
@@ -109,6 +111,17 @@ Expected<std::vector<const Node*>> treesOf(const Scene& scene)
     if (trees.empty())
         return fail(ErrorCode::Invalid, "the project holds no tree");
     return trees;
+}
+
+Expected<std::vector<const Node*>> treesOrObjects(const Scene& scene)
+{
+    const auto& nodes = scene.nodes();
+    const bool trees =
+        std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.kind == NodeKind::Tree; });
+    const bool objects = std::any_of(nodes.begin(), nodes.end(), [](const Node& node) {
+        return node.kind != NodeKind::Group && node.kind != NodeKind::Tree;
+    });
+    return trees || !objects ? treesOf(scene) : std::vector<const Node*>();
 }
 
 Expected<TreeResult> evaluateTree(TreePipeline& pipeline, const Node& node, bool isOneOfSeveral, Stage last,

@@ -1,5 +1,5 @@
 /// \file
-/// INPUT of the command line: preset:NAME, a .ramure, .obj or .ply file, with --set.
+/// INPUT of the command line: preset:NAME, demo:NAME, a .ramure, .obj or .ply file, with --set.
 #pragma once
 
 #include "app/cli/command_line.h"
@@ -11,7 +11,7 @@
 
 namespace ramure::cli {
 
-/// Trees in a scene, or the mesh of a file.
+/// A scene, or the mesh of a file.
 struct Input
 {
     std::variant<Scene, ReadMesh> content;
@@ -20,12 +20,15 @@ struct Input
     [[nodiscard]] const ReadMesh* mesh() const { return std::get_if<ReadMesh>(&content); }
 };
 
-/// \param sets the values of --set, applied to every tree; refused for mesh files.
+/// \param sets the values of --set, applied to every node that has the parameter; refused for mesh files.
 /// Errors: Unknown (preset, ending, parameter), Invalid and Syntax (a value), and those of the files.
 Expected<Input> loadInput(const QString& text, const QStringList& sets, const Progress& progress = {});
 
 /// The trees of a scene, shown or not, in its order; at least one. Error: Invalid.
 Expected<std::vector<const Node*>> treesOf(const Scene& scene);
+
+/// The same, but no trees are fine where there are primitives or imported meshes. Error: Invalid.
+Expected<std::vector<const Node*>> treesOrObjects(const Scene& scene);
 
 /// Names of several trees stand before what an error is about.
 Expected<TreeResult> evaluateTree(TreePipeline& pipeline, const Node& node, bool isOneOfSeveral, Stage last,

@@ -36,11 +36,12 @@ QString helpText()
         out += QStringLiteral("  %1 %2\n")
                    .arg(QLatin1String(command.name), -10)
                    .arg(QLatin1String(command.summary));
-    return out + QStringLiteral("\nOptions:\n"
-                                "  --help, -h\n      Shows this text; behind a command, that command's.\n"
-                                "  --version\n      Shows the version of the program.\n\n"
-                                "INPUT of a command is preset:NAME or a file .ramure, .obj or .ply.\n"
-                                "Exit codes: 0 good, 1 the check failed, 2 bad usage or input.\n");
+    return out +
+           QStringLiteral("\nOptions:\n"
+                          "  --help, -h\n      Shows this text; behind a command, that command's.\n"
+                          "  --version\n      Shows the version of the program.\n\n"
+                          "INPUT of a command is preset:NAME, demo:NAME or a file .ramure, .obj or .ply.\n"
+                          "Exit codes: 0 good, 1 the check failed, 2 bad usage or input.\n");
 }
 
 Expected<int> runProgram(int& argc, char** argv)

@@ -2,6 +2,7 @@
 
 #include "core/document/mesh_report_json.h"
 #include "core/pipeline/separate_branches.h"
+#include "core/scene/object_mesh.h"
 #include <QJsonArray>
 
 namespace ramure::cli {
@@ -61,9 +62,9 @@ Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, const Tre
     return checked;
 }
 
-Expected<CheckedMesh> checkFile(const ReadMesh& mesh, bool crossings, const Progress& progress)
+/// A mesh of any making.
+Expected<CheckedMesh> checkAny(const TriangleMesh& joined, bool crossings, const Progress& progress)
 {
-    const TriangleMesh joined = mesh.joined();
     auto report = validateMesh(joined, progress.part(0.0, 0.3));
     if (!report)
         return fail(report.error());
@@ -74,6 +75,21 @@ Expected<CheckedMesh> checkFile(const ReadMesh& mesh, bool crossings, const Prog
     if (!analysis)
         return fail(analysis.error());
     return CheckedMesh{{}, std::move(*report), std::move(*analysis), {}};
+}
+
+Expected<CheckedMesh> checkFile(const ReadMesh& mesh, bool crossings, const Progress& progress)
+{
+    return checkAny(mesh.joined(), crossings, progress);
+}
+
+/// A primitive or an imported mesh, before its placement.
+Expected<CheckedMesh> checkObject(const Node& node, bool crossings, const Progress& progress)
+{
+    const auto mesh = objectSolid(node, node.params);
+    auto checked = checkAny(mesh ? *mesh : TriangleMesh(), crossings, progress);
+    if (checked)
+        checked->name = node.name;
+    return checked;
 }
 
 } // namespace
@@ -90,16 +106,21 @@ Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, const TreeSou
         return out;
     }
     const Scene& scene = *input.scene();
-    auto nodes = treesOf(scene);
+    auto nodes = treesOrObjects(scene);
     if (!nodes)
         return fail(nodes.error());
+    for (const Node& node : scene.nodes())
+        if (isObject(node.kind))
+            nodes->push_back(&node);
     if (!hidden)
         std::erase_if(*nodes, [&](const Node* node) { return !scene.isShown(node->id); });
     const auto count = static_cast<double>(nodes->size());
     for (const Node* node : *nodes) {
         const double from = static_cast<double>(out.size()) / count;
-        auto checked = checkTree(*node, nodes->size() > 1, source, crossings, texture,
-                                 progress.part(from, from + 1.0 / count));
+        const Progress part = progress.part(from, from + 1.0 / count);
+        auto checked = isObject(node->kind)
+                           ? checkObject(*node, crossings, part)
+                           : checkTree(*node, nodes->size() > 1, source, crossings, texture, part);
         if (!checked)
             return fail(checked.error());
         out.push_back(std::move(*checked));

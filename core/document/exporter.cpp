@@ -4,6 +4,8 @@
 #include "core/mesh/foliage_texture.h"
 #include "core/mesh/rough_model.h"
 #include "core/mesh/texture_coordinates.h"
+#include "core/scene/object_mesh.h"
+#include "core/scene/places.h"
 
 #include <algorithm>
 #include <cctype>
@@ -16,16 +18,18 @@ namespace ramure {
 
 namespace {
 
-/// A tree to export, with the suffix of its parts' names.
+/// A tree or an object to export, with the suffix of its parts' names.
 struct Candidate
 {
     const Node* node;
     std::string suffix;
+    glm::dmat4 world{1.0};
 };
 
 bool isAsked(const Scene& scene, const ExportOptions& options, const Node& node)
 {
-    if (node.kind != NodeKind::Tree || (!options.hidden && !scene.isShown(node.id)))
+    const bool hasShape = node.kind == NodeKind::Tree || isObject(node.kind);
+    if (!hasShape || (!options.hidden && !scene.isShown(node.id)))
         return false;
     if (options.nodes.empty())
         return true;
@@ -38,15 +42,19 @@ Expected<std::vector<Candidate>> candidates(const Scene& scene, const ExportOpti
     for (const NodeId id : options.nodes)
         if (!scene.find(id))
             return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(id)});
-    std::vector<Candidate> trees;
-    for (const Node& node : scene.nodes())
+    const std::vector<NodePlace> places = placesAt(scene, options.timeSeconds);
+    std::vector<Candidate> trees, objects;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Node& node = scene.nodes()[i];
         if (isAsked(scene, options, node))
-            trees.push_back({&node, {}});
-    if (trees.empty())
+            (isObject(node.kind) ? objects : trees).push_back({&node, {}, places[i].geometry});
+    }
+    if (trees.empty() && objects.empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("there is no visible tree to export"));
     if (trees.size() > 1)
         for (std::size_t i = 0; i < trees.size(); ++i)
             trees[i].suffix.append("_").append(std::to_string(i + 1));
+    trees.insert(trees.end(), objects.begin(), objects.end());
     return trees;
 }
 
@@ -172,9 +180,25 @@ Stage lastStage(const ExportOptions& options)
     return (options.parts & (exportLeaves | exportApples)) ? Stage::Foliage : Stage::Mesh;
 }
 
-Expected<void> addTree(ExportSet& set, const Candidate& tree, const glm::dmat4& world,
-                       const ExportOptions& options, const TreeSource& source, const Progress& progress)
+/// The object as it is at the time, under the name of its node.
+void addObject(ExportSet& set, const Candidate& object, const ExportOptions& options)
 {
+    const NodeParams params = paramsAt(object.node->params, object.node->animation, options.timeSeconds);
+    const auto mesh = objectSolid(*object.node, params);
+    if (!mesh || options.model == ExportModel::Skeleton)
+        return;
+    Material material{"surface_", glm::u8vec3(params.surface.color * 255.0 + 0.5), true, false};
+    constexpr const char* digits = "0123456789abcdef";
+    for (int c = 0; c < 3; ++c)
+        material.name.append(1, digits[material.colour[c] / 16]).append(1, digits[material.colour[c] % 16]);
+    set.meshes.push_back({object.node->name, std::make_shared<TriangleMesh>(transformed(*mesh, object.world)),
+                          std::move(material)});
+}
+
+Expected<void> addTree(ExportSet& set, const Candidate& tree, const ExportOptions& options,
+                       const TreeSource& source, const Progress& progress)
+{
+    const glm::dmat4& world = tree.world;
     if (!(std::abs(glm::determinant(glm::dmat3(world))) > 0.0))
         return fail(named({ErrorCode::Invalid,
                            RAMURE_NOOP("a scale of zero leaves nothing to export"),
@@ -182,6 +206,10 @@ Expected<void> addTree(ExportSet& set, const Candidate& tree, const glm::dmat4& 
                            {},
                            "tree.scale"},
                           tree));
+    if (isObject(tree.node->kind)) {
+        addObject(set, tree, options);
+        return {};
+    }
     const auto result = source(*tree.node, lastStage(options), progress);
     if (!result)
         return fail(named(result.error(), tree));
@@ -299,8 +327,7 @@ Expected<ExportSet> collectExport(const Scene& scene, const ExportOptions& optio
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         const Candidate& tree = (*trees)[i];
         const double from = static_cast<double>(i) / count;
-        const auto added = addTree(set, tree, worldMatrix(scene, tree.node->id), options, source,
-                                   progress.part(from, from + 1.0 / count));
+        const auto added = addTree(set, tree, options, source, progress.part(from, from + 1.0 / count));
         if (!added)
             return fail(added.error());
     }

@@ -32,7 +32,9 @@ struct ExportOptions
     std::uint8_t parts = exportAll; ///< bits of ExportPart
     std::vector<NodeId> nodes;      ///< these and the trees below them; empty = the whole scene
     bool hidden = false;            ///< also trees that are not shown
-    bool texture = false;           ///< with texture coordinates; the rough model and the skeleton have none
+    double timeSeconds =
+        0.0;              ///< where tracks have moved the nodes to; trees come from the source as they are
+    bool texture = false; ///< with texture coordinates; the rough model and the skeleton have none
     PlyOptions ply;
 };
 
@@ -41,11 +43,13 @@ struct ExportSet
 {
     struct Entry
     {
-        std::string name; ///< "branches", "leaves", "apples"; of several trees "branches_1", "branches_2" ...
+        std::string name; ///< "branches", "leaves", "apples"; of several trees "branches_1", "branches_2"
+                          ///< ...; of an object its name
         std::shared_ptr<const TriangleMesh> mesh;
         Material material;
     };
-    std::vector<Entry> meshes; ///< none is empty; branches, leaves, apples of the first tree, then the next
+    std::vector<Entry> meshes; ///< none is empty; branches, leaves, apples of the first tree, then the next,
+                               ///< then the primitives and imported meshes
     std::optional<LinePart> lines; ///< of ExportModel::Skeleton: all trees in one
 
     [[nodiscard]] std::vector<MeshPart> parts() const; ///< valid as long as this set

@@ -88,10 +88,15 @@ MovingSource::~MovingSource() = default;
 
 TreeSource MovingSource::at(double timeSeconds)
 {
-    if (timeSeconds <= 0.0)
-        return m_rest;
     return [this, timeSeconds](const Node& node, Stage last, const Progress& progress) {
-        return moved(node, last, timeSeconds, progress);
+        const auto make = [&](const Node& now) {
+            return timeSeconds <= 0.0 ? m_rest(now, last, progress) : moved(now, last, timeSeconds, progress);
+        };
+        if (!node.animation.movesParams())
+            return make(node);
+        Node now = node;
+        now.params = paramsAt(node.params, node.animation, timeSeconds);
+        return make(now);
     };
 }
 

@@ -39,7 +39,7 @@ private slots:
         row("info preset:Oak", "Oak");
         row("info preset:", "SmallTree");
         row("info tree.stl",
-            "\"tree.stl\" is no input: preset:NAME or a file .ramure, .obj or .ply expected");
+            "\"tree.stl\" is no input: preset:NAME, demo:NAME or a file .ramure, .obj or .ply expected");
         row("info SmallTree", "is no input");
         row("info none.ramure", "none.ramure");
         row("info none.obj", "No such file or directory");

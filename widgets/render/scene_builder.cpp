@@ -3,6 +3,8 @@
 #include "core/mesh/normals.h"
 #include "core/mesh/rough_model.h"
 #include "core/mesh/texture_report.h"
+#include "core/scene/object_mesh.h"
+#include "core/scene/places.h"
 #include "widgets/render/arm_items.h"
 #include "widgets/render/isolated_parts.h"
 #include "widgets/render/line_art.h"
@@ -275,6 +277,51 @@ struct TreeItems
     }
 };
 
+/// Appends primitives and imported meshes. Equal primitives share one mesh.
+struct ObjectItems
+{
+    ScenePartCache& cache;
+    RenderScene& scene;
+    double timeSeconds;
+    std::shared_ptr<const TriangleMesh> none; ///< primitives come from numbers alone
+
+    std::shared_ptr<const TriangleMesh> meshOf(const Node& node, const NodeParams& params)
+    {
+        const auto make = [&] {
+            const auto mesh = objectMesh(node, params);
+            return mesh ? *mesh : TriangleMesh();
+        };
+        if (node.kind == NodeKind::Mesh)
+            return cache.get<TriangleMesh>(ScenePart::Object, node.mesh.pointer(), none, {}, make);
+        const PrimitiveParams& p = params.primitive;
+        return cache.get<TriangleMesh>(ScenePart::Object, none, none,
+                                       {double(p.shape), p.radius, p.height, p.size.x, p.size.y, p.size.z,
+                                        double(p.sides), double(p.axis)},
+                                       make);
+    }
+    void add(const Node& node, const glm::dmat4& world)
+    {
+        const NodeParams* params = &node.params;
+        NodeParams moved;
+        if (node.animation.movesParams()) {
+            moved = paramsAt(node.params, node.animation, timeSeconds);
+            params = &moved;
+        }
+        MeshItem item;
+        item.mesh = meshOf(node, *params);
+        if (item.mesh->empty())
+            return;
+        item.box = cache.box(item.mesh);
+        item.material = {"surface", glm::u8vec3(params->surface.color * 255.0 + 0.5), true, false};
+        item.material.twoSided =
+            node.kind == NodeKind::Mesh || node.params.primitive.shape == PrimitiveShape::Plane;
+        item.world = world;
+        item.node = node.id;
+        item.pickable = !node.locked;
+        scene.meshes.push_back(std::move(item));
+    }
+};
+
 /// Corners around the selected trees, where there is more than one to tell apart.
 void markSelectedNodes(RenderScene& built, const std::vector<NodeId>& shown, const SceneView& view)
 {
@@ -311,20 +358,26 @@ RenderScene SceneBuilder::build(const Scene& scene, const ResultOf& resultOf, co
     m_cache->beginBuild();
     RenderScene built;
     std::vector<NodeId> shown;
-    for (const Node& node : scene.nodes()) {
-        if (!scene.isShown(node.id))
+    const std::vector<NodePlace> places = placesAt(scene, view.timeSeconds);
+    ObjectItems objects{*m_cache, built, view.timeSeconds, {}};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Node& node = scene.nodes()[i];
+        if (node.kind == NodeKind::Group || !scene.isShown(node.id))
             continue;
-        if (addArmOrRelief(built, *m_cache, node, worldMatrix(scene, node.id), view)) {
+        if (addArmOrRelief(built, *m_cache, node, places[i].geometry, view)) {
             shown.push_back(node.id);
             continue;
         }
-        if (node.kind != NodeKind::Tree)
+        if (isObject(node.kind)) {
+            shown.push_back(node.id);
+            objects.add(node, places[i].geometry);
             continue;
+        }
         const TreeResult* tree = resultOf(node.id);
         if (!tree)
             continue;
         shown.push_back(node.id);
-        TreeItems{*m_cache, built, view, node, *tree, worldMatrix(scene, node.id)}.all();
+        TreeItems{*m_cache, built, view, node, *tree, places[i].geometry}.all();
     }
     markSelectedNodes(built, shown, view);
     updateHighlights(built, resultOf, view);

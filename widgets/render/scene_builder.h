@@ -37,6 +37,7 @@ struct SceneView
     NodeId hoverNode = noNode;
     Index hoverBranch = noIndex;
     InspectedSection inspected;
+    double timeSeconds = 0.0;            ///< where tracks have moved nodes and parameters of objects to
     NodeId isolatedNode = noNode;        ///< the tree of which only some branches are shown
     std::vector<Index> isolatedBranches; ///< of its simplified skeleton; empty = all
 };

@@ -30,6 +30,7 @@ enum class ScenePart : std::uint8_t {
     ArmRods,
     ArmTarget,
     Relief,
+    Object,
 };
 
 /// What a part was made from: two blocks and some numbers.
