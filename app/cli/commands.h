@@ -9,6 +9,7 @@ namespace ramure::cli {
 
 Expected<int> runList(const QStringList& arguments);
 Expected<int> runInfo(const QStringList& arguments);
+Expected<int> runImport(const QStringList& arguments);
 Expected<int> runExport(const QStringList& arguments);
 Expected<int> runValidate(const QStringList& arguments);
 Expected<int> runSimulate(const QStringList& arguments);

@@ -20,6 +20,7 @@ struct Command
 constexpr Command commands[] = {
     {"list", "the trees that ship with the program; every parameter", &runList, false},
     {"info", "counts and measures of a tree or mesh", &runInfo, false},
+    {"import", "makes a project of what a script for Blender wrote", &runImport, false},
     {"export", "writes OBJ and PLY", &runExport, false},
     {"validate", "is the mesh closed and manifold?", &runValidate, false},
     {"simulate", "lets a tree move", &runSimulate, false},

@@ -62,9 +62,11 @@ template <class KeyType> TrackPlace placeOf(const KeyTrack<KeyType>& track, doub
     return place;
 }
 
-/// The segment, or the last key, in which the time lies.
-std::size_t segmentAt(const std::vector<Ticks>& times, double ticks, TrackCursor& cursor)
+/// The segment, or the last key, in which the time lies. Half a tick before a key is at the key: the time of a
+/// frame whose key was rounded to its tick must not show the key before.
+std::size_t segmentAt(const std::vector<Ticks>& times, double exactly, TrackCursor& cursor)
 {
+    const double ticks = exactly + 0.5;
     const auto holds = [&](std::size_t i) {
         return double(times[i]) <= ticks && (i + 1 == times.size() || ticks < double(times[i + 1]));
     };

@@ -6,10 +6,12 @@
 #include "core/arm/arm_solver.h"
 #include "core/geometry/box.h"
 #include "core/physics/physics_state.h"
+#include "core/pipeline/tree_pipeline.h"
 #include "core/pose/skin.h"
-#include "core/scene/scene.h"
+#include "core/scene/places.h"
 #include <map>
 #include <memory>
+#include <unordered_map>
 #include <vector>
 
 namespace ramure {
@@ -51,17 +53,35 @@ struct NodeMotion
 /// An arm with these angles. \pre two per joint
 NodeMotion armMotion(const NodeParams& params, std::span<const double> angles);
 
+/// An object whose parameters have tracks, as it is now.
+struct ObjectNow
+{
+    std::shared_ptr<const TriangleMesh> mesh; ///< null where it has its usual one
+    SurfaceParams surface;
+};
+
 struct MotionFrame
 {
     std::int64_t frame = 0;
     double timeSeconds = 0.0;
     int document = 0; ///< which one of those that the player has seen
     std::map<NodeId, NodeMotion> nodes;
+    /// Where every node is now; empty where nothing in the scene has a track.
+    std::unordered_map<NodeId, NodePlace> places;
+    std::map<NodeId, ObjectNow> objects;
+    /// Trees whose shape has tracks, as they are now: in the place of the document's results.
+    std::map<NodeId, TreeResult> trees;
 
     [[nodiscard]] const NodeMotion* of(NodeId node) const
     {
         const auto found = nodes.find(node);
         return found == nodes.end() ? nullptr : &found->second;
+    }
+    /// Where a node's own geometry is.
+    [[nodiscard]] glm::dmat4 geometryOf(const Scene& scene, NodeId node) const
+    {
+        const auto found = places.find(node);
+        return found == places.end() ? placeAt(scene, node, timeSeconds).geometry : found->second.geometry;
     }
 };
 

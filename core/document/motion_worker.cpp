@@ -1,9 +1,11 @@
 #include "core/document/motion_worker.h"
 
 #include "core/arm/arm_driver.h"
+#include "core/document/animated_physics.h"
 #include "core/physics/physics_bake.h"
 #include "core/physics/physics_cache.h"
 #include "core/physics/tree_body.h"
+#include "core/scene/object_mesh.h"
 
 #include <algorithm>
 #include <chrono>
@@ -36,6 +38,7 @@ private:
     Expected<void> setTree(const MotionTree& wanted);
     Expected<void> setSkins(const MotionTree& wanted);
     void setParams(const PhysicsParams& params, bool live);
+    void setTrackedParams(const MotionTree& wanted, const MotionRequest& request);
     [[nodiscard]] bool isBakeOfUse() const;
     [[nodiscard]] bool isBakeHere() const;
 
@@ -43,7 +46,9 @@ private:
     std::shared_ptr<const Foliage> m_foliage;
     double m_alpha = 0.0;
     PhysicsParams m_params;
-    bool m_mixed = false; ///< parameters changed within the run
+    NodeAnimation m_animation;    ///< of the parameters, where the physics has tracks
+    std::int64_t m_scripted = -1; ///< steps that have been told theirs
+    bool m_mixed = false;         ///< parameters changed within the run
     std::string m_bakeFile;
     int m_bakeVersion = 0;
     std::optional<BakeLabel> m_bake; ///< of a file that may become of use
@@ -71,6 +76,7 @@ Expected<void> MotionWorker::Actor::setTree(const MotionTree& wanted)
     else
         cache = std::make_unique<PhysicsCache>(body, m_params);
     cache->setScript(PhysicsScript(m_params));
+    m_scripted = -1;
     m_mixed = false;
     m_lookAtBake = true;
     return {};
@@ -124,6 +130,24 @@ void MotionWorker::Actor::setParams(const PhysicsParams& params, bool live)
     m_params = params;
 }
 
+/// Each step has its own. Other tracks, or other values of what has none, make another run.
+void MotionWorker::Actor::setTrackedParams(const MotionTree& wanted, const MotionRequest& request)
+{
+    const PhysicsParams& params = wanted.params.physics;
+    if (m_scripted < 0 || params != m_params || !(m_animation == wanted.animation)) {
+        cache->setScript(PhysicsScript(physicsAtStep(params, wanted.animation, 0)));
+        m_params = params;
+        m_animation = wanted.animation;
+        m_scripted = 0;
+        m_lookAtBake = true;
+    }
+    const double time = request.timeline.timeOf(request.frame);
+    const std::int64_t step = time <= 0.0 ? 0 : std::min(cache->stepAt(time), maxPhysicsSteps);
+    scriptSteps(*cache, params, m_animation, m_scripted + 1, step);
+    m_scripted = std::max(m_scripted, step);
+    m_mixed = true; // no bake is of this run
+}
+
 Expected<void> MotionWorker::Actor::prepare(const MotionTree& wanted, const MotionRequest& request,
                                             std::size_t memoryBytes)
 {
@@ -138,7 +162,13 @@ Expected<void> MotionWorker::Actor::prepare(const MotionTree& wanted, const Moti
         cache->setScript(calm);
         m_lookAtBake = true;
     }
-    setParams(wanted.params.physics, request.live);
+    if (movesPhysics(wanted.animation)) {
+        setTrackedParams(wanted, request);
+    } else {
+        if (std::exchange(m_scripted, -1) >= 0)
+            cache->setScript(PhysicsScript(wanted.params.physics));
+        setParams(wanted.params.physics, request.live);
+    }
     if (!request.live)
         return {};
     cache->setPull(wanted.pull, cache->step());
@@ -389,6 +419,58 @@ void MotionWorker::loop(const std::stop_token& quit)
     }
 }
 
+/// Where the nodes are, and the objects whose parameters move.
+static void placeNodes(MotionFrame& frame, const Scene& scene)
+{
+    const std::vector<NodePlace> places = placesAt(scene, frame.timeSeconds);
+    frame.places.reserve(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Node& node = scene.nodes()[i];
+        frame.places.emplace(node.id, places[i]);
+        if (!isObject(node.kind) || !node.animation.movesParams())
+            continue;
+        const NodeParams now = paramsAt(node.params, node.animation, frame.timeSeconds);
+        const bool sameShape = now.primitive == node.params.primitive;
+        frame.objects[node.id] = {sameShape ? nullptr : objectMesh(node, now), now.surface};
+    }
+}
+
+/// The tree as its tracks shape it now.
+Expected<void> MotionWorker::reshape(MotionTree& tree, MotionFrame& frame, const Progress& progress)
+{
+    if (!movesShape(tree.animation))
+        return {};
+    tree.params = paramsAt(tree.params, tree.animation, frame.timeSeconds);
+    auto made = m_pipeline.evaluate(tree.params, Stage::Foliage, progress);
+    if (!made)
+        return fail(std::move(made.error()));
+    tree.tree = *made;
+    frame.trees.emplace(tree.node, std::move(*made));
+    return {};
+}
+
+Expected<void> MotionWorker::moveTree(const MotionTree& tree, const MotionRequest& request,
+                                      MotionFrame& frame, const Progress& progress)
+{
+    std::unique_ptr<Actor>& actor = m_actors[tree.node];
+    if (!actor)
+        actor = std::make_unique<Actor>();
+    if (auto ready = actor->prepare(tree, request, request.memoryBytes / request.trees.size()); !ready) {
+        m_actors.erase(tree.node);
+        return ready;
+    }
+    const std::int64_t step =
+        frame.timeSeconds <= 0.0 ? 0 : std::min(actor->cache->stepAt(frame.timeSeconds), maxPhysicsSteps);
+    if (auto baked = actor->takeBake(tree, progress.part(0.0, 0.5));
+        !baked && baked.error().code != ErrorCode::Cancelled)
+        m_listener.bakeRefused(std::move(baked.error()));
+    auto motion = actor->motionAt(step, progress);
+    if (!motion)
+        return fail(std::move(motion.error()));
+    frame.nodes.emplace(tree.node, std::move(*motion));
+    return {};
+}
+
 void MotionWorker::run(const MotionRequest& request, const Progress& progress)
 {
     std::erase_if(m_actors, [&](const auto& actor) {
@@ -399,31 +481,19 @@ void MotionWorker::run(const MotionRequest& request, const Progress& progress)
     frame->frame = request.frame;
     frame->document = request.document;
     frame->timeSeconds = request.timeline.timeOf(request.frame);
+    if (request.scene)
+        placeNodes(*frame, *request.scene);
     const auto count = static_cast<double>(request.trees.size());
     std::optional<Error> problem;
     for (std::size_t i = 0; i < request.trees.size() && !progress.cancelled(); ++i) {
-        const MotionTree& tree = request.trees[i];
-        std::unique_ptr<Actor>& actor = m_actors[tree.node];
-        if (!actor)
-            actor = std::make_unique<Actor>();
-        auto ready = actor->prepare(tree, request, request.memoryBytes / request.trees.size());
-        if (!ready) {
-            problem = std::move(ready.error());
-            m_actors.erase(tree.node);
-            continue;
-        }
-        const std::int64_t step = frame->timeSeconds <= 0.0
-                                      ? 0
-                                      : std::min(actor->cache->stepAt(frame->timeSeconds), maxPhysicsSteps);
+        MotionTree tree = request.trees[i];
         const double from = static_cast<double>(i) / count;
-        if (auto baked = actor->takeBake(tree, progress.part(from, from + 0.5 / count));
-            !baked && baked.error().code != ErrorCode::Cancelled)
-            m_listener.bakeRefused(std::move(baked.error()));
-        auto motion = actor->motionAt(step, progress.part(from, from + 1.0 / count));
-        if (motion)
-            frame->nodes.emplace(tree.node, std::move(*motion));
-        else if (motion.error().code != ErrorCode::Cancelled)
-            problem = std::move(motion.error());
+        const Progress part = progress.part(from, from + 1.0 / count);
+        auto done = reshape(tree, *frame, part);
+        if (done)
+            done = moveTree(tree, request, *frame, part);
+        if (!done && done.error().code != ErrorCode::Cancelled)
+            problem = std::move(done.error());
     }
     if (auto failed = runArms(request, *frame, progress))
         problem = std::move(failed);

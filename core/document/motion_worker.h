@@ -21,6 +21,7 @@ struct MotionTree
     NodeId node = noNode;
     TreeResult tree;
     NodeParams params;
+    NodeAnimation animation;
     std::optional<Pull> pull;
     std::vector<Index> shaken; ///< apples let go at the frame before this one
     std::string bakeFile;      ///< of this tree; empty: there is none
@@ -42,6 +43,7 @@ struct MotionRequest
     TimelineSettings timeline;
     std::vector<MotionTree> trees;
     std::vector<MotionArm> arms;
+    std::shared_ptr<const Scene> scene;             ///< null where nothing in it has a track
     std::size_t memoryBytes = std::size_t(1) << 30; ///< for the runs of all trees together
     /// Playing: changed parameters and the hand act from the present step on. Otherwise the whole run is that
     /// of the present parameters.
@@ -80,6 +82,9 @@ private:
     struct Actor;
     struct ArmActor;
     void loop(const std::stop_token& quit);
+    Expected<void> reshape(MotionTree& tree, MotionFrame& frame, const Progress& progress);
+    Expected<void> moveTree(const MotionTree& tree, const MotionRequest& request, MotionFrame& frame,
+                            const Progress& progress);
     void run(const MotionRequest& request, const Progress& progress);
     [[nodiscard]] BakeState bakeState() const;
     std::optional<Error> runArms(const MotionRequest& request, MotionFrame& frame, const Progress& progress);
@@ -90,6 +95,7 @@ private:
     std::condition_variable_any m_wake;
     std::optional<MotionRequest> m_waiting;
     std::optional<std::stop_source> m_running;
+    TreePipeline m_pipeline; ///< of trees whose shape has tracks; only the thread looks
     std::map<NodeId, std::unique_ptr<Actor>> m_actors;  ///< only the thread looks
     std::map<NodeId, std::unique_ptr<ArmActor>> m_arms; ///< likewise
     std::chrono::steady_clock::time_point m_bandSent;   ///< only the thread looks

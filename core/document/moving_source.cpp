@@ -1,5 +1,6 @@
 #include "core/document/moving_source.h"
 
+#include "core/document/animated_physics.h"
 #include "core/physics/physics_cache.h"
 #include "core/pose/skin.h"
 
@@ -77,6 +78,7 @@ struct MovingSource::Run
     std::shared_ptr<const SimplifiedSkeleton> skeleton;
     std::unique_ptr<PhysicsCache> cache;
     Pose pose;
+    std::int64_t scripted = -1; ///< steps whose animated parameters the run has been told
 };
 
 MovingSource::MovingSource(TreeSource rest)
@@ -160,7 +162,12 @@ Expected<TreeResult> MovingSource::moved(const Node& node, Stage last, double ti
     }
     if (!std::isfinite(timeSeconds) || timeSeconds > run->cache->timeAt(maxPhysicsSteps))
         return fail(ErrorCode::Invalid, RAMURE_NOOP("the time lies beyond what the physics counts"));
-    if (auto there = run->cache->seek(run->cache->stepAt(timeSeconds), progress.part(0.4, 0.9)); !there)
+    const std::int64_t step = run->cache->stepAt(timeSeconds);
+    if (movesPhysics(node.animation)) {
+        scriptSteps(*run->cache, node.params.physics, node.animation, run->scripted + 1, step);
+        run->scripted = std::max(run->scripted, step);
+    }
+    if (auto there = run->cache->seek(step, progress.part(0.4, 0.9)); !there)
         return fail(std::move(there.error()));
     run->cache->pose(run->pose);
     const std::span<const RigidTransform> bones = run->pose.bones;

@@ -53,6 +53,9 @@ struct Player::Private
     bool wanted = false; ///< another frame was asked for while one was computed
     std::map<NodeId, std::optional<Pull>> pulls;
     std::map<NodeId, std::vector<Index>> shaken;
+    std::shared_ptr<const Scene>
+        animated; ///< the document's scene, copied once per change; null without tracks
+    bool animatedIsStale = true;
     std::shared_ptr<const MotionFrame> motion = std::make_shared<const MotionFrame>();
     std::vector<FrameRange> band;
     QString project;   ///< the file beside which was looked for baked motion
@@ -111,6 +114,8 @@ Player::Player(Document* document, QObject* parent)
     d->busyRest.setInterval(150);
     connect(&d->busyRest, &QTimer::timeout, this, [this] { d->setBusy(d->computing); });
     connect(document, &Document::changed, this, [this](const Change& change) { d->documentChanged(change); });
+    if (hasTracks(document->scene()))
+        d->request(true);
 }
 
 Player::~Player() = default;
@@ -348,6 +353,7 @@ std::vector<MotionTree> Player::Private::trees()
         tree.node = node.id;
         tree.tree = result->tree;
         tree.params = node.params;
+        tree.animation = node.animation;
         if (const QString file = bakeFile(document->filePath(), node.id); bakes.contains(file)) {
             tree.bakeFile = QFile::encodeName(file).toStdString();
             tree.bakeVersion = bakeVersion;
@@ -386,6 +392,9 @@ void Player::Private::request(bool interrupt)
     next.timeline = timeline();
     next.trees = trees();
     next.arms = arms();
+    if (std::exchange(animatedIsStale, false))
+        animated = hasTracks(document->scene()) ? std::make_shared<const Scene>(document->scene()) : nullptr;
+    next.scene = animated;
     next.memoryBytes = memoryBytes;
     next.live = playing;
     next.forgetHand = std::exchange(forgetHand, false);
@@ -416,6 +425,8 @@ void Player::Private::setBusy(bool now)
 /// What the document says about shapes and physics is of use only where something moves.
 void Player::Private::documentChanged(const Change& change)
 {
+    if (change.has(changeReset | changeStructure | changeParams | changeTracks | changeNodeState))
+        animatedIsStale = true;
     if (change.has(changeReset)) {
         q->pause();
         worker.stop();
@@ -431,6 +442,8 @@ void Player::Private::documentChanged(const Change& change)
         emit q->bandChanged();
         if (std::exchange(bakeState, BakeState::None) != BakeState::None)
             emit q->bakeStateChanged(bakeState);
+        if (hasTracks(document->scene()))
+            request(true);
         return;
     }
     if (change.has(changeFile) && project != document->filePath())
@@ -438,6 +451,10 @@ void Player::Private::documentChanged(const Change& change)
     if (change.has(changeTimeline) && playing)
         rewindClock();
     const bool physics = change.has(changeParams) && change.firstStale == Stage::Motion;
+    const bool placed = change.has(changeParams | changeTracks | changeStructure) &&
+                        (!motion->places.empty() || hasTracks(document->scene()));
+    if (placed)
+        return request(!playing);
     if (!isAtRest() && (physics || change.has(changeResults | changeStructure | changeNodeState |
                                               changeTimeline | changeJoints | changeTracks)))
         request(!playing);

@@ -328,16 +328,23 @@ void markSelectedNodes(RenderScene& built, const std::vector<NodeId>& shown, con
     if (shown.size() < 2)
         return;
     for (const NodeId id : view.selectedNodes) {
-        Box box;
+        Box box; // all items of a node stand in its space
+        LineItem corners;
+        corners.node = id;
+        const auto add = [&](const Box& own, const glm::dmat4& world) {
+            box.add(own);
+            corners.world = world;
+        };
         for (const MeshItem& item : built.meshes) {
             if (item.node == id)
-                box.add(item.box.transformed(item.world));
+                add(item.box, item.world);
         }
         for (const LineItem& item : built.lines) {
             if (item.node == id)
-                box.add(item.lines->box.transformed(item.world));
+                add(item.lines->box, item.world);
         }
-        LineItem corners;
+        if (box.empty())
+            continue;
         corners.lines = std::make_shared<const LineSet>(boxCorners(box.grown(0.02 * box.radius())));
         if (!corners.lines->segments.empty())
             built.lines.push_back(std::move(corners));

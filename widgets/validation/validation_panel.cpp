@@ -2,6 +2,7 @@
 
 #include "core/document/analysis.h"
 #include "core/document/document.h"
+#include "core/scene/places.h"
 #include "widgets/inspector/only_branch.h"
 #include "widgets/support/empty_page.h"
 #include "widgets/theme/icons.h"
@@ -262,7 +263,7 @@ void ValidationPanel::Private::activate(const QModelIndex& index)
     if (!source.branches)
         return;
     const TriangleMesh& mesh = source.branches->mesh;
-    const glm::dmat4 world = worldMatrix(document->scene(), node);
+    const glm::dmat4 world = placeAt(document->scene(), node, 0.0).geometry;
     if (const Defect* defect = model->defect(index)) {
         const DefectPlace place = defectPlace(mesh, *defect, world);
         selectBranch(defectBranch(mesh, *defect));
@@ -289,7 +290,7 @@ void ValidationPanel::Private::showCollision(const Collision& collision)
     const Skeleton& skeleton = simplified->skeleton;
     const double thick = std::max(skeleton.a0[collision.first], skeleton.a0[collision.second]);
     const DefectPlace place = pointPlace(collision.place, std::max(6.0 * thick, 4.0 * collision.depth),
-                                         worldMatrix(document->scene(), node));
+                                         placeAt(document->scene(), node, 0.0).geometry);
     document->setSelection({{node}, node, {collision.first, collision.second}, collision.first});
     highlight(place);
 }

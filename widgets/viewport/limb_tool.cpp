@@ -1,4 +1,5 @@
 #include "widgets/viewport/limb_tool.h"
+#include "core/scene/places.h"
 
 #include "widgets/viewport/motion_tools.h"
 #include <algorithm>
@@ -35,7 +36,7 @@ LimbTool::LimbTool(Document& document, const PickHit& hit, const Node& node, con
     , m_skeleton(skeleton)
     , m_bends(bendsOf(node))
     , m_limb(m_skeleton, m_bends, m_branch, {std::clamp<std::size_t>(branches, 1, mostBranches)})
-    , m_world(worldMatrix(document.scene(), hit.node))
+    , m_world(placeAt(document.scene(), hit.node, 0.0).geometry)
     , m_inverse(glm::inverse(m_world))
     , m_grabbed(hit.point)
     , m_hand(hit.point)

@@ -62,7 +62,7 @@ std::optional<GrabbedBranch> branchUnder(const PickView& view, const glm::dvec2&
     std::optional<GrabbedBranch> found;
     Nearest nearest{tolerance};
     forEachTree(document, frame, [&](NodeId id, const NodeMotion& motion, const TreeResult& tree) {
-        const glm::dmat4 world = worldMatrix(document.scene(), id);
+        const glm::dmat4 world = frame.geometryOf(document.scene(), id);
         const Skeleton& skeleton = tree.simplified->skeleton;
         for (Index b = 0; b < skeleton.size(); ++b) {
             const RigidTransform& bone = (*motion.bones)[b];
@@ -106,7 +106,7 @@ std::optional<AppleUnder> appleUnder(const PickView& view, const glm::dvec2& pix
         if (!tree.foliage ||
             motion.bones->size() < tree.simplified->skeleton.size() + tree.foliage->apples.size())
             return;
-        const glm::dmat4 world = worldMatrix(document.scene(), id);
+        const glm::dmat4 world = frame.geometryOf(document.scene(), id);
         const double radius =
             0.5 * document.scene().find(id)->params.turtle.alpha * glm::length(glm::dvec3(world[1]));
         for (std::size_t apple = 0; apple < tree.foliage->apples.size(); ++apple) {
@@ -130,7 +130,7 @@ std::optional<WindArrow> windArrow(const Scene& scene, NodeId node, const Box& b
     if (!tree || tree->kind != NodeKind::Tree || box.empty())
         return std::nullopt;
     const PhysicsParams& physics = tree->params.physics;
-    const glm::dmat4 world = worldMatrix(scene, node);
+    const glm::dmat4 world = placeAt(scene, node, 0.0).geometry;
     const double size = std::max(box.radius(), 1e-3);
     const glm::dvec3 along(std::cos(physics.windDirection), 0.0, -std::sin(physics.windDirection));
     const glm::dvec3 foot(box.min.x, box.min.y + 0.85 * box.size().y, box.centre().z);
@@ -146,7 +146,7 @@ std::optional<WindValues> windAt(const PickView& view, const glm::dvec2& pixel, 
                                  const Scene& scene, NodeId node)
 {
     const ViewRay ray = view.camera.ray(view.ndc(pixel), view.aspect());
-    const glm::dmat4 inverse = glm::inverse(worldMatrix(scene, node));
+    const glm::dmat4 inverse = glm::inverse(placeAt(scene, node, 0.0).geometry);
     const glm::dvec3 origin = placed(inverse, ray.origin);
     const glm::dvec3 direction = glm::dmat3(inverse) * ray.direction;
     const glm::dvec3 foot = placed(inverse, arrow.foot);

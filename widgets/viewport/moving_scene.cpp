@@ -33,6 +33,8 @@ template <class Item> void moveItems(std::vector<Item>& items, const MotionFrame
 
 bool MovingScene::moves(const RenderScene& rest, const MotionFrame& frame)
 {
+    if (!frame.places.empty())
+        return true;
     const auto moving = [&frame](const auto& item) {
         const NodeMotion* motion = frame.of(item.node);
         return motion && motion->moves();
@@ -108,9 +110,34 @@ std::shared_ptr<const Skin> MovingScene::skinOf(const MeshItem& item, const Node
     return skin->bones <= motion.bones->size() ? skin : nullptr; // of another skeleton: a draft, perhaps
 }
 
+/// Nodes that tracks move, and objects that they change.
+static void placeItems(RenderScene& scene, const MotionFrame& frame)
+{
+    const auto place = [&frame](auto& items) {
+        for (auto& item : items)
+            if (const auto found = frame.places.find(item.node); found != frame.places.end())
+                item.world = found->second.geometry;
+    };
+    place(scene.meshes);
+    place(scene.lines);
+    place(scene.points);
+    for (MeshItem& item : scene.meshes) {
+        const auto found = frame.objects.find(item.node);
+        if (found == frame.objects.end())
+            continue;
+        item.material.colour = glm::u8vec3(found->second.surface.color * 255.0 + 0.5);
+        if (found->second.mesh) {
+            item.mesh = found->second.mesh;
+            item.box = meshBox(*item.mesh);
+        }
+    }
+}
+
 RenderScene MovingScene::moved(const RenderScene& rest, const MotionFrame& frame)
 {
     RenderScene scene = rest;
+    if (!frame.places.empty())
+        placeItems(scene, frame);
     for (auto& [mesh, bound] : m_bound)
         bound.used = false;
     for (MeshItem& item : scene.meshes) {

@@ -1,4 +1,5 @@
 #include "widgets/viewport/viewport.h"
+#include "core/scene/places.h"
 
 #include "widgets/viewport/navigation_cube.h"
 #include "widgets/viewport/texture_legend.h"
@@ -22,7 +23,7 @@ Box selectionBox(const Document& document, const RenderScene& scene)
     const NodeResult* result = document.result(selection.branchNode);
     if (result && result->tree.simplified) {
         const Skeleton& skeleton = result->tree.simplified->skeleton;
-        const glm::dmat4 world = worldMatrix(document.scene(), selection.branchNode);
+        const glm::dmat4 world = placeAt(document.scene(), selection.branchNode, 0.0).geometry;
         for (const Index branch : selection.branches) {
             if (branch >= skeleton.size())
                 continue;

@@ -17,7 +17,15 @@ constexpr double headLength = 13.0;  ///< logical pixels
 void Viewport::setPlayer(Player* player)
 {
     d->player = player;
-    connect(player, &Player::motionChanged, this, qOverload<>(&QWidget::update));
+    connect(player, &Player::motionChanged, this, [this] {
+        const auto motion = d->player->motion();
+        const bool had = d->wishedMotion && !d->wishedMotion->trees.empty();
+        if (!motion->trees.empty() || had) { // trees of another shape: another scene
+            d->wishedMotion = motion;
+            wishScene();
+        }
+        update();
+    });
     connect(player, &Player::playingChanged, this, [this](bool playing) {
         if (!playing)
             letGo();
@@ -95,7 +103,8 @@ void Viewport::dragMotion(const PickView& view, const glm::dvec2& pixel)
         return;
     }
     d->handAt = pulledTo(view, pixel, d->grabbed.point);
-    const glm::dmat4 inverse = glm::inverse(worldMatrix(d->document->scene(), d->grabbed.node));
+    const glm::dmat4 inverse =
+        glm::inverse(d->player->motion()->geometryOf(d->document->scene(), d->grabbed.node));
     d->player->setPull(d->grabbed.node, Pull{d->grabbed.branch, d->grabbed.along,
                                              glm::dvec3(inverse * glm::dvec4(d->handAt, 1.0)), pullStrength});
 }

@@ -8,8 +8,8 @@
 #include "widgets/render/renderer.h"
 #include "widgets/viewport/background_builder.h"
 #include "widgets/viewport/background_picker.h"
-#include "widgets/viewport/motion_tools.h"
 #include "widgets/viewport/limb_tool.h"
+#include "widgets/viewport/motion_tools.h"
 #include "widgets/viewport/moving_scene.h"
 #include "widgets/viewport/navigation.h"
 #include "widgets/viewport/viewport.h"
@@ -60,6 +60,7 @@ struct Viewport::Private
     std::shared_ptr<const RenderScene> shown; ///< what is drawn: the scene with all in its place of now
     std::shared_ptr<const RenderScene> shownOf;
     std::shared_ptr<const MotionFrame> shownMotion;
+    std::shared_ptr<const MotionFrame> wishedMotion; ///< whose trees the scene is made of, where it has any
     GrabbedBranch grabbed;
     glm::dvec3 handAt{0.0}; ///< world
     quint64 windGesture = 0;
@@ -88,8 +89,12 @@ struct Viewport::Private
     bool dragging = false; ///< the pointer has left the place of the press
     bool onCube = false;   ///< the press was on the navigation cube
 
+    /// As tracks shape it now, or as the document has it.
     [[nodiscard]] const TreeResult* resultOf(NodeId id) const
     {
+        if (wishedMotion)
+            if (const auto now = wishedMotion->trees.find(id); now != wishedMotion->trees.end())
+                return &now->second;
         const NodeResult* result = document->result(id);
         return result ? &result->tree : nullptr;
     }

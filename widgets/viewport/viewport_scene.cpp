@@ -1,5 +1,6 @@
 // The way of a scene: wished for when something changes, made in the background, uploaded in slices, shown.
 #include "core/base/stopwatch.h"
+#include "core/document/player.h"
 #include "widgets/viewport/viewport_private.h"
 #include <algorithm>
 #include <limits>
@@ -50,6 +51,7 @@ SceneView Viewport::Private::sceneView() const
     view.inspected = inspected;
     view.isolatedNode = isolatedNode;
     view.isolatedBranches = isolatedBranches;
+    view.timeSeconds = player ? player->timeSeconds() : 0.0;
     return view;
 }
 
@@ -62,7 +64,7 @@ SceneWish Viewport::Private::wish()
     wish.revision = std::numeric_limits<quint64>::max();
     for (const Node& node : document->scene().nodes()) {
         if (const NodeResult* result = document->result(node.id)) {
-            wish.results.emplace(node.id, result->tree);
+            wish.results.emplace(node.id, *resultOf(node.id));
             wish.revision = std::min(wish.revision, result->revision);
         }
     }

@@ -1,0 +1,130 @@
+#include "app/cli/commands.h"
+#include "app/cli/input.h"
+#include "app/cli/work.h"
+#include "core/document/project_file.h"
+#include "core/io/blender_scene.h"
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonObject>
+
+namespace ramure::cli {
+
+namespace {
+
+constexpr CommandText text = {
+    "import", "INPUT",
+    "Makes a project of what a script for Blender wrote, or writes a project as such files.",
+    "INPUT is NAME.obj with a line TRANSFORM, NAME.animation, or a folder of them; the other file of the "
+    "same "
+    "name is read too. All that was guessed or mended is told on the standard error, or under \"notes\" with "
+    "--json.\nThe other way round: INPUT is a .ramure or demo:NAME, and -o a folder that exists."};
+
+Expected<CubicMeaning> cubicOf(const CommandLine& line)
+{
+    const QString given = line.value("cubic");
+    if (given == QLatin1String("automatic"))
+        return CubicMeaning::Automatic;
+    if (given == QLatin1String("spline"))
+        return CubicMeaning::Spline;
+    if (given == QLatin1String("easing"))
+        return CubicMeaning::Easing;
+    return fail(ErrorCode::Invalid, "--cubic \"%1\": automatic, spline or easing expected",
+                {given.toStdString()});
+}
+
+/// One line, whatever the note.
+QString textOf(const Note& note)
+{
+    return fromText(note.message());
+}
+
+Expected<void> report(const CommandLine& line, const std::vector<Note>& notes, QJsonObject facts)
+{
+    if (!line.has("json")) {
+        for (const Note& note : notes)
+            printError(textOf(note));
+        return {};
+    }
+    QJsonArray list;
+    for (const Note& note : notes)
+        list.append(textOf(note));
+    facts.insert(QStringLiteral("notes"), list);
+    return printJson(facts);
+}
+
+Expected<void> importTo(const CommandLine& line, const QString& input, const QString& output,
+                        const Progress& progress)
+{
+    const auto cubic = cubicOf(line);
+    if (!cubic)
+        return fail(cubic.error());
+    auto imported = importBlender(systemPath(input), *cubic, progress);
+    if (!imported)
+        return fail(std::move(imported.error()));
+    const auto count = static_cast<qint64>(imported->nodes.size());
+    auto scene = Scene::fromNodes(std::move(imported->nodes));
+    if (!scene)
+        return fail(std::move(scene.error()));
+    scene->setTimeline(imported->timeline);
+    if (auto saved = saveProjectFile({std::move(*scene), {}}, output); !saved)
+        return saved;
+    return report(line, imported->notes,
+                  {{QStringLiteral("nodes"), count},
+                   {QStringLiteral("keys"), static_cast<qint64>(imported->keyCount)}});
+}
+
+Expected<void> exportTo(const CommandLine& line, const Scene& scene, const QString& folder,
+                        const Progress& progress)
+{
+    const auto written = exportBlender(scene, systemPath(folder), progress);
+    if (!written)
+        return fail(written.error());
+    QJsonArray files;
+    for (const std::string& file : written->files)
+        files.append(QFileInfo(fromText(file)).fileName());
+    return report(line, written->notes, {{QStringLiteral("files"), files}});
+}
+
+} // namespace
+
+Expected<int> runImport(const QStringList& arguments)
+{
+    CommandLine line(text);
+    line.add({QStringLiteral("o"), QStringLiteral("output")},
+             QStringLiteral("Writes this project, or into this folder."),
+             QStringLiteral("FILE.ramure|FOLDER"));
+    line.addDefault({QStringLiteral("cubic")},
+                    QStringLiteral("What CUBIC means: the spline through the keys, Blender's easing, or "
+                                   "automatic: the easing where our own script wrote the file."),
+                    QStringLiteral("MEANING"), QStringLiteral("automatic"));
+    line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
+    const auto done = line.parse(arguments, 1, 1);
+    if (!done)
+        return fail(done.error());
+    if (*done)
+        return **done;
+    const QString input = line.arguments().front(), output = line.value("output");
+    if (output.isEmpty())
+        return fail(ErrorCode::Invalid,
+                    "missing -o FILE.ramure: `ramure-cli import --help` shows what it takes");
+    const Work work("import");
+    if (QFileInfo(output).isDir()) {
+        const auto scene = loadInput(input, {});
+        if (!scene)
+            return fail(scene.error());
+        if (!scene->scene())
+            return fail(ErrorCode::Invalid, "\"%1\" is a mesh: only scenes are written into a folder",
+                        {input.toStdString()});
+        if (const auto written = exportTo(line, *scene->scene(), output, work.progress()); !written)
+            return fail(written.error());
+        return exitGood;
+    }
+    if (QFileInfo(output).suffix().toLower() != QLatin1String("ramure"))
+        return fail(ErrorCode::Unknown, "%1: a project is written as .ramure, or into a folder that exists",
+                    {output.toStdString()});
+    if (const auto imported = importTo(line, input, output, work.progress()); !imported)
+        return fail(imported.error());
+    return exitGood;
+}
+
+} // namespace ramure::cli

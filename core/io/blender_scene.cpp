@@ -1,0 +1,302 @@
+#include "core/io/blender_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <glm/matrix.hpp>
+#include <iterator>
+#include <map>
+#include <set>
+
+namespace ramure {
+namespace {
+
+namespace fs = std::filesystem;
+
+tl::unexpected<Error> ioError(const std::string& file, const char* text)
+{
+    auto error = fail(ErrorCode::Io, text);
+    error.value().file = file;
+    return error;
+}
+
+Expected<std::string> textOf(const fs::path& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        return ioError(path.string(), RAMURE_NOOP("the file cannot be opened"));
+    std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (file.bad())
+        return ioError(path.string(), RAMURE_NOOP("the file cannot be read"));
+    return text;
+}
+
+/// The files of one object.
+struct Pair
+{
+    fs::path mesh, animation; ///< empty where there is none
+};
+
+bool hasEnding(const fs::path& path, const char* ending)
+{
+    std::string found = path.extension().string();
+    std::transform(found.begin(), found.end(), found.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return found == ending;
+}
+
+void addFile(std::map<std::string, Pair>& pairs, const fs::path& path)
+{
+    if (hasEnding(path, ".obj"))
+        pairs[path.stem().string()].mesh = path;
+    else if (hasEnding(path, ".animation"))
+        pairs[path.stem().string()].animation = path;
+}
+
+/// By name, hence in one order on every machine.
+Expected<std::map<std::string, Pair>> pairsOf(const fs::path& path)
+{
+    std::map<std::string, Pair> pairs;
+    std::error_code problem;
+    if (fs::is_directory(path, problem)) {
+        for (fs::directory_iterator it(path, problem), end; !problem && it != end; it.increment(problem))
+            if (it->is_regular_file(problem))
+                addFile(pairs, it->path());
+        if (problem)
+            return ioError(path.string(), RAMURE_NOOP("the folder cannot be read"));
+        if (pairs.empty())
+            return ioError(path.string(), RAMURE_NOOP("the folder has no .obj and no .animation"));
+        return pairs;
+    }
+    addFile(pairs, path);
+    if (pairs.empty())
+        return ioError(path.string(), RAMURE_NOOP("an .obj, an .animation or a folder of them is expected"));
+    const fs::path other = fs::path(path).replace_extension(hasEnding(path, ".obj") ? ".animation" : ".obj");
+    if (fs::is_regular_file(other, problem))
+        addFile(pairs, other);
+    return pairs;
+}
+
+/// Into the vertices of an object: what its placement cannot say.
+void bake(TriangleMesh& mesh, const glm::dmat4& matrix)
+{
+    const glm::dmat3 linear(matrix);
+    const double determinant = glm::determinant(linear);
+    for (glm::vec3& p : mesh.positions)
+        p = glm::vec3(glm::dvec3(matrix * glm::dvec4(p, 1.0)));
+    if (determinant == 0.0)
+        mesh.normals.clear();
+    else {
+        const glm::dmat3 forNormals = glm::transpose(glm::inverse(linear));
+        for (glm::vec3& n : mesh.normals)
+            n = glm::vec3(glm::normalize(forNormals * glm::dvec3(n)));
+    }
+    if (determinant < 0.0)
+        for (glm::uvec3& t : mesh.triangles)
+            std::swap(t.y, t.z);
+}
+
+class Importer
+{
+public:
+    Importer(CubicMeaning cubic, const Progress& progress)
+        : m_cubic(cubic)
+        , m_progress(progress)
+    {
+    }
+
+    Expected<BlenderImport> run(const std::string& path)
+    {
+        const auto pairs = pairsOf(path);
+        if (!pairs)
+            return fail(pairs.error());
+        std::size_t done = 0;
+        for (const auto& [name, pair] : *pairs) {
+            m_progress.report(double(done++) / double(pairs->size()));
+            if (m_progress.cancelled())
+                return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+            if (auto added = add(name, pair); !added)
+                return fail(std::move(added.error()));
+        }
+        hang(fs::path(path));
+        setTimeline();
+        return std::move(m_out);
+    }
+
+private:
+    void note(const std::string& file, const char* text, std::vector<std::string> args = {})
+    {
+        Note note = fail(ErrorCode::Invalid, text, std::move(args)).value();
+        note.file = file;
+        m_out.notes.push_back(std::move(note));
+    }
+    void take(std::vector<Note>& notes)
+    {
+        std::move(notes.begin(), notes.end(), std::back_inserter(m_out.notes));
+    }
+    Expected<void> add(const std::string& name, const Pair& pair)
+    {
+        Node node;
+        node.id = static_cast<NodeId>(m_out.nodes.size() + 1);
+        node.name = name;
+        node.kind = pair.mesh.empty() ? NodeKind::Group : NodeKind::Mesh;
+        std::string parent;
+        if (!pair.animation.empty())
+            if (auto read = readAnimation(pair.animation, node, parent); !read)
+                return read;
+        if (!pair.mesh.empty())
+            if (auto read = readMesh(pair.mesh, node, parent); !read)
+                return read;
+        if (pair.mesh.empty())
+            note(pair.animation.string(), RAMURE_NOOP("there is no .obj of this name: a group that moves"));
+        m_parents[node.id] = parent;
+        m_out.nodes.push_back(std::move(node));
+        return {};
+    }
+    Expected<void> readAnimation(const fs::path& path, Node& node, std::string& parent)
+    {
+        const auto text = textOf(path);
+        if (!text)
+            return fail(text.error());
+        auto read = parseAnimation(*text, path.string(), m_cubic);
+        if (!read)
+            return fail(std::move(read.error()));
+        node.animation = std::move(read->animation);
+        parent = read->parent;
+        m_out.keyCount += read->keyCount;
+        if (read->framesPerSecond >= leastFrameRate && read->framesPerSecond <= mostFrameRate)
+            m_saidRate = read->framesPerSecond;
+        take(read->notes);
+        return {};
+    }
+    Expected<void> readMesh(const fs::path& path, Node& node, std::string& parent)
+    {
+        const auto text = textOf(path);
+        if (!text)
+            return fail(text.error());
+        auto object = parseBlenderObject(*text, path.string());
+        if (!object)
+            return fail(std::move(object.error()));
+        if (!object->parent.empty())
+            parent = object->parent;
+        take(object->notes);
+        if (!object->transform)
+            note(path.string(), RAMURE_NOOP("there is no TRANSFORM: the object stands at the origin"));
+        else if (node.animation.empty())
+            place(path, node, *object);
+        if (object->mesh.empty() && object->mesh.positions.empty())
+            node.kind = NodeKind::Group;
+        else
+            node.mesh = SharedValue<TriangleMesh>(std::move(object->mesh));
+        return {};
+    }
+    /// As a placement where it is one that the parameters allow.
+    void place(const fs::path& path, Node& node, BlenderObject& object)
+    {
+        const auto placement = decomposePlacement(*object.transform);
+        if (placement) {
+            NodeParams params;
+            params.tree = *placement;
+            if (checkParams(params)) {
+                node.params.tree = *placement;
+                return;
+            }
+        }
+        bake(object.mesh, *object.transform);
+        note(path.string(),
+             RAMURE_NOOP("the TRANSFORM shears, mirrors or flattens: it was put into the vertices"));
+    }
+    /// Below the parents that the files name, all below one group where there are several at the top.
+    void hang(const fs::path& path)
+    {
+        std::map<std::string, NodeId> byName;
+        for (const Node& node : m_out.nodes)
+            byName[node.name] = node.id;
+        std::size_t tops = 0;
+        for (Node& node : m_out.nodes) {
+            const std::string& parent = m_parents[node.id];
+            const auto found = byName.find(parent);
+            if (!parent.empty() && (found == byName.end() || isAbove(node.id, found->second)))
+                note(node.name, RAMURE_NOOP("the parent \"%1\" cannot be: the object is at the top"),
+                     {parent});
+            else if (!parent.empty())
+                node.parent = found->second;
+            tops += node.parent == noNode ? 1 : 0;
+        }
+        if (tops > 1) {
+            Node group;
+            group.id = static_cast<NodeId>(m_out.nodes.size() + 1);
+            group.name = (path.has_filename() ? path.filename() : path.parent_path().filename()).string();
+            for (Node& node : m_out.nodes)
+                if (node.parent == noNode)
+                    node.parent = group.id;
+            m_out.nodes.push_back(std::move(group));
+        }
+        // The top first, parents before their children.
+        m_out.nodes = Scene::fromNodes(std::move(m_out.nodes))->nodes();
+        if (m_out.nodes.size() > 2 && std::all_of(m_parents.begin(), m_parents.end(),
+                                                  [](const auto& entry) { return entry.second.empty(); }))
+            note(path.string(), RAMURE_NOOP("no file names a parent: all objects stand side by side"));
+    }
+    [[nodiscard]] bool isAbove(NodeId above, NodeId below) const
+    {
+        for (NodeId id = below; id != noNode; id = m_out.nodes[id - 1].parent)
+            if (id == above)
+                return true;
+        return false;
+    }
+    /// The usual rate that puts all keys on frames, if there is one.
+    [[nodiscard]] double guessedRate(const std::set<Ticks>& times) const
+    {
+        for (const double rate : {24.0, 25.0, 30.0, 50.0, 60.0, 120.0}) {
+            const auto onFrame = [rate](Ticks time) {
+                const double frame = secondsOf(time) * rate;
+                return std::abs(frame - std::round(frame)) < 1e-3;
+            };
+            if (std::all_of(times.begin(), times.end(), onFrame))
+                return rate;
+        }
+        return 0.0;
+    }
+    void setTimeline()
+    {
+        std::set<Ticks> times;
+        for (const Node& node : m_out.nodes)
+            for (const auto& [channel, track] : node.animation.tracks())
+                for (std::size_t i = 0; i < keyCount(*track); ++i)
+                    times.insert(keyShape(*track, i).time);
+        if (times.empty())
+            return;
+        TimelineSettings& timeline = m_out.timeline;
+        const double guess = m_saidRate > 0.0 ? m_saidRate : guessedRate(times);
+        if (guess > 0.0)
+            timeline.framesPerSecond = guess;
+        if (m_saidRate == 0.0)
+            note({}, RAMURE_NOOP("no file says the frame rate: %1 frames a second are taken"),
+                 {std::to_string(static_cast<int>(timeline.framesPerSecond))});
+        const auto frame = [&timeline](Ticks time) {
+            return std::clamp(
+                static_cast<std::int64_t>(std::ceil(secondsOf(time) * timeline.framesPerSecond - 1e-6)),
+                leastFrame, mostFrame);
+        };
+        timeline.firstFrame = std::min<std::int64_t>(0, frame(*times.begin()));
+        timeline.lastFrame = std::max(timeline.firstFrame, frame(*times.rbegin()));
+    }
+
+    CubicMeaning m_cubic;
+    const Progress& m_progress;
+    BlenderImport m_out;
+    std::map<NodeId, std::string> m_parents;
+    double m_saidRate = 0.0;
+};
+
+} // namespace
+
+Expected<BlenderImport> importBlender(const std::string& path, CubicMeaning cubic, const Progress& progress)
+{
+    return Importer(cubic, progress).run(path);
+}
+
+} // namespace ramure

@@ -1,0 +1,206 @@
+#include "core/animation/quaternions.h"
+#include "core/animation/track.h"
+#include "core/random/random.h"
+#include "tests/support/suite.h"
+
+#include <limits>
+#include <numbers>
+
+using namespace ramure;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+OrientationKey keyAt(double seconds, const glm::dquat& value, KeyMode mode = KeyMode::Linear)
+{
+    OrientationKey key;
+    key.time = ticksOf(seconds);
+    key.value = value;
+    key.mode = mode;
+    return key;
+}
+
+OrientationTrack trackOf(std::vector<OrientationKey> keys)
+{
+    return *OrientationTrack::fromKeys(std::move(keys));
+}
+
+glm::dquat randomTurn(Random& random)
+{
+    for (;;) {
+        const glm::dquat q(random.range(-1.0, 1.0), random.range(-1.0, 1.0), random.range(-1.0, 1.0),
+                           random.range(-1.0, 1.0));
+        if (glm::dot(q, q) > 0.01)
+            return glm::normalize(q);
+    }
+}
+
+/// Of the turn between two orientations, whatever their signs.
+double angleBetween(const glm::dquat& a, const glm::dquat& b)
+{
+    const glm::dquat turn = glm::conjugate(a) * b;
+    return 2.0 * std::atan2(std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z), std::abs(turn.w));
+}
+
+glm::dquat about(const glm::dvec3& axis, double angle)
+{
+    return glm::angleAxis(angle, glm::normalize(axis));
+}
+
+} // namespace
+
+class TestOrientationTrack : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void whatHasNoDirectionIsRefused()
+    {
+        constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+        QVERIFY(!OrientationTrack::fromKeys({keyAt(0.0, {0.0, 0.0, 0.0, 0.0})}));
+        QVERIFY(!OrientationTrack::fromKeys({keyAt(0.0, {nan, 0.0, 0.0, 0.0})}));
+        const auto long_ = OrientationTrack::fromKeys({keyAt(0.0, {3.0, 0.0, 4.0, 0.0})});
+        QVERIFY(long_);
+        QVERIFY(std::abs(glm::dot(long_->keys()[0].value, long_->keys()[0].value) - 1.0) < 1e-12);
+    }
+    void hundredThousandEditsNeverTakeTheLongWay()
+    {
+        Random random(1, RandomStream::Test);
+        OrientationTrack track;
+        double worstLength = 0.0, worstDot = 1.0;
+        for (int edit = 0; edit < 100'000; ++edit) {
+            const auto at = random.below(static_cast<std::uint32_t>(track.size()) + 1);
+            const std::size_t one[] = {at};
+            OrientationKey key = keyAt(random.range(-50.0, 50.0), randomTurn(random),
+                                       static_cast<KeyMode>(random.below(keyModeCount)));
+            if (random.below(3) == 0 && !track.empty()) // often the same with the other sign, or half a turn
+                key.value = -track.keys()[random.below(static_cast<std::uint32_t>(track.size()))].value;
+            if (track.size() > 20 || (random.below(4) == 0 && at < track.size()))
+                track.erase(one);
+            else if (random.below(3) == 0 && at < track.size())
+                QVERIFY(track.replace(one, std::span(&key, 1)));
+            else
+                QVERIFY(track.insert(key));
+            for (std::size_t i = 1; i < track.size(); ++i)
+                worstDot = std::min(worstDot, glm::dot(track.keys()[i - 1].value, track.keys()[i].value));
+            if (track.empty())
+                continue;
+            track.blend = static_cast<OrientationBlend>(random.below(orientationBlendCount));
+            track.behind = static_cast<Extrapolation>(random.below(extrapolationCount));
+            const glm::dquat q = valueAt(track, random.range(-60.0, 60.0));
+            worstLength = std::max(worstLength, std::abs(std::sqrt(glm::dot(q, q)) - 1.0));
+        }
+        QVERIFY2(worstDot > -1e-6, qPrintable(QString::number(worstDot)));
+        QVERIFY2(worstLength < 1e-6, qPrintable(QString::number(worstLength)));
+    }
+    void linearTurnsEvenlyByTheShorterWay()
+    {
+        Random random(2, RandomStream::Test);
+        for (int run = 0; run < 500; ++run) {
+            const glm::dquat a = randomTurn(random), b = randomTurn(random);
+            const OrientationTrack track = trackOf({keyAt(0.0, a), keyAt(1.0, b)});
+            const double whole = angleBetween(a, b);
+            for (const double u : {0.0, 0.1, 0.5, 0.9, 1.0}) {
+                const glm::dquat q = valueAt(track, u);
+                QVERIFY(std::abs(angleBetween(a, q) - u * whole) < 1e-7);
+                QVERIFY(std::abs(angleBetween(q, b) - (1.0 - u) * whole) < 1e-7);
+            }
+        }
+    }
+    void halfTurnsGoOnAboutTheAxisBefore()
+    {
+        for (const double noise : {-1e-9, 0.0, 1e-9})
+            for (const double sign : {-1.0, 1.0})
+                for (const glm::dvec3& axis :
+                     {glm::dvec3(0, 0, 1), glm::dvec3(0, 0, -1), glm::dvec3(1, 2, -3)}) {
+                    const OrientationTrack track =
+                        trackOf({keyAt(0.0, about(axis, 0.0)), keyAt(1.0, about(axis, 0.5)),
+                                 keyAt(2.0, sign * about(axis, 0.5 + pi + noise))});
+                    QVERIFY(angleBetween(valueAt(track, 1.5), about(axis, 0.5 + pi / 2)) < 1e-6);
+                }
+    }
+    void aFirstHalfTurnIsAlwaysTheSame()
+    {
+        for (const glm::dvec3& axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)})
+            for (const double noise : {-1e-9, 0.0, 1e-9})
+                for (const double sign : {-1.0, 1.0})
+                    for (const double along : {-1.0, 1.0}) {
+                        const OrientationTrack track =
+                            trackOf({keyAt(0.0, about(axis, 0.0)),
+                                     keyAt(1.0, sign * about(along * axis, pi + noise))});
+                        QVERIFY(angleBetween(valueAt(track, 0.5), about(axis, pi / 2)) < 1e-6);
+                    }
+    }
+    void cubicOfComponentsIsThatOfTheSpecification()
+    {
+        Random random(3, RandomStream::Test);
+        double worst = 0.0;
+        for (int run = 0; run < 200; ++run) {
+            std::vector<OrientationKey> keys;
+            for (int i = 0; i < 6; ++i)
+                keys.push_back(keyAt(i + random.range(0.0, 0.8), randomTurn(random), KeyMode::Cubic));
+            OrientationTrack track = trackOf(keys);
+            track.blend = OrientationBlend::Classic;
+            // Independent: aligned units, the four polynomials, made a unit.
+            std::vector<glm::dquat> q;
+            for (const OrientationKey& key : keys)
+                q.push_back(!q.empty() && glm::dot(q.back(), key.value) < 0.0 ? -key.value : key.value);
+            for (int i = 0; i < 5; ++i) {
+                const double u = random.range(0.0, 1.0);
+                const double t0 = secondsOf(keys[std::size_t(i)].time),
+                             t1 = secondsOf(keys[std::size_t(i + 1)].time);
+                const glm::dquat x0 = q[std::size_t(std::max(i - 1, 0))], x1 = q[std::size_t(i)],
+                                 x2 = q[std::size_t(i + 1)], x3 = q[std::size_t(std::min(i + 2, 5))];
+                const glm::dquat a = (3.0 * x1 - 3.0 * x2 + x3 - x0) * 0.5,
+                                 b = (2.0 * x0 - 5.0 * x1 + 4.0 * x2 - x3) * 0.5, c = (x2 - x0) * 0.5;
+                const glm::dquat expected = glm::normalize(a * (u * u * u) + b * (u * u) + c * u + x1);
+                worst = std::max(worst, angleBetween(valueAt(track, t0 + u * (t1 - t0)), expected));
+            }
+        }
+        QVERIFY2(worst < 1e-6, qPrintable(QString::number(worst)));
+    }
+    void squadPassesTheKeysWithoutAJumpOfSpeed()
+    {
+        Random random(4, RandomStream::Test);
+        for (int run = 0; run < 100; ++run) {
+            std::vector<OrientationKey> keys;
+            glm::dquat q = randomTurn(random);
+            double time = 0.0;
+            for (int i = 0; i < 5; ++i) {
+                keys.push_back(keyAt(time, q, KeyMode::Cubic));
+                q = q * about(glm::dvec3(randomTurn(random).x, randomTurn(random).y, 0.5),
+                              random.range(0.1, 1.2));
+                time += random.range(0.3, 2.0);
+            }
+            const OrientationTrack track = trackOf(keys);
+            for (int i = 1; i < 4; ++i) {
+                const double t = secondsOf(keys[std::size_t(i)].time), h = 1e-5;
+                QVERIFY(angleBetween(valueAt(track, t), keys[std::size_t(i)].value) < 1e-9);
+                const glm::dvec3 before =
+                    logarithm(glm::conjugate(valueAt(track, t - h)) * valueAt(track, t)) / h;
+                const glm::dvec3 behind =
+                    logarithm(glm::conjugate(valueAt(track, t)) * valueAt(track, t + h)) / h;
+                QVERIFY2(std::abs(before.x - behind.x) + std::abs(before.y - behind.y) +
+                                 std::abs(before.z - behind.z) <
+                             1e-2,
+                         "the speed jumps");
+            }
+        }
+    }
+    void roundsTurnOn()
+    {
+        OrientationTrack track =
+            trackOf({keyAt(0.0, about({0, 1, 0}, 0.0)), keyAt(1.0, about({0, 1, 0}, 0.7))});
+        track.before = track.behind = Extrapolation::RepeatOffset;
+        for (const double t : {-3.25, -1.0, 0.5, 2.5, 10.0})
+            QVERIFY(angleBetween(valueAt(track, t), about({0, 1, 0}, 0.7 * t)) < 1e-7);
+        track.before = track.behind = Extrapolation::Linear;
+        for (const double t : {-0.5, 1.5, 3.0})
+            QVERIFY(angleBetween(valueAt(track, t), about({0, 1, 0}, 0.7 * t)) < 1e-7);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestOrientationTrack)
+#include "tst_orientation_track.moc"
