@@ -1,4 +1,4 @@
-// The editor: ramure [FILE|preset:NAME] [--screenshot FILE.png] [--export FILE]...
+// The editor: ramure [FILE|preset:NAME|demo:NAME] [--screenshot FILE.png] [--export FILE]...
 #include "core/base/kept_memory.h"
 #include "core/document/exporter.h"
 #include "core/document/recompute.h"
@@ -58,8 +58,9 @@ Arguments readArguments(const QApplication& application)
         QStringLiteral("Editor for trees. Without arguments it opens the SmallTree."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("input"), QStringLiteral("A .ramure file, or preset:NAME."),
-                                 QStringLiteral("[FILE|preset:NAME]"));
+    parser.addPositionalArgument(QStringLiteral("input"),
+                                 QStringLiteral("A .ramure file, preset:NAME or demo:NAME."),
+                                 QStringLiteral("[FILE|preset:NAME|demo:NAME]"));
     const QCommandLineOption screenshot(
         QStringLiteral("screenshot"),
         QStringLiteral("Write a picture of the window when the tree is there, and quit."),
@@ -91,7 +92,9 @@ Arguments readArguments(const QApplication& application)
 
 bool openInput(FileActions& files, const QString& input)
 {
-    const QString prefix = QStringLiteral("preset:");
+    const QString prefix = QStringLiteral("preset:"), demoPrefix = QStringLiteral("demo:");
+    if (input.startsWith(demoPrefix))
+        return files.newFromDemo(input.mid(demoPrefix.size()));
     if (input.isEmpty())
         return files.newFromPreset(QStringLiteral("SmallTree"));
     if (input.startsWith(prefix))

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <iterator>
 #include <map>
@@ -96,6 +97,28 @@ void bake(TriangleMesh& mesh, const glm::dmat4& matrix)
     if (determinant < 0.0)
         for (glm::uvec3& t : mesh.triangles)
             std::swap(t.y, t.z);
+}
+
+/// Numbers of single precision are never quite square: the nearest placement, where it is near.
+Expected<PlacementParams> placementNear(const glm::dmat4& matrix)
+{
+    const glm::dvec3 length{glm::length(glm::dvec3(matrix[0])), glm::length(glm::dvec3(matrix[1])),
+                            glm::length(glm::dvec3(matrix[2]))};
+    if (!(length.x > 0.0 && length.y > 0.0 && length.z > 0.0))
+        return decomposePlacement(matrix);
+    const glm::dvec3 x = glm::dvec3(matrix[0]) / length.x;
+    glm::dvec3 y = glm::dvec3(matrix[1]) / length.y;
+    y = glm::normalize(y - x * glm::dot(x, y));
+    glm::dvec3 z = glm::cross(x, y);
+    if (glm::dot(z, glm::dvec3(matrix[2])) < 0.0)
+        z = -z;
+    const glm::dmat4 square(glm::dvec4(x * length.x, 0.0), glm::dvec4(y * length.y, 0.0),
+                            glm::dvec4(z * length.z, 0.0), matrix[3]);
+    constexpr double near = 2e-6; // of an axis, relative
+    for (int i = 0; i < 3; ++i)
+        if (!(glm::length(square[i] - matrix[i]) <= near * length[i]))
+            return decomposePlacement(matrix);
+    return decomposePlacement(square);
 }
 
 class Importer
@@ -195,7 +218,7 @@ private:
     /// As a placement where it is one that the parameters allow.
     void place(const fs::path& path, Node& node, BlenderObject& object)
     {
-        const auto placement = decomposePlacement(*object.transform);
+        const auto placement = placementNear(*object.transform);
         if (placement) {
             NodeParams params;
             params.tree = *placement;

@@ -27,7 +27,8 @@ private slots:
             QTest::newRow(arguments) << words(arguments) << QString::fromUtf8(part);
         };
         QTest::newRow("nothing") << QStringList() << "missing command";
-        row("grow", "unknown command \"grow\": list, info, export, validate, simulate, ik, render expected");
+        row("grow",
+            "unknown command \"grow\": list, info, import, export, validate, simulate, ik, render expected");
         row("--nonsense", "unknown command");
         row("info", "missing INPUT");
         row("info preset:SmallTree preset:FanTree", "unexpected argument \"preset:FanTree\"");
@@ -279,8 +280,8 @@ private slots:
         const test::CliRun run = runCli({"info", "preset:TinyTree", "--json"});
         const QStringList shared = {"branches", "max",       "maxChildren", "min",
                                     "sumA1",    "terminals", "totalLength"};
-        QCOMPARE(run.keys(), (QStringList{"branches", "max", "maxChildren", "min", "simplified", "sumA1",
-                                          "symbols", "terminals", "totalLength"}));
+        QCOMPARE(run.keys(), (QStringList{"branches", "max", "maxChildren", "min", "nodes", "simplified",
+                                          "sumA1", "symbols", "terminals", "totalLength"}));
         QCOMPARE(run.json()["simplified"].toObject().keys(), shared);
     }
     void presetsAreDeterministicUnlessAsked()

@@ -19,7 +19,7 @@ static Node makeNode(NodeId id, NodeId parent = noNode, NodeKind kind = NodeKind
     node.id = id;
     node.parent = parent;
     node.kind = kind;
-    node.name = "n" + QByteArray::number(id).toStdString();
+    node.name = std::string("n").append(std::to_string(id));
     return node;
 }
 static Ids idsOf(const Document& document)

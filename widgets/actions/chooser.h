@@ -32,6 +32,13 @@ public:
     virtual ~Chooser() = default;
     /// The path of an existing file; empty: cancelled. \p filter as QFileDialog has it.
     virtual QString openFile(const QString& title, const QString& folder, const QString& filter) = 0;
+    /// The path of an existing folder; empty: cancelled.
+    virtual QString openFolder(const QString& title, const QString& folder)
+    {
+        Q_UNUSED(title);
+        Q_UNUSED(folder);
+        return {};
+    }
     /// A path to write to, whose overwriting the user has agreed to; empty: cancelled.
     /// \param suffix added where the user gave none, without its dot.
     virtual QString saveFile(const QString& title, const QString& suggestion, const QString& filter,

@@ -47,6 +47,14 @@ QString DialogChooser::openFile(const QString& title, const QString& folder, con
     return chosen(dialog);
 }
 
+QString DialogChooser::openFolder(const QString& title, const QString& folder)
+{
+    QFileDialog dialog(m_window, title, folder);
+    dialog.setFileMode(QFileDialog::Directory);
+    dialog.setOption(QFileDialog::ShowDirsOnly);
+    return chosen(dialog);
+}
+
 QString DialogChooser::saveFile(const QString& title, const QString& suggestion, const QString& filter,
                                 const QString& suffix)
 {

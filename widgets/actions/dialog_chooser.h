@@ -19,6 +19,7 @@ public:
     void setWindow(QWidget* window, MessageBanner* banner);
 
     QString openFile(const QString& title, const QString& folder, const QString& filter) override;
+    QString openFolder(const QString& title, const QString& folder) override;
     QString saveFile(const QString& title, const QString& suggestion, const QString& filter,
                      const QString& suffix) override;
     Unsaved unsavedChanges(const QString& documentName) override;

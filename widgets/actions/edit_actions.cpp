@@ -67,6 +67,14 @@ void EditActions::fillMenu(QMenu* menu)
         connect(add, &QAction::triggered, this, [this, name] { addTree(name); });
     }
     m_addMenu->addSeparator();
+    for (const EnumItem& item : findParam("primitive.shape")->items) {
+        QAction* add = m_addMenu->addAction(icon("cube"), QString());
+        add->setObjectName(QStringLiteral("edit.add.") + QLatin1String(item.name));
+        connect(add, &QAction::triggered, this,
+                [this, item] { addPrimitive(item.name, coreText(item.label)); });
+        m_addPrimitives.emplace_back(add, item.label);
+    }
+    m_addMenu->addSeparator();
     m_addMenu->addAction(m_addGroup);
     menu->addSeparator();
     menu->addActions(nodeActions());
@@ -82,6 +90,8 @@ void EditActions::retranslate()
 {
     if (m_addMenu)
         m_addMenu->setTitle(tr("&Add to the scene"));
+    for (const auto& [action, label] : m_addPrimitives)
+        action->setText(coreText(label));
     updateUndoTexts();
 }
 
@@ -152,6 +162,16 @@ void EditActions::addGroup()
     Node node;
     node.kind = NodeKind::Group;
     node.name = tr("Group").toStdString();
+    addNode(std::move(node));
+}
+
+void EditActions::addPrimitive(const char* shape, const QString& label)
+{
+    Node node;
+    node.kind = NodeKind::Primitive;
+    node.name = label.toStdString();
+    if (auto set = setParam(node.params, *findParam("primitive.shape"), EnumValue{shape}); !set)
+        return report(set.error());
     addNode(std::move(node));
 }
 

@@ -31,6 +31,8 @@ public:
     void newTree();
     void addTree(const QString& preset);
     void addGroup();
+    /// \param shape name of an item of primitive.shape, \param label what the node is called.
+    void addPrimitive(const char* shape, const QString& label);
 
 signals:
     void renameRequested();
@@ -59,6 +61,7 @@ private:
     QAction* m_visible;
     QAction* m_locked;
     QMenu* m_addMenu = nullptr;
+    std::vector<std::pair<QAction*, const char*>> m_addPrimitives; ///< with their labels, context "core"
 };
 
 /// Keeps the space bar for the widgets that need it (check boxes, buttons), although it is the shortcut of

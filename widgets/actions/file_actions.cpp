@@ -3,6 +3,7 @@
 #include "core/document/project_file.h"
 #include "core/io/file_writer.h"
 #include "core/params/presets.h"
+#include "core/scene/demo_scenes.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/support/core_text.h"
 #include "widgets/support/preferences.h"
@@ -63,6 +64,13 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
         connect(action, &QAction::triggered, this, [this, name] { newFromPreset(name); });
         m_presets.push_back(action);
     }
+    for (const DemoScene& demo : demoScenes()) {
+        auto* action = new QAction(this);
+        const QString name = QString::fromLatin1(demo.name);
+        action->setObjectName(QStringLiteral("file.demo.") + name);
+        connect(action, &QAction::triggered, this, [this, name] { newFromDemo(name); });
+        m_demos.push_back(action);
+    }
     connect(m_open, &QAction::triggered, this, &FileActions::open);
     connect(m_save, &QAction::triggered, this, &FileActions::save);
     connect(m_saveAs, &QAction::triggered, this, &FileActions::saveAs);
@@ -71,12 +79,16 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
     m_quit->setMenuRole(QAction::QuitRole);
 }
 
-void FileActions::fillMenu(QMenu* menu, QAction* welcome, const QList<QAction*>& pictures)
+void FileActions::fillMenu(QMenu* menu, QAction* welcome, const QList<QAction*>& pictures,
+                           const QList<QAction*>& imports)
 {
     m_newMenu = menu->addMenu(icon("new"), QString());
     m_newMenu->setToolTipsVisible(true);
     for (QAction* preset : m_presets)
         m_newMenu->addAction(preset);
+    m_demoMenu = menu->addMenu(QString());
+    for (QAction* demo : m_demos)
+        m_demoMenu->addAction(demo);
     menu->addAction(m_open);
     m_recentMenu = menu->addMenu(QString());
     connect(m_recentMenu, &QMenu::aboutToShow, this, &FileActions::fillRecentMenu);
@@ -86,6 +98,7 @@ void FileActions::fillMenu(QMenu* menu, QAction* welcome, const QList<QAction*>&
     menu->addAction(m_save);
     menu->addAction(m_saveAs);
     menu->addSeparator();
+    menu->addActions(imports);
     menu->addAction(m_export);
     menu->addActions(pictures);
     menu->addSeparator();
@@ -101,8 +114,13 @@ void FileActions::retranslate()
         m_presets[at]->setToolTip(coreText(preset.description));
         m_presets[at++]->setStatusTip(coreText(preset.description));
     }
+    at = 0;
+    for (const DemoScene& demo : demoScenes())
+        m_demos[at++]->setText(coreText(demo.label));
     if (m_newMenu)
         m_newMenu->setTitle(tr("&New from preset"));
+    if (m_demoMenu)
+        m_demoMenu->setTitle(tr("New from &demo"));
     if (m_recentMenu)
         m_recentMenu->setTitle(tr("Open &recent"));
 }
@@ -161,17 +179,26 @@ bool FileActions::mayDiscard()
 
 bool FileActions::newFromPreset(const QString& preset)
 {
-    auto scene = presetScene(preset.toStdString());
+    return startWith(presetScene(preset.toStdString()), tr("There is no such preset."));
+}
+
+bool FileActions::newFromDemo(const QString& demo)
+{
+    return startWith(demoScene(demo.toStdString()), tr("There is no such demo."));
+}
+
+bool FileActions::startWith(Expected<Scene> scene, const QString& why)
+{
     if (!scene) {
-        reportError(tr("There is no such preset."), scene.error());
+        reportError(why, scene.error());
         return false;
     }
     if (!mayDiscard())
         return false;
-    const NodeId tree = scene->nodes().front().id;
+    const NodeId first = scene->nodes().front().id;
     m_document->reset(std::move(*scene), QString());
     Selection selection;
-    selection.nodes = {tree};
+    selection.nodes = {first};
     m_document->setSelection(selection);
     return true;
 }

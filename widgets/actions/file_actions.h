@@ -23,8 +23,9 @@ public:
     FileActions(Document* document, Preferences* preferences, Chooser* chooser, ActionSet* set,
                 QObject* parent);
 
-    /// \param welcome, pictures actions from elsewhere that belong into this menu, may be none.
-    void fillMenu(QMenu* menu, QAction* welcome = nullptr, const QList<QAction*>& pictures = {});
+    /// \param welcome, pictures, imports actions from elsewhere that belong into this menu, may be none.
+    void fillMenu(QMenu* menu, QAction* welcome = nullptr, const QList<QAction*>& pictures = {},
+                  const QList<QAction*>& imports = {});
     [[nodiscard]] QAction* saveAction() const { return m_save; }
     [[nodiscard]] QAction* openAction() const { return m_open; }
     [[nodiscard]] QAction* exportAction() const { return m_export; }
@@ -35,7 +36,8 @@ public:
     /// Each returns whether it was done; errors are reported to the chooser, and the document stays as it
     /// was.
     bool newFromPreset(const QString& preset);
-    bool openFile(const QString& path); ///< asks about unsaved changes first
+    bool newFromDemo(const QString& demo); ///< see core/scene/demo_scenes.h
+    bool openFile(const QString& path);    ///< asks about unsaved changes first
     bool open();
     bool save(); ///< "save as" where the document has no file yet
     bool saveAs();
@@ -50,6 +52,7 @@ signals:
 
 private:
     bool saveTo(const QString& path);
+    bool startWith(Expected<Scene> scene, const QString& why);
     void reportError(const QString& what, const Error& error);
     void fillRecentMenu();
     [[nodiscard]] QString fileFilter() const;
@@ -63,8 +66,10 @@ private:
     QAction* m_export;
     QAction* m_quit;
     QMenu* m_newMenu = nullptr;
+    QMenu* m_demoMenu = nullptr;
     QMenu* m_recentMenu = nullptr;
     std::vector<QAction*> m_presets;
+    std::vector<QAction*> m_demos;
 };
 
 } // namespace ramure

@@ -1,5 +1,6 @@
 #include "widgets/export/export_task.h"
 
+#include "core/document/animated_physics.h"
 #include "core/document/document.h"
 #include "core/document/moving_source.h"
 #include <map>
@@ -16,15 +17,21 @@ TreeSource snapshotOf(const Document& document)
         if (node.kind == NodeKind::Tree)
             trees->emplace(node.id, source(node, Stage::Foliage, {}));
     }
-    return [trees](const Node& node, Stage, const Progress&) { return trees->at(node.id); };
+    return [trees](const Node& node, Stage last, const Progress& progress) {
+        // A shape that has tracks is another one at every time than the document's.
+        return movesShape(node.animation) ? TreePipeline().evaluate(node.params, last, progress)
+                                          : trees->at(node.id);
+    };
 }
 
-void ExportTask::startExport(const Document& document, const ExportOptions& options, const QString& path,
+void ExportTask::startExport(const Document& document, const ExportOptions& asked, const QString& path,
                              double timeSeconds)
 {
-    start([options, timeSeconds, scene = document.scene(), source = snapshotOf(document),
+    start([asked, timeSeconds, scene = document.scene(), source = snapshotOf(document),
            file = path.toStdString()](const Progress& progress) {
         MovingSource moving(source);
+        ExportOptions options = asked;
+        options.timeSeconds = timeSeconds;
         return exportScene(scene, options, moving.at(timeSeconds), file, progress);
     });
 }

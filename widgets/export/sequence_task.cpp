@@ -20,7 +20,8 @@ struct Pictures
     std::vector<PictureShot> shots;
 };
 
-Expected<RenderScene> sceneAt(const Pictures& pictures, const TreeSource& source, const Progress& progress)
+Expected<RenderScene> sceneAt(const Pictures& pictures, double timeSeconds, const TreeSource& source,
+                              const Progress& progress)
 {
     std::map<NodeId, TreeResult> results;
     for (const Node& node : pictures.scene.nodes()) {
@@ -35,7 +36,9 @@ Expected<RenderScene> sceneAt(const Pictures& pictures, const TreeSource& source
         const auto found = results.find(id);
         return found == results.end() ? nullptr : &found->second;
     };
-    return SceneBuilder().build(pictures.scene, resultOf, pictures.look.view);
+    SceneView view = pictures.look.view;
+    view.timeSeconds = timeSeconds;
+    return SceneBuilder().build(pictures.scene, resultOf, view);
 }
 
 Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, const Progress& progress)
@@ -47,8 +50,8 @@ Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, co
         const PictureShot& shot = pictures.shots[i];
         const double from = static_cast<double>(i) / count;
         if (!scene || shot.timeSeconds != pictures.shots[i - 1].timeSeconds) {
-            auto built =
-                sceneAt(pictures, moving.at(shot.timeSeconds), progress.part(from, from + 0.5 / count));
+            auto built = sceneAt(pictures, shot.timeSeconds, moving.at(shot.timeSeconds),
+                                 progress.part(from, from + 0.5 / count));
             if (!built)
                 return fail(std::move(built.error()));
             scene = std::move(*built);

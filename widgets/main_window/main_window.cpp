@@ -6,6 +6,7 @@
 #include "widgets/actions/chooser.h"
 #include "widgets/actions/edit_actions.h"
 #include "widgets/actions/file_actions.h"
+#include "widgets/actions/import_actions.h"
 #include "widgets/actions/picture_actions.h"
 #include "widgets/actions/program_actions.h"
 #include "widgets/actions/view_actions.h"
@@ -59,7 +60,8 @@ QString droppedFile(const QMimeData* data)
     if (urls.size() != 1 || !urls.front().isLocalFile())
         return {};
     const QString path = urls.front().toLocalFile();
-    return path.endsWith(QStringLiteral(".ramure"), Qt::CaseInsensitive) ? path : QString();
+    const bool known = path.endsWith(QStringLiteral(".ramure"), Qt::CaseInsensitive);
+    return known || ImportActions::canImport(path) ? path : QString();
 }
 
 } // namespace
@@ -214,6 +216,7 @@ void MainWindow::buildActions()
     m_resetLayout =
         m_actions->add({"view.resetLayout", QT_TRANSLATE_NOOP("Actions", "Reset the &layout"), nullptr, {}});
     buildBranchActions();
+    m_imports = new ImportActions(m_document, m_preferences, m_chooser, m_actions, this);
     m_pictures = new PictureActions(m_host, m_preferences, m_chooser, m_actions, this);
     m_program = new ProgramActions(m_actions, m_preferences, m_host->settings(), this);
     m_welcome = new WelcomePanel(m_files, m_actions, m_preferences, this);
@@ -265,7 +268,8 @@ void MainWindow::buildBranchActions()
 void MainWindow::buildMenus()
 {
     m_fileMenu = menuBar()->addMenu(QString());
-    m_files->fillMenu(m_fileMenu, m_program->welcomeAction(), m_pictures->pictureActions());
+    m_files->fillMenu(m_fileMenu, m_program->welcomeAction(), m_pictures->pictureActions(),
+                      m_imports->actions());
     m_editMenu = menuBar()->addMenu(QString());
     m_edits->fillMenu(m_editMenu);
     m_editMenu->addSeparator();
@@ -524,7 +528,14 @@ void MainWindow::dropEvent(QDropEvent* event)
     event->acceptProposedAction();
     // After the drag has ended: the question about unsaved changes must not hold the other program.
     QMetaObject::invokeMethod(
-        this, [this, path] { m_files->openFile(path); }, Qt::QueuedConnection);
+        this,
+        [this, path] {
+            if (ImportActions::canImport(path))
+                m_imports->importPath(path);
+            else
+                m_files->openFile(path);
+        },
+        Qt::QueuedConnection);
 }
 
 void MainWindow::retranslate()

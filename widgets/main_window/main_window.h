@@ -24,6 +24,7 @@ class KeyCommands;
 class KeyModel;
 class KeyPanel;
 class MessageBanner;
+class ImportActions;
 class PictureActions;
 class PlayActions;
 class Player;
@@ -132,6 +133,7 @@ private:
     EditActions* m_edits = nullptr;
     SelectActions* m_selects = nullptr;
     ViewActions* m_views = nullptr;
+    ImportActions* m_imports = nullptr;
     PictureActions* m_pictures = nullptr;
     ProgramActions* m_program = nullptr;
     WelcomePanel* m_welcome = nullptr;

@@ -99,6 +99,8 @@ private:
     [[nodiscard]] std::shared_ptr<const SimplifiedSkeleton> skeletonOf(NodeId node) const;
     [[nodiscard]] int rowOf(NodeId node) const;
     [[nodiscard]] const Item& item(NodeId node) const { return m_items.at(node); }
+    /// Of the name, %1 stands for it.
+    [[nodiscard]] static QString toolTipOf(NodeKind kind);
     [[nodiscard]] QVariant nodeData(const Node& node, int column, int role) const;
     [[nodiscard]] QVariant branchData(const BranchRows& rows, Index branch, int column, int role) const;
     bool report(const Expected<void>& done);

@@ -47,6 +47,37 @@ QVariant SceneModel::data(const QModelIndex& index, int role) const
     return node ? nodeData(*node, index.column(), role) : QVariant();
 }
 
+static const char* iconOf(NodeKind kind)
+{
+    switch (kind) {
+    case NodeKind::Group:
+        return "group";
+    case NodeKind::Tree:
+        return "tree";
+    default:
+        return "cube";
+    }
+}
+
+QString SceneModel::toolTipOf(NodeKind kind)
+{
+    switch (kind) {
+    case NodeKind::Group:
+        break;
+    case NodeKind::Tree:
+        return tr("Tree: %1");
+    case NodeKind::Primitive:
+        return tr("Primitive: %1");
+    case NodeKind::Mesh:
+        return tr("Imported mesh: %1");
+    case NodeKind::Arm:
+        return tr("Arm: %1");
+    case NodeKind::Relief:
+        return tr("Terrain: %1");
+    }
+    return tr("Group: %1");
+}
+
 QVariant SceneModel::nodeData(const Node& node, int column, int role) const
 {
     const bool shown = m_document->scene().isShown(node.id);
@@ -55,10 +86,9 @@ QVariant SceneModel::nodeData(const Node& node, int column, int role) const
         if (role == Qt::DisplayRole || role == Qt::EditRole)
             return QString::fromStdString(node.name);
         if (role == Qt::DecorationRole)
-            return icon(node.kind == NodeKind::Tree ? "tree" : "group");
+            return icon(iconOf(node.kind));
         if (role == Qt::ToolTipRole)
-            return node.kind == NodeKind::Tree ? tr("Tree: %1").arg(QString::fromStdString(node.name))
-                                               : tr("Group: %1").arg(QString::fromStdString(node.name));
+            return toolTipOf(node.kind).arg(QString::fromStdString(node.name));
         break;
     case VisibleColumn:
         if (role == Qt::DecorationRole)
