@@ -173,6 +173,16 @@
     </message>
 </context>
 <context>
+    <name>ramure::ImportActions</name>
+    <message numerus="yes">
+        <source>… and %n more note(s)</source>
+        <translation>
+            <numerusform>… and %n more note</numerusform>
+            <numerusform>… and %n more notes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::IsolationButton</name>
     <message numerus="yes">
         <source>%Ln branch(es) alone</source>

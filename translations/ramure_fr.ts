@@ -643,6 +643,22 @@
         <source>Changed parameters that may have keys get one at the frame on show</source>
         <translation>Les paramètres animables que l’on change reçoivent une clé à l’image affichée</translation>
     </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importer…</translation>
+    </message>
+    <message>
+        <source>Add an object from Blender: .obj and .animation</source>
+        <translation>Ajouter un objet de Blender : .obj et .animation</translation>
+    </message>
+    <message>
+        <source>Import &amp;folder…</source>
+        <translation>Importer un &amp;dossier…</translation>
+    </message>
+    <message>
+        <source>Add all objects of a folder that a script for Blender wrote</source>
+        <translation>Ajouter tous les objets d&apos;un dossier écrit par un script pour Blender</translation>
+    </message>
 </context>
 <context>
     <name>DialogChooser</name>
@@ -2896,6 +2912,138 @@
         <source>this parameter has keys, but none at this frame: insert one with the button beside it, or switch auto-key on</source>
         <translation>ce paramètre a des clés, mais aucune à cette image : insérez-en une par le bouton à côté, ou activez les clés automatiques</translation>
     </message>
+    <message>
+        <source>there is not enough memory for these objects</source>
+        <translation>la mémoire ne suffit pas pour ces objets</translation>
+    </message>
+    <message>
+        <source>%1 columns, %2 are expected: time,MODE and ten numbers with decimal points</source>
+        <translation>%1 colonnes, on en attend %2 : temps,MODE et dix nombres à point décimal</translation>
+    </message>
+    <message>
+        <source>CUBIC is read as the spline through the keys, not as Blender&apos;s easing</source>
+        <translation>CUBIC est lu comme la courbe passant par les clés, non comme l&apos;accélération de Blender</translation>
+    </message>
+    <message>
+        <source>the mode &quot;%1&quot; is not known: read as a CUBIC spline</source>
+        <translation>le mode « %1 » est inconnu : lu comme une courbe CUBIC</translation>
+    </message>
+    <message>
+        <source>the easing &quot;%1&quot; is not known: read as AUTO</source>
+        <translation>l&apos;accélération « %1 » est inconnue : lue comme AUTO</translation>
+    </message>
+    <message>
+        <source>a quaternion is no unit: only its direction counts</source>
+        <translation>un quaternion n&apos;est pas unitaire : seule sa direction compte</translation>
+    </message>
+    <message>
+        <source>two keys at one time: the last counts</source>
+        <translation>deux clés au même temps : la dernière compte</translation>
+    </message>
+    <message>
+        <source>the keys are not in order: sorted by time</source>
+        <translation>les clés ne sont pas dans l&apos;ordre : triées par temps</translation>
+    </message>
+    <message>
+        <source>the file has no keys: the object does not move</source>
+        <translation>le fichier n&apos;a pas de clés : l&apos;objet ne bouge pas</translation>
+    </message>
+    <message>
+        <source>BEZIER without handles: they are set as Blender sets them for new keys</source>
+        <translation>BEZIER sans poignées : elles sont posées comme Blender les pose pour de nouvelles clés</translation>
+    </message>
+    <message>
+        <source>the loop jumps: its last key is not the first one</source>
+        <translation>la boucle saute : sa dernière clé n&apos;est pas la première</translation>
+    </message>
+    <message>
+        <source>this kind of node has no place in the format: left out</source>
+        <translation>ce genre de nœud n&apos;a pas de place dans le format : omis</translation>
+    </message>
+    <message>
+        <source>there is no object to export</source>
+        <translation>il n&apos;y a pas d&apos;objet à exporter</translation>
+    </message>
+    <message>
+        <source>tracks of the own shape and of parameters have no place in the format</source>
+        <translation>les pistes de la forme propre et des paramètres n&apos;ont pas de place dans le format</translation>
+    </message>
+    <message>
+        <source>the keys differ between the channels: written frame by frame</source>
+        <translation>les clés diffèrent entre les canaux : écrites image par image</translation>
+    </message>
+    <message>
+        <source>TRANSFORM stands twice: the last counts</source>
+        <translation>TRANSFORM figure deux fois : le dernier compte</translation>
+    </message>
+    <message>
+        <source>TRANSFORM has %1 numbers, 16 are expected</source>
+        <translation>TRANSFORM a %1 nombres, on en attend 16</translation>
+    </message>
+    <message>
+        <source>the last row of TRANSFORM must be 0 0 0 1</source>
+        <translation>la dernière ligne de TRANSFORM doit être 0 0 0 1</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened</source>
+        <translation>le fichier ne peut pas être ouvert</translation>
+    </message>
+    <message>
+        <source>the file cannot be read</source>
+        <translation>le fichier ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read</source>
+        <translation>le dossier ne peut pas être lu</translation>
+    </message>
+    <message>
+        <source>the folder has no .obj and no .animation</source>
+        <translation>le dossier n&apos;a ni .obj ni .animation</translation>
+    </message>
+    <message>
+        <source>an .obj, an .animation or a folder of them is expected</source>
+        <translation>on attend un .obj, un .animation ou un dossier de tels fichiers</translation>
+    </message>
+    <message>
+        <source>there is no .obj of this name: a group that moves</source>
+        <translation>il n&apos;y a pas de .obj de ce nom : un groupe qui bouge</translation>
+    </message>
+    <message>
+        <source>there is no TRANSFORM: the object stands at the origin</source>
+        <translation>il n&apos;y a pas de TRANSFORM : l&apos;objet est à l&apos;origine</translation>
+    </message>
+    <message>
+        <source>the TRANSFORM shears, mirrors or flattens: it was put into the vertices</source>
+        <translation>le TRANSFORM cisaille, reflète ou aplatit : il a été appliqué aux sommets</translation>
+    </message>
+    <message>
+        <source>the parent &quot;%1&quot; cannot be: the object is at the top</source>
+        <translation>le parent « %1 » est impossible : l&apos;objet est au premier niveau</translation>
+    </message>
+    <message>
+        <source>no file names a parent: all objects stand side by side</source>
+        <translation>aucun fichier ne nomme de parent : tous les objets sont côte à côte</translation>
+    </message>
+    <message>
+        <source>no file says the frame rate: %1 frames a second are taken</source>
+        <translation>aucun fichier ne dit la cadence : on prend %1 images par seconde</translation>
+    </message>
+    <message>
+        <source>Moving cylinder</source>
+        <translation>Cylindre mobile</translation>
+    </message>
+    <message>
+        <source>Moving tree</source>
+        <translation>Arbre mobile</translation>
+    </message>
+    <message>
+        <source>Articulated arm</source>
+        <translation>Bras articulé</translation>
+    </message>
+    <message>
+        <source>unknown demo &quot;%1&quot;: one of %2 expected</source>
+        <translation>démonstration « %1 » inconnue : on attend l&apos;une de %2</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -3602,6 +3750,14 @@ OpenGL&#xa0;: %4
         <source>“%1” could not be saved. Nothing is lost: the file on disk is as it was, and your changes are still open here.</source>
         <translation>«&#xa0;%1&#xa0;» n’a pas pu être enregistré. Rien n’est perdu&#xa0;: le fichier sur le disque est intact et vos modifications sont toujours ouvertes ici.</translation>
     </message>
+    <message>
+        <source>New from &amp;demo</source>
+        <translation>Nouveau depuis une &amp;démonstration</translation>
+    </message>
+    <message>
+        <source>There is no such demo.</source>
+        <translation>Cette démonstration n&apos;existe pas.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::GenerationsView</name>
@@ -3721,6 +3877,51 @@ OpenGL&#xa0;: %4
     <message>
         <source>Click a step to go back or forth to it. The dot marks what is in the file.</source>
         <translation>Cliquez une étape pour y revenir ou y avancer. Le point marque ce qui est dans le fichier.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::ImportActions</name>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>Objects and keys (*.obj *.animation);;All files (*)</source>
+        <translation>Objets et clés (*.obj *.animation);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Import folder</source>
+        <translation>Importer un dossier</translation>
+    </message>
+    <message>
+        <source>Importing “%1”…</source>
+        <translation>Importation de « %1 »…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be imported; the scene is as it was.</source>
+        <translation>« %1 » ne peut pas être importé ; la scène est inchangée.</translation>
+    </message>
+    <message>
+        <source>“%1” was imported.</source>
+        <translation>« %1 » a été importé.</translation>
+    </message>
+    <message numerus="yes">
+        <source>… and %n more note(s)</source>
+        <translation>
+            <numerusform>… et %n autre remarque</numerusform>
+            <numerusform>… et %n autres remarques</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::ImportTask</name>
+    <message>
+        <source>Import %1</source>
+        <translation>Importer %1</translation>
     </message>
 </context>
 <context>
@@ -4794,6 +4995,22 @@ OpenGL&#xa0;: %4
     <message>
         <source>Move nodes</source>
         <translation>Déplacer des nœuds</translation>
+    </message>
+    <message>
+        <source>Primitive: %1</source>
+        <translation>Primitive : %1</translation>
+    </message>
+    <message>
+        <source>Imported mesh: %1</source>
+        <translation>Maillage importé : %1</translation>
+    </message>
+    <message>
+        <source>Arm: %1</source>
+        <translation>Bras : %1</translation>
+    </message>
+    <message>
+        <source>Terrain: %1</source>
+        <translation>Terrain : %1</translation>
     </message>
 </context>
 <context>
