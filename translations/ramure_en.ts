@@ -2,6 +2,23 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>ArmOverlay</name>
+    <message numerus="yes">
+        <source>residual %1 m after %n step(s)</source>
+        <translation>
+            <numerusform>residual %1 m after %n step</numerusform>
+            <numerusform>residual %1 m after %n steps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n angle(s) at a limit</source>
+        <translation>
+            <numerusform>%n angle at a limit</numerusform>
+            <numerusform>%n angles at a limit</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>DocumentCommand</name>
     <message numerus="yes">
         <source>Roll %n branch(es)</source>

@@ -659,6 +659,47 @@
         <source>Add all objects of a folder that a script for Blender wrote</source>
         <translation>Ajouter tous les objets d&apos;un dossier écrit par un script pour Blender</translation>
     </message>
+    <message>
+        <source>&amp;Arm</source>
+        <translation>&amp;Bras</translation>
+    </message>
+    <message>
+        <source>Add an articulated arm that reaches for targets</source>
+        <translation>Ajouter un bras articulé qui atteint des cibles</translation>
+    </message>
+    <message>
+        <source>&amp;Terrain</source>
+        <translation>&amp;Terrain</translation>
+    </message>
+    <message>
+        <source>Add a terrain that gives an arm targets</source>
+        <translation>Ajouter un terrain qui donne des cibles à un bras</translation>
+    </message>
+</context>
+<context>
+    <name>ArmOverlay</name>
+    <message numerus="yes">
+        <source>residual %1 m after %n step(s)</source>
+        <translation>
+            <numerusform>résidu %1 m après %n pas</numerusform>
+            <numerusform>résidu %1 m après %n pas</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>unreachable: %1 m short</source>
+        <translation>hors d&apos;atteinte : il manque %1 m</translation>
+    </message>
+    <message>
+        <source>reached</source>
+        <translation>atteinte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n angle(s) at a limit</source>
+        <translation>
+            <numerusform>%n angle à une limite</numerusform>
+            <numerusform>%n angles à une limite</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>DialogChooser</name>
@@ -3329,6 +3370,145 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::ArmPanel</name>
+    <message>
+        <source>Joint %1</source>
+        <translation>Articulation %1</translation>
+    </message>
+    <message>
+        <source>Change joint %1</source>
+        <translation>Modifier l&apos;articulation %1</translation>
+    </message>
+    <message>
+        <source>Limit joint %1</source>
+        <translation>Limiter l&apos;articulation %1</translation>
+    </message>
+    <message>
+        <source>Add a joint</source>
+        <translation>Ajouter une articulation</translation>
+    </message>
+    <message>
+        <source>Remove joint %1</source>
+        <translation>Supprimer l&apos;articulation %1</translation>
+    </message>
+    <message>
+        <source>No arm. Add one with Edit &gt; Add &gt; Arm, or open the demo.</source>
+        <translation>Pas de bras. Ajoutez-en un par Édition &gt; Ajouter &gt; Bras, ou ouvrez la démo.</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Articulations</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Adds a joint behind the chosen one, the same as it (1 to 64)</source>
+        <translation>Ajoute une articulation derrière celle choisie, identique (1 à 64)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Takes the chosen joint out</source>
+        <translation>Enlève l&apos;articulation choisie</translation>
+    </message>
+    <message>
+        <source>Reach</source>
+        <translation>Atteindre</translation>
+    </message>
+    <message>
+        <source>Sends the arm to its target; Ctrl+click on a terrain sets another one</source>
+        <translation>Envoie le bras à sa cible ; Ctrl+clic sur un terrain en choisit une autre</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Holds the arm on its way, to go through it step by step</source>
+        <translation>Arrête le bras en chemin, pour avancer pas à pas</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Pas à pas</translation>
+    </message>
+    <message>
+        <source>One sixtieth of a second further</source>
+        <translation>Un soixantième de seconde plus loin</translation>
+    </message>
+    <message>
+        <source>Limited</source>
+        <translation>Limité</translation>
+    </message>
+    <message>
+        <source>The angle stays between its limits; otherwise it may turn for ever</source>
+        <translation>L&apos;angle reste entre ses limites ; sinon il peut tourner sans fin</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Of the segment behind the joint, metres</source>
+        <translation>Du segment derrière l&apos;articulation, en mètres</translation>
+    </message>
+    <message>
+        <source>Phi</source>
+        <translation>Phi</translation>
+    </message>
+    <message>
+        <source>Theta</source>
+        <translation>Thêta</translation>
+    </message>
+    <message>
+        <source>Turns about the segment before the joint, degrees</source>
+        <translation>Tourne autour du segment précédant l&apos;articulation, en degrés</translation>
+    </message>
+    <message>
+        <source>Bends the arm about the joint&apos;s Y axis, degrees</source>
+        <translation>Plie le bras autour de l&apos;axe Y de l&apos;articulation, en degrés</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Lower limit of the angle, degrees</source>
+        <translation>Limite inférieure de l&apos;angle, en degrés</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Upper limit of the angle, degrees</source>
+        <translation>Limite supérieure de l&apos;angle, en degrés</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>The most it turns, degrees a second; 0 is as fast as it likes</source>
+        <translation>Au plus vite, en degrés par seconde ; 0 : sans limite</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+</context>
+<context>
     <name>ramure::ArmReach</name>
     <message>
         <source>Reach for the target</source>
@@ -3533,6 +3713,14 @@ OpenGL&#xa0;: %4
     <message>
         <source>Group</source>
         <translation>Groupe</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Bras</translation>
+    </message>
+    <message>
+        <source>Terrain</source>
+        <translation>Terrain</translation>
     </message>
 </context>
 <context>
@@ -4322,6 +4510,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Keys</source>
         <translation>Clés</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Bras</translation>
     </message>
 </context>
 <context>
@@ -5649,6 +5841,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>out of reach: %1 m short</source>
         <translation>hors d&apos;atteinte : il manque %1 m</translation>
+    </message>
+    <message>
+        <source>Turn joint %1</source>
+        <translation>Tourner l&apos;articulation %1</translation>
     </message>
 </context>
 <context>

@@ -207,6 +207,28 @@ private slots:
         window.click(first, Qt::ShiftModifier);
         QCOMPARE(window.document.selection().branches.size(), std::size_t(1));
     }
+    void controlDragBendsTheLimb()
+    {
+        Window window;
+        window.host.settings()->setDisplayMode(DisplayMode::Simplified);
+        window.waitForPicture();
+        const Index tip = window.skeleton().size() - 1;
+        const glm::dvec3 end = glm::mix(window.skeleton().p0[tip], window.skeleton().p1[tip], 0.8);
+        const QPoint at = window.pixelOf(end);
+        window.drag(at, at + QPoint(25, -10), Qt::LeftButton, Qt::ControlModifier);
+        QUndoStack* undo = window.document.undoStack();
+        QCOMPARE(undo->count(), 1);
+        compute(window.document);
+        const glm::dvec3 now = glm::mix(window.skeleton().p0[tip], window.skeleton().p1[tip], 0.8);
+        const QPoint moved = window.pixelOf(now) - at;
+        QVERIFY2((moved - QPoint(25, -10)).manhattanLength() < 12, qPrintable(QString::number(moved.x())));
+        undo->undo();
+        compute(window.document);
+        window.waitForPicture();
+        window.click(at, Qt::ControlModifier);
+        QCOMPARE(undo->index(), 0);
+        QCOMPARE(window.document.selection().branches, std::vector<Index>{tip});
+    }
     void boxSelects()
     {
         Window window;

@@ -2,6 +2,7 @@
 
 #include "core/document/commands.h"
 #include "core/params/presets.h"
+#include "core/scene/arm_demo.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/support/core_text.h"
 #include "widgets/support/targets.h"
@@ -24,6 +25,16 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
                           QKeySequence(Qt::Key_Space),
                           QT_TRANSLATE_NOOP("Actions", "Grow another random tree from the same grammar")}))
     , m_addGroup(set->add({"edit.addGroup", QT_TRANSLATE_NOOP("Actions", "&Group"), "group", {}}))
+    , m_addArm(set->add({"edit.addArm",
+                         QT_TRANSLATE_NOOP("Actions", "&Arm"),
+                         "group",
+                         {},
+                         QT_TRANSLATE_NOOP("Actions", "Add an articulated arm that reaches for targets")}))
+    , m_addTerrain(set->add({"edit.addTerrain",
+                             QT_TRANSLATE_NOOP("Actions", "&Terrain"),
+                             "group",
+                             {},
+                             QT_TRANSLATE_NOOP("Actions", "Add a terrain that gives an arm targets")}))
     , m_duplicate(set->add({"edit.duplicate", QT_TRANSLATE_NOOP("Actions", "&Duplicate"), "duplicate",
                             QKeySequence(Qt::CTRL | Qt::Key_D)}))
     , m_rename(set->add(
@@ -44,6 +55,8 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
     connect(stack, &QUndoStack::redoTextChanged, this, &EditActions::updateUndoTexts);
     connect(m_newTree, &QAction::triggered, this, &EditActions::newTree);
     connect(m_addGroup, &QAction::triggered, this, &EditActions::addGroup);
+    connect(m_addArm, &QAction::triggered, this, [this] { addArmDemo(0); });
+    connect(m_addTerrain, &QAction::triggered, this, [this] { addArmDemo(1); });
     connect(m_duplicate, &QAction::triggered, this, &EditActions::duplicateSelected);
     connect(m_rename, &QAction::triggered, this, &EditActions::renameRequested);
     connect(m_delete, &QAction::triggered, this, &EditActions::removeSelected);
@@ -75,7 +88,7 @@ void EditActions::fillMenu(QMenu* menu)
         m_addPrimitives.emplace_back(add, item.label);
     }
     m_addMenu->addSeparator();
-    m_addMenu->addAction(m_addGroup);
+    m_addMenu->addActions({m_addArm, m_addTerrain, m_addGroup});
     menu->addSeparator();
     menu->addActions(nodeActions());
     retranslate();
@@ -154,6 +167,14 @@ void EditActions::addTree(const QString& preset)
     node.kind = NodeKind::Tree;
     node.name = preset.toStdString();
     node.params = std::move(*params);
+    addNode(std::move(node));
+}
+
+/// As in the demo: 0 the arm, 1 the terrain.
+void EditActions::addArmDemo(std::size_t which)
+{
+    Node node = armDemo().nodes()[which];
+    node.name = (which == 0 ? tr("Arm") : tr("Terrain")).toStdString();
     addNode(std::move(node));
 }
 

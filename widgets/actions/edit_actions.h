@@ -33,6 +33,7 @@ public:
     void addGroup();
     /// \param shape name of an item of primitive.shape, \param label what the node is called.
     void addPrimitive(const char* shape, const QString& label);
+    void addArmDemo(std::size_t which);
 
 signals:
     void renameRequested();
@@ -55,6 +56,7 @@ private:
     QAction* m_redo;
     QAction* m_newTree;
     QAction* m_addGroup;
+    QAction *m_addArm, *m_addTerrain;
     QAction* m_duplicate;
     QAction* m_rename;
     QAction* m_delete;

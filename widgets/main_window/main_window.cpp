@@ -14,6 +14,7 @@
 #include "widgets/animation/key_actions.h"
 #include "widgets/animation/key_commands.h"
 #include "widgets/animation/key_panel.h"
+#include "widgets/arm/arm_panel.h"
 #include "widgets/export/export_dialog.h"
 #include "widgets/export/sequence_task.h"
 #include "widgets/history/history_dock.h"
@@ -148,6 +149,8 @@ void MainWindow::buildDocks()
     m_propertiesDock = addPanel(QStringLiteral("propertiesDock"), m_properties, Qt::RightDockWidgetArea);
     m_inspectorDock = addPanel(QStringLiteral("inspectorDock"), m_inspector, Qt::RightDockWidgetArea);
     m_validationDock = addPanel(QStringLiteral("validationDock"), m_validation, Qt::RightDockWidgetArea);
+    m_arm = new ArmPanel(m_document, this);
+    m_armDock = addPanel(QStringLiteral("armDock"), m_arm, Qt::RightDockWidgetArea);
     m_plays = new PlayActions(m_document, m_player, m_actions, this);
     m_bakes = new BakeActions(m_document, m_player, m_chooser, m_actions, this);
     m_timeline = new TimelinePanel(m_document, m_player, m_plays, this);
@@ -171,7 +174,7 @@ void MainWindow::buildDocks()
 void MainWindow::resetLayout()
 {
     for (QDockWidget* dock :
-         {m_sceneDock, m_historyDock, m_propertiesDock, m_inspectorDock, m_validationDock}) {
+         {m_sceneDock, m_historyDock, m_propertiesDock, m_inspectorDock, m_validationDock, m_armDock}) {
         dock->setFloating(false);
         addDockWidget(Qt::RightDockWidgetArea, dock);
         dock->show();
@@ -187,6 +190,7 @@ void MainWindow::resetLayout()
     tabifyDockWidget(m_inspectorDock, m_validationDock);
     tabifyDockWidget(m_timelineDock, m_keysDock);
     m_timelineDock->raise();
+    tabifyDockWidget(m_validationDock, m_armDock);
     m_sceneDock->raise();
     m_propertiesDock->raise();
     m_toolBar->show();
@@ -412,6 +416,7 @@ void MainWindow::connectTimeline()
 void MainWindow::connectViewport(Viewport* view)
 {
     view->setPlayer(m_player);
+    m_arm->setReach(view->armReach());
     connect(m_isolation, &Isolation::changed, view,
             [this, view] { view->setIsolated(m_isolation->node(), m_isolation->branches()); });
     connect(m_inspector, &BranchInspector::sectionInspected, view, &Viewport::setInspectedSection);
@@ -557,6 +562,7 @@ void MainWindow::retranslate()
     m_historyDock->setWindowTitle(tr("History"));
     m_inspectorDock->setWindowTitle(tr("Inspector"));
     m_validationDock->setWindowTitle(tr("Validation"));
+    m_armDock->setWindowTitle(tr("Arm"));
     m_timelineDock->setWindowTitle(tr("Timeline"));
     m_keysDock->setWindowTitle(tr("Keys"));
     m_keyActions->retranslate();

@@ -7,6 +7,7 @@
 
 namespace ramure {
 
+class ArmPanel;
 class ActionSet;
 class Analysis;
 class AutoKey;
@@ -156,6 +157,8 @@ private:
     QDockWidget* m_historyDock = nullptr;
     QDockWidget* m_inspectorDock = nullptr;
     QDockWidget* m_validationDock = nullptr;
+    ArmPanel* m_arm = nullptr;
+    QDockWidget* m_armDock = nullptr;
     QDockWidget* m_timelineDock = nullptr;
     QDockWidget* m_keysDock = nullptr;
     bool m_keysSeen = false;

@@ -52,6 +52,8 @@ void applyDrag(Camera& camera, Gesture gesture, QPointF pixels, QSize size)
     case Gesture::Pull:
     case Gesture::Wind:
     case Gesture::Limb:
+    case Gesture::Aim:
+    case Gesture::Ring:
         break;
     }
 }

@@ -18,6 +18,8 @@ enum class Gesture : quint8 {
     Pull, ///< a branch that moves
     Wind, ///< the arrow of the wind
     Limb, ///< a branch at rest, the limb follows
+    Aim,  ///< the target of an arm
+    Ring, ///< an angle of one of its joints
 };
 
 /// The gesture that begins when \p button goes down. Left alone selects, Alt+left orbits, in both styles.

@@ -100,6 +100,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     d->hoverRest.setSingleShot(true);
     d->hoverRest.setInterval(hoverRestMs);
     connect(&d->hoverRest, &QTimer::timeout, this, [this] { hoverAt(d->hoverPosition); });
+    beginReaching();
     wishScene();
 }
 

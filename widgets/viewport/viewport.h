@@ -4,8 +4,8 @@
 ///
 /// Left click selects (Shift adds or removes), left drag over the scene selects by box, Esc (an action)
 /// clears; Ctrl+drag on a branch of a tree at rest bends the limb after the hand (the wheel sets how many
-/// branches follow); the wheel zooms to the cursor; Alt+left drag orbits in both navigation styles; the arrow
-/// keys orbit.
+/// branches follow), on a terrain or another surface it sets and drags the target of the arm; the wheel zooms
+/// to the cursor; Alt+left drag orbits in both navigation styles; the arrow keys orbit.
 #pragma once
 
 #include "core/base/error.h"
@@ -21,6 +21,7 @@ class QPainter;
 
 namespace ramure {
 
+class ArmReach;
 class Document;
 class Player;
 struct PickView;
@@ -69,6 +70,9 @@ public:
     [[nodiscard]] QImage screenshot();
     /// The picture as a file (PNG by the ending). Errors: Io, Unknown (ending).
     Expected<void> saveScreenshot(const QString& path);
+
+    /// The arm that is on its way to a target while nothing plays.
+    [[nodiscard]] ArmReach* armReach() const;
 
 public slots:
     void setCamera(const ramure::Camera& camera); ///< at once, without animation
@@ -134,6 +138,12 @@ private:
     bool beginReach(const PickView& view, const glm::dvec2& pixel);
     void lengthenLimb(int branches);
     void paintReach(QPainter& painter, QPointF hand);
+    void beginReaching();
+    bool beginAim(const PickView& view, const glm::dvec2& pixel, NodeId surface);
+    void aimAt(const PickView& view, const glm::dvec2& pixel);
+    void paintArm(QPainter& painter);
+    bool beginRing(const PickView& view, const glm::dvec2& pixel);
+    void turnRing(const PickView& view, const glm::dvec2& pixel);
     void releaseRenderer();
 
     struct Private;

@@ -77,6 +77,16 @@ void Viewport::dragTo(QPointF position)
             return;
         d->dragging = true;
     }
+    if (d->gesture == Gesture::Ring) {
+        turnRing(pickView(d->camera, size()), asVector(position));
+        d->last = position;
+        return update();
+    }
+    if (d->gesture == Gesture::Aim) {
+        aimAt(pickView(d->camera, size()), asVector(position));
+        d->last = position;
+        return update();
+    }
     if (d->gesture == Gesture::Limb) {
         d->limb->dragTo(pickView(d->camera, size()), asVector(position));
         d->last = position;
@@ -98,7 +108,8 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
     // A branch that was clicked, not dragged, is selected.
     const Gesture gesture = d->gesture == Gesture::Limb && !d->dragging ? Gesture::Select : d->gesture;
     const bool onCube = d->onCube;
-    if (gesture == Gesture::Pull || gesture == Gesture::Wind || gesture == Gesture::Limb)
+    if (gesture == Gesture::Pull || gesture == Gesture::Wind || gesture == Gesture::Limb ||
+        gesture == Gesture::Aim || gesture == Gesture::Ring)
         return letGo();
     d->limb.reset();
     d->gesture = Gesture::None;

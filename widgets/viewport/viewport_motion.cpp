@@ -36,7 +36,7 @@ void Viewport::setPlayer(Player* player)
 /// The scene as it is now, from the scene at rest and the player's frame.
 void Viewport::Private::updateShown()
 {
-    const auto motion = player ? player->motion() : nullptr;
+    const auto motion = motionOfNow();
     if (shown && shownOf == scene && shownMotion == motion)
         return;
     const bool moves = motion && MovingScene::moves(*scene, *motion);
@@ -68,6 +68,8 @@ std::optional<WindArrow> Viewport::Private::arrow() const
 /// A press that the hand takes: the wind's head, or, while trees move, a branch.
 bool Viewport::beginMotionGesture(const PickView& view, const glm::dvec2& pixel)
 {
+    if (beginRing(view, pixel))
+        return true;
     if (const auto arrow = d->arrow()) {
         const auto ndc = d->camera.project(arrow->head, view.aspect());
         const glm::dvec2 head =
@@ -115,7 +117,9 @@ void Viewport::letGo()
         d->player->setPull(d->grabbed.node, {});
     d->grabbed = {};
     d->limb.reset();
-    if (d->gesture == Gesture::Pull || d->gesture == Gesture::Wind || d->gesture == Gesture::Limb) {
+    d->ring.reset();
+    if (d->gesture == Gesture::Pull || d->gesture == Gesture::Wind || d->gesture == Gesture::Limb ||
+        d->gesture == Gesture::Aim || d->gesture == Gesture::Ring) {
         d->gesture = Gesture::None;
         d->button = Qt::NoButton;
         update();
@@ -143,6 +147,7 @@ void Viewport::paintMotion(QPainter& painter)
         return QPointF(0.5 * (ndc->x + 1.0) * width(), 0.5 * (1.0 - ndc->y) * height());
     };
     painter.setRenderHint(QPainter::Antialiasing);
+    paintArm(painter);
     if (d->gesture == Gesture::Pull) {
         const auto hand = point(d->handAt);
         if (hand) {

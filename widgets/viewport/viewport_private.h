@@ -3,9 +3,12 @@
 /// (viewport_input.cpp).
 #pragma once
 
+#include "core/document/arm_reach.h"
 #include "core/document/document.h"
 #include "core/document/player.h"
+#include "core/geometry/mesh_rays.h"
 #include "widgets/render/renderer.h"
+#include "widgets/viewport/arm_rings.h"
 #include "widgets/viewport/background_builder.h"
 #include "widgets/viewport/background_picker.h"
 #include "widgets/viewport/limb_tool.h"
@@ -66,6 +69,17 @@ struct Viewport::Private
     quint64 windGesture = 0;
     std::unique_ptr<LimbTool> limb; ///< while a limb follows the hand
     std::size_t limbBranches = LimbTool::usualBranches;
+    std::unique_ptr<ArmReach> reach;
+    std::shared_ptr<const MotionFrame> reachFrame, reachOf; ///< with the arm on its way; made from
+    NodeId aimingArm = noNode;                              ///< while its target is dragged
+    NodeId aimedAt = noNode;                                ///< the surface on which the target moves
+    glm::dmat4 aimedWorld{1.0};
+    MeshRays aimedRays;
+    quint64 aimGesture = 0;
+    std::optional<std::size_t> ring; ///< of the active arm, while it is turned
+    ArmRing ringAtPress;
+    double ringFrom = 0.0; ///< rad, where it was taken
+    quint64 ringGesture = 0;
 
     BackgroundPicker picker;
     QTimer hoverRest;
@@ -101,6 +115,12 @@ struct Viewport::Private
     /// The scene that is shown is not that of now.
     [[nodiscard]] bool isStale() const { return builder.isBusy() || next; }
     void updateShown();
+    [[nodiscard]] std::shared_ptr<const MotionFrame> motionOfNow();
+    /// The arm that a target is meant for: the active one, else the first that is shown.
+    [[nodiscard]] NodeId armForTarget() const;
+    [[nodiscard]] std::optional<glm::dvec3> aimedPoint(const PickView& view, const glm::dvec2& pixel) const;
+    /// Of the active arm at rest; empty while it moves.
+    [[nodiscard]] std::vector<ArmRing> rings() const;
     [[nodiscard]] Box activeTreeBox() const;
     [[nodiscard]] std::optional<WindArrow> arrow() const;
     [[nodiscard]] SceneView sceneView() const;

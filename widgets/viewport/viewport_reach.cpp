@@ -1,5 +1,8 @@
-// What the hand reaches for with Ctrl: a branch of a tree at rest, whose limb follows.
+// What the hand reaches for with Ctrl: a branch of a tree at rest, whose limb follows; a place on a surface,
+// which becomes the target of an arm.
+#include "core/arm/arm_chain.h"
 #include "core/document/player.h"
+#include "widgets/viewport/arm_overlay.h"
 #include "widgets/viewport/viewport_private.h"
 #include <QPainter>
 
@@ -8,17 +11,31 @@ namespace {
 
 constexpr std::chrono::milliseconds patience(8); ///< how long a press may hold the interface up
 
+/// From the world into the arm's own space.
+glm::dvec3 inArmSpace(const Scene& scene, NodeId arm, const glm::dvec3& world)
+{
+    const glm::dmat4 place = worldMatrix(scene, arm) * armUpright();
+    return glm::dvec3(glm::inverse(place) * glm::dvec4(world, 1.0));
+}
+
 } // namespace
 
 /// \return whether the press is taken; else it selects
 bool Viewport::beginReach(const PickView& view, const glm::dvec2& pixel)
 {
-    if (d->isStale())
+    const auto scene = d->isStale() ? nullptr : d->picker.readyWithin(patience);
+    if (!scene) { // still being made: terrains can be met without it
+        for (const Node& node : d->document->scene().nodes())
+            if (node.kind == NodeKind::Relief && beginAim(view, pixel, node.id))
+                return true;
         return false;
-    const auto scene = d->picker.readyWithin(patience);
-    const auto hit = scene ? scene->pick(view, pixel) : std::nullopt;
-    if (!hit)
+    }
+    const auto hit = scene->pick(view, pixel);
+    const Node* node = hit ? d->document->scene().find(hit->node) : nullptr;
+    if (!node)
         return false;
+    if (node->kind != NodeKind::Tree)
+        return beginAim(view, pixel, hit->node);
     const auto motion = d->player ? d->player->motion() : nullptr;
     const NodeMotion* moved = motion ? motion->of(hit->node) : nullptr;
     if (moved && moved->moves())
@@ -53,6 +70,155 @@ void Viewport::paintReach(QPainter& painter, QPointF hand)
     painter.drawText(place.translated(1.0, 1.0), text);
     painter.setPen(Qt::white);
     painter.drawText(place, text);
+}
+
+ArmReach* Viewport::armReach() const
+{
+    return d->reach.get();
+}
+
+void Viewport::beginReaching()
+{
+    d->reach = std::make_unique<ArmReach>(d->document);
+    connect(d->reach.get(), &ArmReach::moved, this, [this] {
+        d->reachFrame.reset();
+        update();
+    });
+}
+
+/// The player's frame, and in it the arm that is on its way.
+std::shared_ptr<const MotionFrame> Viewport::Private::motionOfNow()
+{
+    auto frame = player ? player->motion() : nullptr;
+    const ArmProgress* progress = reach->progress();
+    if (!progress || (player && player->frame() > 0))
+        return frame;
+    if (reachFrame && reachOf == frame)
+        return reachFrame;
+    const Node* node = document->scene().find(progress->node);
+    if (!node || node->kind != NodeKind::Arm || 2 * node->params.joints.size() != progress->angles.size())
+        return frame;
+    auto made = frame ? std::make_shared<MotionFrame>(*frame) : std::make_shared<MotionFrame>();
+    made->nodes[progress->node] = armMotion(node->params, progress->angles);
+    reachOf = frame;
+    reachFrame = std::move(made);
+    return reachFrame;
+}
+
+NodeId Viewport::Private::armForTarget() const
+{
+    const Scene& all = document->scene();
+    const auto isFree = [&](const Node* node) {
+        return node && node->kind == NodeKind::Arm && all.isShown(node->id) && !all.isLocked(node->id);
+    };
+    if (const Node* active = all.find(document->selection().activeNode()); isFree(active))
+        return active->id;
+    for (const Node& node : all.nodes())
+        if (isFree(&node))
+            return node.id;
+    return noNode;
+}
+
+/// The surface is met without what stands before it, the arm above all.
+bool Viewport::beginAim(const PickView& view, const glm::dvec2& pixel, NodeId surface)
+{
+    const NodeId arm = d->armForTarget();
+    if (arm == noNode || arm == surface)
+        return false;
+    d->aimedAt = noNode;
+    for (const MeshItem& item : d->scene->meshes)
+        if (item.node == surface) {
+            if (d->aimedRays.mesh() != item.mesh)
+                d->aimedRays = MeshRays(item.mesh);
+            d->aimedWorld = item.world;
+            d->aimedAt = surface;
+        }
+    if (d->aimedAt == noNode || !d->aimedPoint(view, pixel))
+        return false;
+    d->aimingArm = arm;
+    d->aimGesture = newGesture();
+    d->gesture = Gesture::Aim;
+    aimAt(view, pixel);
+    return true;
+}
+
+/// Where the ray under the cursor meets the surface that is aimed at, world.
+std::optional<glm::dvec3> Viewport::Private::aimedPoint(const PickView& view, const glm::dvec2& pixel) const
+{
+    const ViewRay ray = view.camera.ray(view.ndc(pixel), view.aspect());
+    const glm::dmat4 inverse = glm::inverse(aimedWorld);
+    const auto hit = aimedRays.nearest(
+        {glm::dvec3(inverse * glm::dvec4(ray.origin, 1.0)), glm::dmat3(inverse) * ray.direction});
+    if (!hit)
+        return std::nullopt;
+    return glm::dvec3(aimedWorld * glm::dvec4(hit->point, 1.0));
+}
+
+void Viewport::aimAt(const PickView& view, const glm::dvec2& pixel)
+{
+    const auto world = d->aimedPoint(view, pixel);
+    if (!world)
+        return;
+    const glm::dvec3 target = inArmSpace(d->document->scene(), d->aimingArm, *world);
+    if (d->player && (d->player->frame() > 0 || d->player->isPlaying()))
+        edit::setParam(*d->document, {d->aimingArm}, *findParam("arm.target"), target, d->aimGesture);
+    else
+        d->reach->reachFor(d->aimingArm, target, d->aimGesture);
+    update();
+}
+
+std::vector<ArmRing> Viewport::Private::rings() const
+{
+    const NodeId active = document->selection().activeNode();
+    const Scene& all = document->scene();
+    const ArmProgress* progress = reach->progress();
+    const bool moves = (player && (player->frame() > 0 || player->isPlaying())) ||
+                       (progress && progress->node == active && progress->moves);
+    return moves || !all.isShown(active) || all.isLocked(active) ? std::vector<ArmRing>()
+                                                                 : armRings(all, active);
+}
+
+bool Viewport::beginRing(const PickView& view, const glm::dvec2& pixel)
+{
+    const auto rings = d->rings();
+    const auto found = ringUnder(view, pixel, rings);
+    const auto angle = found ? ringAngle(view, pixel, rings[*found]) : std::nullopt;
+    if (!angle)
+        return false;
+    d->ring = found;
+    d->ringAtPress = rings[*found];
+    d->ringFrom = *angle;
+    d->ringGesture = newGesture();
+    d->gesture = Gesture::Ring;
+    update();
+    return true;
+}
+
+void Viewport::turnRing(const PickView& view, const glm::dvec2& pixel)
+{
+    const NodeId arm = d->document->selection().activeNode();
+    const Node* node = d->document->scene().find(arm);
+    const auto angle = ringAngle(view, pixel, d->ringAtPress);
+    if (!node || !angle || d->ringAtPress.joint >= node->params.joints.size())
+        return;
+    std::vector<ArmJoint> joints = node->params.joints;
+    ArmJoint& joint = joints[d->ringAtPress.joint];
+    ArmAngle& turned = d->ringAtPress.phi ? joint.phi : joint.theta;
+    turned.angleRad = turnedBy(d->ringAtPress.angle, d->ringFrom, *angle);
+    edit::setJoints(*d->document, arm, std::move(joints), tr("Turn joint %1").arg(d->ringAtPress.joint + 1),
+                    d->ringGesture);
+}
+
+/// How the arm does: of the one on its way, or of the active one in the player's frame.
+void Viewport::paintArm(QPainter& painter)
+{
+    paintRings(painter, {d->camera, glm::dvec2(width(), height())}, d->rings(), d->ring);
+    const auto motion = d->player && d->player->frame() > 0 ? d->player->motion() : nullptr;
+    const NodeMotion* played = motion ? motion->of(d->armForTarget()) : nullptr;
+    if (played && played->arm)
+        return paintArmStatus(painter, size(), *played->arm);
+    if (const ArmProgress* progress = d->reach->progress(); progress && !motion)
+        paintArmStatus(painter, size(), *progress);
 }
 
 } // namespace ramure

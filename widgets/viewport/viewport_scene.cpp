@@ -84,7 +84,11 @@ void Viewport::onDocumentChanged(const Change& change)
         clearDefect();
     }
     // A new shape comes with its result: before it, the same picture would be drawn again.
-    const bool waitsForResult = change.firstStale < Stage::Placement &&
+    const bool trees = std::ranges::all_of(change.nodes, [this](NodeId id) {
+        const Node* node = d->document->scene().find(id);
+        return node && node->kind == NodeKind::Tree;
+    });
+    const bool waitsForResult = trees && change.firstStale < Stage::Placement &&
                                 !change.has(~quint32(changeFile | changeParams | changeBranches));
     if (change.kinds == changeFile || waitsForResult)
         return;

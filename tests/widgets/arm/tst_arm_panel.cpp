@@ -1,0 +1,140 @@
+#include "core/scene/arm_demo.h"
+#include "tests/support/suite.h"
+#include "widgets/arm/arm_panel.h"
+#include "widgets/numbers/number_field.h"
+#include <QCheckBox>
+#include <QListWidget>
+#include <QPushButton>
+
+using namespace ramure;
+
+class TestArmPanel : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnAnyWarning(); }
+    void withoutAnArmThereIsNothingToEdit();
+    void jointsAreAddedAndRemoved();
+    void numbersChangeTheChosenJoint();
+    void limitsHoldTheAngle();
+    void everythingHasATooltip();
+    void theWayIsSteered();
+};
+
+namespace {
+
+struct Desk
+{
+    Document document;
+    ArmReach reach{&document};
+    ArmPanel panel{&document};
+
+    Desk()
+    {
+        panel.setReach(&reach);
+        document.reset(armDemo(), {});
+        panel.show();
+    }
+    [[nodiscard]] const std::vector<ArmJoint>& joints() const
+    {
+        return document.scene().find(1)->params.joints;
+    }
+    [[nodiscard]] NumberField* field(int i) const { return panel.findChildren<NumberField*>()[i]; }
+};
+
+} // namespace
+
+void TestArmPanel::withoutAnArmThereIsNothingToEdit()
+{
+    Document document;
+    ArmPanel panel(&document);
+    QCOMPARE(panel.arm(), noNode);
+    panel.addJoint();
+    panel.removeJoint();
+    QCOMPARE(document.undoStack()->count(), 0);
+}
+
+void TestArmPanel::jointsAreAddedAndRemoved()
+{
+    Desk desk;
+    QCOMPARE(desk.panel.arm(), NodeId(1));
+    desk.panel.chooseJoint(0);
+    desk.panel.addJoint();
+    QCOMPARE(desk.joints().size(), std::size_t(4));
+    QVERIFY(desk.joints()[0] == desk.joints()[1]);
+    QCOMPARE(desk.panel.joint(), 1);
+    for (int i = 0; i < 100; ++i)
+        desk.panel.addJoint();
+    QCOMPARE(desk.joints().size(), mostArmJoints);
+    for (int i = 0; i < 100; ++i)
+        desk.panel.removeJoint();
+    QCOMPARE(desk.joints().size(), leastArmJoints);
+    desk.document.undoStack()->setIndex(0);
+    QVERIFY(desk.joints()[2].length == 1.2);
+    QCOMPARE(desk.panel.findChild<QListWidget*>()->count(), 3);
+}
+
+void TestArmPanel::numbersChangeTheChosenJoint()
+{
+    Desk desk;
+    desk.panel.chooseJoint(2);
+    QCOMPARE(desk.field(0)->value().value_or(0.0), 1.2);
+    emit desk.field(0)->valueEdited(2.5);
+    QCOMPARE(desk.joints()[2].length, 2.5);
+    QCOMPARE(desk.joints()[1].length, 1.5);
+    emit desk.field(1)->gestureBegan();
+    for (int i = 0; i < 5; ++i)
+        emit desk.field(1)->valueEdited(0.1 * i);
+    emit desk.field(1)->gestureEnded();
+    QCOMPARE(desk.joints()[2].phi.angleRad, 0.4);
+    QCOMPARE(desk.document.undoStack()->count(), 2);
+}
+
+void TestArmPanel::limitsHoldTheAngle()
+{
+    Desk desk;
+    desk.panel.chooseJoint(0);
+    emit desk.field(3)->valueEdited(0.5); // the upper limit of phi, which is at 45 degrees
+    QVERIFY(!desk.joints()[0].phi.limited);
+    QVERIFY(!desk.field(3)->isEnabled());
+    auto* limited = desk.panel.findChildren<QCheckBox*>()[0];
+    limited->click();
+    QVERIFY(desk.joints()[0].phi.limited);
+    QCOMPARE(desk.joints()[0].phi.angleRad, 0.5);
+    QVERIFY(desk.field(3)->isEnabled());
+    emit desk.field(2)->valueEdited(0.7); // the lower one takes the upper one along
+    QCOMPARE(desk.joints()[0].phi.maxRad, 0.7);
+    QCOMPARE(desk.joints()[0].phi.angleRad, 0.7);
+}
+
+void TestArmPanel::everythingHasATooltip()
+{
+    Desk desk;
+    for (const QWidget* field : desk.panel.findChildren<NumberField*>()) {
+        QVERIFY(!field->toolTip().isEmpty());
+        QVERIFY(!field->accessibleName().isEmpty());
+    }
+    for (const QWidget* button : desk.panel.findChildren<QPushButton*>())
+        QVERIFY(!button->toolTip().isEmpty());
+}
+
+void TestArmPanel::theWayIsSteered()
+{
+    Desk desk;
+    const auto buttons = desk.panel.findChildren<QPushButton*>();
+    QPushButton *go = buttons[2], *pause = buttons[3], *step = buttons[4];
+    pause->click();
+    go->click();
+    QVERIFY(desk.reach.progress() && desk.reach.progress()->moves && desk.reach.isPaused());
+    const auto before = desk.reach.progress()->angles;
+    for (int i = 0; i < 10; ++i) // the solver's first steps may find nothing better
+        step->click();
+    QVERIFY(desk.reach.progress()->angles != before);
+    pause->click();
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.reach.progress()->moves, 20000);
+    QVERIFY(!step->isEnabled());
+}
+
+QTEST_MAIN(TestArmPanel)
+#include "tst_arm_panel.moc"
