@@ -1875,7 +1875,7 @@
     </message>
     <message>
         <source>Taper</source>
-        <translation>Amincissement</translation>
+        <translation>Effilement</translation>
     </message>
     <message>
         <source>What remains of the radius at the end of each piece of branch. 1 keeps branches as thick as the trunk.</source>

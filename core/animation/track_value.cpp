@@ -62,8 +62,8 @@ template <class KeyType> TrackPlace placeOf(const KeyTrack<KeyType>& track, doub
     return place;
 }
 
-/// The segment, or the last key, in which the time lies. Half a tick before a key is at the key: the time of a
-/// frame whose key was rounded to its tick must not show the key before.
+/// The segment, or the last key, in which the time lies. Half a tick before a key is at the key: the time of
+/// a frame whose key was rounded to its tick must not show the key before.
 std::size_t segmentAt(const std::vector<Ticks>& times, double exactly, TrackCursor& cursor)
 {
     const double ticks = exactly + 0.5;

@@ -98,6 +98,7 @@ void ArmReach::start(NodeId arm)
         m_way->timer.start();
     }
     report();
+    emit moved(); // also while it is held: then the first step is still to be made
 }
 
 void ArmReach::advance(int ticks)

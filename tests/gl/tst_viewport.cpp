@@ -215,6 +215,8 @@ private slots:
         const Index tip = window.skeleton().size() - 1;
         const glm::dvec3 end = glm::mix(window.skeleton().p0[tip], window.skeleton().p1[tip], 0.8);
         const QPoint at = window.pixelOf(end);
+        window.click(at); // then what is picked in is ready
+        window.waitForPicture();
         window.drag(at, at + QPoint(25, -10), Qt::LeftButton, Qt::ControlModifier);
         QUndoStack* undo = window.document.undoStack();
         QCOMPARE(undo->count(), 1);

@@ -25,6 +25,7 @@ public:
 
     [[nodiscard]] bool isFolded() const { return m_folded; }
     void setFolded(bool folded);
+    [[nodiscard]] bool showsAdvanced() const { return m_showAdvanced; }
     /// Shows the rows that exist for the selected nodes and hold all \p words. While searching, neither folds
     /// nor the "advanced" rows hide anything. Returns how many rows are shown.
     int filter(std::uint8_t kinds, const QStringList& words);

@@ -49,8 +49,17 @@ private:
             Node one = test::treeNode(1, "One"), two = test::treeNode(2, "Two");
             one.kind = two.kind = test::kindWith(def);
             test::openNodes(*m_document, {one, two});
+            showAdvanced();
         }
         return def;
+    }
+    void showAdvanced()
+    {
+        for (GroupSection* section : m_panel->findChildren<GroupSection*>()) {
+            auto* more = section->findChild<QToolButton*>(QStringLiteral("advanced"));
+            if (more && !more->isHidden() && !section->showsAdvanced())
+                more->click();
+        }
     }
 
     /// Types something else into the first editor of the row.
@@ -89,7 +98,8 @@ private:
             QTest::mouseClick(box, Qt::LeftButton, {}, {8, box->height() / 2});
         } else if (auto* choice = row->findChild<QComboBox*>()) {
             choice->setFocus();
-            QWheelEvent wheel(QPointF(5, 5), choice->mapToGlobal(QPointF(5, 5)), {}, {0, 120}, Qt::NoButton,
+            const int turn = choice->currentIndex() == 0 ? -120 : 120; // away from the end of the list
+            QWheelEvent wheel(QPointF(5, 5), choice->mapToGlobal(QPointF(5, 5)), {}, {0, turn}, Qt::NoButton,
                               Qt::NoModifier, Qt::NoScrollPhase, false);
             QCoreApplication::sendEvent(choice, &wheel);
         } else if (auto* dice = row->editor()->findChild<QToolButton*>()) {
@@ -138,11 +148,7 @@ private slots:
         m_panel->resize(380, 900);
         m_panel->show();
         QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
-        for (GroupSection* section : m_panel->findChildren<GroupSection*>()) {
-            if (auto* more = section->findChild<QToolButton*>(QStringLiteral("advanced"));
-                more && !more->isHidden())
-                more->click();
-        }
+        showAdvanced();
     }
     void cleanup()
     {
