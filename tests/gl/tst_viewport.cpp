@@ -42,6 +42,7 @@ void compute(Document& document)
     TreePipeline pipeline;
     for (const Node& node : document.scene().nodes()) {
         NodeResult result;
+        result.revision = document.revision();
         result.tree = *pipeline.evaluate(node.params);
         document.setResult(node.id, std::move(result));
     }
