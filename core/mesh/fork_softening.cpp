@@ -33,12 +33,12 @@ double ForkSoftener::bulge(double reach, double away, double cosine) const
     return part > 0.0 ? m_softness * 0.25 * reach * part * part * std::min(1.0, 1.0 - cosine) : 0.0;
 }
 
-void ForkSoftener::limit(double highest)
+void ForkSoftener::limit(double ringHeight)
 {
     double shortest = std::numeric_limits<double>::max();
     for (const ForkChild& child : m_children)
         shortest = std::min(shortest, child.table.length());
-    const double share = shortest > 0.0 ? highest / shortest : 1.0;
+    const double share = shortest > 0.0 ? ringHeight / shortest : 1.0;
     const double most = m_children.size() == 2 ? noSoftnessOfTwo : noSoftness;
     m_softness *= std::clamp((most - share) / softnessFades, 0.0, 1.0);
 }

@@ -17,8 +17,8 @@ public:
     /// \param reach of the smaller radius; \param softness 0..1. Either 0: nothing is moved.
     void begin(std::span<const ForkChild> children, double reach, double softness);
     /// Forks the walls of which reach far up the shortest child are softened less, or not at all: there is no
-    /// room. \param highest arc length of a wall's vertex.
-    void limit(double highest);
+    /// room. \param ringHeight arc length of a wall's vertex.
+    void limit(double ringHeight);
     [[nodiscard]] bool isOn() const { return m_softness > 0.0; }
     /// Moves the vertex of a wall between two or three children, lifted to where their tubes come apart, out
     /// of the valley, and \p along to the arc length it has there. False where it stays.

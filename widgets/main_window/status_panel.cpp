@@ -40,7 +40,7 @@ void showText(QLabel* label, const QString& text)
         label->setFixedSize(needed);
 }
 
-/// In another language the texts need another room.
+/// In another language or style the texts need another room.
 void forgetRoom(QLabel* label)
 {
     label->clear();
@@ -274,6 +274,16 @@ void StatusPanel::changeEvent(QEvent* event)
     if (event->type() == QEvent::LanguageChange)
         retranslate();
     QWidget::changeEvent(event);
+    if (event->type() == QEvent::StyleChange)
+        measureAnew();
+}
+
+/// A style sheet that comes later brings other margins.
+void StatusPanel::measureAnew()
+{
+    for (QLabel* label : {m_counts, m_time, m_badge, m_hash})
+        forgetRoom(label);
+    update();
 }
 
 void StatusPanel::retranslate()
@@ -285,9 +295,7 @@ void StatusPanel::retranslate()
         "Time to build the trees, without drawing. “cached”: nothing had to be built, the results of before "
         "still hold."));
     m_counts->setToolTip(tr("Branches after simplification; vertices and faces of the branch meshes"));
-    for (QLabel* label : {m_counts, m_time, m_badge})
-        forgetRoom(label);
-    update();
+    measureAnew();
 }
 
 } // namespace ramure

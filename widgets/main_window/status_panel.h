@@ -53,6 +53,7 @@ private:
     void showBusy(bool busy);
     void showHash();
     void retranslate();
+    void measureAnew();
     [[nodiscard]] QString reportTip(const SceneTotals& totals) const;
 
     Document* m_document;

@@ -300,7 +300,7 @@ private slots:
         QTRY_COMPARE(action("file.open")->text(), QStringLiteral("&Ouvrir…"));
         QVERIFY(m_window->menuBar()->actions().constFirst()->text().contains(QStringLiteral("Fichier")));
         const auto* label = m_window->properties()->row(*findParam("turtle.decay"))->findChild<QLabel*>();
-        QCOMPARE(label->text(), QStringLiteral("Amincissement"));
+        QCOMPARE(label->text(), QStringLiteral("Effilement"));
         m_preferences->setLanguage(QStringLiteral("en"));
         QTRY_COMPARE(action("file.open")->text(), QStringLiteral("&Open…"));
     }
