@@ -2,6 +2,7 @@
 
 #include "widgets/animation/key_texts.h"
 #include "widgets/timeline/timeline_ruler.h"
+#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>

@@ -131,7 +131,9 @@ Expected<void> eachTrack(Document& document, const KeySelection& selection, cons
                          GestureId gesture, Make&& make)
 {
     std::vector<TrackEdit> edits;
-    for (const auto& [ref, times] : selection) {
+    for (const auto& entry : selection) { // no binding: lambdas below use both
+        const auto& ref = entry.first;
+        const auto& times = entry.second;
         const auto track = keys::find(document.scene(), ref);
         if (!track)
             continue;
@@ -167,7 +169,9 @@ NodeAnimation::TrackPtr keys::find(const Scene& scene, const TrackRef& ref)
 KeySelection keys::existing(const Scene& scene, const KeySelection& selection)
 {
     KeySelection there;
-    for (const auto& [ref, times] : selection) {
+    for (const auto& entry : selection) { // no binding: lambdas below use both
+        const auto& ref = entry.first;
+        const auto& times = entry.second;
         const auto track = find(scene, ref);
         if (!track)
             continue;
@@ -457,7 +461,9 @@ Expected<void> keys::extrapolate(Document& document, const KeySelection& selecti
 KeyClip keys::copied(const Scene& scene, const KeySelection& selection)
 {
     KeyClip clip;
-    for (const auto& [ref, times] : selection) {
+    for (const auto& entry : selection) { // no binding: lambdas below use both
+        const auto& ref = entry.first;
+        const auto& times = entry.second;
         const auto track = find(scene, ref);
         if (!track)
             continue;

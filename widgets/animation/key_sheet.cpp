@@ -3,6 +3,7 @@
 #include "widgets/animation/key_texts.h"
 #include "widgets/timeline/timeline_ruler.h"
 #include <QHelpEvent>
+#include <QLocale>
 #include <QPainter>
 #include <QToolTip>
 #include <algorithm>
