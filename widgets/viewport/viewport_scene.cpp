@@ -11,7 +11,7 @@ namespace {
 
 /// What one turn of the event loop may copy to the graphics card: a few milliseconds where the processor has
 /// to touch fresh memory for it.
-constexpr std::size_t bytesPerTurn = std::size_t(6) << 20;
+constexpr std::size_t bytesPerTurn = std::size_t(2) << 20;
 
 void addBlocks(const TreeResult& tree, std::vector<const void*>& blocks)
 {
