@@ -3697,6 +3697,21 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::ColorEditor</name>
+    <message>
+        <source>“%1” is no colour: write six digits like #8b5a2b</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une couleur&#xa0;: écrire six chiffres comme #8b5a2b</translation>
+    </message>
+    <message>
+        <source>%1: choose</source>
+        <translation>%1&#xa0;: choisir</translation>
+    </message>
+    <message>
+        <source>Choose a colour</source>
+        <translation>Choisir une couleur</translation>
+    </message>
+</context>
+<context>
     <name>ramure::EditActions</name>
     <message>
         <source>&amp;Add to the scene</source>

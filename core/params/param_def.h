@@ -43,6 +43,7 @@ enum ParamFlag : std::uint8_t {
     paramMultiline = 4,  ///< a text of several lines
     paramSeed = 8,       ///< a random seed: the editor offers a dice
     paramGrammar = 16,   ///< text in the grammar's language
+    paramColor = 32,     ///< three numbers that are red, green and blue, 0..1
 };
 
 /// Index of a row in paramTable(); stable within one run of the program only (files use keys).

@@ -315,7 +315,7 @@ constexpr std::array table{
     row<&NodeParams::surface, &SurfaceParams::color>(
         {"surface.color", surfaceGroup, RAMURE_NOOP("Colour"),
          RAMURE_NOOP("Red, green and blue of the surface, each from 0 to 1.")},
-        ParamUnit::None, {0, 1, 0, 1, 0.01, 3}, Stage::Placement, paramAnimatable,
+        ParamUnit::None, {0, 1, 0, 1, 0.01, 3}, Stage::Placement, paramAnimatable | paramColor,
         objectKinds | armOnly | reliefOnly),
 
     row<&NodeParams::physics, &PhysicsParams::mode>(

@@ -2,7 +2,7 @@
 /// Tests that run over the whole parameter table need a node that has the parameter.
 #pragma once
 
-#include "core/params/param_def.h"
+#include "core/params/param_relevance.h"
 
 namespace ramure::test {
 
@@ -15,6 +15,13 @@ inline NodeKind kindWith(const ParamDef& def)
         if (hasParam(static_cast<NodeKind>(i), def))
             return static_cast<NodeKind>(i);
     return NodeKind::Group;
+}
+
+/// Chooses what gives \p def an effect.
+inline void makeRelevant(NodeParams& params, const ParamDef& def)
+{
+    if (const Relevance* relevance = relevanceOf(def); relevance && !isRelevant(params, def))
+        findParam(relevance->chooser)->assign(params, EnumValue{relevance->items[0]});
 }
 
 } // namespace ramure::test

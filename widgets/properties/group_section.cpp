@@ -113,7 +113,8 @@ void GroupSection::applyVisibility()
     bool any = false;
     bool anyAdvanced = false;
     for (ParamRow* row : m_rows) {
-        const bool fits = (row->def().kinds & m_kinds) == m_kinds && row->matches(m_words);
+        const bool fits = (row->def().kinds & m_kinds) == m_kinds && row->matches(m_words) &&
+                          (row->isRelevant() || searching);
         const bool advanced = (row->def().flags & paramAdvanced) != 0;
         any = any || fits;
         anyAdvanced = anyAdvanced || (fits && advanced);

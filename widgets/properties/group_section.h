@@ -30,6 +30,8 @@ public:
     /// nor the "advanced" rows hide anything. Returns how many rows are shown.
     int filter(std::uint8_t kinds, const QStringList& words);
     void updateHeading();
+    /// Shows and hides again what fits; after rows became relevant or ceased to be.
+    void applyVisibility();
 
 signals:
     void foldedChanged();
@@ -42,7 +44,6 @@ protected:
 
 private:
     void retranslate();
-    void applyVisibility();
     void buildMenu();
 
     const char* m_group;

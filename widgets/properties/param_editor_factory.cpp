@@ -2,6 +2,7 @@
 
 #include "widgets/properties/bool_editor.h"
 #include "widgets/properties/choice_editor.h"
+#include "widgets/properties/color_editor.h"
 #include "widgets/properties/grammar_editor.h"
 #include "widgets/properties/number_editor.h"
 #include "widgets/properties/text_editor.h"
@@ -18,6 +19,8 @@ ParamEditor* makeParamEditor(const ParamDef& def, QWidget* parent)
     case ParamType::Real:
         return new NumberEditor(def, parent);
     case ParamType::Vec3:
+        if (def.flags & paramColor)
+            return new ColorEditor(def, parent);
         return new VectorEditor(def, parent);
     case ParamType::Enum:
         return new ChoiceEditor(def, parent);

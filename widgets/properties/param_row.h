@@ -38,6 +38,9 @@ public:
     /// \param words lower case; true where label, tooltip, group and key together hold all of them.
     [[nodiscard]] bool matches(const QStringList& words) const;
     [[nodiscard]] bool isChanged() const { return m_changed; }
+    /// Whether it has an effect on any of the nodes; one that has none is hidden unless searched for.
+    [[nodiscard]] bool isRelevant() const { return m_relevant; }
+    void setRelevant(bool relevant) { m_relevant = relevant; }
 
 signals:
     void resetRequested();
@@ -59,6 +62,7 @@ private:
     QString m_refusal;
     AngleUnit m_angleUnit = AngleUnit::Degrees;
     bool m_changed = false;
+    bool m_relevant = true;
 };
 
 /// The tooltip of a parameter: what it does, unit, range, default, key. Rich text.

@@ -2,6 +2,7 @@
 
 #include "core/document/commands.h"
 #include "core/document/player.h"
+#include "core/params/param_relevance.h"
 #include "widgets/animation/auto_key.h"
 #include "widgets/grammar/generations_view.h"
 #include "widgets/properties/group_section.h"
@@ -193,6 +194,24 @@ void PropertiesPanel::showValues(const std::vector<ParamId>& params)
     }
     for (GroupSection* section : m_sections)
         section->updateHeading();
+    showRelevance();
+}
+
+/// A box shows no radius: what has no effect on any of the nodes only takes room.
+void PropertiesPanel::showRelevance()
+{
+    for (GroupSection* section : m_sections) {
+        bool changed = false;
+        for (ParamRow* row : section->rows()) {
+            const bool relevant = !relevanceOf(row->def()) || std::ranges::any_of(m_nodes, [&](NodeId id) {
+                return isRelevant(m_document->scene().find(id)->params, row->def());
+            });
+            changed = changed || relevant != row->isRelevant();
+            row->setRelevant(relevant);
+        }
+        if (changed)
+            section->applyVisibility();
+    }
 }
 
 void PropertiesPanel::setKeys(AutoKey* keys)

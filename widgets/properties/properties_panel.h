@@ -48,6 +48,7 @@ private:
     void follow(const Change& change);
     void takeTargets();
     void showValues(const std::vector<ParamId>& params);
+    void showRelevance();
     void showKeys();
     void showProblem();
     void applyFilter();

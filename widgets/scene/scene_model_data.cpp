@@ -54,9 +54,16 @@ static const char* iconOf(NodeKind kind)
         return "group";
     case NodeKind::Tree:
         return "tree";
-    default:
-        return "cube";
+    case NodeKind::Arm:
+        return "arm";
+    case NodeKind::Relief:
+        return "terrain";
+    case NodeKind::Mesh:
+        return "mode-mesh";
+    case NodeKind::Primitive:
+        break;
     }
+    return "cube";
 }
 
 QString SceneModel::toolTipOf(NodeKind kind)

@@ -3,10 +3,12 @@
 #include "widgets/grammar/grammar_edit.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/numbers/number_slider.h"
+#include "widgets/properties/color_editor.h"
 #include "widgets/properties/group_section.h"
 #include "widgets/properties/param_row.h"
 #include "widgets/properties/properties_panel.h"
 #include "widgets/support/preferences.h"
+#include <QColorDialog>
 #include <numbers>
 
 using namespace ramure;
@@ -45,13 +47,22 @@ private:
     {
         const auto* key = static_cast<QString*>(QTest::qData("key", qMetaTypeId<QString>()));
         const ParamDef& def = *findParam(key->toStdString());
-        if (!hasParam(NodeKind::Tree, def)) {
+        if (!hasParam(NodeKind::Tree, def) || !isRelevant(NodeParams(), def)) {
             Node one = test::treeNode(1, "One"), two = test::treeNode(2, "Two");
             one.kind = two.kind = test::kindWith(def);
+            test::makeRelevant(one.params, def);
+            test::makeRelevant(two.params, def);
             test::openNodes(*m_document, {one, two});
             showAdvanced();
         }
         return def;
+    }
+    void openBoxes()
+    {
+        Node one = test::treeNode(1, "One"), two = test::treeNode(2, "Two");
+        one.kind = two.kind = NodeKind::Primitive;
+        one.params.primitive.shape = two.params.primitive.shape = PrimitiveShape::Box;
+        test::openNodes(*m_document, {one, two});
     }
     void showAdvanced()
     {
@@ -83,9 +94,19 @@ private:
         } else if (auto* text = row->findChild<GrammarEdit*>()) {
             text->setFocus();
             QTest::keyClicks(text, "B");
+        } else if (auto* color = row->findChild<ColorEditor*>()) {
+            typeColor(color, "#123abc");
         } else {
             QFAIL("no editor that a key can reach");
         }
+    }
+    void typeColor(ColorEditor* editor, const char* text)
+    {
+        auto* field = editor->findChild<QLineEdit*>();
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, QLatin1String(text));
+        QTest::keyClick(field, Qt::Key_Return);
     }
     /// A press, a move and a release, or a click.
     void changeByMouse(ParamRow* row)
@@ -109,6 +130,11 @@ private:
             QWheelEvent wheel(QPointF(5, 5), field->mapToGlobal(QPointF(5, 5)), {}, {0, 120}, Qt::NoButton,
                               Qt::NoModifier, Qt::NoScrollPhase, false);
             QCoreApplication::sendEvent(field, &wheel);
+        } else if (auto* color = row->findChild<ColorEditor*>()) {
+            QTest::mouseClick(color->findChild<QAbstractButton*>(), Qt::LeftButton);
+            color->dialog()->setCurrentColor(Qt::red); // tried first
+            color->dialog()->setCurrentColor(Qt::blue);
+            color->dialog()->accept();
         }
     }
 
@@ -168,6 +194,49 @@ private slots:
         QCOMPARE(m_document->undoStack()->count(), 0);
         QTest::keyClick(field, Qt::Key_Escape);
         QVERIFY(row->message().isEmpty());
+    }
+
+    void textsThatAreNoColourSayWhy()
+    {
+        openBoxes();
+        ParamRow* row = m_panel->row(param("surface.color"));
+        auto* editor = row->findChild<ColorEditor*>();
+        for (const char* text : {"red", "#12", "#12345", "#gggggg", "123456 7"}) {
+            typeColor(editor, text);
+            QVERIFY2(row->message().contains(QLatin1String(text).left(7)), text);
+            QCOMPARE(m_document->undoStack()->count(), 0);
+            QCOMPARE(editor->findChild<QLineEdit*>()->text(), QStringLiteral("#b8b8b8"));
+        }
+        typeColor(editor, "f00");
+        QVERIFY(row->message().isEmpty());
+        QVERIFY(valueOf(*m_document, 1, row->def()) == ParamValue(glm::dvec3(1.0, 0.0, 0.0)));
+    }
+
+    void aColourTriedAndGivenUpLeavesNothing()
+    {
+        openBoxes();
+        ParamRow* row = m_panel->row(param("surface.color"));
+        auto* editor = row->findChild<ColorEditor*>();
+        const ParamValue before = valueOf(*m_document, 1, row->def());
+        QTest::mouseClick(editor->findChild<QAbstractButton*>(), Qt::LeftButton);
+        editor->dialog()->setCurrentColor(Qt::green);
+        QVERIFY(valueOf(*m_document, 1, row->def()) == ParamValue(glm::dvec3(0.0, 1.0, 0.0)));
+        editor->dialog()->reject();
+        QVERIFY(valueOf(*m_document, 1, row->def()) == before);
+        QCOMPARE(m_document->undoStack()->count(), 0);
+    }
+
+    void whatHasNoEffectIsHiddenUnlessSearched()
+    {
+        openBoxes();
+        const auto isShown = [&](const char* key) { return !m_panel->row(param(key))->isHidden(); };
+        QVERIFY(isShown("primitive.size") && !isShown("primitive.radius") && !isShown("primitive.sides"));
+        QVERIFY(edit::setParam(*m_document, {1}, param("primitive.shape"), EnumValue{"sphere"}));
+        QVERIFY(!isShown("primitive.size") && isShown("primitive.radius") && !isShown("primitive.height"));
+        m_document->undoStack()->undo();
+        QVERIFY(isShown("primitive.size") && !isShown("primitive.radius"));
+        m_panel->findChild<QLineEdit*>()->setText(QStringLiteral("primitive.radius"));
+        QVERIFY(isShown("primitive.radius"));
     }
 
     void numbersOutsideTheRangeSayWhichIsTaken()
@@ -287,9 +356,10 @@ private slots:
             QVERIFY2(changes(slider, Qt::Key_Right, Qt::Key_Left), qPrintable(slider->accessibleName()));
         for (QComboBox* box : row->findChildren<QComboBox*>())
             QVERIFY2(changes(box, Qt::Key_Down, Qt::Key_Up), qPrintable(box->accessibleName()));
-        const bool isNumber = def.type != ParamType::Text && def.type != ParamType::Bool;
+        const bool isColor = (def.flags & paramColor) != 0; // typed, or chosen in its dialog
+        const bool isNumber = def.type != ParamType::Text && def.type != ParamType::Bool && !isColor;
         QCOMPARE(steps > 0, isNumber);
-        QCOMPARE(def.type != ParamType::Vec3 || steps == 3, true); // each axis
+        QCOMPARE(def.type != ParamType::Vec3 || isColor || steps == 3, true); // each axis
     }
 
     void everyParamChangesByMouseInOneStep_data() { addEveryParam(); }
@@ -353,18 +423,21 @@ private slots:
             QCOMPARE(box->checkState(), Qt::PartiallyChecked);
         else if (auto* choice = row->findChild<QComboBox*>())
             QCOMPARE(choice->currentIndex(), -1);
+        else if (auto* color = row->findChild<ColorEditor*>())
+            QVERIFY(color->findChild<QLineEdit*>()->text().isEmpty());
         else
             QVERIFY(row->findChild<GrammarEdit*>()->toPlainText().isEmpty());
         row->editor()->focusProxy()->setFocus();
-        if (def.type == ParamType::Vec3)
+        const bool isVector = def.type == ParamType::Vec3 && !(def.flags & paramColor);
+        if (isVector)
             QTest::keyClicks(row->findChild<NumberField*>(), "2");
         else
             typeAnother(row);
-        if (def.type == ParamType::Vec3)
+        if (isVector)
             QTest::keyClick(row->findChild<NumberField*>(), Qt::Key_Return);
         QVERIFY(!row->findChild<NumberField*>() || row->findChild<NumberField*>()->value());
         QCOMPARE(m_document->undoStack()->count(), 2);
-        if (def.type != ParamType::Vec3)
+        if (!isVector)
             QVERIFY(valueOf(*m_document, 1, def) == valueOf(*m_document, 2, def));
         m_document->undoStack()->undo();
         QVERIFY(valueOf(*m_document, 1, def) == first);
