@@ -1,6 +1,7 @@
 #include "core/base/float4.h"
 #include "core/base/wide_clone.h"
 #include "core/pose/skin.h"
+#include <array>
 #include <cmath>
 
 namespace ramure {
@@ -40,26 +41,85 @@ DualQuaternion dualQuaternionOf(const RigidTransform& bone)
     return (v[0] + v[1]) + (v[2] + v[3]);
 }
 
+/// Four numbers of four things each: what was a component of one becomes a lane for all.
+struct Lanes
+{
+    Float4 x, y, z, w;
+
+    [[gnu::always_inline]] inline void add(Float4 weight, const Lanes& other)
+    {
+        x += weight * other.x;
+        y += weight * other.y;
+        z += weight * other.z;
+        w += weight * other.w;
+    }
+    [[gnu::always_inline]] inline void scale(Float4 by)
+    {
+        x *= by;
+        y *= by;
+        z *= by;
+        w *= by;
+    }
+    [[nodiscard, gnu::always_inline]] inline Float4 dot(const Lanes& other) const
+    {
+        return (x * other.x + y * other.y) + (z * other.z + w * other.w);
+    }
+};
+
+[[gnu::always_inline]] inline Lanes lanesOf(Float4 a, Float4 b, Float4 c, Float4 d)
+{
+    transpose(a, b, c, d);
+    return {a, b, c, d};
+}
+
+/// The mean screw motions of four influences at once (see dualQuaternionMatrix in skin.cpp), in floats.
+[[gnu::always_inline]] inline void mixFour(const SkinInfluence* const* four,
+                                           const std::vector<DualQuaternion>& bones, Columns* out)
+{
+    const auto weights = [four](std::size_t i) {
+        return Float4{four[0]->weight[i], four[1]->weight[i], four[2]->weight[i], four[3]->weight[i]};
+    };
+    const auto part = [four, &bones](std::size_t i, Float4 DualQuaternion::*half) {
+        return lanesOf(bones[four[0]->bone[i]].*half, bones[four[1]->bone[i]].*half,
+                       bones[four[2]->bone[i]].*half, bones[four[3]->bone[i]].*half);
+    };
+    const Lanes pivot = part(0, &DualQuaternion::real);
+    Lanes real = pivot, dual = part(0, &DualQuaternion::dual);
+    real.scale(weights(0));
+    dual.scale(weights(0));
+    for (const std::size_t i : {1, 2}) { // a place that is not used holds the first bone with weight 0
+        const Lanes bone = part(i, &DualQuaternion::real);
+        const Float4 weight = bone.dot(pivot) < 0.0F ? -weights(i) : weights(i);
+        real.add(weight, bone);
+        dual.add(weight, part(i, &DualQuaternion::dual));
+    }
+    const Float4 square = real.dot(real);
+    const Float4 scale =
+        1.0F / Float4{std::sqrt(square[0]), std::sqrt(square[1]), std::sqrt(square[2]), std::sqrt(square[3])};
+    real.scale(scale);
+    dual.scale(scale);
+    const auto& [x, y, z, w] = real;
+    const Float4 none{};
+    const Lanes columns[] = {
+        lanesOf(1.0F - 2.0F * (y * y + z * z), 2.0F * (x * y + w * z), 2.0F * (x * z - w * y), none),
+        lanesOf(2.0F * (x * y - w * z), 1.0F - 2.0F * (x * x + z * z), 2.0F * (y * z + w * x), none),
+        lanesOf(2.0F * (x * z + w * y), 2.0F * (y * z - w * x), 1.0F - 2.0F * (x * x + y * y), none),
+        lanesOf(2.0F * (w * dual.x - x * dual.w + y * dual.z - z * dual.y),
+                2.0F * (w * dual.y - x * dual.z - y * dual.w + z * dual.x),
+                2.0F * (w * dual.z + x * dual.y - y * dual.x - z * dual.w), none)};
+    out[0] = {columns[0].x, columns[1].x, columns[2].x, columns[3].x};
+    out[1] = {columns[0].y, columns[1].y, columns[2].y, columns[3].y};
+    out[2] = {columns[0].z, columns[1].z, columns[2].z, columns[3].z};
+    out[3] = {columns[0].w, columns[1].w, columns[2].w, columns[3].w};
+}
+
 /// The mean screw motion (see dualQuaternionMatrix in skin.cpp), in floats.
 Columns mixed(const SkinInfluence& influence, const std::vector<DualQuaternion>& bones)
 {
-    const DualQuaternion& pivot = bones[influence.bone[0]];
-    Float4 real = influence.weight[0] * pivot.real, dual = influence.weight[0] * pivot.dual;
-    for (std::size_t i = 1; i < 3 && influence.weight[i] > 0.0F; ++i) {
-        const DualQuaternion& bone = bones[influence.bone[i]];
-        const float weight = sum(bone.real * pivot.real) < 0.0F ? -influence.weight[i] : influence.weight[i];
-        real += weight * bone.real;
-        dual += weight * bone.dual;
-    }
-    const float scale = 1.0F / std::sqrt(sum(real * real));
-    const Float4 q = real * scale, d = dual * scale;
-    const float x = q[0], y = q[1], z = q[2], w = q[3];
-    return {Float4{1.0F - 2.0F * (y * y + z * z), 2.0F * (x * y + w * z), 2.0F * (x * z - w * y), 0.0F},
-            Float4{2.0F * (x * y - w * z), 1.0F - 2.0F * (x * x + z * z), 2.0F * (y * z + w * x), 0.0F},
-            Float4{2.0F * (x * z + w * y), 2.0F * (y * z - w * x), 1.0F - 2.0F * (x * x + y * y), 0.0F},
-            2.0F * Float4{w * d[0] - x * d[3] + y * d[2] - z * d[1],
-                          w * d[1] - x * d[2] - y * d[3] + z * d[0],
-                          w * d[2] + x * d[1] - y * d[0] - z * d[3], 0.0F}};
+    const SkinInfluence* const four[] = {&influence, &influence, &influence, &influence};
+    std::array<Columns, 4> made;
+    mixFour(four, bones, made.data());
+    return made[0];
 }
 
 [[gnu::always_inline]] inline Float4 cross(Float4 a, Float4 b)
@@ -69,18 +129,11 @@ Columns mixed(const SkinInfluence& influence, const std::vector<DualQuaternion>&
 
 [[gnu::always_inline]] inline Columns mixed(const SkinInfluence& influence, const std::vector<Columns>& bones)
 {
-    const Columns& first = bones[influence.bone[0]];
-    const float weight = influence.weight[0];
-    Columns all{weight * first.x, weight * first.y, weight * first.z, weight * first.w};
-    for (std::size_t i = 1; i < 3 && influence.weight[i] > 0.0F; ++i) {
-        const Columns& bone = bones[influence.bone[i]];
-        const float share = influence.weight[i];
-        all.x += share * bone.x;
-        all.y += share * bone.y;
-        all.z += share * bone.z;
-        all.w += share * bone.w;
-    }
-    return all;
+    // Always three: to add a bone with weight 0 is quicker than to ask.
+    const Columns &a = bones[influence.bone[0]], &b = bones[influence.bone[1]], &c = bones[influence.bone[2]];
+    const float u = influence.weight[0], v = influence.weight[1], w = influence.weight[2];
+    return {u * a.x + v * b.x + w * c.x, u * a.y + v * b.y + w * c.y, u * a.z + v * b.z + w * c.z,
+            u * a.w + v * b.w + w * c.w};
 }
 
 /// How a place at rest moves as weight passes from the first bone to the second.
@@ -167,6 +220,42 @@ void leanNormals(const float* rest, const float* restNormals, std::size_t count,
     }
 }
 
+bool isMixed(const SkinRun& run)
+{
+    return run.influence.weight[1] > 0.0F;
+}
+
+/// The transforms of mixed runs in a row, made four at once: of the one asked for and those that come next.
+class MixedRuns
+{
+public:
+    MixedRuns(const std::vector<SkinRun>& runs, const std::vector<DualQuaternion>& bones)
+        : m_runs(runs)
+        , m_bones(bones)
+    {
+    }
+    /// \param run is a mixed one, behind the one asked for before.
+    [[gnu::always_inline]] inline const Columns& of(std::size_t run)
+    {
+        if (m_next == m_made.size()) {
+            std::array<const SkinInfluence*, 4> four;
+            four.fill(&m_runs[run].influence);
+            for (std::size_t i = 1, r = run + 1; i < four.size() && r < m_runs.size(); ++r)
+                if (isMixed(m_runs[r]))
+                    four[i++] = &m_runs[r].influence;
+            mixFour(four.data(), m_bones, m_made.data());
+            m_next = 0;
+        }
+        return m_made[m_next++];
+    }
+
+private:
+    const std::vector<SkinRun>& m_runs;
+    const std::vector<DualQuaternion>& m_bones;
+    std::array<Columns, 4> m_made;
+    std::size_t m_next = 4;
+};
+
 } // namespace
 
 struct Deformer::Bones
@@ -175,14 +264,9 @@ struct Deformer::Bones
     std::vector<Columns> columns;
     std::vector<DualQuaternion> duals; ///< for DualQuaternion only
 
+    void setPose(std::span<const RigidTransform> pose);
     void deform(const Skin& skin, const float* rest, const float* restNormals, float* out,
                 float* outNormals) const;
-    [[nodiscard, gnu::always_inline]] inline Columns transform(const SkinInfluence& influence) const
-    {
-        if (influence.weight[1] == 0.0F || method == SkinMethod::Rigid)
-            return columns[influence.bone[0]];
-        return method == SkinMethod::Linear ? mixed(influence, columns) : mixed(influence, duals);
-    }
     [[nodiscard]] Columns lean(const SkinInfluence& influence) const
     {
         return method == SkinMethod::Linear ? leaning(influence, columns) : leaning(influence, duals);
@@ -201,12 +285,17 @@ Deformer& Deformer::operator=(Deformer&&) noexcept = default;
 void Deformer::setPose(std::span<const RigidTransform> pose, SkinMethod method)
 {
     m_bones->method = method;
-    m_bones->columns.resize(pose.size());
+    m_bones->setPose(pose);
+}
+
+RAMURE_WIDE_CLONE void Deformer::Bones::setPose(std::span<const RigidTransform> pose)
+{
+    columns.resize(pose.size());
     for (std::size_t b = 0; b < pose.size(); ++b)
-        m_bones->columns[b] = columnsOf(pose[b]);
-    m_bones->duals.resize(method == SkinMethod::DualQuaternion ? pose.size() : 0);
-    for (std::size_t b = 0; b < m_bones->duals.size(); ++b)
-        m_bones->duals[b] = dualQuaternionOf(pose[b]);
+        columns[b] = columnsOf(pose[b]);
+    duals.resize(method == SkinMethod::DualQuaternion ? pose.size() : 0);
+    for (std::size_t b = 0; b < duals.size(); ++b)
+        duals[b] = dualQuaternionOf(pose[b]);
 }
 
 /// All runs, with loops for positions and for normals that keep the transform in registers.
@@ -214,11 +303,15 @@ RAMURE_WIDE_CLONE void Deformer::Bones::deform(const Skin& skin, const float* re
                                                float* out, float* outNormals) const
 {
     const std::size_t last = std::size_t(skin.vertices) - 1;
+    MixedRuns mixedRuns(skin.runs, duals);
     for (std::size_t r = 0; r < skin.runs.size(); ++r) {
         const SkinRun& run = skin.runs[r];
         const bool isLast = r + 1 == skin.runs.size();
         const std::size_t end = isLast ? last : skin.runs[r + 1].firstVertex;
-        const Columns by = transform(run.influence);
+        const bool mixes = isMixed(run) && method != SkinMethod::Rigid;
+        const Columns by = !mixes                         ? columns[run.influence.bone[0]]
+                           : method == SkinMethod::Linear ? mixed(run.influence, columns)
+                                                          : mixedRuns.of(r);
         const std::size_t first = 3 * std::size_t(run.firstVertex);
         for (std::size_t i = first; i < 3 * end; i += 3)
             storeFloat4(out + i, moved(rest + i, by));
@@ -226,13 +319,13 @@ RAMURE_WIDE_CLONE void Deformer::Bones::deform(const Skin& skin, const float* re
             storeLast(out + 3 * last, moved(rest + 3 * last, by));
         if (!outNormals)
             continue;
-        if (run.slope != 0.0F && method != SkinMethod::Rigid && run.influence.weight[1] > 0.0F) {
+        if (run.slope != 0.0F && mixes) {
             const std::size_t from = run.firstVertex, count = end + (isLast ? 1 : 0) - from;
             leanNormals(rest + 3 * from, restNormals + 3 * from, count, by, lean(run.influence), run.slope,
                         outNormals + 3 * from);
             continue;
         }
-        const bool skews = method == SkinMethod::Linear && run.influence.weight[1] > 0.0F;
+        const bool skews = method == SkinMethod::Linear && mixes;
         const Columns turn = skews ? cofactors(by) : by;
         const auto normal = [&](std::size_t i) {
             return skews ? turnedUnit(restNormals + i, turn) : turned(restNormals + i, turn);
