@@ -675,6 +675,14 @@
         <source>Add a terrain that gives an arm targets</source>
         <translation>Ajouter un terrain qui donne des cibles à un bras</translation>
     </message>
+    <message>
+        <source>G&amp;round</source>
+        <translation>So&amp;l</translation>
+    </message>
+    <message>
+        <source>Without the ground, what lies below it can be seen</source>
+        <translation>Sans le sol, ce qui est en dessous se voit</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>

@@ -1,4 +1,4 @@
-// Sky and ground of SPEC A10. The ground is the plane y = 0, met by a ray per pixel: it reaches the horizon and never
+// Sky and ground of SPEC A10. The ground is a level plane, met by a ray per pixel: it reaches the horizon and never
 // runs out of triangles or of depth.
 in vec2 ndc;
 
@@ -7,6 +7,8 @@ uniform vec3 uAcross;  // added per ndc x ...
 uniform vec3 uAlong;   // ... and y: to the direction, or in orthographic views to the origin
 uniform bool uOrthographic;
 uniform vec3 uEye;         // world
+uniform float uGround;     // height of the plane, m
+uniform bool uGroundShown; // else only its grid is, and what lies below can be seen
 uniform vec2 uCentre;      // of the scene, x and z
 uniform float uFade;       // distance at which the ground melts into the sky, m
 uniform float uGridStep;   // 0 = no grid
@@ -62,23 +64,28 @@ vec3 ground(vec3 relative, vec2 at, vec2 width)
     vec3 albedo = toLinear(groundGreen) * (1.0 + 0.14 * mottle);
     float sun = sunlight(relative, vec3(0.0, 1.0, 0.0));
     vec3 colour = albedo * (uSkyLight + uSunLight * uSun.y * sun);
-    if (uGridStep > 0.0) {
-        float minor = gridLines(at, width, uGridStep);
-        float major = gridLines(at, width, 10.0 * uGridStep);
-        colour = mix(colour, vec3(0.75), 0.10 * minor);
-        colour = mix(colour, vec3(0.85), 0.16 * major);
-        vec2 axis = 1.0 - smoothstep(0.7 * width, 1.9 * width, abs(at));
-        colour = mix(colour, vec3(0.55, 0.05, 0.05), 0.7 * axis.y);
-        colour = mix(colour, vec3(0.04, 0.12, 0.60), 0.7 * axis.x);
-    }
     return colour;
+}
+
+// Lines over the ground, or where it is not shown in the air; "strength" is how much of the pixel they take.
+vec3 grid(vec3 colour, vec2 at, vec2 width, out float strength)
+{
+    float minor = gridLines(at, width, uGridStep);
+    float major = gridLines(at, width, 10.0 * uGridStep);
+    vec2 axis = 1.0 - smoothstep(0.7 * width, 1.9 * width, abs(at));
+    strength = max(max(minor, major), max(axis.x, axis.y));
+    float dark = uGroundShown ? 1.0 : 0.0;
+    colour = mix(colour, mix(vec3(0.30), vec3(0.75), dark), mix(0.20, 0.10, dark) * minor);
+    colour = mix(colour, mix(vec3(0.22), vec3(0.85), dark), mix(0.30, 0.16, dark) * major);
+    colour = mix(colour, vec3(0.55, 0.05, 0.05), 0.7 * axis.y);
+    return mix(colour, vec3(0.04, 0.12, 0.60), 0.7 * axis.x);
 }
 
 void main()
 {
     vec3 offset = uOrthographic ? ndc.x * uAcross + ndc.y * uAlong : vec3(0.0);
     vec3 direction = normalize(uOrthographic ? uForward : uForward + ndc.x * uAcross + ndc.y * uAlong);
-    float height = uEye.y + offset.y;
+    float height = uEye.y + offset.y - uGround;
     // In orthographic views the sky must not change with the pixel's ray, all of which are parallel.
     vec3 colour = toLinear(uOrthographic ? mix(haze, skyBlue, clamp(0.5 + 0.5 * ndc.y, 0.0, 1.0)) : sky(direction));
     float depth = 1.0;
@@ -90,11 +97,17 @@ void main()
     if (direction.y < -1e-5 && height > 0.0) {
         float far = length(at - uCentre) / uFade;
         float melt = 1.0 - exp(-pow(far, 1.7));
-        if (melt < 0.998)
-            colour = mix(ground(relative, at, width), colour, melt);
+        float strength = 0.0;
+        if (melt < 0.998) {
+            vec3 level = uGroundShown ? ground(relative, at, width) : colour;
+            if (uGridStep > 0.0)
+                level = grid(level, at, width, strength);
+            colour = mix(level, colour, melt);
+        }
         vec4 clip = uClip * vec4(relative, 1.0);
-        depth = clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0);
-    } else if (uOrthographic && height < 0.0 && abs(direction.y) <= 1e-5) {
+        if (uGroundShown || strength > 0.4)
+            depth = clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0);
+    } else if (uGroundShown && uOrthographic && height < 0.0 && abs(direction.y) <= 1e-5) {
         colour = mix(toLinear(groundGreen), colour, 1.0 - exp(2.0 * height / uFade));
     }
     gl_FragDepth = depth;

@@ -41,6 +41,7 @@ ProgramActions::ProgramActions(ActionSet* set, Preferences* preferences, ViewSet
     connect(m_about, &QAction::triggered, this, &ProgramActions::showAbout);
     connect(m_preferences, &Preferences::changed, this, &ProgramActions::takePreferences);
     takePreferences();
+    connect(m_view, &ViewSettings::groundVisibleChanged, m_preferences, &Preferences::setGroundVisible);
 }
 
 void ProgramActions::setMenus(const QList<QMenu*>& menus)
@@ -53,6 +54,7 @@ void ProgramActions::setMenus(const QList<QMenu*>& menus)
 void ProgramActions::takePreferences()
 {
     m_view->setNavigationStyle(m_preferences->navigationStyle());
+    m_view->setGroundVisible(m_preferences->groundVisible());
 }
 
 void ProgramActions::showPreferences()

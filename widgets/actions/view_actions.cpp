@@ -201,6 +201,12 @@ void ViewActions::addSwitches(ActionSet* set)
         &ViewSettings::setApplesVisible, &ViewSettings::applesVisibleChanged);
     add({"view.grid", QT_TRANSLATE_NOOP("Actions", "&Grid"), "grid", QKeySequence(Qt::Key_G)},
         settings->gridVisible(), &ViewSettings::setGridVisible, &ViewSettings::gridVisibleChanged);
+    add({"view.ground",
+         QT_TRANSLATE_NOOP("Actions", "G&round"),
+         nullptr,
+         {},
+         QT_TRANSLATE_NOOP("Actions", "Without the ground, what lies below it can be seen")},
+        settings->groundVisible(), &ViewSettings::setGroundVisible, &ViewSettings::groundVisibleChanged);
     add({"view.orthographic", QT_TRANSLATE_NOOP("Actions", "&Orthographic"), "orthographic",
          QKeySequence(Qt::Key_5)},
         settings->orthographic(), &ViewSettings::setOrthographic, &ViewSettings::orthographicChanged);

@@ -132,6 +132,7 @@ struct RenderScene
     Box box;     ///< world: all items; what frameAll shows
     Box casters; ///< world: what throws shadows
     TextureSummary texture;
+    double ground = 0.0; ///< m: where the plane of the ground lies
 
     /// Recomputes the two boxes from the items.
     void updateBoxes();

@@ -265,7 +265,7 @@ void Renderer::drawWorld(const Picture& picture)
     const double half = 0.5 * camera.heightAtTarget();
     const double perDistance = camera.orthographic ? 1.0 : 1.0 / camera.distance;
     const double reach = std::max(box.empty() ? 1.0 : box.radius(), 0.05);
-    const double height = std::abs(camera.eye().y);
+    const double height = std::abs(camera.eye().y - picture.scene.ground);
     m_world->bind();
     setLight(*m_world, picture);
     m_world->set("uForward", glm::vec3(-camera.backward()));
@@ -273,6 +273,8 @@ void Renderer::drawWorld(const Picture& picture)
     m_world->set("uAlong", glm::vec3(half * perDistance * camera.up()));
     m_world->set("uOrthographic", camera.orthographic);
     m_world->set("uEye", glm::vec3(camera.eye()));
+    m_world->set("uGround", float(picture.scene.ground));
+    m_world->set("uGroundShown", picture.options.ground);
     m_world->set("uCentre", glm::vec2(box.centre().x, box.centre().z));
     m_world->set("uFade", float(12.0 * reach + 4.0 * height + 2.0 * camera.distance));
     const double step = gridStep(camera.heightAtTarget());

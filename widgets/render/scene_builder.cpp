@@ -6,6 +6,7 @@
 #include "core/scene/object_mesh.h"
 #include "core/scene/places.h"
 #include "widgets/render/arm_items.h"
+#include "widgets/render/ground_height.h"
 #include "widgets/render/isolated_parts.h"
 #include "widgets/render/line_art.h"
 #include "widgets/render/scene_part_cache.h"
@@ -355,6 +356,7 @@ void markSelectedNodes(RenderScene& built, const std::vector<NodeId>& shown, con
 
 SceneBuilder::SceneBuilder()
     : m_cache(std::make_unique<ScenePartCache>())
+    , m_ground(std::make_unique<GroundHeight>())
 {
 }
 
@@ -386,6 +388,7 @@ RenderScene SceneBuilder::build(const Scene& scene, const ResultOf& resultOf, co
         shown.push_back(node.id);
         TreeItems{*m_cache, built, view, node, *tree, places[i].geometry}.all();
     }
+    built.ground = m_ground->of(scene, built);
     markSelectedNodes(built, shown, view);
     updateHighlights(built, resultOf, view);
     built.updateBoxes();

@@ -42,6 +42,8 @@ struct SceneView
     std::vector<Index> isolatedBranches; ///< of its simplified skeleton; empty = all
 };
 
+class GroundHeight;
+
 class SceneBuilder
 {
 public:
@@ -58,6 +60,7 @@ public:
 
 private:
     std::unique_ptr<ScenePartCache> m_cache;
+    std::unique_ptr<GroundHeight> m_ground;
 };
 
 /// Only the highlights of \p view, into a scene built before from the same results: for hovering.

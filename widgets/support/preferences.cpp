@@ -13,6 +13,7 @@ const QString angleKey = QStringLiteral("units/angle");
 const QString themeKey = QStringLiteral("view/theme");
 const QString languageKey = QStringLiteral("view/language");
 const QString navigationKey = QStringLiteral("view/navigation");
+const QString groundKey = QStringLiteral("view/ground");
 const QString autosaveKey = QStringLiteral("files/autosaveMinutes");
 const QString timeKey = QStringLiteral("units/time");
 const QString motionMemoryKey = QStringLiteral("motion/memoryMb");
@@ -87,6 +88,16 @@ void Preferences::setNavigationStyle(NavigationStyle style)
     store(navigationKey, style == NavigationStyle::Maya ? QStringLiteral("maya") : QStringLiteral("blender"));
 }
 
+bool Preferences::groundVisible() const
+{
+    return m_settings.value(groundKey, true).toBool();
+}
+
+void Preferences::setGroundVisible(bool on)
+{
+    store(groundKey, on);
+}
+
 int Preferences::autosaveMs() const
 {
     constexpr double msPerMinute = 60'000.0;
@@ -147,8 +158,8 @@ void Preferences::setWelcomeAtStart(bool on)
 
 void Preferences::restoreDefaults()
 {
-    for (const QString& key :
-         {angleKey, timeKey, themeKey, languageKey, navigationKey, autosaveKey, motionMemoryKey, welcomeKey})
+    for (const QString& key : {angleKey, timeKey, themeKey, languageKey, navigationKey, groundKey,
+                               autosaveKey, motionMemoryKey, welcomeKey})
         m_settings.remove(key);
     emit changed();
 }

@@ -36,6 +36,8 @@ public:
     void setLanguage(const QString& language);
     [[nodiscard]] NavigationStyle navigationStyle() const;
     void setNavigationStyle(NavigationStyle style);
+    [[nodiscard]] bool groundVisible() const;
+    void setGroundVisible(bool on);
     /// Minutes between two recovery files; 0: none are written. A part of a minute counts as a whole one.
     [[nodiscard]] int autosaveMinutes() const;
     void setAutosaveMinutes(int minutes);

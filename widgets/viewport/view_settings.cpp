@@ -51,6 +51,11 @@ void ViewSettings::setGridVisible(bool on)
     set(m_gridVisible, on, &ViewSettings::gridVisibleChanged);
 }
 
+void ViewSettings::setGroundVisible(bool on)
+{
+    set(m_groundVisible, on, &ViewSettings::groundVisibleChanged);
+}
+
 void ViewSettings::setOrthographic(bool on)
 {
     set(m_orthographic, on, &ViewSettings::orthographicChanged);

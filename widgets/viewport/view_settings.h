@@ -25,6 +25,7 @@ public:
     [[nodiscard]] bool leavesVisible() const { return m_leavesVisible; }
     [[nodiscard]] bool applesVisible() const { return m_applesVisible; }
     [[nodiscard]] bool gridVisible() const { return m_gridVisible; }
+    [[nodiscard]] bool groundVisible() const { return m_groundVisible; }
     [[nodiscard]] bool orthographic() const { return m_orthographic; }
     [[nodiscard]] bool windVisible() const { return m_windVisible; }
 
@@ -36,6 +37,7 @@ public slots:
     void setLeavesVisible(bool on);
     void setApplesVisible(bool on);
     void setGridVisible(bool on);
+    void setGroundVisible(bool on);
     void setOrthographic(bool on);
     void setWindVisible(bool on);
 
@@ -47,6 +49,7 @@ signals:
     void leavesVisibleChanged(bool on);
     void applesVisibleChanged(bool on);
     void gridVisibleChanged(bool on);
+    void groundVisibleChanged(bool on);
     void orthographicChanged(bool on);
     void windVisibleChanged(bool on);
     /// After any of the above.
@@ -62,6 +65,7 @@ private:
     bool m_leavesVisible = true;
     bool m_applesVisible = true;
     bool m_gridVisible = true;
+    bool m_groundVisible = true;
     bool m_orthographic = false;
     bool m_windVisible = false;
 };

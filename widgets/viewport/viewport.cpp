@@ -53,6 +53,7 @@ RenderOptions Viewport::Private::options(double pixelRatio) const
     RenderOptions options;
     options.shading = settings->shadingMode();
     options.grid = settings->gridVisible();
+    options.ground = settings->groundVisible();
     options.pixelRatio = pixelRatio;
     options.smoothing = software;
     return options;

@@ -62,6 +62,18 @@ SceneView in(DisplayMode mode)
     return view;
 }
 
+/// A unit cube around the place.
+Node cubeAt(Scene& scene, double y)
+{
+    Node node;
+    node.id = scene.newId();
+    node.kind = NodeKind::Primitive;
+    node.params.primitive.shape = PrimitiveShape::Box;
+    node.params.primitive.size = glm::dvec3(1.0);
+    node.params.tree.translation = {0.0, y, 0.0};
+    return node;
+}
+
 } // namespace
 
 class TestSceneBuilder : public QObject
@@ -78,6 +90,45 @@ private slots:
                 built.highlights.empty());
         QVERIFY(built.box.empty() && built.casters.empty());
         QVERIFY(built.framePoints().empty());
+    }
+    void theGroundLiesUnderAllThatObjectsEverReach()
+    {
+        Trees trees;
+        trees.add();
+        QCOMPARE(trees.build(SceneView()).ground, 0.0); // roots below y = 0 do not matter
+        SceneBuilder builder;
+        const auto ground = [&](double seconds) {
+            SceneView view;
+            view.timeSeconds = seconds;
+            return builder.build(trees.scene, trees.of(), view).ground;
+        };
+        const Node above = cubeAt(trees.scene, 3.0), below = cubeAt(trees.scene, -2.0);
+        QVERIFY(trees.scene.insert({above}, noNode, 99));
+        QCOMPARE(ground(0.0), 0.0);
+        QVERIFY(trees.scene.insert({below}, noNode, 99));
+        QVERIFY(std::abs(ground(0.0) + 2.5) < 1e-6);
+        trees.scene.find(below.id)->visible = false;
+        QCOMPARE(ground(0.0), 0.0);
+
+        // Keys lower the other one by 10 m until the last frame; turned by 45 degrees a corner hangs lower.
+        Track falls = *Track::fromKeys({Key(), [] {
+                                            Key key;
+                                            key.time = 4 * ticksPerSecond;
+                                            key.value = -10.0;
+                                            return key;
+                                        }()});
+        Node* node = trees.scene.find(above.id);
+        node->animation.set({ChannelPart::GlobalTranslation, 1, 0}, AnyTrack(std::move(falls)));
+        node->params.local.rotation = {0.0, 0.0, 0.785398163397448};
+        TimelineSettings timeline;
+        timeline.firstFrame = 0;
+        timeline.lastFrame = 96;
+        trees.scene.setTimeline(timeline);
+        const double lowest = 3.0 - 10.0 - std::sqrt(0.5);
+        for (const double seconds : {0.0, 4.0, 1.0})
+            QVERIFY2(std::abs(ground(seconds) - lowest) < 1e-6, "it does not move as the scene plays");
+        node->animation = {};
+        QCOMPARE(ground(0.0), 0.0);
     }
     void missingStagesAreLeftOut()
     {
