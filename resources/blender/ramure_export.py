@@ -60,6 +60,18 @@ def number(value):
     return text[:-2] if text.endswith(".0") else text
 
 
+def channel_bag(action, slot):
+    """The curves of one slot, None where it has none. Releases before 4.5 have no function for it."""
+    if slot is None:
+        return None
+    try:
+        from bpy_extras import anim_utils
+        return anim_utils.action_get_channelbag_for_slot(action, slot)
+    except (ImportError, AttributeError):
+        bags = (strip.channelbag(slot) for layer in action.layers for strip in layer.strips)
+        return next((bag for bag in bags if bag), None)
+
+
 def curves_of(obj):
     """The curves of an object's own action, by (path, index); None where more than an action moves it."""
     data = obj.animation_data
@@ -72,12 +84,8 @@ def curves_of(obj):
         return {}
     curves = getattr(action, "fcurves", None)
     if getattr(action, "is_action_layered", False) or curves is None:
-        try:
-            from bpy_extras import anim_utils
-            bag = anim_utils.action_get_channelbag_for_slot(action, data.action_slot)
-            curves = bag.fcurves if bag else ()
-        except (ImportError, AttributeError):
-            curves = curves or ()
+        bag = channel_bag(action, data.action_slot)
+        curves = bag.fcurves if bag else ()
     return {(curve.data_path, curve.array_index): curve for curve in curves if not curve.mute}
 
 
@@ -105,6 +113,24 @@ def plain(curves):
                c.keyframe_points and not getattr(c, "sampled_points", None) for c in curves)
 
 
+def elastic_stays(obj, curves):
+    """Is ELASTIC the same in the file? Y comes out reversed, and the swing of a change that is smaller than the
+    amplitude is another one backwards; turned by a parent, or as part of a rotation, it mixes with other axes. And
+    Blender swings where nothing changes at all, which a share of the change cannot say."""
+    place = basis_place(obj)
+    upright = place is not None and abs(abs(place[1].w) - 1.0) < 1e-6 and abs(place[2] - 1.0) < 1e-6
+    for (path, axis), curve in curves.items():
+        points = list(curve.keyframe_points)
+        for point, after in zip(points, points[1:]):
+            change = abs(after.co[1] - point.co[1])
+            if point.interpolation != "ELASTIC" or path not in dict(PATHS):
+                continue
+            turns = path == "rotation_quaternion" or path == "location" and not upright
+            if turns or change == 0.0 or (path == "location" and axis == 1 and change <= point.amplitude):
+                return False
+    return True
+
+
 def reasons_to_bake(obj, curves):
     if curves is None:
         return "NLA or drivers"
@@ -120,8 +146,7 @@ def reasons_to_bake(obj, curves):
         return "rotation by angles, not by quaternions"
     if obj.rotation_mode != "QUATERNION" and any(path == "rotation_quaternion" for path, _ in curves):
         return "quaternion keys that the rotation mode does not use"
-    if any(point.interpolation == "ELASTIC" for (path, _), curve in curves.items() if path != "scale"
-           for point in curve.keyframe_points):
+    if not elastic_stays(obj, curves):
         return "ELASTIC, which is not the same along a turned axis"
     if not plain(moving):
         return "modifiers, or curves that go on"

@@ -54,6 +54,13 @@ for frame in (1, 20, 50):
 for curve in curves(spring):
     for point in curve.keyframe_points:
         point.interpolation = "ELASTIC"
+swinging = cube("Swinging")  # may stay ELASTIC: along Y it goes further than the amplitude, and nothing turns
+for frame, place in ((1, (0, 0, 0)), (20, (0.3, -2, 1)), (50, (3, 4, 5))):
+    swinging.location = place
+    swinging.keyframe_insert("location", frame=frame)
+for curve in curves(swinging):
+    for point in curve.keyframe_points:
+        point.interpolation = "ELASTIC"
 hand = cube("Hand", arm)
 hand.location = (0, 1, 2)
 bpy.context.view_layer.update()

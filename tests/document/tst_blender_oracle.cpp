@@ -48,6 +48,8 @@ private slots:
         QVERIFY2(m_said.contains("largest deviation from Blender"), m_said.constData());
         QVERIFY2(!m_said.contains("more than"), m_said.constData());
         QVERIFY2(m_said.contains("Angles: a key for every frame"), m_said.constData());
+        QVERIFY2(m_said.contains("Spring: a key for every frame"), m_said.constData());
+        QVERIFY2(!m_said.contains("Swinging: a key for every frame"), m_said.constData());
     }
     void everyNodeIsWhereBlenderHasIt()
     {
@@ -62,7 +64,7 @@ private slots:
         for (const QJsonValue& entry : places) {
             const double seconds = entry[QStringLiteral("seconds")].toDouble();
             const QJsonObject nodes = entry[QStringLiteral("nodes")].toObject();
-            QCOMPARE(nodes.size(), 7);
+            QCOMPARE(nodes.size(), 8);
             for (const Node& node : scene->nodes()) {
                 const QString name = QString::fromStdString(node.name);
                 if (!nodes.contains(name))
