@@ -12,7 +12,8 @@
 namespace ramure {
 namespace {
 
-constexpr int keySide = 16; ///< of the button for keys
+constexpr int keySide = 22; ///< of the button for keys: no smaller than what a hand hits at once
+constexpr int keyIcon = 16;
 
 QString unitText(const ParamDef& def, AngleUnit unit)
 {
@@ -98,7 +99,7 @@ ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
         m_key = new QToolButton(this);
         m_key->setAutoRaise(true);
         m_key->setFixedSize(keySide, keySide);
-        m_key->setIconSize({10, 10});
+        m_key->setIconSize({keyIcon, keyIcon});
         m_key->setFocusPolicy(Qt::TabFocus);
         m_key->setObjectName(QStringLiteral("keyButton"));
         m_key->hide();
