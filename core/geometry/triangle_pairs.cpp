@@ -149,4 +149,32 @@ bool trianglesMeetBeyondEdge(const glm::vec3& a, const glm::vec3& b, const glm::
     return orientation(view, a, b, p) * orientation(view, a, b, q) > 0;
 }
 
+bool facesMeet(std::span<const glm::vec3> positions, const glm::uvec3& s, const glm::uvec3& t)
+{
+    const auto corners = [positions](const glm::uvec3& face) -> Corners3 {
+        return {positions[face.x], positions[face.y], positions[face.z]};
+    };
+    // The corners of both are turned so that those in common come first.
+    const auto turned = [positions](const glm::uvec3& face, Index first) -> Corners3 {
+        const int k = face.x == first ? 0 : (face.y == first ? 1 : 2);
+        return {positions[face[k]], positions[face[(k + 1) % 3]], positions[face[(k + 2) % 3]]};
+    };
+    std::array<int, 3> common{};
+    int count = 0;
+    for (int k = 0; k < 3; ++k)
+        if (s[k] == t.x || s[k] == t.y || s[k] == t.z)
+            common[std::size_t(count++)] = k;
+    if (count == 0)
+        return trianglesMeet(corners(s), corners(t));
+    if (count == 3)
+        return true;
+    const Index shared = s[common[0]];
+    if (count == 1)
+        return trianglesMeetBeyondVertex(turned(s, shared), turned(t, shared));
+    const Index other = s[common[1]];
+    return trianglesMeetBeyondEdge(positions[shared], positions[other],
+                                   positions[s.x ^ s.y ^ s.z ^ shared ^ other],
+                                   positions[t.x ^ t.y ^ t.z ^ shared ^ other]);
+}
+
 } // namespace ramure

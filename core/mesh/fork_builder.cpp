@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace ramure {
@@ -15,8 +16,27 @@ constexpr double freeRoom = 0.25;       ///< between a sibling's tube and such a
 constexpr double trimMargin = 0.02;     ///< between a trimmed ring and the plane it is trimmed to
 constexpr double leastStretch = 0.35;   ///< see TubeScale
 constexpr double leastTrimmed = 0.05;   ///< no point is drawn nearer to the centre
+constexpr double usualSoftness = 0.64;  ///< times the reach: up to here tubes keep apart
+constexpr double farSoftness = 1.2;     ///< the same: every fork is looked at
+constexpr double hopelessShare = 0.12;  ///< pairs in a fork's triangles: no other way is tried
+constexpr int allSides = std::numeric_limits<int>::max();
 
 } // namespace
+
+// Coarser walls first: they are the most likely to help, and show the least.
+const std::array<ForkBuilder::Way, 8> ForkBuilder::lateWays{{{allSides, true, 1.0},
+                                                             {8, true, 1.0},
+                                                             {5, true, 1.0},
+                                                             {allSides, false, 1.0},
+                                                             {8, false, 1.0},
+                                                             {5, false, 1.0},
+                                                             {8, true, 0.0},
+                                                             {5, false, 0.0}}};
+const std::array<ForkBuilder::Way, 5> ForkBuilder::softWays{{{allSides, true, 1.0},
+                                                             {allSides, true, 0.7},
+                                                             {allSides, true, 0.4},
+                                                             {allSides, true, 0.2},
+                                                             {allSides, true, 0.0}}};
 
 bool ForkBuilder::isFree(Index child, const glm::dvec3& point, double along) const
 {
@@ -145,7 +165,7 @@ TubeScale ForkBuilder::scaleOf(const ForkChild& tube) const
     return {radius, std::clamp(2.0 * std::numbers::pi * radius / (sides * spacing), leastStretch, 1.0)};
 }
 
-void ForkBuilder::startTube(Index child, std::vector<TubeEnd>& ends)
+void ForkBuilder::startTube(Index child, const Way& way, std::vector<TubeEnd>& ends)
 {
     const ForkChild& tube = m_children[child];
     const MeshBranch& own = m_context.skeleton.branches[tube.branch];
@@ -174,15 +194,22 @@ void ForkBuilder::startTube(Index child, std::vector<TubeEnd>& ends)
     m_patch.zip(m_front, m_upper, scaleOf(tube));
     if (m_count > 2 || m_patch.isCrooked())
         m_patch.relax();
-    insertPartialRings(child, full);
+    if (way.partialRings)
+        insertPartialRings(child, full);
     m_patch.relax();
+    const std::size_t strip = m_context.sink.triangles.size();
     m_patch.write(m_context.sink);
+    const std::size_t above = m_context.sink.triangles.size();
     if (atEnd)
         m_tubes.end(tube.branch, section, ring, points.size(), ends);
     else
         m_tubes.finish(tube.branch, tube.sections, full, {ring, points}, ends);
     if (m_softener.isOn())
         swellRingsAbove(child, full, ring);
+    if (m_isChecked)
+        m_check.add(m_patch, m_context.sink, strip);
+    if (m_isChecked && isVerySoft())
+        m_check.addBands(m_context.sink, above);
 }
 
 /// On the average: what the walls between them are divided by.
@@ -192,6 +219,70 @@ int ForkBuilder::sidesOfChildren() const
     for (std::size_t i = 0; i < m_count; ++i)
         sides += m_context.divisions.ring(m_children[i].branch, m_children[i].sections.front().radius).size();
     return static_cast<int>(sides / m_count);
+}
+
+void ForkBuilder::attempt(const Way& way, std::vector<TubeEnd>& ends)
+{
+    const std::span<const ForkChild> children(m_children.data(), m_count);
+    const BranchMeshOptions& options = m_context.options;
+    m_softener.begin(children, options.forkReach, way.softness * options.forkSoftness);
+    m_walls.build(m_layout, m_ring, children, m_softener, std::min(sidesOfChildren(), way.mostSides),
+                  m_context.sink);
+    // Where tubes come apart late, walls stand close together: fine ones may fold into each other.
+    m_isChecked = m_walls.isLate() || isVerySoft();
+    m_check.begin();
+    for (Index i = 0; i < m_count; ++i)
+        startTube(i, way, ends);
+}
+
+/// Softer than usual: tubes may swell into each other.
+bool ForkBuilder::isVerySoft() const
+{
+    return m_context.options.forkReach * m_context.options.forkSoftness > usualSoftness;
+}
+
+/// So soft that tubes run through each other without being folded.
+bool ForkBuilder::swellsFar() const
+{
+    return m_context.options.forkReach * m_context.options.forkSoftness > farSoftness;
+}
+
+void ForkBuilder::takeBack(const Before& before, std::vector<TubeEnd>& ends)
+{
+    MeshSink& sink = m_context.sink;
+    sink.positions.resize(before.vertices);
+    sink.owner.resize(before.vertices);
+    sink.triangles.resize(before.triangles);
+    sink.tubes.resize(before.tubes);
+    sink.axes.resize(before.tubes);
+    sink.forkVertices.resize(before.forkVertices);
+    ends.resize(before.ends);
+}
+
+/// A strip is folded: if the fork's tubes run through each other, other ways are tried.
+void ForkBuilder::findBetterWay(const Before& before, std::vector<TubeEnd>& ends)
+{
+    const std::span<const Way> ways = m_walls.isLate() ? std::span<const Way>(lateWays) : softWays;
+    std::size_t best = 0, built = 0;
+    // Branches as thick as long run through each other whatever is done.
+    const auto hopeless = static_cast<std::size_t>(hopelessShare * static_cast<double>(m_check.faceCount()));
+    std::size_t least = m_check.count(m_context.sink, hopeless + 1);
+    if (least > hopeless)
+        return;
+    for (std::size_t way = 1; way < ways.size() && least > 0; ++way) {
+        takeBack(before, ends);
+        attempt(ways[way], ends);
+        built = way;
+        const std::size_t found = m_check.count(m_context.sink, least);
+        if (found >= least)
+            continue;
+        least = found;
+        best = way;
+    }
+    if (built == best)
+        return;
+    takeBack(before, ends);
+    attempt(ways[best], ends);
 }
 
 void ForkBuilder::build(const TubeEnd& parent, std::vector<TubeEnd>& ends)
@@ -218,11 +309,12 @@ void ForkBuilder::build(const TubeEnd& parent, std::vector<TubeEnd>& ends)
     m_ring.points.clear();
     for (std::size_t i = 0; i < m_layout.ring.size(); ++i)
         m_ring.points.emplace_back(m_context.sink.positions[parent.ring + i]);
-    const std::span<const ForkChild> children(m_children.data(), m_count);
-    m_softener.begin(children, m_context.options.forkReach, m_context.options.forkSoftness);
-    m_walls.build(m_layout, m_ring, children, m_softener, sidesOfChildren(), m_context.sink);
-    for (Index i = 0; i < m_count; ++i)
-        startTube(i, ends);
+    const MeshSink& sink = m_context.sink;
+    const Before before{sink.positions.size(), sink.triangles.size(), sink.tubes.size(),
+                        sink.forkVertices.size(), ends.size()};
+    attempt(lateWays.front(), ends);
+    if (m_check.isFolded() || (m_isChecked && swellsFar()))
+        findBetterWay(before, ends);
 }
 
 } // namespace ramure

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "core/mesh/cell_unroll.h"
+#include "core/mesh/fork_check.h"
 #include "core/mesh/fork_softening.h"
 #include "core/mesh/fork_walls.h"
 #include "core/mesh/strip_patch.h"
 #include "core/mesh/tube_builder.h"
+#include <array>
 
 namespace ramure {
 
@@ -23,8 +25,27 @@ public:
     void build(const TubeEnd& parent, std::vector<TubeEnd>& ends);
 
 private:
+    /// How a fork is built; the first way that keeps its tubes apart is taken.
+    struct Way
+    {
+        int mostSides;     ///< walls are divided as if tubes had no more sides
+        bool partialRings; ///< below the first complete ones
+        double softness;   ///< of the wanted one
+    };
+    static const std::array<Way, 8> lateWays;
+    static const std::array<Way, 5> softWays;
+    /// How much was in the sink, and how many ends there were, before the fork.
+    struct Before
+    {
+        std::size_t vertices, triangles, tubes, forkVertices, ends;
+    };
+    void attempt(const Way& way, std::vector<TubeEnd>& ends);
+    [[nodiscard]] bool isVerySoft() const;
+    [[nodiscard]] bool swellsFar() const;
+    void findBetterWay(const Before& before, std::vector<TubeEnd>& ends);
+    void takeBack(const Before& before, std::vector<TubeEnd>& ends);
     [[nodiscard]] TubeScale scaleOf(const ForkChild& tube) const;
-    void startTube(Index child, std::vector<TubeEnd>& ends);
+    void startTube(Index child, const Way& way, std::vector<TubeEnd>& ends);
     std::size_t firstFullSection(const ForkChild& tube) const;
     std::size_t lastSectionBelow(const ForkChild& tube, std::size_t full) const;
     void trimEndRing(Index child, const AxisSection& section, Index ring, std::size_t count);
@@ -44,6 +65,8 @@ private:
     ForkRing m_ring;
     CellUnroller m_unroller;
     StripPatch m_patch;
+    ForkCheck m_check;                 ///< knows the strips that close the fork
+    bool m_isChecked = false;          ///< the fork at hand
     std::vector<ForkChild> m_children; ///< never shrinks: the first m_count are in use
     std::size_t m_count = 0;
     std::vector<CellVertex> m_boundary;

@@ -19,6 +19,7 @@ constexpr bool isPeaked(int sides)
 {
     return sides < 5 || sides == 6 || sides > 8;
 }
+constexpr double lateShare = 0.6; ///< of the shortest child: a corner above makes the fork a late one
 constexpr int cornerRounds = 4;
 constexpr double cornerGap = 0.1; ///< of the radius, between two corners
 /// A wall leans to its point of the ring up to this height, of the radius, at least, and to where it is this
@@ -74,6 +75,16 @@ void ForkWalls::makeCorners()
         ;
     for (const Corner& corner : m_corners)
         add(corner.at, corner.path);
+}
+
+bool ForkWalls::standsLate() const
+{
+    double highest = 0.0, shortest = std::numeric_limits<double>::max();
+    for (const Corner& corner : m_corners)
+        highest = std::max(highest, corner.at.along);
+    for (const ForkChild& child : m_children)
+        shortest = std::min(shortest, child.table.length());
+    return highest > lateShare * shortest;
 }
 
 /// Where four tubes are about as far from one point, two corners lie there, and perhaps in the wrong order:
@@ -294,6 +305,7 @@ void ForkWalls::build(const ForkLayout& layout, const ForkRing& ring, std::span<
     m_lift.begin(children);
     m_vertices.clear();
     makeCorners();
+    m_isLate = standsLate();
     makeHullWalls();
     makeInnerWalls();
     soften(softener);

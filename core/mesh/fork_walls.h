@@ -36,9 +36,11 @@ struct CellVertex
 class ForkWalls
 {
 public:
-    /// Adds all wall vertices to \p sink.
+    /// Adds all wall vertices to \p sink. \param radialDivisions of the tubes, or fewer for coarser walls.
     void build(const ForkLayout& layout, const ForkRing& ring, std::span<const ForkChild> children,
                ForkSoftener& softener, int radialDivisions, MeshSink& sink);
+    /// Do tubes stay in one until far up the shortest of them? There many walls stand close together.
+    [[nodiscard]] bool isLate() const { return m_isLate; }
     /// The boundary of a child's cell, counter-clockwise seen from the child's tip; at least three vertices.
     /// A run on the ring, if there is one, comes first.
     void cell(Index child, std::vector<CellVertex>& boundary) const;
@@ -69,6 +71,7 @@ private:
         ForkLift::Lifted at;
     };
     void makeCorners();
+    [[nodiscard]] bool standsLate() const;
     bool partCorners();
     void makeHullWalls();
     void makeInnerWalls();
@@ -95,6 +98,7 @@ private:
     MeshSink* m_sink = nullptr;
     int m_radialDivisions = 8;
     int m_midsPerQuarter = 2; ///< vertices of a wall over a quarter of a turn
+    bool m_isLate = false;
     ForkLift m_lift;
     ValleyGuess m_guess;
     std::vector<WallSample> m_samples;

@@ -118,7 +118,7 @@ private:
     void test(Index i, Index j, Found& found) const
     {
         const glm::uvec3 &s = m_mesh.triangles[i], &t = m_mesh.triangles[j];
-        if (!meet(s, t))
+        if (!facesMeet(m_mesh.positions, s, t))
             return;
         const Owners a = owners(s), b = owners(t);
         const PairKind kind = kindOf(a, b);
@@ -150,33 +150,6 @@ private:
             return;
         addUp(list);
         found.full = list.size() >= branchPairsPerChunk;
-    }
-
-    /// The corners of both are turned so that those in common come first.
-    [[nodiscard]] bool meet(const glm::uvec3& s, const glm::uvec3& t) const
-    {
-        std::array<int, 3> common{};
-        int count = 0;
-        for (int k = 0; k < 3; ++k)
-            if (s[k] == t.x || s[k] == t.y || s[k] == t.z)
-                common[std::size_t(count++)] = k;
-        if (count == 0)
-            return trianglesMeet(corners(s), corners(t));
-        if (count == 3)
-            return true;
-        const Index shared = s[common[0]];
-        if (count == 1)
-            return trianglesMeetBeyondVertex(turned(s, shared), turned(t, shared));
-        const Index other = s[common[1]];
-        const auto& at = m_mesh.positions;
-        return trianglesMeetBeyondEdge(at[shared], at[other], at[s.x ^ s.y ^ s.z ^ shared ^ other],
-                                       at[t.x ^ t.y ^ t.z ^ shared ^ other]);
-    }
-
-    [[nodiscard]] Corners3 turned(const glm::uvec3& t, Index first) const
-    {
-        const int k = t.x == first ? 0 : t.y == first ? 1 : 2;
-        return corners({t[k], t[(k + 1) % 3], t[(k + 2) % 3]});
     }
 
     [[nodiscard]] Owners owners(const glm::uvec3& t) const

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
 
@@ -525,6 +526,25 @@ void StripPatch::relax()
                 break;
     }
     m_suspects.clear();
+}
+
+bool StripPatch::measureNormals(const MeshSink& sink, std::vector<glm::vec3>& normals) const
+{
+    bool isFolded = false;
+    const std::size_t first = normals.size();
+    const auto at = [&](const Triangle& t, std::size_t corner) {
+        return glm::dvec3(sink.positions[m_vertices[t.corner[corner]].vertex]);
+    };
+    for (std::size_t t = 0; t < m_triangles.size(); ++t) {
+        const glm::dvec3 a = at(m_triangles[t], 0);
+        const glm::dvec3 normal = glm::cross(at(m_triangles[t], 1) - a, at(m_triangles[t], 2) - a);
+        const double square = glm::dot(normal, normal);
+        normals.emplace_back(square > 0.0 ? normal * (1.0 / std::sqrt(square)) : normal);
+        for (const Index other : m_triangles[t].neighbour) // those without a number yet come later
+            isFolded = isFolded ||
+                       (other < t && glm::dot(normals[first + t], normals[first + other]) < foldedCosine);
+    }
+    return isFolded;
 }
 
 void StripPatch::write(MeshSink& sink) const

@@ -34,6 +34,9 @@ struct TubeScale
 class StripPatch
 {
 public:
+    /// Of the angle between neighbours, one of which lies back on the other.
+    static constexpr float foldedCosine = -0.3F;
+
     /// Starts a strip. Rows are closed, at least three vertices each, azimuths increasing over one turn in
     /// all.
     void zip(const std::vector<UnrolledVertex>& lower, const std::vector<UnrolledVertex>& upper,
@@ -47,6 +50,9 @@ public:
     /// Was the strip hard to zip? Then it should be relaxed before vertices are inserted.
     [[nodiscard]] bool isCrooked() const { return m_crooked; }
     void write(MeshSink& sink) const;
+    /// Appends the triangles' unit normals, once all vertices are in the sink. Returns whether two neighbours
+    /// lie back on each other.
+    bool measureNormals(const MeshSink& sink, std::vector<glm::vec3>& normals) const;
 
 private:
     struct Triangle

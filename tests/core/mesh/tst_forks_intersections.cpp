@@ -14,6 +14,8 @@ private slots:
     void init() { failOnAnyWarning(); }
     void aroundForks_data();
     void aroundForks();
+    void softForks_data();
+    void softForks();
     void randomSmallTrees();
 };
 
@@ -25,9 +27,8 @@ struct Counted
     SelfIntersections found;
 };
 
-Counted count(const Skeleton& skeleton, int radial, int length)
+Counted count(const Skeleton& skeleton, int radial, int length, BranchMeshOptions options = {})
 {
-    BranchMeshOptions options;
     options.radialDivisions = radial;
     options.lengthDivisions = length;
     Counted counted{buildBranchMesh(skeleton, options), {}};
@@ -44,21 +45,21 @@ void TestForksIntersections::aroundForks_data()
     QTest::addColumn<QString>("preset");
     QTest::addColumn<int>("radial");
     QTest::addColumn<int>("length");
-    QTest::addColumn<Index>("bar");
-    const auto row = [](const char* preset, int radial, int length, Index bar) {
-        QTest::addRow("%s %d radial x %d length", preset, radial, length)
-            << preset << radial << length << bar;
+    const auto row = [](const char* preset, int radial, int length) {
+        QTest::addRow("%s %d radial x %d length", preset, radial, length) << preset << radial << length;
     };
-    // FanTree has forks of 14 children, some of which hardly separate within their length.
     for (const char* preset : {"SmallTree", "TinyTree", "Fern2D", "FanTree"}) {
-        row(preset, 5, 4, 0);
-        row(preset, 8, 4, 0);
-        row(preset, 16, 4, std::string_view(preset) == "FanTree" ? 60 : 0);
-        row(preset, 8, 2, 0);
-        row(preset, 5, 8, 0);
-        row(preset, 8, 8, 0);
-        row(preset, 16, 8, 0);
+        row(preset, 5, 4);
+        row(preset, 8, 4);
+        row(preset, 16, 4);
+        row(preset, 8, 2);
+        row(preset, 5, 8);
+        row(preset, 8, 8);
+        row(preset, 16, 8);
     }
+    // Its forks of nine and ten children, which come apart late, folded where rings are fine.
+    row("FanTree", 12, 3);
+    row("FanTree", 24, 4);
 }
 
 void TestForksIntersections::aroundForks()
@@ -66,7 +67,6 @@ void TestForksIntersections::aroundForks()
     QFETCH(QString, preset);
     QFETCH(int, radial);
     QFETCH(int, length);
-    QFETCH(Index, bar);
     const Expected<Skeleton> skeleton = presetSkeleton({preset.toStdString()});
     QVERIFY2(skeleton, why(skeleton));
     const Counted counted = count(*skeleton, radial, length);
@@ -74,7 +74,44 @@ void TestForksIntersections::aroundForks()
     const SelfIntersections& found = counted.found;
     qInfo("%s: %u triangles, same %u, siblings %u, parent-child %u, far %u", QTest::currentDataTag(),
           counted.built->mesh.faceCount(), found.same, found.siblings, found.parentChild, found.far);
-    QVERIFY2(found.aroundForks() <= bar, found.summary(counted.built->mesh).c_str());
+    QVERIFY2(found.aroundForks() == 0, found.summary(counted.built->mesh).c_str());
+}
+
+void TestForksIntersections::softForks_data()
+{
+    QTest::addColumn<QString>("preset");
+    QTest::addColumn<int>("radial");
+    QTest::addColumn<int>("length");
+    QTest::addColumn<double>("softness");
+    QTest::addColumn<double>("reach");
+    const auto row = [](const char* preset, int radial, int length, double softness, double reach) {
+        QTest::addRow("%s %d radial x %d length, softness %.1f, reach %.1f", preset, radial, length, softness,
+                      reach)
+            << preset << radial << length << softness << reach;
+    };
+    row("SmallTree", 8, 4, 1.0, 2.0);
+    row("FanTree", 8, 4, 1.0, 2.0);
+    row("Fern2D", 8, 4, 1.0, 2.0);
+    row("TinyTree", 24, 16, 1.0, 2.0);
+    row("TinyTree", 16, 8, 0.7, 4.0);
+}
+
+/// However soft a fork is wanted: it is softened as far as its tubes do not swell into each other.
+void TestForksIntersections::softForks()
+{
+    QFETCH(QString, preset);
+    QFETCH(int, radial);
+    QFETCH(int, length);
+    QFETCH(double, softness);
+    QFETCH(double, reach);
+    BranchMeshOptions options;
+    options.forkSoftness = softness;
+    options.forkReach = reach;
+    const Expected<Skeleton> skeleton = presetSkeleton({preset.toStdString()});
+    QVERIFY2(skeleton, why(skeleton));
+    const Counted counted = count(*skeleton, radial, length, options);
+    QVERIFY2(counted.built, why(counted.built));
+    QVERIFY2(counted.found.aroundForks() == 0, counted.found.summary(counted.built->mesh).c_str());
 }
 
 /// The preset is one tree of its grammar among many: others fork at other angles.
