@@ -3093,6 +3093,14 @@
         <source>unknown demo &quot;%1&quot;: one of %2 expected</source>
         <translation>démonstration « %1 » inconnue : on attend l&apos;une de %2</translation>
     </message>
+    <message>
+        <source>Seams around bends</source>
+        <translation>Coutures autour des courbures</translation>
+    </message>
+    <message>
+        <source>On: where a branch bends sharply, its seam goes part of the way around it, and 95 of 100 triangles keep the shape of the picture. Off: the picture never slips at a bend, but is stretched there.</source>
+        <translation>Activé : là où une branche se courbe fortement, sa couture en fait en partie le tour, et 95 triangles sur 100 gardent la forme de l’image. Désactivé : l’image ne se décale jamais à une courbure, mais elle y est étirée.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

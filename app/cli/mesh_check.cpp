@@ -53,8 +53,8 @@ Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, const Tre
     checked.analysis = std::move(*analysis);
     if (texture) {
         const BranchMesh& rest = result->restBranches ? *result->restBranches : branches;
-        const auto coordinates =
-            textureCoordinates(rest, {node.params.texture.tileSize}, progress.part(0.9, 1.0));
+        const auto coordinates = textureCoordinates(
+            rest, {node.params.texture.tileSize, node.params.texture.seamsAround}, progress.part(0.9, 1.0));
         if (!coordinates)
             return fail(coordinates.error());
         checked.texture = textureReport(branches, *coordinates);

@@ -108,7 +108,7 @@ Expected<TreeMeshes> texturedMeshes(const TreeResult& tree, const NodeParams& pa
     TreeMeshes meshes;
     if (plain.branches) {
         const BranchMesh& rest = tree.restBranches ? *tree.restBranches : *tree.branches;
-        auto made = textureCoordinates(rest, {params.texture.tileSize}, progress);
+        auto made = textureCoordinates(rest, {params.texture.tileSize, params.texture.seamsAround}, progress);
         if (!made) {
             Error error = std::move(made.error());
             if (error.code == ErrorCode::Invalid)

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 namespace ramure {
 
@@ -22,7 +21,7 @@ void ConformalRelaxer::clear()
     m_z.clear();
     m_free.clear();
     m_triangles.clear();
-    m_first.clear();
+    m_around.clear();
     m_awake.clear();
     m_moved.clear();
 }
@@ -37,48 +36,29 @@ void ConformalRelaxer::addVertex(const glm::dvec2& uv, bool isFree)
 void ConformalRelaxer::addTriangle(const std::array<Index, 3>& corner, const std::array<glm::dvec3, 3>& place,
                                    const std::array<double, 3>& shift)
 {
-    const glm::dvec3 first = place[1] - place[0], second = place[2] - place[0];
-    const double square = glm::dot(first, first), part = glm::dot(first, second);
-    const double doubled = std::sqrt(std::max(square * glm::dot(second, second) - part * part, 0.0));
-    if (!(doubled > 1e-9 * square))
+    FlatCorners flat;
+    if (!layFlat(place, flat))
         return;
-    const double x1 = std::sqrt(square);
     Triangle& added = m_triangles.emplace_back();
     added.corner = corner;
-    added.x1 = x1;
-    added.x2 = part / x1;
-    added.y2 = doubled / x1;
+    added.flat = flat;
     added.shift1 = shift[1] - shift[0];
     added.shift2 = shift[2] - shift[0];
-}
-
-void ConformalRelaxer::link()
-{
-    m_first.assign(m_z.size() + 1, 0);
-    for (const Triangle& triangle : m_triangles)
-        for (const Index corner : triangle.corner)
-            ++m_first[corner];
-    Index sum = 0;
-    for (Index& first : m_first)
-        first = sum += first;
-    m_uses.resize(sum);
-    for (Index t = static_cast<Index>(m_triangles.size()); t-- > 0;)
-        for (Index c = 3; c-- > 0;)
-            m_uses[--m_first[m_triangles[t].corner[c]]] = {t, c};
 }
 
 /// How much a triangle is stretched. With z = a x + b conj(x), the sum of the corners' z times their opposite
 /// edges is b times 2i the doubled area, and a with the conjugate edges.
 inline void ConformalRelaxer::measure(Triangle& t) const
 {
+    const auto& [x1, x2, y2] = t.flat;
     const Complex &from = m_z[t.corner[0]], &to1 = m_z[t.corner[1]], &to2 = m_z[t.corner[2]];
     const Complex way1{to1.re - from.re + t.shift1, to1.im - from.im};
     const Complex way2{to2.re - from.re + t.shift2, to2.im - from.im};
-    const double re = t.x1 * way2.re - t.x2 * way1.re, im = t.x1 * way2.im - t.x2 * way1.im;
-    const Complex r{re + t.y2 * way1.im, im - t.y2 * way1.re};
-    const Complex q{re - t.y2 * way1.im, im + t.y2 * way1.re};
+    const double re = x1 * way2.re - x2 * way1.re, im = x1 * way2.im - x2 * way1.im;
+    const Complex r{re + y2 * way1.im, im - y2 * way1.re};
+    const Complex q{re - y2 * way1.im, im + y2 * way1.re};
     const double b = r.re * r.re + r.im * r.im, a = q.re * q.re + q.im * q.im;
-    const double doubled = t.x1 * t.y2;
+    const double doubled = x1 * y2;
     const double size = 1.0 / std::max({a, 0.25 * b, leastSize * 4.0 * doubled * doubled});
     t.stretch = std::min(b * size, 4.0);
     t.inverse = {q.re * size, -q.im * size};
@@ -111,11 +91,11 @@ void ConformalRelaxer::weigh(bool choosy)
     for (Triangle& t : m_triangles) {
         if ((m_awake[t.corner[0]] | m_awake[t.corner[1]] | m_awake[t.corner[2]]) == 0)
             continue;
+        const auto& [x1, x2, y2] = t.flat;
         // The edges opposite to the second and third corner, less the value times their conjugates.
         const Complex& value = t.value;
-        const Complex second{value.re * t.x2 + value.im * t.y2 - t.x2,
-                             value.im * t.x2 - value.re * t.y2 - t.y2};
-        const Complex third{t.x1 - value.re * t.x1, -value.im * t.x1};
+        const Complex second{value.re * x2 + value.im * y2 - x2, value.im * x2 - value.re * y2 - y2};
+        const Complex third{x1 - value.re * x1, -value.im * x1};
         t.slope[1] = times(second, t.inverse);
         t.slope[2] = times(third, t.inverse);
         t.slope[0] = {-t.slope[1].re - t.slope[2].re, -t.slope[1].im - t.slope[2].im};
@@ -133,9 +113,9 @@ void ConformalRelaxer::sweep()
             continue;
         Complex pull;
         double size = 0.0;
-        for (Index i = m_first[vertex]; i < m_first[vertex + 1]; ++i) {
-            const Triangle& triangle = m_triangles[m_uses[i].triangle];
-            const Complex& w = triangle.slope[m_uses[i].place];
+        for (const TrianglesAround::Use& use : m_around.of(vertex)) {
+            const Triangle& triangle = m_triangles[use.triangle];
+            const Complex& w = triangle.slope[use.place];
             const Complex& r = triangle.value;
             pull.re += triangle.weight * (w.re * r.re + w.im * r.im);
             pull.im += triangle.weight * (w.re * r.im - w.im * r.re);
@@ -147,9 +127,9 @@ void ConformalRelaxer::sweep()
         const Complex step{share * pull.re, share * pull.im};
         m_z[vertex].re += step.re;
         m_z[vertex].im += step.im;
-        for (Index i = m_first[vertex]; i < m_first[vertex + 1]; ++i) {
-            Triangle& triangle = m_triangles[m_uses[i].triangle];
-            const Complex& w = triangle.slope[m_uses[i].place];
+        for (const TrianglesAround::Use& use : m_around.of(vertex)) {
+            Triangle& triangle = m_triangles[use.triangle];
+            const Complex& w = triangle.slope[use.place];
             triangle.value.re += w.re * step.re - w.im * step.im;
             triangle.value.im += w.re * step.im + w.im * step.re;
         }
@@ -160,8 +140,8 @@ void ConformalRelaxer::run(const Effort& effort)
 {
     if (m_moved.size() != m_z.size())
         measure(true);
-    if (m_stretched && m_first.size() != m_z.size() + 1)
-        link();
+    if (m_stretched && !m_around.isLinked(m_z.size()))
+        m_around.link(std::span<const Triangle>(m_triangles), m_z.size());
     for (int round = 0; round < effort.evenRounds + effort.choosyRounds && m_stretched; ++round) {
         const bool choosy = round >= effort.evenRounds;
         weigh(choosy);

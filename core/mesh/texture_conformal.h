@@ -3,9 +3,7 @@
 /// Internal to the texture coordinates.
 #pragma once
 
-#include "core/base/index.h"
-#include <array>
-#include <complex>
+#include "core/mesh/texture_patch.h"
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -49,7 +47,7 @@ private:
     struct Triangle
     {
         std::array<Index, 3> corner;
-        double x1, x2, y2;     ///< in its own plane the corners are at 0, x1 and x2 + i y2
+        FlatCorners flat;
         double shift1, shift2; ///< of the second and third corner's u, against the first's
         double stretch;        ///< k²
         Complex inverse;       ///< of a, with the factor of the sums over edges
@@ -58,16 +56,10 @@ private:
         std::array<Complex, 3> slope; ///< of it by the corners' places
         double weight;
     };
-    struct Use
-    {
-        Index triangle;
-        Index place; ///< which of its corners
-    };
     static Complex times(const Complex& a, const Complex& b)
     {
         return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
     }
-    void link();
     void measure(bool all);
     inline void measure(Triangle& triangle) const;
     void weigh(bool choosy);
@@ -76,8 +68,7 @@ private:
     std::vector<Complex> m_z;
     std::vector<std::uint8_t> m_free, m_awake, m_moved;
     std::vector<Triangle> m_triangles;
-    std::vector<Index> m_first;
-    std::vector<Use> m_uses; ///< triangles around each vertex, in compressed rows
+    TrianglesAround m_around;
     bool m_folded = false, m_stretched = false;
     Index m_bad = 0;
 };

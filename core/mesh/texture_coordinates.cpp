@@ -48,8 +48,8 @@ struct Piece
 class TubeUnroller
 {
 public:
-    TubeUnroller(const Shared& shared, double tileSize)
-        : m_tube(tileSize)
+    TubeUnroller(const Shared& shared, const TubeTexture::Options& options)
+        : m_tube(options)
         , m_slot(shared.mesh.mesh.positions.size(), 0)
     {
     }
@@ -203,12 +203,12 @@ Shared shareOf(const BranchMesh& mesh)
 class CoordinateBuilder
 {
 public:
-    CoordinateBuilder(const BranchMesh& mesh, double tileSize)
+    CoordinateBuilder(const BranchMesh& mesh, const TubeTexture::Options& options)
         : m_shared(shareOf(mesh))
-        , m_tile(tileSize)
+        , m_options(options)
     {
         m_result.corners.resize(mesh.mesh.triangles.size());
-        m_result.tileSize = tileSize;
+        m_result.tileSize = options.tileSize;
     }
     bool run(const Progress& progress);
     TextureCoordinates join();
@@ -218,7 +218,7 @@ private:
     void unroll(std::span<const Index> tubes);
 
     Shared m_shared;
-    double m_tile;
+    TubeTexture::Options m_options;
     TextureCoordinates m_result;
     std::vector<Piece> m_pieces;
     std::mutex m_mutex;
@@ -229,7 +229,7 @@ std::unique_ptr<TubeUnroller> CoordinateBuilder::borrow()
 {
     const std::scoped_lock lock(m_mutex);
     if (m_idle.empty())
-        return std::make_unique<TubeUnroller>(m_shared, m_tile);
+        return std::make_unique<TubeUnroller>(m_shared, m_options);
     std::unique_ptr<TubeUnroller> unroller = std::move(m_idle.back());
     m_idle.pop_back();
     return unroller;
@@ -343,7 +343,7 @@ Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const Te
         return fail(checked.error());
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
-    CoordinateBuilder builder(mesh, tileFor(mesh, options.tileSize));
+    CoordinateBuilder builder(mesh, {tileFor(mesh, options.tileSize), options.seamsAround});
     if (!builder.run(progress))
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
     return builder.join();

@@ -9,9 +9,10 @@
 /// between the valley and the child's first whole cross-section, on the edge of the seam there. Flat ends and
 /// tips are mapped as discs.
 ///
-/// Where a tube bends so much at its first whole cross-section that it cannot be laid flat in one piece
-/// without stretching 8 of 100 triangles by 1.25, it is cut there all around, and the seam below is
-/// open: the picture slips at the bend by about a tile along it.
+/// A tube that bends so much at its first whole cross-section that more than 8 of 100 triangles would be
+/// stretched by 1.25 cannot be laid flat as it is. There the seam goes around that cross-section, half of the
+/// way or nearly all, and is open below; the tube stays one piece, but the picture slips along that seam by
+/// up to a tile or so.
 #pragma once
 
 #include "core/mesh/branch_mesh.h"
@@ -23,6 +24,7 @@ struct TextureOptions
 {
     /// m, the side of one tile; 0 = the largest tile of which a few still go around the thinnest branch.
     double tileSize = 0.0;
+    bool seamsAround = true; ///< seams may go around bends; else the picture is stretched there
 };
 
 /// Coordinates per corner of a triangle: positions are never split, equal coordinates of a vertex are stored
@@ -33,7 +35,7 @@ struct TextureCoordinates
     std::vector<Index> vertex;       ///< per coordinate: the vertex of the mesh
     std::vector<glm::uvec3> corners; ///< per triangle of the mesh: its corners' coordinates
     double tileSize = 0.0;           ///< m, as used
-    Index cut = 0;                   ///< tubes that are cut around their first whole cross-section
+    Index cut = 0;                   ///< tubes whose seam goes around a bend
     Index apart = 0; ///< triangles with coordinates of their own: where the mesh itself is folded
     bool operator==(const TextureCoordinates&) const = default;
 };

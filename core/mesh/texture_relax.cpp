@@ -63,13 +63,10 @@ void TextureRelaxer::wake(const Triangle& triangle)
 void TextureRelaxer::addTriangle(const std::array<Index, 3>& corner, const std::array<glm::dvec3, 3>& place,
                                  const std::array<double, 3>& shift)
 {
-    const glm::dvec3 first = place[1] - place[0], second = place[2] - place[0];
-    const double square = glm::dot(first, first), part = glm::dot(first, second);
-    const double doubled = std::sqrt(std::max(square * glm::dot(second, second) - part * part, 0.0));
-    const double x1 = std::sqrt(square);
-    if (!(doubled > 1e-9 * square))
+    FlatCorners flat;
+    if (!layFlat(place, flat))
         return;
-    const glm::dvec2 one(1.0 / x1, -part / (x1 * doubled)), two(0.0, x1 / doubled);
+    const glm::dvec2 one(1.0 / flat.x1, -flat.x2 / (flat.x1 * flat.y2)), two(0.0, 1.0 / flat.y2);
     m_triangles.push_back({corner, shift, {-one - two, one, two}, 1.0});
     const Jacobian map = jacobian(m_triangles.back());
     const double area = cross(map.u, map.v);
@@ -78,28 +75,12 @@ void TextureRelaxer::addTriangle(const std::array<Index, 3>& corner, const std::
         wake(m_triangles.back());
 }
 
-void TextureRelaxer::link()
-{
-    m_first.assign(m_uv.size() + 1, 0);
-    for (const Triangle& triangle : m_triangles)
-        for (const Index corner : triangle.corner)
-            ++m_first[corner];
-    Index sum = 0;
-    for (Index& first : m_first)
-        first = sum += first;
-    m_around.resize(sum);
-    for (Index t = static_cast<Index>(m_triangles.size()); t-- > 0;)
-        for (const Index corner : m_triangles[t].corner)
-            m_around[--m_first[corner]] = t;
-}
-
 template <bool derivatives>
-void TextureRelaxer::add(Index index, Index vertex, const glm::dvec2& moved, Around& sum) const
+void TextureRelaxer::add(const TrianglesAround::Use& use, const glm::dvec2& moved, Around& sum) const
 {
-    const Triangle& triangle = m_triangles[index];
+    const Triangle& triangle = m_triangles[use.triangle];
     Jacobian map = jacobian(triangle);
-    const std::size_t mine = triangle.corner[0] == vertex ? 0 : triangle.corner[1] == vertex ? 1 : 2;
-    const glm::dvec2& own = triangle.gradient[mine];
+    const glm::dvec2& own = triangle.gradient[use.place];
     map.u += moved.x * own;
     map.v += moved.y * own;
     double area = cross(map.u, map.v), softened = 1.0;
@@ -138,10 +119,10 @@ void TextureRelaxer::add(Index index, Index vertex, const glm::dvec2& moved, Aro
 /// \returns whether it moved by more than next to nothing.
 bool TextureRelaxer::move(Index vertex)
 {
-    const Index first = m_first[vertex], end = m_first[vertex + 1];
+    const std::span<const TrianglesAround::Use> uses = m_around.of(vertex);
     Around here;
-    for (Index i = first; i < end; ++i)
-        add<true>(m_around[i], vertex, glm::dvec2(0.0), here);
+    for (const TrianglesAround::Use& use : uses)
+        add<true>(use, glm::dvec2(0.0), here);
     const double determinant = here.xx * here.yy - here.xy * here.xy;
     if (!std::isfinite(here.energy) || !(determinant > 0.0))
         return false;
@@ -152,8 +133,8 @@ bool TextureRelaxer::move(Index vertex)
         return false;
     for (int tries = 0; tries < mostTries; ++tries, step *= shorter) {
         Around there;
-        for (Index i = first; i < end; ++i)
-            add<false>(m_around[i], vertex, step, there);
+        for (const TrianglesAround::Use& use : uses)
+            add<false>(use, step, there);
         if (there.energy < here.energy) {
             m_uv[vertex] += step;
             return true;
@@ -203,7 +184,7 @@ bool TextureRelaxer::run(int evenSweeps, int choosySweeps)
 {
     if (!m_anyAwake)
         return m_least > 0.0;
-    link();
+    m_around.link(std::span<const Triangle>(m_triangles), m_uv.size());
     const bool folded = m_least <= 0.0;
     if (folded)
         m_awake = m_free;

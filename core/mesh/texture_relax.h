@@ -3,8 +3,7 @@
 /// Internal to the texture coordinates.
 #pragma once
 
-#include "core/base/index.h"
-#include <array>
+#include "core/mesh/texture_patch.h"
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -51,7 +50,6 @@ private:
     {
         glm::dvec2 u{0.0}, v{0.0}; ///< gradients in the triangle's plane
     };
-    void link();
     [[nodiscard]] Jacobian jacobian(const Triangle& triangle) const;
     [[nodiscard]] double leastArea() const;
     [[nodiscard]] static double shapeOf(const Jacobian& map);
@@ -59,14 +57,14 @@ private:
     void weigh();
     bool sweep();
     template <bool derivatives>
-    void add(Index triangle, Index vertex, const glm::dvec2& moved, Around& sum) const;
+    void add(const TrianglesAround::Use& use, const glm::dvec2& moved, Around& sum) const;
     bool move(Index vertex);
 
     std::vector<glm::dvec2> m_uv;
     std::vector<std::uint8_t> m_free, m_awake;
     std::vector<Triangle> m_triangles;
-    std::vector<Index> m_first, m_around; ///< triangles around each vertex, in compressed rows
-    double m_least = 1.0;                 ///< determinant
+    TrianglesAround m_around;
+    double m_least = 1.0; ///< determinant
     double m_softness = 0.0;
     bool m_anyAwake = false;
 };

@@ -37,8 +37,14 @@ struct TubeTextureVertex
 class TubeTexture
 {
 public:
-    explicit TubeTexture(double tileSize)
-        : m_tile(tileSize)
+    struct Options
+    {
+        double tileSize = 1.0;   ///< m
+        bool seamsAround = true; ///< seams may go around bends
+    };
+    explicit TubeTexture(const Options& options)
+        : m_options(options)
+        , m_tile(options.tileSize)
     {
     }
     /// Refills the tube: vertices in the order in which its triangles name them.
@@ -48,18 +54,18 @@ public:
     void addTriangle(const glm::uvec3& corners) { m_triangles.push_back(corners); }
     void unroll(const TubeAxis& axis, const TubeTextureEnd& parent);
 
-    /// More than were added where the tube is cut: copies follow at the end.
+    /// More than were added where the seam goes around a bend: copies follow at the end.
     [[nodiscard]] std::span<const TubeTextureVertex> vertices() const { return m_vertices; }
     /// In the order in which they were added; their corners are those of vertices().
     [[nodiscard]] std::span<const glm::uvec3> triangles() const { return m_triangles; }
     [[nodiscard]] const TubeTextureEnd& end() const { return m_end; }
-    [[nodiscard]] bool isCut() const { return !m_copies.empty(); }
+    /// Does the seam go part of the way around the first whole cross-section?
+    [[nodiscard]] bool isCut() const { return m_isCut; }
     /// Which corners of a triangle stand on the far side of the seam: their u is larger by their around.
     [[nodiscard]] std::array<bool, 3> beyondSeam(const glm::uvec3& triangle) const
     {
         const double a = m_vertices[triangle.x].azimuth, b = m_vertices[triangle.y].azimuth,
                      c = m_vertices[triangle.z].azimuth;
-        constexpr double pi = std::numbers::pi;
         if (std::abs(a - b) <= pi && std::abs(b - c) <= pi && std::abs(c - a) <= pi)
             return {false, false, false};
         return {a < 0.0, b < 0.0, c < 0.0};
@@ -77,6 +83,14 @@ public:
     [[nodiscard]] glm::dvec2 onDisc(const TubeTextureVertex& vertex, const glm::vec3& position) const;
 
 private:
+    /// A tube laid out, to come back to.
+    struct Layout
+    {
+        std::vector<TubeTextureVertex> vertices;
+        std::vector<glm::vec3> positions;
+        std::vector<glm::uvec3> triangles;
+        bool isCut = false;
+    };
     struct Knot
     {
         double along, around;
@@ -89,14 +103,15 @@ private:
     void measureAlong();
     void assign(const TubeTextureEnd& parent);
     bool even();
+    void keep(Layout& layout) const;
+    void take(const Layout& layout);
     void settle(const ConformalRelaxer::Effort& effort, double hopeless);
     void unfold(const TubeTextureEnd& parent);
     [[nodiscard]] bool isStretched(double share) const;
     [[nodiscard]] bool canBeCut() const;
     [[nodiscard]] double textureArea() const;
-    bool cut();
+    bool cut(double welded);
     void copyCorner(Index& corner, std::vector<Index>& copies);
-    void moveTogether();
     template <class Relaxer> void fill(Relaxer& relaxer) const;
     template <class Relaxer> void read(const Relaxer& relaxer);
     [[nodiscard]] double fitting(double radius) const;
@@ -105,6 +120,11 @@ private:
     [[nodiscard]] double radiusAt(double along) const;
     [[nodiscard]] glm::dvec3 position(Index local) const { return glm::dvec3(m_positions[local]); }
 
+    static constexpr double pi = std::numbers::pi, turn = 2.0 * pi;
+    static constexpr double sameSection = 1e-3; ///< of the tube: cross-sections closer than that are one
+    static double shortWay(double angleRad) { return angleRad - turn * std::round(angleRad / turn); }
+
+    Options m_options;
     double m_tile;
     UnrollAxis m_axis;
     ConformalRelaxer m_conformal;
@@ -114,16 +134,11 @@ private:
     std::vector<glm::vec3> m_positions;
     std::vector<glm::vec2> m_given; ///< per vertex: uv on the parent
     std::vector<glm::uvec3> m_triangles;
-    std::vector<TubeTextureVertex> m_wholeVertices; ///< of a tube before it was cut
-    std::vector<glm::uvec3> m_wholeTriangles;
+    Layout m_whole, m_best;    ///< before the tube is cut, and cut as well as it was tried
     std::vector<Knot> m_knots; ///< tiles around by height
     std::vector<double> m_sorted, m_sections;
     std::vector<Index> m_next, m_front;
-    struct Copy
-    {
-        Index below, above; ///< vertices at the cut
-    };
-    std::vector<Copy> m_copies; ///< empty where the tube is not cut
+    bool m_isCut = false;
     std::array<double, UnrollAxis::steps + 1> m_tilesAt{};
     double m_chord = 1.0;       ///< circumference of the cross-sections, as a share of the circle's
     double m_highestWall = 0.0; ///< m

@@ -73,7 +73,8 @@ struct FoliageParams
 /// Of the branches; used where texture coordinates are asked for, no geometry depends on them.
 struct TextureParams
 {
-    double tileSize = 0.0; ///< m; 0 = as large as the thinnest branch allows
+    double tileSize = 0.0;   ///< m; 0 = as large as the thinnest branch allows
+    bool seamsAround = true; ///< seams may go around strong bends
     bool operator==(const TextureParams&) const = default;
 };
 

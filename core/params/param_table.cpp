@@ -261,6 +261,11 @@ constexpr std::array table{
          RAMURE_NOOP("Side of the piece of bark that a texture repeats. A whole number of them goes around every branch, "
                      "so make it small against the twigs; 0 finds the largest that fits them.")},
         ParamUnit::Metre, {0, 1000, 0, 0.1, 0.001, 4}, Stage::Texture, paramAdvanced),
+    row<&NodeParams::texture, &TextureParams::seamsAround>(
+        {"texture.seamsAround", textureGroup, RAMURE_NOOP("Seams around bends"),
+         RAMURE_NOOP("On: where a branch bends sharply, its seam goes part of the way around it, and 95 of 100 triangles "
+                     "keep the shape of the picture. Off: the picture never slips at a bend, but is stretched there.")},
+        ParamUnit::None, {}, Stage::Texture, paramAdvanced),
 
     row<&NodeParams::tree, &PlacementParams::translation>(
         {"tree.translation", placementGroup, RAMURE_NOOP("Position"),

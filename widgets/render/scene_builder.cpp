@@ -42,9 +42,9 @@ struct TexturedMesh
 };
 
 /// \param rest the mesh whose coordinates it has: that of the tree at rest.
-TexturedMesh texturedMesh(const BranchMesh& branches, const BranchMesh& rest, double tileSize)
+TexturedMesh texturedMesh(const BranchMesh& branches, const BranchMesh& rest, const TextureOptions& options)
 {
-    auto made = textureCoordinates(rest, {tileSize});
+    auto made = textureCoordinates(rest, options);
     if (!made)
         return {};
     TexturedMesh textured{
@@ -124,10 +124,11 @@ struct TreeItems
     {
         if (!tree.branches)
             return addMesh(tree.draftTubes, openBark());
-        const double tileSize = node.params.texture.tileSize;
+        const TextureOptions options{node.params.texture.tileSize, node.params.texture.seamsAround};
+        const std::vector<double> numbers{options.tileSize, options.seamsAround ? 1.0 : 0.0};
         const std::shared_ptr<const BranchMesh>& rest = tree.restBranches ? tree.restBranches : tree.branches;
-        const auto made = cache.get<TexturedMesh>(ScenePart::Textured, tree.branches, rest, {tileSize}, [&] {
-            return texturedMesh(*tree.branches, *rest, tileSize);
+        const auto made = cache.get<TexturedMesh>(ScenePart::Textured, tree.branches, rest, numbers, [&] {
+            return texturedMesh(*tree.branches, *rest, options);
         });
         if (made->mesh.empty())
             return fine();

@@ -106,6 +106,7 @@ void TestParamTable::keysAreThePublicInterface()
                                             "foliage.applesProbability",
                                             "foliage.seed",
                                             "texture.tileSize",
+                                            "texture.seamsAround",
                                             "tree.translation",
                                             "tree.rotation",
                                             "tree.scale",
