@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 
 namespace ramure {
 
@@ -44,8 +45,20 @@ std::vector<Channel> channelsOf(NodeKind kind)
     return channels;
 }
 
+std::vector<Channel> jointChannels(std::size_t joint)
+{
+    std::vector<Channel> channels;
+    for (std::size_t number = 0; number < jointTable().size(); ++number)
+        channels.push_back(
+            {ChannelPart::Joint, static_cast<std::uint8_t>(joint), static_cast<ParamId>(number)});
+    return channels;
+}
+
 bool hasChannel(NodeKind kind, const Channel& channel)
 {
+    if (channel.part == ChannelPart::Joint)
+        return kind == NodeKind::Arm && channel.component < mostArmJoints &&
+               channel.param < jointTable().size();
     if (channel.part == ChannelPart::Parameter) {
         if (channel.param >= paramTable().size())
             return false;
@@ -60,6 +73,11 @@ bool hasChannel(NodeKind kind, const Channel& channel)
 
 std::string channelKey(const Channel& channel)
 {
+    if (const JointDef* joint = channel.jointDef())
+        return std::string("joints[")
+            .append(std::to_string(channel.component))
+            .append("].")
+            .append(joint->key);
     const ParamDef* def = channel.def();
     std::string key = def ? def->key : partKeys[static_cast<std::size_t>(channel.part)];
     if (def ? def->type == ParamType::Vec3 : !channel.isOrientation())
@@ -67,8 +85,28 @@ std::string channelKey(const Channel& channel)
     return key;
 }
 
+/// "joints[2].phi.angle".
+static std::optional<Channel> jointFromKey(std::string_view key)
+{
+    constexpr std::string_view start("joints[");
+    const std::size_t end = key.find("].");
+    if (key.substr(0, start.size()) != start || end == std::string_view::npos)
+        return std::nullopt;
+    std::size_t joint = 0;
+    const char* last = key.data() + end;
+    const auto [stop, error] = std::from_chars(key.data() + start.size(), last, joint);
+    const auto number = jointNumber(key.substr(end + 2));
+    if (error != std::errc() || stop != last || joint >= mostArmJoints || !number)
+        return std::nullopt;
+    const Channel channel{ChannelPart::Joint, static_cast<std::uint8_t>(joint),
+                          static_cast<ParamId>(*number)};
+    return channelKey(channel) == key ? std::optional(channel) : std::nullopt; // not "joints[02]"
+}
+
 Expected<Channel> channelFromKey(std::string_view key, NodeKind kind)
 {
+    if (const auto joint = jointFromKey(key); joint && hasChannel(kind, *joint))
+        return *joint;
     for (const Channel& channel : channelsOf(kind))
         if (channelKey(channel) == key)
             return channel;
@@ -78,6 +116,8 @@ Expected<Channel> channelFromKey(std::string_view key, NodeKind kind)
 
 double restValue(const NodeParams& params, const Channel& channel)
 {
+    if (const JointDef* joint = channel.jointDef())
+        return channel.component < params.joints.size() ? joint->of(params.joints[channel.component]) : 0.0;
     const ParamDef* def = channel.def();
     if (!def)
         return channel.isScale() ? 1.0 : 0.0;

@@ -27,12 +27,12 @@ void NodeAnimation::set(const Channel& channel, AnyTrack track)
 
 bool NodeAnimation::movesParams() const
 {
-    return !m_tracks.empty() && m_tracks.rbegin()->first.part == ChannelPart::Parameter;
+    return !m_tracks.empty() && m_tracks.rbegin()->first.part >= ChannelPart::Parameter;
 }
 
 bool NodeAnimation::movesNode() const
 {
-    return !m_tracks.empty() && m_tracks.begin()->first.part != ChannelPart::Parameter;
+    return !m_tracks.empty() && m_tracks.begin()->first.part < ChannelPart::Parameter;
 }
 
 bool NodeAnimation::operator==(const NodeAnimation& other) const
@@ -84,12 +84,33 @@ static void assignNumber(NodeParams& params, const Channel& channel, double numb
     def.assign(params, clampValue(def, value));
 }
 
+void moveJoints(std::vector<ArmJoint>& joints, const NodeAnimation& animation, double seconds)
+{
+    bool any = false;
+    const auto& tracks = animation.tracks();
+    for (auto at = tracks.lower_bound({ChannelPart::Joint, 0, 0}); at != tracks.end(); ++at) {
+        const auto* track = std::get_if<Track>(at->second.get());
+        const JointDef* def = at->first.jointDef();
+        if (!track || !def || at->first.component >= joints.size())
+            continue;
+        def->of(joints[at->first.component]) =
+            std::clamp(valueAt(*track, seconds), def->hardMin, def->hardMax);
+        any = true;
+    }
+    for (ArmJoint& joint : joints)
+        if (any) {
+            settleAngle(joint.phi);
+            settleAngle(joint.theta);
+        }
+}
+
 NodeParams paramsAt(const NodeParams& params, const NodeAnimation& animation, double seconds)
 {
     NodeParams now = params;
     for (const auto& [channel, held] : animation.tracks())
         if (const auto* track = std::get_if<Track>(held.get()); track && channel.def())
             assignNumber(now, channel, valueAt(*track, seconds));
+    moveJoints(now.joints, animation, seconds);
     return now;
 }
 

@@ -23,7 +23,7 @@ public:
     /// A track without keys, or null, is none: the channel rests. \pre the kind of track fits the channel.
     void set(const Channel& channel, TrackPtr track);
     void set(const Channel& channel, AnyTrack track);
-    /// A track of a parameter.
+    /// A track of a parameter or of a joint.
     [[nodiscard]] bool movesParams() const;
     /// A track of the global or local transform.
     [[nodiscard]] bool movesNode() const;
@@ -37,8 +37,10 @@ private:
 /// track rest (0, identity, 1). \param first GlobalTranslation or LocalTranslation.
 glm::dmat4 transformAt(const NodeAnimation& animation, ChannelPart first, double seconds);
 /// The parameters at a time: those with tracks take their values, kept within the hard range, whole numbers
-/// rounded.
+/// rounded. Of joints: what settleAngle leaves; tracks of joints that the arm has not count for nothing.
 NodeParams paramsAt(const NodeParams& params, const NodeAnimation& animation, double seconds);
+/// The joints alone, as paramsAt.
+void moveJoints(std::vector<ArmJoint>& joints, const NodeAnimation& animation, double seconds);
 /// First and last key of all tracks. \pre not empty.
 std::pair<Ticks, Ticks> rangeOf(const NodeAnimation& animation);
 

@@ -31,12 +31,26 @@ ArmSolver::ArmSolver(std::span<const ArmJoint> joints, const ArmSolverParams& pa
     , m_tried(2 * joints.size())
     , m_held(2 * joints.size())
 {
+    takeRules(joints);
+    setAngles(armAngles(joints));
+}
+
+void ArmSolver::takeRules(std::span<const ArmJoint> joints)
+{
+    m_rules.clear();
     m_rules.reserve(2 * joints.size());
     for (const ArmJoint& joint : joints) {
         m_rules.push_back(joint.phi);
         m_rules.push_back(joint.theta);
     }
-    setAngles(armAngles(joints));
+}
+
+void ArmSolver::setJoints(std::span<const ArmJoint> joints)
+{
+    takeRules(joints);
+    m_chain = ArmChain(joints);
+    m_trial = m_chain;
+    setAngles(std::vector<double>(m_angles));
 }
 
 double ArmSolver::clamped(double angleRad, std::size_t angle) const

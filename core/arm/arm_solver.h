@@ -43,6 +43,9 @@ public:
     /// The angles of \p joints are clamped to their limits. \pre checkArm
     ArmSolver(std::span<const ArmJoint> joints, const ArmSolverParams& params);
 
+    /// Other lengths, limits and speeds, from the present angles (clamped) on; starts counting anew.
+    /// \pre checkArm; as many as before
+    void setJoints(std::span<const ArmJoint> joints);
     /// Starts from these angles (clamped); the target stays. \pre two per joint, finite
     void setAngles(std::span<const double> angles);
     /// Goes on from these angles without counting anew: something slowed the step down. \pre as above
@@ -73,6 +76,7 @@ private:
     };
     enum class Phase : std::uint8_t { Descend, Search, Polish, Done };
 
+    void takeRules(std::span<const ArmJoint> joints);
     void transposeStep();
     void leastSquaresStep();
     void begin(Attempt& attempt, std::span<const double> angles);

@@ -19,10 +19,9 @@ std::vector<ArmLimit> armLimits(std::span<const ArmJoint> joints, std::span<cons
     return limits;
 }
 
-NodeMotion armMotion(const NodeParams& params, std::span<const double> angles)
+NodeMotion armMotion(const NodeParams& params, std::span<const ArmJoint> joints)
 {
-    ArmChain chain(params.joints);
-    chain.setAngles(angles);
+    const ArmChain chain(joints);
     auto bones = std::make_shared<std::vector<RigidTransform>>();
     chain.pose(*bones);
     NodeMotion motion;

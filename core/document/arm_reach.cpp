@@ -1,5 +1,7 @@
 #include "core/document/arm_reach.h"
 
+#include "core/document/player.h"
+
 #include <QElapsedTimer>
 #include <QScopedValueRollback>
 #include <QTimer>
@@ -31,6 +33,7 @@ struct ArmReach::Way
     std::vector<ArmJoint> joints; ///< as the document has them, with the angles at the start
     ArmMotion motion;
     ArmSolverParams ik;
+    GestureId gesture = 0; ///< of the last wish: landing belongs to it
     glm::dvec3 target;
     ArmProgress progress;
     QTimer timer;
@@ -54,16 +57,30 @@ const ArmProgress* ArmReach::progress() const
 
 Expected<void> ArmReach::reachFor(NodeId arm, const glm::dvec3& target, GestureId gesture)
 {
+    const Node* node = m_document->scene().find(arm);
+    const GestureId own = gesture == 0 ? newGesture() : gesture;
     {
-        const QScopedValueRollback own(m_editing, true);
-        const ParamDef& def = *findParam("arm.target");
-        if (auto done = edit::setParam(*m_document, {arm}, def, target, gesture); !done)
-            return done;
-        if (auto done = edit::setParam(*m_document, {arm}, *findParam("arm.follows"), true); !done)
+        const QScopedValueRollback editing(m_editing, true);
+        ArmState state = node && node->kind == NodeKind::Arm ? armState(*node) : ArmState();
+        state.target = target;
+        state.follows = true;
+        if (auto done = edit::setArm(*m_document, arm, std::move(state), tr("Reach for the target"), own);
+            !done)
             return done;
     }
     start(arm);
+    if (m_way)
+        m_way->gesture = own;
     return {};
+}
+
+Expected<void> ArmReach::aim(NodeId arm, const glm::dvec3& target, GestureId gesture)
+{
+    const Node* node = m_document->scene().find(arm);
+    const bool plays = m_player && (m_player->frame() > 0 || m_player->isPlaying());
+    if (plays || !node || node->animation.movesParams())
+        return edit::setParam(*m_document, {arm}, *findParam("arm.target"), target, gesture);
+    return reachFor(arm, target, gesture);
 }
 
 /// An arm that is on its way already goes on from where it is.
@@ -128,15 +145,20 @@ void ArmReach::report()
         progress.residuals.push_back(static_cast<float>(progress.residual));
 }
 
-/// The joints of the document are where the arm is.
+/// The joints of the document are where the arm is; one step together with the target, unless something else
+/// was done meanwhile.
 void ArmReach::land()
 {
     m_way->timer.stop();
     m_way->progress.moves = false;
     setArmAngles(m_way->joints, m_way->motion.angles());
     const QScopedValueRollback own(m_editing, true);
+    const Node* node = m_document->scene().find(m_way->progress.node);
+    ArmState state = node ? armState(*node) : ArmState();
+    state.joints = m_way->joints;
     // Errors (locked meanwhile) leave the joints as they are: the arm is shown there then.
-    if (!edit::setJoints(*m_document, m_way->progress.node, m_way->joints, tr("Reach for the target")))
+    if (!edit::setArm(*m_document, m_way->progress.node, std::move(state), tr("Reach for the target"),
+                      m_way->gesture))
         m_way.reset();
 }
 
@@ -173,7 +195,7 @@ void ArmReach::documentChanged(const Change& change)
     const bool concerns =
         std::find(change.nodes.begin(), change.nodes.end(), m_way->progress.node) != change.nodes.end();
     const bool other = change.has(changeReset) || !node ||
-                       (concerns && change.has(changeJoints | changeParams | changeStructure));
+                       (concerns && change.has(changeJoints | changeParams | changeTracks | changeStructure));
     if (!other)
         return;
     m_way.reset();

@@ -22,6 +22,7 @@ enum class CommandId : int {
     SetTimeline,
     SetTracks,
     SetJoints,
+    SetArm,
 };
 
 /// A gesture: commands with the same id merge. 0 = never merge.
@@ -36,6 +37,18 @@ struct TrackEdit
     Channel channel;
     NodeAnimation::TrackPtr track;
 };
+
+/// What sends an arm somewhere, what comes of it, and its keys: changed together where they belong together.
+struct ArmState
+{
+    std::vector<ArmJoint> joints;
+    bool follows = true;
+    glm::dvec3 target{0.0}; ///< m, in the arm's own space
+    NodeAnimation animation;
+    bool operator==(const ArmState&) const = default;
+};
+/// \pre an arm
+ArmState armState(const Node& arm);
 
 /// Each function pushes one undo step (or none where nothing would change) and returns an error where the
 /// value is refused, the node unknown or locked; then nothing is pushed. Nodes that are locked, or below a
@@ -82,6 +95,15 @@ Expected<void> turnBranches(Document& document, NodeId node,
 /// (locked, no arm, what checkArm refuses).
 Expected<void> setJoints(Document& document, NodeId node, std::vector<ArmJoint> joints, const QString& text,
                          GestureId gesture = 0);
+/// All of an arm's state as one step. Errors: those of setJoints and of setParam for the target; Invalid (a
+/// track that an arm cannot have).
+Expected<void> setArm(Document& document, NodeId node, ArmState state, const QString& text,
+                      GestureId gesture = 0);
+/// A joint like joint \p at right behind it; the keys of those behind move on with them. Errors: those of
+/// setJoints; Unknown (no joint \p at).
+Expected<void> addJoint(Document& document, NodeId node, std::size_t at);
+/// Takes joint \p at and its keys out. Errors: likewise.
+Expected<void> removeJoint(Document& document, NodeId node, std::size_t at);
 /// "New tree" (Space): the next seeds and stochastic rewriting on, as one step. Seeds follow each other in a
 /// fixed order that repeats after 2^31 of them; trees of one call never get the same. Nodes that are no trees
 /// are left out; error where no tree remains.

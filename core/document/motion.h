@@ -43,6 +43,7 @@ struct NodeMotion
     Box box; ///< of the moved tree, tree space; a little generous
     PhysicsFigures figures;
     std::shared_ptr<const ArmProgress> arm; ///< of arms only
+    bool reshapes = false;                  ///< of arms only: tracks change the mesh that follows the bones
     std::int64_t step = 0;                  ///< of the physics
     double stepSeconds = 0.0; ///< what one step took, mean over those computed for this frame; 0 = none was
 
@@ -50,8 +51,8 @@ struct NodeMotion
     [[nodiscard]] bool moves() const { return step > 0; }
 };
 
-/// An arm with these angles. \pre two per joint
-NodeMotion armMotion(const NodeParams& params, std::span<const double> angles);
+/// An arm with these joints.
+NodeMotion armMotion(const NodeParams& params, std::span<const ArmJoint> joints);
 
 /// An object whose parameters have tracks, as it is now.
 struct ObjectNow

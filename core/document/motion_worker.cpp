@@ -289,17 +289,8 @@ struct MotionWorker::ArmActor
 {
     explicit ArmActor(const MotionArm& from)
         : arm(from)
-        , driver(from.params.joints, from.params.ik, targetOf(from))
+        , driver(armDriver(from.params, from.animation))
     {
-    }
-    static ArmDriver::Target targetOf(const MotionArm& arm)
-    {
-        if (!arm.params.arm.follows)
-            return {};
-        return [params = arm.params, animation = arm.animation](double seconds) {
-            return animation.movesParams() ? paramsAt(params, animation, seconds).arm.target
-                                           : params.arm.target;
-        };
     }
     [[nodiscard]] bool isFor(const MotionArm& other) const
     {
@@ -310,6 +301,14 @@ struct MotionWorker::ArmActor
     MotionArm arm;
     ArmDriver driver;
 };
+
+static bool movesLengths(const NodeAnimation& animation)
+{
+    return std::any_of(animation.tracks().begin(), animation.tracks().end(), [](const auto& entry) {
+        const JointDef* def = entry.first.jointDef();
+        return def && !def->angle;
+    });
+}
 
 std::optional<Error> MotionWorker::runArms(const MotionRequest& request, MotionFrame& frame,
                                            const Progress& progress)
@@ -329,15 +328,17 @@ std::optional<Error> MotionWorker::runArms(const MotionRequest& request, MotionF
                 problem = moment.error();
             continue;
         }
-        NodeMotion motion = armMotion(arm.params, moment->angles);
-        motion.step = frame.timeSeconds > 0.0 && arm.params.arm.follows ? 1 : 0;
+        const bool changes = arm.animation.movesParams();
+        NodeMotion motion = armMotion(arm.params, moment->joints);
+        motion.step = changes || (frame.timeSeconds > 0.0 && arm.params.arm.follows) ? 1 : 0;
+        motion.reshapes = movesLengths(arm.animation);
         auto told = std::make_shared<ArmProgress>();
         told->node = arm.node;
         told->angles = moment->angles;
-        told->limits = armLimits(arm.params.joints, moment->angles);
+        told->limits = armLimits(moment->joints, moment->angles);
         told->figures = moment->figures;
         told->residual = moment->residual;
-        told->residuals = moment->figures.residuals;
+        told->residuals = moment->residuals;
         motion.arm = std::move(told);
         frame.nodes.insert_or_assign(arm.node, std::move(motion));
     }

@@ -25,6 +25,12 @@ double number(const ParamValue& value, std::uint8_t component)
     return real ? *real : 0.0;
 }
 
+Expected<void> noKeyHere()
+{
+    return fail(ErrorCode::Invalid, RAMURE_NOOP("this parameter has keys, but none at this frame: insert "
+                                                "one with the button beside it, or switch auto-key on"));
+}
+
 /// The track with a key of this value; it goes on as the key before it does.
 Expected<TrackEdit> keyed(const Node& node, const Channel& channel, Ticks time, double value)
 {
@@ -106,8 +112,7 @@ Expected<void> AutoKey::set(const std::vector<NodeId>& nodes, const ParamDef& de
                             std::optional<int> component, GestureId gesture)
 {
     if (!m_on && state(nodes, def) == KeyState::Animated)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("this parameter has keys, but none at this frame: insert "
-                                                    "one with the button beside it, or switch auto-key on"));
+        return noKeyHere();
     if (auto good = checkValue(def, value); !good)
         return good;
     std::vector<TrackEdit> edits;
@@ -136,6 +141,46 @@ Expected<void> AutoKey::toggle(const std::vector<NodeId>& nodes, const ParamDef&
         for (const Channel& channel : channelsOf(def))
             here[{id, channel}] = {now()};
     return keys::remove(*m_document, here);
+}
+
+KeyState AutoKey::state(NodeId node, const Channel& channel) const
+{
+    const auto track = keys::find(m_document->scene(), {node, channel});
+    if (!track)
+        return KeyState::None;
+    return std::get<Track>(*track).find(now()) ? KeyState::Here : KeyState::Animated;
+}
+
+double AutoKey::value(NodeId node, const Channel& channel) const
+{
+    if (const auto track = keys::find(m_document->scene(), {node, channel}))
+        return valueAt(std::get<Track>(*track), secondsOf(now()));
+    return restValue(m_document->scene().find(node)->params, channel);
+}
+
+bool AutoKey::takes(NodeId node, const Channel& channel) const
+{
+    return m_on || state(node, channel) != KeyState::None;
+}
+
+Expected<void> AutoKey::set(NodeId node, const Channel& channel, double value, GestureId gesture)
+{
+    if (!m_on && state(node, channel) == KeyState::Animated)
+        return noKeyHere();
+    const Node* found = m_document->scene().find(node);
+    if (!found)
+        return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(node)});
+    auto edit = keyed(*found, channel, now(), value);
+    if (!edit)
+        return fail(std::move(edit.error()));
+    return edit::setTracks(*m_document, {std::move(*edit)}, tr("Set Key"), gesture);
+}
+
+Expected<void> AutoKey::toggle(NodeId node, const Channel& channel)
+{
+    if (state(node, channel) != KeyState::Here)
+        return edit::insertKeys(*m_document, {node}, {channel}, now());
+    return keys::remove(*m_document, {{{node, channel}, {now()}}});
 }
 
 } // namespace ramure

@@ -32,6 +32,15 @@ public:
     /// The button beside the parameter: takes the keys here away, or inserts them.
     Expected<void> toggle(const std::vector<NodeId>& nodes, const ParamDef& def);
 
+    /// \name The same of one channel of a number, as those of an arm's joints
+    /// \{
+    [[nodiscard]] KeyState state(NodeId node, const Channel& channel) const;
+    [[nodiscard]] double value(NodeId node, const Channel& channel) const;
+    [[nodiscard]] bool takes(NodeId node, const Channel& channel) const;
+    Expected<void> set(NodeId node, const Channel& channel, double value, GestureId gesture);
+    Expected<void> toggle(NodeId node, const Channel& channel);
+    /// \}
+
 public slots:
     void setOn(bool on);
 

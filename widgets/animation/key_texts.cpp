@@ -132,6 +132,10 @@ QString channelText(const Channel& channel)
         QT_TRANSLATE_NOOP("keys", "Location"),       QT_TRANSLATE_NOOP("keys", "Rotation"),
         QT_TRANSLATE_NOOP("keys", "Scale"),          QT_TRANSLATE_NOOP("keys", "Local location"),
         QT_TRANSLATE_NOOP("keys", "Local rotation"), QT_TRANSLATE_NOOP("keys", "Local scale")};
+    if (const JointDef* joint = channel.jointDef())
+        return text(QT_TRANSLATE_NOOP("keys", "Joint %1: %2"))
+            .arg(channel.component + 1)
+            .arg(coreText(joint->label));
     const ParamDef* def = channel.def();
     QString name = def ? coreText(def->label) : named(parts, channel.part);
     if (def ? def->type == ParamType::Vec3 : !channel.isOrientation())
@@ -151,13 +155,17 @@ QColor channelColour(const Channel& channel, const QPalette& palette)
 {
     const bool dark = isDark(palette);
     const ParamDef* def = channel.def();
-    if (channel.isOrientation() || (def && def->type != ParamType::Vec3))
+    const bool length = channel.jointDef() && !channel.jointDef()->angle;
+    if (channel.isOrientation() || length || (def && def->type != ParamType::Vec3))
         return dark ? QColor(0xe0, 0xc0, 0x60) : QColor(0x8a, 0x66, 0x10);
     static const std::array<QColor, 3> onDark{QColor(0xf0, 0x78, 0x70), QColor(0x80, 0xcc, 0x70),
                                               QColor(0x78, 0xa8, 0xf4)};
     static const std::array<QColor, 3> onLight{QColor(0xb8, 0x30, 0x28), QColor(0x2c, 0x80, 0x28),
                                                QColor(0x28, 0x58, 0xc0)};
-    return (dark ? onDark : onLight)[channel.component];
+    // Of joints the colours of their rings: phi blue, theta the warm one.
+    const JointDef* joint = channel.jointDef();
+    const std::size_t which = !joint ? channel.component : joint->angle == &ArmJoint::phi ? 2 : 0;
+    return (dark ? onDark : onLight)[which];
 }
 
 void paintKey(QPainter& painter, const QPointF& centre, double side, KeyMode mode)

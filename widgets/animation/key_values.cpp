@@ -28,7 +28,16 @@ void dress(NumberField& field, const Channel& channel)
 {
     NumberFormat format;
     format.decimals = 3;
-    if (const ParamDef* def = channel.def()) {
+    if (const JointDef* joint = channel.jointDef()) {
+        if (joint->angle)
+            format = angleFormat();
+        else {
+            format.unit = ParamUnit::Metre;
+            format.suffix = QStringLiteral(" m");
+        }
+        field.setRange(joint->hardMin, joint->hardMax);
+        field.setStep(joint->step);
+    } else if (const ParamDef* def = channel.def()) {
         format = numberFormat(*def, AngleUnit::Degrees);
         field.setRange(def->hardMin, def->hardMax);
         field.setStep(def->step);

@@ -2,20 +2,21 @@
 /// The joints of the active arm: add, remove, lengths, angles, limits and speeds; and the way to its target.
 #pragma once
 
+#include "core/document/arm_baker.h"
 #include "core/document/arm_reach.h"
 #include <QWidget>
+#include <optional>
 #include <vector>
 
-class QCheckBox;
-class QFormLayout;
 class QLabel;
 class QListWidget;
 class QPushButton;
 
 namespace ramure {
 
+class AutoKey;
+class JointForm;
 class NumberField;
-class NumberSlider;
 
 class ArmPanel : public QWidget
 {
@@ -27,9 +28,16 @@ public:
 
     /// Shows and steers the arm on its way; may be null. Must outlive the panel.
     void setReach(ArmReach* reach);
+    /// Numbers of joints can have keys. Must outlive the panel.
+    void setKeys(AutoKey* keys);
+    /// Of baking to keys, for a bar of its progress.
+    [[nodiscard]] BackgroundJob* bakeJob() { return m_baker->job(); }
     /// The arm that is shown; noNode where there is none.
     [[nodiscard]] NodeId arm() const { return m_arm; }
     [[nodiscard]] int joint() const;
+
+signals:
+    void messageRaised(const QString& text);
 
 public slots:
     void addJoint();    ///< behind the chosen one, as it
@@ -40,17 +48,12 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    struct Row;
-    void addAngle(QFormLayout* form, bool phi);
-    Row& addNumber(QFormLayout* form, double low, double high, bool angle);
     void follow(const Change& change);
     void takeArm();
     void showJoints();
-    void showValues();
     void showProgress();
-    void set(Row& row, double value, GestureId gesture);
-    void setLimited(bool phi, bool limited);
-    void push(std::vector<ArmJoint> joints, const QString& text, GestureId gesture = 0);
+    void bake();
+    void tellBake(const std::optional<Error>& error);
     void retranslate();
     [[nodiscard]] const std::vector<ArmJoint>* joints() const;
 
@@ -60,10 +63,13 @@ private:
     QLabel* m_none;
     QWidget* m_content;
     QListWidget* m_list;
-    QPushButton *m_add, *m_remove, *m_go, *m_pause, *m_step;
-    QCheckBox *m_limitPhi = nullptr, *m_limitTheta = nullptr;
-    QLabel* m_status;
-    std::vector<std::unique_ptr<Row>> m_rows;
+    QPushButton *m_add, *m_remove;
+    JointForm* m_joint;
+    QPushButton *m_go, *m_pause, *m_step;
+    QLabel *m_status, *m_bakeText;
+    NumberField* m_tolerance;
+    QPushButton* m_bake;
+    ArmBaker* m_baker;
 };
 
 } // namespace ramure

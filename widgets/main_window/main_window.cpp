@@ -161,6 +161,7 @@ void MainWindow::buildDocks()
     m_keyActions = new KeyActions(m_keyCommands, m_actions, this);
     m_autoKey = new AutoKey(m_document, m_player, this);
     m_properties->setKeys(m_autoKey);
+    m_arm->setKeys(m_autoKey);
     m_keys = new KeyPanel(m_keyModel, m_keyCommands, m_keyActions, m_player, this);
     m_keysDock = addPanel(QStringLiteral("keysDock"), m_keys, Qt::BottomDockWidgetArea);
     // The timeline's height is no room for rows of keys: the first look at them makes some.
@@ -291,7 +292,7 @@ void MainWindow::buildMenus()
                       {m_sceneDock->toggleViewAction(), m_propertiesDock->toggleViewAction(),
                        m_inspectorDock->toggleViewAction(), m_validationDock->toggleViewAction(),
                        m_historyDock->toggleViewAction(), m_timelineDock->toggleViewAction(),
-                       m_keysDock->toggleViewAction()},
+                       m_keysDock->toggleViewAction(), m_armDock->toggleViewAction()},
                       m_resetLayout);
     m_playMenu = menuBar()->addMenu(QString());
     m_plays->fillMenu(m_playMenu);
@@ -334,6 +335,8 @@ void MainWindow::buildStatusBar()
     statusBar()->addPermanentWidget(new IsolationButton(m_isolation, this));
     m_bakeProgress = new JobPanel(m_bakes->job(), QStringLiteral("bakeProgress"), this);
     statusBar()->addPermanentWidget(m_bakeProgress);
+    m_armProgress = new JobPanel(m_arm->bakeJob(), QStringLiteral("armProgress"), this);
+    statusBar()->addPermanentWidget(m_armProgress);
     buildSequences();
     statusBar()->addPermanentWidget(m_status);
 }
@@ -382,6 +385,7 @@ void MainWindow::connectPanels()
     connect(m_validation, &ValidationPanel::messageRaised, this, say);
     connect(m_timeline, &TimelinePanel::messageRaised, this, say);
     connect(m_bakes, &BakeActions::messageRaised, this, say);
+    connect(m_arm, &ArmPanel::messageRaised, this, say);
     connect(m_keyCommands, &KeyCommands::messageRaised, this, say);
     connect(m_keyActions->autoAction(), &QAction::toggled, m_autoKey, &AutoKey::setOn);
     connect(m_player, &Player::failed, this, [say](const Error& error) { say(errorTextWithPlace(error)); });
@@ -416,7 +420,11 @@ void MainWindow::connectTimeline()
 void MainWindow::connectViewport(Viewport* view)
 {
     view->setPlayer(m_player);
+    view->setKeys(m_autoKey);
+    connect(view, &Viewport::messageRaised, this,
+            [this](const QString& text) { statusBar()->showMessage(text, messageMs); });
     m_arm->setReach(view->armReach());
+    m_properties->setReach(view->armReach());
     connect(m_isolation, &Isolation::changed, view,
             [this, view] { view->setIsolated(m_isolation->node(), m_isolation->branches()); });
     connect(m_inspector, &BranchInspector::sectionInspected, view, &Viewport::setInspectedSection);
@@ -569,6 +577,7 @@ void MainWindow::retranslate()
     m_plays->retranslate();
     m_bakes->retranslate();
     m_bakeProgress->setText(tr("Baking the motion"));
+    m_armProgress->setText(tr("Baking the arm to keys"));
     updateTitle();
 }
 

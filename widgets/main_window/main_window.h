@@ -121,6 +121,7 @@ private:
     PlayActions* m_plays = nullptr;
     BakeActions* m_bakes = nullptr;
     JobPanel* m_bakeProgress = nullptr;
+    JobPanel* m_armProgress = nullptr;
     SequenceTask* m_sequences = nullptr;
     JobPanel* m_sequenceProgress = nullptr;
     KeyModel* m_keyModel = nullptr;

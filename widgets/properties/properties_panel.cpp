@@ -1,5 +1,6 @@
 #include "widgets/properties/properties_panel.h"
 
+#include "core/document/arm_reach.h"
 #include "core/document/commands.h"
 #include "core/document/player.h"
 #include "core/params/param_relevance.h"
@@ -280,11 +281,20 @@ void PropertiesPanel::applyPreferences()
         section->setFolded(folded.contains(QString::fromLatin1(section->group())));
 }
 
+/// The target of one arm that follows it: the arm is seen on its way there.
+bool PropertiesPanel::isReached(const ParamDef& def) const
+{
+    return m_reach && m_nodes.size() == 1 && &def == findParam("arm.target") &&
+           m_document->scene().find(m_nodes.front())->params.arm.follows;
+}
+
 void PropertiesPanel::setValue(ParamRow* row, const ParamValue& value, quint64 gesture)
 {
     const bool keyed = m_keys && m_keys->takes(m_nodes, row->def());
     const auto done = keyed ? m_keys->set(m_nodes, row->def(), value, std::nullopt, gesture)
-                            : edit::setParam(*m_document, m_nodes, row->def(), value, gesture);
+                      : isReached(row->def())
+                          ? m_reach->aim(m_nodes.front(), std::get<glm::dvec3>(value), gesture)
+                          : edit::setParam(*m_document, m_nodes, row->def(), value, gesture);
     if (!done) {
         row->showValues(valuesOf(row->def()));
         row->showRefusal(errorText(done.error()));
@@ -298,6 +308,10 @@ void PropertiesPanel::setComponent(ParamRow* row, int axis, double value, quint6
         ParamValue whole = m_keys->value(m_nodes.front(), row->def());
         std::get<glm::dvec3>(whole)[axis] = value;
         done = m_keys->set(m_nodes, row->def(), whole, axis, gesture);
+    } else if (isReached(row->def())) {
+        glm::dvec3 target = m_document->scene().find(m_nodes.front())->params.arm.target;
+        target[axis] = value;
+        done = m_reach->aim(m_nodes.front(), target, gesture);
     } else {
         done = edit::setComponent(*m_document, m_nodes, row->def(), axis, value, gesture);
     }

@@ -13,6 +13,7 @@ class QScrollArea;
 
 namespace ramure {
 
+class ArmReach;
 class AutoKey;
 class GenerationsView;
 class GroupSection;
@@ -31,6 +32,8 @@ public:
     [[nodiscard]] const std::vector<NodeId>& nodes() const { return m_nodes; }
     /// Parameters that may have keys get buttons, and show what they are at the frame on show. Not owned.
     void setKeys(AutoKey* keys);
+    /// Sends an arm to the target that is typed; may be null. Not owned.
+    void setReach(ArmReach* reach) { m_reach = reach; }
     [[nodiscard]] QSize sizeHint() const override { return {360, 640}; }
     /// As wide as the widest row in sight needs.
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -58,6 +61,7 @@ private:
     void focusFirstFound();
     void setValue(ParamRow* row, const ParamValue& value, quint64 gesture);
     void setComponent(ParamRow* row, int axis, double value, quint64 gesture);
+    [[nodiscard]] bool isReached(const ParamDef& def) const;
     void copyGroup(const GroupSection* section);
     void pasteGroup(const GroupSection* section);
     void resetGroup(const GroupSection* section);
@@ -67,6 +71,7 @@ private:
     Document* m_document;
     Preferences* m_preferences;
     AutoKey* m_keys = nullptr;
+    ArmReach* m_reach = nullptr;
     std::vector<NodeId> m_nodes;
     std::uint8_t m_kinds = 0;      ///< bits of the kinds of m_nodes
     std::vector<ParamRow*> m_rows; ///< by ParamId

@@ -30,6 +30,28 @@ QPolygonF curve(const std::vector<float>& residuals, const QRectF& place)
     return points;
 }
 
+/// Which angles lie on which limit, with the signs of their rings; the first few of many.
+QString limitsText(const std::vector<ArmLimit>& limits)
+{
+    constexpr int mostNamed = 4;
+    QStringList names;
+    int count = 0;
+    for (std::size_t i = 0; i < limits.size(); ++i) {
+        if (limits[i] == ArmLimit::Free || ++count > mostNamed)
+            continue;
+        names += QStringLiteral("%1%2 %3")
+                     .arg(i % 2 == 0 ? QStringLiteral("φ") : QStringLiteral("θ"))
+                     .arg(i / 2 + 1)
+                     .arg(limits[i] == ArmLimit::Upper ? Words::tr("max") : Words::tr("min"));
+    }
+    if (count == 0)
+        return {};
+    if (count > mostNamed)
+        names += QStringLiteral("…");
+    return Words::tr("%n angle(s) at a limit", nullptr, count) + QStringLiteral(": ") +
+           names.join(QStringLiteral(", "));
+}
+
 } // namespace
 
 QString armStatusText(const ArmProgress& progress)
@@ -41,10 +63,8 @@ QString armStatusText(const ArmProgress& progress)
                 Words::tr("unreachable: %1 m short").arg(progress.figures.shortBy(), 0, 'f', 3);
     else if (progress.figures.status == ArmStatus::Reached && !progress.moves)
         text += QLatin1Char('\n') + Words::tr("reached");
-    const auto held =
-        std::ranges::count_if(progress.limits, [](ArmLimit at) { return at != ArmLimit::Free; });
-    if (held > 0)
-        text += QLatin1Char('\n') + Words::tr("%n angle(s) at a limit", nullptr, int(held));
+    if (const QString limits = limitsText(progress.limits); !limits.isEmpty())
+        text += QLatin1Char('\n') + limits;
     return text;
 }
 

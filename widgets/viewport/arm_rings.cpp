@@ -1,6 +1,7 @@
 #include "widgets/viewport/arm_rings.h"
 
 #include "core/arm/arm_chain.h"
+#include "core/scene/places.h"
 #include <QPainter>
 #include <QPolygonF>
 #include <algorithm>
@@ -45,15 +46,15 @@ glm::dvec3 ArmRing::at(double angleRad) const
     return centre + radius * (std::cos(angleRad) * zero + std::sin(angleRad) * across);
 }
 
-std::vector<ArmRing> armRings(const Scene& scene, NodeId arm)
+std::vector<ArmRing> armRings(const Scene& scene, NodeId arm, double timeSeconds)
 {
     std::vector<ArmRing> rings;
     const Node* node = scene.find(arm);
     if (!node || node->kind != NodeKind::Arm)
         return rings;
-    const NodeParams& params = node->params;
+    const NodeParams params = paramsAt(node->params, node->animation, timeSeconds);
     const ArmChain chain(params.joints);
-    const glm::dmat4 world = worldMatrix(scene, arm) * armUpright();
+    const glm::dmat4 world = placeAt(scene, arm, timeSeconds).geometry * armUpright();
     const glm::dmat3 turn(world);
     const double scale = std::cbrt(std::abs(glm::determinant(turn)));
     const double thick = std::max(params.arm.jointRadius, params.armSkin.shown ? params.armSkin.radius : 0.0);

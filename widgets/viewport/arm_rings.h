@@ -26,8 +26,9 @@ struct ArmRing
     [[nodiscard]] glm::dvec3 at(double angleRad) const;
 };
 
-/// Two for each joint, from the foot on, phi first. Empty for nodes that are no arms.
-std::vector<ArmRing> armRings(const Scene& scene, NodeId arm);
+/// Two for each joint, from the foot on, phi first. Empty for nodes that are no arms. Joints and places are
+/// as their tracks have them at the time.
+std::vector<ArmRing> armRings(const Scene& scene, NodeId arm, double timeSeconds = 0.0);
 /// The ring nearest to the cursor within \p tolerance logical pixels.
 std::optional<std::size_t> ringUnder(const PickView& view, const glm::dvec2& pixel,
                                      const std::vector<ArmRing>& rings, double tolerance = 7.0);

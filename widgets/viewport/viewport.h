@@ -22,6 +22,7 @@ class QPainter;
 namespace ramure {
 
 class ArmReach;
+class AutoKey;
 class Document;
 class Player;
 struct PickView;
@@ -53,6 +54,8 @@ public:
     /// Trees are shown as the player moves them; while it plays, a drag on a branch pulls it and a double
     /// click on an apple lets it fall. Not owned; must outlive the viewport.
     void setPlayer(Player* player);
+    /// Edits of arms become keys where it takes them. Not owned; may be null.
+    void setKeys(AutoKey* keys);
 
     [[nodiscard]] const Camera& camera() const;
     [[nodiscard]] FrameTimes frameTimes() const;
@@ -99,6 +102,8 @@ signals:
     void cameraChanged();
     /// noNode, noIndex where nothing is under the cursor.
     void hovered(ramure::NodeId node, ramure::Index branch);
+    /// What the hand wanted and could not have, and why.
+    void messageRaised(const QString& text);
     /// After every picture.
     void frameDrawn(const ramure::FrameTimes& times);
 

@@ -3,6 +3,7 @@
 #include "core/document/player.h"
 #include "widgets/viewport/viewport_private.h"
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
 namespace ramure {
@@ -17,10 +18,15 @@ constexpr double headLength = 13.0;  ///< logical pixels
 void Viewport::setPlayer(Player* player)
 {
     d->player = player;
+    d->reach->setPlayer(player);
     connect(player, &Player::motionChanged, this, [this] {
         const auto motion = d->player->motion();
-        const bool had = d->wishedMotion && !d->wishedMotion->trees.empty();
-        if (!motion->trees.empty() || had) { // trees of another shape: another scene
+        const auto reshapes = [](const std::shared_ptr<const MotionFrame>& frame) {
+            return frame && (!frame->trees.empty() ||
+                             std::ranges::any_of(frame->nodes,
+                                                 [](const auto& entry) { return entry.second.reshapes; }));
+        };
+        if (reshapes(motion) || reshapes(d->wishedMotion)) { // trees of another shape: another scene
             d->wishedMotion = motion;
             wishScene();
         }

@@ -70,6 +70,7 @@ struct Viewport::Private
     std::unique_ptr<LimbTool> limb; ///< while a limb follows the hand
     std::size_t limbBranches = LimbTool::usualBranches;
     std::unique_ptr<ArmReach> reach;
+    AutoKey* keys = nullptr; ///< null: no edit becomes a key
     std::shared_ptr<const MotionFrame> reachFrame, reachOf; ///< with the arm on its way; made from
     NodeId aimingArm = noNode;                              ///< while its target is dragged
     NodeId aimedAt = noNode;                                ///< the surface on which the target moves
@@ -118,6 +119,7 @@ struct Viewport::Private
     [[nodiscard]] std::shared_ptr<const MotionFrame> motionOfNow();
     /// The arm that a target is meant for: the active one, else the first that is shown.
     [[nodiscard]] NodeId armForTarget() const;
+    [[nodiscard]] double timeNow() const; ///< s, of the player's frame
     [[nodiscard]] std::optional<glm::dvec3> aimedPoint(const PickView& view, const glm::dvec2& pixel) const;
     /// Of the active arm at rest; empty while it moves.
     [[nodiscard]] std::vector<ArmRing> rings() const;

@@ -2,6 +2,8 @@
 // which becomes the target of an arm.
 #include "core/arm/arm_chain.h"
 #include "core/document/player.h"
+#include "widgets/animation/auto_key.h"
+#include "widgets/support/core_text.h"
 #include "widgets/viewport/arm_overlay.h"
 #include "widgets/viewport/viewport_private.h"
 #include <QPainter>
@@ -12,9 +14,9 @@ namespace {
 constexpr std::chrono::milliseconds patience(8); ///< how long a press may hold the interface up
 
 /// From the world into the arm's own space.
-glm::dvec3 inArmSpace(const Scene& scene, NodeId arm, const glm::dvec3& world)
+glm::dvec3 inArmSpace(const Scene& scene, NodeId arm, double timeSeconds, const glm::dvec3& world)
 {
-    const glm::dmat4 place = worldMatrix(scene, arm) * armUpright();
+    const glm::dmat4 place = placeAt(scene, arm, timeSeconds).geometry * armUpright();
     return glm::dvec3(glm::inverse(place) * glm::dvec4(world, 1.0));
 }
 
@@ -86,6 +88,16 @@ void Viewport::beginReaching()
     });
 }
 
+void Viewport::setKeys(AutoKey* keys)
+{
+    d->keys = keys;
+}
+
+double Viewport::Private::timeNow() const
+{
+    return player ? player->timeSeconds() : 0.0;
+}
+
 /// The player's frame, and in it the arm that is on its way.
 std::shared_ptr<const MotionFrame> Viewport::Private::motionOfNow()
 {
@@ -99,7 +111,9 @@ std::shared_ptr<const MotionFrame> Viewport::Private::motionOfNow()
     if (!node || node->kind != NodeKind::Arm || 2 * node->params.joints.size() != progress->angles.size())
         return frame;
     auto made = frame ? std::make_shared<MotionFrame>(*frame) : std::make_shared<MotionFrame>();
-    made->nodes[progress->node] = armMotion(node->params, progress->angles);
+    std::vector<ArmJoint> joints = node->params.joints;
+    setArmAngles(joints, progress->angles);
+    made->nodes[progress->node] = armMotion(node->params, joints);
     reachOf = frame;
     reachFrame = std::move(made);
     return reachFrame;
@@ -159,11 +173,13 @@ void Viewport::aimAt(const PickView& view, const glm::dvec2& pixel)
     const auto world = d->aimedPoint(view, pixel);
     if (!world)
         return;
-    const glm::dvec3 target = inArmSpace(d->document->scene(), d->aimingArm, *world);
-    if (d->player && (d->player->frame() > 0 || d->player->isPlaying()))
-        edit::setParam(*d->document, {d->aimingArm}, *findParam("arm.target"), target, d->aimGesture);
-    else
-        d->reach->reachFor(d->aimingArm, target, d->aimGesture);
+    const glm::dvec3 target = inArmSpace(d->document->scene(), d->aimingArm, d->timeNow(), *world);
+    const ParamDef& def = *findParam("arm.target");
+    const auto done = d->keys && d->keys->takes({d->aimingArm}, def)
+                          ? d->keys->set({d->aimingArm}, def, target, std::nullopt, d->aimGesture)
+                          : d->reach->aim(d->aimingArm, target, d->aimGesture);
+    if (!done)
+        emit messageRaised(errorText(done.error()));
     update();
 }
 
@@ -172,10 +188,12 @@ std::vector<ArmRing> Viewport::Private::rings() const
     const NodeId active = document->selection().activeNode();
     const Scene& all = document->scene();
     const ArmProgress* progress = reach->progress();
-    const bool moves = (player && (player->frame() > 0 || player->isPlaying())) ||
+    const Node* node = all.find(active);
+    const bool follows = node && node->params.arm.follows && player && player->frame() > 0;
+    const bool moves = follows || (player && player->isPlaying()) ||
                        (progress && progress->node == active && progress->moves);
     return moves || !all.isShown(active) || all.isLocked(active) ? std::vector<ArmRing>()
-                                                                 : armRings(all, active);
+                                                                 : armRings(all, active, timeNow());
 }
 
 bool Viewport::beginRing(const PickView& view, const glm::dvec2& pixel)
@@ -205,6 +223,13 @@ void Viewport::turnRing(const PickView& view, const glm::dvec2& pixel)
     ArmJoint& joint = joints[d->ringAtPress.joint];
     ArmAngle& turned = d->ringAtPress.phi ? joint.phi : joint.theta;
     turned.angleRad = turnedBy(d->ringAtPress.angle, d->ringFrom, *angle);
+    const Channel channel{ChannelPart::Joint, static_cast<std::uint8_t>(d->ringAtPress.joint),
+                          static_cast<ParamId>(jointAngleNumber(d->ringAtPress.phi))};
+    if (d->keys && d->keys->takes(arm, channel)) {
+        if (const auto done = d->keys->set(arm, channel, turned.angleRad, d->ringGesture); !done)
+            emit messageRaised(errorText(done.error()));
+        return;
+    }
     edit::setJoints(*d->document, arm, std::move(joints), tr("Turn joint %1").arg(d->ringAtPress.joint + 1),
                     d->ringGesture);
 }

@@ -128,22 +128,26 @@ void TestArmSolver::oneTransposeStepIsAsWritten()
     }
 }
 
+/// Targets spread evenly over the half shell. How many steps the worst of 300 needs is chance: of 200 such
+/// draws half stay below 1,772, a tenth below 857 and a tenth need over 4,477; targets that lie almost in
+/// line with the folded arm are slow. The median is steady.
 void TestArmSolver::faithfulReachesRandomTargets()
 {
     Random random(1, RandomStream::Test);
     std::vector<std::int64_t> steps;
     while (steps.size() < 300) {
-        const glm::dvec3 target = unitVector(random) * random.range(0.5, 4.2);
-        if (target.z < 0.0)
+        const glm::dvec3 target(random.range(-4.2, 4.2), random.range(-4.2, 4.2), random.range(0.0, 4.2));
+        if (glm::length(target) < 0.5 || glm::length(target) > 4.2)
             continue;
         ArmSolver solver(defaultArmJoints(), {ArmSolverKind::Transpose, 0.01 * pi, 1, 1e-3});
         solver.setTarget(target);
-        QCOMPARE(solver.solve(20000), ArmStatus::Reached);
+        QCOMPARE(solver.solve(50000), ArmStatus::Reached);
         QVERIFY(glm::distance(solver.chain().tip(), target) <= 1e-3);
         steps.push_back(solver.figures().steps);
     }
     std::ranges::sort(steps);
     qInfo("median %lld, worst %lld", static_cast<long long>(steps[150]), static_cast<long long>(steps[299]));
+    QVERIFY(steps[150] >= 170 && steps[150] <= 240);
 }
 
 void TestArmSolver::reachesWhatCanBeReached_data()

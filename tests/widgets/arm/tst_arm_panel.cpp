@@ -1,10 +1,19 @@
+#include "core/document/player.h"
 #include "core/scene/arm_demo.h"
 #include "tests/support/suite.h"
+#include "widgets/animation/auto_key.h"
 #include "widgets/arm/arm_panel.h"
 #include "widgets/numbers/number_field.h"
+#include "widgets/properties/param_row.h"
+#include "widgets/properties/properties_panel.h"
+#include "widgets/support/preferences.h"
 #include <QCheckBox>
+#include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSignalSpy>
+#include <QToolButton>
+#include <glm/geometric.hpp>
 
 using namespace ramure;
 
@@ -20,6 +29,9 @@ private slots:
     void limitsHoldTheAngle();
     void everythingHasATooltip();
     void theWayIsSteered();
+    void numbersHaveKeys();
+    void theMotionIsBaked();
+    void aTypedTargetSendsTheArm();
 };
 
 namespace {
@@ -134,6 +146,85 @@ void TestArmPanel::theWayIsSteered()
     pause->click();
     QTRY_VERIFY_WITH_TIMEOUT(!desk.reach.progress()->moves, 20000);
     QVERIFY(!step->isEnabled());
+}
+
+void TestArmPanel::numbersHaveKeys()
+{
+    Desk desk;
+    Player player(&desk.document);
+    AutoKey keys(&desk.document, &player);
+    desk.panel.setKeys(&keys);
+    desk.panel.chooseJoint(1);
+    const auto buttons = desk.panel.findChildren<QToolButton*>(QStringLiteral("keyButton"));
+    QCOMPARE(buttons.size(), qsizetype(jointTable().size()));
+    for (const QToolButton* button : buttons)
+        QVERIFY(button->isVisibleTo(&desk.panel) && !button->toolTip().isEmpty());
+    const auto tracks = [&] { return desk.document.scene().find(1)->animation.tracks().size(); };
+    buttons[0]->click(); // the length
+    QCOMPARE(tracks(), std::size_t(1));
+    player.seek(24);
+    QVERIFY(player.waitForIdle(20'000));
+    auto* message = desk.panel.findChild<QLabel*>(QStringLiteral("problem"));
+    emit desk.field(0)->valueEdited(2.5); // no key here
+    QVERIFY(message->isVisibleTo(&desk.panel) && !message->text().isEmpty());
+    QCOMPARE(desk.field(0)->value().value_or(0.0), 1.5);
+    keys.setOn(true);
+    emit desk.field(0)->valueEdited(2.5);
+    QVERIFY(!message->isVisibleTo(&desk.panel));
+    emit desk.field(1)->valueEdited(0.7); // phi gets its first key
+    QCOMPARE(tracks(), std::size_t(2));
+    QCOMPARE(desk.joints()[1].length, 1.5);
+    player.seek(12);
+    QVERIFY(player.waitForIdle(20'000));
+    const double half = desk.field(0)->value().value_or(0.0);
+    QVERIFY(half > 1.5 && half < 2.5);
+    QVERIFY(player.motion()->of(1)->reshapes);
+    QCOMPARE(player.motion()->of(1)->arm->angles[2], 0.7); // held by its key
+    buttons[0]->click();
+    QCOMPARE(keyCount(*desk.document.scene().find(1)->animation.tracks().begin()->second), std::size_t(3));
+}
+
+void TestArmPanel::theMotionIsBaked()
+{
+    Desk desk;
+    QPushButton* bake = desk.panel.findChildren<QPushButton*>().last();
+    QSignalSpy told(&desk.panel, &ArmPanel::messageRaised);
+    bake->click();
+    QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, 20'000);
+    QCOMPARE(desk.document.scene().find(1)->animation.tracks().size(), std::size_t(9));
+    QVERIFY(!bake->isEnabled()); // it follows no target any more
+    QCOMPARE(desk.document.undoStack()->count(), 1);
+    desk.document.undoStack()->undo();
+    QVERIFY(bake->isEnabled());
+}
+
+/// In the properties: one step, and the approach is seen.
+void TestArmPanel::aTypedTargetSendsTheArm()
+{
+    Desk desk;
+    Preferences preferences;
+    PropertiesPanel properties(&desk.document, &preferences);
+    properties.setReach(&desk.reach);
+    Selection selection;
+    selection.nodes = {1};
+    desk.document.setSelection(selection);
+    desk.reach.setPaused(true);
+    const std::vector<ArmJoint> before = desk.joints();
+    ParamRow* row = properties.row(*findParam("arm.target"));
+    emit row->editor()->componentEdited(0, -1.0, 7);
+    emit row->editor()->componentEdited(1, 1.5, 7);
+    QVERIFY(desk.reach.progress() && desk.reach.progress()->moves);
+    desk.reach.step();
+    QVERIFY(desk.joints() == before);
+    desk.reach.finish();
+    QVERIFY(desk.joints() != before);
+    QVERIFY(glm::distance(ArmChain(desk.joints()).tip(), desk.document.scene().find(1)->params.arm.target) <
+            1e-3);
+    QCOMPARE(desk.document.undoStack()->count(), 1);
+    desk.document.undoStack()->undo();
+    QVERIFY(desk.joints() == before);
+    emit row->editor()->valueEdited(glm::dvec3(1.0, 1.0, 1.0), 0);
+    QVERIFY(desk.reach.progress()->moves);
 }
 
 QTEST_MAIN(TestArmPanel)
