@@ -7,7 +7,8 @@
 namespace ramure {
 namespace {
 
-constexpr std::int64_t snapshotTicks = 120;
+constexpr std::int64_t firstSnapshotTicks = 120;
+constexpr std::size_t mostSnapshots = 512;
 constexpr double mostSeconds = 86400.0;
 constexpr std::size_t mostResiduals = 4096;
 
@@ -47,6 +48,7 @@ ArmDriver::ArmDriver(Source source, const ArmSolverParams& params)
     : m_source(std::move(source))
     , m_motion(m_source(0.0).joints, params)
     , m_snapshots{m_motion}
+    , m_snapshotTicks(firstSnapshotTicks)
 {
 }
 
@@ -57,9 +59,21 @@ double ArmDriver::residualNow(const ArmGiven& given) const
     return glm::distance(chain.tip(), *given.target);
 }
 
+/// Of long runs fewer, so that they need no more memory than short ones.
+void ArmDriver::keepSnapshot()
+{
+    m_snapshots.push_back(m_motion);
+    if (m_snapshots.size() <= mostSnapshots)
+        return;
+    for (std::size_t i = 1; 2 * i < m_snapshots.size(); ++i)
+        m_snapshots[i] = std::move(m_snapshots[2 * i]);
+    m_snapshots.erase(m_snapshots.begin() + std::ptrdiff_t((m_snapshots.size() + 1) / 2), m_snapshots.end());
+    m_snapshotTicks *= 2;
+}
+
 Expected<void> ArmDriver::goTo(std::int64_t tick, const Progress& progress)
 {
-    const auto nearest = std::min<std::size_t>(std::size_t(tick / snapshotTicks), m_snapshots.size() - 1);
+    const auto nearest = std::min<std::size_t>(std::size_t(tick / m_snapshotTicks), m_snapshots.size() - 1);
     if (m_motion.ticks() > tick || m_motion.ticks() < m_snapshots[nearest].ticks())
         m_motion = m_snapshots[nearest];
     const std::int64_t from = m_motion.ticks();
@@ -73,8 +87,8 @@ Expected<void> ArmDriver::goTo(std::int64_t tick, const Progress& progress)
         m_motion.tick();
         if (m_residuals.size() < std::size_t(m_motion.ticks()))
             m_residuals.push_back(static_cast<float>(residualNow(given)));
-        if (m_motion.ticks() == std::int64_t(m_snapshots.size()) * snapshotTicks) {
-            m_snapshots.push_back(m_motion);
+        if (m_motion.ticks() == std::int64_t(m_snapshots.size()) * m_snapshotTicks) {
+            keepSnapshot();
             progress.report(double(m_motion.ticks() - from) / double(tick - from));
         }
     }

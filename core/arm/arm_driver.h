@@ -47,12 +47,14 @@ public:
 
 private:
     Expected<void> goTo(std::int64_t tick, const Progress& progress);
+    void keepSnapshot();
     [[nodiscard]] double residualNow(const ArmGiven& given) const;
 
     Source m_source;
     ArmMotion m_motion;
-    std::vector<ArmMotion> m_snapshots; ///< every snapshotTicks, from tick 0 on
-    std::vector<float> m_residuals;     ///< m, after each tick that was ever made
+    std::vector<ArmMotion> m_snapshots; ///< every m_snapshotTicks, from tick 0 on
+    std::int64_t m_snapshotTicks;
+    std::vector<float> m_residuals; ///< m, after each tick that was ever made
 };
 
 /// A node's arm: its parameters, and its joints and target as their tracks have them. Angles with tracks are

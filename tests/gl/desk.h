@@ -5,16 +5,19 @@
 #pragma once
 
 #include "tests/support/suite.h"
+#include <QFile>
 #include <QGuiApplication>
 #include <QPixmap>
 #include <QProcess>
 #include <QScreen>
+#include <QSettings>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QThread>
 #include <QWidget>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace ramure::test {
 
@@ -34,6 +37,18 @@ inline QString xdo(const QStringList& arguments)
     if (!tool.waitForFinished(deskPatienceMs) || tool.exitCode() != 0)
         return {};
     return QString::fromUtf8(tool.readAllStandardOutput()).trimmed();
+}
+
+/// What the editor is to find in its home at the start: English, no welcome page. Only the owner may look.
+inline void prepareHome(const QTemporaryDir& home, std::optional<double> autosaveMinutes = {})
+{
+    QFile::setPermissions(home.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
+    QSettings settings(home.filePath(QStringLiteral("Ramure/ramure.conf")), QSettings::IniFormat);
+    settings.setValue(QStringLiteral("view/language"), QStringLiteral("en"));
+    settings.setValue(QStringLiteral("view/welcomeAtStart"), false);
+    if (autosaveMinutes)
+        settings.setValue(QStringLiteral("files/autosaveMinutes"), *autosaveMinutes);
+    settings.sync();
 }
 
 /// The window manager, while this object lives.

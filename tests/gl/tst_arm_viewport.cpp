@@ -2,14 +2,11 @@
 #include "core/document/player.h"
 #include "core/scene/arm_demo.h"
 #include "tests/support/suite.h"
+#include "tests/support/view_window.h"
 #include "widgets/viewport/arm_rings.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
-#include <QApplication>
-#include <QMouseEvent>
-#include <QSignalSpy>
 
 using namespace ramure;
+using test::differing;
 
 /// The arm in a real window. With RAMURE_PICTURES set to a folder, its pictures are left there.
 class TestArmViewport : public QObject
@@ -28,57 +25,19 @@ private slots:
 
 namespace {
 
-struct Window
+struct Window : test::ViewWindow
 {
-    Document document;
-    ViewportHost host{&document};
-    Viewport* view = host.viewport();
-
     Window()
     {
         document.reset(armDemo(), {});
-        host.resize(800, 600);
-        host.show();
-        if (!QTest::qWaitForWindowExposed(&host))
-            qWarning("the window does not appear");
-        waitForPicture();
-    }
-    void waitForPicture()
-    {
-        QSignalSpy drawn(view, &Viewport::frameDrawn);
-        view->update();
-        if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view->isPicturePending(); }, 20'000))
-            qWarning("no picture of now comes");
-    }
-    [[nodiscard]] QPoint pixelOf(const glm::dvec3& world) const
-    {
-        const glm::dvec2 ndc = *view->camera().project(world, double(view->width()) / view->height());
-        return {qRound(0.5 * (ndc.x + 1.0) * view->width()), qRound(0.5 * (1.0 - ndc.y) * view->height())};
+        show({800, 600});
     }
     [[nodiscard]] const NodeParams& arm() const { return document.scene().find(1)->params; }
-    void keep(const char* name) const
-    {
-        const QString folder = qEnvironmentVariable("RAMURE_PICTURES");
-        if (!folder.isEmpty())
-            view->grabFramebuffer().save(folder + u'/' + QLatin1String(name) + QLatin1String(".png"));
-    }
     void move(QPoint to, Qt::KeyboardModifiers modifiers) const
     {
-        QMouseEvent event(QEvent::MouseMove, to, view->mapToGlobal(QPointF(to)), Qt::NoButton, Qt::LeftButton,
-                          modifiers);
-        QApplication::sendEvent(view, &event);
+        ViewWindow::move(to, Qt::LeftButton, modifiers);
     }
 };
-
-/// How many points of two pictures differ.
-int differing(const QImage& a, const QImage& b)
-{
-    int count = 0;
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x)
-            count += a.pixel(x, y) != b.pixel(x, y);
-    return count;
-}
 
 } // namespace
 

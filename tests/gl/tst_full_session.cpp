@@ -9,7 +9,6 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSettings>
 #include <algorithm>
 #include <numbers>
 
@@ -137,11 +136,7 @@ private slots:
     {
         if (const QString missing = test::Desk::missing(); !missing.isEmpty())
             QSKIP(qPrintable(missing + QStringLiteral(" is not installed")));
-        QFile::setPermissions(m_home.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-        QSettings settings(m_home.filePath(QStringLiteral("Ramure/ramure.conf")), QSettings::IniFormat);
-        settings.setValue(QStringLiteral("view/language"), QStringLiteral("en"));
-        settings.setValue(QStringLiteral("view/welcomeAtStart"), false);
-        settings.sync();
+        test::prepareHome(m_home);
         m_desk = std::make_unique<test::Desk>();
     }
     void init() { test::failOnAnyWarning(); }

@@ -8,7 +8,6 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
-#include <QSettings>
 
 using namespace ramure;
 using test::Editor;
@@ -120,12 +119,7 @@ private slots:
     {
         if (const QString missing = test::Desk::missing(); !missing.isEmpty())
             QSKIP(qPrintable(missing + QStringLiteral(" is not installed")));
-        QFile::setPermissions(m_home.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
-        QSettings settings(m_home.filePath(QStringLiteral("Ramure/ramure.conf")), QSettings::IniFormat);
-        settings.setValue(QStringLiteral("view/language"), QStringLiteral("en"));
-        settings.setValue(QStringLiteral("view/welcomeAtStart"), false);
-        settings.setValue(QStringLiteral("files/autosaveMinutes"), 0.005);
-        settings.sync();
+        test::prepareHome(m_home, 0.005);
         Scene scene;
         Node tree;
         tree.id = scene.newId();

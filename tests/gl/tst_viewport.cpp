@@ -3,12 +3,11 @@
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "tests/support/suite.h"
+#include "tests/support/view_window.h"
 #include "widgets/render/gl_setup.h"
 #include "widgets/render/scene_builder.h"
 #include "widgets/validation/defect_place.h"
 #include "widgets/viewport/navigation_cube.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
 #include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>
@@ -48,45 +47,22 @@ void compute(Document& document)
     }
 }
 
-/// A window with a viewport of a document.
-struct Window
+struct Window : test::ViewWindow
 {
-    Document document;
-    ViewportHost host{&document};
-    Viewport* view = host.viewport();
-
     explicit Window(int trees = 1)
     {
         document.reset(rowOfTrees(trees), {});
         compute(document);
-        host.resize(480, 360);
-        host.show();
-        if (!QTest::qWaitForWindowExposed(&host))
-            qWarning("the window does not appear");
-        waitForPicture();
-    }
-    void waitForPicture()
-    {
-        QSignalSpy drawn(view, &Viewport::frameDrawn);
-        view->update();
-        if (!QTest::qWaitFor([&] { return !drawn.isEmpty() && !view->isPicturePending(); }, 20'000))
-            qWarning("no picture of now comes");
+        show({480, 360});
     }
     [[nodiscard]] NodeId tree(std::size_t i) const { return document.scene().nodes()[i].id; }
     [[nodiscard]] const Skeleton& skeleton(std::size_t i = 0) const
     {
         return document.result(tree(i))->tree.simplified->skeleton;
     }
-    /// Where a point of the world is on the widget.
     [[nodiscard]] QColor colourAt(const glm::dvec3& world) const
     {
         return view->grabFramebuffer().pixelColor(pixelOf(world) * view->devicePixelRatioF());
-    }
-    [[nodiscard]] QPoint pixelOf(const glm::dvec3& world) const
-    {
-        const double aspect = double(view->width()) / view->height();
-        const glm::dvec2 ndc = *view->camera().project(world, aspect);
-        return {qRound(0.5 * (ndc.x + 1.0) * view->width()), qRound(0.5 * (1.0 - ndc.y) * view->height())};
     }
     void click(QPoint at, Qt::KeyboardModifiers modifiers = Qt::NoModifier) const
     {
@@ -98,11 +74,8 @@ struct Window
               Qt::KeyboardModifiers modifiers = Qt::NoModifier) const
     {
         QTest::mousePress(view, button, modifiers, from);
-        for (int i = 1; i <= 4; ++i) {
-            const QPointF at = QPointF(from) + QPointF(to - from) * i / 4.0;
-            QMouseEvent move(QEvent::MouseMove, at, view->mapToGlobal(at), Qt::NoButton, button, modifiers);
-            QApplication::sendEvent(view, &move);
-        }
+        for (int i = 1; i <= 4; ++i)
+            move(QPointF(from) + QPointF(to - from) * i / 4.0, button, modifiers);
         QTest::mouseRelease(view, button, modifiers, to);
         if (!QTest::qWaitFor([this] { return !view->isPickPending(); }))
             qWarning("the box has no effect");

@@ -167,13 +167,23 @@ Expected<void> AutoKey::set(NodeId node, const Channel& channel, double value, G
 {
     if (!m_on && state(node, channel) == KeyState::Animated)
         return noKeyHere();
+    return insert(node, {{channel, value}}, tr("Set Key"), gesture);
+}
+
+Expected<void> AutoKey::insert(NodeId node, const std::vector<std::pair<Channel, double>>& values,
+                               const QString& text, GestureId gesture)
+{
     const Node* found = m_document->scene().find(node);
     if (!found)
         return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(node)});
-    auto edit = keyed(*found, channel, now(), value);
-    if (!edit)
-        return fail(std::move(edit.error()));
-    return edit::setTracks(*m_document, {std::move(*edit)}, tr("Set Key"), gesture);
+    std::vector<TrackEdit> edits;
+    for (const auto& [channel, value] : values) {
+        auto edit = keyed(*found, channel, now(), value);
+        if (!edit)
+            return fail(std::move(edit.error()));
+        edits.push_back(std::move(*edit));
+    }
+    return edit::setTracks(*m_document, edits, text, gesture);
 }
 
 Expected<void> AutoKey::toggle(NodeId node, const Channel& channel)

@@ -6,6 +6,8 @@
 #include "widgets/animation/key_state.h"
 #include <QObject>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace ramure {
 
@@ -38,6 +40,9 @@ public:
     [[nodiscard]] double value(NodeId node, const Channel& channel) const;
     [[nodiscard]] bool takes(NodeId node, const Channel& channel) const;
     Expected<void> set(NodeId node, const Channel& channel, double value, GestureId gesture);
+    /// Keys at the frame on show with these values, whether there are any or not; one step.
+    Expected<void> insert(NodeId node, const std::vector<std::pair<Channel, double>>& values,
+                          const QString& text, GestureId gesture = 0);
     Expected<void> toggle(NodeId node, const Channel& channel);
     /// \}
 

@@ -1,5 +1,8 @@
 #include "widgets/arm/arm_panel.h"
 
+#include "core/arm/arm_chain.h"
+#include "core/document/player.h"
+#include "widgets/animation/auto_key.h"
 #include "widgets/arm/joint_form.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/support/core_text.h"
@@ -30,6 +33,7 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     , m_status(new QLabel(m_content))
     , m_bakeText(new QLabel(m_content))
     , m_tolerance(new NumberField(m_content))
+    , m_keyPose(new QPushButton(m_content))
     , m_bake(new QPushButton(m_content))
     , m_baker(new ArmBaker(document, this))
 {
@@ -52,6 +56,8 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     inner->addWidget(m_list);
     inner->addLayout(edits);
     inner->addWidget(m_joint);
+    inner->addWidget(m_keyPose);
+    m_keyPose->setEnabled(false);
     inner->addLayout(way);
     inner->addWidget(m_status);
     auto* bake = new QHBoxLayout;
@@ -73,6 +79,7 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     connect(m_list, &QListWidget::currentRowChanged, this,
             [this](int row) { m_joint->setJoint(m_arm, row); });
     connect(m_tolerance, &NumberField::valueEdited, m_tolerance, &NumberField::setValue);
+    connect(m_keyPose, &QPushButton::clicked, this, &ArmPanel::keyPose);
     connect(m_bake, &QPushButton::clicked, this, &ArmPanel::bake);
     connect(m_baker, &ArmBaker::finished, this, &ArmPanel::tellBake);
     connect(document, &Document::changed, this, &ArmPanel::follow);
@@ -110,7 +117,29 @@ void ArmPanel::chooseJoint(int joint)
 
 void ArmPanel::setKeys(AutoKey* keys)
 {
+    m_keys = keys;
+    m_keyPose->setEnabled(keys);
     m_joint->setKeys(keys);
+}
+
+/// All angles of all joints as they are seen, at the frame on show.
+void ArmPanel::keyPose()
+{
+    const std::vector<ArmJoint>* all = joints();
+    if (!m_keys || !all)
+        return;
+    std::vector<double> angles = armAngles(*all);
+    const auto motion = m_keys->player()->motion();
+    const NodeMotion* seen = motion ? motion->of(m_arm) : nullptr;
+    if (seen && seen->arm && seen->moves() && seen->arm->angles.size() == angles.size())
+        angles = seen->arm->angles;
+    std::vector<std::pair<Channel, double>> values;
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        values.push_back({{ChannelPart::Joint, static_cast<std::uint8_t>(i / 2),
+                           static_cast<ParamId>(jointAngleNumber(i % 2 == 0))},
+                          angles[i]});
+    if (const auto done = m_keys->insert(m_arm, values, tr("Key the pose")); !done)
+        emit messageRaised(errorText(done.error()));
 }
 
 void ArmPanel::bake()
@@ -219,6 +248,8 @@ void ArmPanel::retranslate()
     m_pause->setToolTip(tr("Holds the arm on its way, to go through it step by step"));
     m_step->setText(tr("Step"));
     m_step->setToolTip(tr("One sixtieth of a second further"));
+    m_keyPose->setText(tr("Key the pose"));
+    m_keyPose->setToolTip(tr("Inserts a key at this frame for the angles of all joints"));
     m_bakeText->setText(tr("Tolerance"));
     m_tolerance->setToolTip(
         tr("Keys that a straight line comes as near to are left out, degrees; 0 keeps a key "

@@ -52,6 +52,7 @@ private:
     void takeArm();
     void showJoints();
     void showProgress();
+    void keyPose();
     void bake();
     void tellBake(const std::optional<Error>& error);
     void retranslate();
@@ -68,7 +69,8 @@ private:
     QPushButton *m_go, *m_pause, *m_step;
     QLabel *m_status, *m_bakeText;
     NumberField* m_tolerance;
-    QPushButton* m_bake;
+    QPushButton *m_keyPose, *m_bake;
+    AutoKey* m_keys = nullptr;
     ArmBaker* m_baker;
 };
 

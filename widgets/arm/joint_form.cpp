@@ -85,14 +85,16 @@ void JointForm::addRow(QFormLayout* form, const JointDef& def, std::size_t numbe
     made.field->setStep(def.step);
     made.slider = new NumberSlider(this);
     made.slider->setSoftRange(def.softMin, def.softMax, def.step, false);
-    auto* name = new QHBoxLayout;
+    auto* named = new QWidget(this);
+    auto* name = new QHBoxLayout(named);
+    name->setContentsMargins(0, 0, 0, 0);
     name->setSpacing(2);
     name->addWidget(made.key);
     name->addWidget(made.label, 1);
     auto* line = new QHBoxLayout;
     line->addWidget(made.slider, 1);
     line->addWidget(made.field);
-    form->addRow(name, line);
+    form->addRow(named, line);
     const auto begin = [&made] { made.gesture = newGesture(); };
     const auto end = [&made] { made.gesture = 0; };
     connect(made.field, &NumberField::gestureBegan, this, begin);

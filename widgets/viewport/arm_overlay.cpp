@@ -1,6 +1,7 @@
 #include "widgets/viewport/arm_overlay.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 #include <QPainter>
 #include <QPolygonF>
 #include <algorithm>
@@ -9,25 +10,78 @@
 namespace ramure {
 namespace {
 
-constexpr double margin = 12.0, width = 260.0, plotHeight = 64.0;
+constexpr double margin = 12.0, width = 260.0, plotHeight = 84.0;
 
 struct Words
 {
     Q_DECLARE_TR_FUNCTIONS(ArmOverlay)
 };
 
-QPolygonF curve(const std::vector<float>& residuals, const QRectF& place)
+constexpr double least = 1e-6; ///< m; less is drawn as this
+
+/// Powers of ten that a plot shows, both ends.
+struct Decades
 {
-    const auto [least, most] = std::minmax_element(residuals.begin(), residuals.end());
-    const double high = std::log10(std::max(double(*most), 1e-6));
-    const double low = std::min(std::log10(std::max(double(*least), 1e-6)), high - 1.0);
+    double low = -1.0, high = 0.0;
+
+    explicit Decades(const std::vector<float>& residuals)
+    {
+        const auto [smallest, largest] = std::minmax_element(residuals.begin(), residuals.end());
+        high = std::ceil(std::log10(std::max(double(*largest), least)));
+        low = std::min(std::floor(std::log10(std::max(double(*smallest), least))), high - 1.0);
+    }
+    [[nodiscard]] double y(double metres, const QRectF& place) const
+    {
+        return place.bottom() - (std::log10(std::max(metres, least)) - low) / (high - low) * place.height();
+    }
+};
+
+/// At most one point a pixel, the largest there: a plot of thousands is as quick as one of tens.
+QPolygonF curve(const std::vector<float>& residuals, const Decades& decades, const QRectF& place)
+{
     QPolygonF points;
     for (std::size_t i = 0; i < residuals.size(); ++i) {
-        const double x = residuals.size() > 1 ? double(i) / double(residuals.size() - 1) : 0.0;
-        const double y = (std::log10(std::max(double(residuals[i]), 1e-6)) - low) / (high - low);
-        points << QPointF(place.left() + x * place.width(), place.bottom() - y * place.height());
+        const double x =
+            place.left() +
+            (residuals.size() > 1 ? double(i) / double(residuals.size() - 1) : 0.0) * place.width();
+        const double y = decades.y(double(residuals[i]), place);
+        if (!points.isEmpty() && x - points.back().x() < 0.5)
+            points.back().setY(std::min(points.back().y(), y));
+        else
+            points << QPointF(x, y);
     }
     return points;
+}
+
+QString lengthText(double exponent)
+{
+    const QLocale locale;
+    if (exponent >= 0.0)
+        return Words::tr("%1 m").arg(locale.toString(std::pow(10.0, exponent), 'f', 0));
+    if (exponent >= -3.0)
+        return Words::tr("%1 mm").arg(locale.toString(std::pow(10.0, exponent + 3.0), 'f', 0));
+    return Words::tr("%1 µm").arg(locale.toString(std::pow(10.0, exponent + 6.0), 'f', 0));
+}
+
+/// A line and a label for each power of ten, as many as there is room for.
+void paintGrid(QPainter& painter, const Decades& decades, const QRectF& place)
+{
+    const double lines = decades.high - decades.low;
+    const double every = std::max(1.0, std::ceil(lines * 13.0 / place.height()));
+    QFont font = painter.font();
+    const QFont before = font;
+    if (font.pointSizeF() > 0.0)
+        font.setPointSizeF(0.8 * font.pointSizeF());
+    painter.setFont(font);
+    for (double exponent = decades.high; exponent >= decades.low; exponent -= every) {
+        const double y = decades.y(std::pow(10.0, exponent), place);
+        painter.setPen(QPen(QColor(255, 255, 255, 50), 1.0));
+        painter.drawLine(QPointF(place.left(), y), QPointF(place.right(), y));
+        painter.setPen(QColor(255, 255, 255, 170));
+        painter.drawText(QRectF(place.right() - 80.0, y - 12.0, 78.0, 12.0), Qt::AlignRight | Qt::AlignBottom,
+                         lengthText(exponent));
+    }
+    painter.setFont(before);
 }
 
 /// Which angles lie on which limit, with the signs of their rings; the first few of many.
@@ -83,11 +137,11 @@ void paintArmStatus(QPainter& painter, QSize size, const ArmProgress& progress)
     if (!plots)
         return;
     const QRectF place(box.left() + 10.0, box.bottom() - 8.0 - plotHeight, width - 20.0, plotHeight);
-    painter.setPen(QPen(QColor(255, 255, 255, 70), 1.0));
+    const Decades decades(progress.residuals);
     painter.setBrush(Qt::NoBrush);
-    painter.drawRect(place);
+    paintGrid(painter, decades, place.adjusted(0.0, 12.0, 0.0, 0.0));
     painter.setPen(QPen(QColor(90, 220, 120), 1.6));
-    painter.drawPolyline(curve(progress.residuals, place));
+    painter.drawPolyline(curve(progress.residuals, decades, place.adjusted(0.0, 12.0, 0.0, 0.0)));
 }
 
 } // namespace ramure

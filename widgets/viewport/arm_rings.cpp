@@ -39,6 +39,18 @@ QPolygonF arc(const PickView& view, const ArmRing& ring, double from, double to)
     return points;
 }
 
+/// A stroke across the ring where it may not go on.
+void paintLimits(QPainter& painter, const PickView& view, const ArmRing& ring)
+{
+    for (const double limit : {ring.angle.minRad, ring.angle.maxRad}) {
+        const glm::dvec3 way = ring.at(limit) - ring.centre;
+        const auto inner = onScreen(view, ring.centre + 0.85 * way);
+        const auto outer = onScreen(view, ring.centre + 1.15 * way);
+        if (inner && outer)
+            painter.drawLine(QPointF(inner->x, inner->y), QPointF(outer->x, outer->y));
+    }
+}
+
 } // namespace
 
 glm::dvec3 ArmRing::at(double angleRad) const
@@ -134,10 +146,14 @@ void paintRings(QPainter& painter, const PickView& view, const std::vector<ArmRi
         const ArmAngle& angle = ring.angle;
         painter.drawPolyline(angle.limited ? arc(view, ring, angle.minRad, angle.maxRad)
                                            : arc(view, ring, -pi, pi));
+        if (angle.limited)
+            paintLimits(painter, view, ring);
+        const bool held = angle.limited && (angle.angleRad <= angle.minRad || angle.angleRad >= angle.maxRad);
         if (const auto knob = onScreen(view, ring.at(angle.angleRad))) {
             painter.setPen(QPen(QColor(20, 30, 40, 200), 1.0));
-            painter.setBrush(colour);
-            painter.drawEllipse(QPointF(knob->x, knob->y), 4.5, 4.5);
+            painter.setBrush(held ? QColor(235, 60, 50) : colour);
+            const double radius = held ? 6.0 : 4.5;
+            painter.drawEllipse(QPointF(knob->x, knob->y), radius, radius);
             painter.setBrush(Qt::NoBrush);
         }
     }

@@ -136,6 +136,7 @@ private:
     void hoverAt(QPointF position);
     void paintOverlay();
     bool beginMotionGesture(const PickView& view, const glm::dvec2& pixel);
+    bool beginPull(const PickView& view, const glm::dvec2& pixel);
     void dragMotion(const PickView& view, const glm::dvec2& pixel);
     void letGo();
     bool shakeOffAt(const PickView& view, const glm::dvec2& pixel);

@@ -86,6 +86,12 @@ bool Viewport::beginMotionGesture(const PickView& view, const glm::dvec2& pixel)
             return true;
         }
     }
+    return beginPull(view, pixel);
+}
+
+/// While it plays: the hand on the branch under the cursor.
+bool Viewport::beginPull(const PickView& view, const glm::dvec2& pixel)
+{
     if (!d->player || !d->player->isPlaying())
         return false;
     const auto grabbed = branchUnder(view, pixel, *d->document, *d->player->motion());

@@ -40,8 +40,12 @@ bool Viewport::beginReach(const PickView& view, const glm::dvec2& pixel)
         return beginAim(view, pixel, hit->node);
     const auto motion = d->player ? d->player->motion() : nullptr;
     const NodeMotion* moved = motion ? motion->of(hit->node) : nullptr;
-    if (moved && moved->moves())
-        return false; // a bend is of the tree at rest: what is seen is not
+    if (moved && moved->moves()) { // a bend is of the tree at rest: what is seen is not
+        if (beginPull(view, pixel))
+            return true;
+        emit messageRaised(tr("A limb is bent at the first frame; while it plays it is pulled."));
+        return false;
+    }
     d->limb = LimbTool::grab(*d->document, *hit, d->limbBranches);
     if (!d->limb)
         return false;

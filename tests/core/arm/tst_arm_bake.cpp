@@ -25,6 +25,7 @@ private slots:
     void keyedAnglesAreLeftAlone();
     void anyOrderGivesTheSame_data() { solvers(); }
     void anyOrderGivesTheSame();
+    void longRunsTooGiveTheSame();
     void theBakedArmMovesTheSame_data();
     void theBakedArmMovesTheSame();
     void thinnedKeysStayWithinTheTolerance();
@@ -238,6 +239,22 @@ void TestArmBake::anyOrderGivesTheSame()
         QCOMPARE(moment.angles, moments[which].angles);
         QCOMPARE(moment.residuals, moments[which].residuals);
     }
+}
+
+/// Some twenty minutes: more than a run keeps snapshots of.
+void TestArmBake::longRunsTooGiveTheSame()
+{
+    NodeAnimation animation;
+    Track track = std::get<Track>(trackOf({{0, -1}, {3, 1}}));
+    track.behind = Extrapolation::Mirror;
+    animation.set(targetChannel(0), AnyTrack(track));
+    ArmDriver run = armDriver(armParams(), animation), fresh = armDriver(armParams(), animation);
+    const double late = 1100.7;
+    const std::vector<double> before = fresh.momentAt(40.3, {})->angles;
+    const std::vector<double> end = run.momentAt(late, {})->angles;
+    QCOMPARE(run.momentAt(40.3, {})->angles, before);
+    QCOMPARE(run.momentAt(late, {})->angles, end);
+    QCOMPARE(fresh.momentAt(late, {})->angles, end);
 }
 
 void TestArmBake::theBakedArmMovesTheSame_data()

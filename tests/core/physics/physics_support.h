@@ -41,6 +41,14 @@ inline MovingTree presetTree(std::string_view name)
     return tree;
 }
 
+/// For data functions: one row per preset, column "name".
+inline void addPresetRows()
+{
+    QTest::addColumn<QByteArray>("name");
+    for (const Preset& preset : presets())
+        QTest::newRow(preset.name) << QByteArray(preset.name);
+}
+
 /// Any tree: branches of all lengths and radii, some of no length, some of no thickness; a few apples.
 inline MovingTree randomTree(Random& random, std::uint32_t branches)
 {

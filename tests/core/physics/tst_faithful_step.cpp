@@ -107,18 +107,10 @@ double degrees(double rad)
 class TestFaithfulStep : public QObject
 {
     Q_OBJECT
-private:
-    static void addPresets()
-    {
-        QTest::addColumn<QByteArray>("name");
-        for (const Preset& preset : presets())
-            QTest::newRow(preset.name) << QByteArray(preset.name);
-    }
-
 private slots:
     void init() { test::failOnAnyWarning(); }
 
-    void agreesWithTheReference_data() { addPresets(); }
+    void agreesWithTheReference_data() { test::addPresetRows(); }
     void agreesWithTheReference()
     {
         QFETCH(QByteArray, name);
@@ -188,7 +180,7 @@ private slots:
         QVERIFY(test::allFinite(state));
     }
 
-    void settlesWithoutWind_data() { addPresets(); }
+    void settlesWithoutWind_data() { test::addPresetRows(); }
     void settlesWithoutWind()
     {
         QFETCH(QByteArray, name);

@@ -84,14 +84,6 @@ QByteArray wildRun(std::uint64_t seed)
 class TestRobustStep : public QObject
 {
     Q_OBJECT
-private:
-    static void addPresets()
-    {
-        QTest::addColumn<QByteArray>("name");
-        for (const Preset& preset : presets())
-            QTest::newRow(preset.name) << QByteArray(preset.name);
-    }
-
 private slots:
     void init() { test::failOnAnyWarning(); }
 
@@ -150,7 +142,7 @@ private slots:
         }
     }
 
-    void lengthsStay_data() { addPresets(); }
+    void lengthsStay_data() { test::addPresetRows(); }
     void lengthsStay()
     {
         QFETCH(QByteArray, name);
@@ -168,7 +160,7 @@ private slots:
         QVERIFY(test::allFinite(state));
     }
 
-    void aBreezeLooksLikeABreeze_data() { addPresets(); }
+    void aBreezeLooksLikeABreeze_data() { test::addPresetRows(); }
     void aBreezeLooksLikeABreeze()
     {
         QFETCH(QByteArray, name);

@@ -30,6 +30,7 @@ private slots:
     void everythingHasATooltip();
     void theWayIsSteered();
     void numbersHaveKeys();
+    void thePoseIsKeyed();
     void theMotionIsBaked();
     void aTypedTargetSendsTheArm();
 };
@@ -182,6 +183,24 @@ void TestArmPanel::numbersHaveKeys()
     QCOMPARE(player.motion()->of(1)->arm->angles[2], 0.7); // held by its key
     buttons[0]->click();
     QCOMPARE(keyCount(*desk.document.scene().find(1)->animation.tracks().begin()->second), std::size_t(3));
+}
+
+/// As it is seen: where the solver has it now.
+void TestArmPanel::thePoseIsKeyed()
+{
+    Desk desk;
+    Player player(&desk.document);
+    AutoKey keys(&desk.document, &player);
+    desk.panel.setKeys(&keys);
+    player.seek(12);
+    QVERIFY(player.waitForIdle(20'000));
+    const std::vector<double> seen = player.motion()->of(1)->arm->angles;
+    QVERIFY(seen != armAngles(desk.joints()));
+    desk.panel.findChildren<QPushButton*>()[5]->click();
+    QCOMPARE(desk.document.undoStack()->count(), 1);
+    QCOMPARE(desk.document.scene().find(1)->animation.tracks().size(), std::size_t(6));
+    QVERIFY(player.waitForIdle(20'000));
+    QCOMPARE(player.motion()->of(1)->arm->angles, seen);
 }
 
 void TestArmPanel::theMotionIsBaked()

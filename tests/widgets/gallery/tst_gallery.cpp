@@ -1,5 +1,6 @@
 // Every panel and dialog in both languages, light and dark, at 1x and 2x: no text is cut off. With
 // RAMURE_PICTURES set to a folder the pictures are written there, to be looked at.
+#include "core/document/commands.h"
 #include "core/document/recompute.h"
 #include "tests/widgets/gallery/text_fit.h"
 #include "tests/widgets/support/fixture.h"
@@ -7,6 +8,7 @@
 #include "widgets/actions/dialog_chooser.h"
 #include "widgets/actions/edit_actions.h"
 #include "widgets/actions/file_actions.h"
+#include "widgets/arm/arm_panel.h"
 #include "widgets/export/export_dialog.h"
 #include "widgets/export/moment_form.h"
 #include "widgets/inspector/branch_inspector.h"
@@ -153,6 +155,30 @@ private:
             Severity::Warning, QStringLiteral("“/home/someone/trees/a file with a long name.ramure”"));
         look(m_window.get(), "properties-nothing");
         m_window->banner()->hide();
+        arm();
+    }
+    /// The panel of joints, one with limits and keys.
+    void arm()
+    {
+        raise("armDock");
+        look(m_window.get(), "arm-none");
+        action("edit.addArm")->trigger();
+        const NodeId id = m_document->selection().activeNode();
+        auto* panel = dock<ArmPanel>("armDock");
+        panel->addJoint();
+        std::vector<ArmJoint> joints = m_document->scene().find(id)->params.joints;
+        joints[1].theta = {0.4, true, -1.0, 1.0, 2.0};
+        QVERIFY(edit::setJoints(*m_document, id, joints, QStringLiteral("x")));
+        QVERIFY(edit::insertKeys(*m_document, {id}, jointChannels(1), 0));
+        panel->chooseJoint(1);
+        look(m_window.get(), "arm");
+        ArmPanel whole(m_document.get());
+        whole.resize(380, 760);
+        show(whole, "arm-panel");
+        whole.resize(whole.minimumSizeHint().width(), 760);
+        look(&whole, "arm-panel-narrow");
+        m_document->undoStack()->setIndex(0);
+        m_document->setSelection({});
     }
     /// All groups unfolded, advanced rows too, a wrong grammar with its message: as long as the panel gets.
     void properties()
