@@ -4,17 +4,17 @@
 <context>
     <name>ArmOverlay</name>
     <message numerus="yes">
-        <source>residual %1 m after %n step(s)</source>
-        <translation>
-            <numerusform>residual %1 m after %n step</numerusform>
-            <numerusform>residual %1 m after %n steps</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n angle(s) at a limit</source>
         <translation>
             <numerusform>%n angle at a limit</numerusform>
             <numerusform>%n angles at a limit</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>residual %1 after %n step(s)</source>
+        <translation>
+            <numerusform>residual %1 after %n step</numerusform>
+            <numerusform>residual %1 after %n steps</numerusform>
         </translation>
     </message>
 </context>

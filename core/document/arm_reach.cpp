@@ -16,6 +16,17 @@ constexpr int mostTicksAtOnce = 6; ///< after a stall the arm does not leap
 constexpr int longestWay = 20'000;
 constexpr std::size_t mostResiduals = 4096;
 
+/// Keys say where the arm is, or where it is to go.
+bool isHeld(const NodeAnimation& animation)
+{
+    const ParamId target = paramId(*findParam("arm.target"));
+    return std::ranges::any_of(animation.tracks(), [target](const auto& entry) {
+        const Channel& channel = entry.first;
+        return channel.part == ChannelPart::Joint ||
+               (channel.part == ChannelPart::Parameter && channel.param == target);
+    });
+}
+
 } // namespace
 
 struct ArmReach::Way
@@ -78,7 +89,7 @@ Expected<void> ArmReach::aim(NodeId arm, const glm::dvec3& target, GestureId ges
 {
     const Node* node = m_document->scene().find(arm);
     const bool plays = m_player && (m_player->frame() > 0 || m_player->isPlaying());
-    if (plays || !node || node->animation.movesParams())
+    if (plays || !node || isHeld(node->animation))
         return edit::setParam(*m_document, {arm}, *findParam("arm.target"), target, gesture);
     return reachFor(arm, target, gesture);
 }

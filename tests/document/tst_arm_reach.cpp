@@ -1,4 +1,5 @@
 #include "core/document/arm_reach.h"
+#include "core/document/player.h"
 #include "core/scene/arm_demo.h"
 #include "tests/support/suite.h"
 #include <QSignalSpy>
@@ -21,6 +22,7 @@ private slots:
     void aMovedTargetIsFollowed();
     void otherEditsEndIt();
     void outOfReachIsTold();
+    void aimingAsksTheTimeline();
 };
 
 namespace {
@@ -144,6 +146,31 @@ void TestArmReach::outOfReachIsTold()
     desk.reach.finish();
     QVERIFY(desk.reach.progress()->figures.status == ArmStatus::Settled);
     QVERIFY(std::abs(desk.reach.progress()->figures.shortBy() - 5.6) < 0.01);
+}
+
+/// At rest the arm is sent; elsewhere, or held by keys, it follows the timeline.
+void TestArmReach::aimingAsksTheTimeline()
+{
+    Desk desk;
+    Player player(&desk.document);
+    desk.reach.setPlayer(&player);
+    desk.reach.setPaused(true);
+    QVERIFY(!desk.reach.aim(99, glm::dvec3(1.0), 0));
+    QVERIFY(!desk.reach.aim(2, glm::dvec3(1.0), 0)); // a terrain
+    player.seek(10);
+    QVERIFY(desk.reach.aim(1, {1.0, 1.0, 1.0}, 0));
+    QVERIFY(!desk.reach.progress());
+    player.seek(0);
+    const Channel size{ChannelPart::Parameter, 0, paramId(*findParam("surface.color"))};
+    QVERIFY(edit::insertKeys(desk.document, {1}, {size}, 0)); // keeps the arm from nothing
+    QVERIFY(desk.reach.aim(1, {1.0, 1.5, 1.0}, 0));
+    QVERIFY(desk.reach.progress() && desk.reach.progress()->moves);
+    QVERIFY(edit::insertKeys(desk.document, {1}, jointChannels(0), 0));
+    QVERIFY(!desk.reach.progress());
+    QVERIFY(desk.reach.aim(1, {1.0, 1.0, 1.5}, 0));
+    QVERIFY(!desk.reach.progress());
+    QVERIFY(desk.params().arm.target == glm::dvec3(1.0, 1.0, 1.5));
+    QVERIFY(player.waitForIdle(20'000));
 }
 
 QTEST_GUILESS_MAIN(TestArmReach)

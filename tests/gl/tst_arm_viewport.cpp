@@ -1,9 +1,12 @@
 #include "core/document/arm_reach.h"
 #include "core/document/player.h"
+#include "core/params/presets.h"
+#include "core/pipeline/tree_pipeline.h"
 #include "core/scene/arm_demo.h"
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"
 #include "widgets/viewport/arm_rings.h"
+#include <algorithm>
 
 using namespace ramure;
 using test::differing;
@@ -21,6 +24,8 @@ private slots:
     void aPlayedArmFollows();
     void ringsTurnJoints();
     void skinsDiffer();
+    void limitsAreSeen();
+    void aLimbFollowsTheHand();
 };
 
 namespace {
@@ -151,6 +156,86 @@ void TestArmViewport::skinsDiffer()
     window.waitForPicture();
     window.keep("arm-joints");
     QVERIFY(differing(pictures[2], window.view->grabFramebuffer()) > 1000);
+}
+
+/// Driven against its limits: the text names them, the knobs of its rings change.
+void TestArmViewport::limitsAreSeen()
+{
+    Window window;
+    std::vector<ArmJoint> joints = window.arm().joints;
+    for (ArmJoint& joint : joints)
+        joint.theta = {0.3, true, -0.7, 0.7, 0.0};
+    QVERIFY(edit::setJoints(window.document, 1, joints, QStringLiteral("x")));
+    QVERIFY(window.view->armReach()->reachFor(1, {1.5, 0.0, -0.5}, 0));
+    window.view->armReach()->finish();
+    const ArmProgress* progress = window.view->armReach()->progress();
+    QVERIFY(progress->figures.status == ArmStatus::Settled);
+    QVERIFY(std::ranges::count(progress->limits, ArmLimit::Upper) +
+                std::ranges::count(progress->limits, ArmLimit::Lower) >
+            0);
+    Selection selection;
+    selection.nodes = {1};
+    window.document.setSelection(selection);
+    window.waitForPicture();
+    window.keep("arm-at-a-limit");
+}
+
+/// At rest a limb is bent, one step of undo; while it plays it is pulled, and the document stays as it is.
+void TestArmViewport::aLimbFollowsTheHand()
+{
+    test::ViewWindow window;
+    Player player(&window.document);
+    window.view->setPlayer(&player);
+    Scene scene;
+    Node tree;
+    tree.id = scene.newId();
+    tree.kind = NodeKind::Tree;
+    tree.name = "SmallTree";
+    tree.params = presetParams("SmallTree").value();
+    QVERIFY(scene.insert({tree}, noNode, 0));
+    window.document.reset(std::move(scene), {});
+    TreePipeline pipeline;
+    const auto compute = [&] {
+        NodeResult result;
+        result.revision = window.document.revision();
+        result.tree = *pipeline.evaluate(window.document.scene().find(tree.id)->params);
+        window.document.setResult(tree.id, std::move(result));
+    };
+    compute();
+    window.show({800, 600});
+    window.keep("limb-at-rest");
+    const Skeleton& skeleton = window.document.result(tree.id)->tree.simplified->skeleton;
+    Index thick = 0; // well seen: the highest of the thicker branches
+    for (Index b = 0; b < skeleton.size(); ++b)
+        if (skeleton.a0[b] > 0.05 && skeleton.p1[b].y > skeleton.p1[thick].y)
+            thick = b;
+    const QPoint from = window.pixelOf(0.5 * (skeleton.p0[thick] + skeleton.p1[thick]));
+    const auto drag = [&](const char* name) {
+        QTest::mousePress(window.view, Qt::LeftButton, Qt::ControlModifier, from);
+        for (int i = 1; i <= 6; ++i)
+            window.move(from + QPoint(18 * i, 8 * i), Qt::LeftButton, Qt::ControlModifier);
+        if (!player.isPlaying())
+            compute();
+        window.waitForPicture();
+        window.keep(name);
+        QTest::mouseRelease(window.view, Qt::LeftButton, Qt::ControlModifier, from + QPoint(108, 48));
+    };
+    // A click waits for the structure to pick in; a limb is grabbed only where that is ready.
+    QTest::mouseClick(window.view, Qt::LeftButton, Qt::NoModifier, from);
+    QTRY_VERIFY_WITH_TIMEOUT(!window.view->isPickPending(), 20'000);
+    drag("limb-grabbed");
+    QCOMPARE(window.document.undoStack()->count(), 1);
+    QVERIFY(!window.document.scene().find(tree.id)->params.branches.empty());
+    window.document.undoStack()->undo();
+    compute();
+    player.setPace(PlayPace::EveryFrame);
+    player.play();
+    QTRY_VERIFY_WITH_TIMEOUT(player.frame() > 5 && player.motion()->of(tree.id), 20'000);
+    window.waitForPicture();
+    drag("limb-while-playing");
+    player.pause();
+    QVERIFY(player.waitForIdle(20'000));
+    QCOMPARE(window.document.undoStack()->index(), 0);
 }
 
 QTEST_MAIN(TestArmViewport)

@@ -46,6 +46,25 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     m_tolerance->setRange(0.0, std::numbers::pi);
     m_tolerance->setStep(0.1 * std::numbers::pi / 180.0);
     m_tolerance->setValue(0.0);
+    m_keyPose->setEnabled(false);
+    layOut();
+    connect(m_add, &QPushButton::clicked, this, &ArmPanel::addJoint);
+    connect(m_remove, &QPushButton::clicked, this, &ArmPanel::removeJoint);
+    connect(m_list, &QListWidget::currentRowChanged, this,
+            [this](int row) { m_joint->setJoint(m_arm, row); });
+    connect(m_tolerance, &NumberField::valueEdited, m_tolerance, &NumberField::setValue);
+    connect(m_keyPose, &QPushButton::clicked, this, &ArmPanel::keyPose);
+    connect(m_bake, &QPushButton::clicked, this, &ArmPanel::bake);
+    connect(m_baker, &ArmBaker::finished, this, &ArmPanel::tellBake);
+    connect(document, &Document::changed, this, &ArmPanel::follow);
+    retranslate();
+    takeArm();
+}
+
+ArmPanel::~ArmPanel() = default;
+
+void ArmPanel::layOut()
+{
     auto* edits = new QHBoxLayout;
     edits->addWidget(m_add);
     edits->addWidget(m_remove);
@@ -57,7 +76,6 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     inner->addLayout(edits);
     inner->addWidget(m_joint);
     inner->addWidget(m_keyPose);
-    m_keyPose->setEnabled(false);
     inner->addLayout(way);
     inner->addWidget(m_status);
     auto* bake = new QHBoxLayout;
@@ -74,20 +92,7 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(m_none);
     outer->addWidget(scroll);
-    connect(m_add, &QPushButton::clicked, this, &ArmPanel::addJoint);
-    connect(m_remove, &QPushButton::clicked, this, &ArmPanel::removeJoint);
-    connect(m_list, &QListWidget::currentRowChanged, this,
-            [this](int row) { m_joint->setJoint(m_arm, row); });
-    connect(m_tolerance, &NumberField::valueEdited, m_tolerance, &NumberField::setValue);
-    connect(m_keyPose, &QPushButton::clicked, this, &ArmPanel::keyPose);
-    connect(m_bake, &QPushButton::clicked, this, &ArmPanel::bake);
-    connect(m_baker, &ArmBaker::finished, this, &ArmPanel::tellBake);
-    connect(document, &Document::changed, this, &ArmPanel::follow);
-    retranslate();
-    takeArm();
 }
-
-ArmPanel::~ArmPanel() = default;
 
 void ArmPanel::setReach(ArmReach* reach)
 {

@@ -10,7 +10,7 @@
 namespace ramure {
 namespace {
 
-constexpr double margin = 12.0, width = 260.0, plotHeight = 84.0;
+constexpr double margin = 12.0, leastWidth = 260.0, plotHeight = 84.0;
 
 struct Words
 {
@@ -63,6 +63,18 @@ QString lengthText(double exponent)
     return Words::tr("%1 µm").arg(locale.toString(std::pow(10.0, exponent + 6.0), 'f', 0));
 }
 
+/// Three digits in the unit that suits.
+QString shortLength(double metres)
+{
+    const QLocale locale;
+    const auto digits = [&locale](double value) { return locale.toString(value, 'f', value < 10.0 ? 2 : 1); };
+    if (metres >= 0.1)
+        return Words::tr("%1 m").arg(locale.toString(metres, 'f', 3));
+    if (metres >= 1e-4)
+        return Words::tr("%1 mm").arg(digits(1e3 * metres));
+    return Words::tr("%1 µm").arg(digits(1e6 * metres));
+}
+
 /// A line and a label for each power of ten, as many as there is room for.
 void paintGrid(QPainter& painter, const Decades& decades, const QRectF& place)
 {
@@ -110,8 +122,8 @@ QString limitsText(const std::vector<ArmLimit>& limits)
 
 QString armStatusText(const ArmProgress& progress)
 {
-    QString text = Words::tr("residual %1 m after %n step(s)", nullptr, int(progress.figures.steps))
-                       .arg(progress.residual, 0, 'g', 3);
+    QString text = Words::tr("residual %1 after %n step(s)", nullptr, int(progress.figures.steps))
+                       .arg(shortLength(progress.residual));
     if (progress.figures.status == ArmStatus::Settled)
         text += QLatin1Char('\n') +
                 Words::tr("unreachable: %1 m short").arg(progress.figures.shortBy(), 0, 'f', 3);
@@ -122,9 +134,29 @@ QString armStatusText(const ArmProgress& progress)
     return text;
 }
 
+void paintTarget(QPainter& painter, const PickView& view, const glm::dvec3& world)
+{
+    const auto ndc = view.camera.project(world, view.aspect());
+    if (!ndc)
+        return;
+    const QPointF at(0.5 * (ndc->x + 1.0) * view.size.x, 0.5 * (1.0 - ndc->y) * view.size.y);
+    painter.setBrush(Qt::NoBrush);
+    for (const QPen& pen : {QPen(QColor(10, 40, 16, 160), 4.0), QPen(QColor(90, 230, 120), 2.0)}) {
+        painter.setPen(pen);
+        painter.drawEllipse(at, 7.0, 7.0);
+        for (const QPointF& way :
+             {QPointF(1.0, 0.0), QPointF(0.0, 1.0), QPointF(-1.0, 0.0), QPointF(0.0, -1.0)})
+            painter.drawLine(at + 5.0 * way, at + 11.0 * way);
+    }
+}
+
 void paintArmStatus(QPainter& painter, QSize size, const ArmProgress& progress)
 {
     const QString text = armStatusText(progress);
+    double width = leastWidth;
+    for (const QString& line : text.split(QLatin1Char('\n')))
+        width = std::max(width, painter.fontMetrics().horizontalAdvance(line) + 20.0);
+    width = std::min(width, size.width() - 2.0 * margin);
     const double textHeight = painter.fontMetrics().lineSpacing() * double(text.count(QLatin1Char('\n')) + 1);
     const bool plots = progress.residuals.size() > 1;
     const double height = textHeight + (plots ? plotHeight + 8.0 : 0.0) + 16.0;

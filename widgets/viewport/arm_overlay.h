@@ -4,6 +4,7 @@
 
 #include "core/document/arm_reach.h"
 #include "core/document/motion.h"
+#include "widgets/render/pick_scene.h"
 
 class QPainter;
 class QSize;
@@ -12,6 +13,8 @@ namespace ramure {
 
 /// "unreachable: 0.42 m short" and so on, in the interface's language.
 QString armStatusText(const ArmProgress& progress);
+/// A mark over everything where a target is: its sphere may be inside the skin, or behind a hill.
+void paintTarget(QPainter& painter, const PickView& view, const glm::dvec3& world);
 /// The text, and a plot of the residual over the ticks (logarithmic), in the lower left corner.
 void paintArmStatus(QPainter& painter, QSize size, const ArmProgress& progress);
 

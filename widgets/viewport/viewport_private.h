@@ -123,6 +123,7 @@ struct Viewport::Private
     [[nodiscard]] std::optional<glm::dvec3> aimedPoint(const PickView& view, const glm::dvec2& pixel) const;
     /// Of the active arm at rest; empty while it moves.
     [[nodiscard]] std::vector<ArmRing> rings() const;
+    [[nodiscard]] std::vector<glm::dvec3> targets() const;
     [[nodiscard]] Box activeTreeBox() const;
     [[nodiscard]] std::optional<WindArrow> arrow() const;
     [[nodiscard]] SceneView sceneView() const;

@@ -200,6 +200,23 @@ std::vector<ArmRing> Viewport::Private::rings() const
                                                                  : armRings(all, active, timeNow());
 }
 
+/// Of all arms in sight that follow one, world.
+std::vector<glm::dvec3> Viewport::Private::targets() const
+{
+    std::vector<glm::dvec3> found;
+    const Scene& all = document->scene();
+    for (const Node& node : all.nodes()) {
+        if (node.kind != NodeKind::Arm || !node.params.arm.follows || !all.isShown(node.id))
+            continue;
+        const glm::dvec3 target = node.animation.movesParams()
+                                      ? paramsAt(node.params, node.animation, timeNow()).arm.target
+                                      : node.params.arm.target;
+        found.emplace_back(placeAt(all, node.id, timeNow()).geometry * armUpright() *
+                           glm::dvec4(target, 1.0));
+    }
+    return found;
+}
+
 bool Viewport::beginRing(const PickView& view, const glm::dvec2& pixel)
 {
     const auto rings = d->rings();
@@ -241,7 +258,10 @@ void Viewport::turnRing(const PickView& view, const glm::dvec2& pixel)
 /// How the arm does: of the one on its way, or of the active one in the player's frame.
 void Viewport::paintArm(QPainter& painter)
 {
-    paintRings(painter, {d->camera, glm::dvec2(width(), height())}, d->rings(), d->ring);
+    const PickView view{d->camera, glm::dvec2(width(), height())};
+    for (const glm::dvec3& target : d->targets())
+        paintTarget(painter, view, target);
+    paintRings(painter, view, d->rings(), d->ring);
     const auto motion = d->player && d->player->frame() > 0 ? d->player->motion() : nullptr;
     const NodeMotion* played = motion ? motion->of(d->armForTarget()) : nullptr;
     if (played && played->arm)
