@@ -40,6 +40,7 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     m_none->setAlignment(Qt::AlignCenter);
     m_none->setWordWrap(true);
     m_list->setMaximumHeight(130);
+    m_list->setSpacing(2);
     m_status->setWordWrap(true);
     m_pause->setCheckable(true);
     m_bakeText->setBuddy(m_tolerance);

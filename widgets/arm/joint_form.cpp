@@ -17,7 +17,7 @@
 namespace ramure {
 namespace {
 
-constexpr int keySide = 16; ///< of the button for keys
+constexpr int keySide = 22, keyIcon = 16; ///< of the button for keys, as in the properties
 
 NumberFormat formatOf(const JointDef& def, const QString& suffix)
 {
@@ -74,7 +74,7 @@ void JointForm::addRow(QFormLayout* form, const JointDef& def, std::size_t numbe
     made.key = new QToolButton(this);
     made.key->setAutoRaise(true);
     made.key->setFixedSize(keySide, keySide);
-    made.key->setIconSize({10, 10});
+    made.key->setIconSize({keyIcon, keyIcon});
     made.key->setFocusPolicy(Qt::TabFocus);
     made.key->setObjectName(QStringLiteral("keyButton"));
     made.key->hide();
