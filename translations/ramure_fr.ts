@@ -686,13 +686,6 @@
 </context>
 <context>
     <name>ArmOverlay</name>
-    <message numerus="yes">
-        <source>residual %1 m after %n step(s)</source>
-        <translation>
-            <numerusform>résidu %1 m après %n pas</numerusform>
-            <numerusform>résidu %1 m après %n pas</numerusform>
-        </translation>
-    </message>
     <message>
         <source>unreachable: %1 m short</source>
         <translation>hors d&apos;atteinte : il manque %1 m</translation>
@@ -706,6 +699,33 @@
         <translation>
             <numerusform>%n angle à une limite</numerusform>
             <numerusform>%n angles à une limite</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1 µm</source>
+        <translation>%1 µm</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message numerus="yes">
+        <source>residual %1 after %n step(s)</source>
+        <translation>
+            <numerusform>résidu %1 après %n pas</numerusform>
+            <numerusform>résidu %1 après %n pas</numerusform>
         </translation>
     </message>
 </context>
@@ -809,6 +829,14 @@
     <message>
         <source>Insert Keys</source>
         <translation>Insérer des clés</translation>
+    </message>
+    <message>
+        <source>Add a joint</source>
+        <translation>Ajouter une articulation</translation>
+    </message>
+    <message>
+        <source>Remove joint %1</source>
+        <translation>Retirer l&apos;articulation %1</translation>
     </message>
 </context>
 <context>
@@ -3101,6 +3129,94 @@
         <source>On: where a branch bends sharply, its seam goes part of the way around it, and 95 of 100 triangles keep the shape of the picture. Off: the picture never slips at a bend, but is stretched there.</source>
         <translation>Activé : là où une branche se courbe fortement, sa couture en fait en partie le tour, et 95 triangles sur 100 gardent la forme de l’image. Désactivé : l’image ne se décale jamais à une courbure, mais elle y est étirée.</translation>
     </message>
+    <message>
+        <source>the arm follows no target: there is no motion to bake</source>
+        <translation>le bras ne suit aucune cible : il n&apos;y a pas de mouvement à transformer</translation>
+    </message>
+    <message>
+        <source>a tolerance must not be negative</source>
+        <translation>une tolérance ne doit pas être négative</translation>
+    </message>
+    <message>
+        <source>the arm was changed meanwhile</source>
+        <translation>le bras a été modifié entre-temps</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no joint %2</source>
+        <translation>« %1 » n&apos;a pas d&apos;articulation %2</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Longueur</translation>
+    </message>
+    <message>
+        <source>Of the segment behind the joint, metres</source>
+        <translation>Du segment qui suit l&apos;articulation, en mètres</translation>
+    </message>
+    <message>
+        <source>Phi</source>
+        <translation>Phi</translation>
+    </message>
+    <message>
+        <source>Turns about the segment before the joint, degrees</source>
+        <translation>Tourne autour du segment qui précède l&apos;articulation, en degrés</translation>
+    </message>
+    <message>
+        <source>Phi from</source>
+        <translation>Phi de</translation>
+    </message>
+    <message>
+        <source>Lower limit of phi, degrees</source>
+        <translation>Limite inférieure de phi, en degrés</translation>
+    </message>
+    <message>
+        <source>Phi to</source>
+        <translation>Phi à</translation>
+    </message>
+    <message>
+        <source>Upper limit of phi, degrees</source>
+        <translation>Limite supérieure de phi, en degrés</translation>
+    </message>
+    <message>
+        <source>Phi speed</source>
+        <translation>Vitesse de phi</translation>
+    </message>
+    <message>
+        <source>The most phi turns, degrees a second; 0 is as fast as it likes</source>
+        <translation>Vitesse maximale de phi, en degrés par seconde ; 0 : sans limite</translation>
+    </message>
+    <message>
+        <source>Theta</source>
+        <translation>Thêta</translation>
+    </message>
+    <message>
+        <source>Bends the arm about the joint&apos;s Y axis, degrees</source>
+        <translation>Plie le bras autour de l&apos;axe Y de l&apos;articulation, en degrés</translation>
+    </message>
+    <message>
+        <source>Theta from</source>
+        <translation>Thêta de</translation>
+    </message>
+    <message>
+        <source>Lower limit of theta, degrees</source>
+        <translation>Limite inférieure de thêta, en degrés</translation>
+    </message>
+    <message>
+        <source>Theta to</source>
+        <translation>Thêta à</translation>
+    </message>
+    <message>
+        <source>Upper limit of theta, degrees</source>
+        <translation>Limite supérieure de thêta, en degrés</translation>
+    </message>
+    <message>
+        <source>Theta speed</source>
+        <translation>Vitesse de thêta</translation>
+    </message>
+    <message>
+        <source>The most theta turns, degrees a second; 0 is as fast as it likes</source>
+        <translation>Vitesse maximale de thêta, en degrés par seconde ; 0 : sans limite</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -3304,6 +3420,10 @@
         <source>Local scale</source>
         <translation>Échelle locale</translation>
     </message>
+    <message>
+        <source>Joint %1: %2</source>
+        <translation>Articulation %1 : %2</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>
@@ -3386,26 +3506,17 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::ArmBaker</name>
+    <message>
+        <source>Bake the arm to keys</source>
+        <translation>Transformer le mouvement du bras en clés</translation>
+    </message>
+</context>
+<context>
     <name>ramure::ArmPanel</name>
     <message>
         <source>Joint %1</source>
         <translation>Articulation %1</translation>
-    </message>
-    <message>
-        <source>Change joint %1</source>
-        <translation>Modifier l&apos;articulation %1</translation>
-    </message>
-    <message>
-        <source>Limit joint %1</source>
-        <translation>Limiter l&apos;articulation %1</translation>
-    </message>
-    <message>
-        <source>Add a joint</source>
-        <translation>Ajouter une articulation</translation>
-    </message>
-    <message>
-        <source>Remove joint %1</source>
-        <translation>Supprimer l&apos;articulation %1</translation>
     </message>
     <message>
         <source>No arm. Add one with Edit &gt; Add &gt; Arm, or open the demo.</source>
@@ -3456,72 +3567,36 @@ OpenGL&#xa0;: %4
         <translation>Un soixantième de seconde plus loin</translation>
     </message>
     <message>
-        <source>Limited</source>
-        <translation>Limité</translation>
-    </message>
-    <message>
-        <source>The angle stays between its limits; otherwise it may turn for ever</source>
-        <translation>L&apos;angle reste entre ses limites ; sinon il peut tourner sans fin</translation>
-    </message>
-    <message>
-        <source>Length</source>
-        <translation>Longueur</translation>
-    </message>
-    <message>
-        <source>Of the segment behind the joint, metres</source>
-        <translation>Du segment derrière l&apos;articulation, en mètres</translation>
-    </message>
-    <message>
-        <source>Phi</source>
-        <translation>Phi</translation>
-    </message>
-    <message>
-        <source>Theta</source>
-        <translation>Thêta</translation>
-    </message>
-    <message>
-        <source>Turns about the segment before the joint, degrees</source>
-        <translation>Tourne autour du segment précédant l&apos;articulation, en degrés</translation>
-    </message>
-    <message>
-        <source>Bends the arm about the joint&apos;s Y axis, degrees</source>
-        <translation>Plie le bras autour de l&apos;axe Y de l&apos;articulation, en degrés</translation>
-    </message>
-    <message>
-        <source>From</source>
-        <translation>De</translation>
-    </message>
-    <message>
-        <source>Lower limit of the angle, degrees</source>
-        <translation>Limite inférieure de l&apos;angle, en degrés</translation>
-    </message>
-    <message>
-        <source>To</source>
-        <translation>À</translation>
-    </message>
-    <message>
-        <source>Upper limit of the angle, degrees</source>
-        <translation>Limite supérieure de l&apos;angle, en degrés</translation>
-    </message>
-    <message>
-        <source>Speed</source>
-        <translation>Vitesse</translation>
-    </message>
-    <message>
-        <source>The most it turns, degrees a second; 0 is as fast as it likes</source>
-        <translation>Au plus vite, en degrés par seconde ; 0 : sans limite</translation>
-    </message>
-    <message>
-        <source>°/s</source>
-        <translation>°/s</translation>
-    </message>
-    <message>
         <source>°</source>
         <translation>°</translation>
     </message>
     <message>
-        <source> m</source>
-        <translation> m</translation>
+        <source>Key the pose</source>
+        <translation>Clés de la pose</translation>
+    </message>
+    <message>
+        <source>The arm follows its keys now, no target.</source>
+        <translation>Le bras suit maintenant ses clés, plus aucune cible.</translation>
+    </message>
+    <message>
+        <source>Inserts a key at this frame for the angles of all joints</source>
+        <translation>Insère à cette image une clé pour les angles de toutes les articulations</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Keys that a straight line comes as near to are left out, degrees; 0 keeps a key for every frame</source>
+        <translation>Les clés dont une droite s&apos;approche d&apos;autant sont omises, en degrés ; 0 garde une clé par image</translation>
+    </message>
+    <message>
+        <source>Bake to keys</source>
+        <translation>Transformer en clés</translation>
+    </message>
+    <message>
+        <source>The motion towards the target becomes keys of the joints&apos; angles, over the frames of the timeline; then the arm follows those</source>
+        <translation>Le mouvement vers la cible devient des clés des angles des articulations, sur les images de la ligne de temps ; le bras suit ensuite celles-ci</translation>
     </message>
 </context>
 <context>
@@ -4173,6 +4248,49 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::JointForm</name>
+    <message>
+        <source>%1: take the key at this frame away</source>
+        <translation>%1 : retirer la clé à cette image</translation>
+    </message>
+    <message>
+        <source>%1 has keys: insert one at this frame</source>
+        <translation>%1 a des clés : en insérer une à cette image</translation>
+    </message>
+    <message>
+        <source>%1: insert a key at this frame</source>
+        <translation>%1 : insérer une clé à cette image</translation>
+    </message>
+    <message>
+        <source>Change joint %1</source>
+        <translation>Modifier l&apos;articulation %1</translation>
+    </message>
+    <message>
+        <source>Limit joint %1</source>
+        <translation>Limiter l&apos;articulation %1</translation>
+    </message>
+    <message>
+        <source>Limited</source>
+        <translation>Limité</translation>
+    </message>
+    <message>
+        <source>The angle stays between its limits; otherwise it may turn for ever</source>
+        <translation>L&apos;angle reste entre ses limites ; sinon il peut tourner indéfiniment</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>°/s</source>
+        <translation>°/s</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+</context>
+<context>
     <name>ramure::KeyActions</name>
     <message>
         <source>Easings</source>
@@ -4545,6 +4663,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Arm</source>
         <translation>Bras</translation>
+    </message>
+    <message>
+        <source>Baking the arm to keys</source>
+        <translation>Transformation du bras en clés</translation>
     </message>
 </context>
 <context>
@@ -5876,6 +5998,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Turn joint %1</source>
         <translation>Tourner l&apos;articulation %1</translation>
+    </message>
+    <message>
+        <source>A limb is bent at the first frame; while it plays it is pulled.</source>
+        <translation>Une branche se plie à la première image ; pendant la lecture elle se tire.</translation>
     </message>
 </context>
 <context>
