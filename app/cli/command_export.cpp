@@ -18,15 +18,18 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {"export", "INPUT", "Writes a tree as a mesh, or a mesh file in another format.",
-                              "The ending of FILE says the format: .obj (with an .mtl beside it: objects "
-                              "branches, leaves, apples, with normals) or .ply "
-                              "(binary unless --ascii; vertices with normal, colour, branch id and level).\n"
-                              "All visible trees of a project are written together, where they stand in the "
-                              "world; of several trees the objects are "
-                              "branches_1, leaves_1, apples_1, branches_2 and so on. Files are written under "
-                              "another name and renamed: an error or Ctrl+C "
-                              "leaves the old file as it was."};
+constexpr CommandText text = {
+    "export", "INPUT", "Writes a tree or a scene as meshes, or a mesh file in another format.",
+    "The ending of FILE says the format: .obj (with an .mtl beside it: objects "
+    "branches, leaves, apples, with normals) or .ply "
+    "(binary unless --ascii; vertices with normal, colour, branch id and level).\n"
+    "All that is visible in a project is written together, where it stands in the "
+    "world. Of several trees the objects are "
+    "branches_1, leaves_1, apples_1, branches_2 and so on; arms (their skin as it is "
+    "at --time), terrains, primitives and imported meshes are objects with the names "
+    "of their nodes. Files are written under "
+    "another name and renamed: an error or Ctrl+C "
+    "leaves the old file as it was."};
 
 /// A value of an option by its name.
 template <class Value> struct Choice
@@ -136,6 +139,7 @@ Expected<void> exportAt(const Scene& scene, const Request& request, double timeS
         options.ply.ascii = request.ascii;
         options.texture = request.texture;
         options.timeSeconds = timeSeconds;
+        options.arms = &moving.arms();
         const double from = static_cast<double>(i) / count;
         const auto written = exportScene(scene, options, moving.at(timeSeconds), systemPath(file),
                                          progress.part(from, from + 1.0 / count));
@@ -243,8 +247,8 @@ Expected<int> checkAndWrite(const Input& input, const QString& name, const Reque
         const auto written = writeFiles(input, request, moments, moving, progress);
         return written ? Expected<int>(exitGood) : fail(written.error());
     }
-    const auto checked = checkMeshes(input, moving.at(moments.timeSeconds), !request.report.isEmpty(), false,
-                                     progress.part(0.0, 0.6));
+    const auto checked =
+        checkMeshes(input, moving, {moments.timeSeconds, !request.report.isEmpty()}, progress.part(0.0, 0.6));
     if (!checked)
         return fail(checked.error());
     if (request.requireValid)
@@ -271,6 +275,7 @@ Expected<int> runExport(const QStringList& arguments)
     line.add({QStringLiteral("o"), QStringLiteral("output")},
              QStringLiteral("Writes this file; may be repeated."), QStringLiteral("FILE"));
     line.addInputOptions();
+    line.addNodeOption();
     line.add({QStringLiteral("part")},
              QStringLiteral("branches, leaves, apples or all. Without it .obj gets all, .ply the branches."),
              QStringLiteral("PART"));
@@ -305,6 +310,8 @@ Expected<int> runExport(const QStringList& arguments)
     auto input = loadInput(line.arguments().front(), line.values("set"), progress.part(0.0, 0.0));
     if (!input)
         return fail(input.error());
+    if (const auto kept = keepNodes(*input, line.values("node")); !kept)
+        return fail(kept.error());
     const auto moments = momentsOf(line, *input);
     if (!moments)
         return fail(moments.error());

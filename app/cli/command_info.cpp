@@ -1,6 +1,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/moments.h"
+#include "core/arm/arm_chain.h"
+#include "core/document/moving_arms.h"
 #include "core/document/project_json.h"
 #include "core/geometry/box.h"
 #include "core/scene/object_mesh.h"
@@ -22,7 +24,9 @@ constexpr CommandText text = {
     "space, and \"trees\" "
     "(JSON) lists each. \"nodes\" (JSON) lists every node of a scene with its world matrix at --time: 16 "
     "numbers, "
-    "row after row; \"geometry\" is where its own shape stands, which its children do not see. Of an .obj or "
+    "row after row; \"geometry\" is where its own shape stands, which its children do not see; of arms, "
+    "terrains, primitives and imported meshes also the vertices and faces, of arms the joints, the reach and "
+    "the tip (m, the arm's own space, as it is at --time). Of an .obj or "
     ".ply file: vertices, faces, box and its objects."};
 
 /// What is said of one skeleton, or of several together.
@@ -143,8 +147,26 @@ QJsonArray jsonMatrix(const glm::dmat4& matrix)
     return rows;
 }
 
+/// What is known of an arm, a terrain, a primitive or an imported mesh. Errors: those of objectSolid.
+Expected<void> addShapeFacts(QJsonObject& entry, const Node& node, double timeSeconds)
+{
+    const NodeParams params = paramsAt(node.params, node.animation, timeSeconds);
+    if (node.kind == NodeKind::Arm) {
+        const ArmChain chain(params.joints);
+        entry.insert(QStringLiteral("joints"), qint64(params.joints.size()));
+        entry.insert(QStringLiteral("reach"), chain.reach());
+        entry.insert(QStringLiteral("tip"), jsonVector(chain.tip()));
+    }
+    const auto mesh = objectSolid(node, params);
+    if (!mesh)
+        return fail(mesh.error());
+    entry.insert(QStringLiteral("vertices"), qint64(*mesh ? (*mesh)->vertexCount() : 0));
+    entry.insert(QStringLiteral("faces"), qint64(*mesh ? (*mesh)->faceCount() : 0));
+    return {};
+}
+
 /// Every node with its place at a time.
-QJsonArray jsonNodes(const Scene& scene, double timeSeconds)
+Expected<QJsonArray> jsonNodes(const Scene& scene, double timeSeconds)
 {
     QJsonArray list;
     const std::vector<NodePlace> places = placesAt(scene, timeSeconds);
@@ -158,6 +180,12 @@ QJsonArray jsonNodes(const Scene& scene, double timeSeconds)
             entry.insert(QStringLiteral("parent"), qint64{node.parent});
         if (node.kind != NodeKind::Group)
             entry.insert(QStringLiteral("geometry"), jsonMatrix(places[i].geometry));
+        if (isShape(node.kind))
+            if (auto added = addShapeFacts(entry, node, timeSeconds); !added) {
+                Error error = std::move(added.error());
+                error.path = node.name + (error.path.empty() ? "" : ": " + error.path);
+                return fail(std::move(error));
+            }
         list.append(entry);
     }
     return list;
@@ -168,7 +196,7 @@ QString objectsText(const Scene& scene)
 {
     const auto& nodes = scene.nodes();
     const auto objects =
-        std::count_if(nodes.begin(), nodes.end(), [](const Node& node) { return isObject(node.kind); });
+        std::count_if(nodes.begin(), nodes.end(), [](const Node& node) { return isShape(node.kind); });
     const auto moving =
         std::count_if(nodes.begin(), nodes.end(), [](const Node& node) { return !node.animation.empty(); });
     return objects == 0 && moving == 0
@@ -202,9 +230,13 @@ QString textOfTrees(const TreeFacts& sum, const std::vector<TreeFacts>& trees)
     return texts + QStringLiteral("%1 trees\n%2").arg(trees.size()).arg(textOf(sum));
 }
 
-Expected<void> showScene(const Scene& scene, double timeSeconds, bool json)
+Expected<void> showScene(const Scene& given, double timeSeconds, bool json)
 {
-    const auto nodes = treesOrObjects(scene);
+    const auto turned = MovingArms().at(given, timeSeconds);
+    if (!turned)
+        return fail(turned.error());
+    const Scene& scene = *turned;
+    const auto nodes = treesOrShapes(scene);
     if (!nodes)
         return fail(nodes.error());
     const auto trees = factsOfTrees(*nodes, timeSeconds);
@@ -221,7 +253,10 @@ Expected<void> showScene(const Scene& scene, double timeSeconds, bool json)
     if (!json)
         return print((trees->empty() ? QString() : textOfTrees(sum, *trees)) + objectsText(scene));
     QJsonObject all = trees->empty() ? QJsonObject() : jsonTrees(sum, *trees);
-    all.insert(QStringLiteral("nodes"), jsonNodes(scene, timeSeconds));
+    const auto list = jsonNodes(scene, timeSeconds);
+    if (!list)
+        return fail(list.error());
+    all.insert(QStringLiteral("nodes"), *list);
     return printJson(all);
 }
 

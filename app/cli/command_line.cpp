@@ -66,6 +66,14 @@ void CommandLine::addDefault(const QStringList& names, const QString& descriptio
     m_options.append(option);
 }
 
+void CommandLine::addNodeOption()
+{
+    add({QStringLiteral("node")},
+        QStringLiteral("Only the node of this name of a scene and what hangs below it, even where it is "
+                       "hidden; may be repeated. `info --json` lists the nodes."),
+        QStringLiteral("NAME"));
+}
+
 void CommandLine::addInputOptions()
 {
     add({QStringLiteral("set")},

@@ -35,6 +35,8 @@ public:
                     const QString& defaultValue);
     /// The options that every command with an INPUT has.
     void addInputOptions();
+    /// --node, see keepNodes.
+    void addNodeOption();
 
     /// An exit code where there is nothing left to do: help and version were printed.
     /// Errors: Invalid for an unknown option or a wrong number of arguments.

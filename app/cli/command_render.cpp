@@ -16,7 +16,7 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {"render", "INPUT", "Draws a picture of a tree, a project or a mesh file.",
+constexpr CommandText text = {"render", "INPUT", "Draws a picture of a tree, a scene or a mesh file.",
                               "Without a display a virtual X server (Xvfb) is started for the time it takes. "
                               "The camera shows all that is visible."};
 
@@ -102,7 +102,7 @@ Stage stageFor(DisplayMode mode)
 Expected<RenderScene> treeScene(const Scene& scene, DisplayMode mode, const TreeSource& source,
                                 double timeSeconds)
 {
-    const auto nodes = treesOrObjects(scene);
+    const auto nodes = treesOrShapes(scene);
     if (!nodes)
         return fail(nodes.error());
     std::map<NodeId, TreeResult> results;
@@ -125,10 +125,14 @@ Expected<RenderScene> treeScene(const Scene& scene, DisplayMode mode, const Tree
 }
 
 Expected<RenderScene> sceneOf(const Input& input, const CommandLine& line, DisplayMode mode,
-                              const TreeSource& source, double timeSeconds)
+                              MovingSource& moving, double timeSeconds, const Progress& progress)
 {
-    if (input.scene())
-        return treeScene(*input.scene(), mode, source, timeSeconds);
+    if (input.scene()) {
+        const auto turned = moving.arms().at(*input.scene(), timeSeconds, progress);
+        if (!turned)
+            return fail(turned.error());
+        return treeScene(*turned, mode, moving.at(timeSeconds), timeSeconds);
+    }
     if (line.has("mode") && mode != DisplayMode::Mesh)
         return fail(ErrorCode::Invalid, "--mode needs a tree: the input is a mesh");
     return sceneOfMesh(input.mesh()->joined());
@@ -200,7 +204,7 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Reques
         moments.isSequence() ? moments.frames : std::vector<std::int64_t>{0};
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const double time = moments.isSequence() ? moments.timeOf(frames[i]) : moments.timeSeconds;
-        const auto scene = sceneOf(input, line, request.mode, moving.at(time), time);
+        const auto scene = sceneOf(input, line, request.mode, moving, time, progress);
         if (!scene)
             return fail(scene.error());
         if (!camera) {
@@ -244,6 +248,7 @@ Expected<int> runRender(const QStringList& arguments)
         QStringLiteral("So many pictures all around, 2 to 10000; the number goes before the file's ending."),
         QStringLiteral("N"));
     line.addInputOptions();
+    line.addNodeOption();
     const auto done = line.parse(arguments, 1, 1);
     if (!done)
         return fail(done.error());
@@ -256,9 +261,11 @@ Expected<int> runRender(const QStringList& arguments)
     if (isTexture && (line.has("time") || line.has("frames")))
         return fail(ErrorCode::Invalid,
                     "--mode checker and stretch need the tree at rest: without --time and --frames");
-    const auto input = loadInput(line.arguments().front(), line.values("set"));
+    auto input = loadInput(line.arguments().front(), line.values("set"));
     if (!input)
         return fail(input.error());
+    if (const auto kept = keepNodes(*input, line.values("node")); !kept)
+        return fail(kept.error());
     const auto moments = momentsOf(line, *input);
     if (!moments)
         return fail(moments.error());

@@ -17,10 +17,15 @@ constexpr CommandText text = {
     "vertex one fan; no duplicate or degenerate element, one component and Euler characteristic 2 per root, "
     "positive volume. Of a "
     "file all its objects together; the Euler characteristic may be any. OpenMesh's half-edge structure has "
-    "to agree. Of a project "
-    "with several trees the figures are summed, and \"trees\" (JSON) lists each."};
+    "to agree. Of a scene every node with a shape is checked: arms (their skin as it is at --time), "
+    "terrains, "
+    "primitives and imported meshes too; terrains and planes are open surfaces, their boundary is no fault. "
+    "Of "
+    "several the figures are summed, and \"trees\" or, where not all are trees, \"nodes\" (JSON) lists "
+    "each."};
 
-QString textReport(const MeshReport& r)
+/// \param open a surface that need not be closed
+QString textReport(const MeshReport& r, bool open = false)
 {
     const auto row = [](const char* name, const QString& value) {
         return QStringLiteral("%1 %2\n").arg(QLatin1String(name), -20).arg(value);
@@ -28,7 +33,9 @@ QString textReport(const MeshReport& r)
     const auto count = [&](const char* name, std::int64_t value) {
         return row(name, QString::number(value));
     };
-    return row("valid", r.valid ? QStringLiteral("yes") : QStringLiteral("no")) +
+    return row("valid", !r.valid ? QStringLiteral("no")
+                        : open   ? QStringLiteral("yes, an open surface")
+                                 : QStringLiteral("yes")) +
            count("vertices", r.vertices) + count("faces", r.faces) + count("boundaryEdges", r.boundaryEdges) +
            count("nonManifoldEdges", r.nonManifoldEdges) +
            count("nonManifoldVertices", r.nonManifoldVertices) +
@@ -110,7 +117,7 @@ QString textBudget(const CheckedMesh& one)
 
 QString textOf(const CheckedMesh& one, bool crossings)
 {
-    return textReport(one.report) + textBudget(one) + textShape(one.analysis) +
+    return textReport(one.report, one.isOpen) + textBudget(one) + textShape(one.analysis) +
            (crossings ? textCrossings(one.analysis) : QString()) +
            (one.texture ? textTexture(*one.texture) : QString());
 }
@@ -124,7 +131,8 @@ Expected<void> show(const std::vector<CheckedMesh>& all, bool crossings, bool js
     QString texts;
     for (const CheckedMesh& one : all)
         texts += QStringLiteral("%1\n%2\n").arg(fromText(one.name), textOf(one, crossings));
-    return print(texts + QStringLiteral("%1 trees\n%2").arg(all.size()).arg(textReport(sumOf(all))));
+    const QString what = isOfTrees(all) ? QStringLiteral("trees") : QStringLiteral("nodes");
+    return print(texts + QStringLiteral("%1 %2\n%3").arg(all.size()).arg(what, textReport(sumOf(all))));
 }
 
 } // namespace
@@ -133,6 +141,7 @@ Expected<int> runValidate(const QStringList& arguments)
 {
     CommandLine line(text);
     line.addInputOptions();
+    line.addNodeOption();
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
     addMomentOptions(line, MomentOptions::One);
     line.add(
@@ -159,6 +168,8 @@ Expected<int> runValidate(const QStringList& arguments)
         auto input = loadInput(line.arguments().front(), line.values("set"), progress.part(0.0, 0.1));
         if (!input)
             return fail(input.error());
+        if (const auto kept = keepNodes(*input, line.values("node")); !kept)
+            return fail(kept.error());
         const auto moments = momentsOf(line, *input);
         if (!moments)
             return fail(moments.error());
@@ -170,8 +181,8 @@ Expected<int> runValidate(const QStringList& arguments)
             begun = 0.6;
         }
         MovingSource moving(pipelineSource(pipeline));
-        return checkMeshes(*input, moving.at(moments->timeSeconds), crossings, true,
-                           progress.part(begun, 1.0), line.has("texture"));
+        const MeshChecks checks{moments->timeSeconds, crossings, !line.has("node"), line.has("texture")};
+        return checkMeshes(*input, moving, checks, progress.part(begun, 1.0));
     }();
     if (!checked)
         return fail(checked.error());

@@ -6,6 +6,7 @@
 #include "core/scene/object_mesh.h"
 #include <QFileInfo>
 #include <algorithm>
+#include <set>
 
 namespace ramure::cli {
 
@@ -113,15 +114,50 @@ Expected<std::vector<const Node*>> treesOf(const Scene& scene)
     return trees;
 }
 
-Expected<std::vector<const Node*>> treesOrObjects(const Scene& scene)
+Expected<std::vector<const Node*>> treesOrShapes(const Scene& scene)
 {
     const auto& nodes = scene.nodes();
     const bool trees =
         std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.kind == NodeKind::Tree; });
-    const bool objects = std::any_of(nodes.begin(), nodes.end(), [](const Node& node) {
-        return node.kind != NodeKind::Group && node.kind != NodeKind::Tree;
-    });
-    return trees || !objects ? treesOf(scene) : std::vector<const Node*>();
+    const bool shapes =
+        std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return isShape(node.kind); });
+    return trees || !shapes ? treesOf(scene) : std::vector<const Node*>();
+}
+
+Expected<void> keepNodes(Input& input, const QStringList& names)
+{
+    if (names.isEmpty())
+        return {};
+    Scene* scene = std::get_if<Scene>(&input.content);
+    if (!scene)
+        return fail(ErrorCode::Invalid, "--node needs a scene: the input is a mesh");
+    std::set<NodeId> chosen;
+    for (const QString& name : names) {
+        const std::size_t before = chosen.size();
+        for (const Node& node : scene->nodes())
+            if (fromText(node.name) == name)
+                chosen.insert(node.id);
+        if (chosen.size() == before)
+            return fail(ErrorCode::Unknown,
+                        "--node \"%1\": no node has this name: `ramure-cli info INPUT --json` lists them",
+                        {name.toStdString()});
+    }
+    const Scene whole = *scene;
+    for (const Node& from : whole.nodes()) {
+        const auto isAbove = [&](NodeId id) { return whole.isAncestor(from.id, id); };
+        const auto isBelow = [&](NodeId id) { return whole.isAncestor(id, from.id); };
+        Node& node = *scene->find(from.id);
+        if (chosen.contains(from.id))
+            node.visible = true;
+        else if (std::any_of(chosen.begin(), chosen.end(), isBelow))
+            continue;
+        else if (std::any_of(chosen.begin(), chosen.end(), isAbove)) {
+            node.kind = NodeKind::Group; // a place for what was chosen, nothing to see
+            node.visible = true;
+        } else
+            node.visible = false;
+    }
+    return {};
 }
 
 Expected<TreeResult> evaluateTree(TreePipeline& pipeline, const Node& node, bool isOneOfSeveral, Stage last,

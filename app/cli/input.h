@@ -27,8 +27,13 @@ Expected<Input> loadInput(const QString& text, const QStringList& sets, const Pr
 /// The trees of a scene, shown or not, in its order; at least one. Error: Invalid.
 Expected<std::vector<const Node*>> treesOf(const Scene& scene);
 
-/// The same, but no trees are fine where there are primitives or imported meshes. Error: Invalid.
-Expected<std::vector<const Node*>> treesOrObjects(const Scene& scene);
+/// The same, but no trees are fine where there is anything else with a shape. Error: Invalid.
+Expected<std::vector<const Node*>> treesOrShapes(const Scene& scene);
+
+/// --node: hides all but the nodes with these names and what hangs below them; they are shown even where the
+/// project hides them. No names: nothing happens. Errors: Unknown (no node has the name), Invalid (a mesh
+/// file).
+Expected<void> keepNodes(Input& input, const QStringList& names);
 
 /// Names of several trees stand before what an error is about.
 Expected<TreeResult> evaluateTree(TreePipeline& pipeline, const Node& node, bool isOneOfSeveral, Stage last,

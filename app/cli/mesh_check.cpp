@@ -1,9 +1,11 @@
 #include "app/cli/mesh_check.h"
 
 #include "core/document/mesh_report_json.h"
+#include "core/document/project_json.h"
 #include "core/pipeline/separate_branches.h"
 #include "core/scene/object_mesh.h"
 #include <QJsonArray>
+#include <algorithm>
 
 namespace ramure::cli {
 
@@ -82,45 +84,73 @@ Expected<CheckedMesh> checkFile(const ReadMesh& mesh, bool crossings, const Prog
     return checkAny(mesh.joined(), crossings, progress);
 }
 
-/// A primitive or an imported mesh, before its placement.
-Expected<CheckedMesh> checkObject(const Node& node, bool crossings, const Progress& progress)
+/// Nothing but a boundary keeps it from being valid.
+bool isGoodSurface(const MeshReport& r)
 {
-    const auto mesh = objectSolid(node, node.params);
-    auto checked = checkAny(mesh ? *mesh : TriangleMesh(), crossings, progress);
-    if (checked)
-        checked->name = node.name;
+    return r.faces > 0 && r.nonManifoldEdges == 0 && r.nonManifoldVertices == 0 && r.inconsistentEdges == 0 &&
+           r.duplicateVertices == 0 && r.duplicateFaces == 0 && r.degenerateFaces == 0 &&
+           r.isolatedVertices == 0;
+}
+
+/// An arm, a terrain, a primitive or an imported mesh, before its placement.
+Expected<CheckedMesh> checkShape(const Node& node, MovingSource& moving, const MeshChecks& checks,
+                                 const Progress& progress)
+{
+    const auto named = [&node](Error error) {
+        error.path = node.name + (error.path.empty() ? "" : ": " + error.path);
+        return fail(std::move(error));
+    };
+    NodeParams params = paramsAt(node.params, node.animation, checks.timeSeconds);
+    if (node.kind == NodeKind::Arm) {
+        auto joints = moving.arms().jointsAt(node, checks.timeSeconds, progress.part(0.0, 0.2));
+        if (!joints)
+            return named(std::move(joints.error()));
+        params.joints = std::move(*joints);
+    }
+    const auto mesh = objectSolid(node, params);
+    if (!mesh)
+        return named(mesh.error());
+    auto checked = checkAny(*mesh ? **mesh : TriangleMesh(), checks.crossings, progress.part(0.2, 1.0));
+    if (!checked)
+        return checked;
+    checked->name = node.name;
+    checked->kind = node.kind;
+    checked->isOpen = isOpenSurface(node);
+    if (checked->isOpen)
+        checked->report.valid = isGoodSurface(checked->report);
     return checked;
 }
 
 } // namespace
 
-Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, const TreeSource& source, bool crossings,
-                                               bool hidden, const Progress& progress, bool texture)
+Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, MovingSource& moving,
+                                               const MeshChecks& checks, const Progress& progress)
 {
     std::vector<CheckedMesh> out;
     if (input.mesh()) {
-        auto checked = checkFile(*input.mesh(), crossings, progress);
+        auto checked = checkFile(*input.mesh(), checks.crossings, progress);
         if (!checked)
             return fail(checked.error());
         out.push_back(std::move(*checked));
         return out;
     }
     const Scene& scene = *input.scene();
-    auto nodes = treesOrObjects(scene);
+    auto nodes = treesOrShapes(scene);
     if (!nodes)
         return fail(nodes.error());
     for (const Node& node : scene.nodes())
-        if (isObject(node.kind))
+        if (isShape(node.kind))
             nodes->push_back(&node);
-    if (!hidden)
+    if (!checks.hidden)
         std::erase_if(*nodes, [&](const Node* node) { return !scene.isShown(node->id); });
+    const TreeSource source = moving.at(checks.timeSeconds);
     const auto count = static_cast<double>(nodes->size());
     for (const Node* node : *nodes) {
         const double from = static_cast<double>(out.size()) / count;
         const Progress part = progress.part(from, from + 1.0 / count);
-        auto checked = isObject(node->kind)
-                           ? checkObject(*node, crossings, part)
-                           : checkTree(*node, nodes->size() > 1, source, crossings, texture, part);
+        auto checked = isShape(node->kind) ? checkShape(*node, moving, checks, part)
+                                           : checkTree(*node, nodes->size() > 1, source, checks.crossings,
+                                                       checks.texture, part);
         if (!checked)
             return fail(checked.error());
         out.push_back(std::move(*checked));
@@ -171,7 +201,7 @@ MeshReport sumOf(const std::vector<CheckedMesh>& all)
               &MeshReport::isolatedVertices, &MeshReport::components})
             sum.*count += r.*count;
         sum.eulerCharacteristic += r.eulerCharacteristic;
-        sum.volume += r.volume;
+        sum.volume += one.isOpen ? 0.0 : r.volume; // an open surface encloses nothing
     }
     return sum;
 }
@@ -217,6 +247,8 @@ static QJsonObject budgetJson(const CheckedMesh& one)
 static QJsonObject jsonOf(const CheckedMesh& one, bool crossings)
 {
     QJsonObject out = toJson(one.report, one.analysis, crossings);
+    if (one.isOpen)
+        out.insert(QStringLiteral("openSurface"), true);
     if (one.texture)
         out.insert(QStringLiteral("texture"), jsonOf(*one.texture));
     if (one.budget != BudgetFit::NotAsked)
@@ -224,18 +256,27 @@ static QJsonObject jsonOf(const CheckedMesh& one, bool crossings)
     return out;
 }
 
+bool isOfTrees(const std::vector<CheckedMesh>& all)
+{
+    return std::all_of(all.begin(), all.end(),
+                       [](const CheckedMesh& one) { return one.kind == NodeKind::Tree; });
+}
+
 QJsonObject jsonOf(const std::vector<CheckedMesh>& all, bool crossings)
 {
     if (all.size() == 1)
         return jsonOf(all.front(), crossings);
     QJsonObject sum = toJson(sumOf(all));
+    const bool trees = isOfTrees(all);
     QJsonArray list;
     for (const CheckedMesh& one : all) {
         QJsonObject entry = jsonOf(one, crossings);
         entry.insert(QStringLiteral("name"), fromText(one.name));
+        if (!trees)
+            entry.insert(QStringLiteral("kind"), json::kindName(one.kind));
         list.append(entry);
     }
-    sum.insert(QStringLiteral("trees"), list);
+    sum.insert(trees ? QStringLiteral("trees") : QStringLiteral("nodes"), list);
     return sum;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/cli/input.h"
+#include "core/document/moving_source.h"
 #include "core/mesh/mesh_analysis.h"
 #include "core/mesh/texture_report.h"
 #include <QJsonObject>
@@ -11,24 +12,32 @@
 
 namespace ramure::cli {
 
-/// One tree's branches before its placement, or a file's objects together.
+/// One tree's branches or one other node's mesh, before its placement; or a file's objects together.
 struct CheckedMesh
 {
-    std::string name; ///< of the tree; empty for a file
+    std::string name; ///< of the node; empty for a file
     MeshReport report;
     MeshAnalysis analysis;                ///< without crossings unless they were asked for
     std::optional<TextureReport> texture; ///< of a tree, if it was asked for
     BudgetFit budget = BudgetFit::NotAsked;
     Index targetTriangles = 0; ///< of a tree, as its parameters say; 0 = none
+    NodeKind kind = NodeKind::Tree;
+    bool isOpen = false; ///< a terrain or a plane: valid with a boundary
 };
 
-/// Is the mesh closed, manifold and oriented, does OpenMesh agree, and has a tree as many pieces as roots;
-/// its quality and its hash. \p crossings: also which triangles run through each other.
-/// \param source gives the trees. \param hidden trees that are not shown, too. \param texture also how the
-/// texture coordinates of trees fit.
-/// Errors: those of the trees; Cancelled.
-Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, const TreeSource& source, bool crossings,
-                                               bool hidden, const Progress& progress, bool texture = false);
+struct MeshChecks
+{
+    double timeSeconds = 0.0;
+    bool crossings = false; ///< also which triangles run through each other
+    bool hidden = false;    ///< nodes that are not shown, too
+    bool texture = false;   ///< also how the texture coordinates of trees fit
+};
+
+/// Is each mesh closed, manifold and oriented, does OpenMesh agree, and has a tree as many pieces as roots;
+/// its quality and its hash. Open surfaces (isOpenSurface) may have a boundary.
+/// Errors: those of the trees, of MovingArms and objectSolid; Cancelled.
+Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, MovingSource& moving,
+                                               const MeshChecks& checks, const Progress& progress);
 
 /// Moves colliding branches of all trees apart (core/pipeline/separate_branches.h); says on the standard
 /// error how far it came. Errors: Invalid for a mesh file; those of separateBranches.
@@ -36,7 +45,9 @@ Expected<void> separateTrees(Input& input, TreePipeline& pipeline, const Progres
 
 /// All figures added up; valid where all are.
 MeshReport sumOf(const std::vector<CheckedMesh>& all);
-/// Of one mesh its object; of several the sums, and "trees".
+/// Are these trees alone, or a file?
+bool isOfTrees(const std::vector<CheckedMesh>& all);
+/// Of one mesh its object; of several the sums, and "trees", or "nodes" where not all are trees.
 QJsonObject jsonOf(const std::vector<CheckedMesh>& all, bool crossings);
 
 } // namespace ramure::cli

@@ -1,6 +1,8 @@
 #include "core/document/exporter.h"
 
+#include "core/arm/arm_chain.h"
 #include "core/document/document.h"
+#include "core/document/moving_arms.h"
 #include "core/mesh/foliage_texture.h"
 #include "core/mesh/rough_model.h"
 #include "core/mesh/texture_coordinates.h"
@@ -13,28 +15,46 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <map>
+#include <set>
 
 namespace ramure {
 
 namespace {
 
-/// A tree or an object to export, with the suffix of its parts' names.
+/// A node to export.
 struct Candidate
 {
     const Node* node;
-    std::string suffix;
+    std::string suffix; ///< of a tree: of its parts' names; of another node its own name in the file
     glm::dmat4 world{1.0};
 };
 
 bool isAsked(const Scene& scene, const ExportOptions& options, const Node& node)
 {
-    const bool hasShape = node.kind == NodeKind::Tree || isObject(node.kind);
+    const bool hasShape = node.kind == NodeKind::Tree || isShape(node.kind);
     if (!hasShape || (!options.hidden && !scene.isShown(node.id)))
         return false;
     if (options.nodes.empty())
         return true;
     return std::any_of(options.nodes.begin(), options.nodes.end(),
                        [&](NodeId id) { return id == node.id || scene.isAncestor(id, node.id); });
+}
+
+/// Each by the name of its node; the second "Box", or one that is named as a part of a tree, is "Box_2".
+void nameShapes(std::vector<Candidate>& shapes, const std::vector<Candidate>& trees)
+{
+    std::set<std::string> taken;
+    for (const Candidate& tree : trees)
+        for (const char* part : {"branches", "leaves", "apples"})
+            taken.insert(part + tree.suffix);
+    std::map<std::string, int> numbers;
+    for (Candidate& shape : shapes) {
+        const std::string& name = shape.node->name;
+        int& number = numbers.try_emplace(name, 1).first->second;
+        shape.suffix = name;
+        while (!taken.insert(shape.suffix).second)
+            shape.suffix = std::string(name).append("_").append(std::to_string(++number));
+    }
 }
 
 Expected<std::vector<Candidate>> candidates(const Scene& scene, const ExportOptions& options)
@@ -47,13 +67,14 @@ Expected<std::vector<Candidate>> candidates(const Scene& scene, const ExportOpti
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Node& node = scene.nodes()[i];
         if (isAsked(scene, options, node))
-            (isObject(node.kind) ? objects : trees).push_back({&node, {}, places[i].geometry});
+            (isShape(node.kind) ? objects : trees).push_back({&node, {}, places[i].geometry});
     }
     if (trees.empty() && objects.empty())
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("there is no visible tree to export"));
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("there is nothing visible to export"));
     if (trees.size() > 1)
         for (std::size_t i = 0; i < trees.size(); ++i)
             trees[i].suffix.append("_").append(std::to_string(i + 1));
+    nameShapes(objects, trees);
     trees.insert(trees.end(), objects.begin(), objects.end());
     return trees;
 }
@@ -165,10 +186,10 @@ void addLines(LinePart& lines, const Skeleton& skeleton, const glm::dmat4& world
     }
 }
 
-/// Which of several trees an error is about.
+/// Which of several nodes an error is about.
 Error named(Error error, const Candidate& tree)
 {
-    if (!tree.suffix.empty())
+    if (!tree.suffix.empty() || tree.node->kind != NodeKind::Tree)
         error.path = tree.node->name + (error.path.empty() ? "" : ": " + error.path);
     return error;
 }
@@ -180,19 +201,53 @@ Stage lastStage(const ExportOptions& options)
     return (options.parts & (exportLeaves | exportApples)) ? Stage::Foliage : Stage::Mesh;
 }
 
-/// The object as it is at the time, under the name of its node.
-void addObject(ExportSet& set, const Candidate& object, const ExportOptions& options)
+/// The chain of an arm, as it stands in the world.
+void addChain(LinePart& lines, const NodeParams& params, const glm::dmat4& world)
 {
-    const NodeParams params = paramsAt(object.node->params, object.node->animation, options.timeSeconds);
-    const auto mesh = objectSolid(*object.node, params);
-    if (!mesh || options.model == ExportModel::Skeleton)
-        return;
-    Material material{"surface_", glm::u8vec3(params.surface.color * 255.0 + 0.5), true, false};
+    const ArmChain chain(params.joints);
+    const glm::dmat4 place = world * armUpright();
+    for (const glm::dvec3& point : chain.points()) {
+        const auto at = static_cast<Index>(lines.positions.size());
+        lines.positions.emplace_back(glm::dvec3(place * glm::dvec4(point, 1.0)));
+        if (&point != &chain.points().front())
+            lines.lines.emplace_back(at - 1, at);
+    }
+}
+
+Material surfaceMaterial(const SurfaceParams& surface)
+{
+    Material material{"surface_", glm::u8vec3(surface.color * 255.0 + 0.5), true, false};
     constexpr const char* digits = "0123456789abcdef";
     for (int c = 0; c < 3; ++c)
         material.name.append(1, digits[material.colour[c] / 16]).append(1, digits[material.colour[c] % 16]);
-    set.meshes.push_back({object.node->name, std::make_shared<TriangleMesh>(transformed(*mesh, object.world)),
-                          std::move(material)});
+    return material;
+}
+
+/// Anything but a tree as it is at the time, under the name of its node.
+Expected<void> addShape(ExportSet& set, const Candidate& shape, const ExportOptions& options,
+                        const Progress& progress)
+{
+    const Node& node = *shape.node;
+    NodeParams params = paramsAt(node.params, node.animation, options.timeSeconds);
+    if (node.kind == NodeKind::Arm) {
+        MovingArms fresh;
+        auto joints = (options.arms ? *options.arms : fresh).jointsAt(node, options.timeSeconds, progress);
+        if (!joints)
+            return fail(named(std::move(joints.error()), shape));
+        params.joints = std::move(*joints);
+    }
+    if (options.model == ExportModel::Skeleton) {
+        if (node.kind == NodeKind::Arm)
+            addChain(*set.lines, params, shape.world);
+        return {};
+    }
+    const auto mesh = objectSolid(node, params);
+    if (!mesh)
+        return fail(named(mesh.error(), shape));
+    if (*mesh && !(*mesh)->empty())
+        set.meshes.push_back({shape.suffix, std::make_shared<TriangleMesh>(transformed(**mesh, shape.world)),
+                              surfaceMaterial(params.surface)});
+    return {};
 }
 
 Expected<void> addTree(ExportSet& set, const Candidate& tree, const ExportOptions& options,
@@ -206,10 +261,8 @@ Expected<void> addTree(ExportSet& set, const Candidate& tree, const ExportOption
                            {},
                            "tree.scale"},
                           tree));
-    if (isObject(tree.node->kind)) {
-        addObject(set, tree, options);
-        return {};
-    }
+    if (isShape(tree.node->kind))
+        return addShape(set, tree, options, progress);
     const auto result = source(*tree.node, lastStage(options), progress);
     if (!result)
         return fail(named(result.error(), tree));

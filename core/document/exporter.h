@@ -1,6 +1,6 @@
 /// \file
 /// What the editor's export and the command line share: from a scene and the results of its trees to named
-/// meshes in world space, and on to files.
+/// meshes in world space, and on to files. Arms, terrains, primitives and imported meshes are part of it.
 #pragma once
 
 #include "core/base/error.h"
@@ -17,6 +17,7 @@
 namespace ramure {
 
 class Document;
+class MovingArms;
 
 enum class ExportModel : std::uint8_t {
     Mesh,     ///< the one continuous mesh, triangle leaves, round apples
@@ -31,10 +32,12 @@ struct ExportOptions
     ExportModel model = ExportModel::Mesh;
     std::uint8_t parts = exportAll; ///< bits of ExportPart
     std::vector<NodeId> nodes;      ///< these and the trees below them; empty = the whole scene
-    bool hidden = false;            ///< also trees that are not shown
+    bool hidden = false;            ///< also nodes that are not shown
     double timeSeconds =
-        0.0;              ///< where tracks have moved the nodes to; trees come from the source as they are
-    bool texture = false; ///< with texture coordinates; the rough model and the skeleton have none
+        0.0; ///< where tracks have moved the nodes to; trees come from the source as they are
+    /// Runs of the arms, for sequences: no frame is computed twice. Not owned; null: none are kept.
+    MovingArms* arms = nullptr;
+    bool texture = false; ///< trees with texture coordinates; the rough model and the skeleton have none
     PlyOptions ply;
 };
 
@@ -44,13 +47,13 @@ struct ExportSet
     struct Entry
     {
         std::string name; ///< "branches", "leaves", "apples"; of several trees "branches_1", "branches_2"
-                          ///< ...; of an object its name
+                          ///< ...; of another node its name, where that is taken with a number: "Box_2"
         std::shared_ptr<const TriangleMesh> mesh;
         Material material;
     };
     std::vector<Entry> meshes; ///< none is empty; branches, leaves, apples of the first tree, then the next,
-                               ///< then the primitives and imported meshes
-    std::optional<LinePart> lines; ///< of ExportModel::Skeleton: all trees in one
+                               ///< then all other nodes that have a shape
+    std::optional<LinePart> lines; ///< of ExportModel::Skeleton: all trees and arms in one
 
     [[nodiscard]] std::vector<MeshPart> parts() const; ///< valid as long as this set
 };
@@ -65,7 +68,8 @@ TreeSource pipelineSource(TreePipeline& pipeline);
 TreeSource documentSource(const Document& document);
 
 /// Errors: those of \p source (path = name of the tree and the parameter key, where there are several trees);
-/// Unknown (a node of the options); Invalid (nothing to export, a tree flattened by a zero scale); Cancelled.
+/// those of objectSolid and MovingArms (path = name of the node and what it is about); Unknown (a node of the
+/// options); Invalid (nothing to export, a node flattened by a zero scale); Cancelled.
 Expected<ExportSet> collectExport(const Scene& scene, const ExportOptions& options, const TreeSource& source,
                                   const Progress& progress = {});
 /// Moves a mesh: positions by \p matrix, normals by its inverse transpose; a mirroring one turns the

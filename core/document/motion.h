@@ -11,6 +11,7 @@
 #include "core/scene/places.h"
 #include <map>
 #include <memory>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -54,11 +55,12 @@ struct NodeMotion
 /// An arm with these joints.
 NodeMotion armMotion(const NodeParams& params, std::span<const ArmJoint> joints);
 
-/// An object whose parameters have tracks, as it is now.
+/// An object, a terrain or an arm whose parameters have tracks, as it is now.
 struct ObjectNow
 {
     std::shared_ptr<const TriangleMesh> mesh; ///< null where it has its usual one
     SurfaceParams surface;
+    std::optional<glm::dvec3> target; ///< of arms: m, their own space
 };
 
 struct MotionFrame

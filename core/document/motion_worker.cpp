@@ -428,11 +428,14 @@ static void placeNodes(MotionFrame& frame, const Scene& scene)
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Node& node = scene.nodes()[i];
         frame.places.emplace(node.id, places[i]);
-        if (!isObject(node.kind) || !node.animation.movesParams())
+        if (node.kind == NodeKind::Tree || !node.animation.movesParams())
             continue;
         const NodeParams now = paramsAt(node.params, node.animation, frame.timeSeconds);
-        const bool sameShape = now.primitive == node.params.primitive;
-        frame.objects[node.id] = {sameShape ? nullptr : objectMesh(node, now), now.surface};
+        const bool sameShape = now.primitive == node.params.primitive && now.relief == node.params.relief;
+        ObjectNow& object = frame.objects[node.id];
+        object = {sameShape ? nullptr : objectMesh(node, now), now.surface, std::nullopt};
+        if (node.kind == NodeKind::Arm)
+            object.target = now.arm.target;
     }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/document/exporter.h"
+#include "core/document/moving_arms.h"
 #include <map>
 #include <memory>
 
@@ -25,6 +26,8 @@ public:
     /// long as this object. Errors: those of the rest; Invalid for a time that is no number or beyond
     /// maxPhysicsSteps; Cancelled.
     [[nodiscard]] TreeSource at(double timeSeconds);
+    /// The arms beside the trees, for ExportOptions::arms.
+    [[nodiscard]] MovingArms& arms() { return m_arms; }
 
 private:
     struct Run;
@@ -32,6 +35,7 @@ private:
 
     TreeSource m_rest;
     std::map<NodeId, std::unique_ptr<Run>> m_runs;
+    MovingArms m_arms;
 };
 
 } // namespace ramure

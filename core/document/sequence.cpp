@@ -1,6 +1,7 @@
 #include "core/document/sequence.h"
 
 #include "core/document/moving_source.h"
+#include "core/scene/object_mesh.h"
 
 #include <algorithm>
 #include <cctype>
@@ -66,8 +67,11 @@ Expected<void> exportSequence(const Scene& scene, const ExportOptions& options, 
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         const std::int64_t frame = frames.frame(i);
         const double from = static_cast<double>(i) / count;
-        if (auto written = exportScene(scene, options, moving.at(frames.timeOf(frame)),
-                                       numberedFile(path, frame), progress.part(from, from + 1.0 / count));
+        ExportOptions now = options;
+        now.timeSeconds = frames.timeOf(frame);
+        now.arms = &moving.arms();
+        if (auto written = exportScene(scene, now, moving.at(now.timeSeconds), numberedFile(path, frame),
+                                       progress.part(from, from + 1.0 / count));
             !written)
             return written;
     }
@@ -111,7 +115,14 @@ std::uint64_t estimatedFileBytes(const Scene& scene, const ExportOptions& option
         const auto holds = [&](NodeId id) { return id == node.id || scene.isAncestor(id, node.id); };
         const bool isAsked =
             options.nodes.empty() || std::any_of(options.nodes.begin(), options.nodes.end(), holds);
-        if (node.kind != NodeKind::Tree || !isAsked || !(options.hidden || scene.isShown(node.id)))
+        if (!isAsked || !(options.hidden || scene.isShown(node.id)))
+            continue;
+        if (isShape(node.kind)) {
+            const auto mesh = objectSolid(node, node.params);
+            vertices += mesh && *mesh ? double((*mesh)->vertexCount()) : 0.0;
+            triangles += mesh && *mesh ? double((*mesh)->faceCount()) : 0.0;
+        }
+        if (node.kind != NodeKind::Tree)
             continue;
         const auto tree = rest(node, Stage::Foliage, {});
         if (!tree)

@@ -96,7 +96,7 @@ public:
             progress.report(double(done++) / double(m_scene.nodes().size()));
             if (progress.cancelled())
                 return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-            if (node.kind != NodeKind::Group && !isObject(node.kind)) {
+            if (node.kind == NodeKind::Tree || node.kind == NodeKind::Arm) {
                 note(node, RAMURE_NOOP("this kind of node has no place in the format: left out"));
                 continue;
             }
@@ -141,7 +141,10 @@ private:
                         [](const auto& entry) { return entry.first.part > ChannelPart::GlobalScale; }))
             note(node, RAMURE_NOOP("tracks of the own shape and of parameters have no place in the format"));
         const glm::dmat4 local = placementMatrix(node.params.local);
-        auto mesh = objectSolid(node, node.params);
+        auto solid = objectSolid(node, node.params);
+        if (!solid)
+            return fail(std::move(solid.error()));
+        std::shared_ptr<const TriangleMesh> mesh = std::move(*solid);
         if (mesh && node.params.local != PlacementParams{})
             mesh = std::make_shared<const TriangleMesh>(movedMesh(*mesh, local));
         if (auto written =

@@ -51,10 +51,11 @@ struct BlenderExport
     std::vector<Note> notes;        ///< what was sampled or left out
 };
 
-/// Writes every primitive and imported mesh of \p scene as NAME.obj and, where it moves, NAME.animation into
-/// a folder that exists; groups that move as NAME.animation alone, groups that do not as NAME.obj without
-/// triangles. Names are those of the nodes, made fit for files and unique. What the format cannot say is
-/// sampled at the scene's frame rate: local tracks are left out. Errors: Io, Invalid (nothing to write).
+/// Writes every primitive, terrain and imported mesh of \p scene as NAME.obj and, where it moves,
+/// NAME.animation into a folder that exists; groups that move as NAME.animation alone, groups that do not as
+/// NAME.obj without triangles. Names are those of the nodes, made fit for files and unique. What the format
+/// cannot say is sampled at the scene's frame rate: local tracks are left out. Errors: Io, Invalid (nothing
+/// to write), those of objectSolid.
 Expected<BlenderExport> exportBlender(const Scene& scene, const std::string& folder,
                                       const Progress& progress = {});
 

@@ -1,7 +1,9 @@
 #include "core/scene/object_mesh.h"
 
+#include "core/arm/arm_shape.h"
 #include "core/mesh/normals.h"
 #include "core/mesh/primitive_mesh.h"
+#include "core/mesh/relief.h"
 
 namespace ramure {
 
@@ -14,6 +16,10 @@ std::shared_ptr<const TriangleMesh> objectMesh(const Node& node, const NodeParam
 {
     if (node.kind == NodeKind::Primitive)
         return std::make_shared<const TriangleMesh>(primitiveMesh(params.primitive));
+    if (node.kind == NodeKind::Relief) {
+        auto relief = buildRelief(params.relief);
+        return relief ? std::make_shared<const TriangleMesh>(std::move(*relief)) : nullptr;
+    }
     auto mesh = node.kind == NodeKind::Mesh ? importedMesh(node) : nullptr;
     if (!mesh || mesh->normals.size() == mesh->positions.size())
         return mesh;
@@ -22,11 +28,39 @@ std::shared_ptr<const TriangleMesh> objectMesh(const Node& node, const NodeParam
     return smooth;
 }
 
-std::shared_ptr<const TriangleMesh> objectSolid(const Node& node, const NodeParams& params)
+bool isOpenSurface(const Node& node)
 {
-    if (node.kind == NodeKind::Primitive)
-        return std::make_shared<const TriangleMesh>(primitiveSolid(params.primitive));
-    return node.kind == NodeKind::Mesh ? importedMesh(node) : nullptr;
+    return node.kind == NodeKind::Relief ||
+           (node.kind == NodeKind::Primitive && node.params.primitive.shape == PrimitiveShape::Plane);
+}
+
+Expected<std::shared_ptr<const TriangleMesh>> objectSolid(const Node& node, const NodeParams& params)
+{
+    const auto shared = [](TriangleMesh&& mesh) {
+        return std::make_shared<const TriangleMesh>(std::move(mesh));
+    };
+    switch (node.kind) {
+    case NodeKind::Primitive:
+        return shared(primitiveSolid(params.primitive));
+    case NodeKind::Mesh:
+        return importedMesh(node);
+    case NodeKind::Relief: {
+        auto relief = buildRelief(params.relief);
+        if (!relief)
+            return fail(std::move(relief.error()));
+        return shared(std::move(*relief));
+    }
+    case NodeKind::Arm: {
+        const auto shape = armSolid(params, node.mesh.pointer().get(), shownArmPart(params));
+        if (!shape)
+            return fail(shape.error());
+        return shared(posedArm(*shape, params));
+    }
+    case NodeKind::Group:
+    case NodeKind::Tree:
+        break;
+    }
+    return nullptr;
 }
 
 } // namespace ramure

@@ -1,6 +1,6 @@
 /// \file
-/// The geometry of objects: primitives and imported meshes. Made from the parameters at once, in the node's
-/// own space; trees have the pipeline.
+/// The geometry of all nodes but trees, made from the parameters at once, in the node's own space; trees have
+/// the pipeline.
 #pragma once
 
 #include "core/scene/scene.h"
@@ -13,10 +13,21 @@ constexpr bool isObject(NodeKind kind)
     return kind == NodeKind::Primitive || kind == NodeKind::Mesh;
 }
 
-/// To look at, with normals. \p params those of the time (paramsAt). Null for nodes that are no objects and
-/// for meshes without triangles.
+/// Everything with a geometry but trees: objects, arms and terrains.
+constexpr bool isShape(NodeKind kind)
+{
+    return isObject(kind) || kind == NodeKind::Arm || kind == NodeKind::Relief;
+}
+
+/// Is this node's geometry an open surface by its nature, a terrain or a plane? Then a boundary is no fault.
+bool isOpenSurface(const Node& node);
+
+/// To look at, with normals: primitives, imported meshes, terrains. \p params those of the time (paramsAt).
+/// Null for other nodes, for meshes without triangles and for terrains that cannot be made.
 std::shared_ptr<const TriangleMesh> objectMesh(const Node& node, const NodeParams& params);
-/// For files and checks: primitives closed and without normals, imported meshes as they were read.
-std::shared_ptr<const TriangleMesh> objectSolid(const Node& node, const NodeParams& params);
+/// For files and checks: primitives closed and without normals, imported meshes as they were read, terrains,
+/// arms in the pose of their joints (core/document/moving_arms.h turns them for a time). Null where there is
+/// nothing. Errors: those of buildRelief, armCylinder and checkArmMesh.
+Expected<std::shared_ptr<const TriangleMesh>> objectSolid(const Node& node, const NodeParams& params);
 
 } // namespace ramure

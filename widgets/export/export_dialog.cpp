@@ -416,11 +416,16 @@ void ExportDialog::retranslate()
     m_texture->setToolTip(
         tr("Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one "
            "repeat of the bark, in metres, is the tree's parameter \"Bark tile\"."));
-    m_hidden->setText(tr("Hidden trees too"));
+    const QString whole =
+        tr("Trees, arms as they are at the moment, terrains, primitives and imported meshes "
+           "are written where they stand in the world, each under a name of its own.");
+    m_selection->setToolTip(whole);
+    m_hidden->setToolTip(whole);
+    m_hidden->setText(tr("Hidden nodes too"));
     m_browse->setText(tr("Browse…"));
     m_show->setText(tr("Show"));
     m_cancel->setText(tr("Cancel"));
-    const QString labels[] = {tr("Format"), tr("Model"),   tr("Parts"), tr("Trees"),
+    const QString labels[] = {tr("Format"), tr("Model"),   tr("Parts"), tr("Nodes"),
                               tr("Moment"), tr("Picture"), tr("File")};
     for (int row = 0; row < m_form->rowCount(); ++row) {
         auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());

@@ -20,9 +20,13 @@ struct Pictures
     std::vector<PictureShot> shots;
 };
 
-Expected<RenderScene> sceneAt(const Pictures& pictures, double timeSeconds, const TreeSource& source,
+Expected<RenderScene> sceneAt(const Pictures& pictures, double timeSeconds, MovingSource& moving,
                               const Progress& progress)
 {
+    const auto turned = moving.arms().at(pictures.scene, timeSeconds, progress);
+    if (!turned)
+        return fail(turned.error());
+    const TreeSource source = moving.at(timeSeconds);
     std::map<NodeId, TreeResult> results;
     for (const Node& node : pictures.scene.nodes()) {
         if (node.kind != NodeKind::Tree || !pictures.scene.isShown(node.id))
@@ -38,7 +42,7 @@ Expected<RenderScene> sceneAt(const Pictures& pictures, double timeSeconds, cons
     };
     SceneView view = pictures.look.view;
     view.timeSeconds = timeSeconds;
-    return SceneBuilder().build(pictures.scene, resultOf, view);
+    return SceneBuilder().build(*turned, resultOf, view);
 }
 
 Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, const Progress& progress)
@@ -50,8 +54,7 @@ Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, co
         const PictureShot& shot = pictures.shots[i];
         const double from = static_cast<double>(i) / count;
         if (!scene || shot.timeSeconds != pictures.shots[i - 1].timeSeconds) {
-            auto built = sceneAt(pictures, shot.timeSeconds, moving.at(shot.timeSeconds),
-                                 progress.part(from, from + 0.5 / count));
+            auto built = sceneAt(pictures, shot.timeSeconds, moving, progress.part(from, from + 0.5 / count));
             if (!built)
                 return fail(std::move(built.error()));
             scene = std::move(*built);

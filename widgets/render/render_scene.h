@@ -89,7 +89,10 @@ struct MeshItem
     Paint paint = Paint::Material;
     float tileSize = 1.0f; ///< m, for the checker's metres
     glm::dmat4 world{1.0};
+    glm::dmat4 inNode{1.0}; ///< part of world: how it stands in its node's own geometry
+    double margin = 0.0;    ///< m, of arms: how far it stands away from the bones
     NodeId node = noNode;
+    bool isMark = false; ///< something shown at a place of the node, no part of it
     bool castsShadow = true;
     bool pickable = true; ///< false for the nodes that are locked
 };

@@ -330,7 +330,7 @@ void markSelectedNodes(RenderScene& built, const std::vector<NodeId>& shown, con
     if (shown.size() < 2)
         return;
     for (const NodeId id : view.selectedNodes) {
-        Box box; // all items of a node stand in its space
+        Box box; // in the node's space
         LineItem corners;
         corners.node = id;
         const auto add = [&](const Box& own, const glm::dmat4& world) {
@@ -338,8 +338,8 @@ void markSelectedNodes(RenderScene& built, const std::vector<NodeId>& shown, con
             corners.world = world;
         };
         for (const MeshItem& item : built.meshes) {
-            if (item.node == id)
-                add(item.box, item.world);
+            if (item.node == id && !item.isMark)
+                add(item.box.transformed(item.inNode), item.world * glm::inverse(item.inNode));
         }
         for (const LineItem& item : built.lines) {
             if (item.node == id)

@@ -1,5 +1,6 @@
 #include "widgets/viewport/moving_scene.h"
 
+#include "widgets/render/arm_items.h"
 #include <algorithm>
 
 namespace ramure {
@@ -118,12 +119,16 @@ static void placeItems(RenderScene& scene, const MotionFrame& frame)
             if (const auto found = frame.places.find(item.node); found != frame.places.end())
                 item.world = found->second.geometry;
     };
-    place(scene.meshes);
     place(scene.lines);
     place(scene.points);
     for (MeshItem& item : scene.meshes) {
         const auto found = frame.objects.find(item.node);
-        if (found == frame.objects.end())
+        const bool changed = found != frame.objects.end();
+        if (item.isMark && changed && found->second.target)
+            item.inNode = armTargetPlace(*found->second.target);
+        if (const auto at = frame.places.find(item.node); at != frame.places.end())
+            item.world = at->second.geometry * item.inNode;
+        if (!changed || item.isMark)
             continue;
         item.material.colour = glm::u8vec3(found->second.surface.color * 255.0 + 0.5);
         if (found->second.mesh) {
@@ -146,7 +151,7 @@ RenderScene MovingScene::moved(const RenderScene& rest, const MotionFrame& frame
             continue;
         if (auto skin = skinOf(item, *motion)) {
             item.motion = {std::move(skin), motion->bones, motion->method};
-            item.box = motion->box;
+            item.box = motion->box.grown(item.margin);
         }
     }
     std::erase_if(m_bound, [](const auto& entry) { return !entry.second.used; });

@@ -128,8 +128,8 @@ private slots:
             QCOMPARE(node.params.primitive.sides, std::int64_t(20));
         }
         const auto mesh = objectSolid(scene.nodes().front(), scene.nodes().front().params);
-        QCOMPARE(mesh->vertexCount(), Index(2 * 20 + 2));
-        QCOMPARE(mesh->faceCount(), Index(4 * 20));
+        QCOMPARE((*mesh)->vertexCount(), Index(2 * 20 + 2));
+        QCOMPARE((*mesh)->faceCount(), Index(4 * 20));
     }
 };
 

@@ -1,0 +1,70 @@
+#include "core/document/moving_arms.h"
+
+#include "core/arm/arm_chain.h"
+#include "core/arm/arm_driver.h"
+
+namespace ramure {
+
+/// One arm's driver, as long as nothing that it was made from changes.
+struct MovingArms::Run
+{
+    explicit Run(const Node& node)
+        : params(node.params)
+        , animation(node.animation)
+        , driver(params.joints, params.ik, [this](double seconds) { return targetAt(seconds); })
+    {
+    }
+    [[nodiscard]] glm::dvec3 targetAt(double seconds) const
+    {
+        return animation.movesParams() ? paramsAt(params, animation, seconds).arm.target : params.arm.target;
+    }
+    [[nodiscard]] bool isFor(const Node& node) const
+    {
+        return params.joints == node.params.joints && params.ik == node.params.ik &&
+               params.arm == node.params.arm && animation == node.animation;
+    }
+
+    NodeParams params;
+    NodeAnimation animation;
+    ArmDriver driver;
+};
+
+MovingArms::MovingArms() = default;
+MovingArms::~MovingArms() = default;
+
+Expected<std::vector<ArmJoint>> MovingArms::jointsAt(const Node& arm, double seconds,
+                                                     const Progress& progress)
+{
+    if (auto checked = checkArm(arm.params.joints); !checked)
+        return fail(std::move(checked.error()));
+    std::vector<ArmJoint> joints = arm.params.joints;
+    if (seconds <= 0.0 || !arm.params.arm.follows)
+        return joints;
+    std::unique_ptr<Run>& run = m_runs[arm.id];
+    if (!run || !run->isFor(arm))
+        run = std::make_unique<Run>(arm);
+    const auto moment = run->driver.momentAt(seconds, progress);
+    if (!moment)
+        return fail(moment.error());
+    setArmAngles(joints, moment->angles);
+    return joints;
+}
+
+Expected<Scene> MovingArms::at(const Scene& scene, double seconds, const Progress& progress)
+{
+    Scene moved = scene;
+    for (const Node& node : scene.nodes()) {
+        if (node.kind != NodeKind::Arm)
+            continue;
+        auto joints = jointsAt(node, seconds, progress);
+        if (!joints) {
+            Error error = std::move(joints.error());
+            error.path = node.name + (error.path.empty() ? "" : ": " + error.path);
+            return fail(std::move(error));
+        }
+        moved.find(node.id)->params.joints = std::move(*joints);
+    }
+    return moved;
+}
+
+} // namespace ramure
