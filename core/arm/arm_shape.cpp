@@ -7,6 +7,7 @@
 #include "core/mesh/primitive_mesh.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 namespace ramure {
 namespace {
@@ -83,6 +84,34 @@ Expected<void> checkArmMesh(const TriangleMesh& mesh)
         }))
         return wrongMesh(RAMURE_NOOP("the mesh has positions that are not finite"));
     return {};
+}
+
+TriangleMesh fittedToArm(TriangleMesh mesh, std::span<const ArmJoint> joints)
+{
+    if (mesh.positions.empty())
+        return mesh;
+    glm::vec3 low = mesh.positions.front(), high = low;
+    for (const glm::vec3& p : mesh.positions) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    const glm::dvec3 size = glm::dvec3(high) - glm::dvec3(low);
+    // One that is as long along Z stands already.
+    const int longest = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
+    const auto turned = [longest](const glm::dvec3& v) {
+        return longest == 2 ? v : longest == 1 ? glm::dvec3(v.z, v.x, v.y) : glm::dvec3(v.y, v.z, v.x);
+    };
+    double height = 0.0;
+    for (const ArmJoint& joint : joints)
+        height += joint.length;
+    const double scale = size[longest] > 0.0 ? height / size[longest] : 1.0;
+    glm::dvec3 foot = 0.5 * (glm::dvec3(low) + glm::dvec3(high));
+    foot[longest] = double(low[longest]);
+    for (glm::vec3& p : mesh.positions)
+        p = glm::vec3(turned(glm::dvec3(p) - foot) * scale);
+    for (glm::vec3& n : mesh.normals)
+        n = glm::vec3(turned(glm::dvec3(n)));
+    return mesh;
 }
 
 Expected<ArmShape> armShape(const NodeParams& params, const TriangleMesh* bound, ArmPart part)

@@ -5,6 +5,7 @@
 #include "core/mesh/triangle_mesh.h"
 #include "core/params/node_params.h"
 #include "core/pose/skin.h"
+#include <span>
 
 namespace ramure {
 
@@ -27,6 +28,10 @@ inline ArmPart shownArmPart(const NodeParams& params)
 /// Can an arm wear this mesh? Errors: Invalid (no triangles, a triangle of vertices that there are not,
 /// positions that are not finite, over ten million vertices), path "mesh".
 Expected<void> checkArmMesh(const TriangleMesh& mesh);
+
+/// The mesh as large as the arm: its longest axis turned along Z, on the foot, in the middle, as high as the
+/// straight arm; the same scale all around. Flat ones of no height are only moved.
+TriangleMesh fittedToArm(TriangleMesh mesh, std::span<const ArmJoint> joints);
 
 /// To look at, with normals. \param bound null: the cylinder. Errors: those of armCylinder and checkArmMesh.
 Expected<ArmShape> armShape(const NodeParams& params, const TriangleMesh* bound, ArmPart part);

@@ -21,7 +21,7 @@ enum ChangeKind : quint32 {
     changeBranches = 128, ///< per-branch values of nodes
     changeTimeline = 256, ///< frames and frame rate of the scene
     changeTracks = 512,   ///< keys or extrapolation of tracks of nodes (Change::nodes)
-    changeJoints = 1024,  ///< joints of arms (Change::nodes)
+    changeJoints = 1024,  ///< joints of arms, or what they wear (Change::nodes)
 };
 
 struct Change

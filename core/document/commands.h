@@ -23,6 +23,7 @@ enum class CommandId : int {
     SetTracks,
     SetJoints,
     SetArm,
+    SetArmMesh,
 };
 
 /// A gesture: commands with the same id merge. 0 = never merge.
@@ -104,6 +105,14 @@ Expected<void> setArm(Document& document, NodeId node, ArmState state, const QSt
 Expected<void> addJoint(Document& document, NodeId node, std::size_t at);
 /// Takes joint \p at and its keys out. Errors: likewise.
 Expected<void> removeJoint(Document& document, NodeId node, std::size_t at);
+/// What an arm wears: this mesh, in the arm's own space around the straight arm, or, where it is empty, the
+/// cylinder. Errors: Unknown (node), Invalid (locked, no arm, what checkArmMesh refuses).
+Expected<void> setArmMesh(Document& document, NodeId arm, SharedValue<TriangleMesh> mesh,
+                          const QString& text);
+/// The arm wears a copy of the mesh of a node: as it stands around the straight arm at rest, or \p fitted to
+/// it (fittedToArm). The node is hidden, in the same step. Errors: as above; Unknown (mesh), Invalid (it is no
+/// imported mesh; the scale of one of the two is 0).
+Expected<void> wearMesh(Document& document, NodeId arm, NodeId mesh, bool fitted);
 /// "New tree" (Space): the next seeds and stochastic rewriting on, as one step. Seeds follow each other in a
 /// fixed order that repeats after 2^31 of them; trees of one call never get the same. Nodes that are no trees
 /// are left out; error where no tree remains.

@@ -20,7 +20,7 @@ template <class T> static QString toText(const std::vector<T>& rows)
 
 template <class T> static Expected<std::vector<T>> fromText(QJsonObject& object, const char* key)
 {
-    static_assert(sizeof(T) == 12, "three numbers of 32 bits");
+    static_assert(sizeof(T) == 12 || sizeof(T) == 8, "two or three numbers of 32 bits");
     const QJsonValue value = object.take(QLatin1String(key));
     std::vector<T> rows;
     if (value.isUndefined())
@@ -30,11 +30,33 @@ template <class T> static Expected<std::vector<T>> fromText(QJsonObject& object,
     const QByteArray bytes = decoded ? *decoded : QByteArray();
     if (!value.isString() || !decoded || bytes.size() % qsizetype(sizeof(T)) != 0)
         return failAt(key, ErrorCode::Invalid,
-                      RAMURE_NOOP("base64 of rows of three numbers of 32 bits is expected here"));
+                      sizeof(T) == 12
+                          ? RAMURE_NOOP("base64 of rows of three numbers of 32 bits is expected here")
+                          : RAMURE_NOOP("base64 of rows of two numbers of 32 bits is expected here"));
     rows.resize(static_cast<std::size_t>(bytes.size()) / sizeof(T));
     if (!rows.empty())
         std::memcpy(rows.data(), bytes.constData(), static_cast<std::size_t>(bytes.size()));
     return rows;
+}
+
+static Expected<void> checkTexture(const TriangleMesh& mesh)
+{
+    const auto isFinite = [](const glm::vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); };
+    if (!std::all_of(mesh.uv.begin(), mesh.uv.end(), isFinite))
+        return failAt("uv", ErrorCode::Invalid, RAMURE_NOOP("must be finite numbers"));
+    if (mesh.uvTriangles.empty()) {
+        if (!mesh.uv.empty() && mesh.uv.size() != mesh.positions.size())
+            return failAt("uv", ErrorCode::Invalid, RAMURE_NOOP("there must be one for each position"));
+        return {};
+    }
+    if (mesh.uvTriangles.size() != mesh.triangles.size())
+        return failAt("uvIndices", ErrorCode::Invalid, RAMURE_NOOP("there must be three for each triangle"));
+    const auto count = static_cast<Index>(mesh.uv.size());
+    for (const glm::uvec3& t : mesh.uvTriangles)
+        if (t.x >= count || t.y >= count || t.z >= count)
+            return failAt("uvIndices", ErrorCode::Invalid, RAMURE_NOOP("there is no texture coordinate %1"),
+                          {std::to_string(std::max({t.x, t.y, t.z}))});
+    return {};
 }
 
 static Expected<void> checkMesh(const TriangleMesh& mesh)
@@ -53,7 +75,7 @@ static Expected<void> checkMesh(const TriangleMesh& mesh)
         if (t.x >= count || t.y >= count || t.z >= count)
             return failAt("indices", ErrorCode::Invalid, RAMURE_NOOP("there is no vertex %1"),
                           {std::to_string(std::max({t.x, t.y, t.z}))});
-    return {};
+    return checkTexture(mesh);
 }
 
 QJsonObject writeMesh(const TriangleMesh& mesh)
@@ -62,6 +84,10 @@ QJsonObject writeMesh(const TriangleMesh& mesh)
                        {QStringLiteral("indices"), toText(mesh.triangles)}};
     if (!mesh.normals.empty())
         object.insert(QStringLiteral("normals"), toText(mesh.normals));
+    if (!mesh.uv.empty())
+        object.insert(QStringLiteral("uv"), toText(mesh.uv));
+    if (!mesh.uvTriangles.empty())
+        object.insert(QStringLiteral("uvIndices"), toText(mesh.uvTriangles));
     return object;
 }
 
@@ -71,15 +97,23 @@ Expected<TriangleMesh> readMesh(QJsonObject& object)
     auto positions = fromText<glm::vec3>(object, "positions");
     auto normals = fromText<glm::vec3>(object, "normals");
     auto triangles = fromText<glm::uvec3>(object, "indices");
+    auto uv = fromText<glm::vec2>(object, "uv");
+    auto uvTriangles = fromText<glm::uvec3>(object, "uvIndices");
     if (!positions)
         return fail(std::move(positions.error()));
     if (!normals)
         return fail(std::move(normals.error()));
     if (!triangles)
         return fail(std::move(triangles.error()));
+    if (!uv)
+        return fail(std::move(uv.error()));
+    if (!uvTriangles)
+        return fail(std::move(uvTriangles.error()));
     mesh.positions = std::move(*positions);
     mesh.normals = std::move(*normals);
     mesh.triangles = std::move(*triangles);
+    mesh.uv = std::move(*uv);
+    mesh.uvTriangles = std::move(*uvTriangles);
     if (auto good = checkMesh(mesh); !good)
         return fail(std::move(good.error()));
     return mesh;

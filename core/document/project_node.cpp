@@ -1,5 +1,6 @@
 #include "core/document/project_json.h"
 
+#include "core/arm/arm_shape.h"
 #include "core/document/project_arm.h"
 #include "core/document/project_mesh.h"
 #include "core/document/project_tracks.h"
@@ -240,7 +241,8 @@ private:
     }
     Expected<void> readGeometry()
     {
-        if (m_node.kind != NodeKind::Mesh)
+        const bool wears = m_node.kind == NodeKind::Arm && m_rest.contains(QLatin1String("mesh"));
+        if (m_node.kind != NodeKind::Mesh && !wears)
             return {};
         auto object = takeObject("mesh");
         if (!object)
@@ -248,6 +250,9 @@ private:
         auto mesh = readMesh(*object);
         if (!mesh)
             return failInside("mesh", std::move(mesh.error()));
+        if (wears)
+            if (auto checked = checkArmMesh(*mesh); !checked)
+                return fail(std::move(checked.error())); // its path is "mesh"
         m_node.mesh = SharedValue<TriangleMesh>(std::move(*mesh));
         if (!object->isEmpty())
             m_rest.insert(QStringLiteral("mesh"), *object);

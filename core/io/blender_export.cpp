@@ -2,6 +2,7 @@
 #include "core/base/number_text.h"
 #include "core/io/blender_scene.h"
 #include "core/io/file_writer.h"
+#include "core/io/write_parts.h"
 #include "core/scene/object_mesh.h"
 
 #include <algorithm>
@@ -57,13 +58,22 @@ std::string meshText(const std::string& name, const TriangleMesh* mesh, const gl
         appendVector(text, "v", mesh->positions[i]);
     for (std::size_t i = 0; normals && i < mesh->normals.size(); ++i)
         appendVector(text, "vn", mesh->normals[i]);
+    const bool texture = mesh && writing::hasTexture(*mesh);
+    for (std::size_t i = 0; texture && i < mesh->uv.size(); ++i)
+        text.append("vt ")
+            .append(numberText(double(mesh->uv[i].x)))
+            .append(" ")
+            .append(numberText(double(mesh->uv[i].y)))
+            .append("\n");
     for (std::size_t i = 0; mesh && i < mesh->triangles.size(); ++i) {
         text.append("f");
         for (int c = 0; c < 3; ++c) {
             const std::string index = std::to_string(mesh->triangles[i][c] + 1);
             text.append(" ").append(index);
+            if (texture)
+                text.append("/").append(std::to_string(writing::textureTriangles(*mesh)[i][c] + 1));
             if (normals)
-                text.append("//").append(index);
+                text.append(texture ? "/" : "//").append(index);
         }
         text.append("\n");
     }
@@ -168,9 +178,18 @@ private:
     static TriangleMesh movedMesh(const TriangleMesh& mesh, const glm::dmat4& matrix)
     {
         TriangleMesh out = mesh;
-        out.normals.clear();
+        const glm::dmat3 linear(matrix);
+        const double determinant = glm::determinant(linear);
         for (glm::vec3& p : out.positions)
             p = glm::vec3(glm::dvec3(matrix * glm::dvec4(p, 1.0)));
+        if (determinant == 0.0)
+            out.normals.clear();
+        for (glm::vec3& n : out.normals)
+            n = glm::vec3(glm::normalize(glm::transpose(glm::inverse(linear)) * glm::dvec3(n)));
+        if (determinant < 0.0)
+            for (std::vector<glm::uvec3>* corners : {&out.triangles, &out.uvTriangles})
+                for (glm::uvec3& t : *corners)
+                    std::swap(t.y, t.z);
         return out;
     }
     /// Track and static as one track, a key per frame. A sheared frame keeps what a placement can say of it.

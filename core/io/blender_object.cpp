@@ -140,8 +140,6 @@ Expected<BlenderObject> parseBlenderObject(std::string_view text, const std::str
         object.notes.push_back(std::move(note));
     }
     object.mesh = mesh->joined();
-    object.mesh.uv.clear();
-    object.mesh.uvTriangles.clear();
     object.mesh.branch.clear();
     object.mesh.level.clear();
     if (object.mesh.normals.size() != object.mesh.positions.size())

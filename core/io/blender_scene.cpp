@@ -95,8 +95,9 @@ void bake(TriangleMesh& mesh, const glm::dmat4& matrix)
             n = glm::vec3(glm::normalize(forNormals * glm::dvec3(n)));
     }
     if (determinant < 0.0)
-        for (glm::uvec3& t : mesh.triangles)
-            std::swap(t.y, t.z);
+        for (std::vector<glm::uvec3>* corners : {&mesh.triangles, &mesh.uvTriangles})
+            for (glm::uvec3& t : *corners)
+                std::swap(t.y, t.z);
 }
 
 /// Numbers of single precision are never quite square: the nearest placement, where it is near.

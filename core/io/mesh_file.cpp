@@ -33,6 +33,23 @@ void appendOrFill(std::vector<Index>& to, const std::vector<Index>& from, std::s
     to.resize(before + count, noIndex);
 }
 
+/// The objects' texture coordinates one after the other, where all have some.
+void appendTexture(TriangleMesh& out, const std::vector<ReadObject>& objects)
+{
+    const bool hasTexture = std::all_of(objects.begin(), objects.end(), [](const ReadObject& object) {
+        return writing::hasTexture(object.mesh) || object.mesh.triangles.empty();
+    });
+    for (const ReadObject& object : objects) {
+        const TriangleMesh& mesh = object.mesh;
+        if (!hasTexture || mesh.triangles.empty())
+            continue;
+        const auto first = static_cast<Index>(out.uv.size());
+        out.uv.insert(out.uv.end(), mesh.uv.begin(), mesh.uv.end());
+        for (const glm::uvec3& t : writing::textureTriangles(mesh))
+            out.uvTriangles.push_back(t + first);
+    }
+}
+
 /// The objects one after the other.
 TriangleMesh appended(const std::vector<ReadObject>& objects)
 {
@@ -40,18 +57,10 @@ TriangleMesh appended(const std::vector<ReadObject>& objects)
     const bool hasNormals = std::all_of(objects.begin(), objects.end(), [](const ReadObject& object) {
         return object.mesh.normals.size() == object.mesh.positions.size();
     });
-    const bool hasTexture = std::all_of(objects.begin(), objects.end(), [](const ReadObject& object) {
-        return writing::hasTexture(object.mesh) || object.mesh.triangles.empty();
-    });
+    appendTexture(out, objects);
     for (const ReadObject& object : objects) {
         const TriangleMesh& mesh = object.mesh;
         const std::size_t before = out.positions.size();
-        if (hasTexture && !mesh.triangles.empty()) {
-            const auto first = static_cast<Index>(out.uv.size());
-            out.uv.insert(out.uv.end(), mesh.uv.begin(), mesh.uv.end());
-            for (const glm::uvec3& t : writing::textureTriangles(mesh))
-                out.uvTriangles.push_back(t + first);
-        }
         out.positions.insert(out.positions.end(), mesh.positions.begin(), mesh.positions.end());
         if (hasNormals)
             out.normals.insert(out.normals.end(), mesh.normals.begin(), mesh.normals.end());
@@ -71,6 +80,7 @@ TriangleMesh rewelded(const std::vector<ReadObject>& objects)
         for (const Index v : object.fileVertex)
             count = std::max(count, v + 1);
     TriangleMesh out;
+    appendTexture(out, objects);
     out.positions.resize(count);
     const bool hasNormals = std::all_of(objects.begin(), objects.end(), [](const ReadObject& object) {
         return object.mesh.normals.size() == object.mesh.positions.size();

@@ -6,6 +6,8 @@
 #include "core/mesh/relief.h"
 #include "core/random/random.h"
 #include <benchmark/benchmark.h>
+#include <cmath>
+#include <numbers>
 
 using namespace ramure;
 
@@ -81,6 +83,36 @@ void BM_reliefClick(benchmark::State& state)
     state.counters["hits"] = double(hits) / double(state.iterations());
 }
 BENCHMARK(BM_reliefClick)->Arg(128)->Arg(708)->Unit(benchmark::kMicrosecond);
+
+/// A click on an imported mesh: a scanned ball of a million triangles, over which hills go in all directions.
+void BM_meshClick(benchmark::State& state)
+{
+    const auto side = static_cast<Index>(state.range(0));
+    auto mesh = std::make_shared<TriangleMesh>();
+    for (Index row = 0; row <= side; ++row)
+        for (Index i = 0; i <= side; ++i) {
+            const double turn = 2.0 * std::numbers::pi * i / side, up = std::numbers::pi * row / side;
+            const double radius = 4.0 + 0.3 * std::sin(9.0 * turn) * std::sin(7.0 * up);
+            mesh->positions.emplace_back(radius * std::sin(up) * std::cos(turn), radius * std::cos(up),
+                                         radius * std::sin(up) * std::sin(turn));
+        }
+    for (Index row = 0; row < side; ++row)
+        for (Index i = 0; i < side; ++i) {
+            const Index a = row * (side + 1) + i, b = a + side + 1;
+            mesh->triangles.emplace_back(a, b, b + 1);
+            mesh->triangles.emplace_back(a, b + 1, a + 1);
+        }
+    const MeshRays rays(mesh);
+    Random random(1, RandomStream::Test);
+    std::int64_t hits = 0;
+    for (auto _ : state) {
+        const glm::dvec3 from(9.0, 6.0, 9.0);
+        const glm::dvec3 aim(random.range(-4.0, 4.0), random.range(-4.0, 4.0), random.range(-4.0, 4.0));
+        hits += rays.nearest({from, aim - from}).has_value();
+    }
+    state.counters["hits"] = double(hits) / double(state.iterations());
+}
+BENCHMARK(BM_meshClick)->Arg(708)->Unit(benchmark::kMicrosecond);
 
 void BM_armSkinDeform(benchmark::State& state)
 {

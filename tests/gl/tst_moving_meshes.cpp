@@ -1,6 +1,8 @@
 #include "core/arm/arm_chain.h"
+#include "core/arm/arm_shape.h"
 #include "core/arm/arm_skin.h"
 #include "tests/support/preset_trees.h"
+#include "tests/support/solids.h"
 #include "tests/support/suite.h"
 #include "widgets/render/gl_setup.h"
 #include "widgets/render/gpu_cache.h"
@@ -84,6 +86,27 @@ Tree bentArm(SkinMethod method)
     ArmChain(joints).pose(bones);
     arm.bones = std::make_shared<const std::vector<RigidTransform>>(std::move(bones));
     return arm;
+}
+
+/// The same arm in a mesh of any making: one with edges of all directions, not around the axis alone.
+Tree bentWorn(SkinMethod method)
+{
+    Tree arm = bentArm(method);
+    NodeParams params;
+    params.skin.method = method;
+    const TriangleMesh worn = fittedToArm(test::torus(48, 24), params.joints);
+    const auto shape =
+        std::make_shared<const ArmShape>(armShape(params, &worn, ArmPart::Skin).value_or(ArmShape{}));
+    arm.mesh = {shape, &shape->mesh};
+    arm.skin = {shape, &shape->skin};
+    return arm;
+}
+
+Tree treeOf(const QString& what, SkinMethod method)
+{
+    return what == QLatin1String("tree")  ? swayingTree(method)
+           : what == QLatin1String("arm") ? bentArm(method)
+                                          : bentWorn(method);
 }
 
 RenderScene sceneOf(const std::shared_ptr<const TriangleMesh>& mesh, const ItemMotion& motion, const Box& box)
@@ -188,21 +211,20 @@ void TestMovingMeshes::initTestCase()
 
 void TestMovingMeshes::shaderMatchesTheProcessor_data()
 {
-    QTest::addColumn<bool>("arm");
+    QTest::addColumn<QString>("what");
     QTest::addColumn<int>("method");
-    for (const bool arm : {false, true}) {
-        const char* what = arm ? "arm" : "tree";
-        QTest::addRow("%s, rigid", what) << arm << int(SkinMethod::Rigid);
-        QTest::addRow("%s, linear", what) << arm << int(SkinMethod::Linear);
-        QTest::addRow("%s, dual quaternion", what) << arm << int(SkinMethod::DualQuaternion);
+    for (const char* what : {"tree", "arm", "worn mesh"}) {
+        QTest::addRow("%s, rigid", what) << QString(what) << int(SkinMethod::Rigid);
+        QTest::addRow("%s, linear", what) << QString(what) << int(SkinMethod::Linear);
+        QTest::addRow("%s, dual quaternion", what) << QString(what) << int(SkinMethod::DualQuaternion);
     }
 }
 
 void TestMovingMeshes::shaderMatchesTheProcessor()
 {
-    QFETCH(bool, arm);
+    QFETCH(QString, what);
     QFETCH(int, method);
-    const Tree tree = arm ? bentArm(SkinMethod(method)) : swayingTree(SkinMethod(method));
+    const Tree tree = treeOf(what, SkinMethod(method));
     const TriangleMesh meant = deformed(*tree.mesh, *tree.skin, *tree.bones, SkinMethod(method));
 
     Context current;
@@ -251,9 +273,9 @@ void TestMovingMeshes::shaderMatchesTheProcessor()
 
 void TestMovingMeshes::pictureIsThatOfTheDeformedMesh()
 {
-    QFETCH(bool, arm);
+    QFETCH(QString, what);
     QFETCH(int, method);
-    const Tree tree = arm ? bentArm(SkinMethod(method)) : swayingTree(SkinMethod(method));
+    const Tree tree = treeOf(what, SkinMethod(method));
     const auto moved = std::make_shared<const TriangleMesh>(
         deformed(*tree.mesh, *tree.skin, *tree.bones, SkinMethod(method)));
     const Box box = meshBox(*moved);

@@ -33,8 +33,11 @@ ImportActions::ImportActions(Document* document, Preferences* preferences, Choos
     connect(m_file, &QAction::triggered, this, &ImportActions::chooseFile);
     connect(m_folder, &QAction::triggered, this, &ImportActions::chooseFolder);
     connect(m_task, &ImportTask::progress, this, &ImportActions::showProgress);
-    connect(m_task, &ImportTask::finished, this,
-            [this](NodeId, const std::optional<Error>& error) { finish(error); });
+    connect(m_task, &ImportTask::finished, this, [this](NodeId top, const std::optional<Error>& error) {
+        finish(error);
+        if (!error)
+            emit imported(top);
+    });
 }
 
 bool ImportActions::canImport(const QString& path)

@@ -32,9 +32,13 @@ public:
     /// Reads it in the background, adds it to the scene and tells what was guessed.
     void importPath(const QString& path);
     [[nodiscard]] bool isRunning() const;
+    /// Asks for a file, and imports it.
+    void chooseFile();
+
+signals:
+    void imported(ramure::NodeId top);
 
 private:
-    void chooseFile();
     void chooseFolder();
     void finish(const std::optional<Error>& error);
     void showProgress(double fraction);

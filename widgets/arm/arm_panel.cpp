@@ -3,6 +3,7 @@
 #include "core/arm/arm_chain.h"
 #include "core/document/player.h"
 #include "widgets/animation/auto_key.h"
+#include "widgets/arm/arm_mesh_row.h"
 #include "widgets/arm/joint_form.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/support/core_text.h"
@@ -36,6 +37,7 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     , m_keyPose(new QPushButton(m_content))
     , m_bake(new QPushButton(m_content))
     , m_baker(new ArmBaker(document, this))
+    , m_worn(new ArmMeshRow(document, m_content))
 {
     m_none->setAlignment(Qt::AlignCenter);
     m_none->setWordWrap(true);
@@ -77,6 +79,7 @@ void ArmPanel::layOut()
     inner->addLayout(edits);
     inner->addWidget(m_joint);
     inner->addWidget(m_keyPose);
+    inner->addWidget(m_worn);
     inner->addLayout(way);
     inner->addWidget(m_status);
     auto* bake = new QHBoxLayout;

@@ -18,6 +18,8 @@ class AutoKey;
 class JointForm;
 class NumberField;
 
+class ArmMeshRow;
+
 class ArmPanel : public QWidget
 {
     Q_OBJECT
@@ -34,6 +36,7 @@ public:
     [[nodiscard]] BackgroundJob* bakeJob() { return m_baker->job(); }
     /// The arm that is shown; noNode where there is none.
     [[nodiscard]] NodeId arm() const { return m_arm; }
+    [[nodiscard]] ArmMeshRow* meshRow() const { return m_worn; }
     [[nodiscard]] int joint() const;
 
 signals:
@@ -73,6 +76,7 @@ private:
     QPushButton *m_keyPose, *m_bake;
     AutoKey* m_keys = nullptr;
     ArmBaker* m_baker;
+    ArmMeshRow* m_worn;
 };
 
 } // namespace ramure

@@ -14,6 +14,7 @@
 #include "widgets/animation/key_actions.h"
 #include "widgets/animation/key_commands.h"
 #include "widgets/animation/key_panel.h"
+#include "widgets/arm/arm_mesh_row.h"
 #include "widgets/arm/arm_panel.h"
 #include "widgets/export/export_dialog.h"
 #include "widgets/export/sequence_task.h"
@@ -222,6 +223,11 @@ void MainWindow::buildActions()
         m_actions->add({"view.resetLayout", QT_TRANSLATE_NOOP("Actions", "Reset the &layout"), nullptr, {}});
     buildBranchActions();
     m_imports = new ImportActions(m_document, m_preferences, m_chooser, m_actions, this);
+    connect(m_arm->meshRow(), &ArmMeshRow::importRequested, this, [this] {
+        m_imports->chooseFile();
+        m_arm->meshRow()->setWaiting(m_imports->isRunning());
+    });
+    connect(m_imports, &ImportActions::imported, m_arm->meshRow(), &ArmMeshRow::takeImported);
     m_pictures = new PictureActions(m_host, m_preferences, m_chooser, m_actions, this);
     m_program = new ProgramActions(m_actions, m_preferences, m_host->settings(), this);
     m_welcome = new WelcomePanel(m_files, m_actions, m_preferences, this);

@@ -236,15 +236,47 @@ PickScene::PickScene(const RenderScene& scene, const PickScene* previous, const 
         m_parts.clear();
 }
 
+ViewRay PickScene::rayUnder(const PickView& view, const glm::dvec2& pixel) const
+{
+    ViewRay ray = view.camera.ray(view.ndc(pixel), view.aspect());
+    // Parallel rays start before everything: an orthographic view also shows what is behind the eye.
+    if (view.camera.orthographic)
+        ray.origin += view.camera.depthRange(m_box).near * ray.direction;
+    return ray;
+}
+
+bool PickScene::hasSurface(NodeId node, const TriangleMesh* mesh) const
+{
+    return std::any_of(m_parts.begin(), m_parts.end(), [&](const auto& part) {
+        return part->mesh && part->node == node && (!mesh || part->mesh.get() == mesh);
+    });
+}
+
+std::optional<glm::dvec3> PickScene::meet(const PickView& view, const glm::dvec2& pixel, NodeId node,
+                                          const glm::dmat4& world) const
+{
+    if (glm::determinant(glm::dmat3(world)) == 0.0)
+        return std::nullopt;
+    const ViewRay ray = rayUnder(view, pixel);
+    std::optional<PickHit> hit;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const auto& part : m_parts) {
+        if (!part->mesh || part->node != node)
+            continue;
+        Part now = *part;
+        now.world = world;
+        now.inverse = glm::inverse(world);
+        now.pickSurface(ray, nearest, hit);
+    }
+    return hit ? std::optional(hit->point) : std::nullopt;
+}
+
 std::optional<PickHit> PickScene::pick(const PickView& view, const glm::dvec2& pixel, double tolerance) const
 {
     std::optional<PickHit> hit;
     double nearest = std::numeric_limits<double>::infinity();
     double least = tolerance;
-    ViewRay ray = view.camera.ray(view.ndc(pixel), view.aspect());
-    // Parallel rays start before everything: an orthographic view also shows what is behind the eye.
-    if (view.camera.orthographic)
-        ray.origin += view.camera.depthRange(m_box).near * ray.direction;
+    const ViewRay ray = rayUnder(view, pixel);
     for (const auto& part : m_parts) {
         if (part->lines)
             part->pickLine(view, ray, pixel, least, nearest, hit);

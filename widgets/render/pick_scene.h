@@ -55,12 +55,20 @@ public:
     /// \param tolerance how far from a line the cursor may be, logical pixels.
     [[nodiscard]] std::optional<PickHit> pick(const PickView& view, const glm::dvec2& pixel,
                                               double tolerance = 6.0) const;
+    /// Where the ray under the cursor first meets a surface of this node, world, whatever stands before it; of
+    /// several nodes see pick. \p world: where the node's surfaces are by now, in the place of where they
+    /// were. Nothing where this scene does not have them.
+    [[nodiscard]] std::optional<glm::dvec3> meet(const PickView& view, const glm::dvec2& pixel, NodeId node,
+                                                 const glm::dmat4& world) const;
+    /// \param mesh that it must be; null: any.
+    [[nodiscard]] bool hasSurface(NodeId node, const TriangleMesh* mesh = nullptr) const;
     /// Everything with a part in the rectangle of two opposite corners, by node in the order of the scene.
     [[nodiscard]] std::vector<PickedBranches> inRectangle(const PickView& view, const glm::dvec2& cornerA,
                                                           const glm::dvec2& cornerB) const;
 
 private:
     struct Part;
+    [[nodiscard]] ViewRay rayUnder(const PickView& view, const glm::dvec2& pixel) const;
     std::vector<std::shared_ptr<const Part>> m_parts;
     Box m_box;
 };

@@ -20,12 +20,15 @@ void RenderScene::updateBoxes()
         box.add(item.points->box.transformed(item.world));
 }
 
-static constexpr std::size_t boxCornerCount = 8;
-
-static glm::dvec3 cornerOf(const Box& box, std::size_t i)
+/// Where a vertex is now.
+static glm::dvec3 placeOf(const MeshItem& item, std::size_t vertex)
 {
-    return {i % 2 == 0 ? box.min.x : box.max.x, i / 2 % 2 == 0 ? box.min.y : box.max.y,
-            i / 4 == 0 ? box.min.z : box.max.z};
+    const glm::dvec3 rest(item.mesh->positions[vertex]);
+    const ItemMotion& motion = item.motion;
+    if (!motion.moves() || !motion.skin)
+        return rest;
+    const SkinInfluence& own = motion.skin->of(static_cast<Index>(vertex));
+    return glm::dvec3(skinMatrix(own, *motion.bones, motion.method) * glm::dvec4(rest, 1.0));
 }
 
 std::vector<glm::dvec3> RenderScene::framePoints() const
@@ -37,13 +40,8 @@ std::vector<glm::dvec3> RenderScene::framePoints() const
         for (std::size_t i = 0; i < count; i += step)
             chosen.emplace_back(world * glm::dvec4(glm::dvec3(positionOf(i)), 1.0));
     };
-    for (const MeshItem& item : meshes) {
-        const bool moves = item.motion.moves(); // the mesh itself is at rest
-        const std::size_t count = moves ? boxCornerCount : item.mesh->positions.size();
-        take(count, item.world, [&](std::size_t i) {
-            return moves ? cornerOf(item.box, i) : glm::dvec3(item.mesh->positions[i]);
-        });
-    }
+    for (const MeshItem& item : meshes)
+        take(item.mesh->positions.size(), item.world, [&](std::size_t i) { return placeOf(item, i); });
     for (const LineItem& item : lines) {
         take(item.lines->segments.size(), item.world,
              [&](std::size_t i) { return item.lines->segments[i].a; });

@@ -23,6 +23,9 @@ public:
     void setDisposal(std::function<void(std::shared_ptr<const void>)> dispose);
     /// The scene to pick in from now on. Where nothing that can be picked differs, what was built stays.
     void setScene(std::shared_ptr<const RenderScene> scene);
+    /// The structure built last, perhaps for an older scene; null before the first. For what has not changed
+    /// since, surfaces that only move above all.
+    [[nodiscard]] const std::shared_ptr<const PickScene>& latest() const { return m_latest; }
     /// The structure for the present scene, or null while it is not built.
     [[nodiscard]] std::shared_ptr<const PickScene> ready();
     /// The same; where it is not built, building starts at once and gets this long. Null where that is not

@@ -25,6 +25,7 @@ class ArmReach;
 class AutoKey;
 class Document;
 class Player;
+class PickScene;
 struct PickView;
 struct Change;
 struct DefectPlace;
@@ -145,7 +146,9 @@ private:
     void lengthenLimb(int branches);
     void paintReach(QPainter& painter, QPointF hand);
     void beginReaching();
-    bool beginAim(const PickView& view, const glm::dvec2& pixel, NodeId surface);
+    bool beginAim(const PickView& view, const glm::dvec2& pixel, NodeId surface,
+                  std::shared_ptr<const PickScene> scene);
+    bool beginAimAnyway(const PickView& view, const glm::dvec2& pixel);
     void aimAt(const PickView& view, const glm::dvec2& pixel);
     void paintArm(QPainter& painter);
     bool beginRing(const PickView& view, const glm::dvec2& pixel);

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ramure {
 namespace {
@@ -130,6 +131,7 @@ void Viewport::letGo()
     d->grabbed = {};
     d->limb.reset();
     d->ring.reset();
+    d->builder.dispose(std::exchange(d->aimedScene, nullptr));
     if (d->gesture == Gesture::Pull || d->gesture == Gesture::Wind || d->gesture == Gesture::Limb ||
         d->gesture == Gesture::Aim || d->gesture == Gesture::Ring) {
         d->gesture = Gesture::None;

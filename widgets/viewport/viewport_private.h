@@ -74,8 +74,8 @@ struct Viewport::Private
     std::shared_ptr<const MotionFrame> reachFrame, reachOf; ///< with the arm on its way; made from
     NodeId aimingArm = noNode;                              ///< while its target is dragged
     NodeId aimedAt = noNode;                                ///< the surface on which the target moves
-    glm::dmat4 aimedWorld{1.0};
-    MeshRays aimedRays;
+    std::shared_ptr<const PickScene> aimedScene;            ///< in which it is met; null: aimedRays
+    MeshRays aimedRays; ///< of a small surface that no pick scene has yet
     quint64 aimGesture = 0;
     std::optional<std::size_t> ring; ///< of the active arm, while it is turned
     ArmRing ringAtPress;
@@ -120,6 +120,10 @@ struct Viewport::Private
     /// The arm that a target is meant for: the active one, else the first that is shown.
     [[nodiscard]] NodeId armForTarget() const;
     [[nodiscard]] double timeNow() const; ///< s, of the player's frame
+    /// Looks for the surface of a node that can be met at once. \p scene may be null. \return its item
+    const MeshItem* aimAt(NodeId surface, std::shared_ptr<const PickScene> scene);
+    /// The item that shows the surface, where it is now.
+    [[nodiscard]] const MeshItem* surfaceOf(NodeId node) const;
     [[nodiscard]] std::optional<glm::dvec3> aimedPoint(const PickView& view, const glm::dvec2& pixel) const;
     /// Of the active arm at rest; empty while it moves.
     [[nodiscard]] std::vector<ArmRing> rings() const;

@@ -2,16 +2,21 @@
 // which becomes the target of an arm.
 #include "core/arm/arm_chain.h"
 #include "core/document/player.h"
+#include "core/scene/object_mesh.h"
 #include "widgets/animation/auto_key.h"
 #include "widgets/support/core_text.h"
 #include "widgets/viewport/arm_overlay.h"
 #include "widgets/viewport/viewport_private.h"
 #include <QPainter>
+#include <limits>
 
 namespace ramure {
 namespace {
 
 constexpr std::chrono::milliseconds patience(8); ///< how long a press may hold the interface up
+
+/// Triangles that are sorted for rays within a few milliseconds.
+constexpr Index fewTriangles = 40'000;
 
 /// From the world into the arm's own space.
 glm::dvec3 inArmSpace(const Scene& scene, NodeId arm, double timeSeconds, const glm::dvec3& world)
@@ -26,18 +31,14 @@ glm::dvec3 inArmSpace(const Scene& scene, NodeId arm, double timeSeconds, const 
 bool Viewport::beginReach(const PickView& view, const glm::dvec2& pixel)
 {
     const auto scene = d->isStale() ? nullptr : d->picker.readyWithin(patience);
-    if (!scene) { // still being made: terrains can be met without it
-        for (const Node& node : d->document->scene().nodes())
-            if (node.kind == NodeKind::Relief && beginAim(view, pixel, node.id))
-                return true;
-        return false;
-    }
+    if (!scene)
+        return beginAimAnyway(view, pixel);
     const auto hit = scene->pick(view, pixel);
     const Node* node = hit ? d->document->scene().find(hit->node) : nullptr;
     if (!node)
         return false;
     if (node->kind != NodeKind::Tree)
-        return beginAim(view, pixel, hit->node);
+        return beginAim(view, pixel, hit->node, scene);
     const auto motion = d->player ? d->player->motion() : nullptr;
     const NodeMotion* moved = motion ? motion->of(hit->node) : nullptr;
     if (moved && moved->moves()) { // a bend is of the tree at rest: what is seen is not
@@ -137,21 +138,60 @@ NodeId Viewport::Private::armForTarget() const
     return noNode;
 }
 
+/// The pick scene of now is still being made (while everything moves it never is): surfaces are met in the
+/// one before, in their place of now. The nearest of them counts.
+bool Viewport::beginAimAnyway(const PickView& view, const glm::dvec2& pixel)
+{
+    NodeId nearest = noNode;
+    double least = std::numeric_limits<double>::infinity();
+    const auto scene = d->picker.latest();
+    for (const Node& node : d->document->scene().nodes()) {
+        if (!(isObject(node.kind) || node.kind == NodeKind::Relief) ||
+            d->document->scene().isLocked(node.id) || !d->aimAt(node.id, scene))
+            continue;
+        const auto point = d->aimedPoint(view, pixel);
+        const double away = point ? glm::distance(*point, view.camera.eye()) : least;
+        if (away < least) {
+            least = away;
+            nearest = node.id;
+        }
+    }
+    return nearest != noNode && beginAim(view, pixel, nearest, scene);
+}
+
+const MeshItem* Viewport::Private::surfaceOf(NodeId node) const
+{
+    const RenderScene& now = shown ? *shown : *scene;
+    for (const MeshItem& item : now.meshes)
+        if (item.node == node && !item.isMark)
+            return &item;
+    return nullptr;
+}
+
+const MeshItem* Viewport::Private::aimAt(NodeId surface, std::shared_ptr<const PickScene> in)
+{
+    const MeshItem* item = surfaceOf(surface);
+    aimedAt = noNode;
+    aimedScene = nullptr;
+    // What is bent is another mesh there.
+    if (item && in && in->hasSurface(surface, item->motion.moves() ? nullptr : item->mesh.get()))
+        aimedScene = std::move(in);
+    if (!item || (!aimedScene && (item->motion.moves() || item->mesh->faceCount() > fewTriangles)))
+        return nullptr;
+    if (!aimedScene && aimedRays.mesh() != item->mesh)
+        aimedRays = MeshRays(item->mesh);
+    aimedAt = surface;
+    return item;
+}
+
 /// The surface is met without what stands before it, the arm above all.
-bool Viewport::beginAim(const PickView& view, const glm::dvec2& pixel, NodeId surface)
+bool Viewport::beginAim(const PickView& view, const glm::dvec2& pixel, NodeId surface,
+                        std::shared_ptr<const PickScene> scene)
 {
     const NodeId arm = d->armForTarget();
     if (arm == noNode || arm == surface)
         return false;
-    d->aimedAt = noNode;
-    for (const MeshItem& item : d->scene->meshes)
-        if (item.node == surface) {
-            if (d->aimedRays.mesh() != item.mesh)
-                d->aimedRays = MeshRays(item.mesh);
-            d->aimedWorld = item.world;
-            d->aimedAt = surface;
-        }
-    if (d->aimedAt == noNode || !d->aimedPoint(view, pixel))
+    if (!d->aimAt(surface, std::move(scene)) || !d->aimedPoint(view, pixel))
         return false;
     d->aimingArm = arm;
     d->aimGesture = newGesture();
@@ -160,16 +200,22 @@ bool Viewport::beginAim(const PickView& view, const glm::dvec2& pixel, NodeId su
     return true;
 }
 
-/// Where the ray under the cursor meets the surface that is aimed at, world.
+/// Where the ray under the cursor meets the surface that is aimed at, world: in its place of now, wherever
+/// tracks have moved it to.
 std::optional<glm::dvec3> Viewport::Private::aimedPoint(const PickView& view, const glm::dvec2& pixel) const
 {
+    const MeshItem* item = surfaceOf(aimedAt);
+    if (!item)
+        return std::nullopt;
+    if (aimedScene)
+        return aimedScene->meet(view, pixel, aimedAt, item->world);
     const ViewRay ray = view.camera.ray(view.ndc(pixel), view.aspect());
-    const glm::dmat4 inverse = glm::inverse(aimedWorld);
+    const glm::dmat4 inverse = glm::inverse(item->world);
     const auto hit = aimedRays.nearest(
         {glm::dvec3(inverse * glm::dvec4(ray.origin, 1.0)), glm::dmat3(inverse) * ray.direction});
     if (!hit)
         return std::nullopt;
-    return glm::dvec3(aimedWorld * glm::dvec4(hit->point, 1.0));
+    return glm::dvec3(item->world * glm::dvec4(hit->point, 1.0));
 }
 
 void Viewport::aimAt(const PickView& view, const glm::dvec2& pixel)

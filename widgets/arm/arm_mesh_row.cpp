@@ -1,0 +1,139 @@
+#include "widgets/arm/arm_mesh_row.h"
+
+#include "widgets/support/core_text.h"
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <algorithm>
+
+namespace ramure {
+
+/// Item data: a node, or one of these.
+static constexpr uint cylinderItem = noNode;
+static constexpr uint wornItem = ~0U;
+
+ArmMeshRow::ArmMeshRow(Document* document, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_label(new QLabel(this))
+    , m_choice(new QComboBox(this))
+    , m_fit(new QCheckBox(this))
+    , m_import(new QPushButton(this))
+    , m_problem(new QLabel(this))
+{
+    m_label->setBuddy(m_choice);
+    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_fit->setChecked(true);
+    m_problem->setObjectName(QStringLiteral("problem"));
+    m_problem->setWordWrap(true);
+    m_problem->hide();
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->addWidget(m_label, 0, 0);
+    grid->addWidget(m_choice, 0, 1, 1, 2);
+    grid->addWidget(m_fit, 1, 1);
+    grid->addWidget(m_import, 1, 2);
+    grid->addWidget(m_problem, 2, 0, 1, 3);
+    grid->setColumnStretch(1, 1);
+    connect(m_choice, &QComboBox::activated, this, &ArmMeshRow::choose);
+    connect(m_import, &QPushButton::clicked, this, &ArmMeshRow::importRequested);
+    connect(document, &Document::changed, this, [this](const Change& change) {
+        if (change.has(changeReset | changeStructure | changeSelection | changeNodeState | changeJoints))
+            takeArm();
+    });
+    retranslate();
+}
+
+/// The active node where it is an arm, else the first arm there is; and what it can wear.
+void ArmMeshRow::takeArm()
+{
+    const Scene& scene = m_document->scene();
+    const Node* arm = scene.find(m_document->selection().activeNode());
+    if (!arm || arm->kind != NodeKind::Arm) {
+        const auto first = std::find_if(scene.nodes().begin(), scene.nodes().end(),
+                                        [](const Node& node) { return node.kind == NodeKind::Arm; });
+        arm = first == scene.nodes().end() ? nullptr : &*first;
+    }
+    if (m_arm != (arm ? arm->id : noNode))
+        m_problem->hide();
+    m_arm = arm ? arm->id : noNode;
+    setEnabled(arm && !scene.isLocked(m_arm));
+    const QSignalBlocker quiet(m_choice);
+    m_choice->clear();
+    m_choice->addItem(tr("Cylinder"), cylinderItem);
+    if (arm && arm->mesh) {
+        const auto triangles = static_cast<qlonglong>(arm->mesh->faceCount());
+        m_choice->addItem(tr("Own mesh, %1 triangles").arg(QLocale().toString(triangles)), wornItem);
+        m_choice->setCurrentIndex(1);
+    }
+    for (const Node& node : scene.nodes())
+        if (node.kind == NodeKind::Mesh && node.mesh && !node.mesh->empty())
+            m_choice->addItem(QString::fromStdString(node.name), node.id);
+}
+
+void ArmMeshRow::choose(int index)
+{
+    const uint item = m_choice->itemData(index).toUInt();
+    if (item == cylinderItem)
+        showProblem(edit::setArmMesh(*m_document, m_arm, {}, tr("Wear the cylinder")));
+    else if (item != wornItem)
+        wear(item);
+}
+
+void ArmMeshRow::wear(NodeId mesh)
+{
+    showProblem(edit::wearMesh(*m_document, m_arm, mesh, m_fit->isChecked()));
+}
+
+/// What was refused is told, and the choice is what it was.
+void ArmMeshRow::showProblem(const Expected<void>& done)
+{
+    m_problem->setText(done ? QString() : errorText(done.error()));
+    m_problem->setVisible(!done);
+    takeArm();
+}
+
+void ArmMeshRow::takeImported(NodeId top)
+{
+    if (!m_waiting || m_arm == noNode)
+        return;
+    m_waiting = false;
+    const std::vector<Node> added = m_document->scene().subtree(top);
+    const auto mesh = std::find_if(added.begin(), added.end(), [](const Node& node) {
+        return node.kind == NodeKind::Mesh && node.mesh && !node.mesh->empty();
+    });
+    if (mesh != added.end())
+        return wear(mesh->id);
+    m_problem->setText(tr("The file has no triangles: the arm cannot wear it."));
+    m_problem->show();
+}
+
+void ArmMeshRow::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+void ArmMeshRow::retranslate()
+{
+    m_label->setText(tr("Skin"));
+    m_choice->setAccessibleName(tr("Skin"));
+    m_choice->setToolTip(
+        tr("What is bound to the arm: the cylinder, or a copy of an imported mesh, whose vertices "
+           "follow the segments that are nearest to them. The object itself is hidden."));
+    m_fit->setText(tr("Fit"));
+    m_fit->setToolTip(
+        tr("Makes the mesh as long as the arm and stands its longest axis on the foot; otherwise it is "
+           "bound where it stands around the straight arm"));
+    m_import->setText(tr("From a file…"));
+    m_import->setToolTip(tr("Imports an object and binds it to the arm"));
+    takeArm();
+}
+
+} // namespace ramure

@@ -1,0 +1,50 @@
+/// \file
+/// What the arm wears: the cylinder, or the mesh of an imported object.
+#pragma once
+
+#include "core/document/commands.h"
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace ramure {
+
+class ArmMeshRow : public QWidget
+{
+    Q_OBJECT
+public:
+    /// Follows the active arm, else the first one. \p document is not owned and must outlive this object.
+    explicit ArmMeshRow(Document* document, QWidget* parent = nullptr);
+
+    /// The arm puts on the next object that is imported; false: it does not.
+    void setWaiting(bool waiting) { m_waiting = waiting; }
+    /// An import has added this node and those below it.
+    void takeImported(ramure::NodeId top);
+
+signals:
+    void importRequested();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void takeArm();
+    void choose(int index);
+    void wear(NodeId mesh);
+    void showProblem(const Expected<void>& done);
+    void retranslate();
+
+    Document* m_document;
+    NodeId m_arm = noNode;
+    bool m_waiting = false;
+    QLabel* m_label;
+    QComboBox* m_choice;
+    QCheckBox* m_fit;
+    QPushButton* m_import;
+    QLabel* m_problem;
+};
+
+} // namespace ramure
