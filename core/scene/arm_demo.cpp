@@ -11,7 +11,7 @@ Scene armDemo()
     arm.params.surface.color = {0.85, 0.55, 0.25};
     arm.params.armSkin.radius = 0.3;
     arm.params.arm.jointRadius = 0.15;
-    arm.params.arm.target = {1.5, -1.5, 0.6};
+    arm.params.arm.target = {1.0, -2.0, 0.2}; // on the terrain
     for (ArmJoint& joint : arm.params.joints) {
         joint.phi.mostSpeed = 3.0;
         joint.theta.mostSpeed = 1.5;
@@ -20,7 +20,12 @@ Scene armDemo()
     terrain.id = 2;
     terrain.kind = NodeKind::Relief;
     terrain.name = "Terrain";
-    terrain.params.surface.color = {0.34, 0.49, 0.27};
+    terrain.params.surface.color = {0.62, 0.55, 0.43};
+    // Hills behind the arm, a basin before it, lowest along the sides: seen whole, it has no ragged edge.
+    terrain.params.tree.rotation.y = std::numbers::pi;
+    terrain.params.relief.seed = 15344;
+    terrain.params.relief.height = 1.2;
+    terrain.params.relief.roughness = 0.42;
     // Both are new, different ids: this cannot fail.
     return Scene::fromNodes({arm, terrain}).value_or(Scene());
 }

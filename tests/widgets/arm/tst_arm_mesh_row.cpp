@@ -30,7 +30,12 @@ private slots:
     void problemsAreTold()
     {
         Desk desk;
-        QVERIFY(edit::setParam(desk.document, {3}, *findParam("tree.scale"), glm::dvec3(0.0, 1.0, 1.0)));
+        Key flat;
+        flat.value = 0.0;
+        Scene scene = desk.document.scene();
+        scene.find(3)->animation.set({ChannelPart::GlobalScale, 0, 0},
+                                     std::make_shared<const AnyTrack>(*Track::fromKeys({flat})));
+        desk.document.reset(scene, {});
         emit desk.choice->activated(1);
         QVERIFY(!desk.arm().mesh);
         QVERIFY(desk.problem()->isVisibleTo(&desk.row) && !desk.problem()->text().isEmpty());
