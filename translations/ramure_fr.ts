@@ -838,6 +838,10 @@
         <source>Remove joint %1</source>
         <translation>Retirer l&apos;articulation %1</translation>
     </message>
+    <message>
+        <source>Wear &quot;%1&quot;</source>
+        <translation>Porter « %1 »</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -1400,10 +1404,6 @@
     <message>
         <source>&quot;%1&quot; is locked</source>
         <translation>«&#xa0;%1&#xa0;» est verrouillé</translation>
-    </message>
-    <message>
-        <source>there is no visible tree to export</source>
-        <translation>il n’y a pas d’arbre visible à exporter</translation>
     </message>
     <message>
         <source>a scale of zero leaves nothing to export</source>
@@ -3217,6 +3217,46 @@
         <source>The most theta turns, degrees a second; 0 is as fast as it likes</source>
         <translation>Vitesse maximale de thêta, en degrés par seconde ; 0 : sans limite</translation>
     </message>
+    <message>
+        <source>the mesh has no triangles: an arm cannot wear it</source>
+        <translation>le maillage n&apos;a pas de triangles : un bras ne peut pas le porter</translation>
+    </message>
+    <message>
+        <source>an arm wears a mesh of at most ten million vertices</source>
+        <translation>un bras porte un maillage d&apos;au plus dix millions de sommets</translation>
+    </message>
+    <message>
+        <source>a triangle of the mesh has a vertex that there is not</source>
+        <translation>un triangle du maillage a un sommet qui n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>the mesh has positions that are not finite</source>
+        <translation>le maillage a des positions qui ne sont pas finies</translation>
+    </message>
+    <message>
+        <source>a scale of zero leaves nothing to wear</source>
+        <translation>une échelle nulle ne laisse rien à porter</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no imported mesh</source>
+        <translation>« %1 » n&apos;est pas un maillage importé</translation>
+    </message>
+    <message>
+        <source>there is nothing visible to export</source>
+        <translation>il n&apos;y a rien de visible à exporter</translation>
+    </message>
+    <message>
+        <source>base64 of rows of two numbers of 32 bits is expected here</source>
+        <translation>on attend ici du base64 de rangées de deux nombres de 32 bits</translation>
+    </message>
+    <message>
+        <source>there must be three for each triangle</source>
+        <translation>il en faut trois pour chaque triangle</translation>
+    </message>
+    <message>
+        <source>there is no texture coordinate %1</source>
+        <translation>il n&apos;y a pas de coordonnée de texture %1</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -3510,6 +3550,49 @@ OpenGL&#xa0;: %4
     <message>
         <source>Bake the arm to keys</source>
         <translation>Transformer le mouvement du bras en clés</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::ArmMeshRow</name>
+    <message>
+        <source>Cylinder</source>
+        <translation>Cylindre</translation>
+    </message>
+    <message>
+        <source>Own mesh, %1 triangles</source>
+        <translation>Son propre maillage, %1 triangles</translation>
+    </message>
+    <message>
+        <source>Wear the cylinder</source>
+        <translation>Porter le cylindre</translation>
+    </message>
+    <message>
+        <source>The file has no triangles: the arm cannot wear it.</source>
+        <translation>Le fichier n&apos;a pas de triangles : le bras ne peut pas le porter.</translation>
+    </message>
+    <message>
+        <source>Skin</source>
+        <translation>Peau</translation>
+    </message>
+    <message>
+        <source>What is bound to the arm: the cylinder, or a copy of an imported mesh, whose vertices follow the segments that are nearest to them. The object itself is hidden.</source>
+        <translation>Ce qui est lié au bras : le cylindre, ou une copie d&apos;un maillage importé, dont les sommets suivent les segments les plus proches. L&apos;objet lui-même est masqué.</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuster</translation>
+    </message>
+    <message>
+        <source>Makes the mesh as long as the arm and stands its longest axis on the foot; otherwise it is bound where it stands around the straight arm</source>
+        <translation>Rend le maillage aussi long que le bras et dresse son plus grand axe sur le pied ; sinon il est lié là où il se trouve autour du bras droit</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>Depuis un fichier…</translation>
+    </message>
+    <message>
+        <source>Imports an object and binds it to the arm</source>
+        <translation>Importe un objet et le lie au bras</translation>
     </message>
 </context>
 <context>
@@ -3892,10 +3975,6 @@ OpenGL&#xa0;: %4
         <translation>Seulement la sélection</translation>
     </message>
     <message>
-        <source>Hidden trees too</source>
-        <translation>Les arbres masqués aussi</translation>
-    </message>
-    <message>
         <source>Browse…</source>
         <translation>Parcourir…</translation>
     </message>
@@ -3914,10 +3993,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>Parts</source>
         <translation>Parties</translation>
-    </message>
-    <message>
-        <source>Trees</source>
-        <translation>Arbres</translation>
     </message>
     <message>
         <source>File</source>
@@ -3996,6 +4071,18 @@ OpenGL&#xa0;: %4
             <numerusform>%Ln de ces fichiers existe déjà. Exportez encore une fois pour le remplacer.</numerusform>
             <numerusform>%Ln de ces fichiers existent déjà. Exportez encore une fois pour les remplacer.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Trees, arms as they are at the moment, terrains, primitives and imported meshes are written where they stand in the world, each under a name of its own.</source>
+        <translation>Les arbres, les bras tels qu&apos;ils sont à cet instant, les terrains, les primitives et les maillages importés sont écrits là où ils se trouvent dans le monde, chacun sous son propre nom.</translation>
+    </message>
+    <message>
+        <source>Hidden nodes too</source>
+        <translation>Aussi les nœuds masqués</translation>
+    </message>
+    <message>
+        <source>Nodes</source>
+        <translation>Nœuds</translation>
     </message>
 </context>
 <context>

@@ -156,7 +156,6 @@ Expected<void> edit::wearMesh(Document& document, NodeId arm, NodeId mesh, bool 
     return {};
 }
 
-
 ArmState armState(const Node& arm)
 {
     return {arm.params.joints, arm.params.arm.follows, arm.params.arm.target, arm.animation};

@@ -110,8 +110,8 @@ Expected<void> removeJoint(Document& document, NodeId node, std::size_t at);
 Expected<void> setArmMesh(Document& document, NodeId arm, SharedValue<TriangleMesh> mesh,
                           const QString& text);
 /// The arm wears a copy of the mesh of a node: as it stands around the straight arm at rest, or \p fitted to
-/// it (fittedToArm). The node is hidden, in the same step. Errors: as above; Unknown (mesh), Invalid (it is no
-/// imported mesh; the scale of one of the two is 0).
+/// it (fittedToArm). The node is hidden, in the same step. Errors: as above; Unknown (mesh), Invalid (it is
+/// no imported mesh; the scale of one of the two is 0).
 Expected<void> wearMesh(Document& document, NodeId arm, NodeId mesh, bool fitted);
 /// "New tree" (Space): the next seeds and stochastic rewriting on, as one step. Seeds follow each other in a
 /// fixed order that repeats after 2^31 of them; trees of one call never get the same. Nodes that are no trees

@@ -2,6 +2,7 @@
 
 #include "core/arm/arm_chain.h"
 #include "core/arm/arm_driver.h"
+#include <cmath>
 
 namespace ramure {
 
@@ -11,12 +12,8 @@ struct MovingArms::Run
     explicit Run(const Node& node)
         : params(node.params)
         , animation(node.animation)
-        , driver(params.joints, params.ik, [this](double seconds) { return targetAt(seconds); })
+        , driver(armDriver(params, animation))
     {
-    }
-    [[nodiscard]] glm::dvec3 targetAt(double seconds) const
-    {
-        return animation.movesParams() ? paramsAt(params, animation, seconds).arm.target : params.arm.target;
     }
     [[nodiscard]] bool isFor(const Node& node) const
     {
@@ -37,17 +34,16 @@ Expected<std::vector<ArmJoint>> MovingArms::jointsAt(const Node& arm, double sec
 {
     if (auto checked = checkArm(arm.params.joints); !checked)
         return fail(std::move(checked.error()));
-    std::vector<ArmJoint> joints = arm.params.joints;
-    if (seconds <= 0.0 || !arm.params.arm.follows)
-        return joints;
+    const bool turns = seconds > 0.0 && arm.params.arm.follows;
+    if (!turns && !arm.animation.movesParams() && !std::isnan(seconds))
+        return arm.params.joints;
     std::unique_ptr<Run>& run = m_runs[arm.id];
     if (!run || !run->isFor(arm))
         run = std::make_unique<Run>(arm);
     const auto moment = run->driver.momentAt(seconds, progress);
     if (!moment)
         return fail(moment.error());
-    setArmAngles(joints, moment->angles);
-    return joints;
+    return moment->joints;
 }
 
 Expected<Scene> MovingArms::at(const Scene& scene, double seconds, const Progress& progress)

@@ -19,9 +19,9 @@ public:
     MovingArms(const MovingArms&) = delete;
     MovingArms& operator=(const MovingArms&) = delete;
 
-    /// The joints of an arm at a time: those it has, turned towards its target where it follows one. Up to
-    /// 0 s they stand as they are. Errors: Invalid (checkArm; a time that is no number or beyond a day),
-    /// Cancelled.
+    /// The joints of an arm at a time: those it has, as their tracks have them, turned towards its target
+    /// where it follows one; at 0 s they stand as they are. Errors: Invalid (checkArm; a time that is no
+    /// number or beyond a day), Cancelled.
     Expected<std::vector<ArmJoint>> jointsAt(const Node& arm, double seconds, const Progress& progress = {});
     /// The scene with all its arms turned so. Errors as above, path = the arm's name.
     Expected<Scene> at(const Scene& scene, double seconds, const Progress& progress = {});

@@ -14,11 +14,10 @@ class QPushButton;
 
 namespace ramure {
 
+class ArmMeshRow;
 class AutoKey;
 class JointForm;
 class NumberField;
-
-class ArmMeshRow;
 
 class ArmPanel : public QWidget
 {

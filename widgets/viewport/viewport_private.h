@@ -70,12 +70,12 @@ struct Viewport::Private
     std::unique_ptr<LimbTool> limb; ///< while a limb follows the hand
     std::size_t limbBranches = LimbTool::usualBranches;
     std::unique_ptr<ArmReach> reach;
-    AutoKey* keys = nullptr; ///< null: no edit becomes a key
+    AutoKey* keys = nullptr;                                ///< null: no edit becomes a key
     std::shared_ptr<const MotionFrame> reachFrame, reachOf; ///< with the arm on its way; made from
     NodeId aimingArm = noNode;                              ///< while its target is dragged
     NodeId aimedAt = noNode;                                ///< the surface on which the target moves
     std::shared_ptr<const PickScene> aimedScene;            ///< in which it is met; null: aimedRays
-    MeshRays aimedRays; ///< of a small surface that no pick scene has yet
+    MeshRays aimedRays;                                     ///< of a small surface that no pick scene has yet
     quint64 aimGesture = 0;
     std::optional<std::size_t> ring; ///< of the active arm, while it is turned
     ArmRing ringAtPress;
