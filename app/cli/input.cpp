@@ -1,10 +1,12 @@
 #include "app/cli/input.h"
+#include "core/arm/arm_chain.h"
 #include "core/document/project_file.h"
 #include "core/params/param_def.h"
 #include "core/params/presets.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/object_mesh.h"
 #include <QFileInfo>
+#include <QLocale>
 #include <algorithm>
 #include <set>
 
@@ -50,9 +52,40 @@ Expected<Setting> parseSetting(const QString& text)
     return Setting{def, std::move(*value)};
 }
 
+/// "joints[1].theta.angle=0.3", of all arms that have this joint; settings of joints are radians too.
+Expected<void> applyJointSetting(Scene& scene, const QString& text)
+{
+    const auto equals = text.indexOf(QLatin1Char('='));
+    const std::string key = text.left(equals).trimmed().toStdString();
+    const auto channel = channelFromKey(key, NodeKind::Arm);
+    if (equals < 0 || !channel)
+        return fail(ErrorCode::Unknown,
+                    "unknown setting \"%1\": joints[0].length=METRES, joints[0].phi.angle=RADIANS "
+                    "or the like expected",
+                    {text.toStdString()});
+    bool isNumber = false;
+    const double value = QLocale::c().toDouble(text.mid(equals + 1).trimmed(), &isNumber);
+    if (!isNumber)
+        return fail(ErrorCode::Syntax, "--set \"%1\": a number is expected", {text.toStdString()});
+    for (const Node& listed : scene.nodes()) {
+        std::vector<ArmJoint>& joints = scene.find(listed.id)->params.joints;
+        if (listed.kind != NodeKind::Arm || channel->component >= joints.size())
+            continue;
+        channel->jointDef()->of(joints[channel->component]) = value;
+        if (auto checked = checkArm(joints); !checked)
+            return checked;
+    }
+    return {};
+}
+
 Expected<void> applySettings(Scene& scene, const QStringList& sets)
 {
     for (const QString& text : sets) {
+        if (text.startsWith(QLatin1String("joints["))) {
+            if (auto set = applyJointSetting(scene, text); !set)
+                return set;
+            continue;
+        }
         const auto setting = parseSetting(text);
         if (!setting)
             return fail(setting.error());

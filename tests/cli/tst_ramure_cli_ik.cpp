@@ -73,6 +73,18 @@ private slots:
         QVERIFY(run.out.endsWith(QLatin1String("reached  yes\n")));
     }
 
+    void numbersOfJointsAreSettings()
+    {
+        for (const char* wrong : {"joints[0].phi", "joints[0].length", "joints[70].length=1",
+                                  "joints[0].length=far", "joints[0].length=-1", "joints[1].phi.min=9"})
+            QVERIFY2(runCli({"ik", "demo:Arm", "--target", "1,2,2", "--set", wrong}).code != 0, wrong);
+        const auto run =
+            runCli({"ik", "demo:Arm", "--target", "0,0,9", "--json", "--set", "joints[0].length=4", "--set",
+                    "joints[1].length=3", "--set", "joints[2].length=2"});
+        QCOMPARE(run.code, 1);
+        QVERIFY(run.json()["residual"].toDouble() < 0.05); // out of reach by a hair: 0.999 of it is aimed at
+    }
+
     void parametersOfTheArmCount()
     {
         const auto run = runCli({"ik", "demo:Arm", "--target", "1,2,2", "--json", "--set",
