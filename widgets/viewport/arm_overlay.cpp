@@ -90,7 +90,7 @@ void paintGrid(QPainter& painter, const Decades& decades, const QRectF& place)
         painter.setPen(QPen(QColor(255, 255, 255, 50), 1.0));
         painter.drawLine(QPointF(place.left(), y), QPointF(place.right(), y));
         painter.setPen(QColor(255, 255, 255, 170));
-        painter.drawText(QRectF(place.right() - 80.0, y - 12.0, 78.0, 12.0), Qt::AlignRight | Qt::AlignBottom,
+        painter.drawText(QRectF(place.left() + 2.0, y, 78.0, 12.0), Qt::AlignLeft | Qt::AlignTop,
                          lengthText(exponent));
     }
     painter.setFont(before);
@@ -171,9 +171,9 @@ void paintArmStatus(QPainter& painter, QSize size, const ArmProgress& progress)
     const QRectF place(box.left() + 10.0, box.bottom() - 8.0 - plotHeight, width - 20.0, plotHeight);
     const Decades decades(progress.residuals);
     painter.setBrush(Qt::NoBrush);
-    paintGrid(painter, decades, place.adjusted(0.0, 12.0, 0.0, 0.0));
+    paintGrid(painter, decades, place.adjusted(0.0, 2.0, 0.0, -12.0));
     painter.setPen(QPen(QColor(90, 220, 120), 1.6));
-    painter.drawPolyline(curve(progress.residuals, decades, place.adjusted(0.0, 12.0, 0.0, 0.0)));
+    painter.drawPolyline(curve(progress.residuals, decades, place.adjusted(0.0, 2.0, 0.0, -12.0)));
 }
 
 } // namespace ramure

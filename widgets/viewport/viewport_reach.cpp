@@ -30,6 +30,8 @@ glm::dvec3 inArmSpace(const Scene& scene, NodeId arm, double timeSeconds, const 
 /// \return whether the press is taken; else it selects
 bool Viewport::beginReach(const PickView& view, const glm::dvec2& pixel)
 {
+    if (beginPull(view, pixel)) // while it plays there is no structure to pick in
+        return true;
     const auto scene = d->isStale() ? nullptr : d->picker.readyWithin(patience);
     if (!scene)
         return beginAimAnyway(view, pixel);
@@ -42,8 +44,6 @@ bool Viewport::beginReach(const PickView& view, const glm::dvec2& pixel)
     const auto motion = d->player ? d->player->motion() : nullptr;
     const NodeMotion* moved = motion ? motion->of(hit->node) : nullptr;
     if (moved && moved->moves()) { // a bend is of the tree at rest: what is seen is not
-        if (beginPull(view, pixel))
-            return true;
         emit messageRaised(tr("A limb is bent at the first frame; while it plays it is pulled."));
         return false;
     }
