@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/document/document.h"
+#include "core/scene/node_transform.h"
 #include <QString>
 #include <map>
 #include <utility>
@@ -24,6 +25,7 @@ enum class CommandId : int {
     SetJoints,
     SetArm,
     SetArmMesh,
+    PlaceNodes,
 };
 
 /// A gesture: commands with the same id merge. 0 = never merge.
@@ -50,6 +52,14 @@ struct ArmState
 };
 /// \pre an arm
 ArmState armState(const Node& arm);
+
+/// Where a node is put, see core/scene/node_transform.h.
+struct NodePlacing
+{
+    NodeId node = noNode;
+    NodeTransform values;
+    bool keys = false; ///< the tracks are what changes, else the placement
+};
 
 /// Each function pushes one undo step (or none where nothing would change) and returns an error where the
 /// value is refused, the node unknown or locked; then nothing is pushed. Nodes that are locked, or below a
@@ -128,6 +138,11 @@ Expected<void> setTracks(Document& document, const std::vector<TrackEdit>& edits
 /// before them, or \p mode where there is none.
 Expected<void> insertKeys(Document& document, const std::vector<NodeId>& nodes,
                           const std::vector<Channel>& channels, Ticks time, KeyMode mode = KeyMode::Bezier);
+/// Placements and global tracks of nodes as one step: what a hand in the viewport does to them. While a
+/// gesture goes on, the same nodes are given again. Errors: Unknown (node), Invalid (locked, a value out of
+/// range, a track of the wrong kind).
+Expected<void> placeNodes(Document& document, const std::vector<NodePlacing>& places, const QString& text,
+                          GestureId gesture = 0);
 /// Frames and frame rate. Errors: those of checkTimeline.
 Expected<void> setTimeline(Document& document, const TimelineSettings& settings, GestureId gesture = 0);
 } // namespace edit
