@@ -683,6 +683,106 @@
         <source>Without the ground, what lies below it can be seen</source>
         <translation>Sans le sol, ce qui est en dessous se voit</translation>
     </message>
+    <message>
+        <source>&amp;Select tool</source>
+        <translation>Outil &amp;Sélectionner</translation>
+    </message>
+    <message>
+        <source>Select nodes and branches; no handles</source>
+        <translation>Sélectionner des nœuds et des branches ; sans poignées</translation>
+    </message>
+    <message>
+        <source>M&amp;ove tool</source>
+        <translation>Outil Dé&amp;placer</translation>
+    </message>
+    <message>
+        <source>Handles that move the selected nodes. Ctrl: in steps, Shift: finely</source>
+        <translation>Des poignées qui déplacent les nœuds sélectionnés. Ctrl : par pas, Maj : finement</translation>
+    </message>
+    <message>
+        <source>Ro&amp;tate tool</source>
+        <translation>Outil To&amp;urner</translation>
+    </message>
+    <message>
+        <source>Rings that turn the selected nodes. Ctrl: in steps, Shift: finely</source>
+        <translation>Des anneaux qui tournent les nœuds sélectionnés. Ctrl : par pas, Maj : finement</translation>
+    </message>
+    <message>
+        <source>Sc&amp;ale tool</source>
+        <translation>Outil Mettre à l’é&amp;chelle</translation>
+    </message>
+    <message>
+        <source>Boxes that scale the selected nodes. Ctrl: in steps, Shift: finely</source>
+        <translation>Des cubes qui mettent les nœuds sélectionnés à l’échelle. Ctrl : par pas, Maj : finement</translation>
+    </message>
+    <message>
+        <source>&amp;Local axes</source>
+        <translation>Axes &amp;locaux</translation>
+    </message>
+    <message>
+        <source>Axes of the &amp;parent</source>
+        <translation>Axes du pa&amp;rent</translation>
+    </message>
+    <message>
+        <source>Axes of the &amp;world</source>
+        <translation>Axes du &amp;monde</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Déplacer</translation>
+    </message>
+    <message>
+        <source>Move with the mouse, or type: X 1.5 Enter</source>
+        <translation>Déplacer avec la souris, ou taper : X 1.5 Entrée</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate</source>
+        <translation>&amp;Tourner</translation>
+    </message>
+    <message>
+        <source>Rotate with the mouse, or type: Y 90 Enter</source>
+        <translation>Tourner avec la souris, ou taper : Y 90 Entrée</translation>
+    </message>
+    <message>
+        <source>S&amp;cale</source>
+        <translation>Mettre à l’éch&amp;elle</translation>
+    </message>
+    <message>
+        <source>Scale with the mouse, or type: 2 Enter</source>
+        <translation>Mettre à l’échelle avec la souris, ou taper : 2 Entrée</translation>
+    </message>
+    <message>
+        <source>S&amp;nap to steps</source>
+        <translation>Aller par &amp;pas</translation>
+    </message>
+    <message>
+        <source>Dragged values go in steps; Ctrl while dragging: the other way round</source>
+        <translation>Les valeurs changent par pas ; Ctrl pendant le geste : l’inverse</translation>
+    </message>
+    <message>
+        <source>Motion &amp;path</source>
+        <translation>Traj&amp;ectoire</translation>
+    </message>
+    <message>
+        <source>The way of the selected nodes over all frames, with its keys</source>
+        <translation>Le chemin des nœuds sélectionnés sur toutes les images, avec ses clés</translation>
+    </message>
+    <message>
+        <source>G&amp;hosts</source>
+        <translation>Fantô&amp;mes</translation>
+    </message>
+    <message>
+        <source>Translucent copies of the selected nodes at frames before and after this one</source>
+        <translation>Des copies translucides des nœuds sélectionnés, à des images avant et après celle-ci</translation>
+    </message>
+    <message>
+        <source>Steps and &amp;ghosts…</source>
+        <translation>Pas et &amp;fantômes…</translation>
+    </message>
+    <message>
+        <source>What values snap to, how many ghosts there are</source>
+        <translation>De quel pas vont les valeurs, combien il y a de fantômes</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -888,6 +988,37 @@
             <numerusform>%n paire de branches se heurte</numerusform>
             <numerusform>%n paires de branches se heurtent</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>GizmoDrag</name>
+    <message>
+        <source>Move</source>
+        <translation>Déplacer</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Tourner</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>local</source>
+        <translation>local</translation>
+    </message>
+    <message>
+        <source>parent</source>
+        <translation>parent</translation>
+    </message>
+    <message>
+        <source>world</source>
+        <translation>monde</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>clé</translation>
     </message>
 </context>
 <context>
@@ -5479,6 +5610,14 @@ OpenGL&#xa0;: %4
         <source>Columns</source>
         <translation>Colonnes</translation>
     </message>
+    <message>
+        <source>Drop: the node stays where it is in the world (with Shift: keeps its values)</source>
+        <translation>Déposer : le nœud reste où il est dans le monde (avec Maj : il garde ses valeurs)</translation>
+    </message>
+    <message>
+        <source>Drop: the node keeps its position, rotation and scale in the new parent</source>
+        <translation>Déposer : le nœud garde sa position, sa rotation et son échelle dans le nouveau parent</translation>
+    </message>
 </context>
 <context>
     <name>ramure::SceneSearch</name>
@@ -6008,6 +6147,112 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::ToolSettingsDialog</name>
+    <message>
+        <source>Steps and ghosts</source>
+        <translation>Pas et fantômes</translation>
+    </message>
+    <message>
+        <source>Dragging snaps to</source>
+        <translation>Les gestes vont par pas de</translation>
+    </message>
+    <message>
+        <source>Ghosts of moving nodes</source>
+        <translation>Fantômes des nœuds animés</translation>
+    </message>
+    <message>
+        <source>&amp;Move:</source>
+        <translation>&amp;Déplacer :</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate:</source>
+        <translation>&amp;Tourner :</translation>
+    </message>
+    <message>
+        <source>&amp;Scale:</source>
+        <translation>&amp;Échelle :</translation>
+    </message>
+    <message>
+        <source>&amp;Before the playhead:</source>
+        <translation>A&amp;vant la tête de lecture :</translation>
+    </message>
+    <message>
+        <source>&amp;After the playhead:</source>
+        <translation>A&amp;près la tête de lecture :</translation>
+    </message>
+    <message>
+        <source>&amp;Every:</source>
+        <translation>T&amp;outes les :</translation>
+    </message>
+    <message>
+        <source> m</source>
+        <translation> m</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source> frames</source>
+        <translation> images</translation>
+    </message>
+    <message>
+        <source>Moves go in steps of so many metres</source>
+        <translation>Les déplacements vont par pas de tant de mètres</translation>
+    </message>
+    <message>
+        <source>Turns go in steps of so many degrees</source>
+        <translation>Les rotations vont par pas de tant de degrés</translation>
+    </message>
+    <message>
+        <source>Factors go in steps of so much</source>
+        <translation>Les facteurs vont par pas de tant</translation>
+    </message>
+    <message>
+        <source>How many copies show where the node was, from 0 to %1</source>
+        <translation>Combien de copies montrent où était le nœud, de 0 à %1</translation>
+    </message>
+    <message>
+        <source>How many copies show where the node will be, from 0 to %1</source>
+        <translation>Combien de copies montrent où sera le nœud, de 0 à %1</translation>
+    </message>
+    <message>
+        <source>Frames from one copy to the next</source>
+        <translation>Images d’une copie à la suivante</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::TransformActions</name>
+    <message>
+        <source>Trans&amp;form</source>
+        <translation>Transfor&amp;mer</translation>
+    </message>
+    <message>
+        <source>Local</source>
+        <translation>Local</translation>
+    </message>
+    <message>
+        <source>Parent</source>
+        <translation>Parent</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <translation>Monde</translation>
+    </message>
+    <message>
+        <source>Axes along which nodes are moved, turned and scaled</source>
+        <translation>Axes selon lesquels les nœuds sont déplacés, tournés et mis à l’échelle</translation>
+    </message>
+    <message>
+        <source>Axes of the tools</source>
+        <translation>Axes des outils</translation>
+    </message>
+</context>
+<context>
     <name>ramure::ValidationPanel</name>
     <message>
         <source>What this means</source>
@@ -6089,6 +6334,18 @@ OpenGL&#xa0;: %4
     <message>
         <source>A limb is bent at the first frame; while it plays it is pulled.</source>
         <translation>Une branche se plie à la première image ; pendant la lecture elle se tire.</translation>
+    </message>
+    <message>
+        <source>Select a node that is shown and not locked: then it can be moved</source>
+        <translation>Sélectionnez un nœud visible et non verrouillé : il pourra alors être déplacé</translation>
+    </message>
+    <message>
+        <source>X Y Z: axis (with Shift: plane) · digits: value · Tab: next · Ctrl: steps · Shift: fine · Enter or click: done · Esc or right click: back</source>
+        <translation>X Y Z : axe (avec Maj : plan) · chiffres : valeur · Tab : suivant · Ctrl : pas · Maj : finement · Entrée ou clic : fini · Échap ou clic droit : retour</translation>
+    </message>
+    <message>
+        <source>X Y Z: axis · digits: value · Ctrl: steps · Shift: fine · release or Enter: done · Esc or right click: back</source>
+        <translation>X Y Z : axe · chiffres : valeur · Ctrl : pas · Maj : finement · relâcher ou Entrée : fini · Échap ou clic droit : retour</translation>
     </message>
 </context>
 <context>

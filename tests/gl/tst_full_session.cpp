@@ -176,7 +176,7 @@ private slots:
 
             // Its frames rolled by hand, then one change too many, which is undone.
             const QImage unrolled = test::stillPicture(view);
-            Editor::keys({QStringLiteral("r")});
+            Editor::keys({QStringLiteral("shift+r")});
             Editor::type(QStringLiteral("30"));
             Editor::keys({QStringLiteral("Return")});
             QVERIFY(eventually([&] { return test::screenPicture(view) != unrolled; }));

@@ -199,7 +199,7 @@ void ViewActions::addSwitches(ActionSet* set)
         &ViewSettings::setLeavesVisible, &ViewSettings::leavesVisibleChanged);
     add({"view.apples", QT_TRANSLATE_NOOP("Actions", "A&pples"), "apple", {}}, settings->applesVisible(),
         &ViewSettings::setApplesVisible, &ViewSettings::applesVisibleChanged);
-    add({"view.grid", QT_TRANSLATE_NOOP("Actions", "&Grid"), "grid", QKeySequence(Qt::Key_G)},
+    add({"view.grid", QT_TRANSLATE_NOOP("Actions", "&Grid"), "grid", QKeySequence(Qt::SHIFT | Qt::Key_G)},
         settings->gridVisible(), &ViewSettings::setGridVisible, &ViewSettings::gridVisibleChanged);
     add({"view.ground",
          QT_TRANSLATE_NOOP("Actions", "G&round"),
@@ -282,6 +282,7 @@ void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* 
     menu->addActions(m_shading->actions());
     menu->addSeparator();
     menu->addActions(m_switches);
+    menu->addActions(m_trail);
     menu->addSeparator();
     menu->addActions(panels);
     menu->addAction(resetLayout);

@@ -2,6 +2,7 @@
 /// The View menu: framing, display modes, what is shown, theme, units and language.
 #pragma once
 
+#include <QList>
 #include <QObject>
 
 class QAction;
@@ -26,6 +27,8 @@ public:
     [[nodiscard]] QList<QAction*> modeActions() const;
     [[nodiscard]] QAction* frameAllAction() const { return m_frameAll; }
     [[nodiscard]] QAction* frameSelectionAction() const { return m_frameSelection; }
+    /// The path and the ghosts of moving nodes: below the other switches. Before fillMenu.
+    void setTrailActions(const QList<QAction*>& actions) { m_trail = actions; }
     void retranslate();
 
 private:
@@ -50,6 +53,7 @@ private:
     QActionGroup* m_units = nullptr;
     QActionGroup* m_languages = nullptr;
     QList<QAction*> m_switches;
+    QList<QAction*> m_trail;
     QMenu* m_axisMenu = nullptr;
     QMenu* m_moveMenu = nullptr;
     QMenu* m_themeMenu = nullptr;

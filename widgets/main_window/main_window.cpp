@@ -9,6 +9,7 @@
 #include "widgets/actions/import_actions.h"
 #include "widgets/actions/picture_actions.h"
 #include "widgets/actions/program_actions.h"
+#include "widgets/actions/transform_actions.h"
 #include "widgets/actions/view_actions.h"
 #include "widgets/animation/auto_key.h"
 #include "widgets/animation/key_actions.h"
@@ -214,6 +215,8 @@ void MainWindow::buildActions()
     m_edits = new EditActions(m_document, m_chooser, m_actions, this);
     m_selects = new SelectActions(m_document, m_isolation, m_actions, this);
     m_views = new ViewActions(m_host, m_preferences, m_actions, this);
+    m_transforms = new TransformActions(m_host, m_preferences, m_actions, this);
+    m_views->setTrailActions(m_transforms->viewActions());
     m_search = m_actions->add(
         {"view.search", QT_TRANSLATE_NOOP("Actions", "Find a &parameter"), "search", QKeySequence::Find});
     m_separate = m_actions->add(
@@ -260,7 +263,7 @@ void MainWindow::buildBranchActions()
                         QKeySequence(Qt::CTRL | Qt::Key_Left),
                         QT_TRANSLATE_NOOP("Actions", "Inspect the cross-section before this one")});
     m_roll = m_actions->add({"inspect.roll", QT_TRANSLATE_NOOP("Actions", "Roll by h&and"), nullptr,
-                             QKeySequence(Qt::Key_R),
+                             QKeySequence(Qt::SHIFT | Qt::Key_R),
                              QT_TRANSLATE_NOOP("Actions", "Turn the frames of the selected branches")});
     const std::pair<QAction*, void (BranchInspector::*)()> steps[] = {
         {m_nextSection, &BranchInspector::nextSection},
@@ -284,6 +287,7 @@ void MainWindow::buildMenus()
     m_editMenu = menuBar()->addMenu(QString());
     m_edits->fillMenu(m_editMenu);
     m_editMenu->addSeparator();
+    m_transforms->fillMenu(m_editMenu);
     m_editMenu->addAction(m_separate);
     m_editMenu->addAction(m_search);
     m_editMenu->addSeparator();
@@ -328,6 +332,8 @@ void MainWindow::buildToolBar()
     m_toolBar->addActions(m_views->modeActions());
     m_toolBar->addSeparator();
     m_toolBar->addActions({m_views->frameAllAction(), m_views->frameSelectionAction()});
+    m_toolBar->addSeparator();
+    m_transforms->fillToolBar(m_toolBar);
     auto* newTree = qobject_cast<QToolButton*>(m_toolBar->widgetForAction(m_edits->newTreeAction()));
     newTree->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
 }
@@ -382,6 +388,8 @@ void MainWindow::connectPanels()
     connect(m_scene, &ScenePanel::messageRaised, this, say);
     connect(m_scene, &ScenePanel::frameRequested, m_views->frameSelectionAction(), &QAction::trigger);
     connect(m_selects, &SelectActions::messageRaised, this, say);
+    connect(m_transforms, &TransformActions::hintChanged, this,
+            [this](const QString& text) { statusBar()->showMessage(text); });
     connect(m_selects, &SelectActions::searchRequested, this, [this] {
         m_sceneDock->show();
         m_sceneDock->raise();
@@ -405,6 +413,7 @@ void MainWindow::connectPanels()
     connect(m_preferences, &Preferences::changed, this, applyUnits);
     applyUnits();
     m_plays->setView(m_host->settings());
+    m_scene->setTime([this] { return m_player->timeSeconds(); });
     connectTimeline();
     if (Viewport* view = m_host->viewport())
         connectViewport(view);
@@ -429,6 +438,7 @@ void MainWindow::connectViewport(Viewport* view)
     view->setKeys(m_autoKey);
     connect(view, &Viewport::messageRaised, this,
             [this](const QString& text) { statusBar()->showMessage(text, messageMs); });
+    view->setAutoKey([this] { return m_autoKey->isOn(); });
     m_arm->setReach(view->armReach());
     m_properties->setReach(view->armReach());
     connect(m_isolation, &Isolation::changed, view,
@@ -563,6 +573,7 @@ void MainWindow::retranslate()
     m_files->retranslate();
     m_edits->retranslate();
     m_views->retranslate();
+    m_transforms->retranslate();
     m_fileMenu->setTitle(tr("&File"));
     m_editMenu->setTitle(tr("&Edit"));
     m_selectMenu->setTitle(tr("&Select"));

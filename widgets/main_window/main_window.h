@@ -39,6 +39,7 @@ class SequenceTask;
 class SelectActions;
 class StatusPanel;
 class TimelinePanel;
+class TransformActions;
 class ValidationPanel;
 class ViewActions;
 class Viewport;
@@ -135,6 +136,7 @@ private:
     EditActions* m_edits = nullptr;
     SelectActions* m_selects = nullptr;
     ViewActions* m_views = nullptr;
+    TransformActions* m_transforms = nullptr;
     ImportActions* m_imports = nullptr;
     PictureActions* m_pictures = nullptr;
     ProgramActions* m_program = nullptr;

@@ -114,6 +114,14 @@ struct PointItem
     ItemMotion motion{}; ///< marks with a branch follow its bone
 };
 
+/// A translucent copy of a mesh: no shadow, never picked, framed or exported.
+struct GhostItem
+{
+    std::shared_ptr<const TriangleMesh> mesh;
+    glm::dmat4 world{1.0};
+    glm::u8vec4 colour{255}; ///< sRGB, alpha
+};
+
 /// State of one branch in a highlight.
 enum class BranchState : std::uint8_t { Plain, Selected, Active, Hovered, HoveredSelected };
 using BranchStates = std::vector<BranchState>;
@@ -132,10 +140,12 @@ struct RenderScene
     std::vector<LineItem> lines;
     std::vector<PointItem> points;
     std::vector<Highlight> highlights;
-    Box box;     ///< world: all items; what frameAll shows
-    Box casters; ///< world: what throws shadows
+    std::vector<GhostItem> ghosts; ///< drawn in this order
+    Box box;                       ///< world: all items; what frameAll shows
+    Box casters;                   ///< world: what throws shadows
     TextureSummary texture;
     double ground = 0.0; ///< m: where the plane of the ground lies
+    Box trailBox; ///< world: what is drawn besides, paths and ghosts; not framed
 
     /// Recomputes the two boxes from the items.
     void updateBoxes();

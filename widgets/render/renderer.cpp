@@ -119,6 +119,9 @@ Expected<void> Renderer::compile()
         .and_then([&] {
             return add(m_smooth, {{"world.vert"}, nullptr, {"smooth.frag"}, ""});
         })
+        .and_then([&] {
+            return add(m_ghost, {{"ghost.vert"}, nullptr, {"ghost.frag"}, ""});
+        })
         .map([&] {
             m_gl.glGenVertexArrays(1, &m_emptyArray);
             m_gl.glGenTextures(1, &m_noStates);
@@ -153,6 +156,7 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
     drawMeshes(picture);
     m_gl.glEnable(GL_BLEND);
     m_gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    drawGhosts(picture);
     drawLines(picture, true);
     drawPoints(picture, true);
     drawLines(picture, false);
@@ -177,7 +181,9 @@ Renderer::Picture Renderer::arrange(const RenderScene& scene, const Camera& came
     picture.aspect = double(size.width()) / std::max(1, size.height());
     glm::dmat4 rotation = camera.viewMatrix();
     rotation[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
-    picture.projectedView = camera.projectionMatrix(picture.aspect, camera.depthRange(scene.box)) * rotation;
+    Box box = scene.box;
+    box.add(scene.trailBox);
+    picture.projectedView = camera.projectionMatrix(picture.aspect, camera.depthRange(box)) * rotation;
     picture.sun = glm::normalize(options.sun);
     picture.sunLight = (glm::vec3(1.0f) - skyLight) / float(std::max(picture.sun.y, 0.2));
     return picture;
@@ -219,6 +225,8 @@ void Renderer::upload(const RenderScene& scene)
 {
     for (const MeshItem& item : scene.meshes)
         m_cache.mesh(item.mesh, item.motion.skin);
+    for (const GhostItem& item : scene.ghosts)
+        m_cache.mesh(item.mesh, nullptr);
     for (const LineItem& item : scene.lines)
         m_cache.lines(item.lines);
     for (const PointItem& item : scene.points)
@@ -336,6 +344,35 @@ void Renderer::drawMeshes(const Picture& picture)
         m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
     }
     m_gl.glFrontFace(GL_CCW);
+}
+
+/// Each hides its own inside, but nothing else: what stands behind it shines through.
+void Renderer::drawGhosts(const Picture& picture)
+{
+    if (picture.scene.ghosts.empty())
+        return;
+    m_ghost->bind();
+    m_ghost->set("uBackward",
+                 glm::vec4(glm::vec3(picture.camera.backward()), picture.camera.orthographic ? 1.0f : 0.0f));
+    m_gl.glDepthMask(GL_FALSE);
+    m_gl.glEnable(GL_CULL_FACE);
+    m_gl.glEnable(GL_POLYGON_OFFSET_FILL); // where it lies in a surface, that is seen
+    m_gl.glPolygonOffset(1.0f, 2.0f);
+    for (const GhostItem& item : picture.scene.ghosts) {
+        const GpuBlock& block = m_cache.mesh(item.mesh, nullptr);
+        const glm::dmat4 relative = picture.relative(item.world);
+        m_ghost->set("uClip", glm::mat4(picture.projectedView * relative));
+        m_ghost->set("uRelative", glm::mat4(relative));
+        m_ghost->set("uNormal", glm::mat3(glm::inverseTranspose(glm::dmat3(item.world))));
+        m_ghost->set("uColour", glm::vec4(item.colour) / 255.0f);
+        m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
+        m_gl.glBindVertexArray(block.vertexArray);
+        m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
+    }
+    m_gl.glFrontFace(GL_CCW);
+    m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
+    m_gl.glDisable(GL_CULL_FACE);
+    m_gl.glDepthMask(GL_TRUE);
 }
 
 void Renderer::drawLines(const Picture& picture, bool hidden)

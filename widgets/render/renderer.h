@@ -58,6 +58,7 @@ private:
     void drawMeshes(const Picture& picture);
     void drawLines(const Picture& picture, bool hidden);
     void drawPoints(const Picture& picture, bool hidden);
+    void drawGhosts(const Picture& picture);
     void beginState(QSize size);
     void resetState();
 
@@ -65,7 +66,7 @@ private:
     GpuCache m_cache;
     ShadowMap m_shadowMap;
     Smoothing m_smoothing;
-    std::unique_ptr<ShaderProgram> m_mesh, m_meshWire, m_shadow, m_world, m_line, m_point, m_smooth;
+    std::unique_ptr<ShaderProgram> m_mesh, m_meshWire, m_shadow, m_world, m_line, m_point, m_smooth, m_ghost;
     GLuint m_emptyArray = 0;
     GLuint m_noStates = 0; ///< a texture of one plain branch
     bool m_software = false;

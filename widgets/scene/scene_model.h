@@ -9,6 +9,7 @@
 #include "core/document/document.h"
 #include "widgets/scene/branch_rows.h"
 #include <QAbstractItemModel>
+#include <functional>
 #include <map>
 #include <memory>
 
@@ -69,6 +70,11 @@ public:
     bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
                       const QModelIndex& parent) override;
     /// Texts in another language.
+    /// The time in seconds at which a node that is dropped keeps its place; without it 0.
+    void setTime(std::function<double()> time) { m_time = std::move(time); }
+    /// Nodes that are dropped stay where they are in the world (as it is at first), or keep their position,
+    /// rotation and scale and so go with their new parent.
+    void setDropKeepsWorld(bool keeps) { m_dropKeepsWorld = keeps; }
     void retranslate();
 
 signals:
@@ -106,6 +112,8 @@ private:
     bool report(const Expected<void>& done);
 
     Document* m_document;
+    std::function<double()> m_time;
+    bool m_dropKeepsWorld = true;
     std::map<NodeId, Item> m_items; ///< noNode is the invisible root
 };
 

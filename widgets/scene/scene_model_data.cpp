@@ -282,12 +282,13 @@ bool SceneModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int 
     int to = row < 0 ? static_cast<int>(scene.children(target).size()) : row;
     if (nodes.size() > 1)
         m_document->undoStack()->beginMacro(tr("Move nodes"));
+    const double time = m_time ? m_time() : 0.0;
     bool moved = true;
     for (const NodeId node : nodes) {
         // The document counts the row without the node itself.
         if (scene.find(node)->parent == target && scene.row(node) < to)
             --to;
-        moved = report(edit::moveNode(*m_document, node, target, to, true)) && moved;
+        moved = report(edit::moveNode(*m_document, node, target, to, m_dropKeepsWorld, time)) && moved;
         ++to;
     }
     if (nodes.size() > 1)

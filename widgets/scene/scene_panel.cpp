@@ -74,6 +74,12 @@ ScenePanel::ScenePanel(Document* document, Preferences* preferences, QWidget* pa
 
     connect(m_document, &Document::changed, this, &ScenePanel::follow);
     connect(m_model, &SceneModel::refused, this, &ScenePanel::messageRaised);
+    connect(m_view, &SceneTree::dragged, this, [this](bool keepsWorld) {
+        m_model->setDropKeepsWorld(keepsWorld);
+        emit messageRaised(
+            keepsWorld ? tr("Drop: the node stays where it is in the world (with Shift: keeps its values)")
+                       : tr("Drop: the node keeps its position, rotation and scale in the new parent"));
+    });
     connect(m_model, &SceneModel::branchesReplaced, this, [this](NodeId node) {
         restoreExpanded(node);
         showSelection();
@@ -117,6 +123,11 @@ void ScenePanel::setMenuActions(const QList<QAction*>& actions, const SelectActi
 {
     m_menuActions = actions;
     m_selects = selects;
+}
+
+void ScenePanel::setTime(std::function<double()> time)
+{
+    m_model->setTime(std::move(time));
 }
 
 void ScenePanel::follow(const Change& change)

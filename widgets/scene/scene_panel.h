@@ -35,6 +35,8 @@ public:
     [[nodiscard]] SceneSearch* search() const { return m_search; }
     /// The menu of a right click: actions on nodes, and those of the Select menu.
     void setMenuActions(const QList<QAction*>& actions, const SelectActions* selects = nullptr);
+    /// Where the playhead is, in seconds: see SceneModel::setTime.
+    void setTime(std::function<double()> time);
     [[nodiscard]] QSize sizeHint() const override { return {360, 260}; }
 
     /// Shows or hides a column, from now on also in the next session. Names are always shown.

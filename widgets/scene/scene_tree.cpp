@@ -1,6 +1,7 @@
 #include "widgets/scene/scene_tree.h"
 
 #include "widgets/scene/scene_model.h"
+#include <QDropEvent>
 #include <QHeaderView>
 #include <QMouseEvent>
 #include <QScrollBar>
@@ -101,6 +102,34 @@ QModelIndex SceneTree::stateAt(const QMouseEvent* event) const
     if (event->button() != Qt::LeftButton || !index.data(SceneModel::isSwitchRole).toBool())
         return {};
     return index;
+}
+
+void SceneTree::tellDragged(Qt::KeyboardModifiers modifiers, bool always)
+{
+    const bool keepsWorld = !modifiers.testFlag(Qt::ShiftModifier);
+    if (!always && keepsWorld == m_keepsWorld)
+        return;
+    m_keepsWorld = keepsWorld;
+    emit dragged(keepsWorld);
+}
+
+void SceneTree::dragEnterEvent(QDragEnterEvent* event)
+{
+    QTreeView::dragEnterEvent(event);
+    if (event->isAccepted())
+        tellDragged(event->modifiers(), true);
+}
+
+void SceneTree::dragMoveEvent(QDragMoveEvent* event)
+{
+    tellDragged(event->modifiers(), false);
+    QTreeView::dragMoveEvent(event);
+}
+
+void SceneTree::dropEvent(QDropEvent* event)
+{
+    tellDragged(event->modifiers(), false);
+    QTreeView::dropEvent(event);
 }
 
 void SceneTree::keyPressEvent(QKeyEvent* event)

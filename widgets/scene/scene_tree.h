@@ -24,6 +24,9 @@ signals:
     void stateClicked(const QModelIndex& index);
     /// Enter was pressed, or a branch double-clicked.
     void frameRequested();
+    /// Rows hang over the view, or are about to be dropped: in their new place they stay where they are in
+    /// the world, or with Shift keep their own values. Told again when that changes.
+    void dragged(bool keepsWorld);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -32,14 +35,19 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
 
 private:
     [[nodiscard]] QModelIndex stateAt(const QMouseEvent* event) const;
     void fitNames(bool mayShrink);
+    void tellDragged(Qt::KeyboardModifiers modifiers, bool always);
 
     QTimer* m_fitTimer;
     bool m_mayShrink = false;
     bool m_adding = false;
+    bool m_keepsWorld = true; ///< as told last
 };
 
 } // namespace ramure

@@ -22,6 +22,7 @@ const QString shortcutsKey = QStringLiteral("shortcuts");
 const QString recentKey = QStringLiteral("files/recent");
 const QString folderKey = QStringLiteral("files/folder");
 const QString foldedKey = QStringLiteral("properties/folded");
+const QString toolsKey = QStringLiteral("window/tools");
 const QString columnsKey = QStringLiteral("scene/columns");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
@@ -223,6 +224,17 @@ QString Preferences::lastFolder() const
 void Preferences::setLastFolder(const QString& folder)
 {
     store(folderKey, folder);
+}
+
+QVariantMap Preferences::toolSettings() const
+{
+    return m_settings.value(toolsKey).toMap();
+}
+
+void Preferences::setToolSettings(const QVariantMap& settings)
+{
+    if (settings != toolSettings())
+        store(toolsKey, settings);
 }
 
 QStringList Preferences::foldedGroups() const

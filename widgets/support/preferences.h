@@ -71,6 +71,10 @@ public:
     [[nodiscard]] QString lastFolder() const;
     void setLastFolder(const QString& folder);
 
+    /// What the tools of the view remember, see GizmoSettings::saved.
+    [[nodiscard]] QVariantMap toolSettings() const;
+    void setToolSettings(const QVariantMap& settings);
+
     [[nodiscard]] QStringList foldedGroups() const;
     void setFoldedGroups(const QStringList& groups);
 

@@ -54,6 +54,7 @@ void applyDrag(Camera& camera, Gesture gesture, QPointF pixels, QSize size)
     case Gesture::Limb:
     case Gesture::Aim:
     case Gesture::Ring:
+    case Gesture::Gizmo:
         break;
     }
 }

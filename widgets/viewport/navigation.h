@@ -15,11 +15,12 @@ enum class Gesture : quint8 {
     Pan,
     Zoom,
     Select,
-    Pull, ///< a branch that moves
-    Wind, ///< the arrow of the wind
-    Limb, ///< a branch at rest, the limb follows
-    Aim,  ///< the target of an arm
-    Ring, ///< an angle of one of its joints
+    Pull,  ///< a branch that moves
+    Wind,  ///< the arrow of the wind
+    Limb,  ///< a branch at rest, the limb follows
+    Aim,   ///< the target of an arm
+    Ring,  ///< an angle of one of its joints
+    Gizmo, ///< the selected nodes
 };
 
 /// The gesture that begins when \p button goes down. Left alone selects, Alt+left orbits, in both styles.

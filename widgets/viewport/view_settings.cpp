@@ -1,9 +1,12 @@
 #include "widgets/viewport/view_settings.h"
 
+#include "widgets/viewport/gizmo_settings.h"
+
 namespace ramure {
 
 ViewSettings::ViewSettings(QObject* parent)
     : QObject(parent)
+    , m_gizmo(new GizmoSettings(this))
 {
 }
 

@@ -7,6 +7,8 @@
 
 namespace ramure {
 
+class GizmoSettings;
+
 enum class NavigationStyle : quint8 {
     Blender, ///< middle drag orbits, Shift+middle pans, Ctrl+middle zooms
     Maya,    ///< Alt+left orbits, Alt+middle pans, Alt+right zooms
@@ -17,6 +19,9 @@ class ViewSettings : public QObject
     Q_OBJECT
 public:
     explicit ViewSettings(QObject* parent = nullptr);
+
+    /// Tools that move nodes, paths and ghosts: its own changed() tells, changed() here does not.
+    [[nodiscard]] GizmoSettings* gizmo() const { return m_gizmo; }
 
     [[nodiscard]] DisplayMode displayMode() const { return m_displayMode; }
     [[nodiscard]] ShadingMode shadingMode() const { return m_shadingMode; }
@@ -58,6 +63,7 @@ signals:
 private:
     template <class T> void set(T& member, T value, void (ViewSettings::*signal)(T));
 
+    GizmoSettings* m_gizmo;
     DisplayMode m_displayMode = DisplayMode::Mesh;
     ShadingMode m_shadingMode = ShadingMode::Solid;
     FrameDisplay m_frameDisplay = FrameDisplay::None;

@@ -102,6 +102,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     d->hoverRest.setInterval(hoverRestMs);
     connect(&d->hoverRest, &QTimer::timeout, this, [this] { hoverAt(d->hoverPosition); });
     beginReaching();
+    connectGizmo();
     wishScene();
 }
 
@@ -204,6 +205,7 @@ void Viewport::paintOverlay()
     NavigationCube::paint(painter, d->camera, size(), d->hoverSide);
     paintTextureLegend(painter, size(), d->settings->displayMode(), d->scene->texture);
     paintMotion(painter);
+    paintGizmoOverlay(painter);
     if (d->gesture == Gesture::Select && d->dragging) {
         const QColor colour = palette().color(QPalette::Highlight);
         painter.setPen(QPen(colour, 1.0, Qt::DashLine));

@@ -12,9 +12,11 @@
 #include "core/base/index.h"
 #include "core/scene/scene.h"
 #include "widgets/render/camera.h"
+#include "widgets/viewport/gizmo_settings.h"
 #include "widgets/viewport/view_settings.h"
 #include <QImage>
 #include <QOpenGLWidget>
+#include <functional>
 #include <memory>
 
 class QPainter;
@@ -57,6 +59,11 @@ public:
     void setPlayer(Player* player);
     /// Edits of arms become keys where it takes them. Not owned; may be null.
     void setKeys(AutoKey* keys);
+    /// Asked when the hand begins to move nodes: those with keys get keys then, see GizmoDrag. Without it
+    /// their placement changes.
+    void setAutoKey(std::function<bool()> isOn);
+    /// Nodes are being moved, by the mouse or by keys.
+    [[nodiscard]] bool isTransforming() const;
 
     [[nodiscard]] const Camera& camera() const;
     [[nodiscard]] FrameTimes frameTimes() const;
@@ -89,6 +96,9 @@ public slots:
     void zoomBy(double factor);
     void clearSelection();
     void selectAllBranches(); ///< of the active tree
+    /// Moves, turns or scales the selected nodes with mouse and keys until Enter or a click; Esc takes it
+    /// back.
+    void beginTransform(ramure::TransformTool tool);
     void copyScreenshot();
     /// The section's plane, circle and frame are shown until cleared.
     void setInspectedSection(ramure::NodeId node, ramure::Index branch, ramure::Index section);
@@ -103,6 +113,8 @@ signals:
     void cameraChanged();
     /// noNode, noIndex where nothing is under the cursor.
     void hovered(ramure::NodeId node, ramure::Index branch);
+    /// What keys and mouse do in the gesture that goes on; empty when it has ended.
+    void hintChanged(const QString& text);
     /// What the hand wanted and could not have, and why.
     void messageRaised(const QString& text);
     /// After every picture.
@@ -119,6 +131,8 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     bool event(QEvent* event) override;
 
 private:
@@ -153,6 +167,16 @@ private:
     void paintArm(QPainter& painter);
     bool beginRing(const PickView& view, const glm::dvec2& pixel);
     void turnRing(const PickView& view, const glm::dvec2& pixel);
+    bool beginGizmo(const PickView& view, const glm::dvec2& pixel, Qt::KeyboardModifiers modifiers);
+    bool hoverGizmo(QPointF position);
+    void dragGizmo(QPointF position, Qt::KeyboardModifiers modifiers);
+    void startedGizmo();
+    void finishGizmo(bool keep);
+    bool gizmoKey(QKeyEvent* event, bool pressed);
+    void paintGizmoOverlay(QPainter& painter);
+    void followGizmo(const Change& change);
+    void connectGizmo();
+    void updateTrail();
     void releaseRenderer();
 
     struct Private;

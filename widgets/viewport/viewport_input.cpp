@@ -29,6 +29,11 @@ PickView pickView(const Camera& camera, QSize size)
 
 void Viewport::mousePressEvent(QMouseEvent* event)
 {
+    if (d->gizmo) { // a click ends what the keyboard began; the right button takes anything back
+        if (event->button() == Qt::RightButton || d->gizmoByKeys)
+            finishGizmo(event->button() == Qt::LeftButton);
+        return;
+    }
     if (d->gesture != Gesture::None)
         return; // a second button during a gesture
     d->gesture = gestureFor(d->settings->navigationStyle(), event->button(), event->modifiers());
@@ -40,6 +45,9 @@ void Viewport::mousePressEvent(QMouseEvent* event)
                 NavigationCube::sideAt(d->camera, size(), event->position());
     if (d->onCube)
         d->gesture = Gesture::Orbit;
+    else if (d->gesture == Gesture::Select &&
+             beginGizmo(pickView(d->camera, size()), asVector(event->position()), event->modifiers()))
+        d->hoverRest.stop();
     else if (d->gesture == Gesture::Select && event->modifiers() == Qt::NoModifier)
         beginMotionGesture(pickView(d->camera, size()), asVector(event->position()));
     else if (d->gesture == Gesture::Select && event->modifiers() == Qt::ControlModifier)
@@ -54,6 +62,10 @@ void Viewport::mousePressEvent(QMouseEvent* event)
 void Viewport::mouseMoveEvent(QMouseEvent* event)
 {
     d->hoverPosition = event->position();
+    if (d->gizmo)
+        return dragGizmo(event->position(), event->modifiers());
+    if (d->gesture == Gesture::None && hoverGizmo(event->position()))
+        return;
     if (d->gesture != Gesture::None) {
         dragTo(event->position());
         return;
@@ -105,6 +117,8 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
 {
     if (event->button() != d->button || d->gesture == Gesture::None)
         return;
+    if (d->gizmo)
+        return finishGizmo(true);
     // A branch that was clicked, not dragged, is selected.
     const Gesture gesture = d->gesture == Gesture::Limb && !d->dragging ? Gesture::Select : d->gesture;
     const bool onCube = d->onCube;
@@ -169,7 +183,7 @@ void Viewport::hoverAt(QPointF position)
         update();
     }
     std::optional<PickHit> hit;
-    if (!side && !d->isStale()) {
+    if (!side && !d->gizmoHover && !d->isStale()) {
         const auto scene = d->picker.ready();
         if (!scene)
             return; // readyChanged asks again
@@ -187,6 +201,8 @@ void Viewport::hoverAt(QPointF position)
 
 void Viewport::wheelEvent(QWheelEvent* event)
 {
+    if (d->gizmo)
+        return event->accept();
     if (d->gesture == Gesture::Limb)
         return lengthenLimb(event->angleDelta().y() > 0 ? 1 : -1);
     const double turn = event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
@@ -211,6 +227,10 @@ void Viewport::wheelEvent(QWheelEvent* event)
 void Viewport::leaveEvent(QEvent* event)
 {
     d->hoverRest.stop();
+    if (d->gizmoHover && !d->gizmo) {
+        d->gizmoHover.reset();
+        update();
+    }
     if (d->hoverNode != noNode || d->hoverSide) {
         d->hoverNode = noNode;
         d->hoverBranch = noIndex;
@@ -224,6 +244,8 @@ void Viewport::leaveEvent(QEvent* event)
 
 void Viewport::keyPressEvent(QKeyEvent* event)
 {
+    if (gizmoKey(event, true))
+        return;
     const auto isKey = [event](Qt::Key key) { return event->key() == key ? 1.0 : 0.0; };
     const double yaw = isKey(Qt::Key_Right) - isKey(Qt::Key_Left);
     const double pitch = isKey(Qt::Key_Up) - isKey(Qt::Key_Down);
@@ -235,6 +257,13 @@ void Viewport::keyPressEvent(QKeyEvent* event)
 
 bool Viewport::event(QEvent* event)
 {
+    // While nodes are moved, keys are numbers and axes, not shortcuts; Tab is the next number.
+    if (d->gizmo && event->type() == QEvent::ShortcutOverride) {
+        event->accept();
+        return true;
+    }
+    if (d->gizmo && event->type() == QEvent::KeyPress)
+        return gizmoKey(static_cast<QKeyEvent*>(event), true);
     if (event->type() == QEvent::NativeGesture) {
         const auto* gesture = static_cast<QNativeGestureEvent*>(event);
         if (gesture->gestureType() == Qt::ZoomNativeGesture) {

@@ -33,7 +33,14 @@ void Viewport::setPlayer(Player* player)
         }
         update();
     });
+    connect(player, &Player::frameChanged, this, [this] {
+        d->gizmoStale = true;
+        if (!d->player->isPlaying())
+            updateTrail();
+        update();
+    });
     connect(player, &Player::playingChanged, this, [this](bool playing) {
+        updateTrail();
         if (!playing)
             letGo();
     });
@@ -44,13 +51,19 @@ void Viewport::setPlayer(Player* player)
 void Viewport::Private::updateShown()
 {
     const auto motion = motionOfNow();
-    if (shown && shownOf == scene && shownMotion == motion)
+    if (shown && shownOf == scene && shownMotion == motion && shownTrail == trail.revision())
         return;
     const bool moves = motion && MovingScene::moves(*scene, *motion);
     shown = moves ? std::make_shared<const RenderScene>(moving.moved(*scene, *motion)) : scene;
     shownOf = scene;
     shownMotion = motion;
+    shownTrail = trail.revision();
     picker.setScene(shown);
+    if (trail.isEmpty())
+        return;
+    auto more = std::make_shared<RenderScene>(*shown); // of shared blocks: quickly copied
+    trail.addTo(*more, [this](NodeId id) { return resultOf(id); });
+    shown = std::move(more);
 }
 
 /// The box of the active tree at rest, its own space: what stands beside a tree that sways must not sway with

@@ -11,6 +11,8 @@
 #include "widgets/viewport/arm_rings.h"
 #include "widgets/viewport/background_builder.h"
 #include "widgets/viewport/background_picker.h"
+#include "widgets/viewport/gizmo_drag.h"
+#include "widgets/viewport/gizmo_trail.h"
 #include "widgets/viewport/limb_tool.h"
 #include "widgets/viewport/motion_tools.h"
 #include "widgets/viewport/moving_scene.h"
@@ -63,6 +65,7 @@ struct Viewport::Private
     std::shared_ptr<const RenderScene> shown; ///< what is drawn: the scene with all in its place of now
     std::shared_ptr<const RenderScene> shownOf;
     std::shared_ptr<const MotionFrame> shownMotion;
+    quint64 shownTrail = 0;
     std::shared_ptr<const MotionFrame> wishedMotion; ///< whose trees the scene is made of, where it has any
     GrabbedBranch grabbed;
     glm::dvec3 handAt{0.0}; ///< world
@@ -81,6 +84,19 @@ struct Viewport::Private
     ArmRing ringAtPress;
     double ringFrom = 0.0; ///< rad, where it was taken
     quint64 ringGesture = 0;
+
+    // The transform gizmo, see viewport_gizmo.cpp.
+    std::unique_ptr<GizmoDrag> gizmo; ///< while nodes are moved
+    bool gizmoByKeys = false;         ///< else by a handle
+    std::optional<GizmoHandle> gizmoHover;
+    std::optional<GizmoPlace> gizmoRest; ///< where it stands between gestures
+    bool gizmoStale = true;              ///< gizmoRest is of before a change
+    std::function<bool()> autoKey;
+    /// Nothing where no tool is chosen, nothing can be moved, or everything moves by itself.
+    [[nodiscard]] std::optional<GizmoPlace> gizmoPlace();
+
+    // Paths and ghosts, see viewport_trail.cpp.
+    GizmoTrail trail;
 
     BackgroundPicker picker;
     QTimer hoverRest;

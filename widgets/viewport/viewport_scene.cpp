@@ -74,6 +74,7 @@ SceneWish Viewport::Private::wish()
 
 void Viewport::onDocumentChanged(const Change& change)
 {
+    followGizmo(change);
     if (change.has(changeReset)) {
         d->frameNext = true;
         d->frameAfter = d->wishes;

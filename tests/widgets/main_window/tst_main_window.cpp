@@ -245,7 +245,7 @@ private slots:
         QVERIFY(far >= 1);
         QTest::keyClick(m_window.get(), Qt::Key_Left, Qt::ControlModifier);
         QCOMPARE(inspected.back()[2].value<Index>(), far - 1);
-        QTest::keyClick(m_window.get(), Qt::Key_R);
+        QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ShiftModifier);
         QWidget* field = QApplication::focusWidget();
         QCOMPARE(field->objectName(), QStringLiteral("rollField"));
         QTest::keyClicks(field, "30");

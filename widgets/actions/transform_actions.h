@@ -1,0 +1,61 @@
+/// \file
+/// Tools that move nodes in the view: the toolbar's buttons, the Transform menu, and of the View menu the
+/// path and the ghosts. What is chosen is remembered, but for the tool.
+#pragma once
+
+#include <QObject>
+
+class QAction;
+class QActionGroup;
+class QComboBox;
+class QMenu;
+class QToolBar;
+
+namespace ramure {
+
+class ActionSet;
+class GizmoSettings;
+class Preferences;
+class ViewportHost;
+
+class TransformActions : public QObject
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the actions. \param window parent of the dialog
+    TransformActions(ViewportHost* host, Preferences* preferences, ActionSet* set, QWidget* window);
+
+    void fillMenu(QMenu* editMenu);
+    void fillToolBar(QToolBar* bar);
+    /// Of the View menu.
+    [[nodiscard]] QList<QAction*> viewActions() const;
+    void retranslate();
+
+signals:
+    /// For the status bar: empty when there is nothing to tell any more.
+    void hintChanged(const QString& text);
+
+private:
+    void addTools(ActionSet* set);
+    void addGestures(ActionSet* set);
+    void addSwitches(ActionSet* set);
+    void take();
+    void showSettings();
+
+    ViewportHost* m_host;
+    Preferences* m_preferences;
+    QWidget* m_window;
+    GizmoSettings* m_settings;
+    QActionGroup* m_tools;
+    QActionGroup* m_spaces;
+    QList<QAction*> m_gestures;
+    QAction* m_snap = nullptr;
+    QAction* m_path = nullptr;
+    QAction* m_ghosts = nullptr;
+    QAction* m_edit = nullptr;
+    QMenu* m_menu = nullptr;
+    QComboBox* m_spaceBox = nullptr;
+    bool m_taking = false;
+};
+
+} // namespace ramure
