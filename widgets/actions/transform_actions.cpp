@@ -101,8 +101,11 @@ void TransformActions::addGestures(ActionSet* set)
     for (const auto& [spec, tool] : gestures) {
         QAction* action = set->add(spec);
         m_gestures += action;
+        // After the menu has closed and given the focus back: the gesture needs it.
         if (Viewport* view = m_host->viewport())
-            connect(action, &QAction::triggered, view, [view, value = tool] { view->beginTransform(value); });
+            connect(
+                action, &QAction::triggered, view, [view, value = tool] { view->beginTransform(value); },
+                Qt::QueuedConnection);
     }
 }
 
