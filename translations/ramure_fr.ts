@@ -3388,6 +3388,10 @@
         <source>there is no texture coordinate %1</source>
         <translation>il n&apos;y a pas de coordonnée de texture %1</translation>
     </message>
+    <message>
+        <source>the placement&apos;s own scale is 0</source>
+        <translation>l’échelle propre du placement est nulle</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

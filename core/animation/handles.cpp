@@ -47,6 +47,11 @@ void settleSimple(Key& key, const Sides& sides)
 void align(Handle& handle, const Handle& other)
 {
     const double from = std::hypot(other.dt, other.dv), length = std::hypot(handle.dt, handle.dv);
+    // What stands in line already stays to the last digit: settling twice changes nothing.
+    constexpr double rounding = 1e-14;
+    if (std::abs(handle.dt * other.dv - handle.dv * other.dt) <= rounding * from * length &&
+        handle.dt * other.dt + handle.dv * other.dv <= 0.0)
+        return;
     if (from > 0.0)
         handle = {-other.dt * length / from, -other.dv * length / from};
 }
@@ -67,23 +72,19 @@ public:
         double slope = 0.0;
     };
 
-    explicit ClampedSlopes(std::vector<Row> rows)
-        : m_rows(std::move(rows))
-    {
-    }
-    const std::vector<Row>& solved()
+    std::vector<Row>& rows() { return m_rows; }
+    void solve()
     {
         // Each round holds or lets go at least one row, each row at most twice.
         for (std::size_t round = 0; round < 3 * m_rows.size() + 1; ++round) {
-            solve();
+            solveOnce();
             if (!hold() && !release())
                 break;
         }
-        return m_rows;
     }
 
 private:
-    void solve()
+    void solveOnce()
     {
         const std::size_t n = m_rows.size();
         m_c.assign(n, 0.0);
@@ -171,23 +172,42 @@ ClampedSlopes::Row clampedRow(const Key& key, const Sides& sides)
     return row;
 }
 
-void settleClamped(std::vector<Key>& keys)
+/// Keys first .. last, of which the two at the ends are given or have no neighbour beyond.
+void settleRun(std::vector<Key>& keys, std::size_t first, std::size_t last, ClampedSlopes& slopes)
 {
-    if (std::none_of(keys.begin(), keys.end(), isClamped))
-        return;
-    std::vector<ClampedSlopes::Row> rows;
-    rows.reserve(keys.size());
-    for (std::size_t i = 0; i < keys.size(); ++i)
+    std::vector<ClampedSlopes::Row>& rows = slopes.rows();
+    rows.clear();
+    for (std::size_t i = first; i <= last; ++i)
         rows.push_back(clampedRow(keys[i], sidesOf(keys, i)));
-    ClampedSlopes slopes(std::move(rows));
-    const std::vector<ClampedSlopes::Row>& solved = slopes.solved();
-    for (std::size_t i = 0; i < keys.size(); ++i) {
+    slopes.solve();
+    for (std::size_t i = first; i <= last; ++i) {
         const Sides sides = sidesOf(keys, i);
+        const double slope = rows[i - first].slope;
         if (keys[i].before == HandleType::AutoClamped)
-            keys[i].in = {-sides.before / 3.0, -sides.before / 3.0 * solved[i].slope};
+            keys[i].in = {-sides.before / 3.0, -sides.before / 3.0 * slope};
         if (keys[i].behind == HandleType::AutoClamped)
-            keys[i].out = {sides.behind / 3.0, sides.behind / 3.0 * solved[i].slope};
+            keys[i].out = {sides.behind / 3.0, sides.behind / 3.0 * slope};
     }
+}
+
+/// Runs of keys whose slopes depend on each other, one after the other: given ones lie between.
+/// \param from, to are widened to whole runs
+void settleClamped(std::vector<Key>& keys, std::size_t& from, std::size_t& to)
+{
+    ClampedSlopes slopes;
+    const auto isGiven = [&keys](std::size_t i) { return clampedRow(keys[i], sidesOf(keys, i)).given; };
+    std::size_t first = from;
+    while (first > 0 && !isGiven(first))
+        --first;
+    from = first;
+    do {
+        std::size_t last = std::min(first + 1, keys.size() - 1);
+        while (last + 1 < keys.size() && !isGiven(last))
+            ++last;
+        settleRun(keys, first, last, slopes);
+        first = last;
+    } while (first < to);
+    to = first;
 }
 
 /// Handles never lie on the wrong side of their key.
@@ -205,11 +225,61 @@ void settleByHand(Key& key)
 
 void settleHandles(std::vector<Key>& keys)
 {
-    for (std::size_t i = 0; i < keys.size(); ++i)
+    if (!keys.empty())
+        settleHandlesAround(keys, 0, keys.size() - 1);
+}
+
+void settleHandlesAround(std::vector<Key>& keys, std::size_t first, std::size_t last)
+{
+    // Secants to both neighbours, and what hangs on the slopes of those.
+    std::size_t from = first > 1 ? first - 2 : 0, to = std::min(last + 2, keys.size() - 1);
+    for (std::size_t i = from; i <= to; ++i)
         settleSimple(keys[i], sidesOf(keys, i));
-    settleClamped(keys);
-    for (Key& key : keys)
-        settleByHand(key);
+    // Those that the clamped ones look at come first, so that settling twice changes nothing.
+    for (std::size_t i = from; i <= to; ++i)
+        if (!isClamped(keys[i]))
+            settleByHand(keys[i]);
+    settleClamped(keys, from, to);
+    for (std::size_t i = from; i <= to; ++i)
+        if (isClamped(keys[i]))
+            settleByHand(keys[i]);
+}
+
+void settleHandlesOfLoop(std::vector<Key>& keys, double shift)
+{
+    // Rounds before and behind, as many as the slopes at the seam can tell.
+    constexpr std::size_t reach = 40;
+    const std::size_t round = keys.size() - 1, rounds = reach / round + 1;
+    const Ticks period = keys.back().time - keys.front().time;
+    std::vector<Key> wide;
+    wide.reserve((2 * rounds + 1) * round + 1);
+    for (std::size_t r = 0; r < 2 * rounds + 1; ++r) {
+        const auto away = static_cast<Ticks>(r) - static_cast<Ticks>(rounds);
+        for (std::size_t i = 0; i <= round; ++i) {
+            if (i == round && r < 2 * rounds)
+                continue; // the same as the first of the next round
+            wide.push_back(keys[i]);
+            wide.back().time += away * period;
+            wide.back().value += double(away) * shift;
+            if (i == 0) {
+                wide.back().before = keys.back().before;
+                wide.back().in = keys.back().in;
+            }
+        }
+    }
+    settleHandles(wide);
+    const auto isByHand = [](HandleType type) {
+        return type == HandleType::Free || type == HandleType::Aligned;
+    };
+    for (std::size_t i = 0; i <= round; ++i) {
+        // Both ends get what the seam has, so that they stay alike to the last digit.
+        const Key& settled = wide[rounds * round + (i == round ? 0 : i)];
+        if (!isByHand(keys[i].before))
+            keys[i].in = settled.in;
+        if (!isByHand(keys[i].behind))
+            keys[i].out = settled.out;
+        settleByHand(keys[i]);
+    }
 }
 
 } // namespace ramure

@@ -13,5 +13,11 @@ namespace ramure {
 /// both are aligned, with the handle before. Free ones stay.
 /// \param keys sorted, no two at one time.
 void settleHandles(std::vector<Key>& keys);
+/// The same where handles were settled before and only the keys \p first .. \p last have changed.
+void settleHandlesAround(std::vector<Key>& keys, std::size_t first, std::size_t last);
+/// The same for a curve that goes round: behind the last key comes the second one, before the first one the
+/// last but one. The two ends are one place, \p shift apart in value, and smooth like any other.
+/// \pre at least two keys
+void settleHandlesOfLoop(std::vector<Key>& keys, double shift);
 
 } // namespace ramure

@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <numeric>
+#include <type_traits>
 
 namespace ramure {
 namespace {
@@ -100,12 +103,15 @@ void settleSigns(std::vector<OrientationKey>& keys)
     }
 }
 
-void settleKeys(std::vector<Key>& keys)
+void settleKeys(std::vector<Key>& keys, bool goesRound)
 {
-    settleHandles(keys);
+    if (goesRound)
+        settleHandlesOfLoop(keys, keys.back().value - keys.front().value);
+    else
+        settleHandles(keys);
 }
 
-void settleKeys(std::vector<OrientationKey>& keys)
+void settleKeys(std::vector<OrientationKey>& keys, bool goesRound)
 {
     for (OrientationKey& key : keys)
         // What is a unit already stays as it is to the last digit: settling twice changes nothing.
@@ -120,7 +126,10 @@ void settleKeys(std::vector<OrientationKey>& keys)
             curve[i].in = keys[i].in[c];
             curve[i].out = keys[i].out[c];
         }
-        settleHandles(curve);
+        if (goesRound)
+            settleHandlesOfLoop(curve, curve.back().value - curve.front().value);
+        else
+            settleHandles(curve);
         for (std::size_t i = 0; i < keys.size(); ++i) {
             keys[i].in[c] = curve[i].in;
             keys[i].out[c] = curve[i].out;
@@ -141,6 +150,23 @@ template <class KeyType> Expected<void> checkKeys(std::span<const KeyType> keys)
 
 } // namespace
 
+template <class KeyType> bool KeyTrack<KeyType>::goesRound() const
+{
+    if (m_keys.size() < 2)
+        return false;
+    const auto repeats = [](Extrapolation way) {
+        return way == Extrapolation::Repeat || way == Extrapolation::RepeatOffset;
+    };
+    const Ticks first = m_keys.front().time, last = m_keys.back().time;
+    const bool wholePeriod = loop > 0 && last - first == loop && first % loop == 0;
+    if (!wholePeriod && !(loop == 0 && repeats(before) && repeats(behind)))
+        return false;
+    // Components of orientations that end elsewhere than they began do not simply go on from there.
+    if constexpr (std::is_same_v<KeyType, OrientationKey>)
+        return glm::dot(m_keys.front().value, m_keys.back().value) > 1.0 - 1e-9;
+    return true;
+}
+
 template <class KeyType> void KeyTrack<KeyType>::settle()
 {
     const auto earlier = [](const KeyType& a, const KeyType& b) { return a.time < b.time; };
@@ -150,7 +176,7 @@ template <class KeyType> void KeyTrack<KeyType>::settle()
     const auto sameTime = [](const KeyType& a, const KeyType& b) { return a.time == b.time; };
     const auto kept = std::unique(m_keys.rbegin(), m_keys.rend(), sameTime);
     m_keys.erase(m_keys.begin(), kept.base());
-    settleKeys(m_keys);
+    settleKeys(m_keys, goesRound());
     m_times.resize(m_keys.size());
     std::transform(m_keys.begin(), m_keys.end(), m_times.begin(),
                    [](const KeyType& key) { return key.time; });
@@ -184,11 +210,13 @@ template <class KeyType> Expected<void> KeyTrack<KeyType>::insert(KeyType key)
     if (auto good = checkKey(key); !good)
         return good;
     const std::size_t at = lowerBound(key.time);
-    if (at < m_keys.size() && m_keys[at].time == key.time)
+    if (at < m_keys.size() && m_keys[at].time == key.time) {
         m_keys[at] = std::move(key);
-    else
+    } else {
+        m_times.insert(m_times.begin() + static_cast<std::ptrdiff_t>(at), key.time);
         m_keys.insert(m_keys.begin() + static_cast<std::ptrdiff_t>(at), std::move(key));
-    settle();
+    }
+    settleAround(at, at);
     return {};
 }
 
@@ -208,21 +236,84 @@ Expected<void> KeyTrack<KeyType>::replace(std::span<const std::size_t> indices, 
 {
     if (auto good = checkKeys(keys); !good)
         return good;
-    std::vector<bool> changes(m_keys.size(), false);
-    for (const std::size_t index : indices) {
+    for (const std::size_t index : indices)
         if (index >= m_keys.size() || indices.size() != keys.size())
             return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no key %1"), {std::to_string(index)});
+    if (replaceInPlace(indices, keys))
+        return {};
+    std::vector<bool> changes(m_keys.size(), false);
+    std::vector<Ticks> left;
+    for (const std::size_t index : indices) {
         changes[index] = true;
+        left.push_back(m_keys[index].time);
     }
-    std::vector<KeyType> all;
-    all.reserve(m_keys.size());
+    std::vector<KeyType> stay, come(keys.begin(), keys.end()), all;
+    stay.reserve(m_keys.size());
     for (std::size_t i = 0; i < m_keys.size(); ++i)
         if (!changes[i])
-            all.push_back(std::move(m_keys[i]));
-    all.insert(all.end(), keys.begin(), keys.end());
+            stay.push_back(std::move(m_keys[i]));
+    const auto earlier = [](const KeyType& a, const KeyType& b) { return a.time < b.time; };
+    std::stable_sort(come.begin(), come.end(), earlier);
+    all.reserve(m_keys.size());
+    // Of equal times those that stay come first: the others take their place.
+    std::merge(stay.begin(), stay.end(), come.begin(), come.end(), std::back_inserter(all), earlier);
     m_keys = std::move(all);
-    settle();
+    // A few that have gone elsewhere among very many: only what is around their old and new places.
+    constexpr std::size_t few = 16;
+    const auto sameTime = [](const KeyType& a, const KeyType& b) { return a.time == b.time; };
+    if (left.size() > few || goesRound() || !std::is_same_v<KeyType, Key> ||
+        std::adjacent_find(m_keys.begin(), m_keys.end(), sameTime) != m_keys.end()) {
+        settle();
+        return {};
+    }
+    m_times.resize(m_keys.size());
+    std::transform(m_keys.begin(), m_keys.end(), m_times.begin(),
+                   [](const KeyType& key) { return key.time; });
+    for (const KeyType& key : come)
+        left.push_back(key.time);
+    for (const Ticks time : left) {
+        const std::size_t at = std::min(lowerBound(time), m_keys.size() - 1);
+        settleAround(at > 0 ? at - 1 : 0, at);
+    }
     return {};
+}
+
+/// Where all keys keep their order; of a curve with very many only those around need to be settled.
+template <class KeyType>
+bool KeyTrack<KeyType>::replaceInPlace(std::span<const std::size_t> indices, std::span<const KeyType> keys)
+{
+    if (indices.empty() || !std::is_sorted(indices.begin(), indices.end(), std::less_equal<>()))
+        return indices.empty();
+    const auto timeOf = [&](std::size_t index, std::size_t from) { // `from` is the place in the list
+        return from < indices.size() && indices[from] == index ? keys[from].time : m_keys[index].time;
+    };
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const std::size_t at = indices[i];
+        if ((i == 0 && at > 0 && m_keys[at - 1].time >= keys[i].time) ||
+            (i > 0 && timeOf(at - 1, indices[i - 1] == at - 1 ? i - 1 : indices.size()) >= keys[i].time) ||
+            (at + 1 < m_keys.size() && timeOf(at + 1, i + 1) <= keys[i].time))
+            return false;
+    }
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        m_keys[indices[i]] = keys[i];
+        m_times[indices[i]] = keys[i].time;
+    }
+    settleAround(indices.front(), indices.back());
+    return true;
+}
+
+template <class KeyType> void KeyTrack<KeyType>::settleAround(std::size_t first, std::size_t last)
+{
+    if constexpr (std::is_same_v<KeyType, Key>) {
+        if (!goesRound())
+            return settleHandlesAround(m_keys, first, last);
+    }
+    settleKeys(m_keys, goesRound()); // signs of orientations hang on those before them
+}
+
+template <class KeyType> void KeyTrack<KeyType>::settleEnds()
+{
+    settleKeys(m_keys, goesRound());
 }
 
 template class KeyTrack<Key>;

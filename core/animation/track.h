@@ -70,6 +70,9 @@ public:
     /// Errors as above, Unknown (an index); the track is unchanged then.
     Expected<void> replace(std::span<const std::size_t> indices, std::span<const KeyType> keys);
 
+    /// To be called after a change of one of these: handles at the ends of a track that goes round follow
+    /// those on the other side.
+    void settleEnds();
     Extrapolation before = Extrapolation::Hold;
     Extrapolation behind = Extrapolation::Hold;
     /// Above 0: the time is taken modulo this period, from 0 s on, before anything else.
@@ -82,9 +85,15 @@ public:
                loop == other.loop && blend == other.blend;
     }
 
+    /// The keys are one round of something that repeats on both sides, or of `loop`: the last key and the
+    /// first one are neighbours of those behind and before.
+    [[nodiscard]] bool goesRound() const;
+
 protected:
     friend struct TrackReader;
     void settle();
+    void settleAround(std::size_t first, std::size_t last);
+    bool replaceInPlace(std::span<const std::size_t> indices, std::span<const KeyType> keys);
 
     std::vector<KeyType> m_keys;
     std::vector<Ticks> m_times; ///< of the keys: close together for the search

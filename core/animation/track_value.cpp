@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ramure {
 
@@ -111,28 +112,32 @@ struct Segment
     }
 };
 
-/// Ends repeated.
-std::size_t neighbourBehind(std::size_t i, std::size_t count)
+/// The values before and behind a segment: at the ends of a track those on the other side where it goes
+/// round, else the end once more.
+std::pair<double, double> aroundSegment(const Track& track, std::size_t i)
 {
-    return std::min(i + 2, count - 1);
+    const std::vector<Key>& keys = track.keys();
+    const std::size_t last = keys.size() - 1;
+    const bool atEnd = i == 0 || i + 1 == last;
+    if (!atEnd || keys[i].mode != KeyMode::Cubic || !track.goesRound())
+        return {keys[i == 0 ? 0 : i - 1].value, keys[std::min(i + 2, last)].value};
+    const double shift = keys[last].value - keys[0].value;
+    return {i == 0 ? keys[last - 1].value - shift : keys[i - 1].value,
+            i + 1 == last ? keys[1].value + shift : keys[i + 2].value};
 }
 
-double inSegment(const std::vector<Key>& keys, std::size_t i, double ticks)
+double inSegment(const Track& track, std::size_t i, double ticks)
 {
+    const std::vector<Key>& keys = track.keys();
     const Key& from = keys[i];
     const auto offset = ticks - double(from.time);
     if (offset <= 0.0 || i + 1 == keys.size())
         return from.value;
     const Key& to = keys[i + 1];
     const auto span = double(to.time - from.time);
-    return Segment{from,
-                   from.value,
-                   to.value,
-                   from.out,
-                   to.in,
-                   keys[i == 0 ? 0 : i - 1].value,
-                   keys[neighbourBehind(i, keys.size())].value,
-                   span / double(ticksPerSecond),
+    const auto around = aroundSegment(track, i);
+    return Segment{from,         from.value,   to.value,      from.out,
+                   to.in,        around.first, around.second, span / double(ticksPerSecond),
                    offset / span}
         .value();
 }
@@ -163,11 +168,14 @@ double part(const glm::dquat& q, std::size_t c)
 }
 
 /// Everything by components.
-glm::dquat blended(const std::vector<OrientationKey>& keys, std::size_t i, double duration, double u)
+glm::dquat blended(const OrientationTrack& track, std::size_t i, double duration, double u)
 {
+    const std::vector<OrientationKey>& keys = track.keys();
     const OrientationKey &from = keys[i], &to = keys[i + 1];
-    const glm::dquat& before = keys[i == 0 ? 0 : i - 1].value;
-    const glm::dquat& behind = keys[neighbourBehind(i, keys.size())].value;
+    const std::size_t last = keys.size() - 1;
+    const bool round = (i == 0 || i + 1 == last) && track.goesRound(); // then both ends are the same
+    const glm::dquat& before = keys[i > 0 ? i - 1 : round ? last - 1 : 0].value;
+    const glm::dquat& behind = keys[i + 1 < last ? i + 2 : round ? 1 : last].value;
     double v[4];
     for (std::size_t c = 0; c < 4; ++c)
         v[c] = Segment{from,     part(from.value, c), part(to.value, c), from.out[c],
@@ -180,31 +188,41 @@ glm::dquat blended(const std::vector<OrientationKey>& keys, std::size_t i, doubl
 /// The angular velocity at a key by which the orientation passes it smoothly, times \p scale: that of the
 /// parabola through the key and its two neighbours, in the key's own space. At an end half that of the only
 /// neighbour, as where the end is repeated.
-glm::dvec3 velocityAt(const std::vector<OrientationKey>& keys, std::size_t i, double scale)
+glm::dvec3 velocityAt(const OrientationTrack& track, std::size_t i, double scale)
 {
+    const std::vector<OrientationKey>& keys = track.keys();
+    const std::size_t last = keys.size() - 1;
+    const bool round = (i == 0 || i == last) && track.goesRound();
     const glm::dquat back = glm::conjugate(keys[i].value);
     glm::dvec3 slow(0.0), fast(0.0);
     double before = 0.0, behind = 0.0;
     if (i > 0) {
         before = double(keys[i].time - keys[i - 1].time);
         slow = -logarithm(back * keys[i - 1].value) / before;
+    } else if (round) {
+        before = double(keys[last].time - keys[last - 1].time);
+        slow = -logarithm(glm::conjugate(keys[last].value) * keys[last - 1].value) / before;
     }
-    if (i + 1 < keys.size()) {
+    if (i < last) {
         behind = double(keys[i + 1].time - keys[i].time);
         fast = logarithm(back * keys[i + 1].value) / behind;
+    } else if (round) {
+        behind = double(keys[1].time - keys[0].time);
+        fast = logarithm(glm::conjugate(keys[0].value) * keys[1].value) / behind;
     }
     if (before == 0.0 || behind == 0.0)
         return 0.5 * scale * (slow + fast);
     return scale * (behind * slow + before * fast) / (before + behind);
 }
 
-glm::dquat squadAt(const std::vector<OrientationKey>& keys, std::size_t i, double u)
+glm::dquat squadAt(const OrientationTrack& track, std::size_t i, double u)
 {
+    const std::vector<OrientationKey>& keys = track.keys();
     const glm::dquat &a = keys[i].value, &b = keys[i + 1].value;
     const auto span = double(keys[i + 1].time - keys[i].time);
     const glm::dvec3 ahead = logarithm(glm::conjugate(a) * b), back = logarithm(glm::conjugate(b) * a);
-    const glm::dquat sa = a * exponential(0.5 * (velocityAt(keys, i, span) - ahead));
-    const glm::dquat sb = b * exponential(-0.5 * (velocityAt(keys, i + 1, span) + back));
+    const glm::dquat sa = a * exponential(0.5 * (velocityAt(track, i, span) - ahead));
+    const glm::dquat sb = b * exponential(-0.5 * (velocityAt(track, i + 1, span) + back));
     return squadded(a, sa, sb, b, u);
 }
 
@@ -221,11 +239,11 @@ glm::dquat inSegment(const OrientationTrack& track, std::size_t i, double ticks)
     const bool byComponents = track.blend == OrientationBlend::Components || from.mode == KeyMode::Bezier ||
                               (from.mode == KeyMode::Cubic && track.blend == OrientationBlend::Classic);
     if (byComponents)
-        return blended(keys, i, duration, u);
+        return blended(track, i, duration, u);
     if (from.mode == KeyMode::Linear)
         return slerped(from.value, to.value, u);
     if (from.mode == KeyMode::Cubic)
-        return squadAt(keys, i, u);
+        return squadAt(track, i, u);
     const glm::dvec3 half = logarithm(glm::conjugate(from.value) * to.value);
     return slerped(from.value, to.value,
                    easedShare(from, u, duration, 2.0 * std::sqrt(glm::dot(half, half))));
@@ -258,7 +276,7 @@ double valueAt(const Track& track, double seconds, TrackCursor& cursor)
 {
     const TrackPlace place = placeOf(track, seconds);
     const std::vector<Key>& keys = track.keys();
-    double value = inSegment(keys, segmentAt(TrackReader::times(track), place.ticks, cursor), place.ticks);
+    double value = inSegment(track, segmentAt(TrackReader::times(track), place.ticks, cursor), place.ticks);
     if (place.beyond != 0.0)
         value += place.beyond * slopeAtEnd(keys, place.beyond < 0.0);
     if (place.rounds != 0.0)

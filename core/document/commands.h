@@ -58,7 +58,8 @@ struct NodePlacing
 {
     NodeId node = noNode;
     NodeTransform values;
-    bool keys = false; ///< the tracks are what changes, else the placement
+    bool keys = false;   ///< the tracks are what changes, else the placement
+    bool placed = false; ///< with keys: the placement changes too, see core/scene/keyed_placement.h
 };
 
 /// Each function pushes one undo step (or none where nothing would change) and returns an error where the
@@ -135,7 +136,9 @@ Expected<void> setTracks(Document& document, const std::vector<TrackEdit>& edits
                          GestureId gesture = 0);
 /// A key at \p time in each of these channels, with the value the channel has then ("insert key"). A key that
 /// is there already stays. Channels that a node has not are left out. New keys have the mode of the key
-/// before them, or \p mode where there is none.
+/// before them, or \p mode where there is none. Where \p channels are all of the global transform, its
+/// three parts are keyed as wholes, and the placement is taken over where that is possible, see
+/// core/scene/keyed_placement.h.
 Expected<void> insertKeys(Document& document, const std::vector<NodeId>& nodes,
                           const std::vector<Channel>& channels, Ticks time, KeyMode mode = KeyMode::Bezier);
 /// Placements and global tracks of nodes as one step: what a hand in the viewport does to them. While a

@@ -25,7 +25,8 @@ struct PlaceTarget
     static constexpr CommandId id = CommandId::PlaceNodes;
 
     NodeId node;
-    bool keys;
+    bool keys;   ///< the tracks change
+    bool places; ///< the placement changes
 
     [[nodiscard]] Value get(const Node& from) const
     {
@@ -41,10 +42,10 @@ struct PlaceTarget
     {
         change.firstStale = Stage::Placement;
         change.nodes.push_back(node);
-        if (keys) {
+        if (keys)
             change.kinds |= changeTracks;
+        if (!places)
             return;
-        }
         change.kinds |= changeParams;
         for (const char* key : {"tree.translation", "tree.rotation", "tree.scale"})
             addOnce(change.params, paramId(*findParam(key)));
@@ -84,7 +85,7 @@ Expected<void> edit::placeNodes(Document& document, const std::vector<NodePlacin
     std::vector<SetCommand<PlaceTarget>::Entry> entries;
     entries.reserve(wanted.size());
     for (const auto& [node, place] : wanted)
-        entries.push_back({{node, place->keys}, {place->values}});
+        entries.push_back({{node, place->keys, !place->keys || place->placed}, {place->values}});
     pushSet<PlaceTarget>(document, std::move(entries), text, gesture);
     return {};
 }

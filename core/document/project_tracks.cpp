@@ -264,6 +264,7 @@ template <class TrackType> Expected<AnyTrack> readTrack(QJsonObject& object)
     if (!done)
         return fail(std::move(done.error()));
     object = taker.rest();
+    track->settleEnds();
     return AnyTrack(std::move(*track));
 }
 

@@ -1,5 +1,7 @@
 // Tracks of nodes.
 #include "core/document/document_command.h"
+#include "core/scene/keyed_placement.h"
+#include <algorithm>
 
 namespace ramure {
 
@@ -104,6 +106,48 @@ Expected<NodeAnimation::TrackPtr> keyed(const Node& node, const Channel& channel
     return std::make_shared<const AnyTrack>(std::move(*made));
 }
 
+PlacementPart placementPart(const Channel& channel)
+{
+    return channel.isOrientation() ? PlacementPart::Rotation
+           : channel.isScale()     ? PlacementPart::Scale
+                                   : PlacementPart::Translation;
+}
+
+/// The parts of the global transform that the channels are; none where they are anything else, or less.
+std::vector<PlacementPart> wholeParts(const std::vector<Channel>& channels)
+{
+    std::vector<PlacementPart> parts;
+    std::size_t expected = 0;
+    for (const Channel& channel : channels) {
+        if (channel.part > ChannelPart::GlobalScale)
+            return {};
+        if (std::find(parts.begin(), parts.end(), placementPart(channel)) != parts.end())
+            continue;
+        parts.push_back(placementPart(channel));
+        expected += channel.isOrientation() ? 1 : 3;
+    }
+    return channels.size() == expected ? parts : std::vector<PlacementPart>();
+}
+
+/// Keys of the global transforms, in whole parts.
+Expected<void> insertPlacementKeys(Document& document, const std::vector<NodeId>& ids,
+                                   const std::vector<PlacementPart>& parts, Ticks time, KeyMode mode)
+{
+    std::vector<NodePlacing> places;
+    for (const NodeId id : ids) {
+        const Node& node = *document.scene().find(id);
+        NodePlacing place{id, {node.params.tree, globalTracks(node.animation)}, true, true};
+        for (const PlacementPart part : parts) {
+            auto made = withPlacementKeys(place.values, time, part, mode);
+            if (!made)
+                return fail(std::move(made.error()));
+            place.values = std::move(*made);
+        }
+        places.push_back(std::move(place));
+    }
+    return edit::placeNodes(document, places, DocumentCommand::tr("Insert Keys"));
+}
+
 } // namespace
 
 Expected<void> edit::setTracks(Document& document, const std::vector<TrackEdit>& edits, const QString& text,
@@ -131,6 +175,8 @@ Expected<void> edit::insertKeys(Document& document, const std::vector<NodeId>& n
     const auto ids = editable(document.scene(), nodes);
     if (!ids)
         return fail(ids.error());
+    if (const auto parts = wholeParts(channels); !parts.empty())
+        return insertPlacementKeys(document, *ids, parts, time, mode);
     std::vector<TrackEdit> edits;
     for (const NodeId id : *ids) {
         const Node& node = *document.scene().find(id);

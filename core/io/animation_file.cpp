@@ -252,6 +252,7 @@ private:
     template <class TrackType> void keep(const Channel& channel, TrackType track)
     {
         track.loop = ticksOf(m_loopSeconds);
+        track.settleEnds();
         m_out.animation.set(channel, AnyTrack(std::move(track)));
     }
     Expected<void> addNumbers(ChannelPart part, const std::array<Axis, 3>& axes)

@@ -43,6 +43,7 @@ TrackPtr orientations(std::vector<OrientationKey> keys, Ticks loop = 0)
 {
     auto track = *OrientationTrack::fromKeys(std::move(keys));
     track.loop = loop;
+    track.settleEnds();
     return std::make_shared<const AnyTrack>(std::move(track));
 }
 

@@ -70,6 +70,7 @@ inline AnyTrack randomTrack(const Channel& channel, Random& random)
         track.before = static_cast<Extrapolation>(random.below(extrapolationCount));
         track.behind = static_cast<Extrapolation>(random.below(extrapolationCount));
         track.loop = random.below(2) == 0 ? 0 : 5 * ticksPerSecond;
+        track.settleEnds();
         return AnyTrack(track);
     };
     const auto number = [&random] { return random.range(-1.0, 1.0); };

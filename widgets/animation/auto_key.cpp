@@ -2,17 +2,48 @@
 
 #include "core/document/player.h"
 #include "widgets/animation/key_edits.h"
+#include <string_view>
 
 namespace ramure {
 namespace {
 
+std::optional<PlacementPart> placementPart(const ParamDef& def)
+{
+    const std::string_view key = def.key;
+    if (key == "tree.translation")
+        return PlacementPart::Translation;
+    if (key == "tree.rotation")
+        return PlacementPart::Rotation;
+    if (key == "tree.scale")
+        return PlacementPart::Scale;
+    return std::nullopt;
+}
+
 std::vector<Channel> channelsOf(const ParamDef& def)
 {
+    const auto part = placementPart(def);
+    if (part == PlacementPart::Rotation)
+        return {{ChannelPart::GlobalOrientation, 0, 0}};
     std::vector<Channel> channels;
     const std::uint8_t count = def.type == ParamType::Vec3 ? 3 : 1;
     for (std::uint8_t c = 0; c < count; ++c)
-        channels.push_back({ChannelPart::Parameter, c, paramId(def)});
+        channels.push_back(!part ? Channel{ChannelPart::Parameter, c, paramId(def)}
+                           : *part == PlacementPart::Translation
+                               ? Channel{ChannelPart::GlobalTranslation, c, 0}
+                               : Channel{ChannelPart::GlobalScale, c, 0});
     return channels;
+}
+
+bool hasKey(const AnyTrack& track, Ticks time)
+{
+    return std::visit([time](const auto& held) { return held.find(time).has_value(); }, track);
+}
+
+glm::dvec3 partOf(const PlacementParams& placement, PlacementPart part)
+{
+    return part == PlacementPart::Translation ? placement.translation
+           : part == PlacementPart::Rotation  ? placement.rotation
+                                              : placement.scale;
 }
 
 double number(const ParamValue& value, std::uint8_t component)
@@ -50,6 +81,11 @@ Expected<TrackEdit> keyed(const Node& node, const Channel& channel, Ticks time, 
 
 } // namespace
 
+bool isKeyable(const ParamDef& def)
+{
+    return (def.flags & paramAnimatable) != 0 || placementPart(def);
+}
+
 AutoKey::AutoKey(Document* document, Player* player, QObject* parent)
     : QObject(parent)
     , m_document(document)
@@ -72,14 +108,14 @@ Ticks AutoKey::now() const
 
 KeyState AutoKey::state(const std::vector<NodeId>& nodes, const ParamDef& def) const
 {
-    if ((def.flags & paramAnimatable) == 0)
+    if (!isKeyable(def))
         return KeyState::None;
     bool any = false, all = !nodes.empty();
     for (const NodeId id : nodes)
         for (const Channel& channel : channelsOf(def)) {
             const auto track = keys::find(m_document->scene(), {id, channel});
             any = any || track;
-            all = all && track && std::get<Track>(*track).find(now());
+            all = all && track && hasKey(*track, now());
         }
     return all ? KeyState::Here : any ? KeyState::Animated : KeyState::None;
 }
@@ -88,8 +124,10 @@ ParamValue AutoKey::value(NodeId id, const ParamDef& def) const
 {
     const Node& node = *m_document->scene().find(id);
     ParamValue value = def.get(node.params);
-    if ((def.flags & paramAnimatable) == 0)
+    if (!isKeyable(def))
         return value;
+    if (const auto part = placementPart(def))
+        return partOf(placementAt({node.params.tree, globalTracks(node.animation)}, secondsOf(now())), *part);
     for (const Channel& channel : channelsOf(def))
         if (const auto track = node.animation.find(channel)) {
             const double at = valueAt(std::get<Track>(*track), secondsOf(now()));
@@ -105,7 +143,7 @@ ParamValue AutoKey::value(NodeId id, const ParamDef& def) const
 
 bool AutoKey::takes(const std::vector<NodeId>& nodes, const ParamDef& def) const
 {
-    return (def.flags & paramAnimatable) != 0 && (m_on || state(nodes, def) != KeyState::None);
+    return isKeyable(def) && (m_on || state(nodes, def) != KeyState::None);
 }
 
 Expected<void> AutoKey::set(const std::vector<NodeId>& nodes, const ParamDef& def, const ParamValue& value,
@@ -115,6 +153,8 @@ Expected<void> AutoKey::set(const std::vector<NodeId>& nodes, const ParamDef& de
         return noKeyHere();
     if (auto good = checkValue(def, value); !good)
         return good;
+    if (const auto part = placementPart(def))
+        return setPlacement(nodes, def, *part, std::get<glm::dvec3>(value), component, gesture);
     std::vector<TrackEdit> edits;
     for (const NodeId id : nodes) {
         const Node* node = m_document->scene().find(id);
@@ -130,6 +170,31 @@ Expected<void> AutoKey::set(const std::vector<NodeId>& nodes, const ParamDef& de
         }
     }
     return edit::setTracks(*m_document, edits, tr("Set Key"), gesture);
+}
+
+/// One component of several nodes: each keeps its own others.
+Expected<void> AutoKey::setPlacement(const std::vector<NodeId>& nodes, const ParamDef& def,
+                                     PlacementPart part, const glm::dvec3& value,
+                                     std::optional<int> component, GestureId gesture)
+{
+    std::vector<NodePlacing> places;
+    for (const NodeId id : nodes) {
+        const Node* node = m_document->scene().find(id);
+        if (!node || !hasParam(node->kind, def))
+            continue;
+        NodePlacing place{id, {node->params.tree, globalTracks(node->animation)}, true, true};
+        glm::dvec3 wanted = value;
+        if (component) {
+            wanted = partOf(placementAt(place.values, secondsOf(now())), part);
+            wanted[*component] = value[*component];
+        }
+        auto made = withPlacementSet(place.values, now(), part, wanted, component);
+        if (!made)
+            return fail(std::move(made.error()));
+        place.values = std::move(*made);
+        places.push_back(std::move(place));
+    }
+    return edit::placeNodes(*m_document, places, tr("Set Key"), gesture);
 }
 
 Expected<void> AutoKey::toggle(const std::vector<NodeId>& nodes, const ParamDef& def)

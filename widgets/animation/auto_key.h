@@ -1,8 +1,11 @@
 /// \file
-/// Parameters with keys: whether they have any, one at the frame on show, and edits that become keys.
+/// Parameters and placements with keys: whether they have any, one at the frame on show, and edits that
+/// become keys. The placement of a node that is keyed is what its track makes of it, see
+/// core/scene/keyed_placement.h.
 #pragma once
 
 #include "core/document/commands.h"
+#include "core/scene/keyed_placement.h"
 #include "widgets/animation/key_state.h"
 #include <QObject>
 #include <optional>
@@ -54,6 +57,8 @@ signals:
 
 private:
     [[nodiscard]] Ticks now() const;
+    Expected<void> setPlacement(const std::vector<NodeId>& nodes, const ParamDef& def, PlacementPart part,
+                                const glm::dvec3& value, std::optional<int> component, GestureId gesture);
 
     Document* m_document;
     Player* m_player;

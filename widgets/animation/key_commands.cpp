@@ -199,7 +199,7 @@ void KeyCommands::retime(const Retiming& retiming, bool copies)
                           retiming.factor == 1.0 ? tr("Move Keys") : tr("Scale Keys")));
 }
 
-void KeyCommands::shift(Ticks offset, const std::map<TrackRef, double>& values)
+void KeyCommands::shift(Ticks offset, const std::map<CurveRef, double>& values)
 {
     if (hasSelection())
         take(keys::shift(document(), m_model->selection(), offset, values, tr("Move Keys")));

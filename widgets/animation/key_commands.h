@@ -48,8 +48,8 @@ public:
     void nudge(int frames);
     /// Of a drag: \p copies leave the keys where they are.
     void retime(const Retiming& retiming, bool copies);
-    /// In time, and by each track's share of \p values.
-    void shift(Ticks offset, const std::map<TrackRef, double>& values);
+    /// In time, and by each curve's share of \p values.
+    void shift(Ticks offset, const std::map<CurveRef, double>& values);
     /// Of a handle that is dragged: one step per gesture.
     void replaceKey(const TrackRef& ref, const Key& key, GestureId gesture);
     void setMode(KeyMode mode);

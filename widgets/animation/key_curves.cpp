@@ -1,16 +1,12 @@
 #include "widgets/animation/key_curves.h"
 
-#include "widgets/animation/key_texts.h"
 #include "widgets/timeline/timeline_ruler.h"
-#include <QLocale>
-#include <QPainter>
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 
 namespace ramure {
-
-static constexpr double keyRadius = 4.0;
 
 KeyCurves::KeyCurves(KeyModel* model, KeyCommands* commands, TimelineRuler* ruler, QWidget* parent)
     : QWidget(parent)
@@ -21,33 +17,53 @@ KeyCurves::KeyCurves(KeyModel* model, KeyCommands* commands, TimelineRuler* rule
     setObjectName(QStringLiteral("keyCurves"));
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Curves"));
-    connect(model, &KeyModel::rowsChanged, this, &KeyCurves::takeCurves);
+    connect(model, &KeyModel::rowsChanged, this, &KeyCurves::followModel);
     connect(model, &KeyModel::selectionChanged, this, qOverload<>(&QWidget::update));
     connect(ruler, &TimelineRuler::viewChanged, this, qOverload<>(&QWidget::update));
     takeCurves();
 }
 
+/// The dope sheet may be on show instead.
+void KeyCurves::followModel()
+{
+    m_stale = true;
+    if (isVisible())
+        takeCurves();
+}
+
+void KeyCurves::showEvent(QShowEvent* event)
+{
+    if (m_stale)
+        takeCurves();
+    QWidget::showEvent(event);
+}
+
 void KeyCurves::takeCurves()
 {
+    m_stale = false;
+    std::map<TrackRef, std::vector<Curve>> before;
+    for (Curve& curve : m_curves)
+        before[curve.ref().track].push_back(std::move(curve));
     m_curves.clear();
     for (const TrackRef& ref : m_model->tracks()) {
         const auto track = keys::find(m_model->document()->scene(), ref);
-        const auto* number = track ? std::get_if<Track>(track.get()) : nullptr;
-        if (!number || m_model->isHidden(ref))
+        if (!track || m_model->isHidden(ref))
             continue;
-        const auto byValue = [](const Key& a, const Key& b) { return a.value < b.value; };
-        const auto [low, high] = std::minmax_element(number->keys().begin(), number->keys().end(), byValue);
-        m_curves.push_back({ref, track, low->value, high->value});
+        const auto kept = before.find(ref);
+        const bool same = kept != before.end() && kept->second.front().track() == track;
+        std::vector<Curve> curves = same ? std::move(kept->second) : Curve::curvesOf(ref, track);
+        std::move(curves.begin(), curves.end(), std::back_inserter(m_curves));
     }
+    m_linesOf = {};
     if (!m_fitted && !m_curves.empty() && isVisible())
         fit();
     update();
 }
 
-const KeyCurves::Curve* KeyCurves::curveOf(const TrackRef& ref) const
+const KeyCurves::Curve* KeyCurves::curveOf(const CurveRef& ref) const
 {
     const auto found = std::find_if(m_curves.begin(), m_curves.end(),
-                                    [&ref](const Curve& curve) { return curve.ref == ref; });
+                                    [&ref](const Curve& curve) { return curve.ref() == ref; });
     return found == m_curves.end() ? nullptr : &*found;
 }
 
@@ -60,6 +76,7 @@ void KeyCurves::setFrame(qint64 frame)
 void KeyCurves::setNormalised(bool on)
 {
     m_normalised = on;
+    m_linesOf = {};
     fit();
 }
 
@@ -72,18 +89,23 @@ double KeyCurves::xOf(double seconds) const
 double KeyCurves::yOf(const Curve& curve, double value) const
 {
     if (m_normalised)
-        value =
-            curve.high > curve.low ? (value - curve.low) / (curve.high - curve.low) : value - curve.low + 0.5;
+        value = curve.high() > curve.low() ? (value - curve.low()) / (curve.high() - curve.low())
+                                           : value - curve.low() + 0.5;
     return height() * (m_high - value) / (m_high - m_low);
 }
 
 double KeyCurves::unitsPerPixel(const Curve& curve) const
 {
-    const double scale = m_normalised && curve.high > curve.low ? curve.high - curve.low : 1.0;
+    const double scale = m_normalised && curve.high() > curve.low() ? curve.high() - curve.low() : 1.0;
     return scale * (m_high - m_low) / std::max(1, height());
 }
 
 QPointF KeyCurves::placeOf(const TrackRef& ref, Ticks time, double value) const
+{
+    return placeOf(CurveRef{ref, 0}, time, value);
+}
+
+QPointF KeyCurves::placeOf(const CurveRef& ref, Ticks time, double value) const
 {
     const Curve* curve = curveOf(ref);
     return curve ? QPointF(xOf(secondsOf(time)), yOf(*curve, value)) : QPointF();
@@ -96,23 +118,52 @@ bool KeyCurves::isSelected(const TrackRef& ref, Ticks time) const
            std::binary_search(found->second.begin(), found->second.end(), time);
 }
 
+const std::vector<Ticks>& KeyCurves::selectedOf(const Curve& curve) const
+{
+    static const std::vector<Ticks> none;
+    const auto found = m_model->selection().find(curve.ref().track);
+    return found == m_model->selection().end() ? none : found->second;
+}
+
+bool KeyCurves::follows(const Curve& curve) const
+{
+    const Curve* hit = curveOf(m_hit.ref);
+    const bool angle = hit && hit->isAngle();
+    return curve.isAngle() == angle && (!angle || curve.ref().component == m_hit.ref.component);
+}
+
+bool KeyCurves::showsHandle(const Curve& curve, std::size_t key, int side) const
+{
+    const Key* number = curve.numberKey(key);
+    if (!number)
+        return false;
+    return side > 0 ? number->mode == KeyMode::Bezier && key + 1 < curve.size()
+                    : key > 0 && curve.numberKey(key - 1)->mode == KeyMode::Bezier;
+}
+
 void KeyCurves::fit()
 {
+    if (m_stale)
+        takeCurves();
     if (m_curves.empty())
         return;
     m_fitted = true;
     double low = 1e300, high = -1e300;
     Ticks from = mostTicks, to = -mostTicks;
     const bool all = m_model->selection().empty();
-    for (const Curve& curve : m_curves)
-        for (const Key& key : std::get<Track>(*curve.track).keys()) {
-            if (!all && !isSelected(curve.ref, key.time))
-                continue;
-            low = std::min(low, key.value);
-            high = std::max(high, key.value);
-            from = std::min(from, key.time);
-            to = std::max(to, key.time);
-        }
+    const auto take = [&](const Curve& curve, std::size_t key) {
+        low = std::min(low, curve.valueOf(key));
+        high = std::max(high, curve.valueOf(key));
+        from = std::min(from, curve.timeOf(key));
+        to = std::max(to, curve.timeOf(key));
+    };
+    for (const Curve& curve : m_curves) {
+        for (std::size_t i = 0; all && i < curve.size(); ++i)
+            take(curve, i);
+        for (const Ticks time : selectedOf(curve))
+            if (const auto key = curve.find(time))
+                take(curve, *key);
+    }
     if (from > to)
         return;
     if (m_normalised) {
@@ -132,112 +183,6 @@ QPointF KeyCurves::handlePlace(const Curve& curve, const Key& key, int side) con
 {
     const Handle& handle = side < 0 ? key.in : key.out;
     return {xOf(secondsOf(key.time) + handle.dt), yOf(curve, key.value + handle.dv)};
-}
-
-void KeyCurves::paintGrid(QPainter& painter) const
-{
-    const double wanted = 40.0 * (m_high - m_low) / std::max(1, height());
-    const double tenth = std::pow(10.0, std::floor(std::log10(wanted)));
-    double step = tenth;
-    for (const double factor : {2.0, 5.0, 10.0})
-        if (step < wanted)
-            step = tenth * factor;
-    QColor line = palette().color(QPalette::WindowText), text = line;
-    line.setAlphaF(0.12f);
-    text.setAlphaF(0.6f);
-    for (double value = std::ceil(m_low / step) * step; value <= m_high; value += step) {
-        const double y = std::floor(height() * (m_high - value) / (m_high - m_low)) + 0.5;
-        painter.setPen(line);
-        painter.drawLine(QPointF(0.0, y), QPointF(width(), y));
-        painter.setPen(text);
-        if (!m_normalised)
-            painter.drawText(QPointF(4.0, y - 2.0),
-                             locale().toString(std::abs(value) < 1e-9 * step ? 0.0 : value, 'g', 6));
-    }
-}
-
-/// Looked at every other pixel; with very many curves less often, so that a picture stays quick.
-void KeyCurves::paintCurve(QPainter& painter, const Curve& curve) const
-{
-    const auto& track = std::get<Track>(*curve.track);
-    const double step = std::max(2.0, double(m_curves.size()) / 40.0);
-    const double rate = m_model->timeline().framesPerSecond;
-    TrackCursor cursor;
-    QPolygonF line;
-    line.reserve(int(width() / step) + 2);
-    for (double x = 0.0; x <= width() + step; x += step) {
-        const double seconds = std::clamp(m_ruler->framesAt(x) / rate, -1e6, 1e6);
-        line << QPointF(x, std::clamp(yOf(curve, valueAt(track, seconds, cursor)), -1e5, 1e5));
-    }
-    painter.setPen(QPen(channelColour(curve.ref.channel, palette()), 1.5));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawPolyline(line);
-}
-
-void KeyCurves::paintKeys(QPainter& painter, const Curve& curve) const
-{
-    const auto& track = std::get<Track>(*curve.track);
-    const QColor accent = palette().color(QPalette::Highlight), text = palette().color(QPalette::WindowText);
-    const auto ticksAt = [&](double x) {
-        return keys::ticksOfFrame(m_model->timeline(), m_ruler->framesAt(x));
-    };
-    const Ticks last = ticksAt(width() + 20.0);
-    double lastX = -1e9, lastY = -1e9;
-    for (std::size_t i = track.lowerBound(ticksAt(-20.0)); i < track.size() && track.keys()[i].time <= last;
-         ++i) {
-        const Key& key = track.keys()[i];
-        const bool selected = isSelected(curve.ref, key.time);
-        QPointF place(xOf(secondsOf(key.time)), yOf(curve, key.value));
-        if (!selected && std::abs(place.x() - lastX) < 2.0 && std::abs(place.y() - lastY) < 2.0)
-            continue; // not to be told apart
-        lastX = place.x();
-        lastY = place.y();
-        if (selected && m_drag == Drag::Keys)
-            place = {xOf(secondsOf(key.time + m_offset)), place.y() + m_pixels};
-        if (selected && m_drag != Drag::Keys)
-            for (const int side : {-1, 1}) {
-                const bool used = side > 0 ? key.mode == KeyMode::Bezier && i + 1 < track.size()
-                                           : i > 0 && track.keys()[i - 1].mode == KeyMode::Bezier;
-                if (!used)
-                    continue;
-                const QPointF end = handlePlace(curve, key, side);
-                painter.setPen(QPen(accent, 1.2));
-                painter.setBrush(palette().color(QPalette::Base));
-                painter.drawLine(place, end);
-                painter.drawEllipse(end, keyRadius - 0.5, keyRadius - 0.5);
-            }
-        painter.setPen(QPen(selected ? text : channelColour(curve.ref.channel, palette()), 1.2));
-        painter.setBrush(selected ? accent : palette().color(QPalette::Base));
-        painter.drawEllipse(place, keyRadius, keyRadius);
-    }
-}
-
-void KeyCurves::paintEvent(QPaintEvent*)
-{
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.fillRect(rect(), palette().base());
-    paintGrid(painter);
-    for (const Curve& curve : m_curves)
-        paintCurve(painter, curve);
-    for (const Curve& curve : m_curves)
-        paintKeys(painter, curve);
-    const QColor accent = palette().color(QPalette::Highlight);
-    painter.setPen(QPen(accent, 1.6));
-    const double x = std::floor(m_ruler->xOf(double(m_frame))) + 0.5;
-    painter.drawLine(QPointF(x, 0.0), QPointF(x, height()));
-    if (m_drag == Drag::Box && m_moved) {
-        QColor soft = accent;
-        soft.setAlphaF(0.15f);
-        painter.setPen(accent);
-        painter.setBrush(soft);
-        painter.drawRect(QRectF(m_press, m_at).normalized());
-    }
-    if (hasFocus()) {
-        painter.setPen(accent);
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
-    }
 }
 
 } // namespace ramure

@@ -3,11 +3,13 @@
 ///
 /// Click selects a key (Shift adds or takes away), a drag from empty space a box; dragging a selected key
 /// moves the selection in time and value, with Ctrl only in value; one step of undo, Escape gives up. Wheel:
-/// values; Ctrl+wheel: time; middle drag both. Orientations have no curve: their four numbers make no sense
-/// one by one.
+/// values; Ctrl+wheel: time; middle drag both. Orientations have three curves, of their angles in degrees;
+/// dragging one of them leaves the two others where they are.
 #pragma once
 
 #include "widgets/animation/key_commands.h"
+#include "widgets/animation/key_curve.h"
+#include <QImage>
 #include <QWidget>
 
 namespace ramure {
@@ -27,10 +29,14 @@ public:
     [[nodiscard]] bool isNormalised() const { return m_normalised; }
     /// The selected keys, or all, in time and value.
     void fit();
+    /// Of orientations the angle about X.
     [[nodiscard]] QPointF placeOf(const TrackRef& ref, Ticks time, double value) const;
+    [[nodiscard]] QPointF placeOf(const CurveRef& ref, Ticks time, double value) const;
+    [[nodiscard]] const std::vector<KeyCurve>& curves() const { return m_curves; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void showEvent(QShowEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -41,29 +47,35 @@ protected:
 private:
     enum class Drag : std::uint8_t { None, Keys, Handle, Box, Scroll };
 
-    struct Curve
-    {
-        TrackRef ref;
-        NodeAnimation::TrackPtr track;
-        double low = 0.0, high = 1.0; ///< of its keys
-    };
+    using Curve = KeyCurve;
     struct Hit
     {
-        TrackRef ref;
+        CurveRef ref;
         Ticks time = 0;
         int side = 0; ///< -1, 1: the handle before, behind
     };
 
     void takeCurves();
-    [[nodiscard]] const Curve* curveOf(const TrackRef& ref) const;
+    void followModel();
+    [[nodiscard]] const Curve* curveOf(const CurveRef& ref) const;
     [[nodiscard]] double xOf(double seconds) const;
     [[nodiscard]] double yOf(const Curve& curve, double value) const;
     [[nodiscard]] double unitsPerPixel(const Curve& curve) const;
     [[nodiscard]] bool isSelected(const TrackRef& ref, Ticks time) const;
+    [[nodiscard]] const std::vector<Ticks>& selectedOf(const Curve& curve) const;
+    /// Goes along when the value of the key is dragged that was hit.
+    [[nodiscard]] bool follows(const Curve& curve) const;
+    [[nodiscard]] bool showsHandle(const Curve& curve, std::size_t key, int side) const;
     [[nodiscard]] QPointF handlePlace(const Curve& curve, const Key& key, int side) const;
     [[nodiscard]] std::optional<Hit> hitAt(const QPointF& place) const;
     void paintCurve(QPainter& painter, const Curve& curve) const;
     void paintKeys(QPainter& painter, const Curve& curve) const;
+    void paintHandles(QPainter& painter, const Curve& curve, std::size_t key, const QPointF& place) const;
+    [[nodiscard]] bool isDense() const;
+    void paintDense(QPainter& painter);
+    void paintDots();
+    [[nodiscard]] std::pair<std::size_t, std::size_t> keysInSight(const Curve& curve) const;
+    [[nodiscard]] QPointF keyPlace(const Curve& curve, std::size_t key, bool selected) const;
     void paintGrid(QPainter& painter) const;
     void dragHandle(const QPointF& place);
     void finishKeys();
@@ -74,6 +86,12 @@ private:
     KeyCommands* m_commands;
     TimelineRuler* m_ruler;
     std::vector<Curve> m_curves;
+    bool m_dense = false; ///< very many keys are in sight
+    bool m_stale = false; ///< the tracks have changed since, nobody having looked
+    // Where there are very many keys:
+    QImage m_lines;                    ///< all but the keys, kept while only those move
+    std::array<double, 6> m_linesOf{}; ///< what of the view it was drawn for
+    QImage m_dots;                     ///< with the keys
     qint64 m_frame = 0;
     double m_low = -1.0, m_high = 1.0; ///< at the lower and upper edge
     bool m_normalised = false;

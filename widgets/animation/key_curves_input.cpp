@@ -28,25 +28,17 @@ std::optional<KeyCurves::Hit> KeyCurves::hitAt(const QPointF& place) const
         return keys::ticksOfFrame(m_model->timeline(), m_ruler->framesAt(x));
     };
     for (const Curve& curve : m_curves) {
-        const auto& track = std::get<Track>(*curve.track);
-        const Ticks last = ticksAt(place.x() + reach);
-        for (std::size_t i = track.lowerBound(ticksAt(place.x() - reach));
-             i < track.size() && track.keys()[i].time <= last; ++i)
-            look({xOf(secondsOf(track.keys()[i].time)), yOf(curve, track.keys()[i].value)},
-                 {curve.ref, track.keys()[i].time, 0});
-        const auto selected = m_model->selection().find(curve.ref);
-        if (selected == m_model->selection().end())
+        const std::size_t end = curve.lowerBound(ticksAt(place.x() + reach) + 1);
+        for (std::size_t i = curve.lowerBound(ticksAt(place.x() - reach)); i < end; ++i)
+            look({xOf(secondsOf(curve.timeOf(i))), yOf(curve, curve.valueOf(i))},
+                 {curve.ref(), curve.timeOf(i), 0});
+        if (curve.isAngle())
             continue;
-        for (const Ticks time : selected->second)
-            if (const auto index = track.find(time))
-                for (const int side : {-1, 1}) {
-                    const Key& key = track.keys()[*index];
-                    const bool used = side > 0
-                                          ? key.mode == KeyMode::Bezier && *index + 1 < track.size()
-                                          : *index > 0 && track.keys()[*index - 1].mode == KeyMode::Bezier;
-                    if (used)
-                        look(handlePlace(curve, key, side), {curve.ref, time, side});
-                }
+        for (const Ticks time : selectedOf(curve))
+            if (const auto index = curve.find(time))
+                for (const int side : {-1, 1})
+                    if (showsHandle(curve, *index, side))
+                        look(handlePlace(curve, *curve.numberKey(*index), side), {curve.ref(), time, side});
     }
     return best;
 }
@@ -78,7 +70,7 @@ void KeyCurves::mousePressEvent(QMouseEvent* event)
     }
     if (event->modifiers() & Qt::ShiftModifier) {
         KeySelection selection = m_model->selection();
-        std::vector<Ticks>& times = selection[hit->ref];
+        std::vector<Ticks>& times = selection[hit->ref.track];
         const auto at = std::lower_bound(times.begin(), times.end(), hit->time);
         if (at != times.end() && *at == hit->time)
             times.erase(at);
@@ -86,8 +78,8 @@ void KeyCurves::mousePressEvent(QMouseEvent* event)
             times.insert(at, hit->time);
         return m_model->setSelection(selection);
     }
-    if (!isSelected(hit->ref, hit->time))
-        m_model->setSelection({{hit->ref, {hit->time}}});
+    if (!isSelected(hit->ref.track, hit->time))
+        m_model->setSelection({{hit->ref.track, {hit->time}}});
     m_drag = Drag::Keys;
 }
 
@@ -125,11 +117,10 @@ void KeyCurves::mouseMoveEvent(QMouseEvent* event)
 void KeyCurves::dragHandle(const QPointF& place)
 {
     const Curve* curve = curveOf(m_hit.ref);
-    const auto& track = std::get<Track>(*curve->track);
-    const auto index = track.find(m_hit.time);
+    const auto index = curve ? curve->find(m_hit.time) : std::nullopt;
     if (!index)
         return giveUp();
-    Key key = track.keys()[*index];
+    Key key = *curve->numberKey(*index);
     const double rate = m_model->timeline().framesPerSecond;
     Handle handle;
     handle.dt = std::clamp(m_ruler->framesAt(place.x()) / rate - secondsOf(key.time), -1e6, 1e6);
@@ -153,7 +144,7 @@ void KeyCurves::dragHandle(const QPointF& place)
             opposite = {m_hit.side < 0 ? length : -length,
                         handle.dv / handle.dt * (m_hit.side < 0 ? length : -length)};
     }
-    m_commands->replaceKey(m_hit.ref, key, m_gesture);
+    m_commands->replaceKey(m_hit.ref.track, key, m_gesture);
 }
 
 void KeyCurves::mouseReleaseEvent(QMouseEvent* event)
@@ -164,7 +155,7 @@ void KeyCurves::mouseReleaseEvent(QMouseEvent* event)
         if (m_moved)
             finishKeys();
         else
-            m_model->setSelection({{m_hit.ref, {m_hit.time}}});
+            m_model->setSelection({{m_hit.ref.track, {m_hit.time}}});
     } else if (drag == Drag::Box) {
         finishBox((event->modifiers() & Qt::ShiftModifier) != 0);
     }
@@ -175,9 +166,10 @@ void KeyCurves::finishKeys()
 {
     if (m_offset == 0 && m_pixels == 0.0)
         return;
-    std::map<TrackRef, double> shifts;
+    std::map<CurveRef, double> shifts;
     for (const Curve& curve : m_curves)
-        shifts[curve.ref] = -m_pixels * unitsPerPixel(curve);
+        if (follows(curve))
+            shifts[curve.ref()] = -m_pixels * unitsPerPixel(curve) * curve.unit();
     m_commands->shift(m_offset, shifts);
 }
 
@@ -188,10 +180,10 @@ void KeyCurves::finishBox(bool adds)
     for (const Curve& curve : m_curves) {
         if (!m_moved)
             break;
-        std::vector<Ticks>& times = selection[curve.ref];
-        for (const Key& key : std::get<Track>(*curve.track).keys())
-            if (box.contains(xOf(secondsOf(key.time)), yOf(curve, key.value)))
-                times.push_back(key.time);
+        std::vector<Ticks>& times = selection[curve.ref().track];
+        for (std::size_t i = 0; i < curve.size(); ++i)
+            if (box.contains(xOf(secondsOf(curve.timeOf(i))), yOf(curve, curve.valueOf(i))))
+                times.push_back(curve.timeOf(i));
         std::sort(times.begin(), times.end());
         times.erase(std::unique(times.begin(), times.end()), times.end());
     }
@@ -228,9 +220,10 @@ void KeyCurves::keyPressEvent(QKeyEvent* event)
     const bool control = (event->modifiers() & Qt::ControlModifier) != 0;
     const bool shift = (event->modifiers() & Qt::ShiftModifier) != 0;
     const auto nudgeValue = [this, shift](double pixels) {
-        std::map<TrackRef, double> shifts;
+        std::map<CurveRef, double> shifts;
         for (const Curve& curve : m_curves)
-            shifts[curve.ref] = pixels * (shift ? 10.0 : 1.0) * unitsPerPixel(curve);
+            if (follows(curve))
+                shifts[curve.ref()] = pixels * (shift ? 10.0 : 1.0) * unitsPerPixel(curve) * curve.unit();
         m_commands->shift(0, shifts);
     };
     switch (event->key()) {

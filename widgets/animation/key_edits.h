@@ -18,6 +18,14 @@ struct TrackRef
     auto operator<=>(const TrackRef&) const = default;
 };
 
+/// One line of the curve editor: a number, or an angle (0, 1, 2 = about X, Y, Z) of an orientation.
+struct CurveRef
+{
+    TrackRef track;
+    int component = 0;
+    auto operator<=>(const CurveRef&) const = default;
+};
+
 /// Keys by their times, ascending, each once. It may name keys that are gone: they count as not selected.
 using KeySelection = std::map<TrackRef, std::vector<Ticks>>;
 
@@ -74,10 +82,10 @@ Expected<void> reshape(Document& document, const KeySelection& selection,
 Expected<void> changeValues(Document& document, const KeySelection& selection,
                             const std::function<double(const TrackRef&, double)>& change, const QString& text,
                             GestureId gesture = 0);
-/// Moves keys in time, and those of numbers by their track's share of \p values. Returns them at their new
-/// times.
+/// Moves keys in time, and their values by their curve's share of \p values (of angles radians: the keys' own
+/// three angles, see anglesOfKeys). Returns them at their new times.
 Expected<KeySelection> shift(Document& document, const KeySelection& selection, Ticks offset,
-                             const std::map<TrackRef, double>& values, const QString& text);
+                             const std::map<CurveRef, double>& values, const QString& text);
 /// Puts a number key in the place of the one at its time.
 Expected<void> replace(Document& document, const TrackRef& ref, const Key& key, const QString& text,
                        GestureId gesture);

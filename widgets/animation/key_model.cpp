@@ -2,23 +2,45 @@
 
 #include "widgets/support/targets.h"
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace ramure {
 namespace {
 
-void sortOnce(std::vector<Ticks>& times)
+/// All of them, ascending, each once: two by two, so that equal ones, which are the most, go early.
+std::vector<Ticks> united(std::vector<const std::vector<Ticks>*> all)
 {
-    std::sort(times.begin(), times.end());
-    times.erase(std::unique(times.begin(), times.end()), times.end());
+    if (all.empty())
+        return {};
+    std::vector<std::vector<Ticks>> made;
+    made.reserve(all.size()); // each round makes at most half as many: the addresses stay
+    while (all.size() > 1) {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < all.size(); i += 2) {
+            const std::vector<Ticks>* one = all[i];
+            if (i + 1 < all.size() && *one != *all[i + 1]) {
+                made.emplace_back();
+                made.back().reserve(one->size() + all[i + 1]->size());
+                std::set_union(one->begin(), one->end(), all[i + 1]->begin(), all[i + 1]->end(),
+                               std::back_inserter(made.back()));
+                one = &made.back();
+            }
+            all[kept++] = one;
+        }
+        all.resize(kept);
+    }
+    return *all.front();
 }
 
-KeyRow channelRow(NodeId node, const Channel& channel, const AnyTrack& track)
+KeyRow channelRow(NodeId node, const Channel& channel, const NodeAnimation::TrackPtr& track)
 {
     KeyRow row;
     row.kind = KeyRow::Kind::Channel;
     row.node = node;
     row.channel = channel;
     row.tracks = {{node, channel}};
+    row.track = track;
     std::visit(
         [&row](const auto& held) {
             row.times.reserve(held.size());
@@ -28,13 +50,8 @@ KeyRow channelRow(NodeId node, const Channel& channel, const AnyTrack& track)
                 row.modes.push_back(key.mode);
             }
         },
-        track);
+        *track);
     return row;
-}
-
-void join(std::vector<Ticks>& all, const std::vector<Ticks>& more)
-{
-    all.insert(all.end(), more.begin(), more.end());
 }
 
 } // namespace
@@ -86,37 +103,83 @@ void KeyModel::setHidden(const TrackRef& track, bool hidden)
     emit rowsChanged();
 }
 
-void KeyModel::addNode(const Node& node, KeyRow& summary)
+/// The rows as they were: what has not changed is taken over.
+struct KeyModel::Before
+{
+    KeyRow summary;
+    std::map<NodeId, KeyRow> nodes;
+    std::map<TrackRef, KeyRow> channels;
+
+    explicit Before(std::vector<KeyRow> rows)
+    {
+        for (KeyRow& row : rows)
+            if (row.kind == KeyRow::Kind::Summary)
+                summary = std::move(row);
+            else if (row.kind == KeyRow::Kind::Node)
+                nodes.emplace(row.node, std::move(row));
+            else
+                channels.emplace(row.tracks.front(), std::move(row));
+    }
+    /// \param same stays true where the row has the times that it had
+    KeyRow channel(NodeId node, const Channel& channel, const NodeAnimation::TrackPtr& track, bool& same)
+    {
+        const auto found = channels.find({node, channel});
+        if (found != channels.end() && found->second.track == track)
+            return std::move(found->second);
+        KeyRow row = channelRow(node, channel, track);
+        same = same && found != channels.end() && found->second.times == row.times;
+        return row;
+    }
+};
+
+/// \returns whether the node has the times that it had.
+bool KeyModel::addNode(const Node& node, Before& before)
 {
     KeyRow head;
     head.kind = KeyRow::Kind::Node;
     head.node = node.id;
+    bool same = true;
     std::vector<KeyRow> channels;
     channels.reserve(node.animation.tracks().size());
     for (const auto& [channel, track] : node.animation.tracks()) {
-        channels.push_back(channelRow(node.id, channel, *track));
-        join(head.times, channels.back().times);
+        channels.push_back(before.channel(node.id, channel, track, same));
         head.tracks.push_back({node.id, channel});
     }
-    sortOnce(head.times);
-    join(summary.times, head.times);
-    summary.tracks.insert(summary.tracks.end(), head.tracks.begin(), head.tracks.end());
+    const auto old = before.nodes.find(node.id);
+    same = same && old != before.nodes.end() && old->second.tracks == head.tracks;
+    if (same) {
+        head.times = std::move(old->second.times);
+    } else {
+        std::vector<const std::vector<Ticks>*> all;
+        for (const KeyRow& row : channels)
+            all.push_back(&row.times);
+        head.times = united(std::move(all));
+    }
     m_rows.push_back(std::move(head));
     if (!isFolded(node.id))
         std::move(channels.begin(), channels.end(), std::back_inserter(m_rows));
+    return same;
 }
 
 void KeyModel::rebuild()
 {
-    m_rows.clear();
+    Before before(std::exchange(m_rows, {}));
     m_rows.emplace_back();
     const std::vector<NodeId> targets = targetNodes(*m_document);
     const std::set<NodeId> wanted(targets.begin(), targets.end());
-    KeyRow summary;
+    bool same = true;
     for (const Node& node : m_document->scene().nodes())
         if (!node.animation.empty() && (m_allNodes || wanted.empty() || wanted.count(node.id) > 0))
-            addNode(node, summary);
-    sortOnce(summary.times);
+            same = addNode(node, before) && same;
+    KeyRow summary;
+    std::vector<const std::vector<Ticks>*> all;
+    for (const KeyRow& row : m_rows)
+        if (row.kind == KeyRow::Kind::Node) {
+            summary.tracks.insert(summary.tracks.end(), row.tracks.begin(), row.tracks.end());
+            all.push_back(&row.times);
+        }
+    same = same && summary.tracks == before.summary.tracks;
+    summary.times = same ? std::move(before.summary.times) : united(std::move(all));
     m_rows.front() = std::move(summary);
     if (m_rows.size() == 1)
         m_rows.clear();
@@ -145,12 +208,11 @@ void KeyModel::markSelected()
     const std::set<TrackRef> shown(inSight.begin(), inSight.end());
     std::erase_if(m_selection, [&shown](const auto& entry) { return shown.count(entry.first) == 0; });
     for (KeyRow& row : m_rows) {
-        row.selected.clear();
+        std::vector<const std::vector<Ticks>*> all;
         for (const TrackRef& ref : row.tracks)
             if (const auto found = m_selection.find(ref); found != m_selection.end())
-                join(row.selected, found->second);
-        if (row.kind != KeyRow::Kind::Channel)
-            sortOnce(row.selected);
+                all.push_back(&found->second);
+        row.selected = united(std::move(all));
     }
 }
 

@@ -17,9 +17,10 @@ struct KeyRow
     NodeId node = noNode; ///< of Node and Channel
     Channel channel;      ///< of Channel
     std::vector<TrackRef> tracks;
-    std::vector<Ticks> times;    ///< of all keys, ascending, each once
-    std::vector<KeyMode> modes;  ///< of Channel: one per time
-    std::vector<Ticks> selected; ///< of `times`, those with a selected key
+    std::vector<Ticks> times;      ///< of all keys, ascending, each once
+    std::vector<KeyMode> modes;    ///< of Channel: one per time
+    std::vector<Ticks> selected;   ///< of `times`, those with a selected key
+    NodeAnimation::TrackPtr track; ///< of Channel: what times and modes were read from
 };
 
 /// How a selection goes together with the one before.
@@ -61,7 +62,8 @@ signals:
 private:
     void follow(const Change& change);
     void rebuild();
-    void addNode(const Node& node, KeyRow& summary);
+    struct Before;
+    bool addNode(const Node& node, Before& before);
     void markSelected();
 
     Document* m_document;

@@ -2,6 +2,7 @@
 /// Whether a parameter has keys.
 #pragma once
 
+#include "core/params/param_def.h"
 #include <cstdint>
 
 namespace ramure {
@@ -11,5 +12,8 @@ enum class KeyState : std::uint8_t {
     Animated, ///< keys, but not at the frame on show
     Here,     ///< a key at the frame on show, of every node
 };
+
+/// May have keys: what the parameter table marks so, and the placement of a node.
+bool isKeyable(const ParamDef& def);
 
 } // namespace ramure

@@ -95,7 +95,7 @@ ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
     grid->setVerticalSpacing(3);
     auto* name = new QHBoxLayout;
     name->setSpacing(2);
-    if (def.flags & paramAnimatable) {
+    if (isKeyable(def)) {
         m_key = new QToolButton(this);
         m_key->setAutoRaise(true);
         m_key->setFixedSize(keySide, keySide);

@@ -147,8 +147,12 @@ void PropertiesPanel::follow(const Change& change)
         return;
     if (change.has(changeParams))
         showValues(change.params);
-    if (change.has(changeTracks) && !change.params.empty())
-        showValues(change.params);
+    if (change.has(changeTracks)) { // of parameters, and of the placement
+        std::vector<ParamId> params = change.params;
+        for (const char* key : {"tree.translation", "tree.rotation", "tree.scale"})
+            params.push_back(paramId(*findParam(key)));
+        showValues(params);
+    }
     if (change.has(changeResults))
         showProblem();
 }

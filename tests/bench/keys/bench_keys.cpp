@@ -1,6 +1,7 @@
 // The dope sheet with 100,000 keys on 500 tracks: what a picture and a gesture take. Run with
 // QT_QPA_PLATFORM=offscreen. Asserts nothing.
 #include "tests/widgets/animation/key_fixture.h"
+#include "widgets/animation/key_curves.h"
 #include <QApplication>
 #include <benchmark/benchmark.h>
 
@@ -98,6 +99,105 @@ void selectBox(benchmark::State& state)
         selectTenThousand();
 }
 BENCHMARK(selectBox)->Unit(benchmark::kMillisecond);
+
+/// One track with 100,000 keys.
+test::KeyDock& longDock()
+{
+    static auto* made = new test::KeyDock(test::keyScene(1, 100'000));
+    return *made;
+}
+
+void selectOne()
+{
+    const Ticks time = longDock().model.rows()[2].times[50'000];
+    longDock().model.selectTimes(time, time, SelectHow::Replace);
+}
+
+void retimeOneOfHundredThousand(benchmark::State& state)
+{
+    selectOne();
+    Ticks way = ticksPerSecond / 100;
+    for (auto _ : state) {
+        longDock().commands.retime({0, 1.0, way}, false);
+        way = -way;
+    }
+}
+BENCHMARK(retimeOneOfHundredThousand)->Unit(benchmark::kMillisecond);
+
+void moveOneOfHundredThousand(benchmark::State& state)
+{
+    selectOne();
+    const TrackRef ref = longDock().model.tracks()[0];
+    for (auto _ : state)
+        longDock().commands.shift(0, {{CurveRef{ref, 0}, 0.1}});
+}
+BENCHMARK(moveOneOfHundredThousand)->Unit(benchmark::kMillisecond);
+
+/// Far away, over others.
+void throwOneOfHundredThousand(benchmark::State& state)
+{
+    selectOne();
+    Ticks way = 40'000 * ticksPerSecond / 24 + 7;
+    for (auto _ : state) {
+        longDock().commands.retime({0, 1.0, way}, false);
+        way = -way;
+    }
+}
+BENCHMARK(throwOneOfHundredThousand)->Unit(benchmark::kMillisecond);
+
+/// The curve editor, all 500 tracks with all their keys in sight.
+void panCurves(benchmark::State& state)
+{
+    dock().panel.setCurvesShown(true);
+    KeyCurves* curves = dock().panel.curves();
+    QImage image(curves->size(), QImage::Format_ARGB32_Premultiplied);
+    double shift = 0.0;
+    for (auto _ : state) {
+        shift = shift > 50.0 ? 0.0 : shift + 0.7;
+        dock().panel.ruler()->showFrames(-5.0 + shift, 205.0 + shift);
+        curves->render(&image);
+    }
+}
+BENCHMARK(panCurves)->Unit(benchmark::kMillisecond);
+
+void paintLongCurve(benchmark::State& state)
+{
+    longDock().panel.setCurvesShown(true);
+    KeyCurves* curves = longDock().panel.curves();
+    QImage image(curves->size(), QImage::Format_ARGB32_Premultiplied);
+    double shift = 0.0;
+    for (auto _ : state) {
+        shift = shift > 500.0 ? 0.0 : shift + 7.0;
+        longDock().panel.ruler()->showFrames(shift, 100'000.0 + shift);
+        curves->render(&image);
+    }
+}
+BENCHMARK(paintLongCurve)->Unit(benchmark::kMillisecond);
+
+void dragTenThousandInCurves(benchmark::State& state)
+{
+    dock().panel.setCurvesShown(true);
+    dock().panel.ruler()->showFrames(-5.0, 205.0);
+    KeyCurves* curves = dock().panel.curves();
+    selectTenThousand();
+    const KeyCurve& first = curves->curves().front();
+    const QPointF from = curves->placeOf(first.ref(), first.timeOf(3), first.valueOf(3));
+    const auto send = [curves](QEvent::Type type, const QPointF& at, Qt::MouseButton button) {
+        QMouseEvent event(type, at, curves->mapToGlobal(at), button, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(curves, &event);
+    };
+    send(QEvent::MouseButtonPress, from, Qt::LeftButton);
+    QImage image(curves->size(), QImage::Format_ARGB32_Premultiplied);
+    double way = 20.0;
+    for (auto _ : state) {
+        way = way > 200.0 ? 20.0 : way + 3.0;
+        send(QEvent::MouseMove, from + QPointF(way, way), Qt::NoButton);
+        curves->render(&image);
+    }
+    state.counters["selected"] = double(dock().selected());
+    QTest::keyClick(curves, Qt::Key_Escape);
+}
+BENCHMARK(dragTenThousandInCurves)->Unit(benchmark::kMillisecond);
 
 } // namespace
 

@@ -1,3 +1,4 @@
+#include "core/animation/euler.h"
 #include "core/animation/quaternions.h"
 #include "core/animation/track.h"
 #include "core/random/random.h"
@@ -56,6 +57,67 @@ class TestOrientationTrack : public QObject
 private slots:
     void init() { test::failOnAnyWarning(); }
 
+    void aTurnThatGoesRoundIsSmoothAtItsSeam()
+    {
+        for (const KeyMode mode : {KeyMode::Bezier, KeyMode::Cubic})
+            for (int b = 0; b < orientationBlendCount; ++b) {
+                std::vector<OrientationKey> keys(5);
+                for (std::size_t i = 0; i < keys.size(); ++i) {
+                    keys[i].time = static_cast<Ticks>(i) * ticksPerSecond;
+                    keys[i].mode = mode;
+                    keys[i].before = keys[i].behind = HandleType::Auto;
+                }
+                keys[1].value = about({0.0, 1.0, 0.2}, 0.7);
+                keys[2].value = about({1.0, 1.0, 0.0}, 1.1);
+                keys[3].value = about({1.0, -0.3, 0.0}, 0.6);
+                OrientationTrack track = *OrientationTrack::fromKeys(keys);
+                track.blend = static_cast<OrientationBlend>(b);
+                track.before = track.behind = Extrapolation::Repeat;
+                track.settleEnds();
+                QVERIFY(track.goesRound());
+                const double step = 1e-4;
+                const glm::dquat at = valueAt(track, 4.0), on = valueAt(track, 4.0 + step),
+                                 before = valueAt(track, 4.0 - step);
+                QVERIFY(angleBetween(at, on) > 0.1 * step); // moves through the seam
+                // Twice as far apart as each is from the middle: straight on, at the same speed.
+                QVERIFY(std::abs(angleBetween(before, on) - 2.0 * angleBetween(at, on)) < 0.01 * step);
+                keys[4].value = about({0.0, 1.0, 0.0}, 2.0);
+                track = *OrientationTrack::fromKeys(keys);
+                track.before = track.behind = Extrapolation::Repeat;
+                QVERIFY(!track.goesRound());
+            }
+    }
+    void anglesGiveTheOrientationBackAndFollowIt()
+    {
+        Random random(12, RandomStream::Test);
+        for (int i = 0; i < 2000; ++i) {
+            const glm::dvec3 near(random.range(-9.0, 9.0), random.range(-9.0, 9.0), random.range(-9.0, 9.0));
+            const glm::dquat q =
+                about({random.range(-1.0, 1.0), random.range(-1.0, 1.0), 0.3}, random.range(-3.0, 3.0));
+            const glm::dvec3 angles = anglesOf(q, near);
+            QVERIFY(angleBetween(orientationOf(angles), q) < 1e-6);
+            const glm::dvec3 again = anglesOf(q, angles);
+            QVERIFY(glm::length(again - angles) < 1e-6);
+            QVERIFY(std::abs(angles.x - near.x) < 3.3 && std::abs(angles.z - near.z) < 3.3);
+        }
+        // Straight up, X and Z turn about one axis: still the same orientation.
+        for (const double y : {1.0, -1.0})
+            for (const double z : {0.0, 0.4}) {
+                const glm::dvec3 angles(0.2, y * std::numbers::pi / 2.0, z);
+                const glm::dquat q = orientationOf(angles);
+                QVERIFY(angleBetween(orientationOf(anglesOf(q, {0.0, 0.0, 0.3})), q) < 1e-6);
+            }
+        // Twice around in steps of 150 degrees: the angle goes on, it does not jump back.
+        std::vector<OrientationKey> keys(6);
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            keys[i].time = static_cast<Ticks>(i) * ticksPerSecond;
+            keys[i].mode = KeyMode::Linear;
+            keys[i].value = about({0.0, 0.0, 1.0}, 150.0 / 180.0 * std::numbers::pi * double(i));
+        }
+        const auto angles = anglesOfKeys(*OrientationTrack::fromKeys(keys));
+        for (std::size_t i = 0; i < keys.size(); ++i)
+            QVERIFY(std::abs(angles[i].z - 150.0 / 180.0 * std::numbers::pi * double(i)) < 1e-6);
+    }
     void whatHasNoDirectionIsRefused()
     {
         constexpr double nan = std::numeric_limits<double>::quiet_NaN();

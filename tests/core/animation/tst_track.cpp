@@ -1,6 +1,7 @@
 #include "core/animation/track.h"
 #include "core/random/random.h"
 #include "tests/support/suite.h"
+#include <algorithm>
 
 #include <limits>
 
@@ -219,6 +220,101 @@ private slots:
         QCOMPARE(track.size(), std::size_t(3));
         QCOMPARE(valueAt(track, 3.0), 10.0);
         QCOMPARE(valueAt(track, 2.5), 11.0);
+    }
+    void keysChangedInPlaceGiveTheTrackThatAllOfThemGive()
+    {
+        Random random(9, RandomStream::Test);
+        for (int run = 0; run < 2000; ++run) {
+            std::vector<Key> keys;
+            double time = random.range(-3.0, 0.0);
+            for (std::uint32_t i = 2 + random.below(30); i-- > 0; time += random.range(0.05, 1.0)) {
+                keys.push_back(keyAt(time, random.range(-3.0, 3.0), KeyMode::Bezier));
+                if (random.below(4) == 0)
+                    keys.back().before = static_cast<HandleType>(random.below(handleTypeCount));
+                keys.back().behind = random.below(8) == 0 ? HandleType::Vector : keys.back().before;
+                keys.back().in = {-random.range(0.0, 0.5), random.range(-1.0, 1.0)};
+                keys.back().out = {random.range(0.0, 0.5), random.range(-1.0, 1.0)};
+            }
+            Track track = trackOf(keys);
+            std::vector<std::size_t> indices;
+            std::vector<Key> changed;
+            for (std::size_t i = random.below(std::uint32_t(track.size())); i < track.size();
+                 i += 1 + random.below(6)) {
+                indices.push_back(i);
+                changed.push_back(track.keys()[i]);
+                changed.back().value += random.range(-2.0, 2.0);
+                changed.back().time += ticksOf(random.range(-0.02, 0.02));
+            }
+            std::vector<Key> all = track.keys();
+            for (std::size_t i = 0; i < indices.size(); ++i)
+                all[indices[i]] = changed[i];
+            QVERIFY(track.replace(indices, changed));
+            QVERIFY(track == trackOf(all));
+            // Some go elsewhere.
+            std::vector<std::size_t> moved;
+            std::vector<Key> elsewhere;
+            all = track.keys();
+            for (std::uint32_t k = 1 + random.below(3); k-- > 0;)
+                if (const std::size_t i = random.below(std::uint32_t(track.size()));
+                    std::find(moved.begin(), moved.end(), i) == moved.end()) {
+                    moved.push_back(i);
+                    elsewhere.push_back(track.keys()[i]);
+                    elsewhere.back().time += ticksOf(random.range(-8.0, 8.0));
+                }
+            for (const std::size_t i : moved)
+                all[i].time = mostTicks + 1;
+            std::erase_if(all, [](const Key& key) { return key.time > mostTicks; });
+            all.insert(all.end(), elsewhere.begin(), elsewhere.end());
+            QVERIFY(track.replace(moved, elsewhere));
+            QVERIFY(track == trackOf(all));
+            Key added = keyAt(secondsOf(track.keys().front().time) + random.range(-1.0, 4.0),
+                              random.range(-3.0, 3.0), KeyMode::Bezier);
+            all = track.keys();
+            all.push_back(added);
+            QVERIFY(track.insert(added));
+            QVERIFY(track == trackOf(all));
+            QVERIFY(track.find(added.time));
+        }
+    }
+    void aTrackThatGoesRoundIsSmoothAtItsSeam()
+    {
+        const auto slope = [](const Track& track, double t, double step) {
+            return (valueAt(track, t + step) - valueAt(track, t)) / step;
+        };
+        for (const KeyMode mode : {KeyMode::Bezier, KeyMode::Cubic})
+            for (const HandleType handles : {HandleType::Auto, HandleType::AutoClamped})
+                for (const double gain : {0.0, 2.0}) {
+                    Track track = trackOf({keyAt(0.0, 0.0, mode), keyAt(1.0, 1.0, mode),
+                                           keyAt(3.0, -1.0 + gain, mode), keyAt(4.0, gain, mode)});
+                    std::vector<Key> keys = track.keys();
+                    for (Key& key : keys)
+                        key.before = key.behind = handles;
+                    track = trackOf(keys);
+                    QVERIFY(!track.goesRound());
+                    const double held = slope(track, 0.0, 1e-5);
+                    track.before = track.behind =
+                        gain == 0.0 ? Extrapolation::Repeat : Extrapolation::RepeatOffset;
+                    track.settleEnds();
+                    QVERIFY(track.goesRound());
+                    for (const double seam : {0.0, 4.0, 400.0, -8.0})
+                        QVERIFY(std::abs(slope(track, seam, 1e-5) - slope(track, seam, -1e-5)) < 1e-3);
+                    QVERIFY(std::abs(slope(track, 4.0, 1e-5)) > 0.2); // not smooth by standing still
+                    for (const Key& key : track.keys())
+                        QCOMPARE(valueAt(track, secondsOf(key.time)), key.value);
+                    if (gain == 0.0) { // a loop over the same period is the same curve
+                        Track loop = trackOf(keys);
+                        loop.loop = 4 * ticksPerSecond;
+                        loop.settleEnds();
+                        for (double t = -5.0; t < 10.0; t += 0.37)
+                            QVERIFY(std::abs(valueAt(loop, t) - valueAt(track, t)) < 1e-9);
+                        loop.loop = 5 * ticksPerSecond; // ... but not over a longer one
+                        QVERIFY(!loop.goesRound());
+                    }
+                    track.before = Extrapolation::Mirror;
+                    track.settleEnds();
+                    QVERIFY(!track.goesRound());
+                    QCOMPARE(slope(track, 0.0, 1e-5), held);
+                }
     }
     void clampedHandlesNeverLeaveTheKeysValues()
     {

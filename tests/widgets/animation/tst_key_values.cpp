@@ -76,7 +76,7 @@ private slots:
         ParamRow* row = panel.row(*findParam("primitive.size"));
         QVERIFY(row->keyButton());
         QVERIFY(!row->keyButton()->toolTip().isEmpty());
-        QVERIFY(!panel.row(*findParam("tree.translation"))->keyButton());
+        QVERIFY(!panel.row(*findParam("primitive.shape"))->keyButton());
         const QByteArray before = dock.bytes();
         row->keyButton()->click();
         QCOMPARE(dock.document.scene().find(node)->animation.tracks().size(), std::size_t(1 + 3));
@@ -120,6 +120,54 @@ private slots:
         QVERIFY(std::abs(field->value().value_or(0.0) - 0.5) < 1e-12);
     }
 
+    void placementsGetKeysWithTheValuesOfTheirFields()
+    {
+        Scene scene;
+        Node node;
+        node.id = scene.newId();
+        node.kind = NodeKind::Primitive;
+        node.params.tree.translation = {1.0, 2.0, 3.0};
+        node.params.tree.rotation = {0.0, 0.5, 0.0};
+        QVERIFY(scene.insert({node}, noNode, 0));
+        KeyDock dock(std::move(scene));
+        AutoKey keys(&dock.document, &dock.player);
+        const QByteArray before = dock.bytes();
+        const ParamDef& place = *findParam("tree.translation");
+        const ParamDef& turn = *findParam("tree.rotation");
+        const ParamDef& size = *findParam("tree.scale");
+        QVERIFY(isKeyable(place) && isKeyable(turn) && isKeyable(size));
+        QVERIFY(keys.state({node.id}, place) == KeyState::None);
+        QVERIFY(keys.toggle({node.id}, place));
+        QCOMPARE(dock.steps(), 1);
+        QVERIFY(keys.state({node.id}, place) == KeyState::Here);
+        QCOMPARE(values(dock, 1), std::vector<double>{2.0});
+        dock.document.undoStack()->undo();
+        QCOMPARE(dock.bytes(), before);
+        dock.document.undoStack()->redo();
+
+        dock.player.seek(20);
+        QVERIFY(keys.state({node.id}, place) == KeyState::Animated);
+        QVERIFY(!keys.set({node.id}, place, ParamValue(glm::dvec3(0.0)), 1, 0)); // no key here
+        keys.setOn(true);
+        const GestureId gesture = newGesture();
+        for (const double y : {3.0, 4.0, 5.0})
+            QVERIFY(keys.set({node.id}, place, ParamValue(glm::dvec3(0.0, y, 0.0)), 1, gesture));
+        QCOMPARE(dock.steps(), 2);
+        QCOMPARE(std::get<glm::dvec3>(keys.value(node.id, place)), glm::dvec3(1.0, 5.0, 3.0));
+        QVERIFY(keys.takes({node.id}, turn));
+        QVERIFY(keys.set({node.id}, turn, ParamValue(glm::dvec3(0.1, 0.2, 0.3)), std::nullopt, 0));
+        QVERIFY(keys.set({node.id}, size, ParamValue(glm::dvec3(2.0)), std::nullopt, 0));
+        QCOMPARE(dock.steps(), 4);
+        const auto angles = std::get<glm::dvec3>(keys.value(node.id, turn));
+        QVERIFY(glm::length(angles - glm::dvec3(0.1, 0.2, 0.3)) < 1e-9);
+        QCOMPARE(std::get<glm::dvec3>(keys.value(node.id, place)), glm::dvec3(1.0, 5.0, 3.0));
+        dock.player.seek(0);
+        QCOMPARE(std::get<glm::dvec3>(keys.value(node.id, place)), glm::dvec3(1.0, 2.0, 3.0));
+        while (dock.document.undoStack()->canUndo())
+            dock.document.undoStack()->undo();
+        QCOMPARE(dock.bytes(), before);
+    }
+
     void curvesAreDraggedAsOneStep()
     {
         KeyDock dock(test::keyScene(1, 3, 10));
@@ -154,6 +202,74 @@ private slots:
         QVERIFY(key().out.dv < 0.0);
         dock.document.undoStack()->undo();
         QCOMPARE(dock.bytes(), before);
+    }
+
+    void anglesOfAnOrientationAreDraggedOneByOne()
+    {
+        KeyDock dock(test::keyScene(4, 3, 10));
+        const QByteArray before = dock.bytes();
+        const TrackRef ref = dock.model.tracks()[3];
+        QVERIFY(ref.channel.isOrientation());
+        for (std::size_t i = 0; i < 3; ++i)
+            dock.model.setHidden(dock.model.tracks()[i], true);
+        dock.panel.setCurvesShown(true);
+        KeyCurves* curves = dock.panel.curves();
+        QCOMPARE(curves->curves().size(), std::size_t(3));
+        const auto anglesDegrees = [&](std::size_t key) {
+            return glm::dvec3(curves->curves()[0].valueOf(key), curves->curves()[1].valueOf(key),
+                              curves->curves()[2].valueOf(key));
+        };
+        const Ticks time = curves->curves()[0].timeOf(1);
+        for (int c = 0; c < 3; ++c) {
+            dock.commands.selectNone();
+            const glm::dvec3 old = anglesDegrees(1), first = anglesDegrees(0);
+            const QPointF place = curves->placeOf(CurveRef{ref, c}, time, old[c]);
+            const QPointF other = curves->placeOf(CurveRef{ref, c}, time, old[c] + 30.0);
+            const double way =
+                old[c] > 0.0 ? -std::abs(other.y() - place.y()) : std::abs(other.y() - place.y());
+            // Several keys may lie under the mouse: the nearest one is taken.
+            double nearest = 1e9;
+            for (int k = 0; k < 3; ++k)
+                if (k != c)
+                    nearest = std::min(
+                        nearest, std::abs(curves->placeOf(CurveRef{ref, k}, time, old[k]).y() - place.y()));
+            if (nearest < 2.0)
+                continue;
+            const int steps = dock.steps();
+            drag(curves, place, place + QPointF(0, -way));
+            QCOMPARE(dock.steps(), steps + 1);
+            glm::dvec3 wanted = old;
+            wanted[c] += old[c] > 0.0 ? -30.0 : 30.0; // far enough for a drag
+            // The same orientation may be shown by other angles then.
+            const double degree = 0.017453292519943295;
+            const glm::dquat turned = orientationOf(anglesDegrees(1) * degree);
+            const double same = std::abs(glm::dot(turned, orientationOf(wanted * degree)));
+            QVERIFY2(same > 1.0 - 1e-9,
+                     qPrintable(QStringLiteral("angle %1: %2").arg(c).arg(same, 0, 'g', 12)));
+            QVERIFY(glm::length(anglesDegrees(0) - first) < 1e-9);
+            QCOMPARE(dock.frames(2 + 3), (std::vector<double>{0, 10, 20}));
+            dock.document.undoStack()->undo();
+            QCOMPARE(dock.bytes(), before);
+        }
+        dock.commands.selectAll(); // all of a turn's keys at once, in time
+        dock.commands.nudge(1);
+        QCOMPARE(dock.frames(2 + 3), (std::vector<double>{1, 11, 21}));
+    }
+
+    void curvesOfVeryManyKeysAreDrawn()
+    {
+        KeyDock dock(test::keyScene(12, 300));
+        dock.panel.setCurvesShown(true);
+        KeyCurves* curves = dock.panel.curves();
+        dock.commands.selectAll();
+        QImage image(curves->size(), QImage::Format_ARGB32_Premultiplied);
+        curves->render(&image);
+        const QRgb accent = curves->palette().color(QPalette::Highlight).rgb();
+        int dots = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                dots += image.pixel(x, y) == accent ? 1 : 0;
+        QVERIFY(dots > 1000);
     }
 
     void hiddenAndEmptyCurvesAreLeftAlone()

@@ -1,0 +1,30 @@
+/// \file
+/// The placement of a node that keys move: what fields show of it at a time, and what an edit of it makes of
+/// the keys. Pure.
+///
+/// A node stands at its global track times its placement (SPEC B2). As long as nothing speaks against it the
+/// placement is taken over into the first key of the track: keys then have the values that the fields have,
+/// and the node turns about its own origin, not about its parent's.
+#pragma once
+
+#include "core/scene/node_transform.h"
+
+namespace ramure {
+
+enum class PlacementPart : std::uint8_t { Translation, Rotation, Scale };
+
+/// Track times placement, as translation, angles and scale. The translation is exact; angles and scale are
+/// those of the factors (no shear).
+PlacementParams placementAt(const NodeTransform& values, double seconds);
+/// Keys at the time in all channels of the part that have none there, with the values there are: nothing
+/// moves at this time. Turns and scales about another place than the own origin are keyed together with that
+/// place. \param mode of keys without one before. Error Invalid: a number that is not finite.
+Expected<NodeTransform> withPlacementKeys(const NodeTransform& values, Ticks time, PlacementPart part,
+                                          KeyMode mode = KeyMode::Bezier);
+/// Keys at the time by which the part of the placement becomes \p wanted (angles in rad); of translation and
+/// scale only one \p component where one is named. Error Invalid: a number that is not finite, a scale that
+/// cannot be reached because the placement's own is 0.
+Expected<NodeTransform> withPlacementSet(const NodeTransform& values, Ticks time, PlacementPart part,
+                                         const glm::dvec3& wanted, std::optional<int> component);
+
+} // namespace ramure
