@@ -1,6 +1,7 @@
 /// \file
-/// The "mesh" of an imported object, or of an arm that wears one, in a project file. Imported meshes are embedded: a project is one file
-/// that can be moved, sent and recovered, and nothing on the disk can change it behind the program's back.
+/// The "mesh" of an imported object, or of an arm that wears one, in a project file. Imported meshes are
+/// embedded: a project is one file that can be moved, sent and recovered, and nothing on the disk can change
+/// it behind the program's back.
 ///
 ///     "mesh": {"indices": "...", "normals": "...", "positions": "...", "uv": "...", "uvIndices": "..."}
 ///

@@ -55,8 +55,8 @@ public:
     /// \param tolerance how far from a line the cursor may be, logical pixels.
     [[nodiscard]] std::optional<PickHit> pick(const PickView& view, const glm::dvec2& pixel,
                                               double tolerance = 6.0) const;
-    /// Where the ray under the cursor first meets a surface of this node, world, whatever stands before it; of
-    /// several nodes see pick. \p world: where the node's surfaces are by now, in the place of where they
+    /// Where the ray under the cursor first meets a surface of this node, world, whatever stands before it;
+    /// of several nodes see pick. \p world: where the node's surfaces are by now, in the place of where they
     /// were. Nothing where this scene does not have them.
     [[nodiscard]] std::optional<glm::dvec3> meet(const PickView& view, const glm::dvec2& pixel, NodeId node,
                                                  const glm::dmat4& world) const;

@@ -145,7 +145,7 @@ struct RenderScene
     Box casters;                   ///< world: what throws shadows
     TextureSummary texture;
     double ground = 0.0; ///< m: where the plane of the ground lies
-    Box trailBox; ///< world: what is drawn besides, paths and ghosts; not framed
+    Box trailBox;        ///< world: what is drawn besides, paths and ghosts; not framed
 
     /// Recomputes the two boxes from the items.
     void updateBoxes();
