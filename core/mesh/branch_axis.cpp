@@ -8,6 +8,7 @@ namespace ramure {
 namespace {
 
 constexpr double overshootLimit = 1.5;
+constexpr double nearFoot = 0.03; ///< of the radius: from there the foot is one step away
 
 /// The Hermite curve's position alone, as a cubic in powers of t: the tables need many points and no
 /// tangents.
@@ -77,7 +78,7 @@ double AxisTable::footOf(const glm::dvec3& point, double guess) const
     for (int round = 0; round < 4; ++round) {
         const Place place = at(along);
         const double better = std::clamp(along + glm::dot(point - place.point, place.tangent), 0.0, m_length);
-        if (std::abs(better - along) < 0.01 * place.radius)
+        if (std::abs(better - along) < nearFoot * place.radius)
             return better;
         along = better;
     }
@@ -103,10 +104,19 @@ double AxisTable::clearanceFrom(Place place, const glm::dvec3& point, double gue
 
 AxisTable::Away AxisTable::awayFrom(const glm::dvec3& point, double guess) const
 {
-    const double along = footOf(point, guess);
-    const Place place = at(along);
+    double along = std::clamp(guess, 0.0, m_length);
+    Place place = at(along);
     glm::dvec3 away = point - place.point;
-    const double ahead = glm::dot(away, place.tangent);
+    double ahead = glm::dot(away, place.tangent);
+    for (int round = 0; round < 4 && std::abs(ahead) > nearFoot * place.radius; ++round) {
+        const double better = std::clamp(along + ahead, 0.0, m_length);
+        if (better == along)
+            break;
+        along = better;
+        place = at(along);
+        away = point - place.point;
+        ahead = glm::dot(away, place.tangent);
+    }
     if (!(along >= m_length && ahead > 0.0))
         away -= ahead * place.tangent;
     const double distance = std::sqrt(glm::dot(away, away));

@@ -23,6 +23,24 @@ double onwards(double angle)
     return part > 1e-9 ? part : part + turn;
 }
 
+/// std::atan2(y, x) to 1e-5 rad, in a third of the time: enough to say which vertices are neighbours.
+double azimuth(double x, double y)
+{
+    const double ax = std::abs(x), ay = std::abs(y), high = std::max(ax, ay);
+    if (!(high > 0.0))
+        return 0.0;
+    // Abramowitz and Stegun 4.4.49.
+    const double part = std::min(ax, ay) / high, square = part * part;
+    const double even =
+        0.9998660 + square * (-0.3302995 + square * (0.1801410 + square * (-0.0851330 + square * 0.0208351)));
+    double angle = part * even;
+    if (ay > ax)
+        angle = 0.25 * turn - angle;
+    if (x < 0.0)
+        angle = 0.5 * turn - angle;
+    return y < 0.0 ? -angle : angle;
+}
+
 double azimuthOf(const ForkChild& child, const glm::dvec3& point, double along)
 {
     const std::vector<AxisSection>& sections = child.sections;
@@ -35,7 +53,7 @@ double azimuthOf(const ForkChild& child, const glm::dvec3& point, double along)
     const glm::dvec3 away = point - child.table.pointAt(along);
     const glm::dvec3 normal = a.frame.normal + (b.frame.normal - a.frame.normal) * part;
     const glm::dvec3 binormal = a.frame.binormal + (b.frame.binormal - a.frame.binormal) * part;
-    return std::atan2(glm::dot(away, binormal), glm::dot(away, normal));
+    return azimuth(glm::dot(away, normal), glm::dot(away, binormal));
 }
 
 } // namespace

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double turn = 2.0 * std::numbers::pi;
-constexpr double widestAngle = 0.95 * pi; ///< a child straight back has no stereographic place
+constexpr double farthest = 12.7; ///< a child straight back has no stereographic place
 constexpr int spreadRounds = 60;
 constexpr double flatCosine = -0.94; ///< of the angle at a child that stands between two others
 
@@ -21,8 +21,10 @@ glm::dvec2 stereographic(const Frame& frame, const glm::dvec3& direction)
 {
     const glm::dvec2 lateral(glm::dot(direction, frame.normal), glm::dot(direction, frame.binormal));
     const double across = glm::length(lateral);
-    const double angle = std::min(std::atan2(across, glm::dot(direction, frame.tangent)), widestAngle);
-    const double far = std::tan(0.5 * angle);
+    // The tangent of half the angle to the parent's direction.
+    const double ahead = glm::dot(direction, frame.tangent);
+    const double far = ahead > 0.0 ? across / (1.0 + ahead)
+                                   : (1.0 - ahead < farthest * across ? (1.0 - ahead) / across : farthest);
     return across > 1e-12 ? lateral * (far / across) : glm::dvec2(far, 0.0);
 }
 

@@ -29,6 +29,17 @@ struct Stretch
         roomInside = roomOutside;
         outside = higher;
     }
+    /// Another place is known, which is no end yet.
+    void learn(double along, double roomThere)
+    {
+        if (along < outside && roomThere < 0.0) {
+            inside = along;
+            roomInside = roomThere;
+        } else if (along > outside && roomThere > 0.0 && roomOutside < 0.0) {
+            rise(along);
+            roomOutside = roomThere;
+        }
+    }
     void narrow(double middle, double roomThere)
     {
         (roomThere < 0.0 ? inside : outside) = middle;
@@ -84,13 +95,24 @@ glm::dvec3 offsetOf(const WallPath& path, const glm::dvec3& way, double along)
 
 } // namespace
 
-void ValleyGuess::build(std::span<const ForkChild> children, const WallPath& path)
+void ValleyGuess::begin(std::span<const ForkChild> children)
 {
-    const AxisTable &first = children[path.child[0]].table, &second = children[path.child[1]].table;
-    double along = std::min(first.length(), second.length());
+    double along = std::numeric_limits<double>::max();
+    for (const ForkChild& child : children)
+        along = std::min(along, child.table.length());
+    m_axes.resize(std::max(m_axes.size(), children.size()));
     for (std::size_t k = places; k-- > 0; along /= spacing) {
         m_along[k] = along;
-        const std::array<AxisTable::Place, 2> axis{first.at(along), second.at(along)};
+        for (std::size_t i = 0; i < children.size(); ++i)
+            m_axes[i][k] = children[i].table.at(along);
+    }
+}
+
+void ValleyGuess::build(const WallPath& path)
+{
+    const auto &first = m_axes[path.child[0]], &second = m_axes[path.child[1]];
+    for (std::size_t k = 0; k < places; ++k) {
+        const std::array<AxisTable::Place, 2> axis{first[k], second[k]};
         const glm::dvec3 half = 0.5 * (axis[1].point - axis[0].point);
         const glm::dvec3 aside = across(path.aside, half);
         for (std::size_t i = 0; i < 2; ++i) {
@@ -195,8 +217,19 @@ std::optional<double> ForkLift::exitHeight(const WallPath& path, double reach, d
     Stretch stretch{0.0, atStart, std::min(guess, most), -1.0};
     if (guess > 0.0) {
         stretch.roomOutside = room(path, stretch.outside, tubes);
-        if (std::abs(stretch.roomOutside) <= enough)
+        const auto fits = [enough](double there) { return there >= -0.1 * enough && there <= enough; };
+        if (fits(stretch.roomOutside))
             return stretch.outside;
+        // One step as if squared distances grew with the square of the way, which is nearly so.
+        const double first = stretch.outside, roomFirst = stretch.roomOutside;
+        if (roomFirst > atStart) {
+            const double share = std::sqrt((atStart - 0.2 * enough) / (atStart - roomFirst));
+            stretch.outside = std::min(most, first * std::clamp(share, 0.7, 1.4));
+            stretch.roomOutside = room(path, stretch.outside, tubes);
+            if (fits(stretch.roomOutside))
+                return stretch.outside;
+            stretch.learn(first, roomFirst);
+        }
         for (double step = growth; stretch.roomOutside < 0.0 && stretch.outside < most; step *= growth) {
             stretch.rise(std::min(most, stretch.outside * step));
             stretch.roomOutside = room(path, stretch.outside, tubes);
@@ -225,17 +258,30 @@ std::optional<double> ForkLift::exitHeight(const WallPath& path, double reach, d
     return stretch.outside;
 }
 
+/// Does a tube that the path does not lie between cover a point?
+bool ForkLift::isCovered(const WallPath& path, const glm::dvec3& point, double along) const
+{
+    for (Index j = 0; j < m_children.size(); ++j)
+        if (j != path.child[0] && j != path.child[1] && j != path.child[2] &&
+            m_children[j].table.clearance(point, along) < 0.0)
+            return true;
+    return false;
+}
+
 ForkLift::Lifted ForkLift::lift(const WallPath& path, double guess, double most) const
 {
     double reach = m_children[path.child[0]].table.length();
     for (std::size_t i = 1; i < path.count; ++i)
         reach = std::min(reach, m_children[path.child[i]].table.length());
+    const std::optional<double> along = exitHeight(path, reach, guess, Tubes::Own);
+    double height = along.value_or(reach);
+    glm::dvec3 point = pointAt(path, height);
     // Seldom does a third tube cover the place where two come apart: it is asked only there.
-    std::optional<double> along = exitHeight(path, reach, guess, Tubes::Own);
-    if (along && *along < most && m_children.size() > path.count && room(path, *along, Tubes::All) < 0.0)
-        along = std::min(exitHeight(path, reach, 0.0, Tubes::All).value_or(reach), most);
-    const double height = along.value_or(reach);
-    return {pointAt(path, height), height};
+    if (along && *along < most && isCovered(path, point, *along)) {
+        height = std::min(exitHeight(path, reach, 0.0, Tubes::All).value_or(reach), most);
+        point = pointAt(path, height);
+    }
+    return {point, height};
 }
 
 } // namespace ramure

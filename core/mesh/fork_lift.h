@@ -36,13 +36,15 @@ struct WallPath
 class ValleyGuess
 {
 public:
-    void build(std::span<const ForkChild> children, const WallPath& path);
-    /// Arc length at which the point \p out (m) aside of the middle leaves both tubes; the shorter one's
-    /// length where it does not.
+    /// The children of one fork, whose pairs are asked about next.
+    void begin(std::span<const ForkChild> children);
+    void build(const WallPath& path);
+    /// Arc length at which the point \p out (m) aside of the middle leaves both tubes; the length of the
+    /// fork's shortest where it does not before.
     [[nodiscard]] double exitAt(double out) const;
 
 private:
-    static constexpr std::size_t places = 16;
+    static constexpr std::size_t places = 11;
     /// Squared distance of a point from a tube's surface: a + 2 b out + c out out.
     struct Side
     {
@@ -50,6 +52,7 @@ private:
         [[nodiscard]] double at(double out) const { return a + out * (2.0 * b + c * out); }
     };
     std::array<double, places> m_along;
+    std::vector<std::array<AxisTable::Place, places>> m_axes; ///< per child
     std::array<std::array<Side, 2>, places> m_sides;
 };
 
@@ -76,6 +79,7 @@ public:
 
 private:
     enum class Tubes { Own, All };
+    [[nodiscard]] bool isCovered(const WallPath& path, const glm::dvec3& point, double along) const;
     [[nodiscard]] double room(const WallPath& path, double along, Tubes tubes) const;
     [[nodiscard]] std::optional<double> exitHeight(const WallPath& path, double reach, double guess,
                                                    Tubes tubes) const;

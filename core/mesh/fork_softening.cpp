@@ -47,11 +47,11 @@ bool ForkSoftener::soften(const std::array<Index, 3>& child, glm::dvec3& positio
 {
     double radius = std::numeric_limits<double>::max(), length = radius, clear = radius;
     m_away.clear();
-    for (Index i = 0; i < m_children.size(); ++i) {
+    for (const Index i : child) {
+        if (i == noIndex)
+            continue;
         const AxisTable& table = m_children[i].table;
         const AxisTable::Away& away = m_away.emplace_back(table.awayFrom(position, along));
-        if (i != child[0] && i != child[1] && i != child[2])
-            continue;
         clear = std::min(clear, away.clearance);
         radius = std::min(radius, away.radius);
         length = std::min(length, table.length());
@@ -60,6 +60,10 @@ bool ForkSoftener::soften(const std::array<Index, 3>& child, glm::dvec3& positio
         return false;
     // All tubes count by how near they are: between a wall and the corner it ends at nothing jumps.
     const double reach = m_reach * radius;
+    for (Index i = 0; i < m_children.size(); ++i)
+        if (i != child[0] && i != child[1] && i != child[2] &&
+            m_children[i].table.mayBeNear(position, along, clear + reach))
+            m_away.push_back(m_children[i].table.awayFrom(position, along));
     glm::dvec3 out(0.0), ahead(0.0);
     double weights = 0.0;
     for (const AxisTable::Away& away : m_away) {
@@ -100,6 +104,8 @@ double ForkSoftener::swelling(const AxisSection& section, const glm::dvec3& poin
 {
     double most = 0.0, room = std::numeric_limits<double>::max();
     for (const Index j : m_near) {
+        if (!m_children[j].table.mayBeNear(point, section.along, m_reach * section.radius))
+            continue;
         const AxisTable::Away other = m_children[j].table.awayFrom(point, section.along);
         const double reach = m_reach * std::min(section.radius, other.radius);
         if (other.clearance >= reach)

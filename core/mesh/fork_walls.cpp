@@ -202,7 +202,7 @@ std::optional<ForkWalls::WallSample> ForkWalls::sampleBetween(const WallPlan& pl
 /// apart in height than the sections of the tubes beside it.
 ForkWalls::Wall ForkWalls::makeWall(WallPlan plan, const WallSample& from, const WallSample& to)
 {
-    m_guess.build(m_children, plan.path);
+    m_guess.build(plan.path);
     plan.leansUpTo = std::max(leanHeight * plan.reach, m_guess.exitAt(leanReach * plan.reach));
     const double highest = std::max(from.at.along, to.at.along), range = to.angle - from.angle;
     const bool peaked = plan.endsOnRing && isPeaked(m_radialDivisions);
@@ -303,6 +303,7 @@ void ForkWalls::build(const ForkLayout& layout, const ForkRing& ring, std::span<
     m_radialDivisions = radialDivisions;
     m_midsPerQuarter = std::clamp((radialDivisions + 1) / 4, 1, 12);
     m_lift.begin(children);
+    m_guess.begin(children);
     m_vertices.clear();
     makeCorners();
     m_isLate = standsLate();

@@ -43,8 +43,9 @@ void StripPatch::arrange(const std::vector<UnrolledVertex>& lower, const std::ve
     const double zero = m_zero = lower[start].azimuth;
     m_lowerRow.clear();
     for (std::size_t i = 0; i <= m_lowerCount; ++i) {
-        const UnrolledVertex& from = lower[(start + i) % m_lowerCount];
-        const double once = start + i >= m_lowerCount ? turn : 0.0;
+        const bool again = start + i >= m_lowerCount;
+        const UnrolledVertex& from = lower[again ? start + i - m_lowerCount : start + i];
+        const double once = again ? turn : 0.0;
         m_lowerRow.push_back(
             {(from.azimuth + once - zero) * radius, m_stretch * from.along, from.vertex, from.shared});
     }
@@ -53,14 +54,18 @@ void StripPatch::arrange(const std::vector<UnrolledVertex>& lower, const std::ve
         return d - turn * std::round(d / turn);
     };
     std::size_t first = 0;
+    double nearest = offset(upper[0]);
     for (std::size_t j = 1; j < m_upperCount; ++j)
-        if (std::abs(offset(upper[j])) < std::abs(offset(upper[first])))
+        if (const double away = offset(upper[j]); std::abs(away) < std::abs(nearest)) {
             first = j;
-    const double shift = offset(upper[first]) - upper[first].azimuth;
+            nearest = away;
+        }
+    const double shift = nearest - upper[first].azimuth;
     m_upperRow.clear();
     for (std::size_t j = 0; j <= m_upperCount; ++j) {
-        const UnrolledVertex& from = upper[(first + j) % m_upperCount];
-        const double once = first + j >= m_upperCount ? turn : 0.0;
+        const bool again = first + j >= m_upperCount;
+        const UnrolledVertex& from = upper[again ? first + j - m_upperCount : first + j];
+        const double once = again ? turn : 0.0;
         m_upperRow.push_back({(from.azimuth + once + shift) * radius, m_stretch * from.along, from.vertex});
     }
 }
@@ -148,9 +153,9 @@ void StripPatch::chooseStepsByCost(double most)
 /// Edges between the rows would exist twice exactly if one row advanced all around in one go.
 void StripPatch::breakSingleRun()
 {
-    int changes = 0;
-    for (std::size_t s = 0; s < m_steps.size(); ++s)
-        changes += m_steps[s] != m_steps[(s + 1) % m_steps.size()] ? 1 : 0;
+    int changes = m_steps.back() != m_steps.front() ? 1 : 0;
+    for (std::size_t s = 0; s + 1 < m_steps.size(); ++s)
+        changes += m_steps[s] != m_steps[s + 1] ? 1 : 0;
     if (changes > 2)
         return;
     std::fill(m_steps.begin(), m_steps.end(), std::uint8_t(0));
@@ -203,19 +208,21 @@ void StripPatch::buildTriangles()
     m_triangles.resize(first + count);
     m_refinable = true;
     Index i = 0, j = 0;
-    const auto lower = [&](Index k) { return m_active[k % lowerCount].corner; };
+    const auto wrapped = [](Index k, Index around) -> Index { return k < around ? k : k - around; };
+    const auto lower = [&](Index k) { return m_active[wrapped(k, lowerCount)].corner; };
     for (Index s = 0; s < count; ++s) {
         const Index t = first + s;
         const Index after = first + (s + 1 < count ? s + 1 : 0), before = first + (s > 0 ? s - 1 : count - 1);
-        const Index u = upperFirst + j % upperCount;
+        const Index u = upperFirst + wrapped(j, upperCount);
         if (m_steps[s]) {
-            const Index below = m_active[i % lowerCount].below;
+            const Index below = m_active[wrapped(i, lowerCount)].below;
             m_triangles[t] = {{lower(i), lower(i + 1), u}, {below, after, before}};
             if (below != noIndex)
                 m_triangles[below].neighbour[2] = t;
             ++i;
         } else {
-            m_triangles[t] = {{lower(i), upperFirst + (j + 1) % upperCount, u}, {after, noIndex, before}};
+            m_triangles[t] = {{lower(i), upperFirst + wrapped(j + 1, upperCount), u},
+                              {after, noIndex, before}};
             ++j;
         }
         // Differences of azimuth are taken the short way: that needs edges under half a turn.
@@ -233,10 +240,11 @@ void StripPatch::zip(const std::vector<UnrolledVertex>& lower, const std::vector
     m_vertices.assign(m_lowerRow.begin(), m_lowerRow.end() - 1);
     m_vertices.insert(m_vertices.end(), m_upperRow.begin(), m_upperRow.end() - 1);
     m_triangles.clear();
+    m_settled.clear();
     fillPits();
     m_crooked = m_lowerRow.size() <= m_lowerCount;
     const double cost = chooseStepsQuickly();
-    if (m_crooked)
+    if (cost >= upsideDown)
         chooseStepsByCost(cost);
     breakSingleRun();
     buildTriangles();
@@ -371,6 +379,7 @@ void StripPatch::split(Index triangle, Index vertex)
     relink(old.neighbour[1], triangle, second);
     relink(old.neighbour[2], triangle, third);
     m_suspects.assign({triangle, second, third});
+    unsettle(triangle);
 }
 
 /// Is there an edge between an inserted vertex and another one already? Walks around the vertex.
@@ -405,6 +414,8 @@ void StripPatch::exchange(Index triangle, Index vertex)
     relink(besideB, triangle, other);
     m_suspects.push_back(triangle);
     m_suspects.push_back(other);
+    unsettle(triangle);
+    unsettle(other);
 }
 
 /// Is the vertex beyond the edge opposite an inserted one inside the circle, and may the edge be exchanged?
@@ -478,7 +489,7 @@ bool StripPatch::isEdge(Index a, Index b, Index triangle) const
 /// Exchanges an edge if that makes it Delaunay.
 bool StripPatch::relaxEdge(Index triangle, std::size_t edge)
 {
-    const Triangle t = m_triangles[triangle];
+    const Triangle& t = m_triangles[triangle];
     const Index other = t.neighbour[edge];
     if (other == noIndex)
         return false;
@@ -486,15 +497,18 @@ bool StripPatch::relaxEdge(Index triangle, std::size_t edge)
     const Triangle& o = m_triangles[other];
     const std::size_t j = o.corner[0] == b ? 0 : (o.corner[1] == b ? 1 : 2);
     const Index d = o.corner[(j + 2) % 3];
-    if (c == d || !mayJoin(c, d))
-        return false;
-    const bool chord = c < m_lowerCount && d < m_lowerCount;
-    if (chord && std::abs(deltaX(c, d)) > widestChord * m_circumference)
-        return false;
     const double half = 0.5 * m_circumference;
     const double ax = deltaX(c, a), ay = m_vertices[a].y - m_vertices[c].y;
     const double bx = deltaX(c, b), by = m_vertices[b].y - m_vertices[c].y;
     const double dx = deltaX(c, d), dy = m_vertices[d].y - m_vertices[c].y;
+    // Two angles across an edge that are right or less: the edge is Delaunay. That goes for most.
+    if (ax * bx + ay * by >= 0.0 && (ax - dx) * (bx - dx) + (ay - dy) * (by - dy) >= 0.0)
+        return false;
+    if (c == d || !mayJoin(c, d))
+        return false;
+    const bool chord = c < m_lowerCount && d < m_lowerCount;
+    if (chord && std::abs(dx) > widestChord * m_circumference)
+        return false;
     if (std::abs(ax - bx) > half || std::abs(ax - dx) > half || std::abs(bx - dx) > half)
         return false;
     if (cross(ax, ay, dx, dy) <= m_least || cross(dx, dy, bx, by) <= m_least)
@@ -513,10 +527,13 @@ void StripPatch::relax()
     if (!m_refinable)
         return;
     m_suspects.clear();
+    m_settled.resize(m_triangles.size(), 0);
     for (Index t = 0; t < m_triangles.size(); ++t)
-        for (std::size_t e = 0; e < 3; ++e) // every edge once: with the triangle of the higher number
-            if (m_triangles[t].neighbour[e] < t && relaxEdge(t, e))
+        for (std::size_t e = 0; e < 3; ++e) { // every edge once: with the triangle of the higher number
+            const Index other = m_triangles[t].neighbour[e];
+            if (other < t && !(m_settled[t] && m_settled[other]) && relaxEdge(t, e))
                 break;
+        }
     std::size_t left = 20 * m_triangles.size();
     while (!m_suspects.empty() && left-- > 0) {
         const Index t = m_suspects.back();
@@ -526,6 +543,7 @@ void StripPatch::relax()
                 break;
     }
     m_suspects.clear();
+    m_settled.assign(m_triangles.size(), 1);
 }
 
 bool StripPatch::measureNormals(const MeshSink& sink, std::vector<glm::vec3>& normals) const

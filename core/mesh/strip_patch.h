@@ -96,6 +96,11 @@ private:
     [[nodiscard]] bool mayJoin(Index a, Index b) const;
     [[nodiscard]] bool isEdge(Index a, Index b, Index triangle) const;
     bool relaxEdge(Index triangle, std::size_t edge);
+    void unsettle(Index triangle)
+    {
+        if (triangle < m_settled.size())
+            m_settled[triangle] = 0;
+    }
 
     double m_zero = 0.0; ///< azimuth at x = 0
     double m_circumference = 1.0, m_radius = 1.0, m_least = 0.0, m_stretch = 1.0;
@@ -115,6 +120,7 @@ private:
     Index m_last = 0, m_first = 0; ///< triangles: where a vertex was inserted last, where to look first
     std::vector<Triangle> m_triangles;
     std::vector<Index> m_suspects;
+    std::vector<std::uint8_t> m_settled; ///< per triangle: has not changed since its edges were relaxed
     bool m_refinable = false, m_crooked = false;
 };
 
