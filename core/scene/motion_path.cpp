@@ -18,6 +18,19 @@ MotionChain motionChain(const Scene& scene, NodeId node)
         chain.links.push_back(std::move(made));
     }
     std::reverse(chain.links.begin(), chain.links.end());
+    // What the node itself shows may stand and move apart from it: that is what is followed with the eye.
+    const Node* shown = scene.find(node);
+    if (!shown || shown->kind == NodeKind::Group)
+        return chain;
+    MotionChain::Link own{shown->params.local, {}};
+    for (const auto& [channel, track] : shown->animation.tracks())
+        if (channel.part >= ChannelPart::LocalTranslation && channel.part <= ChannelPart::LocalScale) {
+            Channel same = channel;
+            same.part = static_cast<ChannelPart>(int(channel.part) - int(ChannelPart::LocalTranslation));
+            own.animation.set(same, track);
+        }
+    if (own != MotionChain::Link{})
+        chain.links.push_back(std::move(own));
     return chain;
 }
 

@@ -1,6 +1,7 @@
 #include "widgets/viewport/gizmo_drag.h"
 
 #include "core/geometry/drag_maths.h"
+#include "core/scene/places.h"
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>
@@ -41,6 +42,16 @@ double angleOf(const glm::dvec2& v)
 
 } // namespace
 
+glm::dvec3 shownPivot(const Scene& scene, const std::vector<TransformStart>& starts)
+{
+    glm::dvec3 sum(0.0);
+    for (const TransformStart& start : starts) {
+        const Node* node = scene.find(start.node);
+        sum += node ? glm::dvec3(geometryUnder(start.world, *node, start.seconds)[3]) : start.origin();
+    }
+    return sum / double(std::max<std::size_t>(starts.size(), 1));
+}
+
 std::unique_ptr<GizmoDrag> GizmoDrag::begin(Document& document, const GizmoSettings& settings,
                                             TransformTool tool, std::optional<GizmoHandle> handle,
                                             double seconds, bool keys, const PickView& view,
@@ -70,7 +81,7 @@ GizmoDrag::GizmoDrag(Document& document, const GizmoSettings& settings, Transfor
     , m_hand(pixel)
     , m_last(pixel)
 {
-    m_place.pivot = pivotOf(m_starts);
+    m_place.pivot = shownPivot(document.scene(), m_starts);
     m_keys = std::any_of(m_starts.begin(), m_starts.end(), [](const auto& start) { return start.keys; });
     m_snap = settings.snaps();
     setAxes();

@@ -18,6 +18,10 @@ struct GizmoModifiers
     bool fine = false; ///< Shift: a tenth of the way
 };
 
+/// The middle of what the nodes show: of the origins of their own geometry, which a local transform may carry
+/// far away from the nodes' own. World. \pre \p starts is not empty
+glm::dvec3 shownPivot(const Scene& scene, const std::vector<TransformStart>& starts);
+
 class GizmoDrag
 {
 public:

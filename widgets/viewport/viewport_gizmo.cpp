@@ -126,7 +126,7 @@ std::optional<GizmoPlace> Viewport::Private::gizmoPlace()
                                             player ? player->timeSeconds() : 0.0, false);
         gizmoRest.reset();
         if (!starts.empty())
-            gizmoRest = GizmoPlace{pivotOf(starts), transformAxes(starts, how.space())};
+            gizmoRest = GizmoPlace{shownPivot(document->scene(), starts), transformAxes(starts, how.space())};
     }
     return gizmoRest;
 }

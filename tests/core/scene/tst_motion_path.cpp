@@ -82,10 +82,25 @@ private slots:
         Node& node = *scene.find(moving(scene));
         const MotionChain before = motionChain(scene, node.id);
         Key key;
-        node.animation.set(Channel{ChannelPart::LocalTranslation, 0, 0}, AnyTrack(*Track::fromKeys({key})));
+        const ParamId radius = paramId(*findParam("primitive.radius"));
+        node.animation.set(Channel{ChannelPart::Parameter, 0, radius}, AnyTrack(*Track::fromKeys({key})));
         QCOMPARE(motionChain(scene, node.id), before); // nothing to compute anew
         node.params.tree.translation.x += 1.0;
         QVERIFY(motionChain(scene, node.id) != before);
+    }
+    /// The cylinder of the demo stands 5 m from its node, which only turns.
+    void whatIsShownIsFollowed()
+    {
+        const Scene scene = cylinder();
+        const NodeId node = moving(scene);
+        const auto path = motionPath(motionChain(scene, node), scene.timeline());
+        QVERIFY(path);
+        for (std::size_t i = 0; i < path->points.size(); ++i) {
+            const double seconds = scene.timeline().timeOf(scene.timeline().firstFrame + std::int64_t(i));
+            const glm::dvec3 shown(placeAt(scene, node, seconds).geometry[3]);
+            QVERIFY(glm::distance(path->points[i], shown) < 1e-12);
+        }
+        QVERIFY(glm::distance(path->points.front(), path->points.back()) > 1.0);
     }
     void longRangesEndSomewhere()
     {

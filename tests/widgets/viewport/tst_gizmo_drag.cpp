@@ -130,6 +130,7 @@ private slots:
     void parentsThatMoveAreRespected();
     void keysAreMadeAtThePlayhead();
     void severalGoTogether();
+    void theHandlesStandAtWhatIsShown();
     void theReadoutHasUnits();
 };
 
@@ -477,6 +478,20 @@ void TestGizmoDrag::severalGoTogether()
     desk.begin(TransformTool::Move, std::nullopt);
     desk.type("y1");
     QVERIFY(glm::distance(desk.origin(2), two + glm::dvec3(0, 1, 0)) < 1e-12);
+}
+
+/// What is seen is held, also where a local transform carries it away from its node.
+void TestGizmoDrag::theHandlesStandAtWhatIsShown()
+{
+    Desk desk;
+    QVERIFY(edit::setParam(desk.document, {3}, *findParam("local.translation"), glm::dvec3(0, 0, -5)));
+    const auto shown = [&desk] { return glm::dvec3(placeAt(desk.document.scene(), 3, 0.0).geometry[3]); };
+    const glm::dvec3 from = shown();
+    desk.begin(TransformTool::Rotate, std::nullopt);
+    QVERIFY(glm::distance(desk.drag->place().pivot, from) < 1e-12);
+    desk.type("y90");
+    QVERIFY(glm::distance(shown(), from) < 1e-9); // turns where it stands
+    QVERIFY(std::abs(desk.placement(3).rotation.y - 0.5 * pi) < 1e-12);
 }
 
 void TestGizmoDrag::theReadoutHasUnits()
