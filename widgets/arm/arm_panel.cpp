@@ -49,7 +49,9 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     m_tolerance->setRange(0.0, std::numbers::pi);
     m_tolerance->setStep(0.1 * std::numbers::pi / 180.0);
     m_tolerance->setValue(0.0);
+    m_keyPose->setObjectName(QStringLiteral("keyPose"));
     m_keyPose->setEnabled(false);
+    m_bake->setObjectName(QStringLiteral("bakeToKeys"));
     layOut();
     connect(m_add, &QPushButton::clicked, this, &ArmPanel::addJoint);
     connect(m_remove, &QPushButton::clicked, this, &ArmPanel::removeJoint);

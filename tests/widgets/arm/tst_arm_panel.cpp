@@ -196,7 +196,7 @@ void TestArmPanel::thePoseIsKeyed()
     QVERIFY(player.waitForIdle(20'000));
     const std::vector<double> seen = player.motion()->of(1)->arm->angles;
     QVERIFY(seen != armAngles(desk.joints()));
-    desk.panel.findChildren<QPushButton*>()[5]->click();
+    desk.panel.findChild<QPushButton*>(QStringLiteral("keyPose"))->click();
     QCOMPARE(desk.document.undoStack()->count(), 1);
     QCOMPARE(desk.document.scene().find(1)->animation.tracks().size(), std::size_t(6));
     QVERIFY(player.waitForIdle(20'000));
@@ -206,7 +206,7 @@ void TestArmPanel::thePoseIsKeyed()
 void TestArmPanel::theMotionIsBaked()
 {
     Desk desk;
-    QPushButton* bake = desk.panel.findChildren<QPushButton*>().last();
+    QPushButton* bake = desk.panel.findChild<QPushButton*>(QStringLiteral("bakeToKeys"));
     QSignalSpy told(&desk.panel, &ArmPanel::messageRaised);
     bake->click();
     QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, 20'000);
