@@ -26,13 +26,16 @@ class TestMovingMeshes : public QObject
 private slots:
     void initTestCase();
     void init() { test::failOnAnyWarning(); }
-    void shaderMatchesTheProcessor_data();
+    void shaderMatchesTheProcessor_data() { addRows({"tree", "arm", "worn mesh"}); }
     void shaderMatchesTheProcessor();
-    void pictureIsThatOfTheDeformedMesh_data() { shaderMatchesTheProcessor_data(); }
+    void pictureIsThatOfTheDeformedMesh_data() { addRows({"tree", "arm"}); }
     void pictureIsThatOfTheDeformedMesh();
     void linesFollowTheirBranches();
     void aFrameUploadsOnlyItsBones();
     void restComesBack();
+
+private:
+    static void addRows(std::initializer_list<const char*> kinds);
 };
 
 namespace {
@@ -209,11 +212,13 @@ void TestMovingMeshes::initTestCase()
     QVERIFY(Renderer::make()); // links the shaders in, too
 }
 
-void TestMovingMeshes::shaderMatchesTheProcessor_data()
+/// Vertices of the worn mesh are compared, pictures are not: it runs through itself, and a rounding of the
+/// last bit then changes more pixels than the bound allows.
+void TestMovingMeshes::addRows(std::initializer_list<const char*> kinds)
 {
     QTest::addColumn<QString>("what");
     QTest::addColumn<int>("method");
-    for (const char* what : {"tree", "arm", "worn mesh"}) {
+    for (const char* what : kinds) {
         QTest::addRow("%s, rigid", what) << QString(what) << int(SkinMethod::Rigid);
         QTest::addRow("%s, linear", what) << QString(what) << int(SkinMethod::Linear);
         QTest::addRow("%s, dual quaternion", what) << QString(what) << int(SkinMethod::DualQuaternion);
