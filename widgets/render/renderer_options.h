@@ -10,8 +10,8 @@ namespace ramure {
 struct RenderOptions
 {
     ShadingMode shading = ShadingMode::Solid;
-    bool grid = false;   ///< metric grid on the ground
-    bool ground = true;  ///< without: the sky alone, and what lies below the ground is seen
+    bool grid = false;  ///< metric grid on the ground
+    bool ground = true; ///< without: the sky alone, and what lies below the ground is seen
     bool shadows = true;
     bool world = true;       ///< sky and ground; without: a transparent background
     int samples = 4;         ///< of multisampling, where the renderer owns the target; 0 = none
