@@ -87,7 +87,7 @@ struct Lanes
     Lanes real = pivot, dual = part(0, &DualQuaternion::dual);
     real.scale(weights(0));
     dual.scale(weights(0));
-    for (const std::size_t i : {1, 2}) { // a place that is not used holds the first bone with weight 0
+    for (std::size_t i = 1; i < 3; ++i) { // a place that is not used holds the first bone with weight 0
         const Lanes bone = part(i, &DualQuaternion::real);
         const Float4 weight = bone.dot(pivot) < 0.0F ? -weights(i) : weights(i);
         real.add(weight, bone);
