@@ -342,8 +342,8 @@ void Deformer::deform(std::span<const glm::vec3> restPositions, std::span<const 
 {
     if (skin.vertices == 0)
         return;
-    m_bones->deform(skin, &restPositions.data()->x, &restNormals.data()->x, &positions.data()->x,
-                    normals.empty() ? nullptr : &normals.data()->x);
+    m_bones->deform(skin, &restPositions.data()->x, restNormals.empty() ? nullptr : &restNormals.data()->x,
+                    &positions.data()->x, normals.empty() ? nullptr : &normals.data()->x);
 }
 
 TriangleMesh deformed(const TriangleMesh& rest, const Skin& skin, std::span<const RigidTransform> pose,
