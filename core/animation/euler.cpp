@@ -22,7 +22,12 @@ double distance(const glm::dvec3& a, const glm::dvec3& b)
 
 glm::dvec3 anglesOf(const glm::dquat& orientation, const glm::dvec3& near)
 {
-    const glm::dmat3 r = glm::mat3_cast(orientation);
+    return anglesOf(glm::mat3_cast(orientation), near);
+}
+
+glm::dvec3 anglesOf(const glm::dmat3& rotation, const glm::dvec3& near)
+{
+    const glm::dmat3& r = rotation;
     const double cosY = std::hypot(r[0][0], r[0][1]);
     const double y = std::atan2(-r[0][2], cosY);
     const auto alike = [&near](double a, double b, double c) {

@@ -3,12 +3,15 @@
 #pragma once
 
 #include "core/animation/track.h"
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 
 namespace ramure {
 
 /// Of all angles that give this orientation those nearest to \p near.
 glm::dvec3 anglesOf(const glm::dquat& orientation, const glm::dvec3& near);
+/// The same of a rotation matrix.
+glm::dvec3 anglesOf(const glm::dmat3& rotation, const glm::dvec3& near);
 /// A unit quaternion.
 glm::dquat orientationOf(const glm::dvec3& angles);
 /// Of every key, followed along the way between them: as far as the orientation turns, so far the angles go,

@@ -1,6 +1,7 @@
 #include "core/scene/keyed_placement.h"
 
 #include "core/animation/euler.h"
+#include "core/animation/keyed_track.h"
 #include <algorithm>
 #include <cmath>
 
@@ -39,22 +40,13 @@ Moved movedAt(const GlobalTracks& tracks, double seconds)
     return moved;
 }
 
-/// A key of this value; it goes on as the one before it does.
 template <class TrackType, class Value>
 Expected<void> putKey(NodeAnimation::TrackPtr& track, Ticks time, const Value& value, KeyMode mode)
 {
-    TrackType changed = track ? std::get<TrackType>(*track) : TrackType();
-    typename TrackType::KeyKind key;
-    key.mode = mode;
-    if (!changed.empty()) {
-        const std::size_t behind = changed.lowerBound(time + 1);
-        key = changed.keys()[behind == 0 ? 0 : behind - 1];
-    }
-    key.time = time;
-    key.value = value;
-    if (auto good = changed.insert(key); !good)
-        return good;
-    track = std::make_shared<const AnyTrack>(std::move(changed));
+    auto changed = withKey<TrackType>(track, time, value, mode);
+    if (!changed)
+        return fail(std::move(changed.error()));
+    track = std::move(*changed);
     return {};
 }
 

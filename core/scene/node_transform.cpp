@@ -1,5 +1,7 @@
 #include "core/scene/node_transform.h"
 
+#include "core/animation/euler.h"
+#include "core/animation/keyed_track.h"
 #include "core/geometry/drag_maths.h"
 #include "core/scene/places.h"
 #include <algorithm>
@@ -119,59 +121,26 @@ void carry(Carrier& carrier, const TransformStart& start, const WorldTransform& 
         glm::clamp(before.translation + cleaned(into * way + swing, size), -mostPlace, mostPlace);
 }
 
-/// The angle that turns as \p angle does and lies nearest to \p old.
-double nearAngle(double angle, double old)
+/// Angles of this rotation, near \p old and inside the range of the parameter; what only rounding tells from
+/// \p old is \p old.
+glm::dvec3 anglesNear(const glm::dmat3& rotation, const glm::dvec3& old)
 {
-    double near = angle + 2.0 * pi * std::nearbyint((old - angle) / (2.0 * pi));
-    if (std::abs(near) > mostAngle)
-        near = std::remainder(near, 2.0 * pi);
-    return std::abs(near - old) < 1e-14 * std::max(1.0, std::abs(old)) ? old : near;
-}
-
-/// Angles about X, Y, Z of Rz * Ry * Rx: of all that give this rotation, those nearest to \p old.
-glm::dvec3 anglesNear(const glm::dmat3& r, const glm::dvec3& old)
-{
-    const double cosY = std::hypot(r[0][0], r[0][1]);
-    const double y = std::atan2(-r[0][2], cosY);
-    const auto near = [&old](double ax, double ay, double az) {
-        return glm::dvec3(nearAngle(ax, old.x), nearAngle(ay, old.y), nearAngle(az, old.z));
-    };
-    if (cosY <= 1e-9) { // X and Z turn about one axis: Z stays as it was
-        const double sum = std::atan2(-r[2][1], r[1][1]);
-        return near(y > 0.0 ? sum + old.z : sum - old.z, y, old.z);
+    glm::dvec3 angles = anglesOf(rotation, old);
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+        double& angle = angles[axis];
+        if (std::abs(angle) > mostAngle)
+            angle = std::remainder(angle, 2.0 * pi);
+        if (std::abs(angle - old[axis]) < 1e-14 * std::max(1.0, std::abs(old[axis])))
+            angle = old[axis];
     }
-    const double x = std::atan2(r[1][2], r[2][2]), z = std::atan2(r[0][1], r[0][0]);
-    const glm::dvec3 one = near(x, y, z), other = near(x + pi, pi - y, z + pi);
-    const auto far = [&old](const glm::dvec3& angles) {
-        const glm::dvec3 by = glm::abs(angles - old);
-        return by.x + by.y + by.z;
-    };
-    return far(one) <= far(other) ? one : other;
-}
-
-/// The track with a key of this value; it goes on as the key before it does.
-template <class TrackType, class Value>
-Expected<NodeAnimation::TrackPtr> keyed(const NodeAnimation::TrackPtr& present, Ticks time,
-                                        const Value& value)
-{
-    TrackType track = present ? std::get<TrackType>(*present) : TrackType();
-    typename TrackType::KeyKind key;
-    if (!track.empty()) {
-        const std::size_t at = track.lowerBound(time + 1);
-        key = track.keys()[at == 0 ? 0 : at - 1];
-    }
-    key.time = time;
-    key.value = value;
-    if (auto good = track.insert(key); !good)
-        return fail(std::move(good.error()));
-    return std::make_shared<const AnyTrack>(std::move(track));
+    return angles;
 }
 
 Expected<void> setNumber(NodeAnimation::TrackPtr& track, Ticks time, double before, double now)
 {
     if (!track && before == now)
         return {};
-    auto made = keyed<Track>(track, time, now);
+    auto made = withKey<Track>(track, time, now);
     if (!made)
         return fail(std::move(made.error()));
     track = std::move(*made);
@@ -194,8 +163,8 @@ Expected<NodeTransform> withKeys(const TransformStart& start, const Carrier& bef
                 return fail(std::move(good.error()));
     }
     if (now.rotation != before.rotation) {
-        auto made = keyed<OrientationTrack>(values.tracks[orientation], time,
-                                            glm::normalize(glm::quat_cast(now.rotation)));
+        auto made = withKey<OrientationTrack>(values.tracks[orientation], time,
+                                              glm::normalize(glm::quat_cast(now.rotation)));
         if (!made)
             return fail(std::move(made.error()));
         values.tracks[orientation] = std::move(*made);

@@ -1,5 +1,6 @@
 #include "widgets/animation/auto_key.h"
 
+#include "core/animation/keyed_track.h"
 #include "core/document/player.h"
 #include "widgets/animation/key_edits.h"
 #include <string_view>
@@ -62,21 +63,12 @@ Expected<void> noKeyHere()
                                                 "one with the button beside it, or switch auto-key on"));
 }
 
-/// The track with a key of this value; it goes on as the key before it does.
 Expected<TrackEdit> keyed(const Node& node, const Channel& channel, Ticks time, double value)
 {
-    const auto present = node.animation.find(channel);
-    Track track = present ? std::get<Track>(*present) : Track();
-    Key key;
-    if (!track.empty()) {
-        const std::size_t at = track.lowerBound(time + 1);
-        key = track.keys()[at == 0 ? 0 : at - 1];
-    }
-    key.time = time;
-    key.value = value;
-    if (auto good = track.insert(key); !good)
-        return fail(std::move(good.error()));
-    return TrackEdit{node.id, channel, std::make_shared<const AnyTrack>(std::move(track))};
+    auto track = withKey<Track>(node.animation.find(channel), time, value);
+    if (!track)
+        return fail(std::move(track.error()));
+    return TrackEdit{node.id, channel, std::move(*track)};
 }
 
 } // namespace

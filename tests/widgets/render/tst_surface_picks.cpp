@@ -45,6 +45,15 @@ RenderScene builtAt(const Scene& scene, double seconds)
         scene, [](NodeId) { return nullptr; }, view);
 }
 
+/// Around the mesh where it is.
+Box boxAt(const TriangleMesh& mesh, const glm::dmat4& world)
+{
+    Box box;
+    for (const glm::vec3& position : mesh.positions)
+        box.add(glm::dvec3(world * glm::dvec4(glm::dvec3(position), 1.0)));
+    return box;
+}
+
 /// Every triangle in world space, without any hierarchy.
 std::optional<double> bruteForce(const TriangleMesh& mesh, const glm::dmat4& world, const ViewRay& ray)
 {
@@ -109,7 +118,7 @@ private slots:
             view.camera.orthographic = i % 2 == 1;
             view.camera.yawRad = random.range(-3.0, 3.0);
             view.camera.pitchRad = random.range(-1.4, 1.4);
-            view.camera.frame(Box{{-2.0, -3.0, -4.0}, {10.0, 3.0, 4.0}}, view.aspect());
+            view.camera.frame(boxAt(*scene.find(1)->mesh, world), view.aspect());
             const glm::dvec2 pixel(random.range(0.0, 800.0), random.range(0.0, 600.0));
             ViewRay ray = view.camera.ray(view.ndc(pixel), view.aspect());
             if (view.camera.orthographic) // parallel rays begin before everything
@@ -122,7 +131,7 @@ private slots:
             ++hits;
             QVERIFY(glm::distance(*met, ray.origin + *expected * ray.direction) < 1e-5);
         }
-        QVERIFY(hits > 0);
+        QVERIFY2(hits > 100 && hits < 900, qPrintable(QString::number(hits))); // both happen often
     }
 };
 
