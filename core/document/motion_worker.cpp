@@ -416,7 +416,7 @@ void MotionWorker::loop(const std::stop_token& quit)
             idle = !m_waiting;
         }
         if (idle)
-            m_listener.idle();
+            m_listener.idle(request.ticket);
     }
 }
 

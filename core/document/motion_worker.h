@@ -39,7 +39,8 @@ struct MotionArm
 struct MotionRequest
 {
     std::int64_t frame = 0;
-    int document = 0; ///< counted by the player: what comes late from one that was left is of no use
+    int document = 0;        ///< counted by the player: what comes late from one that was left is of no use
+    std::int64_t ticket = 0; ///< likewise, growing: told again when the request is through
     TimelineSettings timeline;
     std::vector<MotionTree> trees;
     std::vector<MotionArm> arms;
@@ -64,7 +65,9 @@ public:
         std::function<void(Error)> failed;      ///< no frame comes for this request
         std::function<void(Error)> bakeRefused; ///< a file of baked motion is not used, and why
         std::function<void(BakeState)> bakes;
-        std::function<void()> idle; ///< nothing runs or waits
+        /// Nothing runs or waits. By the request that ran last and not by isBusy(), the receiver knows that
+        /// what came before is all there is: a later request may be through already, its frame on the way.
+        std::function<void(std::int64_t ticket)> idle;
     };
 
     explicit MotionWorker(Listener listener);

@@ -28,6 +28,8 @@ struct Player::Private
     void request(bool interrupt);
     void take(std::shared_ptr<const MotionFrame> made);
     void rewindClock();
+    void worked(std::int64_t ticket);
+    void stopWork();
     void setBusy(bool now);
     void findBakes();
     [[nodiscard]] bool isAtRest() const
@@ -49,6 +51,7 @@ struct Player::Private
     double speed = 1.0;
     PlayPace pace = PlayPace::RealTime;
     std::size_t memoryBytes = std::size_t(1) << 30;
+    std::int64_t tickets = 0, awaited = 0; ///< requests so far, and the one that computing waits for
     bool forgetHand = false;
     bool wanted = false; ///< another frame was asked for while one was computed
     std::map<NodeId, std::optional<Pull>> pulls;
@@ -91,15 +94,7 @@ MotionWorker::Listener Player::Private::listener()
                     emit q->bakeStateChanged(state);
             });
         },
-        [this, post] {
-            post([this] {
-                computing = worker.isBusy();
-                if (!computing)
-                    setBusy(false);
-                if (wanted && !computing)
-                    request(false);
-            });
-        },
+        [this, post](std::int64_t ticket) { post([this, ticket] { worked(ticket); }); },
     };
 }
 
@@ -294,7 +289,7 @@ void Player::cancel()
 {
     pause();
     d->wanted = false;
-    d->worker.stop();
+    d->stopWork();
 }
 
 void Player::Private::findBakes()
@@ -389,6 +384,7 @@ void Player::Private::request(bool interrupt)
     MotionRequest next;
     next.frame = frame;
     next.document = documents;
+    next.ticket = awaited = ++tickets;
     next.timeline = timeline();
     next.trees = trees();
     next.arms = arms();
@@ -412,6 +408,27 @@ void Player::Private::take(std::shared_ptr<const MotionFrame> made)
     emit q->motionChanged();
 }
 
+/// The worker is through with this request; the frame it made has come before.
+void Player::Private::worked(std::int64_t ticket)
+{
+    if (ticket < awaited)
+        return;
+    computing = false;
+    setBusy(false);
+    if (wanted)
+        request(false);
+}
+
+/// What waited is gone and nobody will tell of it; what still runs says when it ends.
+void Player::Private::stopWork()
+{
+    worker.stop();
+    awaited = 0;
+    computing = worker.isBusy();
+    if (!computing)
+        setBusy(false);
+}
+
 void Player::Private::setBusy(bool now)
 {
     if (!now)
@@ -429,7 +446,7 @@ void Player::Private::documentChanged(const Change& change)
         animatedIsStale = true;
     if (change.has(changeReset)) {
         q->pause();
-        worker.stop();
+        stopWork();
         ++documents;
         pulls.clear();
         shaken.clear();

@@ -5,6 +5,7 @@
 #include "core/params/presets.h"
 #include "tests/support/suite.h"
 #include <QSignalSpy>
+#include <QThread>
 #include <numeric>
 
 using namespace ramure;
@@ -26,6 +27,7 @@ private slots:
     void everyFrameShowsAllFrames();
     void onceEndsAtTheLastFrame();
     void stopGoesBackAndForgetsTheHand();
+    void busyUntilTheLastFrameIsThere();
     void bandTellsCachedStaleAndMissing();
     void physicsEditsChangeTheFrameOnShow();
     void shapeEditsChangeTheFrameOnShow();
@@ -216,6 +218,28 @@ void TestPlayer::stopGoesBackAndForgetsTheHand()
     QVERIFY(!motion(tree).moves());
     seek(30);
     QVERIFY(*motion(tree).bones == calm);
+}
+
+/// The end of an earlier request must not be taken for the end of the last one: its frame may still be on
+/// the way.
+void TestPlayer::busyUntilTheLastFrameIsThere()
+{
+    addTree("TinyTree");
+    seek(1);
+    const auto once = connect(m_player.get(), &Player::motionChanged, this, [&] {
+        if (m_player->motion()->frame != 5)
+            return;
+        m_player->seek(9);
+        QThread::msleep(500); // enough for the worker to be through
+    });
+    m_player->seek(5);
+    QThread::msleep(500); // its frame and its end are told in one go
+    QVERIFY(QTest::qWaitFor([&] { return !m_player->isBusy(); }, 20000));
+    QCOMPARE(m_player->motion()->frame, std::int64_t(9));
+    disconnect(once);
+    m_player->seek(20);
+    m_player->cancel();
+    QVERIFY(QTest::qWaitFor([&] { return !m_player->isBusy(); }, 20000));
 }
 
 void TestPlayer::bandTellsCachedStaleAndMissing()
