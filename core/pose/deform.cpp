@@ -1,4 +1,4 @@
-#include "core/base/float4.h"
+#include "core/base/float8.h"
 #include "core/base/wide_clone.h"
 #include "core/pose/skin.h"
 #include <array>
@@ -6,6 +6,8 @@
 
 namespace ramure {
 namespace {
+
+using Double4 [[gnu::vector_size(32)]] = double;
 
 /// The columns of a 3 x 4 matrix.
 struct Columns
@@ -19,11 +21,21 @@ struct DualQuaternion
     Float4 real, dual;
 };
 
-Columns columnsOf(const RigidTransform& bone)
+/// In doubles, as glm::mat3_cast has it, only four at once.
+[[gnu::always_inline]] inline void columnsOf(const RigidTransform& bone, Columns& out)
 {
-    const glm::dmat3 turn = glm::mat3_cast(bone.rotation);
-    const auto column = [](const glm::dvec3& v) { return Float4{float(v.x), float(v.y), float(v.z), 0.0F}; };
-    return {column(turn[0]), column(turn[1]), column(turn[2]), column(bone.translation)};
+    Double4 q;
+    static_assert(sizeof bone.rotation == sizeof q);
+    std::memcpy(&q, &bone.rotation, sizeof q); // x, y, z, w
+    const Double4 a = __builtin_shufflevector(q, q, 1, 0, 3, 3) * Double4{-1.0, 1.0, -1.0, 0.0};
+    const Double4 b = __builtin_shufflevector(q, q, 2, 3, 0, 3) * Double4{-1.0, 1.0, 1.0, 0.0};
+    const Double4 c = __builtin_shufflevector(q, q, 3, 2, 1, 3) * Double4{-1.0, -1.0, 1.0, 0.0};
+    const double x = 2.0 * bone.rotation.x, y = 2.0 * bone.rotation.y, z = 2.0 * bone.rotation.z;
+    const glm::dvec3& shift = bone.translation;
+    out.x = __builtin_convertvector(Double4{1.0, 0.0, 0.0, 0.0} + (y * a + z * b), Float4);
+    out.y = __builtin_convertvector(Double4{0.0, 1.0, 0.0, 0.0} + (z * c - x * a), Float4);
+    out.z = __builtin_convertvector(Double4{0.0, 0.0, 1.0, 0.0} - (x * b + y * c), Float4);
+    out.w = __builtin_convertvector(Double4{shift.x, shift.y, shift.z, 0.0}, Float4);
 }
 
 DualQuaternion dualQuaternionOf(const RigidTransform& bone)
@@ -210,6 +222,52 @@ void storeLast(float* out, Float4 value)
     out[2] = value[2];
 }
 
+constexpr std::size_t perBlock = 8;
+/// So many vertices at least make a block: fewer are moved one by one, with less to load.
+constexpr std::size_t fewVertices = 4;
+
+/// Eight points or directions.
+template <bool isPoint>
+[[gnu::always_inline]] inline void moveBlock(const float* rest, float* out, const Columns& by)
+{
+    EightPoints at, now;
+    at.load(rest);
+    now.x = at.x * by.x[0] + at.y * by.y[0] + at.z * by.z[0];
+    now.y = at.x * by.x[1] + at.y * by.y[1] + at.z * by.z[1];
+    now.z = at.x * by.x[2] + at.y * by.y[2] + at.z * by.z[2];
+    if constexpr (isPoint) {
+        now.x += by.w[0];
+        now.y += by.w[1];
+        now.z += by.w[2];
+    }
+    now.store(out);
+}
+
+template <bool isPoint> [[gnu::always_inline]] inline Float4 movedOne(const float* rest, const Columns& by)
+{
+    return isPoint ? moved(rest, by) : turned(rest, by);
+}
+
+/// The points or directions of a run under one transform, eight at once. The last block may reach beyond the
+/// run: the next run overwrites that. \param from,to of 3 * vertices floats in all, of which no more are read
+/// or written. \param isPoint directions do not shift
+template <bool isPoint>
+[[gnu::always_inline]] inline void moveRun(const float* rest, float* out, std::size_t from, std::size_t to,
+                                           std::size_t vertices, const Columns& by)
+{
+    const std::size_t lastBlock = vertices < perBlock ? 0 : vertices - perBlock + 1;
+    std::size_t v = from;
+    for (; v + fewVertices <= to && v < lastBlock; v += perBlock)
+        moveBlock<isPoint>(rest + 3 * v, out + 3 * v, by);
+    for (; v < to; ++v) {
+        const Float4 value = movedOne<isPoint>(rest + 3 * v, by);
+        if (v + 1 < vertices)
+            storeFloat4(out + 3 * v, value);
+        else
+            storeLast(out + 3 * v, value);
+    }
+}
+
 /// Normals where the weights change along Z: that column of the deformation leans as the place itself does.
 void leanNormals(const float* rest, const float* restNormals, std::size_t count, const Columns& by,
                  const Columns& lean, float slope, float* normals)
@@ -218,6 +276,14 @@ void leanNormals(const float* rest, const float* restNormals, std::size_t count,
         const Columns turn = cofactors({by.x, by.y, by.z + slope * moved(rest + i, lean), Float4{}});
         storeLast(normals + i, turnedUnit(restNormals + i, turn));
     }
+}
+
+/// Normals under a transform that is not rigid.
+[[gnu::always_inline]] inline void skewNormals(const float* rest, std::size_t count, const Columns& by,
+                                               float* normals)
+{
+    for (std::size_t i = 0; i < 3 * count; i += 3)
+        storeLast(normals + i, turnedUnit(rest + i, by));
 }
 
 bool isMixed(const SkinRun& run)
@@ -265,7 +331,9 @@ struct Deformer::Bones
     std::vector<DualQuaternion> duals; ///< for DualQuaternion only
 
     void setPose(std::span<const RigidTransform> pose);
-    void deform(const Skin& skin, const float* rest, const float* restNormals, float* out,
+    void mix(const Skin& skin, const float* rest, const float* restNormals, float* out,
+             float* outNormals) const;
+    void follow(const Skin& skin, const float* rest, const float* restNormals, float* out,
                 float* outNormals) const;
     [[nodiscard]] Columns lean(const SkinInfluence& influence) const
     {
@@ -292,48 +360,52 @@ RAMURE_WIDE_CLONE void Deformer::Bones::setPose(std::span<const RigidTransform> 
 {
     columns.resize(pose.size());
     for (std::size_t b = 0; b < pose.size(); ++b)
-        columns[b] = columnsOf(pose[b]);
+        columnsOf(pose[b], columns[b]);
     duals.resize(method == SkinMethod::DualQuaternion ? pose.size() : 0);
     for (std::size_t b = 0; b < duals.size(); ++b)
         duals[b] = dualQuaternionOf(pose[b]);
 }
 
-/// All runs, with loops for positions and for normals that keep the transform in registers.
-RAMURE_WIDE_CLONE void Deformer::Bones::deform(const Skin& skin, const float* rest, const float* restNormals,
+/// Every run follows one bone, with its transform in registers.
+RAMURE_WIDE_CLONE void Deformer::Bones::follow(const Skin& skin, const float* rest, const float* restNormals,
                                                float* out, float* outNormals) const
 {
-    const std::size_t last = std::size_t(skin.vertices) - 1;
+    const std::size_t vertices = skin.vertices;
+    for (std::size_t r = 0; r < skin.runs.size(); ++r) {
+        const SkinRun& run = skin.runs[r];
+        const std::size_t from = run.firstVertex;
+        const std::size_t end = r + 1 == skin.runs.size() ? vertices : skin.runs[r + 1].firstVertex;
+        const Columns& by = columns[run.influence.bone[0]];
+        moveRun<true>(rest, out, from, end, vertices, by);
+        if (outNormals)
+            moveRun<false>(restNormals, outNormals, from, end, vertices, by);
+    }
+}
+
+/// Runs of one bone or more.
+RAMURE_WIDE_CLONE void Deformer::Bones::mix(const Skin& skin, const float* rest, const float* restNormals,
+                                            float* out, float* outNormals) const
+{
+    const std::size_t vertices = skin.vertices;
     MixedRuns mixedRuns(skin.runs, duals);
     for (std::size_t r = 0; r < skin.runs.size(); ++r) {
         const SkinRun& run = skin.runs[r];
-        const bool isLast = r + 1 == skin.runs.size();
-        const std::size_t end = isLast ? last : skin.runs[r + 1].firstVertex;
+        const std::size_t from = run.firstVertex;
+        const std::size_t to = r + 1 == skin.runs.size() ? vertices : skin.runs[r + 1].firstVertex;
         const bool mixes = isMixed(run) && method != SkinMethod::Rigid;
         const Columns by = !mixes                         ? columns[run.influence.bone[0]]
                            : method == SkinMethod::Linear ? mixed(run.influence, columns)
                                                           : mixedRuns.of(r);
-        const std::size_t first = 3 * std::size_t(run.firstVertex);
-        for (std::size_t i = first; i < 3 * end; i += 3)
-            storeFloat4(out + i, moved(rest + i, by));
-        if (isLast)
-            storeLast(out + 3 * last, moved(rest + 3 * last, by));
+        moveRun<true>(rest, out, from, to, vertices, by);
         if (!outNormals)
             continue;
-        if (run.slope != 0.0F && mixes) {
-            const std::size_t from = run.firstVertex, count = end + (isLast ? 1 : 0) - from;
-            leanNormals(rest + 3 * from, restNormals + 3 * from, count, by, lean(run.influence), run.slope,
-                        outNormals + 3 * from);
-            continue;
-        }
-        const bool skews = method == SkinMethod::Linear && mixes;
-        const Columns turn = skews ? cofactors(by) : by;
-        const auto normal = [&](std::size_t i) {
-            return skews ? turnedUnit(restNormals + i, turn) : turned(restNormals + i, turn);
-        };
-        for (std::size_t i = first; i < 3 * end; i += 3)
-            storeFloat4(outNormals + i, normal(i));
-        if (isLast)
-            storeLast(outNormals + 3 * last, normal(3 * last));
+        if (run.slope != 0.0F && mixes)
+            leanNormals(rest + 3 * from, restNormals + 3 * from, to - from, by, lean(run.influence),
+                        run.slope, outNormals + 3 * from);
+        else if (method == SkinMethod::Linear && mixes)
+            skewNormals(restNormals + 3 * from, to - from, cofactors(by), outNormals + 3 * from);
+        else
+            moveRun<false>(restNormals, outNormals, from, to, vertices, by);
     }
 }
 
@@ -342,8 +414,14 @@ void Deformer::deform(std::span<const glm::vec3> restPositions, std::span<const 
 {
     if (skin.vertices == 0)
         return;
-    m_bones->deform(skin, &restPositions.data()->x, restNormals.empty() ? nullptr : &restNormals.data()->x,
-                    &positions.data()->x, normals.empty() ? nullptr : &normals.data()->x);
+    const float* const rest = &restPositions.data()->x;
+    const float* const normalsAtRest = restNormals.empty() ? nullptr : &restNormals.data()->x;
+    float* const out = &positions.data()->x;
+    float* const outNormals = normals.empty() ? nullptr : &normals.data()->x;
+    if (m_bones->method == SkinMethod::Rigid)
+        m_bones->follow(skin, rest, normalsAtRest, out, outNormals);
+    else
+        m_bones->mix(skin, rest, normalsAtRest, out, outNormals);
 }
 
 TriangleMesh deformed(const TriangleMesh& rest, const Skin& skin, std::span<const RigidTransform> pose,

@@ -33,6 +33,7 @@ private slots:
     void leavesStayAtTheirAnchors();
     void normalsStandOnTheSurface();
     void loosePiecesHaveTheirOwnBones();
+    void lengthsOfRunsChangeNoBit();
 
 private:
     static void presets();
@@ -338,6 +339,41 @@ void TestSkin::loosePiecesHaveTheirOwnBones()
     const TriangleMesh out = deformed(pieces, *skin, pose, SkinMethod::Rigid);
     for (std::size_t i = 0; i < 9; ++i)
         QCOMPARE(out.positions[i].y, i / 3 == 1 ? 2.0F : 0.0F);
+}
+
+/// Vertices are moved several at once: each comes out as it does alone, whatever stands around it, and
+/// nothing behind the last one is touched.
+void TestSkin::lengthsOfRunsChangeNoBit()
+{
+    constexpr float guard = -77.0F;
+    Random random(3, RandomStream::Leaves, 0);
+    const auto number = [&random] { return static_cast<float>(4.0 * random.unit() - 2.0); };
+    const Bones pose{turnAbout({0.1, 0.2, 0.3}, glm::normalize(glm::dquat(0.7, 0.1, -0.5, 0.3))),
+                     turnAbout({0.5, -2.0, 0.1}, glm::normalize(glm::dquat(0.2, 0.6, 0.4, -0.3)))};
+    Deformer deformer, alone;
+    deformer.setPose(pose, SkinMethod::Rigid);
+    alone.setPose(pose, SkinMethod::Rigid);
+    for (std::size_t first = 1; first <= 28; ++first)
+        for (std::size_t second = 1; second <= 28; second += first < 10 ? 1 : 5) {
+            const std::size_t all = first + second;
+            std::vector<glm::vec3> rest(all), normals(all), out(all + 1, glm::vec3(guard)), turned(out);
+            for (std::size_t v = 0; v < all; ++v) {
+                rest[v] = {number(), number(), number()};
+                normals[v] = {number(), number(), number()};
+            }
+            const Skin skin{{{0, {{0, 0, 0}, {1, 0, 0}}}, {Index(first), {{1, 1, 1}, {1, 0, 0}}}},
+                            static_cast<Index>(all),
+                            2};
+            deformer.deform(rest, normals, skin, std::span(out).first(all), std::span(turned).first(all));
+            QVERIFY(out.back() == glm::vec3(guard) && turned.back() == glm::vec3(guard));
+            for (std::size_t v = 0; v < all; ++v) {
+                const Index bone = v < first ? 0 : 1;
+                const Skin one{{{0, {{bone, bone, bone}, {1, 0, 0}}}}, 1, 2};
+                glm::vec3 at, normal;
+                alone.deform({&rest[v], 1}, {&normals[v], 1}, one, {&at, 1}, {&normal, 1});
+                QVERIFY(at == out[v] && normal == turned[v]);
+            }
+        }
 }
 
 QTEST_GUILESS_MAIN(TestSkin)
