@@ -3253,14 +3253,6 @@
         <translation>démonstration « %1 » inconnue : on attend l&apos;une de %2</translation>
     </message>
     <message>
-        <source>Seams around bends</source>
-        <translation>Coutures autour des courbures</translation>
-    </message>
-    <message>
-        <source>On: where a branch bends sharply, its seam goes part of the way around it, and 95 of 100 triangles keep the shape of the picture. Off: the picture never slips at a bend, but is stretched there.</source>
-        <translation>Activé : là où une branche se courbe fortement, sa couture en fait en partie le tour, et 95 triangles sur 100 gardent la forme de l’image. Désactivé : l’image ne se décale jamais à une courbure, mais elle y est étirée.</translation>
-    </message>
-    <message>
         <source>the arm follows no target: there is no motion to bake</source>
         <translation>le bras ne suit aucune cible : il n&apos;y a pas de mouvement à transformer</translation>
     </message>
@@ -3391,6 +3383,14 @@
     <message>
         <source>the placement&apos;s own scale is 0</source>
         <translation>l’échelle propre du placement est nulle</translation>
+    </message>
+    <message>
+        <source>Seams open at bends</source>
+        <translation>Coutures ouvertes aux courbures</translation>
+    </message>
+    <message>
+        <source>On: where a branch bends sharply, the two sides of its seam part, and 95 of 100 triangles keep the shape of the picture. Off: the picture meets itself along the whole seam, but is stretched at bends.</source>
+        <translation>Activé : là où une branche se courbe fortement, les deux bords de sa couture s’écartent, et 95 triangles sur 100 gardent la forme de l’image. Désactivé : l’image se rejoint tout le long de la couture, mais elle est étirée aux courbures.</translation>
     </message>
 </context>
 <context>

@@ -7,12 +7,17 @@ namespace ramure {
 
 namespace {
 
-constexpr double halfK2 = 0.035; ///< k² at which a triangle counts half: stretched by 1.45
 constexpr double calmK = 0.06;   ///< of triangles that wake nobody: stretched by 1.13
 constexpr double foldedK = 0.98; ///< next to no area
 constexpr double leastRoom = 0.02;
 constexpr double leastSize = 0.01; ///< |a|² of triangles that have collapsed
 constexpr double beyond = 1.2;     ///< of the way to where the energy is least: gets there in fewer sweeps
+constexpr double boundK = 0.9 * ConformalRelaxer::goodK; ///< what fit() lets pass
+constexpr double farK = 0.5; ///< stretched by 3: what is worse is drawn back, hopeless or not
+// Excess of k at which a triangle pulls a quarter as much, in the first and in the last round.
+constexpr double firstScale = 0.1, lastScale = 0.02;
+constexpr double mostMomentum = 0.95; ///< of a round's moves, carried into the next
+constexpr double inertia = 0.1;       ///< of triangles without excess
 
 } // namespace
 
@@ -66,7 +71,8 @@ inline void ConformalRelaxer::measure(Triangle& t) const
 }
 
 /// Who is awake. \param all triangles have moved, or only those around vertices that were awake.
-void ConformalRelaxer::measure(bool all)
+/// \param calm k of triangles that wake nobody.
+void ConformalRelaxer::measure(bool all, double calm)
 {
     m_moved.swap(m_awake);
     m_awake.assign(m_z.size(), 0);
@@ -77,7 +83,7 @@ void ConformalRelaxer::measure(bool all)
             measure(t);
         m_folded = m_folded || !(t.stretch <= foldedK * foldedK); // or no number
         m_bad += t.stretch >= goodK * goodK ? 1 : 0;
-        if (t.stretch > calmK * calmK) {
+        if (t.stretch > calm * calm) {
             m_stretched = true;
             for (const Index corner : t.corner)
                 m_awake[corner] = m_free[corner];
@@ -85,24 +91,57 @@ void ConformalRelaxer::measure(bool all)
     }
 }
 
+inline void ConformalRelaxer::differentiate(Triangle& t)
+{
+    const auto& [x1, x2, y2] = t.flat;
+    // The edges opposite to the second and third corner, less the value times their conjugates.
+    const Complex& value = t.value;
+    const Complex second{value.re * x2 + value.im * y2 - x2, value.im * x2 - value.re * y2 - y2};
+    const Complex third{x1 - value.re * x1, -value.im * x1};
+    t.slope[1] = times(second, t.inverse);
+    t.slope[2] = times(third, t.inverse);
+    t.slope[0] = {-t.slope[1].re - t.slope[2].re, -t.slope[1].im - t.slope[2].im};
+}
+
 /// What the triangles count around vertices that are awake.
-void ConformalRelaxer::weigh(bool choosy)
+void ConformalRelaxer::weigh()
 {
     for (Triangle& t : m_triangles) {
-        if ((m_awake[t.corner[0]] | m_awake[t.corner[1]] | m_awake[t.corner[2]]) == 0)
+        if (!isAwake(t))
             continue;
-        const auto& [x1, x2, y2] = t.flat;
-        // The edges opposite to the second and third corner, less the value times their conjugates.
-        const Complex& value = t.value;
-        const Complex second{value.re * x2 + value.im * y2 - x2, value.im * x2 - value.re * y2 - y2};
-        const Complex third{x1 - value.re * x1, -value.im * x1};
-        t.slope[1] = times(second, t.inverse);
-        t.slope[2] = times(third, t.inverse);
-        t.slope[0] = {-t.slope[1].re - t.slope[2].re, -t.slope[1].im - t.slope[2].im};
+        differentiate(t);
         // Next to folding a triangle counts more and more, as in an energy that would be infinite there.
         const double room = std::max(1.0 - t.stretch, leastRoom);
-        const double excess = choosy ? t.stretch / halfK2 : 0.0;
-        t.weight = (1.0 + t.stretch) / ((1.0 + excess * excess) * room * room * room);
+        t.weight = (1.0 + t.stretch) / (room * room * room);
+    }
+}
+
+/// What their excess counts.
+void ConformalRelaxer::weighExcess(double scale)
+{
+    for (Triangle& t : m_triangles) {
+        if (!isAwake(t))
+            continue;
+        differentiate(t);
+        t.weight = t.barrier = 1.0;
+        if (t.stretch <= boundK * boundK)
+            continue;
+        const double part = (std::sqrt(t.stretch) - boundK) / scale, sum = 1.0 + part * part;
+        const double room = std::max(1.0 - t.stretch, leastRoom);
+        t.barrier = 1.0 / (room * room * room);
+        t.weight = t.barrier / (sum * sum);
+    }
+}
+
+void ConformalRelaxer::move(Index vertex, const Complex& step)
+{
+    m_z[vertex].re += step.re;
+    m_z[vertex].im += step.im;
+    for (const TrianglesAround::Use& use : m_around.of(vertex)) {
+        Triangle& triangle = m_triangles[use.triangle];
+        const Complex& w = triangle.slope[use.place];
+        triangle.value.re += w.re * step.re - w.im * step.im;
+        triangle.value.im += w.re * step.im + w.im * step.re;
     }
 }
 
@@ -124,31 +163,112 @@ void ConformalRelaxer::sweep()
         if (!(size > 0.0))
             continue;
         const double share = -beyond / size;
-        const Complex step{share * pull.re, share * pull.im};
-        m_z[vertex].re += step.re;
-        m_z[vertex].im += step.im;
-        for (const TrianglesAround::Use& use : m_around.of(vertex)) {
-            Triangle& triangle = m_triangles[use.triangle];
-            const Complex& w = triangle.slope[use.place];
-            triangle.value.re += w.re * step.re - w.im * step.im;
-            triangle.value.im += w.re * step.im + w.im * step.re;
-        }
+        move(vertex, {share * pull.re, share * pull.im});
     }
 }
 
-void ConformalRelaxer::run(const Effort& effort)
+/// \returns whether any triangle there has an excess.
+bool ConformalRelaxer::addAround(Index vertex, Around& sum) const
 {
-    if (m_moved.size() != m_z.size())
-        measure(true);
+    bool any = false;
+    double even = 0.0;
+    for (const TrianglesAround::Use& use : m_around.of(vertex)) {
+        const Triangle& triangle = m_triangles[use.triangle];
+        const Complex& w = triangle.slope[use.place];
+        const Complex& r = triangle.value;
+        const double square = r.re * r.re + r.im * r.im, size = w.re * w.re + w.im * w.im;
+        even += inertia * triangle.weight * size;
+        if (square <= boundK * boundK)
+            continue;
+        any = true;
+        const double k = std::sqrt(square);
+        double pull = triangle.weight * (k - boundK), radial = triangle.weight;
+        if (k > farK) {
+            pull += triangle.barrier * (k - farK);
+            radial += triangle.barrier;
+        }
+        // Second derivatives: so much along the value, and so much across it.
+        const double inverse = 1.0 / k, across = pull * inverse, more = radial - across;
+        const double x = (w.re * r.re + w.im * r.im) * inverse, y = (w.re * r.im - w.im * r.re) * inverse;
+        sum.slope.re += pull * x;
+        sum.slope.im += pull * y;
+        even += across * size;
+        sum.xx += more * x * x;
+        sum.yy += more * y * y;
+        sum.xy += more * x * y;
+    }
+    sum.xx += even;
+    sum.yy += even;
+    return any;
+}
+
+void ConformalRelaxer::sweepExcess()
+{
+    for (Index vertex = 0; vertex < m_z.size(); ++vertex) {
+        if (m_awake[vertex] == 0)
+            continue;
+        Around sum;
+        if (!addAround(vertex, sum))
+            continue;
+        const double determinant = sum.xx * sum.yy - sum.xy * sum.xy;
+        if (!(determinant > 0.0))
+            continue;
+        const double share = -1.0 / determinant;
+        move(vertex, {share * (sum.yy * sum.slope.re - sum.xy * sum.slope.im),
+                      share * (sum.xx * sum.slope.im - sum.xy * sum.slope.re)});
+    }
+}
+
+void ConformalRelaxer::relax(int rounds, int sweeps)
+{
+    measure(true, calmK);
     if (m_stretched && !m_around.isLinked(m_z.size()))
         m_around.link(std::span<const Triangle>(m_triangles), m_z.size());
-    for (int round = 0; round < effort.evenRounds + effort.choosyRounds && m_stretched; ++round) {
-        const bool choosy = round >= effort.evenRounds;
-        weigh(choosy);
-        for (int i = 0; i < (choosy ? effort.choosySweeps : effort.evenSweeps); ++i)
+    for (int round = 0; round < rounds && m_stretched; ++round) {
+        weigh();
+        for (int i = 0; i < sweeps; ++i)
             sweep();
-        measure(false);
+        measure(false, calmK);
     }
+}
+
+/// Moves all that is awake by a share of what the last round has moved it (Nesterov).
+void ConformalRelaxer::goOn(double share)
+{
+    for (Index vertex = 0; vertex < m_z.size(); ++vertex) {
+        const Complex now = m_z[vertex], before = m_before[vertex];
+        m_before[vertex] = now;
+        if (m_awake[vertex] == 0)
+            continue;
+        m_z[vertex].re += share * (now.re - before.re);
+        m_z[vertex].im += share * (now.im - before.im);
+    }
+}
+
+void ConformalRelaxer::fit(int rounds, Index enough)
+{
+    constexpr Index none = noIndex;
+    measure(false, boundK);
+    if (!m_folded && m_bad <= enough)
+        return;
+    m_before = m_best = m_z;
+    Index fewest = m_folded ? none : m_bad;
+    const double shrink = std::pow(lastScale / firstScale, 1.0 / std::max(rounds - 1, 1));
+    double scale = firstScale;
+    for (int round = 0; round < rounds && m_stretched && fewest > enough; ++round, scale *= shrink) {
+        weighExcess(scale);
+        sweepExcess();
+        goOn(std::min(mostMomentum, double(round) / double(round + 3)));
+        measure(false, boundK);
+        if (m_folded || m_bad >= fewest)
+            continue;
+        fewest = m_bad;
+        m_best = m_z;
+    }
+    if (fewest == none)
+        return;
+    m_z.swap(m_best);
+    measure(true, boundK);
 }
 
 } // namespace ramure

@@ -18,6 +18,11 @@ constexpr double leastAround = 6.0; ///< tiles around the thinnest branch, where
 constexpr double mostAround = 1e6;  ///< more of them than floats tell apart
 constexpr std::size_t tubesInPiece = 16; ///< about half a millisecond of work
 constexpr std::size_t pollEvery = 512;   ///< tubes
+// Most trees are done after few rounds; where they fall a little short, all is done again with more.
+constexpr int quickRounds = 40, thoroughRounds = 300;
+constexpr double quickPart = 0.2;                            ///< of the time
+constexpr double fewStretched = 0.047, hopelessShare = 0.08; ///< of the triangles
+constexpr Index mostThorough = 300'000;                      ///< triangles: 3 s of work on two threads
 
 /// What tubes hand on to those that grow on them.
 struct Shared
@@ -41,7 +46,7 @@ struct Piece
     std::vector<glm::vec2> uv;
     std::vector<Index> vertex;
     std::vector<Tube> tubes;
-    Index cut = 0, apart = 0;
+    Index open = 0, apart = 0, stretched = 0;
 };
 
 /// Unrolls tubes; one per thread.
@@ -166,7 +171,8 @@ void TubeUnroller::unroll(Shared& shared, Index index, Piece& piece, std::vector
     m_tube.unroll(shared.mesh.axes[index], parent == noIndex ? TubeTextureEnd{} : shared.ends[parent]);
     shared.ends[index] = m_tube.end();
     write(shared, corners.data() + first);
-    piece.cut += m_tube.isCut() ? 1 : 0;
+    piece.open += m_tube.isOpen() ? 1 : 0;
+    piece.stretched += m_tube.stretchedTriangles();
     piece.tubes.push_back({index, m_begin, static_cast<Index>(piece.uv.size()) - m_begin});
 }
 
@@ -211,6 +217,7 @@ public:
         m_result.tileSize = options.tileSize;
     }
     bool run(const Progress& progress);
+    [[nodiscard]] Index stretched() const;
     TextureCoordinates join();
 
 private:
@@ -268,6 +275,15 @@ bool CoordinateBuilder::run(const Progress& progress)
     return true;
 }
 
+/// Triangles.
+Index CoordinateBuilder::stretched() const
+{
+    Index sum = 0;
+    for (const Piece& piece : m_pieces)
+        sum += piece.stretched;
+    return sum;
+}
+
 /// Puts the tubes' coordinates one after the other, in the order of the tubes.
 TextureCoordinates CoordinateBuilder::join()
 {
@@ -281,7 +297,7 @@ TextureCoordinates CoordinateBuilder::join()
     for (const Piece& piece : m_pieces) {
         for (const Piece::Tube& tube : piece.tubes)
             places[tube.tube] = {&piece, tube.first, tube.count, 0};
-        m_result.cut += piece.cut;
+        m_result.open += piece.open;
         m_result.apart += piece.apart;
     }
     Index sum = 0;
@@ -343,10 +359,21 @@ Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const Te
         return fail(checked.error());
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
-    CoordinateBuilder builder(mesh, {tileFor(mesh, options.tileSize), options.seamsAround});
-    if (!builder.run(progress))
+    TubeTexture::Options effort{tileFor(mesh, options.tileSize), options.seamsAround, quickRounds, false};
+    CoordinateBuilder quick(mesh, effort);
+    if (!quick.run(progress.part(0.0, quickPart)))
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
-    return builder.join();
+    const double stretched = double(quick.stretched()) / double(mesh.mesh.faceCount());
+    if (stretched <= fewStretched || stretched > hopelessShare || mesh.mesh.faceCount() > mostThorough) {
+        progress.report(1.0);
+        return quick.join();
+    }
+    effort.rounds = thoroughRounds;
+    effort.thorough = true;
+    CoordinateBuilder thorough(mesh, effort);
+    if (!thorough.run(progress.part(quickPart, 1.0)))
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
+    return thorough.join();
 }
 
 TriangleMesh splitByTexture(const BranchMesh& mesh, const TextureCoordinates& coordinates)

@@ -9,10 +9,10 @@
 /// between the valley and the child's first whole cross-section, on the edge of the seam there. Flat ends and
 /// tips are mapped as discs.
 ///
-/// A tube that bends so much at its first whole cross-section that more than 8 of 100 triangles would be
-/// stretched by 1.25 cannot be laid flat as it is. There the seam goes around that cross-section, half of the
-/// way or nearly all, and is open below; the tube stays one piece, but the picture slips along that seam by
-/// up to a tile or so.
+/// A tube that bends so much at its first whole cross-section that more than 4 of 100 triangles would be
+/// stretched by 1.25 cannot be laid flat as it is. There the two sides of its seam part, from the valley up
+/// to the second whole cross-section: the picture does not meet itself across the seam there. Everywhere
+/// else, along the tube and from its parent, it goes on unbroken.
 #pragma once
 
 #include "core/mesh/branch_mesh.h"
@@ -24,7 +24,7 @@ struct TextureOptions
 {
     /// m, the side of one tile; 0 = the largest tile of which a few still go around the thinnest branch.
     double tileSize = 0.0;
-    bool seamsAround = true; ///< seams may go around bends; else the picture is stretched there
+    bool seamsAround = true; ///< seams may open around bends; else the picture is stretched there
 };
 
 /// Coordinates per corner of a triangle: positions are never split, equal coordinates of a vertex are stored
@@ -35,7 +35,7 @@ struct TextureCoordinates
     std::vector<Index> vertex;       ///< per coordinate: the vertex of the mesh
     std::vector<glm::uvec3> corners; ///< per triangle of the mesh: its corners' coordinates
     double tileSize = 0.0;           ///< m, as used
-    Index cut = 0;                   ///< tubes whose seam goes around a bend
+    Index open = 0;                  ///< tubes whose seam is open at a bend
     Index apart = 0; ///< triangles with coordinates of their own: where the mesh itself is folded
     bool operator==(const TextureCoordinates&) const = default;
 };

@@ -25,7 +25,8 @@ void TubeTexture::begin()
     m_positions.clear();
     m_given.clear();
     m_triangles.clear();
-    m_isCut = false;
+    m_isOpen = false;
+    m_stretched = 0;
 }
 
 Index TubeTexture::addVertex(Index vertex, const glm::vec3& position, bool onParent, bool onWall,
@@ -49,7 +50,7 @@ void TubeTexture::unroll(const TubeAxis& axis, const TubeTextureEnd& parent)
     chooseTiles(parent.around);
     measureAlong();
     assign(parent);
-    if (!even())
+    if (!even(parent))
         unfold(parent);
     m_end.normal = m_axis.end().frame.normal;
     m_end.around = m_knots.back().around;

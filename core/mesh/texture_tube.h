@@ -40,7 +40,9 @@ public:
     struct Options
     {
         double tileSize = 1.0;   ///< m
-        bool seamsAround = true; ///< seams may go around bends
+        bool seamsAround = true; ///< seams may open around bends
+        int rounds = 40;         ///< of moves, on tubes that are stretched
+        bool thorough = false;   ///< all ways are tried
     };
     explicit TubeTexture(const Options& options)
         : m_options(options)
@@ -54,13 +56,14 @@ public:
     void addTriangle(const glm::uvec3& corners) { m_triangles.push_back(corners); }
     void unroll(const TubeAxis& axis, const TubeTextureEnd& parent);
 
-    /// More than were added where the seam goes around a bend: copies follow at the end.
+    /// More than were added where the seam is open: copies follow at the end.
     [[nodiscard]] std::span<const TubeTextureVertex> vertices() const { return m_vertices; }
     /// In the order in which they were added; their corners are those of vertices().
     [[nodiscard]] std::span<const glm::uvec3> triangles() const { return m_triangles; }
     [[nodiscard]] const TubeTextureEnd& end() const { return m_end; }
-    /// Does the seam go part of the way around the first whole cross-section?
-    [[nodiscard]] bool isCut() const { return m_isCut; }
+    /// Are the two sides of the seam apart at the tube's bend?
+    [[nodiscard]] bool isOpen() const { return m_isOpen; }
+    [[nodiscard]] Index stretchedTriangles() const { return m_stretched; }
     /// Which corners of a triangle stand on the far side of the seam: their u is larger by their around.
     [[nodiscard]] std::array<bool, 3> beyondSeam(const glm::uvec3& triangle) const
     {
@@ -89,7 +92,7 @@ private:
         std::vector<TubeTextureVertex> vertices;
         std::vector<glm::vec3> positions;
         std::vector<glm::uvec3> triangles;
-        bool isCut = false;
+        bool isOpen = false;
     };
     struct Knot
     {
@@ -102,15 +105,14 @@ private:
     void chooseTiles(double before);
     void measureAlong();
     void assign(const TubeTextureEnd& parent);
-    bool even();
+    bool even(const TubeTextureEnd& parent);
     void keep(Layout& layout) const;
     void take(const Layout& layout);
-    void settle(const ConformalRelaxer::Effort& effort, double hopeless);
+    bool settle(int rounds);
     void unfold(const TubeTextureEnd& parent);
-    [[nodiscard]] bool isStretched(double share) const;
-    [[nodiscard]] bool canBeCut() const;
-    [[nodiscard]] double textureArea() const;
-    bool cut(double welded);
+    [[nodiscard]] Index enoughIn() const;
+    [[nodiscard]] double openHeight(std::size_t sections) const;
+    bool openSeam(std::size_t sections);
     void copyCorner(Index& corner, std::vector<Index>& copies);
     template <class Relaxer> void fill(Relaxer& relaxer) const;
     template <class Relaxer> void read(const Relaxer& relaxer);
@@ -134,11 +136,12 @@ private:
     std::vector<glm::vec3> m_positions;
     std::vector<glm::vec2> m_given; ///< per vertex: uv on the parent
     std::vector<glm::uvec3> m_triangles;
-    Layout m_whole, m_best;    ///< before the tube is cut, and cut as well as it was tried
+    Layout m_whole, m_best;    ///< before the seam is opened, and as well as it was tried
     std::vector<Knot> m_knots; ///< tiles around by height
     std::vector<double> m_sorted, m_sections;
     std::vector<Index> m_next, m_front;
-    bool m_isCut = false;
+    bool m_isOpen = false;
+    Index m_stretched = 0;
     std::array<double, UnrollAxis::steps + 1> m_tilesAt{};
     double m_chord = 1.0;       ///< circumference of the cross-sections, as a share of the circle's
     double m_highestWall = 0.0; ///< m

@@ -7,15 +7,12 @@ namespace ramure {
 
 namespace {
 
-constexpr double leastTurn = 0.02;  ///< rad, between neighbours on a smoothed front
-constexpr double mostGrowth = 0.35; ///< of its area, or shrinking, when a tube is cut
+constexpr double leastTurn = 0.02; ///< rad, between neighbours on a smoothed front
 constexpr int thoroughSweeps = 60, choosySweeps = 8;
-constexpr ConformalRelaxer::Effort wholeEffort{1, 2, 2, 2}, cutEffort{2, 5, 2, 2};
-// Shares of a tube's triangles that are stretched:
-constexpr double hopelessShare = 0.12; ///< after few rounds: it will be cut, or cut further
-constexpr double bentShare = 0.14;     ///< a seam that goes half way around will not do
-constexpr double mostBad = 0.08;       ///< more than that, and it is cut
-constexpr std::size_t leastWelded = 2; ///< vertices of a cross-section where a seam goes around it
+constexpr int evenRounds = 2, evenSweeps = 5, unfoldingRounds = 6;
+/// Of a tube's triangles may be stretched: it is left at that.
+constexpr double enoughBad = 0.04, thoroughBad = 0.02;
+constexpr int firstRounds = 10; ///< with a closed seam, before it is opened
 
 } // namespace
 
@@ -48,53 +45,55 @@ template <class Relaxer> void TubeTexture::read(const Relaxer& relaxer)
     }
 }
 
-/// Area in the texture of what is not mapped as a disc.
-double TubeTexture::textureArea() const
+/// Moves vertices to where few triangles are stretched. \returns whether no more are than may be.
+bool TubeTexture::settle(int rounds)
 {
-    double doubled = 0.0;
-    for (const glm::uvec3& triangle : m_triangles) {
-        if (isCap(triangle))
-            continue;
-        const std::array<bool, 3> beyond = beyondSeam(triangle);
-        std::array<glm::dvec2, 3> uv;
-        for (int c = 0; c < 3; ++c) {
-            const auto corner = static_cast<std::size_t>(c);
-            const TubeTextureVertex& vertex = m_vertices[triangle[c]];
-            uv[corner] = {vertex.u + (beyond[corner] ? vertex.around : 0.0), vertex.v};
-        }
-        const glm::dvec2 ab = uv[1] - uv[0], ac = uv[2] - uv[0];
-        doubled += ab.x * ac.y - ab.y * ac.x;
-    }
-    return 0.5 * doubled;
-}
-
-bool TubeTexture::isStretched(double share) const
-{
-    return double(m_conformal.badTriangles()) > share * double(m_triangles.size());
-}
-
-/// Has it a whole cross-section but its end, which its children share?
-bool TubeTexture::canBeCut() const
-{
-    const double apart = sameSection * m_axis.length(), height = m_sections.front();
-    return height >= apart && height <= m_axis.length() - apart;
-}
-
-/// Moves vertices to where fewest triangles are stretched.
-/// \param hopeless share of stretched triangles at which it gives up after the first rounds.
-void TubeTexture::settle(const ConformalRelaxer::Effort& effort, double hopeless)
-{
+    const Index enough = enoughIn();
     fill(m_conformal);
-    m_conformal.run(effort);
-    if (!isStretched(hopeless))
-        m_conformal.run({0, 0, effort.choosyRounds, effort.choosySweeps});
-    if (isStretched(mostBad) && !isStretched(hopeless))
-        m_conformal.run({0, 0, 3 * effort.choosyRounds, effort.choosySweeps});
+    m_conformal.relax(evenRounds, evenSweeps);
+    m_conformal.fit(rounds, enough);
     if (m_conformal.isFolded()) {
         fill(m_conformal);
-        m_conformal.run({effort.evenRounds + effort.choosyRounds, effort.evenSweeps, 0, 0});
+        m_conformal.relax(unfoldingRounds, evenSweeps);
     }
     read(m_conformal);
+    return !m_conformal.isFolded() && m_conformal.badTriangles() <= enough;
+}
+
+Index TubeTexture::enoughIn() const
+{
+    return static_cast<Index>((m_options.thorough ? thoroughBad : enoughBad) * double(m_triangles.size()));
+}
+
+/// Keeps the tube's shape as well as it can: with a seam that meets itself, or with one that is open at the
+/// bend where that is not enough. \returns whether nothing is folded.
+bool TubeTexture::even(const TubeTextureEnd& parent)
+{
+    const bool mayOpen = m_options.seamsAround;
+    const bool good =
+        settle(mayOpen && !m_options.thorough ? std::min(firstRounds, m_options.rounds) : m_options.rounds);
+    m_stretched = m_conformal.badTriangles();
+    bool folded = m_conformal.isFolded();
+    if (good || !mayOpen)
+        return !folded;
+    keep(m_whole);
+    keep(m_best);
+    for (const std::size_t sections : {2, 1, 3}) {
+        take(m_whole);
+        assign(parent);
+        if (!openSeam(sections))
+            continue;
+        const bool better = settle(m_options.rounds);
+        if (m_conformal.isFolded() || (!folded && m_conformal.badTriangles() >= m_stretched))
+            continue;
+        folded = false;
+        m_stretched = m_conformal.badTriangles();
+        if (better || !m_options.thorough)
+            return true;
+        keep(m_best);
+    }
+    take(m_best);
+    return !folded;
 }
 
 void TubeTexture::keep(Layout& layout) const
@@ -102,7 +101,7 @@ void TubeTexture::keep(Layout& layout) const
     layout.vertices = m_vertices;
     layout.positions = m_positions;
     layout.triangles = m_triangles;
-    layout.isCut = m_isCut;
+    layout.isOpen = m_isOpen;
 }
 
 void TubeTexture::take(const Layout& layout)
@@ -110,41 +109,7 @@ void TubeTexture::take(const Layout& layout)
     m_vertices = layout.vertices;
     m_positions = layout.positions;
     m_triangles = layout.triangles;
-    m_isCut = layout.isCut;
-}
-
-/// Lets the seam go around where too much of the tube is stretched, if that helps: half way, or nearly all
-/// the way where that is not enough. \returns whether nothing is folded.
-bool TubeTexture::even()
-{
-    const bool mayCut = m_options.seamsAround && canBeCut();
-    settle(wholeEffort, mayCut ? hopelessShare : 1.0);
-    bool folded = m_conformal.isFolded();
-    Index bad = m_conformal.badTriangles();
-    if (!mayCut || !isStretched(mostBad))
-        return !folded;
-    const double area = textureArea();
-    keep(m_whole);
-    keep(m_best);
-    for (const double welded : {0.5, 0.0}) {
-        const bool isLast = welded == 0.0;
-        if (!isLast && double(bad) > bentShare * double(m_whole.triangles.size()))
-            continue;
-        take(m_whole);
-        if (!cut(welded))
-            break;
-        settle(cutEffort, isLast ? 1.0 : hopelessShare);
-        const bool keepsSize = std::abs(textureArea() - area) < mostGrowth * area;
-        if (!keepsSize || m_conformal.isFolded() || m_conformal.badTriangles() >= bad)
-            continue;
-        bad = m_conformal.badTriangles();
-        folded = false;
-        if (!isStretched(mostBad))
-            return true;
-        keep(m_best);
-    }
-    take(m_best);
-    return !folded;
+    m_isOpen = layout.isOpen;
 }
 
 /// For a tube with triangles that lie the wrong way round: the axis may pass beside the front, or the tube
@@ -154,7 +119,7 @@ void TubeTexture::unfold(const TubeTextureEnd& parent)
     smoothFront();
     chooseSeam();
     assign(parent);
-    if (even())
+    if (even(parent))
         return;
     assign(parent);
     fill(m_relaxer);
@@ -174,61 +139,38 @@ void TubeTexture::copyCorner(Index& corner, std::vector<Index>& copies)
     corner = copy;
 }
 
-/// Opens the seam below the first whole cross-section and lets it go around there: at this height the tube
-/// leaves the direction of its parent, and what is below and what is above can be laid flat, together they
-/// cannot. The two stay one piece: in front of the seam's other side a part of the cross-section is welded.
-/// \param welded share of the cross-section. \returns false where there is nothing to cut.
-bool TubeTexture::cut(double welded)
+/// Up to which height the seam may be open: its end is shared with the children, who go on from there.
+double TubeTexture::openHeight(std::size_t sections) const
 {
-    const double apart = sameSection * m_axis.length(), height = m_sections.front();
+    const double height = m_sections[std::min(sections, m_sections.size()) - 1];
+    return std::min(height, m_axis.length()) - sameSection * m_axis.length();
+}
+
+/// From the front to the second whole cross-section the two sides of the seam part: vertices beyond it
+/// become copies of their own. At the first one the tube leaves the direction of its parent, and its outer
+/// side, where the seam is, cannot be laid flat in one piece.
+bool TubeTexture::openSeam(std::size_t sections)
+{
+    const double height = openHeight(sections);
     const std::size_t before = m_vertices.size();
-    const auto isOn = [&](const TubeTextureVertex& vertex) {
-        return !vertex.onParent && !vertex.onWall && std::abs(vertex.along - height) <= apart;
-    };
-    m_sorted.clear();
-    bool opens = false;
-    for (const TubeTextureVertex& vertex : m_vertices) {
-        opens = opens || vertex.onParent;
-        if (isOn(vertex))
-            m_sorted.push_back(vertex.azimuth);
-    }
-    std::sort(m_sorted.begin(), m_sorted.end());
-    // The edge next to the seam is torn where one of its two triangles reaches across.
-    const bool isTorn = std::any_of(m_triangles.begin(), m_triangles.end(), [&](const glm::uvec3& triangle) {
-        const std::array<bool, 3> isBeyond = beyondSeam(triangle);
-        int torn = 0;
-        for (int c = 0; c < 3; ++c)
-            torn += isBeyond[static_cast<std::size_t>(c)] && isOn(m_vertices[triangle[c]]) ? 1 : 0;
-        return torn == 2;
-    });
-    const auto whole = std::max(isTorn ? leastWelded + 1 : leastWelded,
-                                static_cast<std::size_t>(welded * double(m_sorted.size())));
-    if (!opens || m_sorted.size() <= whole)
-        return false;
-    const double weldedUpTo = m_sorted[whole - 1];
-    std::vector<Index>&above = m_front, &beyond = m_next;
-    above.assign(before, noIndex);
-    beyond.assign(before, noIndex);
+    std::vector<Index>& copies = m_next;
+    copies.assign(before, noIndex);
     for (glm::uvec3& triangle : m_triangles) {
-        double highest = 0.0;
+        if (isCap(triangle))
+            continue;
+        const std::array<bool, 3> beyond = beyondSeam(triangle);
         for (int c = 0; c < 3; ++c)
-            highest = std::max(highest, m_vertices[triangle[c]].along);
-        const bool isAbove = highest > height + apart;
-        const std::array<bool, 3> isBeyond = beyondSeam(triangle);
-        for (int c = 0; c < 3; ++c) {
-            const TubeTextureVertex& vertex = m_vertices[triangle[c]];
-            if (isAbove ? isOn(vertex) && vertex.azimuth > weldedUpTo : isBeyond[static_cast<std::size_t>(c)])
-                copyCorner(triangle[c], isAbove ? above : beyond);
-        }
+            if (beyond[static_cast<std::size_t>(c)] && m_vertices[triangle[c]].along < height)
+                copyCorner(triangle[c], copies);
     }
     for (std::size_t i = 0; i < before; ++i)
-        if (beyond[i] != noIndex) {
-            TubeTextureVertex& vertex = m_vertices[beyond[i]];
+        if (copies[i] != noIndex) {
+            TubeTextureVertex& vertex = m_vertices[copies[i]];
             vertex.azimuth += turn;
             vertex.u += vertex.around;
         }
-    m_isCut = m_vertices.size() > before;
-    return m_isCut;
+    m_isOpen = m_vertices.size() > before;
+    return m_isOpen;
 }
 
 /// Azimuths along the front made to increase by one turn in all; those on the parent stay.

@@ -262,9 +262,10 @@ constexpr std::array table{
                      "so make it small against the twigs; 0 finds the largest that fits them.")},
         ParamUnit::Metre, {0, 1000, 0, 0.1, 0.001, 4}, Stage::Texture, paramAdvanced),
     row<&NodeParams::texture, &TextureParams::seamsAround>(
-        {"texture.seamsAround", textureGroup, RAMURE_NOOP("Seams around bends"),
-         RAMURE_NOOP("On: where a branch bends sharply, its seam goes part of the way around it, and 95 of 100 triangles "
-                     "keep the shape of the picture. Off: the picture never slips at a bend, but is stretched there.")},
+        {"texture.seamsAround", textureGroup, RAMURE_NOOP("Seams open at bends"),
+         RAMURE_NOOP("On: where a branch bends sharply, the two sides of its seam part, and 95 of 100 triangles keep the "
+                     "shape of the picture. Off: the picture meets itself along the whole seam, but is stretched at "
+                     "bends.")},
         ParamUnit::None, {}, Stage::Texture, paramAdvanced),
 
     row<&NodeParams::tree, &PlacementParams::translation>(
