@@ -16,7 +16,7 @@ struct Sides
     [[nodiscard]] bool isEnd() const { return before == 0.0 || behind == 0.0; }
 };
 
-Sides sidesOf(const std::vector<Key>& keys, std::size_t i)
+template <class Keys> Sides sidesOf(const Keys& keys, std::size_t i)
 {
     Sides sides;
     if (i > 0) {
@@ -150,17 +150,20 @@ double slopeOf(const Handle& handle)
     return handle.dt != 0.0 ? handle.dv / handle.dt : 0.0;
 }
 
+/// Nothing is to be solved for: it rests, or others say where its handles stand.
+bool isGiven(const Key& key, const Sides& sides)
+{
+    return !isClamped(key) || sides.isEnd() || sides.slopeBefore * sides.slopeBehind <= 0.0;
+}
+
 ClampedSlopes::Row clampedRow(const Key& key, const Sides& sides)
 {
     ClampedSlopes::Row row;
     const double low = sides.slopeBefore, high = sides.slopeBehind;
-    if (!isClamped(key)) {
+    if (isGiven(key, sides)) {
         row.given = true; // the neighbours only see the side that faces them; both agree where it is smooth
-        row.slope = slopeOf(key.before == HandleType::Vector ? key.out : key.in);
-        return row;
-    }
-    if (sides.isEnd() || low * high <= 0.0) {
-        row.given = true;
+        if (!isClamped(key))
+            row.slope = slopeOf(key.before == HandleType::Vector ? key.out : key.in);
         return row;
     }
     row.a = sides.behind;
@@ -195,19 +198,24 @@ void settleRun(std::vector<Key>& keys, std::size_t first, std::size_t last, Clam
 void settleClamped(std::vector<Key>& keys, std::size_t& from, std::size_t& to)
 {
     ClampedSlopes slopes;
-    const auto isGiven = [&keys](std::size_t i) { return clampedRow(keys[i], sidesOf(keys, i)).given; };
     std::size_t first = from;
-    while (first > 0 && !isGiven(first))
+    while (first > 0 && !isGiven(keys[first], sidesOf(keys, first)))
         --first;
     from = first;
     do {
         std::size_t last = std::min(first + 1, keys.size() - 1);
-        while (last + 1 < keys.size() && !isGiven(last))
+        while (last + 1 < keys.size() && !isGiven(keys[last], sidesOf(keys, last)))
             ++last;
         settleRun(keys, first, last, slopes);
         first = last;
     } while (first < to);
     to = first;
+}
+
+/// Secants to both neighbours, and what hangs on the slopes of those.
+std::pair<std::size_t, std::size_t> widened(std::size_t first, std::size_t last, std::size_t size)
+{
+    return {first > 1 ? first - 2 : 0, std::min(last + 2, size - 1)};
 }
 
 /// Handles never lie on the wrong side of their key.
@@ -231,8 +239,7 @@ void settleHandles(std::vector<Key>& keys)
 
 void settleHandlesAround(std::vector<Key>& keys, std::size_t first, std::size_t last)
 {
-    // Secants to both neighbours, and what hangs on the slopes of those.
-    std::size_t from = first > 1 ? first - 2 : 0, to = std::min(last + 2, keys.size() - 1);
+    auto [from, to] = widened(first, last, keys.size());
     for (std::size_t i = from; i <= to; ++i)
         settleSimple(keys[i], sidesOf(keys, i));
     // Those that the clamped ones look at come first, so that settling twice changes nothing.
@@ -243,6 +250,18 @@ void settleHandlesAround(std::vector<Key>& keys, std::size_t first, std::size_t 
     for (std::size_t i = from; i <= to; ++i)
         if (isClamped(keys[i]))
             settleByHand(keys[i]);
+}
+
+std::pair<std::size_t, std::size_t> handlesReach(const KeyList<Key>& keys, std::size_t first,
+                                                 std::size_t last)
+{
+    auto [from, to] = widened(first, last, keys.size());
+    while (from > 0 && !isGiven(keys[from], sidesOf(keys, from)))
+        --from;
+    while (to + 1 < keys.size() && !isGiven(keys[to], sidesOf(keys, to)))
+        ++to;
+    // The slopes at the ends of a run hang on one more neighbour.
+    return {from > 0 ? from - 1 : 0, std::min(to + 1, keys.size() - 1)};
 }
 
 void settleHandlesOfLoop(std::vector<Key>& keys, double shift)

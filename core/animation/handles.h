@@ -2,7 +2,8 @@
 /// Where Bezier handles stand that are not put by hand, as Blender 3.4 computes them (ANIMATION 4.1).
 #pragma once
 
-#include "core/animation/key.h"
+#include "core/animation/key_list.h"
+#include <utility>
 #include <vector>
 
 namespace ramure {
@@ -15,6 +16,9 @@ namespace ramure {
 void settleHandles(std::vector<Key>& keys);
 /// The same where handles were settled before and only the keys \p first .. \p last have changed.
 void settleHandlesAround(std::vector<Key>& keys, std::size_t first, std::size_t last);
+/// The keys that settleHandlesAround(first, last) changes or looks at: the first and the last of them.
+std::pair<std::size_t, std::size_t> handlesReach(const KeyList<Key>& keys, std::size_t first,
+                                                 std::size_t last);
 /// The same for a curve that goes round: behind the last key comes the second one, before the first one the
 /// last but one. The two ends are one place, \p shift apart in value, and smooth like any other.
 /// \pre at least two keys

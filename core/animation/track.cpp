@@ -8,7 +8,6 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <numeric>
 #include <type_traits>
 
 namespace ramure {
@@ -148,38 +147,45 @@ template <class KeyType> Expected<void> checkKeys(std::span<const KeyType> keys)
     return {};
 }
 
-} // namespace
-
-template <class KeyType> bool KeyTrack<KeyType>::goesRound() const
+/// Whether the track would go round with these keys.
+template <class TrackType, class Keys> bool isRound(const TrackType& track, const Keys& keys)
 {
-    if (m_keys.size() < 2)
+    if (keys.size() < 2)
         return false;
     const auto repeats = [](Extrapolation way) {
         return way == Extrapolation::Repeat || way == Extrapolation::RepeatOffset;
     };
-    const Ticks first = m_keys.front().time, last = m_keys.back().time;
+    const Ticks first = keys.front().time, last = keys.back().time, loop = track.loop;
     const bool wholePeriod = loop > 0 && last - first == loop && first % loop == 0;
-    if (!wholePeriod && !(loop == 0 && repeats(before) && repeats(behind)))
+    if (!wholePeriod && !(loop == 0 && repeats(track.before) && repeats(track.behind)))
         return false;
     // Components of orientations that end elsewhere than they began do not simply go on from there.
-    if constexpr (std::is_same_v<KeyType, OrientationKey>)
-        return glm::dot(m_keys.front().value, m_keys.back().value) > 1.0 - 1e-9;
+    if constexpr (std::is_same_v<TrackType, OrientationTrack>)
+        return glm::dot(keys.front().value, keys.back().value) > 1.0 - 1e-9;
     return true;
 }
 
-template <class KeyType> void KeyTrack<KeyType>::settle()
+/// As many edited keys are put in their places one by one; of more the whole track is made anew.
+constexpr std::size_t few = 16;
+
+} // namespace
+
+template <class KeyType> bool KeyTrack<KeyType>::goesRound() const
+{
+    return isRound(*this, m_keys);
+}
+
+template <class KeyType> void KeyTrack<KeyType>::settle(std::vector<KeyType> keys)
 {
     const auto earlier = [](const KeyType& a, const KeyType& b) { return a.time < b.time; };
-    if (!std::is_sorted(m_keys.begin(), m_keys.end(), earlier))
-        std::stable_sort(m_keys.begin(), m_keys.end(), earlier);
+    if (!std::is_sorted(keys.begin(), keys.end(), earlier))
+        std::stable_sort(keys.begin(), keys.end(), earlier);
     // Of equal times the last: unique() keeps the first, so it runs from behind.
     const auto sameTime = [](const KeyType& a, const KeyType& b) { return a.time == b.time; };
-    const auto kept = std::unique(m_keys.rbegin(), m_keys.rend(), sameTime);
-    m_keys.erase(m_keys.begin(), kept.base());
-    settleKeys(m_keys, goesRound());
-    m_times.resize(m_keys.size());
-    std::transform(m_keys.begin(), m_keys.end(), m_times.begin(),
-                   [](const KeyType& key) { return key.time; });
+    const auto kept = std::unique(keys.rbegin(), keys.rend(), sameTime);
+    keys.erase(keys.begin(), kept.base());
+    settleKeys(keys, isRound(*this, keys));
+    m_keys.assign(keys);
 }
 
 template <class KeyType> Expected<KeyTrack<KeyType>> KeyTrack<KeyType>::fromKeys(std::vector<KeyType> keys)
@@ -187,20 +193,14 @@ template <class KeyType> Expected<KeyTrack<KeyType>> KeyTrack<KeyType>::fromKeys
     if (auto good = checkKeys(std::span<const KeyType>(keys)); !good)
         return fail(std::move(good.error()));
     KeyTrack track;
-    track.m_keys = std::move(keys);
-    track.settle();
+    track.settle(std::move(keys));
     return track;
-}
-
-template <class KeyType> std::size_t KeyTrack<KeyType>::lowerBound(Ticks time) const
-{
-    return static_cast<std::size_t>(std::lower_bound(m_times.begin(), m_times.end(), time) - m_times.begin());
 }
 
 template <class KeyType> std::optional<std::size_t> KeyTrack<KeyType>::find(Ticks time) const
 {
     const std::size_t at = lowerBound(time);
-    if (at < m_times.size() && m_times[at] == time)
+    if (at < m_keys.size() && m_keys.timeOf(at) == time)
         return at;
     return std::nullopt;
 }
@@ -209,26 +209,40 @@ template <class KeyType> Expected<void> KeyTrack<KeyType>::insert(KeyType key)
 {
     if (auto good = checkKey(key); !good)
         return good;
+    const bool wasRound = goesRound();
     const std::size_t at = lowerBound(key.time);
-    if (at < m_keys.size() && m_keys[at].time == key.time) {
-        m_keys[at] = std::move(key);
-    } else {
-        m_times.insert(m_times.begin() + static_cast<std::ptrdiff_t>(at), key.time);
-        m_keys.insert(m_keys.begin() + static_cast<std::ptrdiff_t>(at), std::move(key));
-    }
-    settleAround(at, at);
+    const std::size_t end = at < m_keys.size() && m_keys.timeOf(at) == key.time ? at + 1 : at;
+    m_keys.splice(at, end, std::span<const KeyType>(&key, 1));
+    if (wasRound)
+        settleEnds(); // the other end may have had this side for its neighbour
+    else
+        settleAround(at, at);
     return {};
 }
 
 template <class KeyType> void KeyTrack<KeyType>::erase(std::span<const std::size_t> indices)
 {
-    std::vector<bool> gone(m_keys.size(), false);
-    for (const std::size_t index : indices)
-        if (index < gone.size())
-            gone[index] = true;
-    std::size_t next = 0;
-    std::erase_if(m_keys, [&](const KeyType&) { return bool(gone[next++]); });
-    settle();
+    std::vector<std::size_t> gone(indices.begin(), indices.end());
+    std::sort(gone.begin(), gone.end());
+    gone.erase(std::unique(gone.begin(), gone.end()), gone.end());
+    gone.erase(std::lower_bound(gone.begin(), gone.end(), m_keys.size()), gone.end());
+    if (gone.size() > few || goesRound()) {
+        std::vector<KeyType> keys = m_keys.toVector();
+        for (std::size_t next = 0, to = 0, i = 0; i < m_keys.size(); ++i) {
+            if (next < gone.size() && gone[next] == i)
+                ++next;
+            else
+                keys[to++] = keys[i];
+        }
+        keys.resize(m_keys.size() - gone.size());
+        return settle(std::move(keys));
+    }
+    for (std::size_t i = gone.size(); i-- > 0;)
+        m_keys.splice(gone[i], gone[i] + 1, {});
+    for (std::size_t i = 0; i < gone.size() && !m_keys.empty(); ++i) {
+        const std::size_t at = std::min(gone[i] - i, m_keys.size() - 1);
+        settleAround(at > 0 ? at - 1 : 0, at);
+    }
 }
 
 template <class KeyType>
@@ -239,81 +253,107 @@ Expected<void> KeyTrack<KeyType>::replace(std::span<const std::size_t> indices, 
     for (const std::size_t index : indices)
         if (index >= m_keys.size() || indices.size() != keys.size())
             return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no key %1"), {std::to_string(index)});
-    if (replaceInPlace(indices, keys))
+    if (indices.empty())
         return {};
-    std::vector<bool> changes(m_keys.size(), false);
-    std::vector<Ticks> left;
-    for (const std::size_t index : indices) {
-        changes[index] = true;
-        left.push_back(m_keys[index].time);
+    const bool wasRound = goesRound();
+    if (keepsOrder(indices, keys)) {
+        m_keys.overwrite(indices, keys);
+        if (wasRound)
+            settleEnds();
+        else if (indices.size() > few)
+            settleAround(indices.front(), indices.back());
+        else
+            for (const std::size_t index : indices)
+                settleAround(index, index);
+    } else if (indices.size() > few || wasRound || !std::is_same_v<KeyType, Key>) {
+        replaceMany(indices, keys);
+    } else {
+        replaceFew(indices, keys);
     }
+    return {};
+}
+
+template <class KeyType>
+void KeyTrack<KeyType>::replaceMany(std::span<const std::size_t> indices, std::span<const KeyType> keys)
+{
+    std::vector<bool> changes(m_keys.size(), false);
+    for (const std::size_t index : indices)
+        changes[index] = true;
     std::vector<KeyType> stay, come(keys.begin(), keys.end()), all;
     stay.reserve(m_keys.size());
-    for (std::size_t i = 0; i < m_keys.size(); ++i)
-        if (!changes[i])
-            stay.push_back(std::move(m_keys[i]));
+    std::size_t next = 0;
+    for (const KeyType& key : m_keys)
+        if (!changes[next++])
+            stay.push_back(key);
     const auto earlier = [](const KeyType& a, const KeyType& b) { return a.time < b.time; };
     std::stable_sort(come.begin(), come.end(), earlier);
     all.reserve(m_keys.size());
     // Of equal times those that stay come first: the others take their place.
     std::merge(stay.begin(), stay.end(), come.begin(), come.end(), std::back_inserter(all), earlier);
-    m_keys = std::move(all);
-    // A few that have gone elsewhere among very many: only what is around their old and new places.
-    constexpr std::size_t few = 16;
-    const auto sameTime = [](const KeyType& a, const KeyType& b) { return a.time == b.time; };
-    if (left.size() > few || goesRound() || !std::is_same_v<KeyType, Key> ||
-        std::adjacent_find(m_keys.begin(), m_keys.end(), sameTime) != m_keys.end()) {
-        settle();
-        return {};
+    settle(std::move(all));
+}
+
+/// A few that have gone elsewhere among very many: only what is around their old and new places changes.
+template <class KeyType>
+void KeyTrack<KeyType>::replaceFew(std::span<const std::size_t> indices, std::span<const KeyType> keys)
+{
+    std::vector<std::size_t> left(indices.begin(), indices.end());
+    std::sort(left.begin(), left.end());
+    left.erase(std::unique(left.begin(), left.end()), left.end());
+    std::vector<Ticks> times;
+    for (std::size_t i = left.size(); i-- > 0;) {
+        times.push_back(m_keys.timeOf(left[i]));
+        m_keys.splice(left[i], left[i] + 1, {});
     }
-    m_times.resize(m_keys.size());
-    std::transform(m_keys.begin(), m_keys.end(), m_times.begin(),
-                   [](const KeyType& key) { return key.time; });
-    for (const KeyType& key : come)
-        left.push_back(key.time);
-    for (const Ticks time : left) {
+    for (const KeyType& key : keys) { // the later of two at one time takes the place of the other
+        times.push_back(key.time);
+        const std::size_t at = lowerBound(key.time);
+        const std::size_t end = at < m_keys.size() && m_keys.timeOf(at) == key.time ? at + 1 : at;
+        m_keys.splice(at, end, std::span<const KeyType>(&key, 1));
+    }
+    for (const Ticks time : times) {
         const std::size_t at = std::min(lowerBound(time), m_keys.size() - 1);
         settleAround(at > 0 ? at - 1 : 0, at);
     }
-    return {};
 }
 
-/// Where all keys keep their order; of a curve with very many only those around need to be settled.
+/// Every key stays between its neighbours.
 template <class KeyType>
-bool KeyTrack<KeyType>::replaceInPlace(std::span<const std::size_t> indices, std::span<const KeyType> keys)
+bool KeyTrack<KeyType>::keepsOrder(std::span<const std::size_t> indices, std::span<const KeyType> keys) const
 {
-    if (indices.empty() || !std::is_sorted(indices.begin(), indices.end(), std::less_equal<>()))
-        return indices.empty();
+    if (!std::is_sorted(indices.begin(), indices.end(), std::less_equal<>()))
+        return false;
     const auto timeOf = [&](std::size_t index, std::size_t from) { // `from` is the place in the list
-        return from < indices.size() && indices[from] == index ? keys[from].time : m_keys[index].time;
+        return from < indices.size() && indices[from] == index ? keys[from].time : m_keys.timeOf(index);
     };
     for (std::size_t i = 0; i < indices.size(); ++i) {
         const std::size_t at = indices[i];
-        if ((i == 0 && at > 0 && m_keys[at - 1].time >= keys[i].time) ||
+        if ((i == 0 && at > 0 && m_keys.timeOf(at - 1) >= keys[i].time) ||
             (i > 0 && timeOf(at - 1, indices[i - 1] == at - 1 ? i - 1 : indices.size()) >= keys[i].time) ||
             (at + 1 < m_keys.size() && timeOf(at + 1, i + 1) <= keys[i].time))
             return false;
     }
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        m_keys[indices[i]] = keys[i];
-        m_times[indices[i]] = keys[i].time;
-    }
-    settleAround(indices.front(), indices.back());
     return true;
 }
 
 template <class KeyType> void KeyTrack<KeyType>::settleAround(std::size_t first, std::size_t last)
 {
     if constexpr (std::is_same_v<KeyType, Key>) {
-        if (!goesRound())
-            return settleHandlesAround(m_keys, first, last);
+        if (!goesRound()) {
+            const auto reach = handlesReach(m_keys, first, last);
+            std::vector<Key> around = m_keys.copied(reach.first, reach.second + 1);
+            settleHandlesAround(around, first - reach.first, last - reach.first);
+            return m_keys.overwrite(reach.first, around);
+        }
     }
-    settleKeys(m_keys, goesRound()); // signs of orientations hang on those before them
+    settleEnds(); // signs of orientations hang on those before them
 }
 
 template <class KeyType> void KeyTrack<KeyType>::settleEnds()
 {
-    settleKeys(m_keys, goesRound());
+    std::vector<KeyType> keys = m_keys.toVector();
+    settleKeys(keys, goesRound());
+    m_keys.assign(keys);
 }
 
 template class KeyTrack<Key>;

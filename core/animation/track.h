@@ -4,7 +4,7 @@
 /// order they come in. Evaluation changes nothing and may be done from several threads.
 #pragma once
 
-#include "core/animation/key.h"
+#include "core/animation/key_list.h"
 #include "core/base/error.h"
 #include <optional>
 #include <span>
@@ -53,13 +53,13 @@ public:
     /// finite, a time beyond mostTicks, a quaternion without a direction), path "[i].value" and the like.
     static Expected<KeyTrack> fromKeys(std::vector<KeyType> keys);
 
-    [[nodiscard]] const std::vector<KeyType>& keys() const { return m_keys; }
+    [[nodiscard]] const KeyList<KeyType>& keys() const { return m_keys; }
     [[nodiscard]] bool empty() const { return m_keys.empty(); }
     [[nodiscard]] std::size_t size() const { return m_keys.size(); }
     /// Index of the key at exactly this time.
     [[nodiscard]] std::optional<std::size_t> find(Ticks time) const;
     /// Index of the first key not before this time; size() where there is none.
-    [[nodiscard]] std::size_t lowerBound(Ticks time) const;
+    [[nodiscard]] std::size_t lowerBound(Ticks time) const { return m_keys.lowerBound(time); }
 
     /// Puts a key in, in the place of one at the same time. Errors as above; the track is unchanged then.
     Expected<void> insert(KeyType key);
@@ -89,14 +89,14 @@ public:
     /// first one are neighbours of those behind and before.
     [[nodiscard]] bool goesRound() const;
 
-protected:
-    friend struct TrackReader;
-    void settle();
+private:
+    void settle(std::vector<KeyType> keys);
     void settleAround(std::size_t first, std::size_t last);
-    bool replaceInPlace(std::span<const std::size_t> indices, std::span<const KeyType> keys);
+    [[nodiscard]] bool keepsOrder(std::span<const std::size_t> indices, std::span<const KeyType> keys) const;
+    void replaceFew(std::span<const std::size_t> indices, std::span<const KeyType> keys);
+    void replaceMany(std::span<const std::size_t> indices, std::span<const KeyType> keys);
 
-    std::vector<KeyType> m_keys;
-    std::vector<Ticks> m_times; ///< of the keys: close together for the search
+    KeyList<KeyType> m_keys;
 };
 
 extern template class KeyTrack<Key>;

@@ -10,15 +10,6 @@
 
 namespace ramure {
 
-/// Looks into tracks of every kind.
-struct TrackReader
-{
-    template <class KeyType> static const std::vector<Ticks>& times(const KeyTrack<KeyType>& track)
-    {
-        return track.m_times;
-    }
-};
-
 namespace {
 
 /// Where on the keys a time falls.
@@ -65,18 +56,18 @@ template <class KeyType> TrackPlace placeOf(const KeyTrack<KeyType>& track, doub
 
 /// The segment, or the last key, in which the time lies. Half a tick before a key is at the key: the time of
 /// a frame whose key was rounded to its tick must not show the key before.
-std::size_t segmentAt(const std::vector<Ticks>& times, double exactly, TrackCursor& cursor)
+template <class KeyType>
+std::size_t segmentAt(const KeyList<KeyType>& keys, double exactly, TrackCursor& cursor)
 {
     const double ticks = exactly + 0.5;
     const auto holds = [&](std::size_t i) {
-        return double(times[i]) <= ticks && (i + 1 == times.size() || ticks < double(times[i + 1]));
+        return double(keys.timeOf(i)) <= ticks &&
+               (i + 1 == keys.size() || ticks < double(keys.timeOf(i + 1)));
     };
-    for (std::size_t i = cursor.segment; i < times.size() && i < cursor.segment + 2; ++i)
+    for (std::size_t i = cursor.segment; i < keys.size() && i < cursor.segment + 2; ++i)
         if (holds(i))
             return cursor.segment = i;
-    const auto above = std::upper_bound(times.begin(), times.end(), ticks,
-                                        [](double t, Ticks key) { return t < double(key); });
-    return cursor.segment = static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - times.begin(), 1) - 1);
+    return cursor.segment = std::max<std::size_t>(keys.upperBound(ticks), 1) - 1;
 }
 
 /// The spline of SPEC B1 through x1 and x2.
@@ -116,7 +107,7 @@ struct Segment
 /// round, else the end once more.
 std::pair<double, double> aroundSegment(const Track& track, std::size_t i)
 {
-    const std::vector<Key>& keys = track.keys();
+    const KeyList<Key>& keys = track.keys();
     const std::size_t last = keys.size() - 1;
     const bool atEnd = i == 0 || i + 1 == last;
     if (!atEnd || keys[i].mode != KeyMode::Cubic || !track.goesRound())
@@ -128,7 +119,7 @@ std::pair<double, double> aroundSegment(const Track& track, std::size_t i)
 
 double inSegment(const Track& track, std::size_t i, double ticks)
 {
-    const std::vector<Key>& keys = track.keys();
+    const KeyList<Key>& keys = track.keys();
     const Key& from = keys[i];
     const auto offset = ticks - double(from.time);
     if (offset <= 0.0 || i + 1 == keys.size())
@@ -143,7 +134,7 @@ double inSegment(const Track& track, std::size_t i, double ticks)
 }
 
 /// Of the curve at its first or last key, in units per tick, for the straight way on.
-double slopeAtEnd(const std::vector<Key>& keys, bool early)
+double slopeAtEnd(const KeyList<Key>& keys, bool early)
 {
     if (keys.size() < 2)
         return 0.0;
@@ -170,7 +161,7 @@ double part(const glm::dquat& q, std::size_t c)
 /// Everything by components.
 glm::dquat blended(const OrientationTrack& track, std::size_t i, double duration, double u)
 {
-    const std::vector<OrientationKey>& keys = track.keys();
+    const KeyList<OrientationKey>& keys = track.keys();
     const OrientationKey &from = keys[i], &to = keys[i + 1];
     const std::size_t last = keys.size() - 1;
     const bool round = (i == 0 || i + 1 == last) && track.goesRound(); // then both ends are the same
@@ -190,7 +181,7 @@ glm::dquat blended(const OrientationTrack& track, std::size_t i, double duration
 /// neighbour, as where the end is repeated.
 glm::dvec3 velocityAt(const OrientationTrack& track, std::size_t i, double scale)
 {
-    const std::vector<OrientationKey>& keys = track.keys();
+    const KeyList<OrientationKey>& keys = track.keys();
     const std::size_t last = keys.size() - 1;
     const bool round = (i == 0 || i == last) && track.goesRound();
     const glm::dquat back = glm::conjugate(keys[i].value);
@@ -217,7 +208,7 @@ glm::dvec3 velocityAt(const OrientationTrack& track, std::size_t i, double scale
 
 glm::dquat squadAt(const OrientationTrack& track, std::size_t i, double u)
 {
-    const std::vector<OrientationKey>& keys = track.keys();
+    const KeyList<OrientationKey>& keys = track.keys();
     const glm::dquat &a = keys[i].value, &b = keys[i + 1].value;
     const auto span = double(keys[i + 1].time - keys[i].time);
     const glm::dvec3 ahead = logarithm(glm::conjugate(a) * b), back = logarithm(glm::conjugate(b) * a);
@@ -228,7 +219,7 @@ glm::dquat squadAt(const OrientationTrack& track, std::size_t i, double u)
 
 glm::dquat inSegment(const OrientationTrack& track, std::size_t i, double ticks)
 {
-    const std::vector<OrientationKey>& keys = track.keys();
+    const KeyList<OrientationKey>& keys = track.keys();
     const OrientationKey& from = keys[i];
     const auto offset = ticks - double(from.time);
     if (offset <= 0.0 || i + 1 == keys.size() || from.mode == KeyMode::Constant)
@@ -250,7 +241,7 @@ glm::dquat inSegment(const OrientationTrack& track, std::size_t i, double ticks)
 }
 
 /// On along the last way, or back along the first.
-glm::dquat beyondEnd(const std::vector<OrientationKey>& keys, double beyond)
+glm::dquat beyondEnd(const KeyList<OrientationKey>& keys, double beyond)
 {
     const bool early = beyond < 0.0;
     const OrientationKey& end = early ? keys.front() : keys.back();
@@ -262,7 +253,7 @@ glm::dquat beyondEnd(const std::vector<OrientationKey>& keys, double beyond)
 }
 
 /// What one round turns, as often as there were rounds.
-glm::dquat turnOfRounds(const std::vector<OrientationKey>& keys, double rounds)
+glm::dquat turnOfRounds(const KeyList<OrientationKey>& keys, double rounds)
 {
     glm::dquat turn = keys.back().value * glm::conjugate(keys.front().value);
     if (turn.w < 0.0)
@@ -275,8 +266,8 @@ glm::dquat turnOfRounds(const std::vector<OrientationKey>& keys, double rounds)
 double valueAt(const Track& track, double seconds, TrackCursor& cursor)
 {
     const TrackPlace place = placeOf(track, seconds);
-    const std::vector<Key>& keys = track.keys();
-    double value = inSegment(track, segmentAt(TrackReader::times(track), place.ticks, cursor), place.ticks);
+    const KeyList<Key>& keys = track.keys();
+    double value = inSegment(track, segmentAt(track.keys(), place.ticks, cursor), place.ticks);
     if (place.beyond != 0.0)
         value += place.beyond * slopeAtEnd(keys, place.beyond < 0.0);
     if (place.rounds != 0.0)
@@ -295,8 +286,7 @@ glm::dquat valueAt(const OrientationTrack& track, double seconds, TrackCursor& c
     const TrackPlace place = placeOf(track, seconds);
     if (place.beyond != 0.0)
         return beyondEnd(track.keys(), place.beyond);
-    const glm::dquat value =
-        inSegment(track, segmentAt(TrackReader::times(track), place.ticks, cursor), place.ticks);
+    const glm::dquat value = inSegment(track, segmentAt(track.keys(), place.ticks, cursor), place.ticks);
     return place.rounds == 0.0 ? value : unit(turnOfRounds(track.keys(), place.rounds) * value, value);
 }
 

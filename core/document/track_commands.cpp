@@ -59,15 +59,14 @@ Expected<void> checkEdit(const Scene& scene, const TrackEdit& edit)
 }
 
 /// A new key goes on as the one before it does.
-template <class KeyType> void takeShape(KeyType& key, const std::vector<KeyType>& keys, KeyMode mode)
+template <class KeyType> void takeShape(KeyType& key, const KeyList<KeyType>& keys, KeyMode mode)
 {
     key.mode = mode;
-    const auto behind = std::find_if(keys.begin(), keys.end(),
-                                     [&key](const KeyType& other) { return other.time > key.time; });
     if (keys.empty())
         return;
     const Ticks time = key.time;
-    static_cast<KeyShape&>(key) = behind == keys.begin() ? keys.front() : *std::prev(behind);
+    const std::size_t behind = keys.lowerBound(time + 1);
+    static_cast<KeyShape&>(key) = keys[behind == 0 ? 0 : behind - 1];
     key.time = time;
 }
 

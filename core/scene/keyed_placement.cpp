@@ -53,7 +53,7 @@ Expected<void> putKey(NodeAnimation::TrackPtr& track, Ticks time, const Value& v
 /// All keys further by this much.
 void shiftKeys(NodeAnimation::TrackPtr& track, double by)
 {
-    std::vector<Key> keys = std::get<Track>(*track).keys();
+    std::vector<Key> keys = std::get<Track>(*track).keys().toVector();
     std::vector<std::size_t> all(keys.size());
     for (std::size_t i = 0; i < keys.size(); ++i) {
         all[i] = i;

@@ -245,7 +245,7 @@ private slots:
                 changed.back().value += random.range(-2.0, 2.0);
                 changed.back().time += ticksOf(random.range(-0.02, 0.02));
             }
-            std::vector<Key> all = track.keys();
+            std::vector<Key> all = track.keys().toVector();
             for (std::size_t i = 0; i < indices.size(); ++i)
                 all[indices[i]] = changed[i];
             QVERIFY(track.replace(indices, changed));
@@ -253,7 +253,7 @@ private slots:
             // Some go elsewhere.
             std::vector<std::size_t> moved;
             std::vector<Key> elsewhere;
-            all = track.keys();
+            all = track.keys().toVector();
             for (std::uint32_t k = 1 + random.below(3); k-- > 0;)
                 if (const std::size_t i = random.below(std::uint32_t(track.size()));
                     std::find(moved.begin(), moved.end(), i) == moved.end()) {
@@ -269,7 +269,7 @@ private slots:
             QVERIFY(track == trackOf(all));
             Key added = keyAt(secondsOf(track.keys().front().time) + random.range(-1.0, 4.0),
                               random.range(-3.0, 3.0), KeyMode::Bezier);
-            all = track.keys();
+            all = track.keys().toVector();
             all.push_back(added);
             QVERIFY(track.insert(added));
             QVERIFY(track == trackOf(all));
@@ -286,7 +286,7 @@ private slots:
                 for (const double gain : {0.0, 2.0}) {
                     Track track = trackOf({keyAt(0.0, 0.0, mode), keyAt(1.0, 1.0, mode),
                                            keyAt(3.0, -1.0 + gain, mode), keyAt(4.0, gain, mode)});
-                    std::vector<Key> keys = track.keys();
+                    std::vector<Key> keys = track.keys().toVector();
                     for (Key& key : keys)
                         key.before = key.behind = handles;
                     track = trackOf(keys);
