@@ -1,5 +1,7 @@
 #include "core/document/document.h"
 
+#include "core/document/document_command.h"
+
 #include <QSignalBlocker>
 #include <algorithm>
 #include <set>
@@ -82,6 +84,8 @@ void Document::reset(Scene scene, const QString& path, std::string extras)
     {
         const QSignalBlocker quiet(this); // the stack may become clean; one news is enough
         m_undoStack.clear();
+        m_held.reset();
+        m_heldGesture = 0;
     }
     settle(change);
     emit changed(change);

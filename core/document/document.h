@@ -17,6 +17,8 @@
 
 namespace ramure {
 
+class DocumentCommand;
+
 /// The outcome of the computation of one node. A failed one keeps the last good meshes beside the error.
 struct NodeResult
 {
@@ -65,6 +67,17 @@ public:
     /// For commands that insert nodes.
     NodeId newNodeId() { return m_scene.newId(); }
 
+    /// Edits of this gesture are made at once, but stand on the undo stack, as one step, only when they are
+    /// kept: until then what could be redone can be redone. One gesture at a time: one that is held already
+    /// is kept. Where somebody else edits meanwhile, it goes on as any other gesture.
+    void holdGesture(quint64 gesture);
+    [[nodiscard]] bool isHeld(quint64 gesture) const { return gesture != 0 && gesture == m_heldGesture; }
+    void keepGesture(quint64 gesture); ///< nothing where it is not held
+    /// Everything back to the last bit. \returns false where it is not held: its step stands on the stack
+    bool giveUpGesture(quint64 gesture);
+    /// For commands: on the undo stack, or to the gesture that is held.
+    void push(std::unique_ptr<DocumentCommand> command);
+
     /// The way for commands, and for them only: \p edit changes the scene between the two signals.
     template <class Edit> void applyChange(Change change, Edit&& edit)
     {
@@ -94,6 +107,9 @@ private:
     QString m_filePath;
     std::string m_extras; ///< of the project file, see Project
     quint64 m_revision = 0;
+    quint64 m_heldGesture = 0;
+    int m_heldIndex = 0;                     ///< of the undo stack, when the gesture began
+    std::unique_ptr<DocumentCommand> m_held; ///< what it has done so far
 };
 
 } // namespace ramure

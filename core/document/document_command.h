@@ -7,6 +7,8 @@
 #include <QCoreApplication>
 #include <QUndoCommand>
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 namespace ramure {
 
@@ -24,18 +26,25 @@ public:
     }
     [[nodiscard]] int id() const override { return m_gesture == 0 ? -1 : static_cast<int>(m_id); }
     [[nodiscard]] CommandId commandId() const { return m_id; }
+    [[nodiscard]] GestureId gesture() const { return m_gesture; }
     void undo() final { swap(); }
-    void redo() final { swap(); }
+    void redo() final
+    {
+        if (!std::exchange(m_isDone, false))
+            swap();
+    }
+    /// The scene is as after redo() already: the next one does nothing.
+    void setDone() { m_isDone = true; }
 
 protected:
     virtual void swap() = 0;
     [[nodiscard]] Document& document() const { return m_document; }
-    [[nodiscard]] GestureId gesture() const { return m_gesture; }
 
 private:
     Document& m_document;
     CommandId m_id;
     GestureId m_gesture;
+    bool m_isDone = false;
 };
 
 /// Sets any values. A Target names one value of the scene:
@@ -102,7 +111,7 @@ void pushSet(Document& document, std::vector<typename SetCommand<Target>::Entry>
              GestureId gesture = 0)
 {
     if (SetCommand<Target>::changesAnything(document.scene(), entries))
-        document.undoStack()->push(new SetCommand<Target>(document, std::move(entries), gesture, text));
+        document.push(std::make_unique<SetCommand<Target>>(document, std::move(entries), gesture, text));
 }
 
 /// Adds what is not there yet.

@@ -81,6 +81,7 @@ GizmoDrag::GizmoDrag(Document& document, const GizmoSettings& settings, Transfor
     , m_hand(pixel)
     , m_last(pixel)
 {
+    m_document.holdGesture(m_gesture);
     m_place.pivot = shownPivot(document.scene(), m_starts);
     m_keys = std::any_of(m_starts.begin(), m_starts.end(), [](const auto& start) { return start.keys; });
     m_snap = settings.snaps();
@@ -295,13 +296,28 @@ void GizmoDrag::apply()
     (void)edit::placeNodes(m_document, places, text, m_gesture); // locked meanwhile: it stays
 }
 
+void GizmoDrag::keep()
+{
+    m_document.keepGesture(m_gesture);
+}
+
+/// Its nodes may have been taken away by a step of undo: nothing is pushed in the middle of that.
+GizmoDrag::~GizmoDrag()
+{
+    if (m_document.isHeld(m_gesture))
+        QMetaObject::invokeMethod(
+            &m_document, [document = &m_document, gesture = m_gesture] { document->keepGesture(gesture); },
+            Qt::QueuedConnection);
+}
+
 void GizmoDrag::cancel()
 {
     m_typed = {};
     m_transform = {};
     m_amount = glm::dvec3(0.0);
     m_transform.pivot = m_place.pivot;
-    apply();
+    if (!m_document.giveUpGesture(m_gesture))
+        apply(); // its step stands on the stack: undone by one more of it
 }
 
 bool GizmoDrag::isWhole() const

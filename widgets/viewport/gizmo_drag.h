@@ -25,6 +25,9 @@ glm::dvec3 shownPivot(const Scene& scene, const std::vector<TransformStart>& sta
 class GizmoDrag
 {
 public:
+    GizmoDrag(const GizmoDrag&) = delete;
+    GizmoDrag& operator=(const GizmoDrag&) = delete;
+    ~GizmoDrag();
     enum class KeyResult : quint8 { Ignored, Taken, Confirm, Cancel };
 
     /// Null where nothing that is selected can be moved. \p document and \p settings are not owned.
@@ -40,7 +43,10 @@ public:
     /// Digits, point, minus, Backspace, Tab (the next number), X Y Z (with Shift the plane across; once more
     /// the other space, a third time free again), Enter, Escape.
     KeyResult key(int key, const QString& text, Qt::KeyboardModifiers modifiers);
-    /// Everything back to the last bit; no undo step is left.
+    /// What was done becomes one step of undo; nothing where it ended where it began. A drag that ends
+    /// without a word is kept, too, at the next turn of the event loop.
+    void keep();
+    /// Everything back to the last bit; the undo stack is as it was before the drag, redo included.
     void cancel();
 
     [[nodiscard]] TransformTool tool() const { return m_tool; }

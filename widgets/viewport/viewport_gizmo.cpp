@@ -238,7 +238,9 @@ void Viewport::dragGizmo(QPointF position, Qt::KeyboardModifiers modifiers)
 
 void Viewport::finishGizmo(bool keep)
 {
-    if (!keep)
+    if (keep)
+        d->gizmo->keep();
+    else
         d->gizmo->cancel();
     d->gizmo.reset();
     d->gesture = Gesture::None;
