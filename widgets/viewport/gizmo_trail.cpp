@@ -24,6 +24,13 @@ glm::u8vec4 ghostColour(int place, int count)
     return {glm::u8vec3(colour), static_cast<std::uint8_t>(190.0 - 110.0 * far)};
 }
 
+/// Lines are thin: they are seen where a surface would be.
+glm::u8vec4 lineColour(glm::u8vec4 colour)
+{
+    colour.a = static_cast<std::uint8_t>(std::min(255, colour.a + 70));
+    return colour;
+}
+
 std::shared_ptr<const LineSet> linesOf(const MotionPath& path)
 {
     auto lines = std::make_shared<LineSet>();
@@ -51,13 +58,40 @@ std::shared_ptr<const PointSet> pointsOf(const MotionPath& path)
     return points;
 }
 
-bool near(const glm::dmat4& a, const glm::dmat4& b)
+/// Its joints stand otherwise at other times.
+bool turns(const Node& node)
 {
-    for (int c = 0; c < 4; ++c)
-        for (int r = 0; r < 4; ++r)
-            if (std::abs(a[c][r] - b[c][r]) > 1e-6 * std::max(1.0, std::abs(b[c][r])))
-                return false;
-    return true;
+    return node.kind == NodeKind::Arm && (node.animation.movesParams() || node.params.arm.follows);
+}
+
+/// The nodes and what is below them, where tracks move it.
+std::vector<const Node*> copiedNodes(const Scene& scene, const std::vector<NodeId>& nodes)
+{
+    const std::set<NodeId> asked(nodes.begin(), nodes.end());
+    std::set<NodeId> moving;
+    std::vector<const Node*> copied;
+    std::set<NodeId> below;
+    for (const Node& node : scene.nodes()) {
+        if (node.animation.movesNode() || moving.contains(node.parent))
+            moving.insert(node.id);
+        if (asked.contains(node.id) || below.contains(node.parent))
+            below.insert(node.id);
+        if (below.contains(node.id) && (moving.contains(node.id) || turns(node)) &&
+            node.kind != NodeKind::Group && scene.isShown(node.id))
+            copied.push_back(&node);
+    }
+    return copied;
+}
+
+/// Frames before and behind, those furthest away in time first: the nearer ones are drawn over them.
+std::vector<int> ghostOrder(const GhostFrames& frames)
+{
+    std::vector<int> order;
+    for (int far = std::max(frames.before, frames.after); far > 0; --far)
+        for (const int place : {-far, far})
+            if (place < 0 ? far <= frames.before : far <= frames.after)
+                order.push_back(place);
+    return order;
 }
 
 } // namespace
@@ -65,6 +99,10 @@ bool near(const glm::dmat4& a, const glm::dmat4& b)
 GizmoTrail::GizmoTrail(QObject* parent)
     : QObject(parent)
 {
+    connect(&m_arms, &ArmGhostMaker::changed, this, [this] {
+        ++m_revision;
+        emit changed();
+    });
 }
 
 GizmoTrail::~GizmoTrail() = default;
@@ -77,6 +115,8 @@ void GizmoTrail::show(const Scene& scene, const std::vector<NodeId>& nodes, cons
     m_ghosts.clear();
     if (how.showsGhosts() && still)
         showGhosts(scene, nodes, how.ghostFrames(), frame);
+    else
+        m_arms.show({});
     if (had || !m_ghosts.empty()) {
         ++m_revision;
         emit changed();
@@ -152,23 +192,10 @@ GizmoTrail::Made GizmoTrail::made(const std::vector<MotionChain>& chains, const 
 void GizmoTrail::showGhosts(const Scene& scene, const std::vector<NodeId>& nodes, const GhostFrames& frames,
                             std::int64_t frame)
 {
-    // The nodes and what is below them, where tracks move it.
-    const std::set<NodeId> asked(nodes.begin(), nodes.end());
-    std::set<NodeId> moving;
-    std::vector<const Node*> copied;
-    std::set<NodeId> below;
-    for (const Node& node : scene.nodes()) {
-        if (node.animation.movesNode() || moving.contains(node.parent))
-            moving.insert(node.id);
-        if (asked.contains(node.id) || below.contains(node.parent))
-            below.insert(node.id);
-        if (below.contains(node.id) && moving.contains(node.id) && node.kind != NodeKind::Group &&
-            node.kind != NodeKind::Arm && scene.isShown(node.id))
-            copied.push_back(&node);
-    }
+    std::vector<const Node*> copied = copiedNodes(scene, nodes);
     const auto count = std::size_t(frames.before + frames.after);
     if (copied.empty() || count == 0)
-        return;
+        return m_arms.show({});
     copied.resize(std::min(copied.size(), std::max<std::size_t>(1, mostCopies / count)));
     const TimelineSettings& timeline = scene.timeline();
     const auto geometries = [&](double seconds) {
@@ -187,22 +214,26 @@ void GizmoTrail::showGhosts(const Scene& scene, const std::vector<NodeId>& nodes
         return places;
     };
     const auto now = geometries(timeline.timeOf(frame));
-    // Those furthest away in time first: the nearer ones are drawn over them.
-    std::vector<int> order;
-    for (int far = std::max(frames.before, frames.after); far > 0; --far)
-        for (const int place : {-far, far})
-            if (place < 0 ? far <= frames.before : far <= frames.after)
-                order.push_back(place);
-    for (const int place : order) {
+    std::map<NodeId, ArmGhosts> arms;
+    for (std::size_t i = 0; i < copied.size(); ++i)
+        if (copied[i]->kind == NodeKind::Arm)
+            arms[copied[i]->id] = {*copied[i], timeline.timeOf(frame), now[i], {}};
+    for (const int place : ghostOrder(frames)) {
         const std::int64_t at = frame + std::int64_t(place) * frames.step;
         if (at < timeline.firstFrame || at > timeline.lastFrame)
             continue;
         const auto then = geometries(timeline.timeOf(at));
         const auto colour = ghostColour(place, place < 0 ? frames.before : frames.after);
         for (std::size_t i = 0; i < copied.size(); ++i)
-            if (!near(then[i], now[i]))
+            if (copied[i]->kind == NodeKind::Arm)
+                arms[copied[i]->id].copies.push_back({timeline.timeOf(at), then[i], lineColour(colour)});
+            else if (!ArmGhostMaker::isNear(then[i], now[i]))
                 m_ghosts.push_back({copied[i]->id, then[i], colour});
     }
+    std::vector<ArmGhosts> wanted;
+    for (auto& [id, ghosts] : arms)
+        wanted.push_back(std::move(ghosts));
+    m_arms.show(std::move(wanted));
 }
 
 void GizmoTrail::forgetSkeletons()
@@ -256,9 +287,7 @@ void GizmoTrail::addTo(RenderScene& scene, const TreeOf& trees)
     for (const Ghost& ghost : m_ghosts) {
         const TreeResult* tree = trees(ghost.node);
         if (tree && tree->simplified) {
-            glm::u8vec4 colour = ghost.colour;
-            colour.a = static_cast<std::uint8_t>(std::min(255, colour.a + 70)); // lines are thin
-            const auto lines = twigs(tree->simplified, colour);
+            const auto lines = twigs(tree->simplified, lineColour(ghost.colour));
             scene.lines.push_back({lines, ghost.geometry, noNode, false, false, {}});
             scene.trailBox.add(lines->box.transformed(ghost.geometry));
             continue;
@@ -269,6 +298,7 @@ void GizmoTrail::addTo(RenderScene& scene, const TreeOf& trees)
             scene.trailBox.add(item->second->box.transformed(ghost.geometry));
         }
     }
+    m_arms.addTo(scene);
     std::erase_if(m_twigs, [](const Twigs& known) { return !known.used; });
 }
 

@@ -8,6 +8,7 @@
 #include "core/pipeline/tree_pipeline.h"
 #include "core/scene/motion_path.h"
 #include "widgets/render/pick_scene.h"
+#include "widgets/viewport/arm_ghosts.h"
 #include "widgets/viewport/gizmo_settings.h"
 #include <QObject>
 #include <functional>
@@ -41,12 +42,16 @@ public:
     /// Marks where the nodes are on their paths.
     void paintPlayhead(QPainter& painter, const PickView& view, double seconds) const;
 
-    [[nodiscard]] bool isEmpty() const { return m_lines.empty() && m_ghosts.empty(); }
+    [[nodiscard]] bool isEmpty() const
+    {
+        return m_lines.empty() && m_ghosts.empty() && m_arms.count() == 0 && !m_arms.isBusy();
+    }
     [[nodiscard]] quint64 revision() const { return m_revision; } ///< of what addTo adds
-    [[nodiscard]] bool isBusy() const { return m_busy; }          ///< paths are being computed
+    /// Paths or ghosts of arms are being computed.
+    [[nodiscard]] bool isBusy() const { return m_busy || m_arms.isBusy(); }
     [[nodiscard]] const std::vector<std::shared_ptr<const MotionPath>>& paths() const { return m_paths; }
     /// How many copies there are of all nodes together.
-    [[nodiscard]] std::size_t ghostCount() const { return m_ghosts.size(); }
+    [[nodiscard]] std::size_t ghostCount() const { return m_ghosts.size() + m_arms.count(); }
 
 signals:
     void changed();
@@ -79,6 +84,7 @@ private:
     std::vector<std::shared_ptr<const LineSet>> m_lines;
     std::vector<std::shared_ptr<const PointSet>> m_points;
     std::vector<Ghost> m_ghosts;
+    ArmGhostMaker m_arms;
     /// Lines of a skeleton in one colour; those that were not asked for last time go.
     struct Twigs
     {

@@ -1,3 +1,5 @@
+#include "core/arm/arm_chain.h"
+#include "core/document/moving_arms.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/places.h"
 #include "tests/widgets/support/fixture.h"
@@ -53,6 +55,7 @@ private slots:
     void onlyChangesAreComputed();
     void longPathsDoNotBlock();
     void ghostsStandWhereTheNodesWere();
+    void armsHaveGhostsToo();
     void ghostsHaveAnEnd();
 };
 
@@ -237,6 +240,67 @@ void TestGizmoTrail::ghostsStandWhereTheNodesWere()
     QCOMPARE(trail.ghostCount(), std::size_t(3));
     trail.show(scene, {node}, how, 20, false); // it plays
     QCOMPARE(trail.ghostCount(), std::size_t(0));
+}
+
+/// Their segments stand as the joints are by then, keyed or turned towards a target.
+void TestGizmoTrail::armsHaveGhostsToo()
+{
+    Scene scene = *demoScene("Arm");
+    NodeId arm = noNode;
+    for (const Node& node : scene.nodes())
+        if (node.kind == NodeKind::Arm)
+            arm = node.id;
+    QVERIFY(arm != noNode);
+    GizmoSettings how;
+    how.setShowsGhosts(true);
+    how.setGhostFrames({0, 3, 10});
+    for (const bool follows : {false, true}) {
+        Node& node = *scene.find(arm);
+        node.animation = {};
+        node.params.arm.follows = follows;
+        if (!follows) {
+            Key from, to;
+            from.mode = to.mode = KeyMode::Linear;
+            from.value = 0.2;
+            to.value = 0.8;
+            to.time = 4 * ticksPerSecond;
+            node.animation.set(jointChannels(1).front(), AnyTrack(*Track::fromKeys({from, to})));
+        }
+        GizmoTrail trail;
+        trail.show(scene, {arm}, how, 0, true);
+        QTRY_VERIFY_WITH_TIMEOUT(!trail.isBusy(), 20'000);
+        MovingArms arms;
+        const auto now = arms.jointsAt(node, 0.0);
+        QVERIFY(now);
+        RenderScene shown;
+        trail.addTo(shown, noTrees);
+        QCOMPARE(shown.lines.size(), trail.ghostCount());
+        QVERIFY(shown.ghosts.empty());
+        std::size_t expected = 0, drawnLines = 0;
+        for (const int place : {3, 2, 1}) { // the furthest away first
+            const double seconds = scene.timeline().timeOf(place * 10);
+            const auto joints = arms.jointsAt(node, seconds);
+            QVERIFY(joints);
+            if (*joints == *now)
+                continue;
+            ++expected;
+            const ArmChain chain(*joints);
+            const LineItem& line = shown.lines[drawnLines++];
+            QCOMPARE(line.lines->segments.size(), joints->size());
+            const glm::dmat4 upright = placeAt(scene, arm, seconds).geometry * armUpright();
+            QVERIFY(glm::distance(
+                        glm::dvec3(line.world * glm::dvec4(glm::dvec3(line.lines->segments.back().b), 1.0)),
+                        glm::dvec3(upright * glm::dvec4(chain.tip(), 1.0))) < 1e-4);
+        }
+        QCOMPARE(trail.ghostCount(), expected);
+        QVERIFY(expected == 3 || follows);
+        QVERIFY(expected > 0);
+        trail.show(scene, {arm}, how, 0, false); // it plays
+        QCOMPARE(trail.ghostCount(), std::size_t(0));
+        trail.show(scene, {arm}, how, 0, true);
+        trail.show(scene, {}, how, 0, true); // while they are computed
+        QCOMPARE(trail.ghostCount(), std::size_t(0));
+    }
 }
 
 void TestGizmoTrail::ghostsHaveAnEnd()
