@@ -37,9 +37,14 @@ ViewActions::ViewActions(ViewportHost* host, Preferences* preferences, ActionSet
 void ViewActions::addFraming(ActionSet* set)
 {
     m_frameAll = set->add({"view.frameAll", QT_TRANSLATE_NOOP("Actions", "Frame &all"), "frame-all",
-                           QKeySequence(Qt::Key_Home)});
+                           QKeySequence(Qt::Key_Home),
+                           QT_TRANSLATE_NOOP("Actions", "Frame all that is shown, wherever keys move it to "
+                                                        "on the timeline")});
     m_frameSelection = set->add({"view.frameSelection", QT_TRANSLATE_NOOP("Actions", "&Frame the selection"),
-                                 "frame-selection", QKeySequence(Qt::Key_F)});
+                                 "frame-selection", QKeySequence(Qt::Key_F),
+                                 QT_TRANSLATE_NOOP("Actions", "Frame the selected branches or nodes as they "
+                                                              "stand now, or everything where none is "
+                                                              "selected")});
     if (Viewport* view = m_host->viewport()) {
         connect(m_frameAll, &QAction::triggered, view, &Viewport::frameAll);
         connect(m_frameSelection, &QAction::triggered, view, &Viewport::frameSelection);

@@ -1,6 +1,7 @@
 #include "widgets/render/ground_height.h"
 
 #include "core/scene/places.h"
+#include "widgets/render/motion_reach.h"
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -12,10 +13,6 @@ bool movesGround(NodeKind kind)
 {
     return kind == NodeKind::Primitive || kind == NodeKind::Mesh || kind == NodeKind::Relief;
 }
-
-/// Of so many places of objects at times the lowest is looked for: a millisecond or so.
-constexpr std::size_t mostPlaces = 16384;
-constexpr std::size_t mostTimes = 49;
 
 /// Looks at the points only where the corners of the box are low enough to matter.
 double lowestOf(const MeshItem& item, const glm::dmat4& world, double below)
@@ -70,16 +67,13 @@ double GroundHeight::of(const Scene& scene, const RenderScene& built)
             objects.emplace_back(i, item->second);
     }
     m_height = 0.0;
-    const std::size_t times =
-        moves ? std::clamp<std::size_t>(mostPlaces / std::max<std::size_t>(1, scene.nodes().size()), 5,
-                                        mostTimes)
-              : 1;
-    const TimelineSettings& timeline = scene.timeline();
-    for (std::size_t t = 0; !objects.empty() && t < times; ++t) {
-        const double share = times > 1 ? double(t) / double(times - 1) : 0.0;
-        const double frame =
-            double(timeline.firstFrame) + share * double(timeline.lastFrame - timeline.firstFrame);
-        const std::vector<NodePlace> places = placesAt(scene, frame / timeline.framesPerSecond);
+    if (objects.empty())
+        return m_height;
+    std::vector<double> moments = momentsOf(scene);
+    if (!moves)
+        moments.resize(1);
+    for (const double seconds : moments) {
+        const std::vector<NodePlace> places = placesAt(scene, seconds);
         for (const auto& [index, item] : objects)
             m_height = lowestOf(*item, places[index].geometry, m_height);
     }

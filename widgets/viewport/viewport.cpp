@@ -1,5 +1,6 @@
 #include "widgets/viewport/viewport.h"
 #include "core/scene/places.h"
+#include "widgets/render/motion_reach.h"
 
 #include "widgets/viewport/navigation_cube.h"
 #include "widgets/viewport/texture_legend.h"
@@ -169,7 +170,7 @@ void Viewport::resizeGL(int, int)
 {
     if (!d->framed || d->scene->box.empty() || d->flight.state() == QAbstractAnimation::Running)
         return;
-    d->camera.frame(d->scene->framePoints(), double(width()) / std::max(1, height()));
+    d->camera.frame(reachPoints(d->document->scene(), *d->scene), double(width()) / std::max(1, height()));
     emit cameraChanged();
 }
 
@@ -252,7 +253,7 @@ void Viewport::frameAll()
         d->framing = Private::Framing::All;
         return;
     }
-    const std::vector<glm::dvec3> points = d->scene->framePoints();
+    const std::vector<glm::dvec3> points = reachPoints(d->document->scene(), *d->scene);
     Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
     to.frame(points, double(width()) / std::max(1, height()));
     if (!points.empty()) {

@@ -87,8 +87,8 @@ public:
 
 public slots:
     void setCamera(const ramure::Camera& camera); ///< at once, without animation
-    void frameAll();                              ///< Home
-    void frameSelection();                        ///< F: branches, else nodes, else all
+    void frameAll();                              ///< Home: with all places that keys move it to
+    void frameSelection();                        ///< F: branches, else nodes, else all, as they stand now
     void frameBox(const ramure::Box& box);        ///< world
     void setAxisView(ramure::AxisView view);
     /// For keys: steps of the camera without the mouse.

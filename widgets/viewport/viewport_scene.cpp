@@ -1,6 +1,7 @@
 // The way of a scene: wished for when something changes, made in the background, uploaded in slices, shown.
 #include "core/base/stopwatch.h"
 #include "core/document/player.h"
+#include "widgets/render/motion_reach.h"
 #include "widgets/viewport/viewport_private.h"
 #include <algorithm>
 #include <limits>
@@ -180,7 +181,8 @@ void Viewport::showScene()
         d->frameNext = false;
         d->flight.stop();
         d->framed = true;
-        d->camera.frame(d->scene->framePoints(), double(width()) / std::max(1, height()));
+        d->camera.frame(reachPoints(d->document->scene(), *d->scene),
+                        double(width()) / std::max(1, height()));
         emit cameraChanged();
     }
     if (!d->isStale()) {
