@@ -1,6 +1,7 @@
 #include "widgets/shortcuts/shortcuts_dialog.h"
 
 #include "widgets/actions/action_set.h"
+#include "widgets/shortcuts/gesture_keys.h"
 #include "widgets/support/preferences.h"
 #include "widgets/theme/icons.h"
 #include <QDialogButtonBox>
@@ -110,24 +111,43 @@ void ShortcutsDialog::fill()
     m_tree->clear();
     QTreeWidgetItem* heading = nullptr;
     for (const ListedAction& listed : m_listed) {
-        if (!heading || heading->text(TextColumn) != listed.menu) {
-            heading = new QTreeWidgetItem(m_tree, {listed.menu});
-            heading->setFlags(Qt::ItemIsEnabled);
-            QFont bold = heading->font(TextColumn);
-            bold.setBold(true);
-            heading->setFont(TextColumn, bold);
-        }
+        if (!heading || heading->text(TextColumn) != listed.menu)
+            heading = addHeading(listed.menu);
         auto* item = new QTreeWidgetItem(heading, {listed.text});
         item->setIcon(TextColumn, listed.action->icon());
         item->setData(TextColumn, actionRole, QVariant::fromValue(listed.action));
         item->setToolTip(TextColumn, listed.action->statusTip());
     }
+    addGestures();
     m_tree->expandAll();
     showKeys();
     filter(m_search->text());
     if (!kept.isEmpty())
         select(kept);
     showSelected();
+}
+
+QTreeWidgetItem* ShortcutsDialog::addHeading(const QString& text)
+{
+    auto* heading = new QTreeWidgetItem(m_tree, {text});
+    heading->setFlags(Qt::ItemIsEnabled);
+    QFont bold = heading->font(TextColumn);
+    bold.setBold(true);
+    heading->setFont(TextColumn, bold);
+    return heading;
+}
+
+/// Below the actions: to be read and found, not to be changed.
+void ShortcutsDialog::addGestures()
+{
+    for (const GestureKeys& group : gestureKeys()) {
+        QTreeWidgetItem* heading = addHeading(group.title);
+        for (const GestureKey& key : group.keys) {
+            auto* item = new QTreeWidgetItem(heading, {key.text, key.keys});
+            for (const int column : {TextColumn, KeysColumn})
+                item->setToolTip(column, key.text + QLatin1Char('\n') + tr("These keys cannot be changed."));
+        }
+    }
 }
 
 void ShortcutsDialog::showKeys()
@@ -137,6 +157,8 @@ void ShortcutsDialog::showKeys()
         for (int j = 0; j < heading->childCount(); ++j) {
             QTreeWidgetItem* item = heading->child(j);
             const QAction* action = actionOf(item);
+            if (!action)
+                continue;
             const bool own = action->shortcut() != m_set->defaultShortcut(action);
             item->setText(KeysColumn, action->shortcut().toString(QKeySequence::NativeText));
             QFont font = m_tree->font();

@@ -40,6 +40,8 @@ protected:
 private:
     void build();
     void fill();
+    QTreeWidgetItem* addHeading(const QString& text);
+    void addGestures();
     void filter(const QString& text);
     void showSelected();
     void showKeys();

@@ -2,9 +2,12 @@
 #include "tests/widgets/support/fixture.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/main_window/main_window.h"
+#include "widgets/shortcuts/gesture_keys.h"
 #include "widgets/shortcuts/shortcuts_dialog.h"
 #include "widgets/support/language.h"
 #include "widgets/support/preferences.h"
+#include <QTreeWidget>
+#include <algorithm>
 
 using namespace ramure;
 
@@ -72,6 +75,37 @@ private slots:
             for (const QAction* each : menu->actions())
                 if (!each->isSeparator() && !each->menu())
                     QVERIFY2(inMenus.contains(each), qPrintable(each->text()));
+    }
+
+    /// Keys of gestures are found there too; they cannot be changed.
+    void keysOfGesturesAreListed()
+    {
+        const Language language(m_preferences.get());
+        for (const char* code : {"en", "fr"}) {
+            m_preferences->setLanguage(QString::fromLatin1(code));
+            QCoreApplication::processEvents();
+            auto shown = dialog();
+            auto* tree = shown->findChild<QTreeWidget*>(QStringLiteral("shortcutList"));
+            auto* edit = shown->findChild<QWidget*>(QStringLiteral("keys"));
+            int rows = 0;
+            for (const GestureKeys& group : gestureKeys()) {
+                QVERIFY(!group.title.isEmpty());
+                for (const GestureKey& key : group.keys) {
+                    QVERIFY2(!key.text.isEmpty() && !key.keys.isEmpty(), qPrintable(group.title));
+                    const auto found = tree->findItems(key.text, Qt::MatchExactly | Qt::MatchRecursive);
+                    QVERIFY2(!found.isEmpty(), qPrintable(key.text));
+                    QVERIFY(std::any_of(found.begin(), found.end(), [&](const QTreeWidgetItem* item) {
+                        return item->text(1) == key.keys && item->parent()->text(0) == group.title;
+                    }));
+                    tree->setCurrentItem(found.front());
+                    QVERIFY(!edit->isEnabled());
+                    QVERIFY(!shown->assign(QKeySequence(Qt::Key_X)));
+                    ++rows;
+                }
+            }
+            QVERIFY(rows > 20);
+            QVERIFY(gestureKeys().front().keys.front().keys.contains(u'Y'));
+        }
     }
 
     void noTwoActionsShareKeys()
