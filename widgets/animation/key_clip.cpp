@@ -36,7 +36,7 @@ Expected<void> pasteInto(const Scene& scene, const TrackRef& ref, const TrackTyp
                          std::vector<TrackEdit>& edits, KeySelection& pasted)
 {
     const auto present = keys::find(scene, ref);
-    auto added = clip.keys();
+    auto added = clip.keys().toVector();
     for (auto& key : added)
         key.time += offset;
     auto made = keys::withAdded(present ? std::get<TrackType>(*present) : TrackType(), added);

@@ -1,5 +1,7 @@
 #include "widgets/animation/key_curve.h"
 
+#include "widgets/animation/key_texts.h"
+
 #include <algorithm>
 #include <numbers>
 
@@ -28,16 +30,30 @@ std::vector<KeyCurve> KeyCurve::curvesOf(const TrackRef& ref, const NodeAnimatio
 void KeyCurve::findBounds()
 {
     m_low = m_high = size() == 0 ? 0.0 : valueOf(0);
-    for (std::size_t i = 0; i < size(); ++i) {
-        const double value = valueOf(i);
+    eachKey(0, size(), [this](Ticks, double value) {
         m_low = std::min(m_low, value);
         m_high = std::max(m_high, value);
-    }
+    });
 }
 
 double KeyCurve::unit() const
 {
     return isAngle() ? 1.0 / degrees : 1.0;
+}
+
+NumberFormat KeyCurve::format() const
+{
+    NumberFormat format = channelFormat(m_ref.track.channel);
+    if (isAngle())
+        format.factor = 1.0;
+    return format;
+}
+
+QString KeyCurve::text() const
+{
+    const QString channel = channelText(m_ref.track.channel);
+    return isAngle() ? QStringLiteral("%1 %2").arg(channel, QStringLiteral("XYZ").mid(m_ref.component, 1))
+                     : channel;
 }
 
 Channel KeyCurve::colourChannel() const

@@ -5,6 +5,8 @@
 
 #include "core/animation/euler.h"
 #include "widgets/animation/key_edits.h"
+#include "widgets/numbers/number_format.h"
+#include <algorithm>
 
 namespace ramure {
 
@@ -19,6 +21,10 @@ public:
     [[nodiscard]] bool isAngle() const { return m_angles != nullptr; }
     /// Of the track's values in one of the curve: angles are shown in degrees.
     [[nodiscard]] double unit() const;
+    /// How its values are shown; they are degrees already where it is an angle.
+    [[nodiscard]] NumberFormat format() const;
+    /// "Location X", "Rotation Z".
+    [[nodiscard]] QString text() const;
     /// Of the colours: that of the axis.
     [[nodiscard]] Channel colourChannel() const;
     [[nodiscard]] std::size_t size() const;
@@ -28,6 +34,17 @@ public:
     [[nodiscard]] std::optional<std::size_t> find(Ticks time) const;
     /// Null where there are no handles to show: of angles.
     [[nodiscard]] const Key* numberKey(std::size_t key) const;
+    /// Along the keys first .. end - 1: \p visit(time, value).
+    template <class Visit> void eachKey(std::size_t first, std::size_t end, Visit&& visit) const
+    {
+        while (first < end)
+            if (m_number)
+                first = eachOf(m_number->keys().runFrom(first), first, end, visit,
+                               [](const Key& key, std::size_t) { return key.value; });
+            else
+                first = eachOf(m_turn->keys().runFrom(first), first, end, visit,
+                               [this](const OrientationKey&, std::size_t i) { return valueOf(i); });
+    }
     [[nodiscard]] double low() const { return m_low; } ///< of the keys
     [[nodiscard]] double high() const { return m_high; }
 
@@ -49,6 +66,16 @@ public:
     };
 
 private:
+    template <class Run, class Visit, class Value>
+    static std::size_t eachOf(Run run, std::size_t first, std::size_t end, Visit&& visit, Value&& value)
+    {
+        run = run.first(std::min(run.size(), end - first));
+        for (const auto& key : run) {
+            visit(key.time, value(key, first));
+            ++first;
+        }
+        return first;
+    }
     void findBounds();
 
     CurveRef m_ref;

@@ -85,6 +85,11 @@ double KeyCurves::xOf(double seconds) const
     return m_ruler->xOf(seconds * m_model->timeline().framesPerSecond);
 }
 
+Ticks KeyCurves::ticksAt(double x) const
+{
+    return keys::ticksOfFrame(m_model->timeline(), m_ruler->framesAt(x));
+}
+
 /// Normalised, the keys of every curve go from 0 to 1; one without any change stands at the middle.
 double KeyCurves::yOf(const Curve& curve, double value) const
 {

@@ -9,11 +9,13 @@
 
 #include "widgets/animation/key_commands.h"
 #include "widgets/animation/key_curve.h"
+#include "widgets/numbers/number_format.h"
 #include <QImage>
 #include <QWidget>
 
 namespace ramure {
 
+class PixelPainter;
 class TimelineRuler;
 
 class KeyCurves : public QWidget
@@ -34,7 +36,11 @@ public:
     [[nodiscard]] QPointF placeOf(const CurveRef& ref, Ticks time, double value) const;
     [[nodiscard]] const std::vector<KeyCurve>& curves() const { return m_curves; }
 
+signals:
+    void menuRequested(const QPoint& globalPosition);
+
 protected:
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void showEvent(QShowEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
@@ -54,11 +60,24 @@ private:
         Ticks time = 0;
         int side = 0; ///< -1, 1: the handle before, behind
     };
+    /// Where the keys of one curve are, for very many of them.
+    struct Scale
+    {
+        double left = 0.0;    ///< x of 0 s
+        double perTick = 0.0; ///< pixels
+        double top = 0.0;     ///< the value at y = 0
+        double perUnit = 0.0; ///< pixels
+        [[nodiscard]] QPointF at(Ticks time, double value) const
+        {
+            return {left + double(time) * perTick, (top - value) * perUnit};
+        }
+    };
 
     void takeCurves();
     void followModel();
     [[nodiscard]] const Curve* curveOf(const CurveRef& ref) const;
     [[nodiscard]] double xOf(double seconds) const;
+    [[nodiscard]] Ticks ticksAt(double x) const;
     [[nodiscard]] double yOf(const Curve& curve, double value) const;
     [[nodiscard]] double unitsPerPixel(const Curve& curve) const;
     [[nodiscard]] bool isSelected(const TrackRef& ref, Ticks time) const;
@@ -71,12 +90,18 @@ private:
     void paintCurve(QPainter& painter, const Curve& curve) const;
     void paintKeys(QPainter& painter, const Curve& curve) const;
     void paintHandles(QPainter& painter, const Curve& curve, std::size_t key, const QPointF& place) const;
+    [[nodiscard]] Scale scaleOf(const Curve& curve) const;
     [[nodiscard]] bool isDense() const;
     void paintDense(QPainter& painter);
+    void paintLines();
+    void paintThin(PixelPainter& pixels, const Curve& curve) const;
     void paintDots();
     [[nodiscard]] std::pair<std::size_t, std::size_t> keysInSight(const Curve& curve) const;
     [[nodiscard]] QPointF keyPlace(const Curve& curve, std::size_t key, bool selected) const;
     void paintGrid(QPainter& painter) const;
+    [[nodiscard]] QString tipAt(const QPointF& place) const;
+    /// In which all curves are shown; plain numbers where they differ.
+    [[nodiscard]] NumberFormat commonFormat() const;
     void dragHandle(const QPointF& place);
     void finishKeys();
     void finishBox(bool adds);

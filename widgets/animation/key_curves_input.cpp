@@ -3,8 +3,12 @@
 #include "widgets/timeline/timeline_ruler.h"
 
 #include <QApplication>
+#include <QContextMenuEvent>
+#include <QHelpEvent>
 #include <QKeyEvent>
+#include <QLocale>
 #include <QMouseEvent>
+#include <QToolTip>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,9 +27,6 @@ std::optional<KeyCurves::Hit> KeyCurves::hitAt(const QPointF& place) const
             return;
         nearest = distance;
         best = hit;
-    };
-    const auto ticksAt = [&](double x) {
-        return keys::ticksOfFrame(m_model->timeline(), m_ruler->framesAt(x));
     };
     for (const Curve& curve : m_curves) {
         const std::size_t end = curve.lowerBound(ticksAt(place.x() + reach) + 1);
@@ -66,6 +67,7 @@ void KeyCurves::mousePressEvent(QMouseEvent* event)
     if (hit->side != 0) {
         m_drag = Drag::Handle;
         m_gesture = newGesture();
+        m_model->document()->holdGesture(m_gesture);
         return;
     }
     if (event->modifiers() & Qt::ShiftModifier) {
@@ -98,8 +100,7 @@ void KeyCurves::mouseMoveEvent(QMouseEvent* event)
         m_high += values;
         m_ruler->showFrames(m_ruler->from() + frames, m_ruler->to() + frames);
     } else if (m_drag == Drag::Keys) {
-        const Ticks way = keys::ticksOfFrame(m_model->timeline(), m_ruler->framesAt(m_at.x())) -
-                          keys::ticksOfFrame(m_model->timeline(), m_ruler->framesAt(m_press.x()));
+        const Ticks way = ticksAt(m_at.x()) - ticksAt(m_press.x());
         const bool valueOnly = (event->modifiers() & Qt::ControlModifier) != 0;
         const bool free = (event->modifiers() & Qt::ShiftModifier) != 0;
         m_offset = valueOnly ? 0 : free ? way : m_commands->snapped(m_hit.time + way) - m_hit.time;
@@ -151,6 +152,8 @@ void KeyCurves::mouseReleaseEvent(QMouseEvent* event)
 {
     const Drag drag = std::exchange(m_drag, Drag::None);
     m_at = event->position();
+    if (drag == Drag::Handle)
+        m_model->document()->keepGesture(m_gesture);
     if (drag == Drag::Keys) {
         if (m_moved)
             finishKeys();
@@ -192,7 +195,8 @@ void KeyCurves::finishBox(bool adds)
 
 void KeyCurves::giveUp()
 {
-    m_drag = Drag::None;
+    if (std::exchange(m_drag, Drag::None) == Drag::Handle)
+        m_model->document()->giveUpGesture(m_gesture);
     m_offset = 0;
     m_pixels = 0.0;
     update();
@@ -259,8 +263,40 @@ void KeyCurves::keyPressEvent(QKeyEvent* event)
     QWidget::keyPressEvent(event);
 }
 
+void KeyCurves::contextMenuEvent(QContextMenuEvent* event)
+{
+    if (m_drag != Drag::None)
+        return;
+    if (event->reason() == QContextMenuEvent::Mouse)
+        if (const auto hit = hitAt(event->pos()); hit && !isSelected(hit->ref.track, hit->time))
+            m_model->setSelection({{hit->ref.track, {hit->time}}});
+    emit menuRequested(event->globalPos());
+}
+
+QString KeyCurves::tipAt(const QPointF& place) const
+{
+    const auto hit = hitAt(place);
+    const Curve* curve = hit ? curveOf(hit->ref) : nullptr;
+    const auto key = curve ? curve->find(hit->time) : std::nullopt;
+    if (!key)
+        return {};
+    if (hit->side != 0)
+        return tr("Drag the handle: how the curve leaves the key, or comes to it");
+    const Node* node = m_model->document()->scene().find(hit->ref.track.node);
+    const double frame = secondsOf(hit->time) * m_model->timeline().framesPerSecond;
+    return (node ? QString::fromStdString(node->name) + QStringLiteral(" · ") : QString()) + curve->text() +
+           QStringLiteral(": ") + curve->format().text(curve->valueOf(*key)) + QLatin1Char('\n') +
+           tr("Frame %1, %2 s")
+               .arg(locale().toString(frame, 'g', 10), locale().toString(secondsOf(hit->time), 'f', 3));
+}
+
 bool KeyCurves::event(QEvent* event)
 {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        QToolTip::showText(help->globalPos(), tipAt(help->pos()), this);
+        return true;
+    }
     if (event->type() == QEvent::LanguageChange)
         setAccessibleName(tr("Curves"));
     if (event->type() == QEvent::ShortcutOverride) {

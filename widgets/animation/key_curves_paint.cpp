@@ -6,19 +6,31 @@
 #include <QLocale>
 #include <QPainter>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 
 namespace ramure {
 
 static constexpr double keyRadius = 4.0;
-static constexpr std::size_t manyCurves = 40; ///< thin lines from here on
-static constexpr std::size_t mostKeys = 2000; ///< dots from here on
 
+NumberFormat KeyCurves::commonFormat() const
+{
+    NumberFormat common;
+    for (const Curve& curve : m_curves) {
+        const NumberFormat format = curve.format();
+        if (&curve == &m_curves.front())
+            common = format;
+        else if (format.suffix != common.suffix || format.factor != common.factor)
+            return {};
+    }
+    return common;
+}
+
+/// In the unit that the curves have in common.
 void KeyCurves::paintGrid(QPainter& painter) const
 {
-    const double wanted = 40.0 * (m_high - m_low) / std::max(1, height());
+    const NumberFormat format = commonFormat();
+    const double low = m_low * format.factor, high = m_high * format.factor;
+    const double wanted = 40.0 * (high - low) / std::max(1, height());
     const double tenth = std::pow(10.0, std::floor(std::log10(wanted)));
     double step = tenth;
     for (const double factor : {2.0, 5.0, 10.0})
@@ -27,18 +39,19 @@ void KeyCurves::paintGrid(QPainter& painter) const
     QColor line = palette().color(QPalette::WindowText), text = line;
     line.setAlphaF(0.12f);
     text.setAlphaF(0.6f);
-    for (double value = std::ceil(m_low / step) * step; value <= m_high; value += step) {
-        const double y = std::floor(height() * (m_high - value) / (m_high - m_low)) + 0.5;
+    for (double value = std::ceil(low / step) * step; value <= high; value += step) {
+        const double y = std::floor(height() * (high - value) / (high - low)) + 0.5;
         painter.setPen(line);
         painter.drawLine(QPointF(0.0, y), QPointF(width(), y));
         painter.setPen(text);
         if (!m_normalised)
             painter.drawText(QPointF(4.0, y - 2.0),
-                             locale().toString(std::abs(value) < 1e-9 * step ? 0.0 : value, 'g', 6));
+                             locale().toString(std::abs(value) < 1e-9 * step ? 0.0 : value, 'g', 6) +
+                                 format.suffix);
     }
 }
 
-/// Looked at every other pixel; with very many curves less often, so that a picture stays quick.
+/// Looked at every other pixel; with many curves less often, so that a picture stays quick.
 void KeyCurves::paintCurve(QPainter& painter, const Curve& curve) const
 {
     constexpr double mostPlaces = 8'000.0;
@@ -59,9 +72,6 @@ void KeyCurves::paintCurve(QPainter& painter, const Curve& curve) const
 
 std::pair<std::size_t, std::size_t> KeyCurves::keysInSight(const Curve& curve) const
 {
-    const auto ticksAt = [this](double x) {
-        return keys::ticksOfFrame(m_model->timeline(), m_ruler->framesAt(x));
-    };
     constexpr double margin = 20.0;
     return {curve.lowerBound(ticksAt(-margin)), curve.lowerBound(ticksAt(width() + margin) + 1)};
 }
@@ -106,70 +116,6 @@ void KeyCurves::paintKeys(QPainter& painter, const Curve& curve) const
         painter.setBrush(selected ? accent : palette().color(QPalette::Base));
         painter.drawEllipse(place, keyRadius, keyRadius);
     }
-}
-
-bool KeyCurves::isDense() const
-{
-    std::size_t inSight = 0;
-    for (const Curve& curve : m_curves) {
-        const auto [first, end] = keysInSight(curve);
-        inSight += end - first;
-    }
-    return inSight > mostKeys;
-}
-
-/// More keys than anyone can take by hand: a dot for each. The curves below are kept as a picture until the
-/// view or a track changes.
-void KeyCurves::paintDense(QPainter& painter)
-{
-    const std::array<double, 6> view{
-        m_low, m_high, m_ruler->from(), m_ruler->to(), double(m_curves.size()), double(palette().cacheKey())};
-    if (m_lines.size() != size()) {
-        m_lines = m_dots = QImage(size(), QImage::Format_RGB32);
-        m_linesOf = {};
-    }
-    if (m_linesOf != view) {
-        m_linesOf = view;
-        QPainter lines(&m_lines);
-        lines.setFont(font());
-        lines.fillRect(rect(), palette().base());
-        paintGrid(lines);
-        lines.setRenderHint(QPainter::Antialiasing, m_curves.size() <= manyCurves);
-        for (const Curve& curve : m_curves)
-            paintCurve(lines, curve);
-    }
-    paintDots();
-    painter.drawImage(0, 0, m_dots);
-}
-
-/// Set as pixels, selected ones on top.
-void KeyCurves::paintDots()
-{
-    for (int y = 0; y < m_lines.height(); ++y)
-        std::memcpy(m_dots.scanLine(y), m_lines.constScanLine(y), std::size_t(m_lines.bytesPerLine()));
-    const QRect inside = rect().adjusted(1, 1, -2, -2);
-    const auto dot = [&](const QPointF& place, QRgb colour) {
-        const QPoint at = place.toPoint();
-        if (!inside.contains(at))
-            return;
-        for (int y = at.y() - 1; y <= at.y() + 1; ++y) {
-            auto* line = reinterpret_cast<QRgb*>(m_dots.scanLine(y));
-            std::fill(line + at.x() - 1, line + at.x() + 2, colour);
-        }
-    };
-    const QRgb accent = palette().color(QPalette::Highlight).rgba();
-    for (const bool selected : {false, true})
-        for (const Curve& curve : m_curves) {
-            const std::vector<Ticks>& chosen = selectedOf(curve);
-            const QRgb own = channelColour(curve.colourChannel(), palette()).rgba();
-            const auto [first, end] = keysInSight(curve);
-            for (std::size_t i = first; !selected && i < end; ++i)
-                if (!std::binary_search(chosen.begin(), chosen.end(), curve.timeOf(i)))
-                    dot(keyPlace(curve, i, false), own);
-            for (std::size_t i = 0; selected && i < chosen.size(); ++i)
-                if (const auto key = curve.find(chosen[i]))
-                    dot(keyPlace(curve, *key, true), accent);
-        }
 }
 
 void KeyCurves::paintEvent(QPaintEvent*)

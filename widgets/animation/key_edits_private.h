@@ -28,7 +28,7 @@ std::vector<std::size_t> indicesOf(const TrackType& track, const std::vector<Tic
 template <class TrackType>
 Expected<TrackType> withAdded(const TrackType& track, const std::vector<typename TrackType::KeyKind>& added)
 {
-    auto all = track.keys();
+    auto all = track.keys().toVector();
     all.insert(all.end(), added.begin(), added.end());
     auto made = TrackType::fromKeys(std::move(all));
     if (!made)

@@ -45,10 +45,11 @@ KeyRow channelRow(NodeId node, const Channel& channel, const NodeAnimation::Trac
         [&row](const auto& held) {
             row.times.reserve(held.size());
             row.modes.reserve(held.size());
-            for (const auto& key : held.keys()) {
-                row.times.push_back(key.time);
-                row.modes.push_back(key.mode);
-            }
+            while (row.times.size() < held.size())
+                for (const auto& key : held.keys().runFrom(row.times.size())) {
+                    row.times.push_back(key.time);
+                    row.modes.push_back(key.mode);
+                }
         },
         *track);
     return row;

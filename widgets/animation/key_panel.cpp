@@ -177,7 +177,9 @@ void KeyPanel::connectAll()
     connect(m_all, &QToolButton::toggled, m_model, &KeyModel::setAllNodes);
     connect(m_snap, &QComboBox::activated, this,
             [this](int index) { m_commands->setSnapping(static_cast<KeySnap>(index)); });
-    connect(m_sheet, &KeySheet::menuRequested, this, [this](const QPoint& place) { m_menu->popup(place); });
+    const auto popUp = [this](const QPoint& place) { m_menu->popup(place); };
+    connect(m_sheet, &KeySheet::menuRequested, this, popUp);
+    connect(m_curves, &KeyCurves::menuRequested, this, popUp);
 }
 
 void KeyPanel::showTimeline()

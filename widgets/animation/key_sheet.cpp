@@ -253,7 +253,7 @@ QString KeySheet::tipAt(const QPoint& position) const
         const auto track = keys::find(m_model->document()->scene(), held.tracks.front());
         if (const auto* number = track ? std::get_if<Track>(track.get()) : nullptr)
             if (const auto index = number->find(*time))
-                tip += QStringLiteral(" · ") + locale().toString(number->keys()[*index].value, 'g', 6);
+                tip += QStringLiteral(" · ") + channelFormat(held.channel).text(number->keys()[*index].value);
     }
     return tip;
 }

@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <array>
+#include <numbers>
 
 namespace ramure {
 namespace {
@@ -128,7 +129,7 @@ QString extrapolationText(Extrapolation extrapolation)
 
 QString channelText(const Channel& channel)
 {
-    static constexpr std::array<const char*, 6> parts{
+    static constexpr std::array<const char*, 6> transforms{
         QT_TRANSLATE_NOOP("keys", "Location"),       QT_TRANSLATE_NOOP("keys", "Rotation"),
         QT_TRANSLATE_NOOP("keys", "Scale"),          QT_TRANSLATE_NOOP("keys", "Local location"),
         QT_TRANSLATE_NOOP("keys", "Local rotation"), QT_TRANSLATE_NOOP("keys", "Local scale")};
@@ -137,10 +138,35 @@ QString channelText(const Channel& channel)
             .arg(channel.component + 1)
             .arg(coreText(joint->label));
     const ParamDef* def = channel.def();
-    QString name = def ? coreText(def->label) : named(parts, channel.part);
+    QString name = def ? coreText(def->label) : named(transforms, channel.part);
+    if (def && (def->flags & paramColor) != 0) {
+        static constexpr std::array<const char*, 3> parts{QT_TRANSLATE_NOOP("keys", "red"),
+                                                          QT_TRANSLATE_NOOP("keys", "green"),
+                                                          QT_TRANSLATE_NOOP("keys", "blue")};
+        return text(QT_TRANSLATE_NOOP("keys", "%1: %2")).arg(name, named(parts, channel.component));
+    }
     if (def ? def->type == ParamType::Vec3 : !channel.isOrientation())
         name += QStringLiteral(" %1").arg(QLatin1Char("XYZ"[channel.component]));
     return name;
+}
+
+NumberFormat channelFormat(const Channel& channel)
+{
+    if (const ParamDef* def = channel.def())
+        return numberFormat(*def, AngleUnit::Degrees);
+    NumberFormat format;
+    format.decimals = 3;
+    const JointDef* joint = channel.jointDef();
+    if (joint ? joint->angle != nullptr : channel.isOrientation()) {
+        format.unit = ParamUnit::Radian;
+        format.factor = 180.0 / std::numbers::pi;
+        format.suffix = QStringLiteral("°");
+        format.decimals = 1;
+    } else if (!channel.isScale()) {
+        format.unit = ParamUnit::Metre;
+        format.suffix = QStringLiteral(" m");
+    }
+    return format;
 }
 
 QIcon keyModeIcon(KeyMode mode, Easing easing, const QPalette& palette)

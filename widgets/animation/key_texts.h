@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/animation/channel.h"
+#include "widgets/numbers/number_format.h"
 #include <QIcon>
 #include <QString>
 
@@ -17,8 +18,12 @@ QString keyModeTip(KeyMode mode);
 QString easingText(Easing easing);
 QString handleTypeText(HandleType type);
 QString extrapolationText(Extrapolation extrapolation);
-/// "Location X", "Wind strength".
+/// "Location X", "Colour: red", "Wind strength".
 QString channelText(const Channel& channel);
+
+/// How its values are shown: metres, degrees, the parameter's unit. Values of orientations are their angles,
+/// rad.
+NumberFormat channelFormat(const Channel& channel);
 
 /// A small picture of the way from a key to the next.
 QIcon keyModeIcon(KeyMode mode, Easing easing, const QPalette& palette);

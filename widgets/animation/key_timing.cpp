@@ -44,7 +44,7 @@ Easing reversed(Easing easing, KeyMode mode)
 
 /// The way from each key to the next belongs to the later one when time runs backwards.
 template <class KeyType>
-void takeWayBefore(KeyType& key, const std::vector<KeyType>& all, std::size_t index, bool beforeIsSelected)
+void takeWayBefore(KeyType& key, const KeyList<KeyType>& all, std::size_t index, bool beforeIsSelected)
 {
     std::swap(key.in, key.out);
     std::swap(key.before, key.behind);
@@ -59,7 +59,7 @@ void takeWayBefore(KeyType& key, const std::vector<KeyType>& all, std::size_t in
 }
 
 template <class KeyType>
-std::vector<KeyType> retimed(const std::vector<KeyType>& all, const std::vector<std::size_t>& indices,
+std::vector<KeyType> retimed(const KeyList<KeyType>& all, const std::vector<std::size_t>& indices,
                              const Retiming& retiming)
 {
     std::vector<KeyType> changed;

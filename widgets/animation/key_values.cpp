@@ -1,6 +1,7 @@
 #include "widgets/animation/key_values.h"
 
 #include "widgets/animation/key_model.h"
+#include "widgets/animation/key_texts.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/support/core_text.h"
 #include <QEvent>
@@ -13,43 +14,20 @@
 namespace ramure {
 namespace {
 
-NumberFormat angleFormat()
-{
-    NumberFormat format;
-    format.unit = ParamUnit::Radian;
-    format.factor = 180.0 / std::numbers::pi;
-    format.suffix = QStringLiteral("°");
-    format.decimals = 1;
-    return format;
-}
-
 /// The format and the range of the channel's parameter; of translations metres.
 void dress(NumberField& field, const Channel& channel)
 {
-    NumberFormat format;
-    format.decimals = 3;
     if (const JointDef* joint = channel.jointDef()) {
-        if (joint->angle)
-            format = angleFormat();
-        else {
-            format.unit = ParamUnit::Metre;
-            format.suffix = QStringLiteral(" m");
-        }
         field.setRange(joint->hardMin, joint->hardMax);
         field.setStep(joint->step);
     } else if (const ParamDef* def = channel.def()) {
-        format = numberFormat(*def, AngleUnit::Degrees);
         field.setRange(def->hardMin, def->hardMax);
         field.setStep(def->step);
     } else {
-        if (!channel.isScale()) {
-            format.unit = ParamUnit::Metre;
-            format.suffix = QStringLiteral(" m");
-        }
         field.setRange(-1e9, 1e9);
         field.setStep(0.1);
     }
-    field.setFormat(format);
+    field.setFormat(channelFormat(channel));
 }
 
 glm::dvec3 anglesOf(const glm::dquat& q)
@@ -102,7 +80,7 @@ void KeyValues::showValues()
         const glm::dvec3 angles = anglesOf(held.keys()[*held.find(selection.begin()->second.front())].value);
         for (int i = 0; i < 3; ++i) {
             NumberField* field = m_fields[static_cast<std::size_t>(i)];
-            field->setFormat(angleFormat());
+            field->setFormat(channelFormat(first.channel));
             field->setRange(-1e4, 1e4);
             field->setStep(std::numbers::pi / 180.0);
             field->setValue(angles[i]);

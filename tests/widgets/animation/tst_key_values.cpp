@@ -2,12 +2,14 @@
 #include "tests/widgets/animation/key_fixture.h"
 #include "widgets/animation/auto_key.h"
 #include "widgets/animation/key_curves.h"
+#include "widgets/animation/key_texts.h"
 #include "widgets/animation/key_values.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/properties/param_row.h"
 #include "widgets/properties/properties_panel.h"
 #include "widgets/support/preferences.h"
 #include <QToolButton>
+#include <array>
 
 using namespace ramure;
 using test::KeyDock;
@@ -204,6 +206,52 @@ private slots:
         QCOMPARE(dock.bytes(), before);
     }
 
+    void escapeTakesADraggedHandleBack()
+    {
+        KeyDock dock(test::keyScene(1, 3, 10));
+        dock.panel.setCurvesShown(true);
+        KeyCurves* curves = dock.panel.curves();
+        const TrackRef ref = dock.model.tracks()[0];
+        const auto key = [&] { return std::get<Track>(*keys::find(dock.document.scene(), ref)).keys()[1]; };
+        dock.model.setSelection({{ref, {key().time}}});
+        dock.commands.nudge(1);
+        dock.document.undoStack()->undo();
+        dock.model.setSelection({{ref, {key().time}}});
+        const QByteArray before = dock.bytes();
+        const QPointF end =
+            curves->placeOf(ref, key().time + ticksOf(key().out.dt), key().value + key().out.dv);
+        const auto send = [&](QEvent::Type type, QPointF at, Qt::MouseButton button) {
+            QMouseEvent event(type, at, curves->mapToGlobal(at), button, Qt::LeftButton, {});
+            QCoreApplication::sendEvent(curves, &event);
+        };
+        send(QEvent::MouseButtonPress, end, Qt::LeftButton);
+        for (const double way : {10.0, 40.0, -20.0})
+            send(QEvent::MouseMove, end + QPointF(way, way), Qt::NoButton);
+        QVERIFY(dock.bytes() != before);
+        QTest::keyClick(curves, Qt::Key_Escape);
+        QCOMPARE(dock.bytes(), before);
+        send(QEvent::MouseButtonRelease, end, Qt::LeftButton);
+        QCOMPARE(dock.bytes(), before);
+        QCOMPARE(dock.steps(), 1);
+        QVERIFY(dock.document.undoStack()->canRedo());
+    }
+
+    void coloursAreRedGreenAndBlue()
+    {
+        int colours = 0;
+        for (const Channel& channel : channelsOf(NodeKind::Primitive)) {
+            const ParamDef* def = channel.def();
+            if (!def || (def->flags & paramColor) == 0)
+                continue;
+            const std::array parts{"red", "green", "blue"};
+            QVERIFY(channelText(channel).contains(QLatin1String(parts[channel.component])));
+            QVERIFY(!channelText(channel).contains(u'X') && !channelText(channel).contains(u'Z'));
+            ++colours;
+        }
+        QCOMPARE(colours, 3);
+        QVERIFY(channelText({ChannelPart::GlobalTranslation, 1, 0}).endsWith(QLatin1String(" Y")));
+    }
+
     void anglesOfAnOrientationAreDraggedOneByOne()
     {
         KeyDock dock(test::keyScene(4, 3, 10));
@@ -270,6 +318,37 @@ private slots:
             for (int x = 0; x < image.width(); ++x)
                 dots += image.pixel(x, y) == accent ? 1 : 0;
         QVERIFY(dots > 1000);
+    }
+
+    /// Of very many curves, too, each key has its dot, wherever the view stands.
+    void everyKeyHasItsDot()
+    {
+        KeyDock dock(test::keyScene(60, 50));
+        dock.panel.setCurvesShown(true);
+        KeyCurves* curves = dock.panel.curves();
+        dock.commands.selectAll();
+        const QRgb accent = curves->palette().color(QPalette::Highlight).rgb();
+        for (const bool normalised : {false, true})
+            for (const double from : {-3.0, 11.3, 60.0}) {
+                curves->setNormalised(normalised);
+                dock.panel.ruler()->showFrames(from, from + 40.0);
+                QImage image(curves->size(), QImage::Format_ARGB32_Premultiplied);
+                curves->render(&image);
+                int seen = 0;
+                for (const KeyCurve& curve : curves->curves())
+                    for (std::size_t i = 0; i < curve.size(); ++i) {
+                        const QPoint at =
+                            curves->placeOf(curve.ref(), curve.timeOf(i), curve.valueOf(i)).toPoint();
+                        if (!image.rect().adjusted(4, 4, -4, -4).contains(at))
+                            continue;
+                        // The playhead may stand before it.
+                        if (std::abs(at.x() - dock.panel.ruler()->xOf(0.0)) < 4.0)
+                            continue;
+                        QCOMPARE(image.pixel(at), accent);
+                        ++seen;
+                    }
+                QVERIFY(seen > (from < 50.0 ? 1000 : -1));
+            }
     }
 
     void hiddenAndEmptyCurvesAreLeftAlone()
