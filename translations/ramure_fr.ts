@@ -783,6 +783,14 @@
         <source>What values snap to, how many ghosts there are</source>
         <translation>De quel pas vont les valeurs, combien il y a de fantômes</translation>
     </message>
+    <message>
+        <source>Frame all that is shown, wherever keys move it to on the timeline</source>
+        <translation>Cadrer tout ce qui est affiché, où que les clés l’emmènent sur la ligne de temps</translation>
+    </message>
+    <message>
+        <source>Frame the selected branches or nodes as they stand now, or everything where none is selected</source>
+        <translation>Cadrer les branches ou les nœuds sélectionnés tels qu’ils sont maintenant, ou tout si rien n’est sélectionné</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -988,6 +996,161 @@
             <numerusform>%n paire de branches se heurte</numerusform>
             <numerusform>%n paires de branches se heurtent</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>GestureKeys</name>
+    <message>
+        <source>While nodes are moved, turned or scaled</source>
+        <translation>Pendant un déplacement, une rotation ou une mise à l’échelle</translation>
+    </message>
+    <message>
+        <source>Along or about one axis; once more: of the other space; a third time: free</source>
+        <translation>Le long ou autour d’un axe ; encore une fois : celui de l’autre repère ; une troisième fois : libre</translation>
+    </message>
+    <message>
+        <source>In the plane across the axis</source>
+        <translation>Dans le plan perpendiculaire à l’axe</translation>
+    </message>
+    <message>
+        <source>Type metres, degrees (or radians) or the factor</source>
+        <translation>Taper des mètres, des degrés (ou radians) ou le facteur</translation>
+    </message>
+    <message>
+        <source>The number of the next axis</source>
+        <translation>Le nombre de l’axe suivant</translation>
+    </message>
+    <message>
+        <source>Take back a digit; without digits the mouse counts again</source>
+        <translation>Reprendre un chiffre ; sans chiffres la souris compte de nouveau</translation>
+    </message>
+    <message>
+        <source>In steps, or free of them where steps are on</source>
+        <translation>Par pas, ou sans pas là où ils sont activés</translation>
+    </message>
+    <message>
+        <source>A tenth as fast</source>
+        <translation>Dix fois plus lentement</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminer</translation>
+    </message>
+    <message>
+        <source>left click</source>
+        <translation>clic gauche</translation>
+    </message>
+    <message>
+        <source>Back to where they were</source>
+        <translation>Revenir à l’état de départ</translation>
+    </message>
+    <message>
+        <source>right click</source>
+        <translation>clic droit</translation>
+    </message>
+    <message>
+        <source>In the 3D view</source>
+        <translation>Dans la vue 3D</translation>
+    </message>
+    <message>
+        <source>Bend a limb, or set the target of an arm</source>
+        <translation>Plier un membre, ou poser la cible d’un bras</translation>
+    </message>
+    <message>
+        <source>drag</source>
+        <translation>glisser</translation>
+    </message>
+    <message>
+        <source>Turn around the target</source>
+        <translation>Tourner autour de la cible</translation>
+    </message>
+    <message>
+        <source>Add to the selection, or take away</source>
+        <translation>Ajouter à la sélection, ou retirer</translation>
+    </message>
+    <message>
+        <source>click</source>
+        <translation>clic</translation>
+    </message>
+    <message>
+        <source>While the dope sheet has the focus</source>
+        <translation>Quand la feuille de clés a le focus</translation>
+    </message>
+    <message>
+        <source>The key before or behind; with Shift it is added</source>
+        <translation>La clé d’avant ou d’après ; avec Maj elle s’ajoute</translation>
+    </message>
+    <message>
+        <source>Move the selected keys by a frame; with Shift by ten</source>
+        <translation>Déplacer les clés sélectionnées d’une image ; avec Maj de dix</translation>
+    </message>
+    <message>
+        <source>The row above or below</source>
+        <translation>La ligne du dessus ou du dessous</translation>
+    </message>
+    <message>
+        <source>Select all keys</source>
+        <translation>Sélectionner toutes les clés</translation>
+    </message>
+    <message>
+        <source>Select the column of the playhead</source>
+        <translation>Sélectionner la colonne de la tête de lecture</translation>
+    </message>
+    <message>
+        <source>Select all before or behind the playhead</source>
+        <translation>Sélectionner tout avant ou après la tête de lecture</translation>
+    </message>
+    <message>
+        <source>Cut, copy, paste at the playhead</source>
+        <translation>Couper, copier, coller à la tête de lecture</translation>
+    </message>
+    <message>
+        <source>Paste at the copied times</source>
+        <translation>Coller aux moments copiés</translation>
+    </message>
+    <message>
+        <source>Duplicate, mirror about the playhead</source>
+        <translation>Dupliquer, inverser autour de la tête de lecture</translation>
+    </message>
+    <message>
+        <source>Delete the selected keys</source>
+        <translation>Supprimer les clés sélectionnées</translation>
+    </message>
+    <message>
+        <source>Zoom in time</source>
+        <translation>Zoomer dans le temps</translation>
+    </message>
+    <message>
+        <source>Show the selected keys, or all</source>
+        <translation>Montrer les clés sélectionnées, ou toutes</translation>
+    </message>
+    <message>
+        <source>Give up the drag, or select no key</source>
+        <translation>Abandonner le glissement, ou ne sélectionner aucune clé</translation>
+    </message>
+    <message>
+        <source>Move copies of the keys</source>
+        <translation>Déplacer des copies des clés</translation>
+    </message>
+    <message>
+        <source>Between frames, without snapping</source>
+        <translation>Entre les images, sans magnétisme</translation>
+    </message>
+    <message>
+        <source>While the curve editor has the focus</source>
+        <translation>Quand l’éditeur de courbes a le focus</translation>
+    </message>
+    <message>
+        <source>Move their values by a pixel; with Shift by ten</source>
+        <translation>Déplacer leurs valeurs d’un pixel ; avec Maj de dix</translation>
+    </message>
+    <message>
+        <source>Copy, paste at the playhead</source>
+        <translation>Copier, coller à la tête de lecture</translation>
+    </message>
+    <message>
+        <source>Change values only</source>
+        <translation>Ne changer que les valeurs</translation>
     </message>
 </context>
 <context>
@@ -3599,6 +3762,22 @@
         <source>Joint %1: %2</source>
         <translation>Articulation %1 : %2</translation>
     </message>
+    <message>
+        <source>red</source>
+        <translation>rouge</translation>
+    </message>
+    <message>
+        <source>green</source>
+        <translation>vert</translation>
+    </message>
+    <message>
+        <source>blue</source>
+        <translation>bleu</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
 </context>
 <context>
     <name>ramure::AboutDialog</name>
@@ -4618,6 +4797,14 @@ OpenGL&#xa0;: %4
     <message>
         <source>Curves</source>
         <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Drag the handle: how the curve leaves the key, or comes to it</source>
+        <translation>Glisser la poignée : comment la courbe quitte la clé, ou y arrive</translation>
+    </message>
+    <message>
+        <source>Frame %1, %2 s</source>
+        <translation>Image %1, %2 s</translation>
     </message>
 </context>
 <context>
@@ -5911,6 +6098,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>These keys cannot be changed.</source>
+        <translation>Ces touches ne peuvent pas être changées.</translation>
     </message>
 </context>
 <context>

@@ -174,6 +174,40 @@ void paintLongCurve(benchmark::State& state)
 }
 BENCHMARK(paintLongCurve)->Unit(benchmark::kMillisecond);
 
+/// A handle of one of 100,000 keys follows the mouse, in sight.
+void dragHandleOfLongCurve(benchmark::State& state)
+{
+    longDock().panel.setCurvesShown(true);
+    KeyCurves* curves = longDock().panel.curves();
+    longDock().panel.ruler()->showFrames(0.0, 100'000.0);
+    const TrackRef ref = longDock().model.tracks()[0];
+    Key key = std::get<Track>(*keys::find(longDock().document.scene(), ref)).keys()[50'000];
+    key.before = key.behind = HandleType::Free;
+    const GestureId gesture = newGesture();
+    longDock().document.holdGesture(gesture);
+    QImage image(curves->size(), QImage::Format_ARGB32_Premultiplied);
+    for (auto _ : state) {
+        key.out.dv = key.out.dv > 1.0 ? 0.0 : key.out.dv + 0.01;
+        longDock().commands.replaceKey(ref, key, gesture);
+        curves->render(&image);
+    }
+    longDock().document.giveUpGesture(gesture);
+}
+BENCHMARK(dragHandleOfLongCurve)->Unit(benchmark::kMillisecond);
+
+/// A key inserted and taken out.
+void insertOneOfHundredThousand(benchmark::State& state)
+{
+    longDock().panel.setCurvesShown(false);
+    const std::vector<TrackRef> tracks = longDock().model.tracks();
+    const Ticks time = 50'000 * ticksPerSecond / 24 + 77;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(keys::insert(longDock().document, tracks, time));
+        benchmark::DoNotOptimize(keys::remove(longDock().document, {{tracks.front(), {time}}}));
+    }
+}
+BENCHMARK(insertOneOfHundredThousand)->Unit(benchmark::kMillisecond);
+
 void dragTenThousandInCurves(benchmark::State& state)
 {
     dock().panel.setCurvesShown(true);
