@@ -3,6 +3,7 @@
 #include "core/base/parallel.h"
 #include "core/mesh/texture_tube.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -18,11 +19,16 @@ constexpr double leastAround = 6.0; ///< tiles around the thinnest branch, where
 constexpr double mostAround = 1e6;  ///< more of them than floats tell apart
 constexpr std::size_t tubesInPiece = 16; ///< about half a millisecond of work
 constexpr std::size_t pollEvery = 512;   ///< tubes
-// Most trees are done after few rounds; where they fall a little short, all is done again with more.
-constexpr int quickRounds = 40, thoroughRounds = 300;
-constexpr double quickPart = 0.2;                            ///< of the time
-constexpr double fewStretched = 0.047, hopelessShare = 0.08; ///< of the triangles
-constexpr Index mostThorough = 300'000;                      ///< triangles: 3 s of work on two threads
+/// Most trees are done at the first effort; one that falls a little short is done again at the next.
+struct Attempt
+{
+    int rounds;
+    bool thorough;
+    double part; ///< of the time, when it is done
+};
+constexpr std::array<Attempt, 3> attempts{{{30, false, 0.05}, {100, true, 0.3}, {300, true, 1.0}}};
+constexpr double fewStretched = 0.049, hopelessShare = 0.08; ///< of the triangles
+constexpr Index mostThorough = 100'000;                      ///< triangles: some seconds of work
 
 /// What tubes hand on to those that grow on them.
 struct Shared
@@ -359,21 +365,22 @@ Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const Te
         return fail(checked.error());
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
-    TubeTexture::Options effort{tileFor(mesh, options.tileSize), options.seamsAround, quickRounds, false};
-    CoordinateBuilder quick(mesh, effort);
-    if (!quick.run(progress.part(0.0, quickPart)))
-        return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
-    const double stretched = double(quick.stretched()) / double(mesh.mesh.faceCount());
-    if (stretched <= fewStretched || stretched > hopelessShare || mesh.mesh.faceCount() > mostThorough) {
+    const double tileSize = tileFor(mesh, options.tileSize), triangles = double(mesh.mesh.faceCount());
+    double before = 0.0;
+    for (const Attempt& attempt : attempts) {
+        const TubeTexture::Options effort{tileSize, options.seamsAround, attempt.rounds, attempt.thorough};
+        CoordinateBuilder builder(mesh, effort);
+        if (!builder.run(progress.part(before, attempt.part)))
+            break;
+        before = attempt.part;
+        const double stretched = double(builder.stretched()) / triangles;
+        if (stretched > fewStretched && stretched < hopelessShare && triangles <= double(mostThorough) &&
+            before < 1.0)
+            continue;
         progress.report(1.0);
-        return quick.join();
+        return builder.join();
     }
-    effort.rounds = thoroughRounds;
-    effort.thorough = true;
-    CoordinateBuilder thorough(mesh, effort);
-    if (!thorough.run(progress.part(quickPart, 1.0)))
-        return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
-    return thorough.join();
+    return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
 }
 
 TriangleMesh splitByTexture(const BranchMesh& mesh, const TextureCoordinates& coordinates)

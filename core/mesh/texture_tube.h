@@ -41,7 +41,7 @@ public:
     {
         double tileSize = 1.0;   ///< m
         bool seamsAround = true; ///< seams may open around bends
-        int rounds = 40;         ///< of moves, on tubes that are stretched
+        int rounds = 30;         ///< of moves, on tubes that are stretched
         bool thorough = false;   ///< all ways are tried
     };
     explicit TubeTexture(const Options& options)
@@ -94,6 +94,13 @@ private:
         std::vector<glm::uvec3> triangles;
         bool isOpen = false;
     };
+    struct Effort
+    {
+        int relaxRounds, sweeps; ///< at first, with so many sweeps each
+        int rounds;              ///< then
+        double hopeless;         ///< unless a greater share of the triangles is stretched
+    };
+    static const Effort firstEffort; ///< before the seam is opened
     struct Knot
     {
         double along, around;
@@ -108,9 +115,9 @@ private:
     bool even(const TubeTextureEnd& parent);
     void keep(Layout& layout) const;
     void take(const Layout& layout);
-    bool settle(int rounds);
+    bool settle(const Effort& effort);
     void unfold(const TubeTextureEnd& parent);
-    [[nodiscard]] Index enoughIn() const;
+    [[nodiscard]] Index shareOf(double share) const;
     [[nodiscard]] double openHeight(std::size_t sections) const;
     bool openSeam(std::size_t sections);
     void copyCorner(Index& corner, std::vector<Index>& copies);

@@ -9,12 +9,13 @@ namespace {
 
 constexpr double leastTurn = 0.02; ///< rad, between neighbours on a smoothed front
 constexpr int thoroughSweeps = 60, choosySweeps = 8;
-constexpr int evenRounds = 2, evenSweeps = 5, unfoldingRounds = 6;
+constexpr int unfoldingRounds = 6;
 /// Of a tube's triangles may be stretched: it is left at that.
 constexpr double enoughBad = 0.04, thoroughBad = 0.02;
-constexpr int firstRounds = 10; ///< with a closed seam, before it is opened
 
 } // namespace
+
+const TubeTexture::Effort TubeTexture::firstEffort{1, 4, 10, 0.1};
 
 template <class Relaxer> void TubeTexture::fill(Relaxer& relaxer) const
 {
@@ -46,32 +47,33 @@ template <class Relaxer> void TubeTexture::read(const Relaxer& relaxer)
 }
 
 /// Moves vertices to where few triangles are stretched. \returns whether no more are than may be.
-bool TubeTexture::settle(int rounds)
+bool TubeTexture::settle(const Effort& effort)
 {
-    const Index enough = enoughIn();
+    const Index enough = shareOf(m_options.thorough ? thoroughBad : enoughBad);
     fill(m_conformal);
-    m_conformal.relax(evenRounds, evenSweeps);
-    m_conformal.fit(rounds, enough);
+    m_conformal.relax(effort.relaxRounds, effort.sweeps);
+    if (m_conformal.isFolded() || m_conformal.badTriangles() <= shareOf(effort.hopeless))
+        m_conformal.fit(effort.rounds, enough);
     if (m_conformal.isFolded()) {
         fill(m_conformal);
-        m_conformal.relax(unfoldingRounds, evenSweeps);
+        m_conformal.relax(unfoldingRounds, effort.sweeps);
     }
     read(m_conformal);
     return !m_conformal.isFolded() && m_conformal.badTriangles() <= enough;
 }
 
-Index TubeTexture::enoughIn() const
+Index TubeTexture::shareOf(double share) const
 {
-    return static_cast<Index>((m_options.thorough ? thoroughBad : enoughBad) * double(m_triangles.size()));
+    return static_cast<Index>(share * double(m_triangles.size()));
 }
 
 /// Keeps the tube's shape as well as it can: with a seam that meets itself, or with one that is open at the
 /// bend where that is not enough. \returns whether nothing is folded.
 bool TubeTexture::even(const TubeTextureEnd& parent)
 {
+    const Effort whole{2, 5, m_options.rounds, 1.0};
     const bool mayOpen = m_options.seamsAround;
-    const bool good =
-        settle(mayOpen && !m_options.thorough ? std::min(firstRounds, m_options.rounds) : m_options.rounds);
+    const bool good = settle(mayOpen && !m_options.thorough ? firstEffort : whole);
     m_stretched = m_conformal.badTriangles();
     bool folded = m_conformal.isFolded();
     if (good || !mayOpen)
@@ -83,12 +85,12 @@ bool TubeTexture::even(const TubeTextureEnd& parent)
         assign(parent);
         if (!openSeam(sections))
             continue;
-        const bool better = settle(m_options.rounds);
+        const bool enough = settle(whole);
         if (m_conformal.isFolded() || (!folded && m_conformal.badTriangles() >= m_stretched))
             continue;
         folded = false;
         m_stretched = m_conformal.badTriangles();
-        if (better || !m_options.thorough)
+        if (enough || !m_options.thorough)
             return true;
         keep(m_best);
     }
