@@ -133,7 +133,7 @@ void ConformalRelaxer::weighExcess(double scale)
     }
 }
 
-void ConformalRelaxer::move(Index vertex, const Complex& step)
+inline void ConformalRelaxer::move(Index vertex, const Complex& step)
 {
     m_z[vertex].re += step.re;
     m_z[vertex].im += step.im;
@@ -167,39 +167,32 @@ void ConformalRelaxer::sweep()
     }
 }
 
-/// \returns whether any triangle there has an excess.
-bool ConformalRelaxer::addAround(Index vertex, Around& sum) const
+inline ConformalRelaxer::Around ConformalRelaxer::around(Index vertex) const
 {
-    bool any = false;
-    double even = 0.0;
+    double slopeX = 0.0, slopeY = 0.0, xx = 0.0, xy = 0.0, yy = 0.0, even = 0.0;
     for (const TrianglesAround::Use& use : m_around.of(vertex)) {
         const Triangle& triangle = m_triangles[use.triangle];
-        const Complex& w = triangle.slope[use.place];
-        const Complex& r = triangle.value;
+        const Complex w = triangle.slope[use.place], r = triangle.value;
+        const double weight = triangle.weight;
         const double square = r.re * r.re + r.im * r.im, size = w.re * w.re + w.im * w.im;
-        even += inertia * triangle.weight * size;
+        even += inertia * weight * size;
         if (square <= boundK * boundK)
             continue;
-        any = true;
-        const double k = std::sqrt(square);
-        double pull = triangle.weight * (k - boundK), radial = triangle.weight;
-        if (k > farK) {
-            pull += triangle.barrier * (k - farK);
-            radial += triangle.barrier;
-        }
+        const double k = std::sqrt(square), inverse = 1.0 / k;
+        const double far = std::max(k - farK, 0.0);
+        const double pull = weight * (k - boundK) + triangle.barrier * far;
         // Second derivatives: so much along the value, and so much across it.
-        const double inverse = 1.0 / k, across = pull * inverse, more = radial - across;
+        const double radial = far > 0.0 ? weight + triangle.barrier : weight;
+        const double across = pull * inverse, more = radial - across;
         const double x = (w.re * r.re + w.im * r.im) * inverse, y = (w.re * r.im - w.im * r.re) * inverse;
-        sum.slope.re += pull * x;
-        sum.slope.im += pull * y;
+        slopeX += pull * x;
+        slopeY += pull * y;
         even += across * size;
-        sum.xx += more * x * x;
-        sum.yy += more * y * y;
-        sum.xy += more * x * y;
+        xx += more * x * x;
+        yy += more * y * y;
+        xy += more * x * y;
     }
-    sum.xx += even;
-    sum.yy += even;
-    return any;
+    return {{slopeX, slopeY}, xx + even, xy, yy + even};
 }
 
 void ConformalRelaxer::sweepExcess()
@@ -207,11 +200,9 @@ void ConformalRelaxer::sweepExcess()
     for (Index vertex = 0; vertex < m_z.size(); ++vertex) {
         if (m_awake[vertex] == 0)
             continue;
-        Around sum;
-        if (!addAround(vertex, sum))
-            continue;
+        const Around sum = around(vertex);
         const double determinant = sum.xx * sum.yy - sum.xy * sum.xy;
-        if (!(determinant > 0.0))
+        if (!(determinant > 0.0) || (sum.slope.re == 0.0 && sum.slope.im == 0.0))
             continue;
         const double share = -1.0 / determinant;
         move(vertex, {share * (sum.yy * sum.slope.re - sum.xy * sum.slope.im),

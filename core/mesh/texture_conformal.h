@@ -79,8 +79,8 @@ private:
     void weighExcess(double scale);
     void sweep();
     void sweepExcess();
-    [[nodiscard]] bool addAround(Index vertex, Around& sum) const;
-    void move(Index vertex, const Complex& step);
+    [[nodiscard]] inline Around around(Index vertex) const;
+    inline void move(Index vertex, const Complex& step);
     void goOn(double share);
 
     std::vector<Complex> m_z, m_before, m_best; ///< now, a round ago, where fewest are bad

@@ -28,7 +28,8 @@ struct Attempt
 };
 constexpr std::array<Attempt, 3> attempts{{{30, false, 0.05}, {100, true, 0.3}, {300, true, 1.0}}};
 constexpr double fewStretched = 0.049, hopelessShare = 0.08; ///< of the triangles
-constexpr Index mostThorough = 100'000;                      ///< triangles: some seconds of work
+constexpr double worthIt = 0.9;         ///< of them, after an attempt, and the next is made
+constexpr Index mostThorough = 100'000; ///< triangles: some seconds of work
 
 /// What tubes hand on to those that grow on them.
 struct Shared
@@ -366,7 +367,7 @@ Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const Te
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
     const double tileSize = tileFor(mesh, options.tileSize), triangles = double(mesh.mesh.faceCount());
-    double before = 0.0;
+    double before = 0.0, last = 1.0;
     for (const Attempt& attempt : attempts) {
         const TubeTexture::Options effort{tileSize, options.seamsAround, attempt.rounds, attempt.thorough};
         CoordinateBuilder builder(mesh, effort);
@@ -374,8 +375,9 @@ Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const Te
             break;
         before = attempt.part;
         const double stretched = double(builder.stretched()) / triangles;
-        if (stretched > fewStretched && stretched < hopelessShare && triangles <= double(mostThorough) &&
-            before < 1.0)
+        const bool helps = stretched < hopelessShare && stretched < worthIt * last;
+        last = stretched;
+        if (stretched > fewStretched && helps && triangles <= double(mostThorough) && before < 1.0)
             continue;
         progress.report(1.0);
         return builder.join();

@@ -127,6 +127,9 @@ void TubeTexture::unfold(const TubeTextureEnd& parent)
     fill(m_relaxer);
     m_relaxer.run(thoroughSweeps, choosySweeps);
     read(m_relaxer);
+    fill(m_conformal);
+    m_conformal.relax(0, 0);
+    m_stretched = m_conformal.badTriangles();
 }
 
 /// A triangle's corner becomes a copy of its vertex, the same one for all triangles.

@@ -29,6 +29,9 @@ BENCHMARK_CAPTURE(BM_TextureCoordinates, SmallTree, "SmallTree", 8)
     ->Arg(8)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_TextureCoordinates, FanTree, "FanTree", 8)->Arg(4)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(BM_TextureCoordinates, TinyTree, "TinyTree", 0) // done again with more care
+    ->Arg(4)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(BM_TextureCoordinates, Fern2D, "Fern2D", 5)->Arg(4)->Unit(benchmark::kMillisecond);
 
 } // namespace
