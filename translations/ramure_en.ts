@@ -110,6 +110,51 @@
             <numerusform>%n pairs of branches collide (%1 pairs of triangles).</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 vertices, %2 faces, Euler characteristic %3, %n piece(s)</source>
+        <translation>
+            <numerusform>%1 vertices, %2 faces, Euler characteristic %3, %n piece</numerusform>
+            <numerusform>%1 vertices, %2 faces, Euler characteristic %3, %n pieces</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Closed, but %n pair(s) of triangles run through each other</source>
+        <translation>
+            <numerusform>Closed, but %n pair of triangles runs through each other</numerusform>
+            <numerusform>Closed, but %n pairs of triangles run through each other</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Oriented, but %n pair(s) of triangles run through each other</source>
+        <translation>
+            <numerusform>Oriented, but %n pair of triangles runs through each other</numerusform>
+            <numerusform>Oriented, but %n pairs of triangles run through each other</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of triangles run through each other.</source>
+        <translation>
+            <numerusform>%n pair of triangles runs through each other.</numerusform>
+            <numerusform>%n pairs of triangles run through each other.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::BakeKeysDialog</name>
+    <message numerus="yes">
+        <source>At most %n key(s) for each angle. Then the arm follows its keys, no target.</source>
+        <translation>
+            <numerusform>At most %n key for each angle. Then the arm follows its keys, no target.</numerusform>
+            <numerusform>At most %n keys for each angle. Then the arm follows its keys, no target.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s) for each angle. Then the arm follows its keys, no target.</source>
+        <translation>
+            <numerusform>%n key for each angle. Then the arm follows its keys, no target.</numerusform>
+            <numerusform>%n keys for each angle. Then the arm follows its keys, no target.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ramure::BranchFactForm</name>

@@ -950,6 +950,10 @@
         <source>Wear &quot;%1&quot;</source>
         <translation>Porter « %1 »</translation>
     </message>
+    <message>
+        <source>Fit the worn mesh again</source>
+        <translation>Réajuster le maillage porté</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -1474,6 +1478,38 @@
         <source>The branches are one closed skin without holes or seams: every edge has exactly two faces, and all faces look outward. Branches may still reach into each other: that is listed above as well.</source>
         <translation>Les branches forment une seule peau fermée, sans trou ni couture : chaque arête a exactement deux faces, et toutes les faces regardent vers l’extérieur. Des branches peuvent encore s’interpénétrer : c’est aussi dans la liste ci-dessus.</translation>
     </message>
+    <message>
+        <source>The surface is closed, without holes or seams: every edge has exactly two faces, and all faces look outward.</source>
+        <translation>La surface est fermée, sans trous ni coutures : chaque arête a exactement deux faces, et toutes regardent vers l’extérieur.</translation>
+    </message>
+    <message>
+        <source>A terrain or a plane has an edge by its nature, so its surface is open there. Nothing else is wrong with it: no other holes or seams, and all faces look to the same side.</source>
+        <translation>Un terrain ou un plan a un bord par nature : sa surface y est ouverte. Rien d’autre ne lui manque : ni autres trous ni coutures, et toutes les faces regardent du même côté.</translation>
+    </message>
+    <message>
+        <source>It encloses nothing. Give it a thickness before it goes to a slicer.</source>
+        <translation>Elle n’enferme rien. Donnez-lui une épaisseur avant de la confier à un trancheur.</translation>
+    </message>
+    <message>
+        <source>Smooth shading, subdividing and physics work; from below one sees its back.</source>
+        <translation>L’ombrage lisse, la subdivision et la physique fonctionnent ; d’en bas on voit son revers.</translation>
+    </message>
+    <message>
+        <source>Crossings</source>
+        <translation>Croisements</translation>
+    </message>
+    <message>
+        <source>Triangles of the mesh run through each other.</source>
+        <translation>Des triangles du maillage se traversent.</translation>
+    </message>
+    <message>
+        <source>Most slicers join what overlaps; some leave a hollow there.</source>
+        <translation>La plupart des trancheurs réunissent ce qui se recouvre ; certains y laissent un creux.</translation>
+    </message>
+    <message>
+        <source>A hard crease where they meet, and false edges for tools that cut the mesh.</source>
+        <translation>Un pli dur là où ils se rencontrent, et de fausses arêtes pour les outils qui coupent le maillage.</translation>
+    </message>
 </context>
 <context>
     <name>NodeEdits</name>
@@ -1621,6 +1657,38 @@
     <message>
         <source>Hash %1</source>
         <translation>Empreinte %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 vertices, %2 faces, Euler characteristic %3, %n piece(s)</source>
+        <translation>
+            <numerusform>%1 sommets, %2 faces, caractéristique d’Euler %3, %n morceau</numerusform>
+            <numerusform>%1 sommets, %2 faces, caractéristique d’Euler %3, %n morceaux</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>An open surface, manifold and oriented</source>
+        <translation>Surface ouverte, variété, orientée</translation>
+    </message>
+    <message numerus="yes">
+        <source>Closed, but %n pair(s) of triangles run through each other</source>
+        <translation>
+            <numerusform>Fermé, mais %n paire de triangles se traverse</numerusform>
+            <numerusform>Fermé, mais %n paires de triangles se traversent</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Oriented, but %n pair(s) of triangles run through each other</source>
+        <translation>
+            <numerusform>Orienté, mais %n paire de triangles se traverse</numerusform>
+            <numerusform>Orienté, mais %n paires de triangles se traversent</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pair(s) of triangles run through each other.</source>
+        <translation>
+            <numerusform>%n paire de triangles se traverse.</numerusform>
+            <numerusform>%n paires de triangles se traversent.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3555,6 +3623,22 @@
         <source>On: where a branch bends sharply, the two sides of its seam part, and 95 of 100 triangles keep the shape of the picture. Off: the picture meets itself along the whole seam, but is stretched at bends.</source>
         <translation>Activé : là où une branche se courbe fortement, les deux bords de sa couture s’écartent, et 95 triangles sur 100 gardent la forme de l’image. Désactivé : l’image se rejoint tout le long de la couture, mais elle est étirée aux courbures.</translation>
     </message>
+    <message>
+        <source>the last frame must not stand before the first one</source>
+        <translation>la dernière image ne doit pas précéder la première</translation>
+    </message>
+    <message>
+        <source>there must be at least one frame from key to key</source>
+        <translation>il faut au moins une image d’une clé à la suivante</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; wears no mesh</source>
+        <translation>« %1 » ne porte aucun maillage</translation>
+    </message>
+    <message>
+        <source>another mesh is being put on</source>
+        <translation>un autre maillage est en train d’être mis</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -3908,6 +3992,14 @@ OpenGL&#xa0;: %4
         <source>Imports an object and binds it to the arm</source>
         <translation>Importe un objet et le lie au bras</translation>
     </message>
+    <message>
+        <source>Fit again</source>
+        <translation>Réajuster</translation>
+    </message>
+    <message>
+        <source>Makes the worn mesh as long as the arm is now, its foot on the arm&apos;s foot. A mesh is bound to the straight arm: lengths that change later move the joints along it and do not stretch it.</source>
+        <translation>Donne au maillage porté la longueur actuelle du bras, son pied sur celui du bras. Un maillage est lié au bras tendu : les longueurs changées ensuite déplacent les articulations le long du maillage sans l’étirer.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::ArmPanel</name>
@@ -3964,10 +4056,6 @@ OpenGL&#xa0;: %4
         <translation>Un soixantième de seconde plus loin</translation>
     </message>
     <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
         <source>Key the pose</source>
         <translation>Clés de la pose</translation>
     </message>
@@ -3980,20 +4068,12 @@ OpenGL&#xa0;: %4
         <translation>Insère à cette image une clé pour les angles de toutes les articulations</translation>
     </message>
     <message>
-        <source>Tolerance</source>
-        <translation>Tolérance</translation>
+        <source>Bake to keys…</source>
+        <translation>Transformer en clés…</translation>
     </message>
     <message>
-        <source>Keys that a straight line comes as near to are left out, degrees; 0 keeps a key for every frame</source>
-        <translation>Les clés dont une droite s&apos;approche d&apos;autant sont omises, en degrés ; 0 garde une clé par image</translation>
-    </message>
-    <message>
-        <source>Bake to keys</source>
-        <translation>Transformer en clés</translation>
-    </message>
-    <message>
-        <source>The motion towards the target becomes keys of the joints&apos; angles, over the frames of the timeline; then the arm follows those</source>
-        <translation>Le mouvement vers la cible devient des clés des angles des articulations, sur les images de la ligne de temps ; le bras suit ensuite celles-ci</translation>
+        <source>The motion towards the target becomes keys of the joints&apos; angles, at the frames you choose; then the arm follows those</source>
+        <translation>Le mouvement vers la cible devient des clés des angles des articulations, aux images que vous choisissez ; le bras suit ensuite ces clés</translation>
     </message>
 </context>
 <context>
@@ -4047,6 +4127,107 @@ OpenGL&#xa0;: %4
     <message>
         <source>The baked motion is of another tree or of other parameters and is not used</source>
         <translation>Le mouvement précalculé vient d’un autre arbre ou d’autres paramètres et n’est pas utilisé</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::BakeKeysDialog</name>
+    <message>
+        <source>Bake &quot;%1&quot; to keys</source>
+        <translation>Transformer « %1 » en clés</translation>
+    </message>
+    <message>
+        <source>&amp;Frames</source>
+        <translation>&amp;Images</translation>
+    </message>
+    <message>
+        <source>&amp;A key every</source>
+        <translation>Une &amp;clé toutes les</translation>
+    </message>
+    <message>
+        <source>&amp;Tolerance</source>
+        <translation>&amp;Tolérance</translation>
+    </message>
+    <message>
+        <source>First frame that gets a key</source>
+        <translation>Première image qui reçoit une clé</translation>
+    </message>
+    <message>
+        <source>Last frame that gets a key, whatever the step</source>
+        <translation>Dernière image qui reçoit une clé, quel que soit le pas</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>Première image</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Dernière image</translation>
+    </message>
+    <message>
+        <source>Whole timeline</source>
+        <translation>Toute la durée</translation>
+    </message>
+    <message>
+        <source>Frames %1 to %2</source>
+        <translation>Images %1 à %2</translation>
+    </message>
+    <message>
+        <source> frames</source>
+        <translation> images</translation>
+    </message>
+    <message>
+        <source>Frames from one key to the next: 1 gives each a key; between keys the angles go straight</source>
+        <translation>Images d’une clé à la suivante : 1 donne une clé à chacune ; entre les clés, les angles vont tout droit</translation>
+    </message>
+    <message>
+        <source>Frames from one key to the next</source>
+        <translation>Images d’une clé à la suivante</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Keys that a straight line comes as near to are left out, degrees; 0 keeps all</source>
+        <translation>Les clés qu’une droite approche d’aussi près sont omises, en degrés ; 0 les garde toutes</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>The target &amp;gets a key too</source>
+        <translation>La ci&amp;ble reçoit aussi une clé</translation>
+    </message>
+    <message>
+        <source>Where the target has no keys yet, so that it stays where it was while the arm was baked</source>
+        <translation>Si la cible n’a pas encore de clés : elle reste ainsi où elle était pendant la transformation</translation>
+    </message>
+    <message>
+        <source>&amp;Bake</source>
+        <translation>T&amp;ransformer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>The last frame stands before the first one.</source>
+        <translation>La dernière image précède la première.</translation>
+    </message>
+    <message numerus="yes">
+        <source>At most %n key(s) for each angle. Then the arm follows its keys, no target.</source>
+        <translation>
+            <numerusform>Au plus %n clé par angle. Le bras suit ensuite ses clés, et non une cible.</numerusform>
+            <numerusform>Au plus %n clés par angle. Le bras suit ensuite ses clés, et non une cible.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n key(s) for each angle. Then the arm follows its keys, no target.</source>
+        <translation>
+            <numerusform>%n clé par angle. Le bras suit ensuite ses clés, et non une cible.</numerusform>
+            <numerusform>%n clés par angle. Le bras suit ensuite ses clés, et non une cible.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4675,10 +4856,6 @@ OpenGL&#xa0;: %4
         <translation>Limité</translation>
     </message>
     <message>
-        <source>The angle stays between its limits; otherwise it may turn for ever</source>
-        <translation>L&apos;angle reste entre ses limites ; sinon il peut tourner indéfiniment</translation>
-    </message>
-    <message>
         <source> m</source>
         <translation> m</translation>
     </message>
@@ -4689,6 +4866,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>°</source>
         <translation>°</translation>
+    </message>
+    <message>
+        <source>The angle stays between its limits; otherwise it may turn for ever. Has no keys: key the limits instead, which do</source>
+        <translation>L’angle reste entre ses limites ; sinon il peut tourner sans fin. N’a pas de clés : animez plutôt les limites, qui en ont</translation>
     </message>
 </context>
 <context>
@@ -5077,6 +5258,10 @@ OpenGL&#xa0;: %4
         <source>Baking the arm to keys</source>
         <translation>Transformation du bras en clés</translation>
     </message>
+    <message>
+        <source>Putting the mesh on the arm</source>
+        <translation>Mise du maillage sur le bras</translation>
+    </message>
 </context>
 <context>
     <name>ramure::MessageBanner</name>
@@ -5293,6 +5478,22 @@ OpenGL&#xa0;: %4
     <message>
         <source>Of all trees, over the latest frames: kinetic energy, the largest relative error of a branch&apos;s length, and the time that one step of the physics takes (ms)</source>
         <translation>Pour tous les arbres, sur les dernières images : énergie cinétique, plus grande erreur relative de longueur d&apos;une branche, et durée d&apos;un pas de la physique (ms)</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Résidu</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Over the latest frames: the largest distance from an arm&apos;s tip to its target (m)</source>
+        <translation>Sur les dernières images : la plus grande distance de la pointe d’un bras à sa cible (m)</translation>
     </message>
 </context>
 <context>
@@ -6458,10 +6659,6 @@ OpenGL&#xa0;: %4
         <translation>Choisissez un genre ci-dessus pour lire ce qu’il est et ce qu’il fait.</translation>
     </message>
     <message>
-        <source>The check of a tree&apos;s mesh stands here. There is no tree in the scene.</source>
-        <translation>La vérification du maillage d’un arbre se trouve ici. Il n’y a pas d’arbre dans la scène.</translation>
-    </message>
-    <message>
         <source>Copy the report as text</source>
         <translation>Copier le rapport en texte</translation>
     </message>
@@ -6476,6 +6673,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Report copied as text</source>
         <translation>Rapport copié en texte</translation>
+    </message>
+    <message>
+        <source>The check of a mesh stands here. There is none in the scene.</source>
+        <translation>Ici s’affiche le contrôle d’un maillage. La scène n’en a pas.</translation>
     </message>
 </context>
 <context>

@@ -14,14 +14,26 @@ struct Samples
     std::vector<std::vector<double>> angles;
 };
 
+Expected<ArmBakeRange> checkedRange(const ArmBakeOptions& options, const TimelineSettings& timeline)
+{
+    const ArmBakeRange range =
+        options.range.value_or(ArmBakeRange{timeline.firstFrame, timeline.lastFrame, 1});
+    if (range.firstFrame < leastFrame || range.lastFrame > mostFrame || range.lastFrame < range.firstFrame)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("the last frame must not stand before the first one"));
+    if (range.every < 1)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("there must be at least one frame from key to key"));
+    return range;
+}
+
 Expected<Samples> sampled(const NodeParams& params, const NodeAnimation& animation,
-                          const TimelineSettings& timeline, const Progress& progress)
+                          const TimelineSettings& timeline, const ArmBakeRange& range,
+                          const Progress& progress)
 {
     ArmDriver driver = armDriver(params, animation);
     Samples samples;
     samples.angles.resize(2 * params.joints.size());
-    const auto frames = double(timeline.lastFrame - timeline.firstFrame + 1);
-    for (std::int64_t frame = timeline.firstFrame; frame <= timeline.lastFrame; ++frame) {
+    const auto frames = double(range.lastFrame - range.firstFrame + 1);
+    for (std::int64_t frame = range.firstFrame;;) {
         const double seconds = timeline.timeOf(frame);
         const auto moment = driver.momentAt(seconds, {progress.stop, {}});
         if (!moment)
@@ -36,10 +48,12 @@ Expected<Samples> sampled(const NodeParams& params, const NodeAnimation& animati
             own.push_back(own.empty() || std::abs(way) <= std::numbers::pi ? angle
                                                                            : own.back() + wrappedAngle(way));
         }
-        if ((frame - timeline.firstFrame) % 64 == 0)
-            progress.report(double(frame - timeline.firstFrame) / frames);
+        if (samples.ticks.size() % 64 == 1)
+            progress.report(double(frame - range.firstFrame) / frames);
+        if (frame == range.lastFrame)
+            return samples;
+        frame += std::min(range.every, range.lastFrame - frame);
     }
-    return samples;
 }
 
 Track trackOf(const Samples& samples, const std::vector<double>& values, double tolerance)
@@ -123,7 +137,10 @@ Expected<NodeAnimation> bakeArm(const NodeParams& params, const NodeAnimation& a
         return fail(ErrorCode::Invalid, RAMURE_NOOP("the arm follows no target: there is no motion to bake"));
     if (!std::isfinite(options.toleranceRad) || options.toleranceRad < 0.0)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("a tolerance must not be negative"));
-    const auto samples = sampled(params, animation, timeline, progress.part(0.0, 0.95));
+    const auto range = checkedRange(options, timeline);
+    if (!range)
+        return fail(range.error());
+    const auto samples = sampled(params, animation, timeline, *range, progress.part(0.0, 0.95));
     if (!samples)
         return fail(samples.error());
     NodeAnimation baked = animation;

@@ -17,7 +17,7 @@ public:
     /// \p document is not owned and must outlive this object.
     explicit ArmBaker(Document* document, QObject* parent = nullptr);
 
-    /// Over the frames of the timeline; returns at once. Afterwards the arm follows its keys, no target.
+    /// Over the frames of the options; returns at once. Afterwards the arm follows its keys, no target.
     /// Nothing happens while another bake is running. Errors: Unknown (node), Invalid (no arm, locked, it
     /// follows no target).
     Expected<void> start(NodeId arm, const ArmBakeOptions& options);

@@ -107,16 +107,6 @@ struct ArmMeshTarget
     bool operator==(const ArmMeshTarget&) const = default;
 };
 
-/// The mesh of a node in the arm's own space, both at rest.
-Expected<TriangleMesh> meshAround(const Scene& scene, NodeId arm, const Node& worn)
-{
-    const glm::dmat4 place = placeAt(scene, arm, 0.0).geometry * armUpright();
-    const glm::dmat4 from = placeAt(scene, worn.id, 0.0).geometry;
-    if (glm::determinant(glm::dmat3(place)) == 0.0 || glm::determinant(glm::dmat3(from)) == 0.0)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("a scale of zero leaves nothing to wear"));
-    return transformed(*worn.mesh, glm::inverse(place) * from);
-}
-
 } // namespace
 
 Expected<void> edit::setArmMesh(Document& document, NodeId arm, SharedValue<TriangleMesh> mesh,
@@ -128,31 +118,6 @@ Expected<void> edit::setArmMesh(Document& document, NodeId arm, SharedValue<Tria
         if (auto checked = checkArmMesh(*mesh); !checked)
             return checked;
     pushSet<ArmMeshTarget>(document, {{{arm}, std::move(mesh)}}, text);
-    return {};
-}
-
-Expected<void> edit::wearMesh(Document& document, NodeId arm, NodeId mesh, bool fitted)
-{
-    if (auto checked = editableArm(document.scene(), arm); !checked)
-        return fail(checked.error());
-    const Node* worn = document.scene().find(mesh);
-    if (!worn)
-        return unknownNode(mesh);
-    if (worn->kind != NodeKind::Mesh || !worn->mesh)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is no imported mesh"), {worn->name});
-    auto around = meshAround(document.scene(), arm, *worn);
-    if (!around)
-        return fail(std::move(around.error()));
-    const Node& node = *document.scene().find(arm);
-    TriangleMesh made = fitted ? fittedToArm(std::move(*around), node.params.joints) : std::move(*around);
-    if (auto checked = checkArmMesh(made); !checked)
-        return checked;
-    const QString text = DocumentCommand::tr("Wear \"%1\"").arg(QString::fromStdString(worn->name));
-    document.undoStack()->beginMacro(text);
-    pushSet<ArmMeshTarget>(document, {{{arm}, SharedValue<TriangleMesh>(std::move(made))}}, text);
-    // Refused where it is locked: it stays, and is only in the way.
-    [[maybe_unused]] const auto hidden = setNodeVisible(document, {mesh}, false);
-    document.undoStack()->endMacro();
     return {};
 }
 

@@ -26,6 +26,8 @@ private slots:
 
     void theAnalysisTellsHowFarItIs();
     void findingsAreListedAndShown();
+    void whatIsSelectedIsShown();
+    void defectsOfObjectsAreListed();
 };
 
 void TestValidationAnalysis::theAnalysisTellsHowFarItIs()
@@ -123,6 +125,90 @@ void TestValidationAnalysis::findingsAreListedAndShown()
     const QString text = QGuiApplication::clipboard()->text();
     QVERIFY(text.contains(QString::fromStdString(analysis.findings(tree)->hash.text())));
     QVERIFY(text.contains(kindText(FindingKind::Collision).name));
+}
+
+/// Trees, arms, terrains and objects, each under its name.
+void TestValidationAnalysis::whatIsSelectedIsShown()
+{
+    test::TreeDocument trees;
+    Document& document = trees.document();
+    const NodeId tree = trees.add(test::smallForks(), "Oak");
+    Analysis analysis(&document);
+    ValidationPanel panel(&document, &analysis);
+    panel.resize(340, 500);
+    panel.show();
+    const auto* badge = panel.findChild<StatusBadge*>();
+    const auto text = [&](const char* name) { return panel.findChild<QLabel*>(QLatin1String(name))->text(); };
+    const auto insert = [&](NodeKind kind, const char* name) {
+        Node node;
+        node.id = 1;
+        node.kind = kind;
+        node.name = name;
+        return edit::insertNodes(document, {node}, noNode, 9).value_or(noNode);
+    };
+    const NodeId arm = insert(NodeKind::Arm, "Crane"), terrain = insert(NodeKind::Relief, "Hills"),
+                 object = insert(NodeKind::Primitive, "Rod"), group = insert(NodeKind::Group, "Group");
+    const QString ofTree = text("explanation");
+    for (const auto& [node, name, open] :
+         {std::tuple(arm, "Crane", false), std::tuple(terrain, "Hills", true),
+          std::tuple(object, "Rod", false)}) {
+        document.setSelection({{node}, node, {}, noIndex});
+        QCOMPARE(text("checkedNode"), QString::fromLatin1(name));
+        QVERIFY(badge->status() == StatusBadge::Status::Unknown);
+        QTRY_VERIFY_WITH_TIMEOUT(badge->status() == StatusBadge::Status::Good, 20'000);
+        QCOMPARE(text("panelTitle").contains(QStringLiteral("open surface")), open);
+        QCOMPARE(text("reportDetails").contains(QStringLiteral("volume")), !open);
+        QVERIFY(!text("hashText").isEmpty() && text("explanation") != ofTree);
+        QVERIFY(!panel.findChild<QPushButton*>(QStringLiteral("separateCollisions"))->isVisible());
+        panel.copyReport();
+        QVERIFY(QGuiApplication::clipboard()->text().contains(QLatin1String(name)));
+        QVERIFY(!QGuiApplication::clipboard()->text().contains(QStringLiteral("Repairs")));
+    }
+    document.setSelection({{group}, group, {}, noIndex}); // has no mesh: what was shown stays
+    QCOMPARE(text("checkedNode"), QStringLiteral("Rod"));
+    document.setSelection({{tree}, tree, {}, noIndex});
+    QCOMPARE(text("checkedNode"), QStringLiteral("Oak"));
+    QVERIFY(badge->status() != StatusBadge::Status::Unknown);
+    QVERIFY(edit::removeNodes(document, {tree}));
+    QVERIFY(!text("checkedNode").isEmpty() && text("checkedNode") != QStringLiteral("Oak"));
+    QVERIFY(edit::removeNodes(document, {arm, terrain, object}));
+    QVERIFY(!panel.findChild<QLabel*>(QStringLiteral("checkedNode"))->isVisible());
+}
+
+void TestValidationAnalysis::defectsOfObjectsAreListed()
+{
+    Document document;
+    TriangleMesh open;
+    open.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    open.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}}; // a tetrahedron without one side
+    Node node;
+    node.id = 1;
+    node.kind = NodeKind::Mesh;
+    node.name = "Scan";
+    node.mesh = SharedValue<TriangleMesh>(open);
+    node.params.tree.translation = {5.0, 0.0, 0.0};
+    const auto scan = edit::insertNodes(document, {node}, noNode, 0);
+    QVERIFY(scan);
+    Analysis analysis(&document);
+    ValidationPanel panel(&document, &analysis);
+    panel.resize(340, 500);
+    panel.show();
+    QTRY_VERIFY_WITH_TIMEOUT(panel.findChild<StatusBadge*>()->status() == StatusBadge::Status::Bad, 20'000);
+    auto* view = panel.findChild<ReportView*>();
+    auto* model = dynamic_cast<ReportModel*>(view->model());
+    const QModelIndex kind = model->kindIndex(DefectKind::BoundaryEdge);
+    QVERIFY(kind.isValid());
+    model->fetchMore(kind);
+    QCOMPARE(model->rowCount(kind), 3);
+    QSignalSpy shown(&panel, &ValidationPanel::defectActivated);
+    emit view->chosen(model->index(0, 0, kind));
+    QCOMPARE(shown.count(), 1);
+    QCOMPARE(shown.at(0).at(0).value<NodeId>(), *scan);
+    QVERIFY(shown.at(0).at(1).value<DefectPlace>().box.centre().x > 4.0); // where the node stands
+    panel.hide();
+    QVERIFY(edit::removeNodes(document, {*scan}));
+    panel.show();
+    QVERIFY(panel.findChild<QLabel*>(QStringLiteral("hashText")));
 }
 
 QTEST_MAIN(TestValidationAnalysis)

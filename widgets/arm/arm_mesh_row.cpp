@@ -20,15 +20,18 @@ static constexpr uint wornItem = ~0U;
 ArmMeshRow::ArmMeshRow(Document* document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
+    , m_dresser(new ArmDresser(document, this))
     , m_label(new QLabel(this))
     , m_choice(new QComboBox(this))
     , m_fit(new QCheckBox(this))
     , m_import(new QPushButton(this))
+    , m_again(new QPushButton(this))
     , m_problem(new QLabel(this))
 {
     m_label->setBuddy(m_choice);
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_fit->setChecked(true);
+    m_again->setObjectName(QStringLiteral("fitAgain"));
     m_problem->setObjectName(QStringLiteral("problem"));
     m_problem->setWordWrap(true);
     m_problem->hide();
@@ -38,10 +41,17 @@ ArmMeshRow::ArmMeshRow(Document* document, QWidget* parent)
     grid->addWidget(m_choice, 0, 1, 1, 2);
     grid->addWidget(m_fit, 1, 1);
     grid->addWidget(m_import, 1, 2);
-    grid->addWidget(m_problem, 2, 0, 1, 3);
+    grid->addWidget(m_again, 2, 2);
+    grid->addWidget(m_problem, 3, 0, 1, 3);
     grid->setColumnStretch(1, 1);
     connect(m_choice, &QComboBox::activated, this, &ArmMeshRow::choose);
     connect(m_import, &QPushButton::clicked, this, &ArmMeshRow::importRequested);
+    connect(m_again, &QPushButton::clicked, this, &ArmMeshRow::fitAgain);
+    connect(m_dresser, &ArmDresser::finished, this, [this](const std::optional<Error>& error) {
+        const bool wrong = error && error->code != ErrorCode::Cancelled;
+        showProblem(wrong ? Expected<void>(fail(*error)) : Expected<void>());
+    });
+    connect(m_dresser->job(), &BackgroundJob::runningChanged, this, &ArmMeshRow::takeArm);
     connect(document, &Document::changed, this, [this](const Change& change) {
         if (change.has(changeReset | changeStructure | changeSelection | changeNodeState | changeJoints))
             takeArm();
@@ -62,7 +72,8 @@ void ArmMeshRow::takeArm()
     if (m_arm != (arm ? arm->id : noNode))
         m_problem->hide();
     m_arm = arm ? arm->id : noNode;
-    setEnabled(arm && !scene.isLocked(m_arm));
+    setEnabled(arm && !scene.isLocked(m_arm) && !m_dresser->job()->isRunning());
+    m_again->setEnabled(arm && arm->mesh);
     const QSignalBlocker quiet(m_choice);
     m_choice->clear();
     m_choice->addItem(tr("Cylinder"), cylinderItem);
@@ -87,7 +98,12 @@ void ArmMeshRow::choose(int index)
 
 void ArmMeshRow::wear(NodeId mesh)
 {
-    showProblem(edit::wearMesh(*m_document, m_arm, mesh, m_fit->isChecked()));
+    showProblem(m_dresser->wear(m_arm, mesh, m_fit->isChecked()));
+}
+
+void ArmMeshRow::fitAgain()
+{
+    showProblem(m_dresser->fitAgain(m_arm));
 }
 
 /// What was refused is told, and the choice is what it was.
@@ -131,6 +147,10 @@ void ArmMeshRow::retranslate()
     m_fit->setToolTip(
         tr("Makes the mesh as long as the arm and stands its longest axis on the foot; otherwise it is "
            "bound where it stands around the straight arm"));
+    m_again->setText(tr("Fit again"));
+    m_again->setToolTip(tr(
+        "Makes the worn mesh as long as the arm is now, its foot on the arm's foot. A mesh is bound to the "
+        "straight arm: lengths that change later move the joints along it and do not stretch it."));
     m_import->setText(tr("From a file…"));
     m_import->setToolTip(tr("Imports an object and binds it to the arm"));
     takeArm();

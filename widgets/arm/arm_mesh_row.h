@@ -2,7 +2,7 @@
 /// What the arm wears: the cylinder, or the mesh of an imported object.
 #pragma once
 
-#include "core/document/commands.h"
+#include "core/document/arm_dresser.h"
 #include <QWidget>
 
 class QCheckBox;
@@ -23,6 +23,8 @@ public:
     void setWaiting(bool waiting) { m_waiting = waiting; }
     /// An import has added this node and those below it.
     void takeImported(ramure::NodeId top);
+    /// Of putting on a large mesh.
+    [[nodiscard]] BackgroundJob* job() { return m_dresser->job(); }
 
 signals:
     void importRequested();
@@ -34,16 +36,18 @@ private:
     void takeArm();
     void choose(int index);
     void wear(NodeId mesh);
+    void fitAgain();
     void showProblem(const Expected<void>& done);
     void retranslate();
 
     Document* m_document;
+    ArmDresser* m_dresser;
     NodeId m_arm = noNode;
     bool m_waiting = false;
     QLabel* m_label;
     QComboBox* m_choice;
     QCheckBox* m_fit;
-    QPushButton* m_import;
+    QPushButton *m_import, *m_again;
     QLabel* m_problem;
 };
 

@@ -4,8 +4,8 @@
 #include "core/document/player.h"
 #include "widgets/animation/auto_key.h"
 #include "widgets/arm/arm_mesh_row.h"
+#include "widgets/arm/bake_keys_dialog.h"
 #include "widgets/arm/joint_form.h"
-#include "widgets/numbers/number_field.h"
 #include "widgets/support/core_text.h"
 #include "widgets/viewport/arm_overlay.h"
 #include <QEvent>
@@ -15,7 +15,6 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
-#include <numbers>
 
 namespace ramure {
 
@@ -32,8 +31,6 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     , m_pause(new QPushButton(m_content))
     , m_step(new QPushButton(m_content))
     , m_status(new QLabel(m_content))
-    , m_bakeText(new QLabel(m_content))
-    , m_tolerance(new NumberField(m_content))
     , m_keyPose(new QPushButton(m_content))
     , m_bake(new QPushButton(m_content))
     , m_baker(new ArmBaker(document, this))
@@ -45,10 +42,6 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     m_list->setSpacing(2);
     m_status->setWordWrap(true);
     m_pause->setCheckable(true);
-    m_bakeText->setBuddy(m_tolerance);
-    m_tolerance->setRange(0.0, std::numbers::pi);
-    m_tolerance->setStep(0.1 * std::numbers::pi / 180.0);
-    m_tolerance->setValue(0.0);
     m_keyPose->setObjectName(QStringLiteral("keyPose"));
     m_keyPose->setEnabled(false);
     m_bake->setObjectName(QStringLiteral("bakeToKeys"));
@@ -57,9 +50,8 @@ ArmPanel::ArmPanel(Document* document, QWidget* parent)
     connect(m_remove, &QPushButton::clicked, this, &ArmPanel::removeJoint);
     connect(m_list, &QListWidget::currentRowChanged, this,
             [this](int row) { m_joint->setJoint(m_arm, row); });
-    connect(m_tolerance, &NumberField::valueEdited, m_tolerance, &NumberField::setValue);
     connect(m_keyPose, &QPushButton::clicked, this, &ArmPanel::keyPose);
-    connect(m_bake, &QPushButton::clicked, this, &ArmPanel::bake);
+    connect(m_bake, &QPushButton::clicked, this, &ArmPanel::askBake);
     connect(m_baker, &ArmBaker::finished, this, &ArmPanel::tellBake);
     connect(document, &Document::changed, this, &ArmPanel::follow);
     retranslate();
@@ -84,11 +76,7 @@ void ArmPanel::layOut()
     inner->addWidget(m_worn);
     inner->addLayout(way);
     inner->addWidget(m_status);
-    auto* bake = new QHBoxLayout;
-    bake->addWidget(m_bakeText);
-    bake->addWidget(m_tolerance);
-    bake->addWidget(m_bake, 1);
-    inner->addLayout(bake);
+    inner->addWidget(m_bake);
     inner->addStretch();
     auto* scroll = new QScrollArea(this);
     scroll->setWidget(m_content);
@@ -153,10 +141,26 @@ void ArmPanel::keyPose()
         emit messageRaised(errorText(done.error()));
 }
 
-void ArmPanel::bake()
+void ArmPanel::askBake()
 {
-    ArmBakeOptions options;
-    options.toleranceRad = m_tolerance->value().value_or(0.0);
+    const Node* node = m_document->scene().find(m_arm);
+    if (!node)
+        return;
+    auto* dialog = new BakeKeysDialog(QString::fromStdString(node->name), m_document->scene().timeline(),
+                                      m_bakeOptions, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { bake(dialog->options()); });
+    dialog->open();
+}
+
+/// The range is remembered where it is another one than the timeline's.
+void ArmPanel::bake(const ArmBakeOptions& options)
+{
+    const TimelineSettings& timeline = m_document->scene().timeline();
+    m_bakeOptions = options;
+    if (options.range && options.range->every == 1 && options.range->firstFrame == timeline.firstFrame &&
+        options.range->lastFrame == timeline.lastFrame)
+        m_bakeOptions.range.reset();
     if (const auto started = m_baker->start(m_arm, options); !started)
         tellBake(started.error());
 }
@@ -261,20 +265,10 @@ void ArmPanel::retranslate()
     m_step->setToolTip(tr("One sixtieth of a second further"));
     m_keyPose->setText(tr("Key the pose"));
     m_keyPose->setToolTip(tr("Inserts a key at this frame for the angles of all joints"));
-    m_bakeText->setText(tr("Tolerance"));
-    m_tolerance->setToolTip(
-        tr("Keys that a straight line comes as near to are left out, degrees; 0 keeps a key "
-           "for every frame"));
-    m_tolerance->setAccessibleName(m_bakeText->text());
-    NumberFormat degrees;
-    degrees.unit = ParamUnit::Radian;
-    degrees.factor = 180.0 / std::numbers::pi;
-    degrees.suffix = tr("°");
-    m_tolerance->setFormat(degrees);
-    m_bake->setText(tr("Bake to keys"));
+    m_bake->setText(tr("Bake to keys…"));
     m_bake->setToolTip(
-        tr("The motion towards the target becomes keys of the joints' angles, over the frames of the "
-           "timeline; then the arm follows those"));
+        tr("The motion towards the target becomes keys of the joints' angles, at the frames you choose; "
+           "then the arm follows those"));
 }
 
 } // namespace ramure

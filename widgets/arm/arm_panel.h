@@ -17,7 +17,6 @@ namespace ramure {
 class ArmMeshRow;
 class AutoKey;
 class JointForm;
-class NumberField;
 
 class ArmPanel : public QWidget
 {
@@ -56,7 +55,8 @@ private:
     void showJoints();
     void showProgress();
     void keyPose();
-    void bake();
+    void askBake();
+    void bake(const ArmBakeOptions& options);
     void tellBake(const std::optional<Error>& error);
     void retranslate();
     [[nodiscard]] const std::vector<ArmJoint>* joints() const;
@@ -70,11 +70,12 @@ private:
     QPushButton *m_add, *m_remove;
     JointForm* m_joint;
     QPushButton *m_go, *m_pause, *m_step;
-    QLabel *m_status, *m_bakeText;
-    NumberField* m_tolerance;
+    QLabel* m_status;
     QPushButton *m_keyPose, *m_bake;
     AutoKey* m_keys = nullptr;
     ArmBaker* m_baker;
+    ArmBakeOptions
+        m_bakeOptions; ///< as they were given last; without a range as long as it is the timeline's
     ArmMeshRow* m_worn;
 };
 

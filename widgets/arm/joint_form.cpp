@@ -245,7 +245,9 @@ void JointForm::retranslate()
 {
     for (QCheckBox* box : {m_limitPhi, m_limitTheta}) {
         box->setText(tr("Limited"));
-        box->setToolTip(tr("The angle stays between its limits; otherwise it may turn for ever"));
+        box->setToolTip(
+            tr("The angle stays between its limits; otherwise it may turn for ever. Has no keys: key "
+               "the limits instead, which do"));
     }
     for (const auto& row : m_rows) {
         const QString name = coreText(row->def->label), tip = coreText(row->def->tooltip);

@@ -349,6 +349,8 @@ void MainWindow::buildStatusBar()
     statusBar()->addPermanentWidget(m_bakeProgress);
     m_armProgress = new JobPanel(m_arm->bakeJob(), QStringLiteral("armProgress"), this);
     statusBar()->addPermanentWidget(m_armProgress);
+    m_wearProgress = new JobPanel(m_arm->meshRow()->job(), QStringLiteral("wearProgress"), this);
+    statusBar()->addPermanentWidget(m_wearProgress);
     buildSequences();
     statusBar()->addPermanentWidget(m_status);
 }
@@ -595,6 +597,7 @@ void MainWindow::retranslate()
     m_bakes->retranslate();
     m_bakeProgress->setText(tr("Baking the motion"));
     m_armProgress->setText(tr("Baking the arm to keys"));
+    m_wearProgress->setText(tr("Putting the mesh on the arm"));
     updateTitle();
 }
 

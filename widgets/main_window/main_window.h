@@ -123,6 +123,7 @@ private:
     BakeActions* m_bakes = nullptr;
     JobPanel* m_bakeProgress = nullptr;
     JobPanel* m_armProgress = nullptr;
+    JobPanel* m_wearProgress = nullptr;
     SequenceTask* m_sequences = nullptr;
     JobPanel* m_sequenceProgress = nullptr;
     KeyModel* m_keyModel = nullptr;

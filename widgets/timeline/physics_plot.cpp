@@ -33,6 +33,15 @@ QSize PhysicsPlot::sizeHint() const
     return {220, 3 * (fontMetrics().height() + 2) + 4};
 }
 
+void PhysicsPlot::setContent(Content content)
+{
+    if (content == m_content)
+        return;
+    m_content = content;
+    updateToolTip();
+    clear();
+}
+
 void PhysicsPlot::add(const MotionFrame& frame)
 {
     if (frame.frame < m_last)
@@ -43,6 +52,8 @@ void PhysicsPlot::add(const MotionFrame& frame)
         values[Energy] += motion.figures.kineticEnergy;
         values[LengthError] = std::max(values[LengthError], motion.figures.lengthError);
         values[StepTime] += 1e3 * motion.stepSeconds;
+        if (motion.arm)
+            values[Residual] = std::max(values[Residual], motion.arm->residual);
     }
     m_frames.push_back(values);
     if (m_frames.size() > length)
@@ -61,18 +72,31 @@ void PhysicsPlot::paintEvent(QPaintEvent*)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.fillRect(rect(), palette().base());
-    const double third = double(height()) / double(curves);
-    for (int curve = 0; curve < curves; ++curve)
-        paintCurve(painter, QRectF(0.0, curve * third, width(), third), static_cast<Curve>(curve));
+    if (m_content == Content::Arms)
+        return paintCurve(painter, rect(), Residual);
+    const double third = double(height()) / 3.0;
+    for (const Curve curve : {Energy, LengthError, StepTime})
+        paintCurve(painter, QRectF(0.0, int(curve) * third, width(), third), curve);
+}
+
+QString PhysicsPlot::nameOf(Curve curve)
+{
+    return curve == Energy        ? tr("Energy")
+           : curve == LengthError ? tr("Length error")
+           : curve == StepTime    ? tr("Step")
+                                  : tr("Residual");
+}
+
+QString PhysicsPlot::textOf(Curve curve, double value)
+{
+    return curve == StepTime   ? tr("%1 ms").arg(shortNumber(value))
+           : curve == Residual ? tr("%1 m").arg(shortNumber(value))
+                               : shortNumber(value);
 }
 
 void PhysicsPlot::paintCurve(QPainter& painter, const QRectF& area, Curve curve) const
 {
-    const QString name = curve == Energy        ? tr("Energy")
-                         : curve == LengthError ? tr("Length error")
-                                                : tr("Step");
     const double now = m_frames.empty() ? 0.0 : m_frames.back()[curve];
-    const QString unit = curve == StepTime ? QStringLiteral(" ms") : QString();
     double most = 0.0;
     for (const Values& values : m_frames)
         most = std::max(most, values[curve]);
@@ -93,15 +117,18 @@ void PhysicsPlot::paintCurve(QPainter& painter, const QRectF& area, Curve curve)
     }
     painter.setPen(palette().color(QPalette::Text));
     const QRectF text = area.adjusted(6.0, 0.0, -6.0, 0.0);
-    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, name);
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, nameOf(curve));
     if (!m_frames.empty())
-        painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, shortNumber(now) + unit);
+        painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, textOf(curve, now));
 }
 
 void PhysicsPlot::updateToolTip()
 {
-    setAccessibleName(tr("Physics"));
-    setToolTip(tr("Of all trees, over the latest frames: kinetic energy, the largest relative error of a "
+    const bool arms = m_content == Content::Arms;
+    setAccessibleName(arms ? tr("Residual") : tr("Physics"));
+    setToolTip(
+        arms ? tr("Over the latest frames: the largest distance from an arm's tip to its target (m)")
+             : tr("Of all trees, over the latest frames: kinetic energy, the largest relative error of a "
                   "branch's length, "
                   "and the time that one step of the physics takes (ms)"));
 }

@@ -1,5 +1,6 @@
 /// \file
-/// Three small curves of the latest frames: kinetic energy, worst length error, time of a physics step.
+/// Small curves of the latest frames. Of trees: kinetic energy, worst length error, time of a physics step. In
+/// scenes with arms alone: how far their tips are from their targets.
 #pragma once
 
 #include "core/document/motion.h"
@@ -17,7 +18,12 @@ public:
 
     explicit PhysicsPlot(QWidget* parent = nullptr);
 
-    /// Adds the sums over all trees (of errors the largest). A frame before the last one starts anew.
+    enum class Content { Nothing, Arms, Trees };
+    /// What moves in the scene; trees come first. Another content starts anew.
+    void setContent(Content content);
+    [[nodiscard]] Content content() const { return m_content; }
+
+    /// Adds the sums over all trees (of errors and of arms' residuals the largest). A frame before the last one starts anew.
     void add(const MotionFrame& frame);
     void clear();
     [[nodiscard]] std::size_t count() const { return m_frames.size(); }
@@ -29,12 +35,15 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    enum Curve { Energy, LengthError, StepTime };
-    static constexpr int curves = 3;
+    enum Curve { Energy, LengthError, StepTime, Residual };
+    static constexpr int curves = 4;
     using Values = std::array<double, std::size_t(curves)>;
     void paintCurve(QPainter& painter, const QRectF& area, Curve curve) const;
+    [[nodiscard]] static QString nameOf(Curve curve);
+    [[nodiscard]] static QString textOf(Curve curve, double value);
     void updateToolTip();
 
+    Content m_content = Content::Trees;
     std::deque<Values> m_frames;
     std::int64_t m_last = 0;
 };

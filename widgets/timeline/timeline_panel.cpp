@@ -223,7 +223,23 @@ void TimelinePanel::connectPlayer()
             showSettings();
         if (change.has(changeReset))
             m_plot->clear();
+        if (change.has(changeReset | changeStructure))
+            choosePlot();
     });
+    choosePlot();
+}
+
+/// The plot shows what the scene has to move; without trees and arms there is none.
+void TimelinePanel::choosePlot()
+{
+    const auto has = [nodes = m_document->scene().nodes()](NodeKind kind) {
+        return std::any_of(nodes.begin(), nodes.end(),
+                           [kind](const Node& node) { return node.kind == kind; });
+    };
+    m_plot->setContent(has(NodeKind::Tree)  ? PhysicsPlot::Content::Trees
+                       : has(NodeKind::Arm) ? PhysicsPlot::Content::Arms
+                                            : PhysicsPlot::Content::Nothing);
+    arrange();
 }
 
 void TimelinePanel::apply(const TimelineSettings& settings, GestureId gesture)
@@ -284,7 +300,8 @@ void TimelinePanel::arrange()
     const int plot = m_plot->sizeHint().width() + 30;
     const bool oneLine = width() >= transport + settings + plot;
     m_controls->setDirection(oneLine ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    m_plot->setVisible(width() >= (oneLine ? transport + settings : std::max(transport, settings)) + plot);
+    m_plot->setVisible(m_plot->content() != PhysicsPlot::Content::Nothing &&
+                       width() >= (oneLine ? transport + settings : std::max(transport, settings)) + plot);
     updateGeometry();
 }
 

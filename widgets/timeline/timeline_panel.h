@@ -55,6 +55,7 @@ private:
     void apply(const TimelineSettings& settings, GestureId gesture = 0);
     void retranslate();
     void arrange();
+    void choosePlot();
 
     Document* m_document;
     Player* m_player;

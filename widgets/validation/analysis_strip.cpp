@@ -1,5 +1,6 @@
 #include "widgets/validation/analysis_strip.h"
 
+#include "core/document/shape_checks.h"
 #include "widgets/support/core_text.h"
 #include "widgets/theme/icons.h"
 #include "widgets/validation/histogram_view.h"
@@ -72,34 +73,77 @@ AnalysisStrip::AnalysisStrip(Analysis* analysis, QWidget* parent)
     layout->addWidget(m_shape);
     layout->addWidget(m_histogram);
     layout->addWidget(m_hash);
-    connect(m_cancel, &QToolButton::clicked, this, [this] { m_analysis->cancel(m_tree); });
-    connect(m_again, &QPushButton::clicked, this, [this] { m_analysis->start(m_tree); });
-    connect(m_separate, &QPushButton::clicked, this, [this] { emit separateRequested(m_tree); });
+    connect(m_cancel, &QToolButton::clicked, this, [this] {
+        if (m_isShape)
+            m_shapes->cancel();
+        else
+            m_analysis->cancel(m_node);
+    });
+    connect(m_again, &QPushButton::clicked, this, [this] {
+        if (m_isShape)
+            m_shapes->start();
+        else
+            m_analysis->start(m_node);
+    });
+    connect(m_separate, &QPushButton::clicked, this, [this] { emit separateRequested(m_node); });
     connect(m_analysis, &Analysis::changed, this, [this](NodeId tree) {
-        if (tree == m_tree)
+        if (tree == m_node)
             refresh();
     });
     connect(m_analysis, &Analysis::progress, this, [this](NodeId tree, double fraction) {
-        if (tree == m_tree)
+        if (tree == m_node)
             m_progress->setValue(static_cast<int>(fraction * progressSteps));
     });
     retranslate();
 }
 
-void AnalysisStrip::setTree(NodeId tree)
+void AnalysisStrip::setShapes(ShapeChecks* shapes)
 {
-    m_tree = tree;
+    m_shapes = shapes;
+    connect(shapes, &ShapeChecks::changed, this, [this](NodeId node) {
+        if (node == m_node)
+            refresh();
+    });
+    connect(shapes, &ShapeChecks::progress, this, [this](NodeId node, double fraction) {
+        if (node == m_node)
+            m_progress->setValue(static_cast<int>(fraction * progressSteps));
+    });
+}
+
+void AnalysisStrip::setNode(NodeId node, bool isShape)
+{
+    m_node = node;
+    m_isShape = isShape && m_shapes;
     refresh();
+}
+
+Analysis::State AnalysisStrip::state() const
+{
+    return m_isShape ? m_shapes->state() : m_analysis->state(m_node);
+}
+
+std::shared_ptr<const MeshAnalysis> AnalysisStrip::findings() const
+{
+    if (!m_isShape)
+        return m_analysis->findings(m_node);
+    const auto outcome = m_shapes->outcome();
+    return outcome ? outcome->analysis : nullptr;
+}
+
+double AnalysisStrip::fraction() const
+{
+    return m_isShape ? m_shapes->fraction() : m_analysis->fraction(m_node);
 }
 
 void AnalysisStrip::refresh()
 {
-    const Analysis::State state = m_analysis->state(m_tree);
-    const auto findings = m_analysis->findings(m_tree);
-    setVisible(state != Analysis::State::None);
-    m_text->setText(findings ? crossingsText(*findings) : stateText(state));
-    showWork(state);
-    showFindings(findings.get());
+    const Analysis::State now = state();
+    const auto found = findings();
+    setVisible(now != Analysis::State::None);
+    m_text->setText(found ? crossingsText(*found) : stateText(now));
+    m_text->setVisible(!m_text->text().isEmpty());
+    showWork(now);
+    showFindings(found.get());
 }
 
 void AnalysisStrip::showWork(Analysis::State state)
@@ -107,7 +151,7 @@ void AnalysisStrip::showWork(Analysis::State state)
     using State = Analysis::State;
     const bool works = state == State::Waiting || state == State::Running;
     m_progress->setVisible(works);
-    m_progress->setValue(static_cast<int>(m_analysis->fraction(m_tree) * progressSteps));
+    m_progress->setValue(static_cast<int>(fraction() * progressSteps));
     m_cancel->setVisible(works);
     m_again->setVisible(state == State::Cancelled || state == State::Failed);
 }
@@ -121,7 +165,7 @@ QString AnalysisStrip::stateText(Analysis::State state) const
     case Analysis::State::Cancelled:
         return tr("Whether triangles run through each other is not known: the search was stopped.");
     case Analysis::State::Failed:
-        return errorText(m_analysis->error(m_tree).value_or(Error{}));
+        return errorText(m_analysis->error(m_node).value_or(Error{}));
     case Analysis::State::None:
     case Analysis::State::Done:
         break;

@@ -14,6 +14,7 @@ class QToolButton;
 namespace ramure {
 
 class HistogramView;
+class ShapeChecks;
 
 class AnalysisStrip : public QWidget
 {
@@ -22,7 +23,10 @@ public:
     /// \param analysis is not owned and must outlive the strip.
     explicit AnalysisStrip(Analysis* analysis, QWidget* parent = nullptr);
 
-    void setTree(NodeId tree);
+    /// Of what is no tree; not owned, must outlive the strip.
+    void setShapes(ShapeChecks* shapes);
+    /// \param isShape whether the shapes' checks tell of it.
+    void setNode(NodeId node, bool isShape);
     void retranslate();
 
 signals:
@@ -34,9 +38,14 @@ private:
     void showFindings(const MeshAnalysis* findings);
     void showWork(Analysis::State state);
     [[nodiscard]] QString stateText(Analysis::State state) const;
+    [[nodiscard]] Analysis::State state() const;
+    [[nodiscard]] std::shared_ptr<const MeshAnalysis> findings() const;
+    [[nodiscard]] double fraction() const;
 
     Analysis* m_analysis;
-    NodeId m_tree = noNode;
+    ShapeChecks* m_shapes = nullptr;
+    NodeId m_node = noNode;
+    bool m_isShape = false;
     QLabel* m_text;
     QLabel* m_shape;
     QLabel* m_hash;

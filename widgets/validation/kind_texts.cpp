@@ -17,6 +17,9 @@ public:
     static KindText crossing(PairKind kind);
     static KindText finding(FindingKind kind);
     static KindText clean();
+    static KindText cleanSolid();
+    static KindText cleanSurface();
+    static KindText crossing();
     static QString rich(const KindText& text);
 };
 
@@ -166,6 +169,33 @@ KindText KindTexts::clean()
         tr("Smooth shading, subdividing, unwrapping and physics work without repair.")};
 }
 
+KindText KindTexts::cleanSolid()
+{
+    return {
+        tr("What this means"),
+        tr("The surface is closed, without holes or seams: every edge has exactly two faces, and all faces "
+           "look outward."),
+        tr("The mesh is a solid body; a slicer takes it as it is."),
+        tr("Smooth shading, subdividing, unwrapping and physics work without repair.")};
+}
+
+KindText KindTexts::cleanSurface()
+{
+    return {
+        tr("What this means"),
+        tr("A terrain or a plane has an edge by its nature, so its surface is open there. Nothing else is "
+           "wrong with it: no other holes or seams, and all faces look to the same side."),
+        tr("It encloses nothing. Give it a thickness before it goes to a slicer."),
+        tr("Smooth shading, subdividing and physics work; from below one sees its back.")};
+}
+
+KindText KindTexts::crossing()
+{
+    return {tr("Crossings"), tr("Triangles of the mesh run through each other."),
+            tr("Most slicers join what overlaps; some leave a hollow there."),
+            tr("A hard crease where they meet, and false edges for tools that cut the mesh.")};
+}
+
 QString KindTexts::rich(const KindText& text)
 {
     const auto paragraph = [](const QString& label, const QString& words) {
@@ -217,6 +247,21 @@ KindText kindText(FindingKind kind)
 KindText cleanText()
 {
     return KindTexts::clean();
+}
+
+KindText cleanSolidText()
+{
+    return KindTexts::cleanSolid();
+}
+
+KindText cleanSurfaceText()
+{
+    return KindTexts::cleanSurface();
+}
+
+KindText crossingText(PairKind kind, const MeshAnalysis& analysis)
+{
+    return analysis.crossings.kindsKnown ? KindTexts::crossing(kind) : KindTexts::crossing();
 }
 
 QString richText(const KindText& text)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/mesh/branch_mesh.h"
+#include "core/mesh/mesh_analysis.h"
 #include "core/mesh/self_intersections.h"
 #include "core/mesh/validate.h"
 #include "widgets/validation/report_model.h"
@@ -24,8 +25,13 @@ KindText kindText(DefectKind kind);
 KindText kindText(SkeletonRepair kind);
 KindText kindText(PairKind kind);
 KindText kindText(FindingKind kind);
+/// As kindText; meshes without branches have one kind of crossing only.
+KindText crossingText(PairKind kind, const MeshAnalysis& analysis);
 /// What a mesh without defects is good for.
 KindText cleanText();
+/// The same of an arm or an object, and of an open surface without any other defect.
+KindText cleanSolidText();
+KindText cleanSurfaceText();
 /// As rich text for a label.
 QString richText(const KindText& text);
 

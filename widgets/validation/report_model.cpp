@@ -94,6 +94,14 @@ void ReportModel::setSource(ReportSource source)
     endResetModel();
 }
 
+KindText ReportModel::textOf(const Kind& kind) const
+{
+    const auto* crossing = std::get_if<PairKind>(&kind);
+    if (crossing && m_source.analysis)
+        return crossingText(*crossing, *m_source.analysis);
+    return std::visit([](auto one) { return kindText(one); }, kind);
+}
+
 void ReportModel::makeGroups()
 {
     m_groups.clear();
@@ -275,7 +283,7 @@ void ReportModel::fetchMore(const QModelIndex& parent)
 
 QString ReportModel::groupText(const Group& group) const
 {
-    const QString name = std::visit([](auto kind) { return kindText(kind).name; }, group.kind);
+    const QString name = textOf(group.kind).name;
     const QLocale locale;
     if (group.total <= group.items.size())
         return tr("%1: %2").arg(name, locale.toString(static_cast<qulonglong>(group.total)));
@@ -355,7 +363,7 @@ QVariant ReportModel::data(const QModelIndex& index, int role) const
         return index.column() == WhatColumn ? QVariant(groupText(groupOf(index))) : QVariant();
     }
     if (role == Qt::ToolTipRole) {
-        const KindText text = std::visit([](auto kind) { return kindText(kind); }, kind(index));
+        const KindText text = textOf(kind(index));
         return text.meaning;
     }
     return {};

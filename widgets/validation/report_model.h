@@ -15,6 +15,8 @@
 
 namespace ramure {
 
+struct KindText;
+
 /// What the model shows, shared with the result it comes from. All may be null.
 struct ReportSource
 {
@@ -58,6 +60,8 @@ public:
     [[nodiscard]] Kind
     kind(const QModelIndex& index) const; ///< of a row or of the row above it; index must be valid
     [[nodiscard]] QModelIndex kindIndex(const Kind& kind) const;
+    /// What it is called and what it means, in the mesh that is shown.
+    [[nodiscard]] KindText textOf(const Kind& kind) const;
     /// Null for the rows of kinds.
     [[nodiscard]] const Defect* defect(const QModelIndex& index) const;
     [[nodiscard]] const RepairNote* repair(const QModelIndex& index) const;

@@ -18,16 +18,18 @@ struct ReportTexts
 {
     Q_DECLARE_TR_FUNCTIONS(ReportTexts)
 public:
-    static QString counts(const MeshReport& report);
+    static QString counts(const MeshReport& report, CheckedShape shape);
     static QString openMesh(const MeshReport& report, bool draft);
-    static ReportSummary judge(const MeshReport& report, Index roots);
-    static ReportSummary summary(const NodeResult* result, const MeshAnalysis* analysis);
+    static ReportSummary judge(const MeshReport& report, Index roots, CheckedShape shape);
+    static ReportSummary crossed(const MeshAnalysis& analysis, CheckedShape shape);
+    static ReportSummary summary(const NodeResult* result, const MeshAnalysis* analysis, CheckedShape shape);
     static QString crossings(const MeshAnalysis& analysis);
     static QString quality(const MeshQuality& quality);
     static QStringList findingLines(const MeshAnalysis& analysis);
     static QStringList defectLines(const TreeResult& tree);
     static QStringList repairLines(const TreeResult& tree);
-    static QString whole(const QString& treeName, const NodeResult* result, const MeshAnalysis* analysis);
+    static QString whole(const QString& nodeName, const NodeResult* result, const MeshAnalysis* analysis,
+                         CheckedShape shape);
 };
 
 qulonglong defectTotal(const MeshReport& report)
@@ -38,9 +40,14 @@ qulonglong defectTotal(const MeshReport& report)
     return total;
 }
 
-QString ReportTexts::counts(const MeshReport& report)
+QString ReportTexts::counts(const MeshReport& report, CheckedShape shape)
 {
     const QLocale locale;
+    if (shape == CheckedShape::Open) // encloses nothing
+        return tr("%1 vertices, %2 faces, Euler characteristic %3, %n piece(s)", nullptr,
+                  static_cast<int>(report.components))
+            .arg(locale.toString(report.vertices), locale.toString(report.faces),
+                 locale.toString(static_cast<qlonglong>(report.eulerCharacteristic)));
     NumberFormat volume;
     volume.decimals = 4;
     volume.suffix = QStringLiteral("\u00a0m³");
@@ -57,7 +64,7 @@ QString ReportTexts::openMesh(const MeshReport& report, bool draft)
     return draft ? tr("A draft: the full mesh follows.") : tr("OpenMesh has not been asked yet.");
 }
 
-ReportSummary ReportTexts::judge(const MeshReport& report, Index roots)
+ReportSummary ReportTexts::judge(const MeshReport& report, Index roots, CheckedShape shape)
 {
     using Status = StatusBadge::Status;
     const qulonglong defects = defectTotal(report);
@@ -65,6 +72,8 @@ ReportSummary ReportTexts::judge(const MeshReport& report, Index roots)
         return {Status::Bad, tr("%n defect(s)", nullptr, static_cast<int>(defects)), {}};
     if (report.faces == 0)
         return {Status::Bad, tr("The mesh has no faces"), {}};
+    if (shape == CheckedShape::Open)
+        return {Status::Good, tr("An open surface, manifold and oriented"), {}};
     if (!report.valid)
         return {Status::Bad, tr("Closed, but inside out"), {}};
     if (report.components != roots)
@@ -74,7 +83,21 @@ ReportSummary ReportTexts::judge(const MeshReport& report, Index roots)
     return {Status::Good, tr("Closed, manifold, oriented"), {}};
 }
 
-ReportSummary ReportTexts::summary(const NodeResult* result, const MeshAnalysis* analysis)
+/// Triangles run through each other, more than branches that touch do.
+ReportSummary ReportTexts::crossed(const MeshAnalysis& analysis, CheckedShape shape)
+{
+    const int faults = static_cast<int>(analysis.crossings.aroundForks());
+    QString text;
+    if (shape == CheckedShape::Tree)
+        text = tr("Closed, but %n pair(s) of triangles cross at forks", nullptr, faults);
+    else if (shape == CheckedShape::Solid)
+        text = tr("Closed, but %n pair(s) of triangles run through each other", nullptr, faults);
+    else
+        text = tr("Oriented, but %n pair(s) of triangles run through each other", nullptr, faults);
+    return {StatusBadge::Status::Warning, text, {}};
+}
+
+ReportSummary ReportTexts::summary(const NodeResult* result, const MeshAnalysis* analysis, CheckedShape shape)
 {
     using Status = StatusBadge::Status;
     if (!result)
@@ -84,14 +107,12 @@ ReportSummary ReportTexts::summary(const NodeResult* result, const MeshAnalysis*
     if (!result->tree.report || !result->tree.branches)
         return {Status::Unknown, tr("Not checked yet"), tr("The mesh is being made.")};
     const MeshReport& report = *result->tree.report;
-    ReportSummary summary = judge(report, result->tree.branches->roots);
-    const quint64 faults = analysis ? analysis->crossings.aroundForks() : 0;
-    if (faults > 0 && summary.status == Status::Good)
-        summary = {
-            Status::Warning,
-            tr("Closed, but %n pair(s) of triangles cross at forks", nullptr, static_cast<int>(faults)),
-            {}};
-    summary.details = counts(report) + QStringLiteral(". ") + openMesh(report, result->draft);
+    ReportSummary summary = judge(report, result->tree.branches->roots, shape);
+    if (analysis && analysis->crossings.aroundForks() > 0 && summary.status == Status::Good)
+        summary = crossed(*analysis, shape);
+    summary.details = counts(report, shape) + QLatin1Char('.');
+    if (shape != CheckedShape::Open) // OpenMesh is asked for a closed mesh
+        summary.details += QLatin1Char(' ') + openMesh(report, result->draft);
     if (const QString note = coreText(budgetText(result->tree.branches->budget)); !note.isEmpty())
         summary.details += QLatin1Char(' ') + note + QLatin1Char('.');
     return summary;
@@ -104,6 +125,9 @@ QString ReportTexts::crossings(const MeshAnalysis& analysis)
     if (analysis.crossings.total() == 0)
         return tr("No triangle runs through another.");
     const quint64 forks = analysis.crossings.aroundForks();
+    if (!analysis.crossings.kindsKnown)
+        return tr("%n pair(s) of triangles run through each other.", nullptr,
+                  static_cast<int>(analysis.crossings.total()));
     if (forks == 0)
         sentences += tr("No triangles cross at forks.");
     else
@@ -127,17 +151,21 @@ QString ReportTexts::quality(const MeshQuality& quality)
 QStringList ReportTexts::findingLines(const MeshAnalysis& analysis)
 {
     QStringList lines{crossings(analysis)};
-    for (int k = 0; k < pairKindCount; ++k) {
+    for (int k = 0; k < (analysis.crossings.kindsKnown ? pairKindCount : 1); ++k) {
         const auto kind = static_cast<PairKind>(k);
-        lines += QStringLiteral("%1: %2").arg(kindText(kind).name).arg(analysis.crossings.count(kind));
+        lines += QStringLiteral("%1: %2")
+                     .arg(crossingText(kind, analysis).name)
+                     .arg(analysis.crossings.count(kind));
         if (kind == PairKind::Far)
             continue;
         for (const FacePair& pair : analysis.crossings.pairs)
             if (pair.kind == kind)
                 lines += QStringLiteral("    ") + crossingName(pair);
     }
-    lines +=
-        QStringLiteral("%1: %2").arg(kindText(FindingKind::Collision).name).arg(analysis.collisions.size());
+    if (analysis.crossings.kindsKnown)
+        lines += QStringLiteral("%1: %2")
+                     .arg(kindText(FindingKind::Collision).name)
+                     .arg(analysis.collisions.size());
     for (const Collision& collision : analysis.collisions)
         lines += QStringLiteral("    %1, %2")
                      .arg(collisionName(collision),
@@ -186,16 +214,19 @@ QStringList ReportTexts::repairLines(const TreeResult& tree)
     return lines;
 }
 
-QString ReportTexts::whole(const QString& treeName, const NodeResult* result, const MeshAnalysis* analysis)
+QString ReportTexts::whole(const QString& nodeName, const NodeResult* result, const MeshAnalysis* analysis,
+                           CheckedShape shape)
 {
-    const ReportSummary state = summary(result, analysis);
-    QStringList lines{tr("Check of the mesh of \"%1\"").arg(treeName), state.headline, state.details};
+    const ReportSummary state = summary(result, analysis, shape);
+    QStringList lines{tr("Check of the mesh of \"%1\"").arg(nodeName), state.headline, state.details};
     if (result && !result->error && result->tree.report && result->tree.branches) {
         lines += QString();
         lines += defectLines(result->tree);
-        lines += QString();
-        lines += tr("Repairs of the mesher:");
-        lines += repairLines(result->tree);
+        if (shape == CheckedShape::Tree) {
+            lines += QString();
+            lines += tr("Repairs of the mesher:");
+            lines += repairLines(result->tree);
+        }
     }
     if (analysis) {
         lines += QString();
@@ -206,9 +237,9 @@ QString ReportTexts::whole(const QString& treeName, const NodeResult* result, co
 
 } // namespace
 
-ReportSummary summarise(const NodeResult* result, const MeshAnalysis* analysis)
+ReportSummary summarise(const NodeResult* result, const MeshAnalysis* analysis, CheckedShape shape)
 {
-    return ReportTexts::summary(result, analysis);
+    return ReportTexts::summary(result, analysis, shape);
 }
 
 QString crossingsText(const MeshAnalysis& analysis)
@@ -221,9 +252,10 @@ QString qualityText(const MeshQuality& quality)
     return ReportTexts::quality(quality);
 }
 
-QString reportText(const QString& treeName, const NodeResult* result, const MeshAnalysis* analysis)
+QString reportText(const QString& nodeName, const NodeResult* result, const MeshAnalysis* analysis,
+                   CheckedShape shape)
 {
-    return ReportTexts::whole(treeName, result, analysis);
+    return ReportTexts::whole(nodeName, result, analysis, shape);
 }
 
 } // namespace ramure

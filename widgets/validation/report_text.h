@@ -10,7 +10,10 @@
 
 namespace ramure {
 
-/// The state of one tree's mesh in two lines.
+/// What a mesh is held to: as many pieces as roots; closed; or an open surface.
+enum class CheckedShape : std::uint8_t { Tree, Solid, Open };
+
+/// The state of one mesh in two lines.
 struct ReportSummary
 {
     StatusBadge::Status status = StatusBadge::Status::Unknown;
@@ -20,7 +23,8 @@ struct ReportSummary
 
 /// \param result null where nothing was computed yet.
 /// \param analysis null where there is none yet: then nothing is said of crossings.
-ReportSummary summarise(const NodeResult* result, const MeshAnalysis* analysis = nullptr);
+ReportSummary summarise(const NodeResult* result, const MeshAnalysis* analysis = nullptr,
+                        CheckedShape shape = CheckedShape::Tree);
 /// What runs through what, in a sentence or two.
 QString crossingsText(const MeshAnalysis& analysis);
 /// Smallest angle and largest aspect ratio.
@@ -28,6 +32,7 @@ QString qualityText(const MeshQuality& quality);
 
 /// Everything as plain text: state, counts of every kind, each listed defect and repair with branch and
 /// place.
-QString reportText(const QString& treeName, const NodeResult* result, const MeshAnalysis* analysis = nullptr);
+QString reportText(const QString& nodeName, const NodeResult* result, const MeshAnalysis* analysis = nullptr,
+                   CheckedShape shape = CheckedShape::Tree);
 
 } // namespace ramure

@@ -2,6 +2,8 @@
 
 #include "core/document/analysis.h"
 #include "core/document/document.h"
+#include "core/document/shape_checks.h"
+#include "core/scene/object_mesh.h"
 #include "core/scene/places.h"
 #include "widgets/inspector/only_branch.h"
 #include "widgets/support/empty_page.h"
@@ -27,21 +29,25 @@ namespace {
 constexpr quint32 newsThatMatter =
     changeSelection | changeResults | changeReset | changeNodeState | changeStructure;
 
-/// The tree whose mesh is looked at: that of the selected branches, the active node, or, while something else
-/// or nothing is selected, the one before; else the first.
-NodeId treeToShow(const Document& document, NodeId before)
+/// The node whose mesh is looked at: that of the selected branches, the active one, or, while a group or
+/// nothing is selected, the one before; else the first tree, else the first of all.
+NodeId nodeToShow(const Document& document, NodeId before)
 {
-    const auto isTree = [&document](NodeId id) {
+    const auto hasMesh = [&document](NodeId id) {
         const Node* node = document.scene().find(id);
-        return node && node->kind == NodeKind::Tree;
+        return node && node->kind != NodeKind::Group;
     };
     for (const NodeId id : {document.selection().branchNode, document.selection().activeNode(), before})
-        if (isTree(id))
+        if (hasMesh(id))
             return id;
-    for (const Node& node : document.scene().nodes())
+    NodeId first = noNode;
+    for (const Node& node : document.scene().nodes()) {
         if (node.kind == NodeKind::Tree)
             return node.id;
-    return noNode;
+        if (first == noNode && node.kind != NodeKind::Group)
+            first = node.id;
+    }
+    return first;
 }
 
 } // namespace
@@ -52,6 +58,7 @@ struct ValidationPanel::Private
         : q(panel)
         , document(ofDocument)
         , analysis(ofMeshes)
+        , shapes(ofDocument)
     {
     }
 
@@ -59,24 +66,30 @@ struct ValidationPanel::Private
     QWidget* buildHead(QWidget* parent);
     QWidget* buildExplanation(QWidget* parent);
     void refresh();
+    void showNode();
     void showSummary();
     void explain();
     void activate(const QModelIndex& index);
     void selectBranch(Index branch);
     void highlight(const DefectPlace& place);
     void showCollision(const Collision& collision);
+    /// The check of the node, wherever it comes from; null where there is none yet.
+    [[nodiscard]] const NodeResult* result() const;
     [[nodiscard]] std::shared_ptr<const MeshAnalysis> findings() const;
+    [[nodiscard]] bool isShapeShown() const;
+    [[nodiscard]] CheckedShape shape() const;
     void retranslate();
     void leave();
 
     ValidationPanel* q;
     Document* document;
     Analysis* analysis;
+    ShapeChecks shapes;
     AnalysisStrip* strip = nullptr;
     QStackedWidget* pages = nullptr;
     EmptyPage* empty = nullptr;
     StatusBadge* badge = nullptr;
-    QLabel* tree = nullptr;
+    QLabel* name = nullptr;
     QLabel* headline = nullptr;
     QLabel* details = nullptr;
     QToolButton* copy = nullptr;
@@ -107,6 +120,10 @@ ValidationPanel::ValidationPanel(Document* document, Analysis* analysis, QWidget
             if (tree == d->node)
                 d->refresh();
         });
+    connect(&d->shapes, &ShapeChecks::changed, this, [this](NodeId shape) {
+        if (shape == d->node && shape != noNode)
+            d->showNode();
+    });
     d->retranslate();
 }
 
@@ -128,6 +145,7 @@ void ValidationPanel::Private::build()
     layout->addWidget(buildHead(content));
     if (analysis) {
         strip = new AnalysisStrip(analysis, content);
+        strip->setShapes(&shapes);
         layout->addWidget(strip);
         QObject::connect(strip, &AnalysisStrip::separateRequested, q, &ValidationPanel::separateRequested);
     }
@@ -164,16 +182,17 @@ QWidget* ValidationPanel::Private::buildHead(QWidget* parent)
     headline = new QLabel(head);
     headline->setObjectName(QStringLiteral("panelTitle"));
     headline->setWordWrap(true);
-    tree = new QLabel(head);
-    tree->setTextFormat(Qt::PlainText);
-    tree->setForegroundRole(QPalette::PlaceholderText);
+    name = new QLabel(head);
+    name->setObjectName(QStringLiteral("checkedNode"));
+    name->setTextFormat(Qt::PlainText);
+    name->setForegroundRole(QPalette::PlaceholderText);
     details = new QLabel(head);
     details->setObjectName(QStringLiteral("reportDetails"));
     details->setTextFormat(Qt::PlainText);
     details->setWordWrap(true);
     details->setTextInteractionFlags(Qt::TextSelectableByMouse);
     texts->addWidget(headline);
-    texts->addWidget(tree);
+    texts->addWidget(name);
     texts->addWidget(details);
     row->addLayout(texts, 1);
     copy = new QToolButton(head);
@@ -206,36 +225,69 @@ void ValidationPanel::Private::refresh()
 {
     if (!q->isVisible())
         return; // showEvent catches up
-    const NodeId shown = treeToShow(*document, node);
+    const NodeId shown = nodeToShow(*document, node);
     if (shown != node)
         leave();
     node = shown;
     pages->setCurrentIndex(node == noNode ? 0 : 1);
-    const NodeResult* result = document->result(node);
-    if (result && !result->error)
-        model->setSource({result->tree.report, result->tree.branches, result->tree.simplified, findings()});
+    shapes.lookAt(isShapeShown() ? node : noNode);
+    showNode();
+}
+
+void ValidationPanel::Private::showNode()
+{
+    const NodeResult* checked = result();
+    if (checked && !checked->error)
+        model->setSource(
+            {checked->tree.report, checked->tree.branches, checked->tree.simplified, findings()});
     else
         model->setSource({});
     view->setVisible(model->rowCount() > 0);
     if (strip)
-        strip->setTree(node);
+        strip->setNode(node, isShapeShown());
     showSummary();
+}
+
+bool ValidationPanel::Private::isShapeShown() const
+{
+    const Node* shown = document->scene().find(node);
+    return shown && isShape(shown->kind);
+}
+
+CheckedShape ValidationPanel::Private::shape() const
+{
+    if (!isShapeShown())
+        return CheckedShape::Tree;
+    const Node* shown = document->scene().find(node);
+    return isOpenSurface(*shown) ? CheckedShape::Open : CheckedShape::Solid;
+}
+
+const NodeResult* ValidationPanel::Private::result() const
+{
+    if (!isShapeShown())
+        return document->result(node);
+    const auto outcome = shapes.outcome();
+    return outcome ? &outcome->result : nullptr;
 }
 
 std::shared_ptr<const MeshAnalysis> ValidationPanel::Private::findings() const
 {
+    if (isShapeShown()) {
+        const auto outcome = shapes.outcome();
+        return outcome ? outcome->analysis : nullptr;
+    }
     return analysis ? analysis->findings(node) : nullptr;
 }
 
 void ValidationPanel::Private::showSummary()
 {
     const Node* shown = document->scene().find(node);
-    const ReportSummary state = summarise(document->result(node), findings().get());
+    const ReportSummary state = summarise(result(), findings().get(), shape());
     badge->setStatus(state.status);
     badge->setAccessibleName(state.headline);
     headline->setText(state.headline);
     details->setText(state.details);
-    tree->setText(shown ? QString::fromStdString(shown->name) : QString());
+    name->setText(shown ? QString::fromStdString(shown->name) : QString());
     explain();
 }
 
@@ -244,9 +296,11 @@ void ValidationPanel::Private::explain()
     const QModelIndex current = view->currentIndex();
     QString text;
     if (current.isValid())
-        text = richText(std::visit([](auto kind) { return kindText(kind); }, model->kind(current)));
+        text = richText(model->textOf(model->kind(current)));
     else if (badge->status() == StatusBadge::Status::Good)
-        text = richText(cleanText());
+        text = richText(shape() == CheckedShape::Tree    ? cleanText()
+                        : shape() == CheckedShape::Solid ? cleanSolidText()
+                                                         : cleanSurfaceText());
     else if (model->rowCount() > 0)
         text = richText(
             {tr("What this means"), tr("Choose a kind above to read what it is and what it does."), {}, {}});
@@ -317,7 +371,7 @@ void ValidationPanel::Private::leave()
 
 void ValidationPanel::Private::retranslate()
 {
-    empty->setText(tr("The check of a tree's mesh stands here. There is no tree in the scene."));
+    empty->setText(tr("The check of a mesh stands here. There is none in the scene."));
     copy->setToolTip(tr("Copy the report as text"));
     copy->setAccessibleName(copy->toolTip());
     view->setAccessibleName(tr("Defects and repairs"));
@@ -337,10 +391,9 @@ void ValidationPanel::copyReport()
 {
     if (d->node == noNode)
         return;
-    const Node* tree = d->document->scene().find(d->node);
-    const QString name = tree ? QString::fromStdString(tree->name) : QString();
-    QGuiApplication::clipboard()->setText(
-        reportText(name, d->document->result(d->node), d->findings().get()));
+    const Node* shown = d->document->scene().find(d->node);
+    const QString name = shown ? QString::fromStdString(shown->name) : QString();
+    QGuiApplication::clipboard()->setText(reportText(name, d->result(), d->findings().get(), d->shape()));
     emit messageRaised(tr("Report copied as text"));
 }
 
@@ -355,6 +408,13 @@ void ValidationPanel::showEvent(QShowEvent* event)
 {
     QWidget::showEvent(event);
     d->refresh();
+}
+
+/// Nobody looks at the shape any more.
+void ValidationPanel::hideEvent(QHideEvent* event)
+{
+    QWidget::hideEvent(event);
+    d->shapes.lookAt(noNode);
 }
 
 } // namespace ramure

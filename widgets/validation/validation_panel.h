@@ -1,7 +1,7 @@
 /// \file
-/// Content of the validation dock: is the active tree's mesh closed, manifold and oriented, what runs through
-/// what, how well shaped are its triangles? Green, or every defect by kind; below it what the mesher had to
-/// repair, and what each kind means for a print or a game.
+/// Content of the validation dock: is the mesh of the selected node (a tree, an arm, a terrain, an object)
+/// closed, manifold and oriented, what runs through what, how well shaped are its triangles? Green, or every
+/// defect by kind; below it what the mesher had to repair, and what each kind means for a print or a game.
 #pragma once
 
 #include "core/scene/scene.h"
@@ -19,7 +19,7 @@ class ValidationPanel : public QWidget
     Q_OBJECT
 public:
     /// \param document,analysis are not owned and must outlive the panel. Without an analysis only the
-    /// topology is shown.
+    /// topology of trees is shown. What is no tree is checked here, as long as the panel is seen.
     explicit ValidationPanel(Document* document, QWidget* parent = nullptr);
     ValidationPanel(Document* document, Analysis* analysis, QWidget* parent = nullptr);
     ~ValidationPanel() override;
@@ -33,7 +33,7 @@ public slots:
 signals:
     /// A defect was clicked; its branch is selected by now. Frame place.box, draw the rest.
     void defectActivated(ramure::NodeId node, const ramure::DefectPlace& place);
-    /// Another tree, another mesh or a repair note: what was highlighted is out of date.
+    /// Another node, another mesh or a repair note: what was highlighted is out of date.
     void defectLeft();
     /// The colliding branches of the tree are to be moved apart.
     void separateRequested(ramure::NodeId tree);
@@ -43,6 +43,7 @@ signals:
 protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     struct Private;

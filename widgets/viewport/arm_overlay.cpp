@@ -1,11 +1,13 @@
 #include "widgets/viewport/arm_overlay.h"
 
 #include <QCoreApplication>
+#include <QFontMetricsF>
 #include <QLocale>
 #include <QPainter>
 #include <QPolygonF>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ramure {
 namespace {
@@ -75,24 +77,48 @@ QString shortLength(double metres)
     return Words::tr("%1 µm").arg(digits(1e6 * metres));
 }
 
-/// A line and a label for each power of ten, as many as there is room for.
-void paintGrid(QPainter& painter, const Decades& decades, const QRectF& place)
+/// The labels of a plot stand on its left, clear of its lines and its curve.
+QFont labelFont(const QFont& text)
 {
-    const double lines = decades.high - decades.low;
-    const double every = std::max(1.0, std::ceil(lines * 13.0 / place.height()));
-    QFont font = painter.font();
-    const QFont before = font;
+    QFont font = text;
     if (font.pointSizeF() > 0.0)
         font.setPointSizeF(0.8 * font.pointSizeF());
-    painter.setFont(font);
-    for (double exponent = decades.high; exponent >= decades.low; exponent -= every) {
-        const double y = decades.y(std::pow(10.0, exponent), place);
+    return font;
+}
+
+/// As many powers of ten as there is room for, from the highest on.
+std::vector<double> exponentsShown(const Decades& decades, double height, double lineHeight)
+{
+    const double every = std::max(1.0, std::ceil((decades.high - decades.low) * lineHeight / height));
+    std::vector<double> shown;
+    for (double exponent = decades.high; exponent >= decades.low; exponent -= every)
+        shown.push_back(exponent);
+    return shown;
+}
+
+/// The curve beside its labels, with a line for each label.
+void paintPlot(QPainter& painter, const std::vector<float>& residuals, const QRectF& place)
+{
+    const QFont before = painter.font();
+    painter.setFont(labelFont(before));
+    const QFontMetricsF metrics(painter.font());
+    const Decades decades(residuals);
+    const double half = 0.5 * metrics.height();
+    const std::vector<double> shown = exponentsShown(decades, place.height() - 2.0 * half, metrics.height());
+    double gutter = 0.0;
+    for (const double exponent : shown)
+        gutter = std::max(gutter, metrics.horizontalAdvance(lengthText(exponent)));
+    const QRectF field = place.adjusted(gutter + 6.0, half, 0.0, -half);
+    for (const double exponent : shown) {
+        const double y = decades.y(std::pow(10.0, exponent), field);
         painter.setPen(QPen(QColor(255, 255, 255, 50), 1.0));
-        painter.drawLine(QPointF(place.left(), y), QPointF(place.right(), y));
-        painter.setPen(QColor(255, 255, 255, 170));
-        painter.drawText(QRectF(place.left() + 2.0, y, 78.0, 12.0), Qt::AlignLeft | Qt::AlignTop,
-                         lengthText(exponent));
+        painter.drawLine(QPointF(field.left(), y), QPointF(field.right(), y));
+        painter.setPen(QColor(255, 255, 255, 190));
+        painter.drawText(QRectF(place.left(), y - half, gutter, 2.0 * half),
+                         Qt::AlignRight | Qt::AlignVCenter, lengthText(exponent));
     }
+    painter.setPen(QPen(QColor(90, 220, 120), 1.6));
+    painter.drawPolyline(curve(residuals, decades, field));
     painter.setFont(before);
 }
 
@@ -169,11 +195,8 @@ void paintArmStatus(QPainter& painter, QSize size, const ArmProgress& progress)
     if (!plots)
         return;
     const QRectF place(box.left() + 10.0, box.bottom() - 8.0 - plotHeight, width - 20.0, plotHeight);
-    const Decades decades(progress.residuals);
     painter.setBrush(Qt::NoBrush);
-    paintGrid(painter, decades, place.adjusted(0.0, 2.0, 0.0, -12.0));
-    painter.setPen(QPen(QColor(90, 220, 120), 1.6));
-    painter.drawPolyline(curve(progress.residuals, decades, place.adjusted(0.0, 2.0, 0.0, -12.0)));
+    paintPlot(painter, progress.residuals, place);
 }
 
 } // namespace ramure

@@ -28,6 +28,8 @@ private slots:
     void longRunsTooGiveTheSame();
     void theBakedArmMovesTheSame_data();
     void theBakedArmMovesTheSame();
+    void rangesAreTheArtists_data();
+    void rangesAreTheArtists();
     void thinnedKeysStayWithinTheTolerance();
     void neededPointsPassAllOthers();
 
@@ -105,6 +107,9 @@ void TestArmBake::badBakesAreErrors()
     NodeParams params = armParams();
     for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN()})
         QVERIFY(!bakeArm(params, {}, frames, {bad, true}));
+    for (const ArmBakeRange& bad : {ArmBakeRange{5, 4, 1}, ArmBakeRange{0, 4, 0}, ArmBakeRange{0, 4, -1},
+                                    ArmBakeRange{leastFrame - 1, 4, 1}, ArmBakeRange{0, mostFrame + 1, 1}})
+        QVERIFY(!bakeArm(params, {}, frames, {0.0, true, bad}));
     params.arm.follows = false;
     QVERIFY(!bakeArm(params, {}, frames, {}));
     params.arm.follows = true;
@@ -291,6 +296,52 @@ void TestArmBake::theBakedArmMovesTheSame()
     ArmDriver after = armDriver(params, *baked);
     QVERIFY(glm::distance(ArmChain(after.momentAt(3.0, {})->joints).tip(),
                           ArmChain(driver.momentAt(3.0, {})->joints).tip()) < 1e-9);
+}
+
+void TestArmBake::rangesAreTheArtists_data()
+{
+    QTest::addColumn<int>("first");
+    QTest::addColumn<int>("last");
+    QTest::addColumn<int>("every");
+    QTest::newRow("inside") << 10 << 40 << 1;
+    QTest::newRow("thirds") << 0 << 30 << 3;
+    QTest::newRow("the last one too") << 5 << 25 << 8;
+    QTest::newRow("beyond the timeline") << 90 << 120 << 10;
+    QTest::newRow("one frame") << 7 << 7 << 4;
+    QTest::newRow("wider than the range") << 3 << 9 << 100;
+}
+
+/// Keys at the frames that were asked for, and there what baking all frames gives.
+void TestArmBake::rangesAreTheArtists()
+{
+    QFETCH(int, first);
+    QFETCH(int, last);
+    QFETCH(int, every);
+    const NodeParams params = armParams();
+    const NodeAnimation target = circlingTarget();
+    const auto baked = bakeArm(params, target, frames, {0.0, true, ArmBakeRange{first, last, every}});
+    TimelineSettings wide = frames;
+    wide.firstFrame = first;
+    wide.lastFrame = last;
+    const auto all = bakeArm(params, target, wide, {});
+    QVERIFY(baked && all);
+    for (std::size_t joint = 0; joint < params.joints.size(); ++joint)
+        for (const char* key : {"phi.angle", "theta.angle"}) {
+            const auto held = baked->find(jointChannel(static_cast<int>(joint), key));
+            QVERIFY(held);
+            const Track& track = std::get<Track>(*held);
+            std::vector<Ticks> meant;
+            for (int frame = first; frame < last; frame += every)
+                meant.push_back(ticksOf(frames.timeOf(frame)));
+            meant.push_back(ticksOf(frames.timeOf(last)));
+            QCOMPARE(track.size(), meant.size());
+            const Track& whole = std::get<Track>(*all->find(jointChannel(static_cast<int>(joint), key)));
+            for (std::size_t i = 0; i < meant.size(); ++i) {
+                QCOMPARE(track.keys()[i].time, meant[i]);
+                const double away = track.keys()[i].value - whole.keys()[*whole.find(meant[i])].value;
+                QVERIFY(std::abs(std::remainder(away, 2.0 * pi)) < 1e-12);
+            }
+        }
 }
 
 void TestArmBake::thinnedKeysStayWithinTheTolerance()

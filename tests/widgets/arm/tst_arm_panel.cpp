@@ -3,6 +3,7 @@
 #include "tests/support/suite.h"
 #include "widgets/animation/auto_key.h"
 #include "widgets/arm/arm_panel.h"
+#include "widgets/arm/bake_keys_dialog.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/properties/param_row.h"
 #include "widgets/properties/properties_panel.h"
@@ -12,6 +13,7 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QToolButton>
 #include <glm/geometric.hpp>
 
@@ -209,12 +211,40 @@ void TestArmPanel::theMotionIsBaked()
     QPushButton* bake = desk.panel.findChild<QPushButton*>(QStringLiteral("bakeToKeys"));
     QSignalSpy told(&desk.panel, &ArmPanel::messageRaised);
     bake->click();
+    auto* dialog = desk.panel.findChild<BakeKeysDialog*>();
+    QVERIFY(dialog && dialog->isVisible());
+    const auto box = [&dialog](const char* name) { return dialog->findChild<QSpinBox*>(QLatin1String(name)); };
+    auto* go = dialog->findChild<QPushButton*>(QStringLiteral("bake"));
+    QCOMPARE(box("firstFrame")->value(), 0); // the timeline's
+    QCOMPARE(box("lastFrame")->value(), 250);
+    box("lastFrame")->setValue(-1);
+    QVERIFY(!go->isEnabled());
+    QVERIFY(!dialog->findChild<QLabel*>(QStringLiteral("bakeNote"))->text().isEmpty());
+    dialog->findChild<QPushButton*>(QStringLiteral("wholeTimeline"))->click();
+    QCOMPARE(box("lastFrame")->value(), 250);
+    box("firstFrame")->setValue(10);
+    box("lastFrame")->setValue(40);
+    box("everyFrame")->setValue(7);
+    for (const QSpinBox* field : dialog->findChildren<QSpinBox*>())
+        QVERIFY(!field->toolTip().isEmpty() && !field->accessibleName().isEmpty());
+    QVERIFY(go->isEnabled());
+    go->click();
     QTRY_COMPARE_WITH_TIMEOUT(told.count(), 1, 20'000);
+    const Channel phi{ChannelPart::Joint, 0, static_cast<ParamId>(jointAngleNumber(true))};
+    const auto track = desk.document.scene().find(1)->animation.find(phi);
+    QVERIFY(track);
+    QVERIFY(keyCount(*track) == 1 || keyCount(*track) == 6); // 10, 17, 24, 31, 38 and 40
     QCOMPARE(desk.document.scene().find(1)->animation.tracks().size(), std::size_t(9));
     QVERIFY(!bake->isEnabled()); // it follows no target any more
     QCOMPARE(desk.document.undoStack()->count(), 1);
     desk.document.undoStack()->undo();
     QVERIFY(bake->isEnabled());
+    QTRY_VERIFY(!desk.panel.findChild<BakeKeysDialog*>());
+    bake->click();
+    dialog = desk.panel.findChild<BakeKeysDialog*>();
+    QCOMPARE(box("everyFrame")->value(), 7); // as it was given last
+    dialog->reject();
+    QCOMPARE(desk.document.undoStack()->count(), 1);
 }
 
 /// In the properties: one step, and the approach is seen.

@@ -1,4 +1,5 @@
 #include "core/document/player.h"
+#include "core/scene/arm_demo.h"
 #include "tests/support/suite.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/numbers/number_field.h"
@@ -37,6 +38,7 @@ private slots:
     void loopActionsAreUndoable();
     void pageTurnsWhilePlaying();
     void plotKeepsTheLatestFrames();
+    void plotShowsWhatTheSceneHas();
     void everythingHasAToolTip();
 
 private:
@@ -245,6 +247,24 @@ void TestTimelinePanel::pageTurnsWhilePlaying()
     QVERIFY(ruler()->xOf(200) > ruler()->width());
     m_player->seek(200);
     QVERIFY(ruler()->xOf(200) > 0 && ruler()->xOf(200) < ruler()->width());
+}
+
+void TestTimelinePanel::plotShowsWhatTheSceneHas()
+{
+    auto* plot = child<PhysicsPlot>("physicsPlot");
+    m_document->reset(Scene(), {});
+    QVERIFY(plot->content() == PhysicsPlot::Content::Nothing && plot->isHidden());
+    m_document->reset(armDemo(), {});
+    QVERIFY(plot->content() == PhysicsPlot::Content::Arms);
+    QVERIFY(!plot->grab().isNull());
+    const QString ofArms = plot->toolTip();
+    Node tree;
+    tree.id = 9;
+    tree.kind = NodeKind::Tree;
+    Scene both = armDemo();
+    QVERIFY(both.insert({tree}, noNode, 9));
+    m_document->reset(both, {});
+    QVERIFY(plot->content() == PhysicsPlot::Content::Trees && plot->toolTip() != ofArms);
 }
 
 void TestTimelinePanel::plotKeepsTheLatestFrames()
