@@ -17,6 +17,7 @@ constexpr double farK = 0.5; ///< stretched by 3: what is worse is drawn back, h
 // Excess of k at which a triangle pulls a quarter as much, in the first and in the last round.
 constexpr double firstScale = 0.1, lastScale = 0.02;
 constexpr double mostMomentum = 0.95; ///< of a round's moves, carried into the next
+constexpr double warmUpShare = 0.015; ///< of the rounds: until momentum is half
 constexpr double inertia = 0.1;       ///< of triangles without excess
 
 } // namespace
@@ -245,11 +246,13 @@ void ConformalRelaxer::fit(int rounds, Index enough)
     m_before = m_best = m_z;
     Index fewest = m_folded ? none : m_bad;
     const double shrink = std::pow(lastScale / firstScale, 1.0 / std::max(rounds - 1, 1));
+    const double warmUp = warmUpShare * double(rounds);
     double scale = firstScale;
     for (int round = 0; round < rounds && m_stretched && fewest > enough; ++round, scale *= shrink) {
         weighExcess(scale);
         sweepExcess();
-        goOn(std::min(mostMomentum, double(round) / double(round + 3)));
+        sweepExcess();
+        goOn(std::min(mostMomentum, double(round) / (double(round) + warmUp)));
         measure(false, boundK);
         if (m_folded || m_bad >= fewest)
             continue;

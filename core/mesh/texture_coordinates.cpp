@@ -26,7 +26,7 @@ struct Attempt
     bool thorough;
     double part; ///< of the time, when it is done
 };
-constexpr std::array<Attempt, 3> attempts{{{30, false, 0.05}, {100, true, 0.3}, {300, true, 1.0}}};
+constexpr std::array<Attempt, 3> attempts{{{15, false, 0.05}, {50, true, 0.3}, {200, true, 1.0}}};
 constexpr double fewStretched = 0.049, hopelessShare = 0.08; ///< of the triangles
 constexpr double worthIt = 0.9;         ///< of them, after an attempt, and the next is made
 constexpr Index mostThorough = 100'000; ///< triangles: some seconds of work

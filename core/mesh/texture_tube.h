@@ -41,7 +41,7 @@ public:
     {
         double tileSize = 1.0;   ///< m
         bool seamsAround = true; ///< seams may open around bends
-        int rounds = 30;         ///< of moves, on tubes that are stretched
+        int rounds = 15;         ///< of moves, on tubes that are stretched
         bool thorough = false;   ///< all ways are tried
     };
     explicit TubeTexture(const Options& options)

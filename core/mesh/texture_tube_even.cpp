@@ -11,11 +11,11 @@ constexpr double leastTurn = 0.02; ///< rad, between neighbours on a smoothed fr
 constexpr int thoroughSweeps = 60, choosySweeps = 8;
 constexpr int unfoldingRounds = 6;
 /// Of a tube's triangles may be stretched: it is left at that.
-constexpr double enoughBad = 0.04, thoroughBad = 0.02;
+constexpr double enoughBad = 0.04, thoroughBad = 0.01;
 
 } // namespace
 
-const TubeTexture::Effort TubeTexture::firstEffort{1, 4, 10, 0.1};
+const TubeTexture::Effort TubeTexture::firstEffort{1, 4, 5, 0.1};
 
 template <class Relaxer> void TubeTexture::fill(Relaxer& relaxer) const
 {

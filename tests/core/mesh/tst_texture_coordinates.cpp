@@ -132,6 +132,7 @@ const TestTextureCoordinates::Textured& TestTextureCoordinates::textured(const Q
     if (known != all.end())
         return known->second;
     BranchMesh mesh = meshOf(preset);
+    const ThreadLimit limit(5); // whatever the machine has
     auto made = textureCoordinates(mesh, {});
     return all.emplace(preset, Textured{std::move(mesh), std::move(made)}).first->second;
 }
@@ -202,11 +203,9 @@ void TestTextureCoordinates::theSameOnAnyNumberOfThreads()
     QFETCH(QString, preset);
     const auto& [mesh, onMany] = textured(preset);
     QVERIFY(onMany);
-    for (const unsigned threads : {1U, 5U}) {
-        const ThreadLimit limit(threads);
-        const auto made = textureCoordinates(mesh, {});
-        QVERIFY(made && *made == *onMany);
-    }
+    const ThreadLimit limit(1);
+    const auto onOne = textureCoordinates(mesh, {});
+    QVERIFY(onOne && *onOne == *onMany);
 }
 
 void TestTextureCoordinates::tellsHowFarItIs()
@@ -418,7 +417,7 @@ void TestTextureCoordinates::wholeTilesGoAround()
 
 void TestTextureCoordinates::anySkeleton()
 {
-    for (std::uint64_t seed = 0; seed < fuzzCount(120); ++seed) {
+    for (std::uint64_t seed = 0; seed < fuzzCount(80); ++seed) {
         const Specimen wild = specimen(seed);
         const auto mesh = buildBranchMesh(wild.skeleton, wild.meshOptions());
         if (!mesh)
