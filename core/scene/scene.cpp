@@ -6,10 +6,21 @@
 
 namespace ramure {
 
+/// Nodes mostly stand in the order they were made in: looked for from there outwards, both ways.
 std::size_t Scene::indexOf(NodeId id) const
 {
-    const auto it = std::find_if(m_nodes.begin(), m_nodes.end(), [id](const Node& n) { return n.id == id; });
-    return static_cast<std::size_t>(it - m_nodes.begin());
+    const std::size_t count = m_nodes.size();
+    if (count == 0)
+        return 0;
+    const std::size_t guess = id == noNode ? 0 : std::min(static_cast<std::size_t>(id) - 1, count - 1);
+    std::size_t below = guess + 1, above = guess + 1; // below: one more than the next index to look at
+    while (below > 0 || above < count) {
+        if (below > 0 && m_nodes[--below].id == id)
+            return below;
+        if (above < count && m_nodes[above++].id == id)
+            return above - 1;
+    }
+    return count;
 }
 
 const Node* Scene::find(NodeId id) const

@@ -103,12 +103,18 @@ KeyState AutoKey::state(const std::vector<NodeId>& nodes, const ParamDef& def) c
     if (!isKeyable(def))
         return KeyState::None;
     bool any = false, all = !nodes.empty();
-    for (const NodeId id : nodes)
-        for (const Channel& channel : channelsOf(def)) {
-            const auto track = keys::find(m_document->scene(), {id, channel});
+    const std::vector<Channel> channels = channelsOf(def);
+    const Ticks time = now();
+    for (const NodeId id : nodes) {
+        const Node* node = m_document->scene().find(id);
+        for (const Channel& channel : channels) {
+            const auto track = node ? node->animation.find(channel) : nullptr;
             any = any || track;
-            all = all && track && hasKey(*track, now());
+            all = all && track && hasKey(*track, time);
         }
+        if (any && !all)
+            break; // nothing that follows changes that
+    }
     return all ? KeyState::Here : any ? KeyState::Animated : KeyState::None;
 }
 

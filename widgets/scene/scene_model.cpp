@@ -45,8 +45,12 @@ Index SceneModel::branchAt(const QModelIndex& index) const
 
 int SceneModel::rowOf(NodeId node) const
 {
-    const auto& siblings = item(item(node).parent).children;
-    return static_cast<int>(std::ranges::find(siblings, node) - siblings.begin());
+    const Item& own = item(node);
+    const auto& siblings = item(own.parent).children;
+    // Where it was last time, as a rule: a view asks for the row of every node that it hears of.
+    if (own.row >= siblings.size() || siblings[own.row] != node)
+        own.row = static_cast<std::size_t>(std::ranges::find(siblings, node) - siblings.begin());
+    return static_cast<int>(own.row);
 }
 
 QModelIndex SceneModel::nodeIndex(NodeId node, int column) const

@@ -89,7 +89,8 @@ private:
         NodeId parent = noNode;
         std::vector<NodeId> children;
         std::unique_ptr<BranchRows> branches;
-        bool fetched = false; ///< somebody asked for the branches
+        bool fetched = false;        ///< somebody asked for the branches
+        mutable std::size_t row = 0; ///< among its siblings, when it was asked for last
     };
 
     void follow(const Change& change);
