@@ -120,13 +120,13 @@ bool isFinite(const glm::dvec3& v)
 
 } // namespace
 
-PlacementParams placementAt(const NodeTransform& values, double seconds)
+PlacementParams placementAt(const NodeTransform& values, double seconds, bool angles)
 {
     const Moved moved = movedAt(values.tracks, seconds);
     PlacementParams now = values.placement;
     now.translation = moved.translation + carried(moved, values.placement);
     now.scale = moved.scale * values.placement.scale;
-    if (values.tracks[turnTrack]) {
+    if (angles && values.tracks[turnTrack]) {
         glm::dvec3 near = values.placement.rotation;
         if (near == glm::dvec3(0.0)) { // as curves show it
             const auto& track = std::get<OrientationTrack>(*values.tracks[turnTrack]);

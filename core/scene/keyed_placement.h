@@ -14,8 +14,9 @@ namespace ramure {
 enum class PlacementPart : std::uint8_t { Translation, Rotation, Scale };
 
 /// Track times placement, as translation, angles and scale. The translation is exact; angles and scale are
-/// those of the factors (no shear).
-PlacementParams placementAt(const NodeTransform& values, double seconds);
+/// those of the factors (no shear). \param angles false: the rotation is not asked for and takes no time, it
+/// stays that of the placement
+PlacementParams placementAt(const NodeTransform& values, double seconds, bool angles = true);
 /// Keys at the time in all channels of the part that have none there, with the values there are: nothing
 /// moves at this time. Turns and scales about another place than the own origin are keyed together with that
 /// place. \param mode of keys without one before. Error Invalid: a number that is not finite.

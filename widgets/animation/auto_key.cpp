@@ -125,7 +125,9 @@ ParamValue AutoKey::value(NodeId id, const ParamDef& def) const
     if (!isKeyable(def))
         return value;
     if (const auto part = placementPart(def))
-        return partOf(placementAt({node.params.tree, globalTracks(node.animation)}, secondsOf(now())), *part);
+        return partOf(placementAt({node.params.tree, globalTracks(node.animation)}, secondsOf(now()),
+                                  *part == PlacementPart::Rotation),
+                      *part);
     for (const Channel& channel : channelsOf(def))
         if (const auto track = node.animation.find(channel)) {
             const double at = valueAt(std::get<Track>(*track), secondsOf(now()));

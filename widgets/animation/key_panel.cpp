@@ -87,6 +87,7 @@ void KeyPanel::buildTools()
     m_snap->addItems({QString(), QString(), QString()});
     m_snapLabel->setBuddy(m_snap);
     row->addWidget(m_snapLabel);
+    row->addSpacing(4);
     row->addWidget(m_snap);
     m_all = new QToolButton(m_tools);
     m_all->setObjectName(QStringLiteral("allNodesButton"));

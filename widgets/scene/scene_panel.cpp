@@ -237,8 +237,18 @@ QItemSelection ScenePanel::documentSelection() const
         if (first.isValid() && last.isValid())
             selection.append({first, last.siblingAtColumn(SceneModel::columns - 1)});
     };
-    for (const NodeId node : wanted.nodes)
-        add(nodeRow(node), nodeRow(node));
+    // Siblings one below the other are one range: views look through all of them for each row they draw.
+    for (std::size_t i = 0; i < wanted.nodes.size(); ++i) {
+        const QModelIndex first = nodeRow(wanted.nodes[i]);
+        QModelIndex last = first;
+        for (; i + 1 < wanted.nodes.size(); ++i) {
+            const QModelIndex next = nodeRow(wanted.nodes[i + 1]);
+            if (!last.isValid() || next != last.siblingAtRow(last.row() + 1))
+                break;
+            last = next;
+        }
+        add(first, last);
+    }
     std::vector<QModelIndex> rows;
     rows.reserve(wanted.branches.size());
     for (const Index branch : wanted.branches)
