@@ -51,14 +51,20 @@ void KeyPanel::addMenuButton(QToolButton*& button, QMenu* menu)
     button->setPopupMode(QToolButton::InstantPopup);
     button->setFocusPolicy(Qt::TabFocus);
     button->setMenu(menu);
-    m_tools->layout()->addWidget(button);
+    m_row->addWidget(button);
 }
 
 void KeyPanel::buildTools()
 {
     m_tools = new QWidget(this);
-    auto* row = new QHBoxLayout(m_tools);
-    row->setContentsMargins(0, 0, 0, 0);
+    auto* rows = new QVBoxLayout(m_tools);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(4);
+    m_row = new QHBoxLayout;
+    m_below = new QHBoxLayout;
+    rows->addLayout(m_row);
+    rows->addLayout(m_below);
+    QHBoxLayout* row = m_row;
     row->setSpacing(2);
     const auto addAction = [this, row](QAction* action) {
         auto* button = new QToolButton(m_tools);
@@ -108,10 +114,25 @@ void KeyPanel::buildTools()
     row->addStretch(1);
     m_values = new KeyValues(m_model, m_tools);
     row->addWidget(m_values);
-    row->addSpacing(6);
-    m_count = new QLabel(m_tools);
-    m_count->setObjectName(QStringLiteral("dim"));
-    row->addWidget(m_count);
+}
+
+/// Languages differ: what has no room goes below, and the words before the list of steps go last of all.
+void KeyPanel::arrangeTools()
+{
+    const int room = m_tools->width();
+    const int values = m_values->isHidden() ? 0 : m_values->sizeHint().width() + m_row->spacing();
+    m_snapLabel->show();
+    int needed = m_row->sizeHint().width() - (m_valuesBelow ? 0 : values);
+    if (needed > room) {
+        m_snapLabel->hide();
+        needed = m_row->sizeHint().width() - (m_valuesBelow ? 0 : values);
+    }
+    const bool below = needed + values > room;
+    if (below == m_valuesBelow)
+        return;
+    m_valuesBelow = below;
+    (below ? m_row : m_below)->removeWidget(m_values);
+    (below ? m_below : m_row)->addWidget(m_values, 0, Qt::AlignRight);
 }
 
 void KeyPanel::buildSheet()
@@ -139,6 +160,12 @@ void KeyPanel::buildSheet()
     };
     m_corner = new QWidget(this);
     m_corner->setFixedHeight(m_ruler->sizeHint().height());
+    auto* corner = new QHBoxLayout(m_corner);
+    corner->setContentsMargins(8, 0, 4, 0);
+    m_count = new QLabel(m_corner);
+    m_count->setObjectName(QStringLiteral("dim"));
+    m_count->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // names decide the width
+    corner->addWidget(m_count);
     m_names = new KeyRowList(m_model, m_scroll, m_splitter);
     m_sheet = new KeySheet(m_model, m_commands, m_ruler, m_scroll, m_splitter);
     column(m_corner, m_names);
@@ -197,6 +224,7 @@ void KeyPanel::setCurvesShown(bool shown)
     m_views->setCurrentIndex(shown ? 1 : 0);
     m_names->setEyes(shown);
     m_normalise->setVisible(shown);
+    arrangeTools();
     if (shown)
         m_curves->fit();
 }
@@ -216,8 +244,10 @@ void KeyPanel::showSelection()
 {
     const auto count = int(keys::count(m_model->selection()));
     m_count->setText(count == 0 ? QString() : tr("%n key(s) selected", nullptr, count));
+    m_count->setToolTip(m_count->text());
     for (QToolButton* button : {m_modes, m_easings, m_handles, m_extrapolations})
         button->setEnabled(count > 0);
+    arrangeTools();
 }
 
 QSize KeyPanel::minimumSizeHint() const
@@ -229,6 +259,8 @@ QSize KeyPanel::minimumSizeHint() const
 void KeyPanel::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    layout()->activate();
+    arrangeTools();
     layout()->activate();
     showRows();
 }

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QMenu;
 class QScrollBar;
@@ -49,6 +50,7 @@ private:
     void buildTools();
     void buildSheet();
     void connectAll();
+    void arrangeTools();
     void addMenuButton(QToolButton*& button, QMenu* menu);
     void showTimeline();
     void showRows();
@@ -60,6 +62,9 @@ private:
     KeyActions* m_actions;
     Player* m_player;
     QWidget* m_tools = nullptr;
+    QHBoxLayout* m_row = nullptr;   ///< of the tools
+    QHBoxLayout* m_below = nullptr; ///< the values, where the row has no room for them
+    bool m_valuesBelow = false;
     QToolButton* m_insert = nullptr;
     QToolButton* m_modes = nullptr;
     QToolButton* m_easings = nullptr;

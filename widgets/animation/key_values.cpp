@@ -7,6 +7,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
@@ -64,6 +65,31 @@ KeyValues::KeyValues(KeyModel* model, QWidget* parent)
     showValues();
 }
 
+/// Of the selected orientations; nothing where they differ.
+std::array<std::optional<double>, 3> KeyValues::commonAngles() const
+{
+    std::array<std::optional<double>, 3> common;
+    bool begun = false;
+    for (const auto& [ref, times] : m_model->selection()) {
+        const auto track = keys::find(m_model->document()->scene(), ref);
+        const auto* held = track ? std::get_if<OrientationTrack>(track.get()) : nullptr;
+        for (std::size_t i = 0; held && i < times.size(); ++i) {
+            const glm::dvec3 angles = anglesOf(held->keys()[*held->find(times[i])].value);
+            for (int c = 0; c < 3; ++c) {
+                auto& mine = common[std::size_t(c)];
+                if (!begun)
+                    mine = angles[c];
+                else if (mine && std::abs(*mine - angles[c]) > 1e-9)
+                    mine.reset();
+            }
+            begun = true;
+            if (!common[0] && !common[1] && !common[2])
+                return common;
+        }
+    }
+    return common;
+}
+
 void KeyValues::showValues()
 {
     const KeySelection& selection = m_model->selection();
@@ -75,15 +101,13 @@ void KeyValues::showValues()
     for (std::size_t i = 0; i < 3; ++i)
         m_fields[i]->setVisible(i == 0 || m_angles);
     if (m_angles) {
-        const auto track = keys::find(m_model->document()->scene(), first);
-        const auto& held = std::get<OrientationTrack>(*track);
-        const glm::dvec3 angles = anglesOf(held.keys()[*held.find(selection.begin()->second.front())].value);
+        const auto angles = commonAngles();
         for (int i = 0; i < 3; ++i) {
             NumberField* field = m_fields[static_cast<std::size_t>(i)];
             field->setFormat(channelFormat(first.channel));
             field->setRange(-1e4, 1e4);
             field->setStep(std::numbers::pi / 180.0);
-            field->setValue(angles[i]);
+            field->setValue(angles[std::size_t(i)]);
         }
         return;
     }

@@ -29,6 +29,7 @@ protected:
 
 private:
     void showValues();
+    [[nodiscard]] std::array<std::optional<double>, 3> commonAngles() const;
     void setNumber(double value);
     void setAngle(int axis, double angleRad);
     void report(const Expected<void>& done);
