@@ -1480,11 +1480,11 @@
     </message>
     <message>
         <source>The surface is closed, without holes or seams: every edge has exactly two faces, and all faces look outward.</source>
-        <translation>La surface est fermée, sans trous ni coutures : chaque arête a exactement deux faces, et toutes regardent vers l’extérieur.</translation>
+        <translation>La surface est fermée, sans trous ni coutures&#xa0;: chaque arête a exactement deux faces, et toutes regardent vers l’extérieur.</translation>
     </message>
     <message>
         <source>A terrain or a plane has an edge by its nature, so its surface is open there. Nothing else is wrong with it: no other holes or seams, and all faces look to the same side.</source>
-        <translation>Un terrain ou un plan a un bord par nature : sa surface y est ouverte. Rien d’autre ne lui manque : ni autres trous ni coutures, et toutes les faces regardent du même côté.</translation>
+        <translation>Un terrain ou un plan a un bord par nature&#xa0;: sa surface y est ouverte. Rien d’autre ne lui manque&#xa0;: ni autres trous ni coutures, et toutes les faces regardent du même côté.</translation>
     </message>
     <message>
         <source>It encloses nothing. Give it a thickness before it goes to a slicer.</source>
@@ -1492,7 +1492,7 @@
     </message>
     <message>
         <source>Smooth shading, subdividing and physics work; from below one sees its back.</source>
-        <translation>L’ombrage lisse, la subdivision et la physique fonctionnent ; d’en bas on voit son revers.</translation>
+        <translation>L’ombrage lisse, la subdivision et la physique fonctionnent&#xa0;; d’en bas on voit son revers.</translation>
     </message>
     <message>
         <source>Crossings</source>
@@ -1504,7 +1504,7 @@
     </message>
     <message>
         <source>Most slicers join what overlaps; some leave a hollow there.</source>
-        <translation>La plupart des trancheurs réunissent ce qui se recouvre ; certains y laissent un creux.</translation>
+        <translation>La plupart des trancheurs réunissent ce qui se recouvre&#xa0;; certains y laissent un creux.</translation>
     </message>
     <message>
         <source>A hard crease where they meet, and false edges for tools that cut the mesh.</source>
@@ -3633,7 +3633,7 @@
     </message>
     <message>
         <source>&quot;%1&quot; wears no mesh</source>
-        <translation>« %1 » ne porte aucun maillage</translation>
+        <translation>«&#xa0;%1&#xa0;» ne porte aucun maillage</translation>
     </message>
     <message>
         <source>another mesh is being put on</source>
@@ -3998,7 +3998,7 @@ OpenGL&#xa0;: %4
     </message>
     <message>
         <source>Makes the worn mesh as long as the arm is now, its foot on the arm&apos;s foot. A mesh is bound to the straight arm: lengths that change later move the joints along it and do not stretch it.</source>
-        <translation>Donne au maillage porté la longueur actuelle du bras, son pied sur celui du bras. Un maillage est lié au bras tendu : les longueurs changées ensuite déplacent les articulations le long du maillage sans l’étirer.</translation>
+        <translation>Donne au maillage porté la longueur actuelle du bras, son pied sur celui du bras. Un maillage est lié au bras tendu&#xa0;: les longueurs changées ensuite déplacent les articulations le long du maillage sans l’étirer.</translation>
     </message>
 </context>
 <context>
@@ -4073,7 +4073,7 @@ OpenGL&#xa0;: %4
     </message>
     <message>
         <source>The motion towards the target becomes keys of the joints&apos; angles, at the frames you choose; then the arm follows those</source>
-        <translation>Le mouvement vers la cible devient des clés des angles des articulations, aux images que vous choisissez ; le bras suit ensuite ces clés</translation>
+        <translation>Le mouvement vers la cible devient des clés des angles des articulations, aux images que vous choisissez&#xa0;; le bras suit ensuite ces clés</translation>
     </message>
 </context>
 <context>
@@ -4133,7 +4133,7 @@ OpenGL&#xa0;: %4
     <name>ramure::BakeKeysDialog</name>
     <message>
         <source>Bake &quot;%1&quot; to keys</source>
-        <translation>Transformer « %1 » en clés</translation>
+        <translation>Transformer «&#xa0;%1&#xa0;» en clés</translation>
     </message>
     <message>
         <source>&amp;Frames</source>
@@ -4177,7 +4177,7 @@ OpenGL&#xa0;: %4
     </message>
     <message>
         <source>Frames from one key to the next: 1 gives each a key; between keys the angles go straight</source>
-        <translation>Images d’une clé à la suivante : 1 donne une clé à chacune ; entre les clés, les angles vont tout droit</translation>
+        <translation>Images d’une clé à la suivante&#xa0;: 1 donne une clé à chacune&#xa0;; entre les clés, les angles vont tout droit</translation>
     </message>
     <message>
         <source>Frames from one key to the next</source>
@@ -4189,7 +4189,7 @@ OpenGL&#xa0;: %4
     </message>
     <message>
         <source>Keys that a straight line comes as near to are left out, degrees; 0 keeps all</source>
-        <translation>Les clés qu’une droite approche d’aussi près sont omises, en degrés ; 0 les garde toutes</translation>
+        <translation>Les clés qu’une droite approche d’aussi près sont omises, en degrés&#xa0;; 0 les garde toutes</translation>
     </message>
     <message>
         <source>Tolerance</source>
@@ -4201,7 +4201,7 @@ OpenGL&#xa0;: %4
     </message>
     <message>
         <source>Where the target has no keys yet, so that it stays where it was while the arm was baked</source>
-        <translation>Si la cible n’a pas encore de clés : elle reste ainsi où elle était pendant la transformation</translation>
+        <translation>Si la cible n’a pas encore de clés&#xa0;: elle reste ainsi où elle était pendant la transformation</translation>
     </message>
     <message>
         <source>&amp;Bake</source>
@@ -4228,6 +4228,10 @@ OpenGL&#xa0;: %4
             <numerusform>%n clé par angle. Le bras suit ensuite ses clés, et non une cible.</numerusform>
             <numerusform>%n clés par angle. Le bras suit ensuite ses clés, et non une cible.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source> frame</source>
+        <translation> image</translation>
     </message>
 </context>
 <context>
@@ -4869,7 +4873,7 @@ OpenGL&#xa0;: %4
     </message>
     <message>
         <source>The angle stays between its limits; otherwise it may turn for ever. Has no keys: key the limits instead, which do</source>
-        <translation>L’angle reste entre ses limites ; sinon il peut tourner sans fin. N’a pas de clés : animez plutôt les limites, qui en ont</translation>
+        <translation>L’angle reste entre ses limites&#xa0;; sinon il peut tourner sans fin. N’a pas de clés&#xa0;: animez plutôt les limites, qui en ont</translation>
     </message>
 </context>
 <context>
@@ -5488,12 +5492,8 @@ OpenGL&#xa0;: %4
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>Over the latest frames: the largest distance from an arm&apos;s tip to its target (m)</source>
-        <translation>Sur les dernières images : la plus grande distance de la pointe d’un bras à sa cible (m)</translation>
+        <translation>Sur les dernières images&#xa0;: la plus grande distance de la pointe d’un bras à sa cible (m)</translation>
     </message>
 </context>
 <context>

@@ -339,6 +339,9 @@ std::optional<Error> MotionWorker::runArms(const MotionRequest& request, MotionF
         told->figures = moment->figures;
         told->residual = moment->residual;
         told->residuals = moment->residuals;
+        // What the solver has reached the arm may still be on its way to.
+        told->moves =
+            moment->figures.status == ArmStatus::Reached && moment->residual > arm.params.ik.tolerance;
         motion.arm = std::move(told);
         frame.nodes.insert_or_assign(arm.node, std::move(motion));
     }

@@ -112,7 +112,6 @@ void BakeKeysDialog::setTexts()
     m_last->setAccessibleName(tr("Last frame"));
     m_whole->setText(tr("Whole timeline"));
     m_whole->setToolTip(tr("Frames %1 to %2").arg(m_timeline.firstFrame).arg(m_timeline.lastFrame));
-    m_every->setSuffix(tr(" frames"));
     m_every->setToolTip(tr("Frames from one key to the next: 1 gives each a key; between keys the angles go "
                            "straight"));
     m_every->setAccessibleName(tr("Frames from one key to the next"));
@@ -146,6 +145,7 @@ void BakeKeysDialog::update()
     const ArmBakeRange range = *options().range;
     const bool good = range.lastFrame >= range.firstFrame;
     m_bake->setEnabled(good);
+    m_every->setSuffix(range.every == 1 ? tr(" frame") : tr(" frames"));
     const std::int64_t keys = (range.lastFrame - range.firstFrame + range.every - 1) / range.every + 1;
     const bool thinned = m_tolerance->value().value_or(0.0) > 0.0;
     const int count = static_cast<int>(keys);

@@ -1,5 +1,6 @@
 #include "widgets/timeline/physics_plot.h"
 
+#include "widgets/viewport/arm_overlay.h"
 #include <QEvent>
 #include <QLocale>
 #include <QPainter>
@@ -90,7 +91,7 @@ QString PhysicsPlot::nameOf(Curve curve)
 QString PhysicsPlot::textOf(Curve curve, double value)
 {
     return curve == StepTime   ? tr("%1 ms").arg(shortNumber(value))
-           : curve == Residual ? tr("%1 m").arg(shortNumber(value))
+           : curve == Residual ? shortLengthText(value)
                                : shortNumber(value);
 }
 
@@ -116,7 +117,9 @@ void PhysicsPlot::paintCurve(QPainter& painter, const QRectF& area, Curve curve)
         painter.drawPath(path);
     }
     painter.setPen(palette().color(QPalette::Text));
-    const QRectF text = area.adjusted(6.0, 0.0, -6.0, 0.0);
+    const double line =
+        std::min(area.height(), 1.6 * fontMetrics().height()); // at the top, where there is room
+    const QRectF text(area.left() + 6.0, area.top(), area.width() - 12.0, line);
     painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, nameOf(curve));
     if (!m_frames.empty())
         painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, textOf(curve, now));

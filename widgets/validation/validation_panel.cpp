@@ -243,6 +243,7 @@ void ValidationPanel::Private::showNode()
     else
         model->setSource({});
     view->setVisible(model->rowCount() > 0);
+    view->setColumnHidden(ReportModel::BranchColumn, isShapeShown());
     if (strip)
         strip->setNode(node, isShapeShown());
     showSummary();

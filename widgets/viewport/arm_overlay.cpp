@@ -65,18 +65,6 @@ QString lengthText(double exponent)
     return Words::tr("%1 µm").arg(locale.toString(std::pow(10.0, exponent + 6.0), 'f', 0));
 }
 
-/// Three digits in the unit that suits.
-QString shortLength(double metres)
-{
-    const QLocale locale;
-    const auto digits = [&locale](double value) { return locale.toString(value, 'f', value < 10.0 ? 2 : 1); };
-    if (metres >= 0.1)
-        return Words::tr("%1 m").arg(locale.toString(metres, 'f', 3));
-    if (metres >= 1e-4)
-        return Words::tr("%1 mm").arg(digits(1e3 * metres));
-    return Words::tr("%1 µm").arg(digits(1e6 * metres));
-}
-
 /// The labels of a plot stand on its left, clear of its lines and its curve.
 QFont labelFont(const QFont& text)
 {
@@ -146,10 +134,21 @@ QString limitsText(const std::vector<ArmLimit>& limits)
 
 } // namespace
 
+QString shortLengthText(double metres)
+{
+    const QLocale locale;
+    const auto digits = [&locale](double value) { return locale.toString(value, 'f', value < 10.0 ? 2 : 1); };
+    if (metres >= 0.1)
+        return Words::tr("%1 m").arg(locale.toString(metres, 'f', 3));
+    if (metres >= 1e-4)
+        return Words::tr("%1 mm").arg(digits(1e3 * metres));
+    return Words::tr("%1 µm").arg(digits(1e6 * metres));
+}
+
 QString armStatusText(const ArmProgress& progress)
 {
     QString text = Words::tr("residual %1 after %n step(s)", nullptr, int(progress.figures.steps))
-                       .arg(shortLength(progress.residual));
+                       .arg(shortLengthText(progress.residual));
     if (progress.figures.status == ArmStatus::Settled)
         text += QLatin1Char('\n') +
                 Words::tr("unreachable: %1 m short").arg(progress.figures.shortBy(), 0, 'f', 3);

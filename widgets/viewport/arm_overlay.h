@@ -11,6 +11,8 @@ class QSize;
 
 namespace ramure {
 
+/// Metres with three digits, in the unit that suits: "1.058 m", "1.30 µm".
+QString shortLengthText(double metres);
 /// "unreachable: 0.42 m short" and so on, in the interface's language.
 QString armStatusText(const ArmProgress& progress);
 /// A mark over everything where a target is: its sphere may be inside the skin, or behind a hill.
