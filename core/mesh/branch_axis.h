@@ -7,6 +7,8 @@
 #include "core/mesh/skeleton_normalise.h"
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <vector>
 
 namespace ramure {
@@ -95,9 +97,65 @@ private:
         return {cell, scaled - static_cast<double>(cell)};
     }
 
+    static constexpr double nearFoot = 0.03; ///< of the radius: from there the foot is one step away
+
     std::array<Place, steps + 1> m_places;
     double m_length = 0.0, m_stepsPerMetre = 0.0;
 };
+
+// Here, to be inlined: the mesher asks them several times for each vertex of a fork.
+
+inline double AxisTable::footOf(const glm::dvec3& point, double guess) const
+{
+    double along = std::clamp(guess, 0.0, m_length);
+    for (int round = 0; round < 4; ++round) {
+        const Place place = at(along);
+        const double better = std::clamp(along + glm::dot(point - place.point, place.tangent), 0.0, m_length);
+        if (std::abs(better - along) < nearFoot * place.radius)
+            return better;
+        along = better;
+    }
+    return along;
+}
+
+inline double AxisTable::clearanceFrom(Place place, const glm::dvec3& point, double guess) const
+{
+    double along = std::clamp(guess, 0.0, m_length);
+    glm::dvec3 away = point - place.point;
+    double ahead = glm::dot(away, place.tangent);
+    if (std::abs(ahead) > 0.25 * place.radius) {
+        along = std::clamp(along + ahead, 0.0, m_length);
+        place = at(along);
+        away = point - place.point;
+        ahead = glm::dot(away, place.tangent);
+    }
+    // Beyond its tip a tube ends; before its start the parent's tube takes its place.
+    const double square = glm::dot(away, away);
+    const bool beyond = along >= m_length && ahead > 0.0;
+    return std::sqrt(std::max(beyond ? square : square - ahead * ahead, 0.0)) - place.radius;
+}
+
+inline AxisTable::Away AxisTable::awayFrom(const glm::dvec3& point, double guess) const
+{
+    double along = std::clamp(guess, 0.0, m_length);
+    Place place = at(along);
+    glm::dvec3 away = point - place.point;
+    double ahead = glm::dot(away, place.tangent);
+    for (int round = 0; round < 4 && std::abs(ahead) > nearFoot * place.radius; ++round) {
+        const double better = std::clamp(along + ahead, 0.0, m_length);
+        if (better == along)
+            break;
+        along = better;
+        place = at(along);
+        away = point - place.point;
+        ahead = glm::dot(away, place.tangent);
+    }
+    if (!(along >= m_length && ahead > 0.0))
+        away -= ahead * place.tangent;
+    const double distance = std::sqrt(glm::dot(away, away));
+    return {distance > 0.0 ? away * (1.0 / distance) : glm::dvec3(0.0), place.tangent,
+            distance - place.radius, place.radius};
+}
 
 /// Makes sections and tables; keeps its buffers between branches.
 class AxisBuilder

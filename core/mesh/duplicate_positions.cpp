@@ -84,7 +84,7 @@ struct Buckets
 
 Buckets bucketsOf(std::span<const glm::vec3> positions)
 {
-    constexpr int perBucketBits = 16, mostBits = 8;
+    constexpr int perBucketBits = 18, mostBits = 8;
     Buckets out;
     out.bits = std::clamp(static_cast<int>(std::bit_width(positions.size() >> perBucketBits)), 0, mostBits);
     LargeBuffer<std::uint32_t> hashes(positions.size() + blockSize);

@@ -19,6 +19,21 @@ constexpr double upsideDown = 1e6;  ///< the cost of a triangle that should not 
 constexpr double pitOpening =
     0.2; ///< a pit is filled where the angle at its bottom is not much more than right
 
+/// The corner after a triangle's corner, and the one before it.
+constexpr std::array<std::size_t, 3> following{1, 2, 0}, preceding{2, 0, 1};
+
+/// Which of a triangle's corners a vertex is; without branches, nobody can guess them.
+std::size_t cornerOf(const std::array<Index, 3>& corner, Index vertex)
+{
+    return (corner[1] == vertex ? 1U : 0U) + (corner[2] == vertex ? 2U : 0U);
+}
+
+/// The third corner of a triangle with the corners a and b.
+Index thirdCorner(const std::array<Index, 3>& corner, Index a, Index b)
+{
+    return corner[0] ^ corner[1] ^ corner[2] ^ a ^ b;
+}
+
 double cross(double ax, double ay, double bx, double by)
 {
     return ax * by - ay * bx;
@@ -281,15 +296,13 @@ bool StripPatch::seesBeyond(const Triangle& triangle, std::size_t edge, Index ve
     const Index other = triangle.neighbour[edge];
     if (other == noIndex)
         return false;
-    const Index a = triangle.corner[edge], b = triangle.corner[(edge + 1) % 3];
-    const Triangle& beyond = m_triangles[other];
-    const std::size_t j = beyond.corner[0] == b ? 0 : (beyond.corner[1] == b ? 1 : 2);
-    const Index far = beyond.corner[(j + 2) % 3];
+    const Index a = triangle.corner[edge], b = triangle.corner[following[edge]];
+    const Index far = thirdCorner(m_triangles[other].corner, a, b);
     const double y = m_vertices[vertex].y;
     const double fx = deltaX(vertex, far), fy = m_vertices[far].y - y;
     const double ax = deltaX(vertex, a), bx = deltaX(vertex, b);
     return std::abs(fx - ax) < 0.5 * m_circumference && std::abs(fx - bx) < 0.5 * m_circumference &&
-           far != triangle.corner[(edge + 2) % 3] && cross(ax, m_vertices[a].y - y, fx, fy) > m_least &&
+           far != triangle.corner[preceding[edge]] && cross(ax, m_vertices[a].y - y, fx, fy) > m_least &&
            cross(fx, fy, bx, m_vertices[b].y - y) > m_least;
 }
 
@@ -360,7 +373,7 @@ bool StripPatch::insert(const UnrolledVertex& vertex)
         m_last = at;
         split(at, local);
         if (edge < 3) // the triangle over the edge it lies on is flat: it goes at once
-            exchange(m_suspects[edge], local);
+            exchange(m_suspects[edge].triangle, local);
         legalise(local);
         return true;
     }
@@ -378,7 +391,7 @@ void StripPatch::split(Index triangle, Index vertex)
     m_triangles.push_back({{old.corner[2], old.corner[0], vertex}, {old.neighbour[2], triangle, second}});
     relink(old.neighbour[1], triangle, second);
     relink(old.neighbour[2], triangle, third);
-    m_suspects.assign({triangle, second, third});
+    m_suspects.assign({{triangle, noEdge}, {second, noEdge}, {third, noEdge}});
     unsettle(triangle);
 }
 
@@ -388,10 +401,10 @@ bool StripPatch::joined(Index vertex, Index other, Index triangle) const
     Index at = triangle;
     do {
         const Triangle& t = m_triangles[at];
-        const std::size_t i = t.corner[0] == vertex ? 0 : (t.corner[1] == vertex ? 1 : 2);
-        if (t.corner[(i + 1) % 3] == other)
+        const std::size_t i = cornerOf(t.corner, vertex);
+        if (t.corner[following[i]] == other)
             return true;
-        at = t.neighbour[(i + 2) % 3];
+        at = t.neighbour[preceding[i]];
     } while (at != triangle);
     return false;
 }
@@ -400,20 +413,20 @@ bool StripPatch::joined(Index vertex, Index other, Index triangle) const
 void StripPatch::exchange(Index triangle, Index vertex)
 {
     Triangle& t = m_triangles[triangle];
-    const std::size_t i = t.corner[0] == vertex ? 0 : (t.corner[1] == vertex ? 1 : 2);
-    const Index a = t.corner[(i + 1) % 3], b = t.corner[(i + 2) % 3];
-    const Index other = t.neighbour[(i + 1) % 3];
+    const std::size_t i = cornerOf(t.corner, vertex);
+    const Index a = t.corner[following[i]], b = t.corner[preceding[i]];
+    const Index other = t.neighbour[following[i]];
     Triangle& o = m_triangles[other];
-    const std::size_t j = o.corner[0] == b ? 0 : (o.corner[1] == b ? 1 : 2);
-    const Index far = o.corner[(j + 2) % 3];
-    const Index beyondA = o.neighbour[(j + 1) % 3], beyondB = o.neighbour[(j + 2) % 3];
-    const Index besideA = t.neighbour[i], besideB = t.neighbour[(i + 2) % 3];
+    const std::size_t j = cornerOf(o.corner, b);
+    const Index far = o.corner[preceding[j]];
+    const Index beyondA = o.neighbour[following[j]], beyondB = o.neighbour[preceding[j]];
+    const Index besideA = t.neighbour[i], besideB = t.neighbour[preceding[i]];
     t = {{vertex, a, far}, {besideA, beyondA, other}};
     o = {{vertex, far, b}, {triangle, beyondB, besideB}};
     relink(beyondA, other, triangle);
     relink(besideB, triangle, other);
-    m_suspects.push_back(triangle);
-    m_suspects.push_back(other);
+    m_suspects.push_back({triangle, 2}); // what is new is the edge between them
+    m_suspects.push_back({other, 0});
     unsettle(triangle);
     unsettle(other);
 }
@@ -422,14 +435,11 @@ void StripPatch::exchange(Index triangle, Index vertex)
 bool StripPatch::isIllegal(Index triangle, Index vertex) const
 {
     const Triangle& t = m_triangles[triangle];
-    const std::size_t i = t.corner[0] == vertex ? 0 : (t.corner[1] == vertex ? 1 : 2);
-    const std::size_t edge = (i + 1) % 3;
+    const std::size_t edge = following[cornerOf(t.corner, vertex)];
     if (!seesBeyond(t, edge, vertex))
         return false;
-    const Index a = t.corner[edge], b = t.corner[(edge + 1) % 3];
-    const Triangle& o = m_triangles[t.neighbour[edge]];
-    const std::size_t j = o.corner[0] == b ? 0 : (o.corner[1] == b ? 1 : 2);
-    const Index far = o.corner[(j + 2) % 3];
+    const Index a = t.corner[edge], b = t.corner[following[edge]];
+    const Index far = thirdCorner(m_triangles[t.neighbour[edge]].corner, a, b);
     const double ax = deltaX(vertex, a), ay = m_vertices[a].y - m_vertices[vertex].y;
     const double bx = deltaX(vertex, b), by = m_vertices[b].y - m_vertices[vertex].y;
     const double fx = deltaX(vertex, far), fy = m_vertices[far].y - m_vertices[vertex].y;
@@ -443,7 +453,7 @@ bool StripPatch::isIllegal(Index triangle, Index vertex) const
 void StripPatch::legalise(Index vertex)
 {
     while (!m_suspects.empty()) {
-        const Index triangle = m_suspects.back();
+        const Index triangle = m_suspects.back().triangle;
         m_suspects.pop_back();
         if (isIllegal(triangle, vertex))
             exchange(triangle, vertex);
@@ -471,14 +481,14 @@ bool StripPatch::mayJoin(Index a, Index b) const
 /// ways as far as its fan goes.
 bool StripPatch::isEdge(Index a, Index b, Index triangle) const
 {
-    for (const std::size_t way : {std::size_t(2), std::size_t(0)}) {
+    for (const bool back : {true, false}) {
         Index at = triangle;
         do {
             const Triangle& t = m_triangles[at];
-            const std::size_t i = t.corner[0] == a ? 0 : (t.corner[1] == a ? 1 : 2);
-            if (t.corner[(i + 1) % 3] == b || t.corner[(i + 2) % 3] == b)
+            const std::size_t i = cornerOf(t.corner, a);
+            if (t.corner[0] == b || t.corner[1] == b || t.corner[2] == b)
                 return true;
-            at = t.neighbour[(i + way) % 3];
+            at = t.neighbour[back ? preceding[i] : i];
         } while (at != noIndex && at != triangle);
         if (at == triangle)
             return false;
@@ -493,15 +503,13 @@ bool StripPatch::relaxEdge(Index triangle, std::size_t edge)
     const Index other = t.neighbour[edge];
     if (other == noIndex)
         return false;
-    const Index a = t.corner[edge], b = t.corner[(edge + 1) % 3], c = t.corner[(edge + 2) % 3];
-    const Triangle& o = m_triangles[other];
-    const std::size_t j = o.corner[0] == b ? 0 : (o.corner[1] == b ? 1 : 2);
-    const Index d = o.corner[(j + 2) % 3];
+    const Index a = t.corner[edge], b = t.corner[following[edge]], c = t.corner[preceding[edge]];
+    const Index d = thirdCorner(m_triangles[other].corner, a, b);
     const double half = 0.5 * m_circumference;
     const double ax = deltaX(c, a), ay = m_vertices[a].y - m_vertices[c].y;
     const double bx = deltaX(c, b), by = m_vertices[b].y - m_vertices[c].y;
     const double dx = deltaX(c, d), dy = m_vertices[d].y - m_vertices[c].y;
-    // Two angles across an edge that are right or less: the edge is Delaunay. That goes for most.
+    // Two angles across an edge that are right or less: the edge is Delaunay. That goes for many.
     if (ax * bx + ay * by >= 0.0 && (ax - dx) * (bx - dx) + (ay - dy) * (by - dy) >= 0.0)
         return false;
     if (c == d || !mayJoin(c, d))
@@ -536,10 +544,12 @@ void StripPatch::relax()
         }
     std::size_t left = 20 * m_triangles.size();
     while (!m_suspects.empty() && left-- > 0) {
-        const Index t = m_suspects.back();
+        // The last one exchanged first: whatever changed after this one has been looked at, and the edge that
+        // was new in it is Delaunay.
+        const Suspect suspect = m_suspects.back();
         m_suspects.pop_back();
         for (std::size_t e = 0; e < 3; ++e)
-            if (relaxEdge(t, e))
+            if (e != suspect.newEdge && relaxEdge(suspect.triangle, e))
                 break;
     }
     m_suspects.clear();

@@ -119,7 +119,13 @@ private:
     std::vector<Local> m_vertices;
     Index m_last = 0, m_first = 0; ///< triangles: where a vertex was inserted last, where to look first
     std::vector<Triangle> m_triangles;
-    std::vector<Index> m_suspects;
+    static constexpr Index noEdge = 3;
+    struct Suspect
+    {
+        Index triangle;
+        Index newEdge; ///< that an exchange made, or noEdge
+    };
+    std::vector<Suspect> m_suspects;
     std::vector<std::uint8_t> m_settled; ///< per triangle: has not changed since its edges were relaxed
     bool m_refinable = false, m_crooked = false;
 };

@@ -121,15 +121,21 @@ bool SubtreeBuilder::growElsewhere(TubeEnd end, std::span<const glm::vec3> ring,
 void SubtreeBuilder::inspect()
 {
     const std::size_t end = m_sink.triangles.size();
-    for (; m_inspected < end; ++m_inspected) {
-        const glm::uvec3& triangle = m_sink.triangles[m_inspected];
-        const glm::dvec3 a(m_sink.positions[triangle.x]);
-        const glm::dvec3 normal = glm::cross(glm::dvec3(m_sink.positions[triangle.y]) - a,
-                                             glm::dvec3(m_sink.positions[triangle.z]) - a);
-        m_volume += glm::dot(a - m_base, normal);
-        if (!(glm::dot(normal, normal) > m_smallSquared))
-            m_small.push_back(static_cast<Index>(m_inspected));
+    const glm::uvec3* const triangles = m_sink.triangles.data();
+    const glm::vec3* const positions = m_sink.positions.data();
+    const glm::dvec3 base = m_base;
+    const double small = m_smallSquared;
+    double volume = m_volume;
+    for (std::size_t t = m_inspected; t < end; ++t) {
+        const glm::dvec3 a(positions[triangles[t].x]);
+        const glm::dvec3 normal =
+            glm::cross(glm::dvec3(positions[triangles[t].y]) - a, glm::dvec3(positions[triangles[t].z]) - a);
+        volume += glm::dot(a - base, normal);
+        if (!(glm::dot(normal, normal) > small))
+            m_small.push_back(static_cast<Index>(t));
     }
+    m_volume = volume;
+    m_inspected = end;
 }
 
 double SubtreeBuilder::takeVolume()
