@@ -126,22 +126,22 @@ Expected<Built> Builder::byBudget(const Progress& progress)
     return std::move(*best);
 }
 
-/// Parts vertices in one place, opens triangles without area, gives normals. Mostly there is nothing to part:
-/// other threads need not wait to hear that.
-void polish(TriangleMesh& mesh, const std::vector<Index>* suspects, const Progress& progress)
+/// Parts vertices in one place and opens triangles without area. Mostly there is nothing to part: normals are
+/// computed beside the search, and again if there was.
+void polish(TriangleMesh& mesh, const std::vector<Index>* suspects, bool withNormals,
+            const Progress& progress)
 {
+    const bool beside = withNormals && parallelThreads() > 1;
     bool separate = false;
-    if (parallelThreads() > 1)
-        parallelFor(2, 1, [&](std::size_t part, std::size_t) {
-            if (part == 0)
-                separate = areSeparate(mesh.positions, mesh.triangles, suspects);
-            else
-                computeNormals(mesh);
-        });
+    parallelFor(beside ? 2 : 1, 1, [&](std::size_t part, std::size_t) {
+        if (part == 0)
+            separate = areSeparate(mesh.positions, mesh.triangles, suspects);
+        else
+            computeNormals(mesh);
+    });
     if (!separate)
         separateVertices(mesh.positions, mesh.triangles, progress, suspects);
-    progress.report(0.95);
-    if (!separate)
+    if (withNormals && !(separate && beside))
         computeNormals(mesh);
 }
 
@@ -188,8 +188,19 @@ const char* budgetText(BudgetFit fit)
     return "";
 }
 
-Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
-                                     const Progress& progress, MeshScratch* scratch)
+namespace {
+
+/// What is built, and the triangles that may have no area; null: any of them may.
+struct Shaped
+{
+    Built built;
+    bool anyIsSuspect = false;
+
+    [[nodiscard]] const std::vector<Index>* suspects() const { return anyIsSuspect ? nullptr : &built.small; }
+};
+
+Expected<Shaped> shape(const Skeleton& skeleton, const BranchMeshOptions& options, const Progress& progress,
+                       MeshScratch* scratch)
 {
     if (auto checked = checkOptions(skeleton, options); !checked)
         return fail(checked.error());
@@ -198,19 +209,50 @@ Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshO
         return fail(normal.error());
     MeshScratch own;
     Builder builder(*normal, options, scratch ? *scratch : own);
-    const Progress part = progress.part(0.0, 0.85);
-    auto built = options.targetTriangles > 0 ? builder.byBudget(part) : builder.byDivisions(part);
+    auto built = options.targetTriangles > 0 ? builder.byBudget(progress) : builder.byDivisions(progress);
     if (!built)
         return fail(built.error());
     finish(*built, skeleton);
-    TriangleMesh& mesh = built->mesh.mesh;
     // Moved away from the origin, positions were rounded again: then every triangle is looked at.
-    const bool rounded = normal->origin != glm::dvec3(0.0);
-    polish(mesh, rounded ? nullptr : &built->small, progress);
+    return Shaped{std::move(*built), normal->origin != glm::dvec3(0.0)};
+}
+
+} // namespace
+
+Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
+                                     const Progress& progress, MeshScratch* scratch)
+{
+    auto shaped = shape(skeleton, options, progress.part(0.0, 0.85), scratch);
+    if (!shaped)
+        return fail(std::move(shaped.error()));
+    TriangleMesh& mesh = shaped->built.mesh.mesh;
+    mesh.normals.resize(options.withNormals ? mesh.normals.size() : 0);
+    polish(mesh, shaped->suspects(), options.withNormals, progress);
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
     progress.report(1.0);
-    return std::move(built->mesh);
+    return std::move(shaped->built.mesh);
+}
+
+Expected<CheckedBranchMesh> buildCheckedBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
+                                                   const Progress& progress, MeshScratch* scratch)
+{
+    auto shaped = shape(skeleton, options, progress.part(0.0, 0.8), scratch);
+    if (!shaped)
+        return fail(std::move(shaped.error()));
+    TriangleMesh& mesh = shaped->built.mesh.mesh;
+    const auto check = [&] {
+        return validateMesh(mesh, progress.part(0.8, 1.0), [&] { computeNormals(mesh); });
+    };
+    const bool isOpen = !hasFlat(mesh.positions, mesh.triangles, shaped->suspects());
+    auto report = isOpen ? check() : MeshReport();
+    if (report && (!isOpen || report->duplicateVertices > 0)) {
+        separateVertices(mesh.positions, mesh.triangles, progress, shaped->suspects());
+        report = check();
+    }
+    if (!report)
+        return fail(std::move(report.error()));
+    return CheckedBranchMesh{std::move(shaped->built.mesh), std::move(*report)};
 }
 
 } // namespace ramure

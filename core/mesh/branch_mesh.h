@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/geometry/sections.h"
 #include "core/mesh/triangle_mesh.h"
+#include "core/mesh/validate.h"
 #include "core/skeleton/skeleton.h"
 #include <array>
 #include <span>
@@ -35,6 +36,8 @@ struct BranchMeshOptions
     double forkReach = 0.9;
     /// How soft a fork is: 0 leaves the crease where tubes meet, 1 rounds it fully.
     double forkSoftness = 0.7;
+    /// Without, mesh.normals stays empty.
+    bool withNormals = true;
     /// An extra turn of each branch's frames about its tangent, radians, one per branch; empty = none.
     std::span<const double> rollRad;
 };
@@ -115,5 +118,16 @@ struct BranchMesh
 /// Errors: Invalid (empty, non-finite, more than 2^31 faces), Cancelled.
 Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
                                      const Progress& progress = {}, MeshScratch* scratch = nullptr);
+
+struct CheckedBranchMesh
+{
+    BranchMesh mesh;
+    MeshReport report;
+};
+/// The same mesh, with normals whatever the options say, and what validateMesh() says of it, sooner than one
+/// after the other: vertices at one place are looked for once, and normals are computed beside the check.
+Expected<CheckedBranchMesh> buildCheckedBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
+                                                   const Progress& progress = {},
+                                                   MeshScratch* scratch = nullptr);
 
 } // namespace ramure

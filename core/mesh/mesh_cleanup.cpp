@@ -147,17 +147,22 @@ Index separateVertices(std::vector<glm::vec3>& positions, const std::vector<glm:
     return positions.empty() ? 0 : Separator(positions, triangles).run(suspects, progress);
 }
 
+bool hasFlat(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
+             const std::vector<Index>* suspects)
+{
+    if (positions.empty() || (suspects && suspects->empty()))
+        return false;
+    const Measures measures(positions);
+    const auto isFlat = [&](const glm::uvec3& t) { return measures.isFlat(positions, t); };
+    return suspects ? std::any_of(suspects->begin(), suspects->end(),
+                                  [&](Index t) { return isFlat(triangles[t]); })
+                    : std::any_of(triangles.begin(), triangles.end(), isFlat);
+}
+
 bool areSeparate(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
                  const std::vector<Index>* suspects)
 {
-    if (positions.empty())
-        return true;
-    const Measures measures(positions);
-    const auto isFlat = [&](const glm::uvec3& t) { return measures.isFlat(positions, t); };
-    const bool anyFlat = suspects ? std::any_of(suspects->begin(), suspects->end(),
-                                                [&](Index t) { return isFlat(triangles[t]); })
-                                  : std::any_of(triangles.begin(), triangles.end(), isFlat);
-    return !anyFlat && findDuplicatePositions(positions).empty();
+    return !hasFlat(positions, triangles, suspects) && findDuplicatePositions(positions).empty();
 }
 
 } // namespace ramure

@@ -16,6 +16,10 @@ namespace ramure {
 Index separateVertices(std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
                        const Progress& progress, const std::vector<Index>* suspects = nullptr);
 
+/// Has a triangle so small an area that separateVertices would open it? \p suspects: the only ones that may.
+bool hasFlat(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
+             const std::vector<Index>* suspects);
+
 /// Would separateVertices move nothing?
 bool areSeparate(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
                  const std::vector<Index>* suspects = nullptr);

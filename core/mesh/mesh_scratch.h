@@ -5,25 +5,32 @@
 
 #include "core/mesh/mesh_sink.h"
 #include <memory>
-#include <utility>
 #include <vector>
 
 namespace ramure {
 
-/// Not thread-safe: one per thread that builds meshes. What it holds is of no meaning between two meshes.
+struct BranchMesh;
+
+/// One per thread that builds meshes; only what share() gives may end on another. What it holds is of no
+/// meaning between two meshes.
 class MeshScratch
 {
 public:
+    MeshScratch();
     /// An empty sink, with memory where one was kept.
     std::unique_ptr<MeshSink> takeSink();
     void keepSink(std::unique_ptr<MeshSink> sink);
     /// The arrays of a mesh that nobody needs any more, or none; whatever size they have.
-    TriangleMesh takeArrays() { return std::exchange(m_arrays, {}); }
+    TriangleMesh takeArrays();
     void keepArrays(TriangleMesh&& mesh);
+    /// A mesh that gives its arrays back when nobody needs it any more, on whatever thread that is, even when
+    /// this is gone.
+    std::shared_ptr<const BranchMesh> share(BranchMesh&& mesh);
 
 private:
+    struct Arrays;
     std::vector<std::unique_ptr<MeshSink>> m_sinks;
-    TriangleMesh m_arrays;
+    std::shared_ptr<Arrays> m_arrays;
 };
 
 } // namespace ramure

@@ -108,20 +108,26 @@ Index MeshReport::count(DefectKind kind) const
     return 0;
 }
 
-Expected<MeshReport> validateMesh(const TriangleMesh& mesh, const Progress& progress)
+Expected<MeshReport> validateMesh(const TriangleMesh& mesh, const Progress& progress,
+                                  const std::function<void()>& alongside)
 {
     if (const auto indices = validation::checkIndices(mesh); !indices)
         return fail(indices.error());
-    // Three things that know nothing of each other. A second thread takes what the first has not begun.
+    // Things that know nothing of each other. A second thread takes what the first has not begun; the longest
+    // comes first.
     Expected<Corners> corners = Corners();
     Expected<validation::FanResult> fans = validation::FanResult();
     DefectLog fanLog, faceLog, vertexLog;
     Volumes volumes;
-    const std::array<std::function<void()>, 3> tasks = {
+    const std::array<std::function<void()>, 4> tasks = {
         [&] {
             corners = validation::collectCorners(mesh, progress.part(0.0, 0.5));
             if (corners)
                 fans = validation::checkFans(mesh, *corners, fanLog, progress.part(0.5, 0.7));
+        },
+        [&] {
+            if (alongside)
+                alongside();
         },
         [&] {
             volumes = validation::measureFaces(mesh, faceLog, {progress.stop, {}});

@@ -197,14 +197,11 @@ Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams
     options.clampOvershoot = params.mesh.clampOvershoot;
     options.nearTwinRatio = params.mesh.nearTwinRatio;
     options.rollRad = rolls;
-    auto mesh = buildBranchMesh(skeleton, options, progress.part(0.0, 0.8), &scratch);
-    if (!mesh)
-        return fail(std::move(mesh.error()));
-    auto report = validateMesh(mesh->mesh, progress.part(0.8, 1.0));
-    if (!report)
-        return fail(std::move(report.error()));
-    return MeshedBranches{std::make_shared<const BranchMesh>(std::move(*mesh)),
-                          std::make_shared<const MeshReport>(std::move(*report))};
+    auto made = buildCheckedBranchMesh(skeleton, options, progress, &scratch);
+    if (!made)
+        return fail(std::move(made.error()));
+    return MeshedBranches{scratch.share(std::move(made->mesh)),
+                          std::make_shared<const MeshReport>(std::move(made->report))};
 }
 
 Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& params,

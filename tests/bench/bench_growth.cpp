@@ -65,11 +65,13 @@ template <class Work> void perTriangle(benchmark::State& state, std::size_t tria
 void BM_growthMesh(benchmark::State& state)
 {
     const Tree& tree = treeOf(state);
+    BranchMeshOptions options;
+    options.withNormals = false; // a stage of their own
     MeshScratch scratch;
     TriangleMesh mesh;
     perTriangle(state, tree.mesh.faceCount(), [&] {
         scratch.keepArrays(std::move(mesh));
-        mesh = bench::need(buildBranchMesh(tree.skeleton, {}, {}, &scratch)).mesh;
+        mesh = bench::need(buildBranchMesh(tree.skeleton, options, {}, &scratch)).mesh;
     });
 }
 void BM_growthCheck(benchmark::State& state)

@@ -6,6 +6,7 @@
 #include "tests/support/suite.h"
 #include <algorithm>
 #include <cstring>
+#include <thread>
 
 using namespace ramure;
 using namespace ramure::test;
@@ -23,7 +24,9 @@ private slots:
     void forests();
     void treesThatComeOutInsideOut();
     void zoo();
+    void checkedBesideIsCheckedAfter();
     void usedMemoryChangesNothing();
+    void sharedMeshesGiveTheirMemoryBack();
 
 private:
     static Expected<BranchMesh> onThreads(unsigned threads, const Skeleton& skeleton,
@@ -57,6 +60,16 @@ bool same(const BranchMesh& a, const BranchMesh& b)
            std::equal(a.axes.begin(), a.axes.end(), b.axes.begin(), b.axes.end(), sameAxes) &&
            std::equal(a.repairs.begin(), a.repairs.end(), b.repairs.begin(), b.repairs.end(), sameNotes) &&
            a.roots == b.roots && a.budget == b.budget;
+}
+
+bool sameReports(const MeshReport& a, const MeshReport& b)
+{
+    for (int kind = 0; kind < defectKindCount; ++kind)
+        if (a.count(static_cast<DefectKind>(kind)) != b.count(static_cast<DefectKind>(kind)))
+            return false;
+    return a.valid == b.valid && a.vertices == b.vertices && a.faces == b.faces &&
+           a.components == b.components && a.eulerCharacteristic == b.eulerCharacteristic &&
+           std::memcmp(&a.volume, &b.volume, sizeof a.volume) == 0 && a.defects.size() == b.defects.size();
 }
 
 /// A tree that is large enough for several tasks.
@@ -198,6 +211,34 @@ void TestMeshThreads::zoo()
     }
 }
 
+/// Among the zoo's animals are those whose vertices meet and whose triangles have no area at first.
+void TestMeshThreads::checkedBesideIsCheckedAfter()
+{
+    BranchMeshOptions tooFew;
+    tooFew.radialDivisions = 2;
+    QVERIFY(!buildCheckedBranchMesh(largeTree(), tooFew));
+    std::stop_source stopped;
+    stopped.request_stop();
+    const auto cancelled = buildCheckedBranchMesh(largeTree(), {}, {stopped.get_token(), {}});
+    QVERIFY(!cancelled);
+    QCOMPARE(cancelled.error().code, ErrorCode::Cancelled);
+    const std::uint64_t count = fuzzCount(10 * zooFamilyCount);
+    for (std::uint64_t number = 0; number <= count; ++number) {
+        const Specimen animal = specimen(number);
+        const Skeleton skeleton = number < count ? animal.skeleton : largeTree();
+        const BranchMeshOptions options = number < count ? animal.meshOptions() : BranchMeshOptions();
+        const Expected<BranchMesh> built = buildBranchMesh(skeleton, options);
+        const auto report = built ? validateMesh(built->mesh) : MeshReport();
+        for (const unsigned threads : {1U, 2U}) {
+            const ThreadLimit limit(threads);
+            const auto checked = buildCheckedBranchMesh(skeleton, options);
+            QCOMPARE(checked.has_value(), built.has_value());
+            QVERIFY2(!checked || same(checked->mesh, *built), animal.name.c_str());
+            QVERIFY2(!checked || sameReports(checked->report, *report), animal.name.c_str());
+        }
+    }
+}
+
 void TestMeshThreads::usedMemoryChangesNothing()
 {
     const Skeleton large = largeTree();
@@ -213,6 +254,27 @@ void TestMeshThreads::usedMemoryChangesNothing()
             scratch.keepArrays(std::move(used->mesh));
         }
     }
+}
+
+void TestMeshThreads::sharedMeshesGiveTheirMemoryBack()
+{
+    std::shared_ptr<const BranchMesh> last;
+    {
+        MeshScratch scratch;
+        Expected<BranchMesh> built = buildBranchMesh(largeTree(), {}, {}, &scratch);
+        QVERIFY(built);
+        const BranchMesh copy = *built;
+        const glm::uvec3* const place = built->mesh.triangles.data();
+        std::shared_ptr<const BranchMesh> shared = scratch.share(std::move(*built));
+        QVERIFY(same(*shared, copy));
+        QVERIFY(scratch.takeArrays().triangles.empty()); // still somebody's
+        std::jthread([mesh = std::move(shared)] {});
+        const TriangleMesh back = scratch.takeArrays();
+        QVERIFY(back.triangles.data() == place);
+        QVERIFY(back.uv.empty());
+        last = scratch.share(BranchMesh(copy));
+    }
+    QVERIFY(!last->mesh.empty()); // longer than the scratch
 }
 
 QTEST_GUILESS_MAIN(TestMeshThreads)
