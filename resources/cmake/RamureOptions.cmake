@@ -28,7 +28,9 @@ add_library(ramure_options INTERFACE)
 target_compile_options(ramure_options INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<NOT:$<BOOL:${RAMURE_FUZZ}>>:-Werror>
     # The same seed gives the same bytes on every run and machine: no contraction into fused operations.
-    -ffp-contract=off -fno-math-errno)
+    -ffp-contract=off -fno-math-errno
+    # Nothing of this is a shared library whose functions another could replace: they may be inlined.
+    -fno-semantic-interposition)
 if(CCACHE_PROGRAM AND NOT RAMURE_FUZZ)
     target_compile_options(ramure_options INTERFACE -fpch-preprocess)
 endif()
