@@ -1,13 +1,17 @@
 /// \file
-/// One more version of a function for processors with wider vectors, chosen when the program starts.
+/// More versions of a function for processors with wider vectors, chosen when the program starts:
+/// RAMURE_WIDE_CLONE for those of eight floats, RAMURE_WIDEST_CLONE for those of sixteen too, where a
+/// function does nothing but reckon with many numbers side by side.
 ///
-/// The same bytes come out of both: neither fuses operations, and whoever uses it adds in a fixed order.
+/// The same bytes come out of all: none fuses operations, and whoever uses it adds in a fixed order.
 /// (Sanitizers start too late for such a choice.)
 #pragma once
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define RAMURE_WIDE_CLONE [[gnu::target_clones("avx2", "default")]]
+#define RAMURE_WIDEST_CLONE [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]]
 #else
+#define RAMURE_WIDEST_CLONE
 #define RAMURE_WIDE_CLONE
 #endif
 

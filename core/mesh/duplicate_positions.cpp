@@ -29,7 +29,7 @@ constexpr std::size_t blockSize = 256;
 
 /// Multiplication mixes upwards only, and floats differ in their high bits, round ones in no others: these
 /// are folded down first.
-RAMURE_WIDE_CLONE void hashBlock(const float* positions, std::size_t count, std::uint32_t* hashes)
+RAMURE_WIDEST_CLONE void hashBlock(const float* positions, std::size_t count, std::uint32_t* hashes)
 {
     const auto folded = [](float coordinate) {
         const auto bits = std::bit_cast<std::uint32_t>(coordinate + 0.0f); // one zero instead of two

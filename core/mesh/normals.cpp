@@ -22,7 +22,7 @@ using Lane = std::array<float, blockSize>;
 
 struct Lanes
 {
-    alignas(32) Lane x, y, z;
+    alignas(64) Lane x, y, z;
 };
 
 struct Block
@@ -53,7 +53,7 @@ inline float angleOf(float y, float x)
 }
 
 /// Edges come scaled so that the mesh is about 1 in size: their squares neither vanish nor overflow.
-RAMURE_WIDE_CLONE void solveBlock(Block& b)
+RAMURE_WIDEST_CLONE void solveBlock(Block& b)
 {
     for (std::size_t i = 0; i < blockSize; ++i) {
         const float ax = b.e1.x[i], ay = b.e1.y[i], az = b.e1.z[i];
@@ -143,7 +143,7 @@ RAMURE_WIDE_CLONE void addBlock(const Block& b, const glm::uvec3* triangles, std
         add(i, Float4{b.normal.x[i], b.normal.y[i], b.normal.z[i], 0.0f});
 }
 
-RAMURE_WIDE_CLONE void normalise(Lanes& lanes)
+RAMURE_WIDEST_CLONE void normalise(Lanes& lanes)
 {
     for (std::size_t i = 0; i < blockSize; ++i) {
         const float x = lanes.x[i], y = lanes.y[i], z = lanes.z[i];
@@ -158,7 +158,7 @@ RAMURE_WIDE_CLONE void normalise(Lanes& lanes)
 }
 
 /// Floats without their sign compare like whole numbers, which is quick.
-RAMURE_WIDE_CLONE std::int32_t largestSize(const float* numbers, std::size_t count)
+RAMURE_WIDEST_CLONE std::int32_t largestSize(const float* numbers, std::size_t count)
 {
     std::int32_t largest = 0;
     for (std::size_t i = 0; i < count; ++i)

@@ -72,7 +72,7 @@ struct Block
 };
 
 /// True where a face may be degenerate.
-RAMURE_WIDE_CLONE bool solve(Block& b, const glm::dvec3& centre, double smallestSquared)
+RAMURE_WIDEST_CLONE bool solve(Block& b, const glm::dvec3& centre, double smallestSquared)
 {
     for (std::size_t i = 0; i < blockSize; ++i) {
         const double ax = b.in[0][i], ay = b.in[1][i], az = b.in[2][i];
