@@ -224,16 +224,19 @@ inline QImage screenPicture(const QRect& part = {})
     return part.isEmpty() ? all : all.copy(part);
 }
 
-/// Once a part of the screen has stopped changing.
+/// Once a part of the screen has stopped changing. On a busy machine a draft stays for a while until the
+/// whole tree is there: one pause without a change does not say that it has.
 inline QImage stillPicture(const QRect& part)
 {
+    constexpr int pauses = 4;
     QImage last = screenPicture(part);
+    int still = 0;
     eventually([&] {
         QThread::msleep(150);
         const QImage next = screenPicture(part);
-        const bool still = next == last;
+        still = next == last ? still + 1 : 0;
         last = next;
-        return still;
+        return still >= pauses;
     });
     return last;
 }
