@@ -74,7 +74,7 @@ struct FoliageParams
 struct TextureParams
 {
     double tileSize = 0.0;   ///< m; 0 = as large as the thinnest branch allows
-    bool seamsAround = true; ///< seams may go around strong bends
+    bool seamsAround = true; ///< seams may open at strong bends
     bool operator==(const TextureParams&) const = default;
 };
 
