@@ -228,7 +228,7 @@ inline QImage screenPicture(const QRect& part = {})
 /// whole tree is there: one pause without a change does not say that it has.
 inline QImage stillPicture(const QRect& part)
 {
-    constexpr int pauses = 4;
+    constexpr int pauses = 2; // shorter than a text cursor stays
     QImage last = screenPicture(part);
     int still = 0;
     eventually([&] {
