@@ -1,6 +1,6 @@
 /// \file
-/// Small curves of the latest frames. Of trees: kinetic energy, worst length error, time of a physics step. In
-/// scenes with arms alone: how far their tips are from their targets.
+/// Small curves of the latest frames. Of trees: kinetic energy, worst length error, time of a physics step.
+/// In scenes with arms alone: how far their tips are from their targets.
 #pragma once
 
 #include "core/document/motion.h"
@@ -23,7 +23,8 @@ public:
     void setContent(Content content);
     [[nodiscard]] Content content() const { return m_content; }
 
-    /// Adds the sums over all trees (of errors and of arms' residuals the largest). A frame before the last one starts anew.
+    /// Adds the sums over all trees (of errors and of arms' residuals the largest). A frame before the last
+    /// one starts anew.
     void add(const MotionFrame& frame);
     void clear();
     [[nodiscard]] std::size_t count() const { return m_frames.size(); }

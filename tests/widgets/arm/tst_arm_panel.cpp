@@ -213,7 +213,9 @@ void TestArmPanel::theMotionIsBaked()
     bake->click();
     auto* dialog = desk.panel.findChild<BakeKeysDialog*>();
     QVERIFY(dialog && dialog->isVisible());
-    const auto box = [&dialog](const char* name) { return dialog->findChild<QSpinBox*>(QLatin1String(name)); };
+    const auto box = [&dialog](const char* name) {
+        return dialog->findChild<QSpinBox*>(QLatin1String(name));
+    };
     auto* go = dialog->findChild<QPushButton*>(QStringLiteral("bake"));
     QCOMPARE(box("firstFrame")->value(), 0); // the timeline's
     QCOMPARE(box("lastFrame")->value(), 250);
