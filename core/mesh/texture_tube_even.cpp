@@ -80,7 +80,7 @@ bool TubeTexture::even(const TubeTextureEnd& parent)
         return !folded;
     keep(m_whole);
     keep(m_best);
-    for (const std::size_t sections : {2, 1, 3}) {
+    for (const std::size_t sections : {std::size_t(2), std::size_t(1), std::size_t(3)}) {
         take(m_whole);
         assign(parent);
         if (!openSeam(sections))
