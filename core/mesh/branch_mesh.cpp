@@ -244,9 +244,9 @@ Expected<CheckedBranchMesh> buildCheckedBranchMesh(const Skeleton& skeleton, con
     const auto check = [&] {
         return validateMesh(mesh, progress.part(0.8, 1.0), [&] { computeNormals(mesh); });
     };
-    const bool isOpen = !hasFlat(mesh.positions, mesh.triangles, shaped->suspects());
-    auto report = isOpen ? check() : MeshReport();
-    if (report && (!isOpen || report->duplicateVertices > 0)) {
+    const bool haveAreas = !hasFlat(mesh.positions, mesh.triangles, shaped->suspects());
+    auto report = haveAreas ? check() : MeshReport();
+    if (report && (!haveAreas || report->duplicateVertices > 0)) {
         separateVertices(mesh.positions, mesh.triangles, progress, shaped->suspects());
         report = check();
     }
