@@ -1,5 +1,6 @@
 #include "core/base/wide_clone.h"
 #include "core/io/ply_source.h"
+#include "core/mesh/largest_index.h"
 #include <iterator>
 #include <utility>
 
@@ -130,14 +131,6 @@ RAMURE_WIDE_CLONE bool areFinite(const float* numbers, std::size_t count)
     return anyBad == 0;
 }
 
-RAMURE_WIDE_CLONE Index largestOf(const Index* indices, std::size_t count)
-{
-    Index largest = 0;
-    for (std::size_t i = 0; i < count; ++i)
-        largest = std::max(largest, indices[i]);
-    return largest;
-}
-
 /// Records of \p count vertices, while they are in the cache. False where a number is not finite.
 bool appendVertices(TriangleMesh& mesh, const char* from, const PlainLayout& layout, std::size_t count)
 {
@@ -155,12 +148,11 @@ constexpr std::size_t faceBytes = 1 + sizeof(glm::uvec3);
 /// False where a face is no triangle or an index is out of range.
 bool appendFaces(std::vector<glm::uvec3>& to, const char* from, std::size_t count, Index vertices)
 {
-    const std::size_t before = to.size();
     appendStrided(to, from, 1, faceBytes, count);
     unsigned anyOther = 0;
     for (std::size_t i = 0; i < count; ++i)
         anyOther |= static_cast<unsigned char>(from[i * faceBytes]) ^ 3u;
-    return anyOther == 0 && largestOf(&to[before].x, 3 * count) < vertices;
+    return anyOther == 0 && largestIndex(std::span(to).last(count)) < vertices;
 }
 
 /// Bytes that are in memory.

@@ -3,6 +3,7 @@
 /// writing a mesh into used ones.
 #pragma once
 
+#include "core/mesh/mesh_arrays.h"
 #include "core/mesh/mesh_sink.h"
 #include <memory>
 #include <vector>
@@ -16,21 +17,17 @@ struct BranchMesh;
 class MeshScratch
 {
 public:
-    MeshScratch();
     /// An empty sink, with memory where one was kept.
     std::unique_ptr<MeshSink> takeSink();
     void keepSink(std::unique_ptr<MeshSink> sink);
-    /// The arrays of a mesh that nobody needs any more, or none; whatever size they have.
-    TriangleMesh takeArrays();
-    void keepArrays(TriangleMesh&& mesh);
-    /// A mesh that gives its arrays back when nobody needs it any more, on whatever thread that is, even when
-    /// this is gone.
+    /// See MeshArrays.
+    TriangleMesh takeArrays() { return m_arrays.take(); }
+    void keepArrays(TriangleMesh&& mesh) { m_arrays.keep(std::move(mesh)); }
     std::shared_ptr<const BranchMesh> share(BranchMesh&& mesh);
 
 private:
-    struct Arrays;
     std::vector<std::unique_ptr<MeshSink>> m_sinks;
-    std::shared_ptr<Arrays> m_arrays;
+    MeshArrays m_arrays;
 };
 
 } // namespace ramure

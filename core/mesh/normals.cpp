@@ -3,6 +3,7 @@
 #include "core/base/float4.h"
 #include "core/base/large_buffer.h"
 #include "core/base/wide_clone.h"
+#include "core/mesh/largest_index.h"
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -87,15 +88,16 @@ void storeLanes(Lanes& to, std::size_t i, Float4 a, Float4 b, Float4 c, Float4 d
     storeFloat4(&to.z[i], c);
 }
 
-/// \p vertexCount positions; of all but the last, four floats can be read.
-RAMURE_WIDE_CLONE void loadBlock(const TriangleMesh& mesh, std::size_t from, std::size_t count, float scale,
-                                 Block& b)
+/// \tparam toLast the last vertex may be among the corners: no four floats can be read there
+template <bool toLast>
+[[gnu::always_inline]] inline void loadEdges(const TriangleMesh& mesh, std::size_t from, std::size_t count,
+                                             float scale, Block& b)
 {
     const glm::vec3* const positions = mesh.positions.data();
     const auto last = static_cast<Index>(mesh.positions.size() - 1);
     const glm::uvec3* const triangles = &mesh.triangles[from];
     const auto load = [&](Index v) {
-        return v != last ? loadFloat4(&positions[v].x) : loadFloat3(&positions[v].x);
+        return !toLast || v != last ? loadFloat4(&positions[v].x) : loadFloat3(&positions[v].x);
     };
     const auto edges = [&](const glm::uvec3& t, Float4& e1, Float4& e2) {
         const Float4 p = load(t.x);
@@ -119,6 +121,15 @@ RAMURE_WIDE_CLONE void loadBlock(const TriangleMesh& mesh, std::size_t from, std
         b.e1.x[i] = e1[0], b.e1.y[i] = e1[1], b.e1.z[i] = e1[2];
         b.e2.x[i] = e2[0], b.e2.y[i] = e2[1], b.e2.z[i] = e2[2];
     }
+}
+
+RAMURE_WIDE_CLONE void loadBlock(const TriangleMesh& mesh, std::size_t from, std::size_t count, float scale,
+                                 bool toLast, Block& b)
+{
+    if (toLast)
+        loadEdges<true>(mesh, from, count, scale, b);
+    else
+        loadEdges<false>(mesh, from, count, scale, b);
 }
 
 RAMURE_WIDE_CLONE void addBlock(const Block& b, const glm::uvec3* triangles, std::size_t count, Sum* sums)
@@ -186,7 +197,8 @@ void computeNormals(TriangleMesh& mesh)
     Block block{};
     for (std::size_t from = 0; from < mesh.triangles.size(); from += blockSize) {
         const std::size_t count = std::min(blockSize, mesh.triangles.size() - from);
-        loadBlock(mesh, from, count, scale, block);
+        const Index largest = largestIndex({&mesh.triangles[from], count});
+        loadBlock(mesh, from, count, scale, largest + 1 >= mesh.positions.size(), block);
         solveBlock(block);
         addBlock(block, &mesh.triangles[from], count, sums.data());
     }

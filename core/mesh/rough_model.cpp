@@ -2,6 +2,7 @@
 
 #include "core/base/float4.h"
 #include "core/base/large_buffer.h"
+#include "core/base/stream_copy.h"
 #include "core/geometry/frame.h"
 #include "core/geometry/ring.h"
 #include <algorithm>
@@ -45,15 +46,21 @@ Four offset(const Four& base, float size, const Four& outward)
              base.at[2] + size * outward.at[2]}};
 }
 
-/// Writes cones into a small mesh that stays in the processor's cache, and appends it when it is full: large
-/// arrays are written once, not first with zeros.
+/// Meshes from this size on do not stay in any cache.
+constexpr std::size_t largeBytes = std::size_t(64) << 20;
+
+/// Writes cones into a small mesh that stays in the processor's cache, and puts it into the large one when it
+/// is full: at the end of arrays that have only room, so that they are written once and not first with zeros;
+/// into the place of what was there where they have their size from before.
 class ConeWriter
 {
 public:
-    ConeWriter(const Skeleton& skeleton, Index sides, TriangleMesh& mesh)
+    /// \param most vertices, and as many faces, at most
+    ConeWriter(const Skeleton& skeleton, Index sides, std::size_t most, TriangleMesh& mesh)
         : m_skeleton(skeleton)
         , m_mesh(mesh)
         , m_sides(sides)
+        , m_isLarge(most * (3 * sizeof(glm::vec3) + 2 * sizeof(Index)) >= largeBytes)
     {
         const std::size_t padded = (3 * std::size_t(sides) + together - 1) / together * together;
         for (std::size_t i = 0; i < padded; ++i) {
@@ -92,18 +99,35 @@ public:
     }
     void flush()
     {
-        const auto append = [used = m_used](auto& to, const auto& from) {
-            to.insert(to.end(), from.begin(), from.begin() + used);
-        };
-        append(m_mesh.positions, m_part.positions);
-        append(m_mesh.normals, m_part.normals);
-        append(m_mesh.triangles, m_part.triangles);
-        append(m_mesh.branch, m_part.branch);
-        append(m_mesh.level, m_part.level);
+        put(m_mesh.positions, m_part.positions);
+        put(m_mesh.normals, m_part.normals);
+        put(m_mesh.triangles, m_part.triangles);
+        put(m_mesh.branch, m_part.branch);
+        put(m_mesh.level, m_part.level);
+        m_done += m_used;
         m_used = 0;
+    }
+    void finish()
+    {
+        flush();
+        endStreamCopies();
+        m_mesh.positions.resize(m_done);
+        m_mesh.normals.resize(m_done);
+        m_mesh.triangles.resize(m_done);
+        m_mesh.branch.resize(m_done);
+        m_mesh.level.resize(m_done);
     }
 
 private:
+    template <class T> void put(std::vector<T>& to, const std::vector<T>& part)
+    {
+        if (to.size() < std::size_t(m_done) + m_used)
+            to.insert(to.end(), part.begin(), part.begin() + m_used);
+        else if (m_isLarge)
+            streamCopy(&to[m_done], part.data(), m_used * sizeof(T));
+        else
+            std::copy_n(part.begin(), m_used, to.begin() + m_done);
+    }
     void writeRings(Index branch, const Frame& frame, double across, double along)
     {
         const Four u = Four::same(frame.normal), v = Four::same(frame.binormal);
@@ -129,7 +153,7 @@ private:
     }
     void writeFaces()
     {
-        const Index first = m_mesh.vertexCount() + m_used;
+        const Index first = m_done + m_used;
         Index* corner = &m_part.triangles[m_used].x;
         for (std::size_t i = 0; i < m_corners.size(); ++i)
             corner[i] = m_corners[i] + first;
@@ -142,32 +166,38 @@ private:
     std::vector<float> m_cosines, m_sines; ///< of each point around, three times; filled up to whole Fours
     std::vector<Index> m_corners;          ///< of the faces of one cone
     TriangleMesh m_part;
+    bool m_isLarge;
+    Index m_done = 0; ///< vertices in m_mesh
     Index m_used = 0; ///< vertices of m_part in use; a cone has as many faces as vertices
 };
 
 } // namespace
 
-TriangleMesh buildRoughBranches(const Skeleton& skeleton, int radialDivisions)
+TriangleMesh buildRoughBranches(const Skeleton& skeleton, int radialDivisions, TriangleMesh used)
 {
     const int sides = std::max(radialDivisions, 3);
     TriangleMesh mesh;
     const std::size_t vertices = std::size_t(skeleton.size()) * 2 * static_cast<std::size_t>(sides);
-    const auto reserve = [vertices](auto& to) {
+    const auto prepare = [vertices](auto& to, auto& from) {
+        if (from.capacity() >= vertices && from.capacity() / 4 <= vertices)
+            to = std::move(from);
+        if (to.size() < vertices)
+            to.clear();
         to.reserve(vertices);
         adviseHugePages(to.data(), vertices * sizeof to[0]);
     };
-    reserve(mesh.positions);
-    reserve(mesh.normals);
-    reserve(mesh.branch);
-    reserve(mesh.level);
-    reserve(mesh.triangles);
-    ConeWriter writer(skeleton, static_cast<Index>(sides), mesh);
+    prepare(mesh.positions, used.positions);
+    prepare(mesh.normals, used.normals);
+    prepare(mesh.branch, used.branch);
+    prepare(mesh.level, used.level);
+    prepare(mesh.triangles, used.triangles);
+    ConeWriter writer(skeleton, static_cast<Index>(sides), vertices, mesh);
     for (Index i = 0; i < skeleton.size(); ++i) {
         const glm::dvec3 axis = skeleton.p1[i] - skeleton.p0[i];
         if (const double length = glm::length(axis); length > 0.0)
             writer.add(i, axis, length);
     }
-    writer.flush();
+    writer.finish();
     return mesh;
 }
 

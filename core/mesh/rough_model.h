@@ -8,6 +8,7 @@
 namespace ramure {
 
 /// \param radialDivisions sides of each cone, >= 3. A branch without length gives no faces.
-TriangleMesh buildRoughBranches(const Skeleton& skeleton, int radialDivisions);
+/// \param used a mesh that nobody needs any more, whose arrays are written again (MeshArrays)
+TriangleMesh buildRoughBranches(const Skeleton& skeleton, int radialDivisions, TriangleMesh used = {});
 
 } // namespace ramure

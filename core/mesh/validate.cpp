@@ -1,6 +1,6 @@
 #include "core/mesh/validate.h"
 #include "core/base/parallel.h"
-#include "core/base/wide_clone.h"
+#include "core/mesh/largest_index.h"
 #include "core/mesh/validate_parts.h"
 #include <algorithm>
 #include <functional>
@@ -16,14 +16,6 @@ using validation::Volumes;
 
 /// Three corners per face are counted in 32 bits.
 constexpr std::size_t maxFaces = std::numeric_limits<Index>::max() / 3;
-
-RAMURE_WIDE_CLONE Index largestOf(const Index* indices, std::size_t count)
-{
-    Index largest = 0;
-    for (std::size_t i = 0; i < count; ++i)
-        largest = std::max(largest, indices[i]);
-    return largest;
-}
 
 void findIsolatedVertices(const TriangleMesh& mesh, const Corners& corners, DefectLog& log)
 {
@@ -55,12 +47,18 @@ void fillCounts(MeshReport& report, const DefectLog& log)
 
 } // namespace
 
-Expected<void> validation::checkIndices(const TriangleMesh& mesh)
+Expected<void> validation::checkSize(const TriangleMesh& mesh)
 {
     if (mesh.triangles.size() > maxFaces || mesh.positions.size() >= noIndex)
         return fail(ErrorCode::Limit, RAMURE_NOOP("the mesh has too many faces to be checked"));
-    if (mesh.triangles.empty() ||
-        largestOf(&mesh.triangles.data()->x, 3 * mesh.triangles.size()) < mesh.positions.size())
+    return {};
+}
+
+Expected<void> validation::checkIndices(const TriangleMesh& mesh)
+{
+    if (auto size = checkSize(mesh); !size)
+        return size;
+    if (mesh.triangles.empty() || largestIndex(mesh.triangles) < mesh.positions.size())
         return {};
     const auto bad = std::find_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const glm::uvec3& t) {
         return std::max(t.x, std::max(t.y, t.z)) >= mesh.positions.size();
@@ -111,8 +109,8 @@ Index MeshReport::count(DefectKind kind) const
 Expected<MeshReport> validateMesh(const TriangleMesh& mesh, const Progress& progress,
                                   const std::function<void()>& alongside)
 {
-    if (const auto indices = validation::checkIndices(mesh); !indices)
-        return fail(indices.error());
+    if (const auto size = validation::checkSize(mesh); !size)
+        return fail(size.error());
     // Things that know nothing of each other. A second thread takes what the first has not begun; the longest
     // comes first.
     Expected<Corners> corners = Corners();
@@ -145,7 +143,8 @@ Expected<MeshReport> validateMesh(const TriangleMesh& mesh, const Progress& prog
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
     if (fans->components.count > 1)
         volumes = validation::measureComponents(mesh, fans->components);
-    findIsolatedVertices(mesh, *corners, vertexLog);
+    if (fans->vertices != mesh.vertexCount())
+        findIsolatedVertices(mesh, *corners, vertexLog);
 
     MeshReport report;
     report.vertices = mesh.vertexCount();

@@ -1,5 +1,6 @@
 #include "core/base/float4.h"
 #include "core/base/wide_clone.h"
+#include "core/mesh/largest_index.h"
 #include "core/mesh/validate_parts.h"
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -18,38 +19,44 @@ struct Box
     double squaredDiagonal = 0.0;
 };
 
+/// Numbers that are compared at a time: sixteen points.
+constexpr std::size_t rangeSize = 48;
+
 /// The lowest and the highest of the finite numbers in each place.
 struct Range
 {
-    Float4 low = Float4{} + std::numeric_limits<float>::max();
-    Float4 high = Float4{} - std::numeric_limits<float>::max();
-
-    void add(Float4 p)
-    {
-        constexpr float infinity = std::numeric_limits<float>::infinity();
-        const auto isFinite = (p < infinity) & (p > -infinity); // NaN is neither
-        low = (p < low) & isFinite ? p : low;
-        high = (p > high) & isFinite ? p : high;
-    }
+    std::array<float, rangeSize> low, high;
 };
 
-/// The box of the finite positions. Four of them are three times four numbers: xyzx, yzxy, zxyz.
+RAMURE_WIDEST_CLONE void addToRange(Range& range, const float* numbers, std::size_t count)
+{
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    for (std::size_t from = 0; from + rangeSize <= count; from += rangeSize)
+        for (std::size_t i = 0; i < rangeSize; ++i) {
+            const float p = numbers[from + i], low = range.low[i], high = range.high[i];
+            range.low[i] = p < low && p > -infinity ? p : low; // NaN is neither
+            range.high[i] = p > high && p < infinity ? p : high;
+        }
+}
+
+/// The box of the finite positions.
 Box boxOf(std::span<const glm::vec3> positions)
 {
-    Range ranges[3];
-    std::size_t i = 0;
-    for (; i + 4 <= positions.size(); i += 4)
-        for (std::size_t k = 0; k < 3; ++k)
-            ranges[k].add(loadFloat4(&positions[i].x + 4 * k));
     glm::vec3 low(std::numeric_limits<float>::max());
     glm::vec3 high = -low;
+    Range range;
+    range.low.fill(low.x);
+    range.high.fill(high.x);
+    const std::size_t together = rangeSize / 3, whole = positions.size() / together * together;
+    if (whole > 0)
+        addToRange(range, &positions.front().x, 3 * whole);
     const auto add = [&](int axis, float from, float to) {
         low[axis] = std::min(low[axis], from);
         high[axis] = std::max(high[axis], to);
     };
-    for (int place = 0; place < 12; ++place)
-        add(place % 3, ranges[place / 4].low[place % 4], ranges[place / 4].high[place % 4]);
-    for (; i < positions.size(); ++i)
+    for (std::size_t i = 0; i < rangeSize; ++i)
+        add(static_cast<int>(i % 3), range.low[i], range.high[i]);
+    for (std::size_t i = whole; i < positions.size(); ++i)
         for (int axis = 0; axis < 3; ++axis)
             if (std::isfinite(positions[i][axis]))
                 add(axis, positions[i][axis], positions[i][axis]);
@@ -97,15 +104,16 @@ void storeLanes(Block& b, std::size_t row, std::size_t i, Float4* four)
 
 /// Faces from \p from on, and calls \p also(i) for i below \p alsoCount on the way: sums in a fixed order
 /// wait for each addition, and there is time for them here.
-template <class Also>
+/// \tparam toLast the last vertex may be among their corners: nothing behind it can be read
+template <bool toLast, class Also>
 void load(Block& b, const TriangleMesh& mesh, std::size_t from, std::size_t count, std::size_t alsoCount,
           Also&& also)
 {
     const glm::uvec3* const triangles = &mesh.triangles[from];
     const glm::vec3* const positions = mesh.positions.data();
-    const auto last = static_cast<Index>(mesh.positions.size() - 1); // nothing behind it can be read
+    const auto last = static_cast<Index>(mesh.positions.size() - 1);
     const auto at = [positions, last](Index v) {
-        return v != last ? loadFloat4(&positions[v].x) : loadFloat3(&positions[v].x);
+        return !toLast || v != last ? loadFloat4(&positions[v].x) : loadFloat3(&positions[v].x);
     };
     std::size_t i = 0;
     for (; i + 4 <= count; i += 4) {
@@ -127,7 +135,7 @@ void load(Block& b, const TriangleMesh& mesh, std::size_t from, std::size_t coun
 }
 
 /// Calls \p add(block, i, face) for all faces in order and \p check(block, first, count, smallestSquared) for
-/// blocks of them, in which there may be degenerate ones; until cancelled.
+/// blocks of them, in which there may be degenerate ones; until cancelled, or a vertex does not exist.
 template <class Add, class Check>
 void forMeasured(const TriangleMesh& mesh, const Progress& progress, Add&& add, Check&& check)
 {
@@ -140,9 +148,15 @@ void forMeasured(const TriangleMesh& mesh, const Progress& progress, Add&& add, 
         if (from % (blockSize << 10) == 0 && progress.cancelled())
             return;
         const std::size_t count = std::min(blockSize, mesh.triangles.size() - from);
+        const std::size_t behind = std::size_t(largestIndex({&mesh.triangles[from], count})) + 1;
+        if (behind > mesh.positions.size())
+            return;
         Block &block = blocks[from / blockSize % 2], &before = blocks[1 - from / blockSize % 2];
-        load(block, mesh, from, count, countBefore,
-             [&](std::size_t i) { add(before, i, from - blockSize + i); });
+        const auto addBefore = [&](std::size_t i) { add(before, i, from - blockSize + i); };
+        if (behind < mesh.positions.size()) [[likely]]
+            load<false>(block, mesh, from, count, countBefore, addBefore);
+        else
+            load<true>(block, mesh, from, count, countBefore, addBefore);
         if (solve(block, box.centre, smallest * smallest))
             check(block, from, count, smallest * smallest);
         countBefore = count;

@@ -44,7 +44,9 @@ inline bool hasRepeatedVertex(const glm::uvec3& t)
     return t.x == t.y || t.y == t.z || t.z == t.x;
 }
 
-/// Errors: Invalid (a face refers to a missing vertex), Limit (more faces than can be counted).
+/// Errors: Limit (more faces than can be counted).
+Expected<void> checkSize(const TriangleMesh& mesh);
+/// Errors: as checkSize(), and Invalid (a face refers to a missing vertex).
 Expected<void> checkIndices(const TriangleMesh& mesh);
 
 /// Connected pieces of the mesh. Numbered by their first vertex.
@@ -110,7 +112,7 @@ struct Corners
 };
 /// Most faces around a vertex that are looked at together.
 inline constexpr Index nearDegree = 16;
-/// Errors: Cancelled.
+/// Errors: Cancelled, Invalid (a face refers to a missing vertex).
 Expected<Corners> collectCorners(const TriangleMesh& mesh, const Progress& progress);
 
 /// Tells vertices whose faces are one closed fan: the face after each is the only one that may come after it,
@@ -161,8 +163,8 @@ struct Volumes
     double sum = 0.0;
     bool allPositive = true;
 };
-/// As if the mesh were one component. Logs degenerate faces. Indices must have been checked. Cancelled: what
-/// is returned means nothing.
+/// As if the mesh were one component. Logs degenerate faces. Cancelled, or where a face refers to a missing
+/// vertex: what is returned means nothing.
 Volumes measureFaces(const TriangleMesh& mesh, DefectLog& log, const Progress& progress);
 /// The volumes of several components.
 Volumes measureComponents(const TriangleMesh& mesh, const Components& components);

@@ -90,9 +90,11 @@ void BM_growthNormals(benchmark::State& state)
 void BM_growthRough(benchmark::State& state)
 {
     const Tree& tree = treeOf(state);
-    const std::size_t triangles = buildRoughBranches(tree.skeleton, 8).triangles.size();
-    perTriangle(state, triangles,
-                [&] { benchmark::DoNotOptimize(buildRoughBranches(tree.skeleton, 8).triangles.data()); });
+    TriangleMesh mesh = buildRoughBranches(tree.skeleton, 8);
+    perTriangle(state, mesh.faceCount(), [&] {
+        mesh = buildRoughBranches(tree.skeleton, 8, std::move(mesh));
+        benchmark::DoNotOptimize(mesh.triangles.data());
+    });
 }
 
 Expected<void> write(const char* name, const TriangleMesh& mesh)

@@ -153,8 +153,10 @@ struct TreeItems
             return;
         const Skeleton& skeleton = tree.simplified->skeleton;
         const auto sides = static_cast<int>(node.params.sections.radialDivisions);
-        addMesh(cache.get<TriangleMesh>(ScenePart::RoughBranches, tree.simplified, tree.simplified,
-                                        {double(sides)}, [&] { return buildRoughBranches(skeleton, sides); }),
+        MeshArrays& arrays = cache.roughArrays();
+        addMesh(cache.get<TriangleMesh>(
+                    ScenePart::RoughBranches, tree.simplified, tree.simplified, {double(sides)},
+                    [&] { return arrays.share(buildRoughBranches(skeleton, sides, arrays.take())); }),
                 openBark());
         if (!tree.foliage)
             return;

@@ -2,10 +2,12 @@
 /// What the scene builder made, under the identity of what it was made from.
 #pragma once
 
+#include "core/mesh/mesh_arrays.h"
 #include "widgets/render/render_scene.h"
 #include <compare>
 #include <map>
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace ramure {
@@ -55,7 +57,7 @@ class ScenePartCache
 {
 public:
     void beginBuild() { ++m_build; }
-    /// The part under this key, made by \p make where it is new.
+    /// The part under this key, made by \p make where it is new: a T, or one that is shared already.
     template <class T, class First, class Second, class Make>
     std::shared_ptr<const T> get(ScenePart part, const std::shared_ptr<First>& first,
                                  const std::shared_ptr<Second>& second, std::vector<double> numbers,
@@ -68,7 +70,10 @@ public:
         if (isNew) {
             made.first = first;
             made.second = second;
-            made.block = std::make_shared<const T>(make());
+            if constexpr (std::is_convertible_v<decltype(make()), std::shared_ptr<const T>>)
+                made.block = make();
+            else
+                made.block = std::make_shared<const T>(make());
         }
         return std::static_pointer_cast<const T>(made.block);
     }
@@ -76,6 +81,8 @@ public:
     {
         return *get<Box>(ScenePart::MeshBox, mesh, mesh, {}, [&mesh] { return meshBox(*mesh); });
     }
+    /// Of rough models that are no longer shown.
+    MeshArrays& roughArrays() { return m_roughArrays; }
     /// Forgets what the build did not use.
     void dropUnused()
     {
@@ -85,6 +92,7 @@ public:
 private:
     std::map<ScenePartKey, ScenePartMade> m_parts;
     std::uint64_t m_build = 0;
+    MeshArrays m_roughArrays;
 };
 
 } // namespace ramure

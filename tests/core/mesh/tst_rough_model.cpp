@@ -42,6 +42,8 @@ private slots:
     void conesStandOnTheirCircles();
     void normalsStandOnTheSurface();
     void eachConeIsOpenAndConsistent();
+    void usedArraysChangeNothing();
+    void usedArraysAreWrittenInPlace();
 };
 
 void TestRoughModel::emptySkeleton()
@@ -113,6 +115,35 @@ void TestRoughModel::eachConeIsOpenAndConsistent()
                  checked.isolatedVertices,
              Index(0));
     QCOMPARE(checked.inwardNormals + checked.badNormals + checked.badOwners, Index(0));
+}
+
+void TestRoughModel::usedArraysChangeNothing()
+{
+    TriangleMesh used;
+    // Those of 100,000 branches are large enough to be written past the caches.
+    std::uint64_t seed = 3;
+    for (const Index count : {1u, 40u, 7u, 100'000u, 99'999u, 200u, 100'000u, 0u, 3u}) {
+        Skeleton tree = randomTree(++seed, count);
+        for (Index i = 0; i < count; i += 11) // branches without length
+            tree.p1[i] = tree.p0[i];
+        const TriangleMesh fresh = buildRoughBranches(tree, 8);
+        used = buildRoughBranches(tree, 8, std::move(used));
+        QVERIFY(used == fresh);
+    }
+}
+
+void TestRoughModel::usedArraysAreWrittenInPlace()
+{
+    const Skeleton tree = randomTree(4, 500);
+    TriangleMesh mesh = buildRoughBranches(tree, 8);
+    const TriangleMesh before = mesh;
+    const glm::vec3 *const positions = mesh.positions.data(), *const normals = mesh.normals.data();
+    mesh = buildRoughBranches(tree, 8, std::move(mesh));
+    QVERIFY(mesh == before);
+    QVERIFY(mesh.positions.data() == positions && mesh.normals.data() == normals);
+    // Of far more than is needed nothing is kept.
+    mesh = buildRoughBranches(randomTree(5, 20), 8, std::move(mesh));
+    QVERIFY(mesh.positions.capacity() < before.positions.size());
 }
 
 QTEST_GUILESS_MAIN(TestRoughModel)

@@ -1,3 +1,4 @@
+#include "core/base/parallel.h"
 #include "core/mesh/validate.h"
 #include "tests/support/suite.h"
 #include <algorithm>
@@ -113,6 +114,40 @@ private slots:
         QVERIFY(!other.openMeshChecked);
         mesh.triangles[2].y = noIndex;
         QVERIFY(!validateMesh(mesh));
+    }
+    void indexOutOfRangeIsAnErrorWhereverItStands()
+    {
+        const TriangleMesh good = spindle(20'000); // large enough for two threads
+        const Index faces = good.faceCount(), vertices = good.vertexCount();
+        for (const unsigned threads : {1u, 2u})
+            for (const Index face : {0u, faces / 2, faces - 2, faces - 1})
+                for (const Index missing : {vertices, noIndex}) {
+                    const ThreadLimit limit(threads);
+                    TriangleMesh mesh = good;
+                    mesh.triangles[face].z = missing;
+                    const auto report = validateMesh(mesh);
+                    QVERIFY(!report && report.error().code == ErrorCode::Invalid);
+                    QCOMPARE(report.error().message(), "face " + std::to_string(face) +
+                                                           " refers to a vertex that does not exist (" +
+                                                           std::to_string(vertices) + " vertices)");
+                }
+    }
+    void theLastVertexMayBeInAnyFace()
+    {
+        // Of the last vertex no four floats can be read: those faces take another way.
+        TriangleMesh mesh = spindle(5'000);
+        const MeshReport before = check(mesh);
+        const auto swapped = [last = mesh.vertexCount() - 1](Index v) {
+            return v == 7 ? last : v == last ? 7 : v;
+        };
+        std::swap(mesh.positions[7], mesh.positions.back());
+        for (glm::uvec3& t : mesh.triangles)
+            t = {swapped(t.x), swapped(t.y), swapped(t.z)};
+        const MeshReport after = check(mesh);
+        QVERIFY(before.valid && after.valid);
+        QCOMPARE(after.volume, before.volume);
+        mesh.positions.back().x = std::numeric_limits<float>::quiet_NaN();
+        QVERIFY(check(mesh).degenerateFaces > 0);
     }
     void cancelStops()
     {
