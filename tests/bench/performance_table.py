@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes the handbook's page of speeds from what Google Benchmark wrote: performance_table.py BENCH.json PAGE.md"""
+"""Writes the handbook's page of speeds from what Google Benchmark wrote in one round or several, and all rounds into one
+file: performance_table.py PAGE.md ALL.json ROUND.json..."""
 
 import json
 import sys
@@ -127,7 +128,7 @@ def page(data):
         "# Speed",
         "",
         "Written by `./dev bench` from its own results; do not edit. Nanoseconds of the processor's time for one",
-        "element, on one thread, the best of the repetitions.",
+        f"element, on one thread, the best of all repetitions in {data['context'].get('rounds', 1)} rounds.",
         "",
         "Bars hold as a ratio to two yardsticks measured in the same run: OpenMesh building a sphere of 1,001,112",
         f"triangles face by face ({REFERENCE_SPHERE:.0f} ns per triangle where the bars were set), and copying 256 MB "
@@ -137,7 +138,7 @@ def page(data):
         "",
         f"Machine: {context['num_cpus']} processors at {context['mhz_per_cpu']} MHz. Yardsticks: "
         f"{nanoseconds(sphere):.0f} ns per triangle of the sphere ({bySphere:.2f} times the reference); 256 MB copied "
-        f"at {copy:.1f} GB/s ({byCopy:.2f} times slower). Programs that wanted a processor when the run began: "
+        f"at {copy:.1f} GB/s ({byCopy:.2f} times slower). Programs that wanted a processor when the last round began: "
         f"{context['load_avg'][0]:.0f}; more than there are processors make all figures worse.",
         "",
     ]
@@ -170,14 +171,27 @@ def page(data):
     big = [r for r in runs if r["name"].startswith("BM_tenMillionVertices") and not r.get("error_occurred")]
     if big:
         out += ["", "## Ten million vertices", "", "Written, read back and compared, 20 million triangles:", ""]
-        for run in big:
-            out.append(f"- {run['name'].split('/')[1].upper()}: {run['cpu_time']:.1f} s of the processor, equal.")
+        for name in sorted({run["name"].split("/")[1] for run in big}):
+            seconds = min(run["cpu_time"] for run in big if run["name"].split("/")[1] == name)
+            out.append(f"- {name.upper()}: {seconds:.1f} s of the processor, equal.")
     return "\n".join(out) + "\n"
 
 
+def merged(paths):
+    """The runs of all rounds."""
+    rounds = []
+    for path in paths:
+        with open(path, encoding="utf-8") as source:
+            rounds.append(json.load(source))
+    context = {**rounds[-1]["context"], "rounds": len(rounds)}
+    return {"context": context, "benchmarks": [run for r in rounds for run in r["benchmarks"]]}
+
+
 if __name__ == "__main__":
-    with open(sys.argv[1], encoding="utf-8") as source:
-        text = page(json.load(source))
-    print(text)
+    data = merged(sys.argv[3:])
     with open(sys.argv[2], "w", encoding="utf-8") as target:
+        json.dump(data, target, indent=1)
+    text = page(data)
+    print(text)
+    with open(sys.argv[1], "w", encoding="utf-8") as target:
         target.write(text)
