@@ -51,7 +51,8 @@ struct MeshReport
 /// repeated vertex has no edges and counts for nothing else. Faces around a vertex belong to one fan when
 /// they hang together through edges at it. Defects are listed kind by kind, by ascending vertex or face.
 /// \param alongside if given, is called once, on whatever thread, and is done when this returns without an
-/// error: work that takes about a third as long and writes nothing that the check reads.
+/// error: work that takes about a third as long and writes nothing that the check reads. It may come before
+/// the look at the indices: for meshes of the program's own making.
 /// Errors: Cancelled, Invalid for an index out of range, Limit (more than 1.4 billion faces).
 Expected<MeshReport> validateMesh(const TriangleMesh& mesh, const Progress& progress = {},
                                   const std::function<void()>& alongside = {});
