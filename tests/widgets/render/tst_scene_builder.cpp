@@ -1,8 +1,11 @@
+#include "core/mesh/rough_model.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "tests/support/suite.h"
 #include "widgets/render/scene_builder.h"
 #include <map>
+#include <utility>
+#include <vector>
 
 using namespace ramure;
 
@@ -256,6 +259,28 @@ private slots:
         QCOMPARE(built.meshes.size(), std::size_t(3));
         QVERIFY(built.meshes[0].mesh.get() != &trees.results[id].branches->mesh);
         QVERIFY2(built.meshes[0].material.twoSided, "the cones are open");
+    }
+    void roughModelsUseTheMemoryOfThoseNoLongerShown()
+    {
+        Trees trees;
+        const NodeId id = trees.add("SmallTree");
+        SceneBuilder builder;
+        std::vector<RenderScene> shown; // the last two, as while a picture is on its way
+        bool anyAgain = false;
+        for (const int sides : {8, 5, 12, 7, 11, 9, 10}) {
+            trees.scene.find(id)->params.sections.radialDivisions = sides;
+            shown.push_back(builder.build(trees.scene, trees.of(), in(DisplayMode::Rough)));
+            if (shown.size() > 2)
+                shown.erase(shown.begin());
+            const Skeleton& skeleton = trees.results[id].simplified->skeleton;
+            const TriangleMesh& mesh = *shown.back().meshes[0].mesh;
+            QVERIFY(mesh == buildRoughBranches(skeleton, sides));
+            anyAgain = mesh.triangles.capacity() > mesh.triangles.size() || anyAgain; // of a larger one
+        }
+        QVERIFY(anyAgain);
+        const RenderScene last = std::exchange(shown, {}).back();
+        builder = {}; // what is shown outlives it
+        QVERIFY(*last.meshes[0].mesh == buildRoughBranches(trees.results[id].simplified->skeleton, 10));
     }
     void removedNodesAreRed()
     {
