@@ -5492,8 +5492,20 @@ OpenGL&#xa0;: %4
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>Over the latest frames: the largest distance from an arm&apos;s tip to its target (m)</source>
-        <translation>Sur les dernières images&#xa0;: la plus grande distance de la pointe d’un bras à sa cible (m)</translation>
+        <source>Energy, length error and time of a step are drawn while it plays.</source>
+        <translation>L&apos;énergie, l&apos;erreur de longueur et le temps d&apos;un pas se tracent pendant la lecture.</translation>
+    </message>
+    <message>
+        <source>No arm follows a target: Ctrl+click sets one.</source>
+        <translation>Aucun bras ne suit de cible : Ctrl+clic en pose une.</translation>
+    </message>
+    <message>
+        <source>The largest distance from an arm&apos;s tip to its target (m), now and over the last ten seconds of its way; there is a curve once an arm has moved: played, or sent to a target by Ctrl+click on a surface</source>
+        <translation>La plus grande distance entre le bout d&apos;un bras et sa cible (m), maintenant et sur les dix dernières secondes de son trajet ; une courbe apparaît dès qu&apos;un bras a bougé : pendant la lecture, ou envoyé vers une cible par Ctrl+clic sur une surface</translation>
+    </message>
+    <message>
+        <source>Play, or Ctrl+click a surface, to see a curve.</source>
+        <translation>Lecture ou Ctrl+clic sur une surface : la courbe se trace.</translation>
     </message>
 </context>
 <context>

@@ -442,6 +442,7 @@ void MainWindow::connectViewport(Viewport* view)
             [this](const QString& text) { statusBar()->showMessage(text, messageMs); });
     view->setAutoKey([this] { return m_autoKey->isOn(); });
     m_arm->setReach(view->armReach());
+    m_timeline->setReach(view->armReach());
     m_properties->setReach(view->armReach());
     connect(m_isolation, &Isolation::changed, view,
             [this, view] { view->setIsolated(m_isolation->node(), m_isolation->branches()); });

@@ -1,5 +1,6 @@
 #include "widgets/timeline/timeline_panel.h"
 
+#include "core/document/arm_reach.h"
 #include "core/document/player.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/timeline/bake_actions.h"
@@ -213,7 +214,10 @@ void TimelinePanel::connectPlayer()
     connect(m_player, &Player::frameChanged, this, &TimelinePanel::showFrame);
     connect(m_player, &Player::playingChanged, this, &TimelinePanel::showFrame);
     connect(m_player, &Player::bandChanged, this, [this] { m_ruler->setBand(m_player->band()); });
-    connect(m_player, &Player::motionChanged, this, [this] { m_plot->add(*m_player->motion()); });
+    connect(m_player, &Player::motionChanged, this, [this] {
+        m_plot->add(*m_player->motion());
+        showResiduals();
+    });
     connect(m_player, &Player::settingsChanged, this, &TimelinePanel::showSettings);
     connect(m_player, &Player::busyChanged, this, &TimelinePanel::showBusy);
     connect(m_player, &Player::progress, this,
@@ -225,8 +229,23 @@ void TimelinePanel::connectPlayer()
             m_plot->clear();
         if (change.has(changeReset | changeStructure))
             choosePlot();
+        if (change.has(changeReset | changeStructure | changeParams | changeJoints | changeNodeState))
+            showResiduals();
     });
     choosePlot();
+    showResiduals();
+}
+
+void TimelinePanel::setReach(ArmReach* reach)
+{
+    m_reach = reach;
+    connect(reach, &ArmReach::moved, this, &TimelinePanel::showResiduals);
+}
+
+void TimelinePanel::showResiduals()
+{
+    if (m_plot->content() == PhysicsPlot::Content::Arms)
+        m_plot->setResiduals(armResiduals(m_document->scene(), *m_player, m_reach));
 }
 
 /// The plot shows what the scene has to move; without trees and arms there is none.

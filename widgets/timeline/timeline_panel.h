@@ -5,6 +5,7 @@
 
 #include "core/document/commands.h"
 #include "widgets/timeline/time_text.h"
+#include <QPointer>
 #include <QWidget>
 
 class QBoxLayout;
@@ -17,6 +18,7 @@ namespace ramure {
 
 class NumberField;
 class BakeActions;
+class ArmReach;
 class PhysicsPlot;
 class PlayActions;
 class Player;
@@ -31,6 +33,8 @@ public:
     TimelinePanel(Document* document, Player* player, PlayActions* actions, QWidget* parent = nullptr);
     /// Adds the button that bakes.
     void setBakeActions(BakeActions* actions);
+    /// Arms on their way while nothing plays. Not owned.
+    void setReach(ArmReach* reach);
 
     [[nodiscard]] TimelineRuler* ruler() const { return m_ruler; }
     [[nodiscard]] TimeDisplay display() const { return m_display; }
@@ -56,6 +60,7 @@ private:
     void retranslate();
     void arrange();
     void choosePlot();
+    void showResiduals();
 
     Document* m_document;
     Player* m_player;
@@ -64,6 +69,7 @@ private:
     GestureId m_rangeGesture = 0;
     TimelineRuler* m_ruler;
     PhysicsPlot* m_plot;
+    QPointer<ArmReach> m_reach;
     TimeField* m_frame;
     TimeField* m_first;
     TimeField* m_last;

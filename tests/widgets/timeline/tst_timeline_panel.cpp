@@ -1,8 +1,10 @@
+#include "core/document/arm_reach.h"
 #include "core/document/player.h"
 #include "core/scene/arm_demo.h"
 #include "tests/support/suite.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/numbers/number_field.h"
+#include "widgets/timeline/arm_residuals.h"
 #include "widgets/timeline/physics_plot.h"
 #include "widgets/timeline/play_actions.h"
 #include "widgets/timeline/time_field.h"
@@ -39,6 +41,8 @@ private slots:
     void pageTurnsWhilePlaying();
     void plotKeepsTheLatestFrames();
     void plotShowsWhatTheSceneHas();
+    void plotSaysHowToGetACurve();
+    void plotFollowsAnArmThatReaches();
     void everythingHasAToolTip();
 
 private:
@@ -267,6 +271,42 @@ void TestTimelinePanel::plotShowsWhatTheSceneHas()
     QVERIFY(plot->content() == PhysicsPlot::Content::Trees && plot->toolTip() != ofArms);
 }
 
+void TestTimelinePanel::plotSaysHowToGetACurve()
+{
+    auto* plot = child<PhysicsPlot>("physicsPlot");
+    m_document->reset(armDemo(), {});
+    const QString toPlay = plot->hint();
+    const auto atRest = armResiduals(m_document->scene(), *m_player, nullptr);
+    QVERIFY(!toPlay.isEmpty() && atRest && atRest->now > 0.1 && atRest->way.empty());
+    QVERIFY(edit::setParam(*m_document, {1}, *findParam("arm.follows"), ParamValue(false)));
+    QVERIFY(!armResiduals(m_document->scene(), *m_player, nullptr));
+    QVERIFY(!plot->hint().isEmpty() && plot->hint() != toPlay);
+    m_document->undoStack()->undo();
+    QCOMPARE(plot->hint(), toPlay);
+    m_player->seek(48); // nothing was played, but what lies before is computed
+    QVERIFY(m_player->waitForIdle(20'000));
+    QTRY_VERIFY(plot->hint().isEmpty());
+    const auto moved = armResiduals(m_document->scene(), *m_player, nullptr);
+    QVERIFY(moved && moved->now < atRest->now && moved->way.size() > 60);
+    QVERIFY(!plot->grab().isNull());
+}
+
+void TestTimelinePanel::plotFollowsAnArmThatReaches()
+{
+    auto* plot = child<PhysicsPlot>("physicsPlot");
+    m_document->reset(armDemo(), {});
+    ArmReach reach(m_document.get());
+    m_panel->setReach(&reach);
+    QVERIFY(reach.reachFor(1, {1.5, 1.0, 1.0}, 0));
+    reach.finish();
+    QVERIFY(plot->hint().isEmpty());
+    const auto there = armResiduals(m_document->scene(), *m_player, &reach);
+    QVERIFY(there && there->now < 1e-3 && there->way.size() > 10);
+    QVERIFY(there->way.front() > there->way.back());
+    m_document->undoStack()->undo(); // at rest again
+    QVERIFY(!plot->hint().isEmpty());
+}
+
 void TestTimelinePanel::plotKeepsTheLatestFrames()
 {
     PhysicsPlot plot;
@@ -282,6 +322,7 @@ void TestTimelinePanel::plotKeepsTheLatestFrames()
     QCOMPARE(plot.count(), std::size_t(1));
     plot.clear();
     QCOMPARE(plot.count(), std::size_t(0));
+    QVERIFY(!plot.hint().isEmpty());
     QVERIFY(!plot.grab().isNull());
 }
 
