@@ -131,11 +131,14 @@ void PhysicsPlot::paintCurve(QPainter& painter, const QRectF& area, Curve curve)
     paintTexts(painter, area, name, curve == StepTime ? tr("%1 ms").arg(now) : now);
 }
 
-/// The whole way fills the width.
+/// The whole way fills the width, below the texts.
 void PhysicsPlot::paintResiduals(QPainter& painter) const
 {
     if (m_residuals && m_residuals->way.size() > 1)
-        paintLine(painter, rect(), m_residuals->way, width() / double(m_residuals->way.size() - 1));
+        paintLine(
+            painter,
+            QRectF(rect()).adjusted(0.0, std::min(1.4 * fontMetrics().height(), 0.3 * height()), 0.0, 0.0),
+            m_residuals->way, width() / double(m_residuals->way.size() - 1));
     paintTexts(painter, rect(), tr("Residual"), m_residuals ? shortLengthText(m_residuals->now) : QString());
 }
 
