@@ -5,10 +5,10 @@
 #include "core/document/exporter.h"
 #include "core/document/mesh_report_json.h"
 #include "core/document/moving_source.h"
+#include "core/io/file_writer.h"
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QSaveFile>
 #include <algorithm>
 #include <cstdio>
 #include <iterator>
@@ -190,8 +190,7 @@ Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Pr
 }
 
 /// What was written, and what is known about the meshes.
-Expected<void> writeReport(const Request& request, const QString& input,
-                           const std::vector<CheckedMesh>& checked)
+QByteArray reportText(const Request& request, const QString& input, const std::vector<CheckedMesh>& checked)
 {
     QJsonArray files;
     for (const QString& file : request.files)
@@ -199,16 +198,18 @@ Expected<void> writeReport(const Request& request, const QString& input,
     QJsonObject report = jsonOf(checked, true);
     report.insert(QStringLiteral("format"), QStringLiteral("ramure-report"));
     report.insert(QStringLiteral("version"), meshReportVersion);
-    report.insert(QStringLiteral("program"), versionText());
+    report.insert(QStringLiteral("program"), versionText().trimmed());
     report.insert(QStringLiteral("input"), input);
     report.insert(QStringLiteral("files"), files);
-    QSaveFile file(request.report);
-    const QByteArray bytes = QJsonDocument(report).toJson();
-    if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit())
-        return {};
-    auto error = fail(ErrorCode::Io, "%1", {file.errorString().toStdString()});
-    error.value().file = systemPath(request.report);
-    return error;
+    return QJsonDocument(report).toJson();
+}
+
+Expected<void> writeReport(FileWriter& file, const QByteArray& bytes)
+{
+    file.append({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    if (const auto finished = file.finish(); !finished)
+        return finished;
+    return file.commit();
 }
 
 /// The first thing that is wrong with a mesh, in words.
@@ -229,6 +230,8 @@ std::string faultOf(const CheckedMesh& checked)
             fault.append(fault.empty() ? "" : ", ").append(std::to_string(count)).append(" ").append(name);
     if (fault.empty())
         fault = "not one closed, outward surface per root";
+    if (checked.isSpoiltByPlace)
+        fault += ", so far from the origin or so small that single precision cannot tell its vertices apart";
     return checked.name.empty() ? fault : checked.name + ": " + fault;
 }
 
@@ -247,8 +250,9 @@ Expected<int> checkAndWrite(const Input& input, const QString& name, const Reque
         const auto written = writeFiles(input, request, moments, moving, progress);
         return written ? Expected<int>(exitGood) : fail(written.error());
     }
-    const auto checked =
-        checkMeshes(input, moving, {moments.timeSeconds, !request.report.isEmpty()}, progress.part(0.0, 0.6));
+    MeshChecks checks{moments.timeSeconds, !request.report.isEmpty()};
+    checks.placed = true;
+    const auto checked = checkMeshes(input, moving, checks, progress.part(0.0, 0.6));
     if (!checked)
         return fail(checked.error());
     if (request.requireValid)
@@ -258,11 +262,18 @@ Expected<int> checkAndWrite(const Input& input, const QString& name, const Reque
                            fromText(faultOf(one)));
                 return exitCheckFailed;
             }
+    std::optional<FileWriter> report; // opened first: what cannot be written is told before a mesh is
+    if (!request.report.isEmpty()) {
+        auto opened = FileWriter::open(systemPath(request.report));
+        if (!opened)
+            return fail(opened.error());
+        report.emplace(std::move(*opened));
+    }
     const auto written = writeFiles(input, request, moments, moving, progress.part(0.6, 1.0));
     if (!written)
         return fail(written.error());
-    if (!request.report.isEmpty())
-        if (const auto reported = writeReport(request, name, *checked); !reported)
+    if (report)
+        if (const auto reported = writeReport(*report, reportText(request, name, *checked)); !reported)
             return fail(reported.error());
     return exitGood;
 }

@@ -1,9 +1,11 @@
 #include "app/cli/mesh_check.h"
 
+#include "core/document/exporter.h"
 #include "core/document/mesh_report_json.h"
 #include "core/document/project_json.h"
 #include "core/pipeline/separate_branches.h"
 #include "core/scene/object_mesh.h"
+#include "core/scene/places.h"
 #include "core/scene/shape_check.h"
 #include <QJsonArray>
 #include <algorithm>
@@ -34,8 +36,33 @@ Expected<MeshAnalysis> shapeOf(const TriangleMesh& mesh, const Progress& progres
     return analysis;
 }
 
+/// Does a tree have as many closed pieces as roots?
+bool isOnePieceARoot(const MeshReport& report, Index roots)
+{
+    return report.components == roots && report.eulerCharacteristic == 2 * std::int64_t(roots);
+}
+
+/// The check again, of the mesh where it stands in the world.
+Expected<void> checkPlaced(CheckedMesh& checked, const TriangleMesh& mesh, const glm::dmat4& world,
+                           const Progress& progress)
+{
+    const auto placed = std::make_shared<const TriangleMesh>(transformed(mesh, world));
+    auto again = checkMesh(placed, false, progress);
+    if (!again)
+        return fail(std::move(again.error()));
+    if (checked.isOpen)
+        again->report.valid = isGoodSurface(again->report);
+    checked.isSpoiltByPlace = checked.report.valid && !again->report.valid;
+    checked.report = std::move(again->report);
+    checked.analysis.hash = again->analysis.hash;
+    checked.analysis.quality = std::move(again->analysis.quality);
+    for (Collision& collision : checked.analysis.collisions)
+        collision.place = glm::dvec3(world * glm::dvec4(collision.place, 1.0));
+    return {};
+}
+
 Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, const TreeSource& source,
-                                bool crossings, bool texture, const Progress& progress)
+                                const MeshChecks& checks, const glm::dmat4& world, const Progress& progress)
 {
     const auto result = evaluateTree(source, node, isOneOfSeveral, Stage::Mesh, progress.part(0.0, 0.4));
     if (!result)
@@ -43,18 +70,19 @@ Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, const Tre
     const BranchMesh& branches = *result->branches;
     CheckedMesh checked{node.name, *result->report, {},
                         {},        branches.budget, static_cast<Index>(node.params.mesh.targetTriangles)};
-    MeshReport& report = checked.report;
-    if (const auto confirmed = confirm(branches.mesh, report, progress.part(0.4, 0.6)); !confirmed)
+    if (const auto confirmed = confirm(branches.mesh, checked.report, progress.part(0.4, 0.6)); !confirmed)
         return fail(confirmed.error());
-    report.valid = report.valid && report.components == branches.roots &&
-                   report.eulerCharacteristic == 2 * std::int64_t(branches.roots);
-    auto analysis = crossings
-                        ? analyseMesh(branches, result->simplified->skeleton, 0, progress.part(0.6, 1.0))
-                        : shapeOf(branches.mesh, progress.part(0.6, 1.0));
+    auto analysis = checks.crossings
+                        ? analyseMesh(branches, result->simplified->skeleton, 0, progress.part(0.6, 0.9))
+                        : shapeOf(branches.mesh, progress.part(0.6, 0.9));
     if (!analysis)
         return fail(analysis.error());
     checked.analysis = std::move(*analysis);
-    if (texture) {
+    if (checks.placed && world != glm::dmat4(1.0))
+        if (const auto placed = checkPlaced(checked, branches.mesh, world, progress.part(0.9, 1.0)); !placed)
+            return fail(placed.error());
+    checked.report.valid = checked.report.valid && isOnePieceARoot(checked.report, branches.roots);
+    if (checks.texture) {
         const BranchMesh& rest = result->restBranches ? *result->restBranches : branches;
         const auto coordinates = textureCoordinates(
             rest, {node.params.texture.tileSize, node.params.texture.seamsAround}, progress.part(0.9, 1.0));
@@ -80,9 +108,9 @@ Expected<CheckedMesh> checkFile(const ReadMesh& mesh, bool crossings, const Prog
     return checkedMesh(std::move(*checked));
 }
 
-/// An arm, a terrain, a primitive or an imported mesh, before its placement.
+/// An arm, a terrain, a primitive or an imported mesh.
 Expected<CheckedMesh> checkMoving(const Node& node, MovingSource& moving, const MeshChecks& checks,
-                                  const Progress& progress)
+                                  const glm::dmat4& world, const Progress& progress)
 {
     const auto named = [&node](Error error) {
         error.path = node.name + (error.path.empty() ? "" : ": " + error.path);
@@ -95,12 +123,16 @@ Expected<CheckedMesh> checkMoving(const Node& node, MovingSource& moving, const 
             return named(std::move(joints.error()));
         params.joints = std::move(*joints);
     }
-    auto check = checkShape(node, params, checks.crossings, progress.part(0.2, 1.0));
+    auto check = checkShape(node, params, checks.crossings, progress.part(0.2, 0.8));
     if (!check)
         return named(std::move(check.error()));
+    const std::shared_ptr<const TriangleMesh> mesh = check->mesh;
     CheckedMesh checked = checkedMesh(std::move(*check));
     checked.name = node.name;
     checked.kind = node.kind;
+    if (checks.placed && world != glm::dmat4(1.0))
+        if (const auto placed = checkPlaced(checked, *mesh, world, progress.part(0.8, 1.0)); !placed)
+            return named(placed.error());
     return checked;
 }
 
@@ -131,9 +163,10 @@ Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, MovingSource&
     for (const Node* node : *nodes) {
         const double from = static_cast<double>(out.size()) / count;
         const Progress part = progress.part(from, from + 1.0 / count);
-        auto checked = isShape(node->kind) ? checkMoving(*node, moving, checks, part)
-                                           : checkTree(*node, nodes->size() > 1, source, checks.crossings,
-                                                       checks.texture, part);
+        const glm::dmat4 world =
+            checks.placed ? placeAt(scene, node->id, checks.timeSeconds).geometry : glm::dmat4(1.0);
+        auto checked = isShape(node->kind) ? checkMoving(*node, moving, checks, world, part)
+                                           : checkTree(*node, nodes->size() > 1, source, checks, world, part);
         if (!checked)
             return fail(checked.error());
         out.push_back(std::move(*checked));

@@ -12,7 +12,8 @@
 
 namespace ramure::cli {
 
-/// One tree's branches or one other node's mesh, before its placement; or a file's objects together.
+/// One tree's branches or one other node's mesh, in its own space or where it stands in the world
+/// (MeshChecks::placed); or a file's objects together.
 struct CheckedMesh
 {
     std::string name; ///< of the node; empty for a file
@@ -23,6 +24,8 @@ struct CheckedMesh
     Index targetTriangles = 0; ///< of a tree, as its parameters say; 0 = none
     NodeKind kind = NodeKind::Tree;
     bool isOpen = false; ///< a terrain or a plane: valid with a boundary
+    /// Valid in its own space, but not where it stands (MeshChecks::placed).
+    bool isSpoiltByPlace = false;
 };
 
 struct MeshChecks
@@ -31,6 +34,10 @@ struct MeshChecks
     bool crossings = false; ///< also which triangles run through each other
     bool hidden = false;    ///< nodes that are not shown, too
     bool texture = false;   ///< also how the texture coordinates of trees fit
+    /// The meshes where they stand in the world, as they are exported: far from its origin, numbers of single
+    /// precision bring vertices together. Crossings are those before the placement, at their place in the
+    /// world; depths are metres of the node itself.
+    bool placed = false;
 };
 
 /// Is each mesh closed, manifold and oriented, does OpenMesh agree, and has a tree as many pieces as roots;

@@ -17,15 +17,14 @@ Expected<MeshAnalysis> shapeOf(const TriangleMesh& mesh, const Progress& progres
     return analysis;
 }
 
-/// Nothing but a boundary keeps it from being valid.
+} // namespace
+
 bool isGoodSurface(const MeshReport& r)
 {
     return r.faces > 0 && r.nonManifoldEdges == 0 && r.nonManifoldVertices == 0 && r.inconsistentEdges == 0 &&
            r.duplicateVertices == 0 && r.duplicateFaces == 0 && r.degenerateFaces == 0 &&
            r.isolatedVertices == 0;
 }
-
-} // namespace
 
 Expected<ShapeCheck> checkMesh(std::shared_ptr<const TriangleMesh> mesh, bool crossings,
                                const Progress& progress)

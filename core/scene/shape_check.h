@@ -28,4 +28,7 @@ Expected<ShapeCheck> checkMesh(std::shared_ptr<const TriangleMesh> mesh, bool cr
 Expected<ShapeCheck> checkShape(const Node& node, const NodeParams& params, bool crossings,
                                 const Progress& progress = {});
 
+/// Nothing but a boundary keeps it from being valid: what an open surface has to be.
+bool isGoodSurface(const MeshReport& report);
+
 } // namespace ramure

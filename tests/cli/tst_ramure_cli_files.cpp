@@ -306,6 +306,53 @@ private slots:
             QVERIFY(isRefused(runCli(QStringList{"export", "preset:TinyTree", "-o", folder + "x.ply"} + more),
                               ""));
     }
+    void exportChecksTheMeshWhereItStands()
+    {
+        // So far from the origin many vertices fall together in single precision: the file is not valid.
+        const QStringList far{"export",   "preset:TinyTree", "--part",
+                              "branches", "--set",           "tree.translation=1000000,1000000,1000000",
+                              "-o",       path("far.obj")};
+        const test::CliRun refused = runCli(far + QStringList{"--require-valid"});
+        QCOMPARE(refused.code, 1);
+        QVERIFY(refused.err.contains("duplicate vertices") && refused.err.contains("far from the origin"));
+        QVERIFY(!QFile::exists(path("far.obj")));
+        QCOMPARE(runCli(far + QStringList{"--report", path("far.json")}).code, 0);
+        const QJsonObject told = reportAt(path("far.json"));
+        const QJsonObject read = runCli({"validate", path("far.obj"), "--json"}).json();
+        for (const char* key :
+             {"valid", "vertices", "faces", "duplicateVertices", "degenerateFaces", "hash", "quality"})
+            QCOMPARE(told[key], read[key]);
+        QCOMPARE(told["program"].toString(), told["program"].toString().trimmed());
+
+        // A placed tree has the hash of its file, and collisions are told where they are in the file.
+        const auto reported = [&](const QString& place) {
+            const test::CliRun run =
+                runCli({"export", "preset:TinyTree", "--set", "tree.translation=" + place, "-o",
+                        path("near.ply"), "--require-valid", "--report", path("near.json")});
+            return run.code == 0 ? reportAt(path("near.json")) : QJsonObject();
+        };
+        const auto heightOf = [](const QJsonObject& report) {
+            return report["selfIntersections"]["collisions"][0]["place"][1].toDouble();
+        };
+        const QJsonObject home = reported("0,0,0");
+        const QJsonObject lifted = reported("0,3,0");
+        QCOMPARE(lifted["hash"], runCli({"validate", path("near.ply"), "--json"}).json()["hash"]);
+        QVERIFY(lifted["hash"] != home["hash"]);
+        QCOMPARE(heightOf(lifted), heightOf(home) + 3.0);
+    }
+    void exportTellsAReportThatCannotBeWrittenFirst()
+    {
+        const QString mesh = path("first.ply");
+        QVERIFY(
+            isRefused(runCli({"export", "preset:TinyTree", "-o", mesh, "--report", path("none/first.json")}),
+                      "none/first.json: cannot be written: No such file or directory"));
+        QVERIFY(!QFile::exists(mesh));
+        // A device is written, not replaced.
+        QVERIFY(QFile::link(QStringLiteral("/dev/full"), path("full.json")));
+        QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "-o", mesh, "--report", path("full.json")}),
+                          "No space left on device"));
+        QVERIFY(QFileInfo(QStringLiteral("/dev/full")).size() == 0);
+    }
     void exportWritesAReport()
     {
         test::write(path("pair.ramure"), R"({"format": "ramure", "version": 1, "nodes": [
