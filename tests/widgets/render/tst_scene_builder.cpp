@@ -4,6 +4,7 @@
 #include "tests/support/suite.h"
 #include "widgets/render/scene_builder.h"
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -264,12 +265,12 @@ private slots:
     {
         Trees trees;
         const NodeId id = trees.add("SmallTree");
-        SceneBuilder builder;
+        auto builder = std::make_unique<SceneBuilder>();
         std::vector<RenderScene> shown; // the last two, as while a picture is on its way
         bool anyAgain = false;
         for (const int sides : {8, 5, 12, 7, 11, 9, 10}) {
             trees.scene.find(id)->params.sections.radialDivisions = sides;
-            shown.push_back(builder.build(trees.scene, trees.of(), in(DisplayMode::Rough)));
+            shown.push_back(builder->build(trees.scene, trees.of(), in(DisplayMode::Rough)));
             if (shown.size() > 2)
                 shown.erase(shown.begin());
             const Skeleton& skeleton = trees.results[id].simplified->skeleton;
@@ -279,7 +280,7 @@ private slots:
         }
         QVERIFY(anyAgain);
         const RenderScene last = std::exchange(shown, {}).back();
-        builder = {}; // what is shown outlives it
+        builder.reset(); // what is shown outlives it
         QVERIFY(*last.meshes[0].mesh == buildRoughBranches(trees.results[id].simplified->skeleton, 10));
     }
     void removedNodesAreRed()
