@@ -27,6 +27,7 @@ using namespace ramure;
 namespace {
 
 constexpr int fullResultMs = 120'000;
+constexpr int layoutDepth = 10; ///< at most so many layouts in each other
 constexpr int paintMs = 20'000;
 
 struct Arguments
@@ -146,8 +147,9 @@ int runBatch(const Arguments& arguments, MainWindow& window, const Document& doc
         good = exportTo(path, document) && good;
     if (!arguments.screenshot.isEmpty()) {
         waitForPicture(window);
-        QCoreApplication::sendPostedEvents(nullptr,
-                                           QEvent::LayoutRequest); // texts of the last moment have room
+        // Texts of the last moment have room: each layout asks the one around it, which a pass does not see.
+        for (int depth = 0; depth < layoutDepth; ++depth)
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         if (window.grab().save(arguments.screenshot)) {
             say(QStringLiteral("Screenshot %1").arg(QFileInfo(arguments.screenshot).absoluteFilePath()));
         } else {
