@@ -218,6 +218,27 @@ std::pair<std::size_t, std::size_t> widened(std::size_t first, std::size_t last,
     return {first > 1 ? first - 2 : 0, std::min(last + 2, size - 1)};
 }
 
+/// One component of every key, as keys of numbers.
+struct ComponentKeys
+{
+    const KeyList<OrientationKey>& keys;
+    std::size_t component;
+    [[nodiscard]] std::size_t size() const { return keys.size(); }
+    Key operator[](std::size_t i) const { return componentKey(keys[i], component); }
+};
+
+template <class Keys>
+std::pair<std::size_t, std::size_t> reachOf(const Keys& keys, std::size_t first, std::size_t last)
+{
+    auto [from, to] = widened(first, last, keys.size());
+    while (from > 0 && !isGiven(keys[from], sidesOf(keys, from)))
+        --from;
+    while (to + 1 < keys.size() && !isGiven(keys[to], sidesOf(keys, to)))
+        ++to;
+    // The slopes at the ends of a run hang on one more neighbour.
+    return {from > 0 ? from - 1 : 0, std::min(to + 1, keys.size() - 1)};
+}
+
 /// Handles never lie on the wrong side of their key.
 void settleByHand(Key& key)
 {
@@ -252,16 +273,34 @@ void settleHandlesAround(std::vector<Key>& keys, std::size_t first, std::size_t 
             settleByHand(keys[i]);
 }
 
+Key componentKey(const OrientationKey& key, std::size_t component)
+{
+    Key one;
+    static_cast<KeyShape&>(one) = key;
+    one.value = component == 0   ? key.value.w
+                : component == 1 ? key.value.x
+                : component == 2 ? key.value.y
+                                 : key.value.z;
+    one.in = key.in[component];
+    one.out = key.out[component];
+    return one;
+}
+
 std::pair<std::size_t, std::size_t> handlesReach(const KeyList<Key>& keys, std::size_t first,
                                                  std::size_t last)
 {
-    auto [from, to] = widened(first, last, keys.size());
-    while (from > 0 && !isGiven(keys[from], sidesOf(keys, from)))
-        --from;
-    while (to + 1 < keys.size() && !isGiven(keys[to], sidesOf(keys, to)))
-        ++to;
-    // The slopes at the ends of a run hang on one more neighbour.
-    return {from > 0 ? from - 1 : 0, std::min(to + 1, keys.size() - 1)};
+    return reachOf(keys, first, last);
+}
+
+std::pair<std::size_t, std::size_t> handlesReach(const KeyList<OrientationKey>& keys, std::size_t first,
+                                                 std::size_t last)
+{
+    std::pair reach{first, last};
+    for (std::size_t c = 0; c < 4; ++c) {
+        const auto [from, to] = reachOf(ComponentKeys{keys, c}, first, last);
+        reach = {std::min(reach.first, from), std::max(reach.second, to)};
+    }
+    return reach;
 }
 
 void settleHandlesOfLoop(std::vector<Key>& keys, double shift)

@@ -19,6 +19,11 @@ void settleHandlesAround(std::vector<Key>& keys, std::size_t first, std::size_t 
 /// The keys that settleHandlesAround(first, last) changes or looks at: the first and the last of them.
 std::pair<std::size_t, std::size_t> handlesReach(const KeyList<Key>& keys, std::size_t first,
                                                  std::size_t last);
+/// The same for the four curves of orientations together.
+std::pair<std::size_t, std::size_t> handlesReach(const KeyList<OrientationKey>& keys, std::size_t first,
+                                                 std::size_t last);
+/// One component (0 = w, 1 = x, 2 = y, 3 = z) of an orientation as a key of a number.
+Key componentKey(const OrientationKey& key, std::size_t component);
 /// The same for a curve that goes round: behind the last key comes the second one, before the first one the
 /// last but one. The two ends are one place, \p shift apart in value, and smooth like any other.
 /// \pre at least two keys

@@ -58,11 +58,6 @@ Expected<void> checkKey(const OrientationKey& key)
     return checkShape(key);
 }
 
-double& component(glm::dquat& q, int i)
-{
-    return i == 0 ? q.w : i == 1 ? q.x : i == 2 ? q.y : q.z;
-}
-
 void turnRound(OrientationKey& key)
 {
     key.value = -key.value;
@@ -82,23 +77,67 @@ bool firstCoordinateIsNegative(const glm::dvec3& v)
     return false;
 }
 
-/// Gives every key the sign that makes the way from the one before the shorter one.
-void settleSigns(std::vector<OrientationKey>& keys)
+/// The way from an orientation to the next one: its axis times the sine of half its angle.
+struct Turn
+{
+    Turn(const glm::dquat& from, const glm::dquat& to)
+    {
+        const glm::dquat turn = glm::conjugate(from) * to;
+        cosine = turn.w;
+        axis = {turn.x, turn.y, turn.z};
+    }
+    [[nodiscard]] bool hasAxis() const { return glm::dot(axis, axis) > 1e-12; }
+    [[nodiscard]] glm::dvec3 direction() const { return axis / std::sqrt(glm::dot(axis, axis)); }
+
+    double cosine = 0.0;
+    glm::dvec3 axis{0.0};
+};
+
+/// Gives \p key the sign that makes the way from \p before the shorter one. \p turnBefore: the direction of
+/// the turn before; becomes that of this one. Returns whether this one has a direction.
+bool settleSign(const glm::dquat& before, OrientationKey& key, glm::dvec3& turnBefore)
 {
     constexpr double halfTurn = 1e-7; // cosine of half an angle that counts as 180 degrees
+    const Turn turn(before, key.value);
+    bool wrong = turn.cosine < 0.0;
+    if (std::abs(turn.cosine) < halfTurn) {
+        const double along = glm::dot(turn.axis, turnBefore);
+        wrong = std::abs(along) > 1e-6 ? along < 0.0 : firstCoordinateIsNegative(turn.axis);
+    }
+    if (wrong)
+        turnRound(key);
+    if (!turn.hasAxis())
+        return false;
+    turnBefore = wrong ? -turn.direction() : turn.direction();
+    return true;
+}
+
+void settleSigns(std::vector<OrientationKey>& keys)
+{
     glm::dvec3 turnBefore(0.0);
-    for (std::size_t i = 1; i < keys.size(); ++i) {
-        glm::dquat turn = glm::conjugate(keys[i - 1].value) * keys[i].value;
-        const glm::dvec3 axis{turn.x, turn.y, turn.z};
-        bool wrong = turn.w < 0.0;
-        if (std::abs(turn.w) < halfTurn) {
-            const double along = glm::dot(axis, turnBefore);
-            wrong = std::abs(along) > 1e-6 ? along < 0.0 : firstCoordinateIsNegative(axis);
+    for (std::size_t i = 1; i < keys.size(); ++i)
+        settleSign(keys[i - 1].value, keys[i], turnBefore);
+}
+
+/// What is a unit already stays as it is to the last digit: settling twice changes nothing.
+void settleLength(OrientationKey& key)
+{
+    if (std::abs(glm::dot(key.value, key.value) - 1.0) > 1e-15)
+        key.value = unit(key.value, {1.0, 0.0, 0.0, 0.0});
+}
+
+/// \p settle is given the keys of each component.
+template <class Settle> void settleComponents(std::vector<OrientationKey>& keys, Settle&& settle)
+{
+    std::vector<Key> curve(keys.size());
+    for (std::size_t c = 0; c < 4; ++c) {
+        for (std::size_t i = 0; i < keys.size(); ++i)
+            curve[i] = componentKey(keys[i], c);
+        settle(curve);
+        for (std::size_t i = 0; i < keys.size(); ++i) {
+            keys[i].in[c] = curve[i].in;
+            keys[i].out[c] = curve[i].out;
         }
-        if (wrong)
-            turnRound(keys[i]);
-        if (glm::dot(axis, axis) > 1e-12)
-            turnBefore = (wrong ? -axis : axis) / std::sqrt(glm::dot(axis, axis));
     }
 }
 
@@ -113,27 +152,69 @@ void settleKeys(std::vector<Key>& keys, bool goesRound)
 void settleKeys(std::vector<OrientationKey>& keys, bool goesRound)
 {
     for (OrientationKey& key : keys)
-        // What is a unit already stays as it is to the last digit: settling twice changes nothing.
-        if (std::abs(glm::dot(key.value, key.value) - 1.0) > 1e-15)
-            key.value = unit(key.value, {1.0, 0.0, 0.0, 0.0});
+        settleLength(key);
     settleSigns(keys);
-    std::vector<Key> curve(keys.size());
-    for (std::size_t c = 0; c < 4; ++c) {
-        for (std::size_t i = 0; i < keys.size(); ++i) {
-            static_cast<KeyShape&>(curve[i]) = keys[i];
-            curve[i].value = component(keys[i].value, static_cast<int>(c));
-            curve[i].in = keys[i].in[c];
-            curve[i].out = keys[i].out[c];
-        }
-        if (goesRound)
-            settleHandlesOfLoop(curve, curve.back().value - curve.front().value);
-        else
-            settleHandles(curve);
-        for (std::size_t i = 0; i < keys.size(); ++i) {
-            keys[i].in[c] = curve[i].in;
-            keys[i].out[c] = curve[i].out;
-        }
+    settleComponents(keys, [goesRound](std::vector<Key>& curve) { settleKeys(curve, goesRound); });
+}
+
+/// Handles after a change of the keys first .. last of a track that does not go round.
+void settleHandlesIn(KeyList<Key>& keys, std::size_t first, std::size_t last)
+{
+    const auto reach = handlesReach(keys, first, last);
+    std::vector<Key> around = keys.copied(reach.first, reach.second + 1);
+    settleHandlesAround(around, first - reach.first, last - reach.first);
+    keys.overwrite(reach.first, around);
+}
+
+void settleHandlesIn(KeyList<OrientationKey>& keys, std::size_t first, std::size_t last)
+{
+    const auto reach = handlesReach(keys, first, last);
+    std::vector<OrientationKey> around = keys.copied(reach.first, reach.second + 1);
+    settleComponents(around, [&](std::vector<Key>& curve) {
+        settleHandlesAround(curve, first - reach.first, last - reach.first);
+    });
+    keys.overwrite(reach.first, around);
+}
+
+/// The direction of the last turn before the key \p index, as settleSigns() finds it.
+glm::dvec3 turnBeforeKey(const KeyList<OrientationKey>& keys, std::size_t index)
+{
+    for (; index >= 2; --index) {
+        const Turn turn(keys[index - 2].value, keys[index - 1].value);
+        if (turn.hasAxis())
+            return turn.direction();
     }
+    return glm::dvec3(0.0);
+}
+
+/// After a change of the keys first .. last: makes them units and gives signs, to them and to those behind
+/// as far as these hang on them; handles turn round with their keys. Returns the keys behind that turned
+/// round while the one before them did not, or the other way about.
+std::vector<std::size_t> settleSignsIn(KeyList<OrientationKey>& keys, std::size_t first, std::size_t last)
+{
+    glm::dvec3 turnBefore = turnBeforeKey(keys, first);
+    std::vector<OrientationKey> fresh;
+    std::vector<std::size_t> seams;
+    std::size_t changed = last;
+    bool turnedBefore = false;
+    for (std::size_t i = first; i < keys.size(); ++i) {
+        const OrientationKey& old = keys[i];
+        OrientationKey key = old;
+        settleLength(key);
+        const bool hasAxis =
+            i > 0 && settleSign(i == first ? keys[i - 1].value : fresh.back().value, key, turnBefore);
+        const bool turned = glm::dot(key.value, old.value) < 0.0;
+        if (i > last + 1 && turned != turnedBefore)
+            seams.push_back(i);
+        turnedBefore = turned;
+        if (key.value != old.value)
+            changed = std::max(changed, i);
+        fresh.push_back(key);
+        if (hasAxis && i > changed + 1)
+            break; // this key and the one before stay: so does the turn between, and all that follows
+    }
+    keys.overwrite(first, fresh);
+    return seams;
 }
 
 template <class KeyType> Expected<void> checkKeys(std::span<const KeyType> keys)
@@ -265,7 +346,7 @@ Expected<void> KeyTrack<KeyType>::replace(std::span<const std::size_t> indices, 
         else
             for (const std::size_t index : indices)
                 settleAround(index, index);
-    } else if (indices.size() > few || wasRound || !std::is_same_v<KeyType, Key>) {
+    } else if (indices.size() > few || wasRound) {
         replaceMany(indices, keys);
     } else {
         replaceFew(indices, keys);
@@ -311,6 +392,7 @@ void KeyTrack<KeyType>::replaceFew(std::span<const std::size_t> indices, std::sp
         const std::size_t end = at < m_keys.size() && m_keys.timeOf(at) == key.time ? at + 1 : at;
         m_keys.splice(at, end, std::span<const KeyType>(&key, 1));
     }
+    std::sort(times.begin(), times.end()); // signs of orientations hang on those before them
     for (const Ticks time : times) {
         const std::size_t at = std::min(lowerBound(time), m_keys.size() - 1);
         settleAround(at > 0 ? at - 1 : 0, at);
@@ -338,15 +420,16 @@ bool KeyTrack<KeyType>::keepsOrder(std::span<const std::size_t> indices, std::sp
 
 template <class KeyType> void KeyTrack<KeyType>::settleAround(std::size_t first, std::size_t last)
 {
-    if constexpr (std::is_same_v<KeyType, Key>) {
-        if (!goesRound()) {
-            const auto reach = handlesReach(m_keys, first, last);
-            std::vector<Key> around = m_keys.copied(reach.first, reach.second + 1);
-            settleHandlesAround(around, first - reach.first, last - reach.first);
-            return m_keys.overwrite(reach.first, around);
-        }
+    if (goesRound())
+        return settleEnds();
+    if constexpr (std::is_same_v<KeyType, OrientationKey>) {
+        const std::vector<std::size_t> seams = settleSignsIn(m_keys, first, last);
+        if (seams.size() > few || goesRound()) // the ends may have come together by it
+            return settleEnds();
+        for (const std::size_t seam : seams)
+            settleHandlesIn(m_keys, seam - 1, seam);
     }
-    settleEnds(); // signs of orientations hang on those before them
+    settleHandlesIn(m_keys, first, last);
 }
 
 template <class KeyType> void KeyTrack<KeyType>::settleEnds()

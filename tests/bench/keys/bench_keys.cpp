@@ -4,6 +4,7 @@
 #include "widgets/animation/key_curves.h"
 #include <QApplication>
 #include <benchmark/benchmark.h>
+#include <cmath>
 
 using namespace ramure;
 
@@ -207,6 +208,98 @@ void insertOneOfHundredThousand(benchmark::State& state)
     }
 }
 BENCHMARK(insertOneOfHundredThousand)->Unit(benchmark::kMillisecond);
+
+/// One track of orientations with 100,000 keys that swings to and fro.
+test::KeyDock& turnDock()
+{
+    static auto* made = [] {
+        Scene scene;
+        Node node;
+        node.id = scene.newId();
+        node.kind = NodeKind::Primitive;
+        std::vector<OrientationKey> all(100'000);
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            all[i].time = ticksOf(double(i) / 24.0);
+            all[i].value =
+                glm::angleAxis(std::sin(0.2 * double(i)), glm::normalize(glm::dvec3(1.0, 2.0, 0.5)));
+        }
+        for (const Channel& channel : channelsOf(NodeKind::Primitive))
+            if (channel.isOrientation() && node.animation.empty())
+                node.animation.set(channel, AnyTrack(*OrientationTrack::fromKeys(all)));
+        [[maybe_unused]] const auto done = scene.insert({node}, noNode, 0);
+        return new test::KeyDock(std::move(scene));
+    }();
+    return *made;
+}
+
+void selectOneTurn()
+{
+    const Ticks time = turnDock().model.rows()[2].times[50'000];
+    turnDock().model.selectTimes(time, time, SelectHow::Replace);
+}
+
+void retimeOneTurn(benchmark::State& state)
+{
+    selectOneTurn();
+    Ticks way = ticksPerSecond / 100;
+    for (auto _ : state) {
+        turnDock().commands.retime({0, 1.0, way}, false);
+        way = -way;
+    }
+}
+BENCHMARK(retimeOneTurn)->Unit(benchmark::kMillisecond);
+
+void throwOneTurn(benchmark::State& state)
+{
+    selectOneTurn();
+    Ticks way = 40'000 * ticksPerSecond / 24 + 7;
+    for (auto _ : state) {
+        turnDock().commands.retime({0, 1.0, way}, false);
+        way = -way;
+    }
+}
+BENCHMARK(throwOneTurn)->Unit(benchmark::kMillisecond);
+
+/// One of its angles by a few degrees, and back.
+void turnOne(benchmark::State& state)
+{
+    selectOneTurn();
+    const TrackRef ref = turnDock().model.tracks()[0];
+    double angle = 0.05;
+    for (auto _ : state) {
+        turnDock().commands.shift(0, {{CurveRef{ref, 1}, angle}});
+        angle = -angle;
+    }
+}
+BENCHMARK(turnOne)->Unit(benchmark::kMillisecond);
+
+void insertOneTurn(benchmark::State& state)
+{
+    const std::vector<TrackRef> tracks = turnDock().model.tracks();
+    const Ticks time = 50'000 * ticksPerSecond / 24 + 77;
+    for (auto _ : state) {
+        benchmark::DoNotOptimize(keys::insert(turnDock().document, tracks, time));
+        benchmark::DoNotOptimize(keys::remove(turnDock().document, {{tracks.front(), {time}}}));
+    }
+}
+BENCHMARK(insertOneTurn)->Unit(benchmark::kMillisecond);
+
+/// The track alone, without the document and its rows.
+void overwriteOneTurn(benchmark::State& state)
+{
+    OrientationTrack track =
+        std::get<OrientationTrack>(*keys::find(turnDock().document.scene(), turnDock().model.tracks()[0]));
+    const std::size_t index[] = {50'000};
+    OrientationKey key = track.keys()[50'000];
+    const glm::dquat value = key.value;
+    double angle = 0.0;
+    for (auto _ : state) {
+        angle = angle > 0.1 ? 0.0 : angle + 0.01;
+        key.value = value * glm::angleAxis(angle, glm::dvec3(0.0, 1.0, 0.0));
+        benchmark::DoNotOptimize(track.replace(index, std::span(&key, 1)));
+    }
+}
+BENCHMARK(overwriteOneTurn)->Unit(benchmark::kMillisecond);
 
 void dragTenThousandInCurves(benchmark::State& state)
 {

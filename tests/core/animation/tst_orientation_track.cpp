@@ -4,6 +4,7 @@
 #include "core/random/random.h"
 #include "tests/support/suite.h"
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -126,6 +127,73 @@ private slots:
         const auto long_ = OrientationTrack::fromKeys({keyAt(0.0, {3.0, 0.0, 4.0, 0.0})});
         QVERIFY(long_);
         QVERIFY(std::abs(glm::dot(long_->keys()[0].value, long_->keys()[0].value) - 1.0) < 1e-12);
+    }
+    /// An edit settles only what is around it: as if the track were made anew.
+    void editsOfLongTracksAreAsMadeAnew()
+    {
+        Random random(31, RandomStream::Test);
+        const auto turnedBy = [&](const glm::dquat& q, double most) {
+            const glm::dvec3 axis(random.range(-1.0, 1.0), random.range(-1.0, 1.0), 1.1);
+            return q * about(axis, random.range(-most, most));
+        };
+        const auto typed = [&](OrientationKey key) {
+            key.before = static_cast<HandleType>(random.below(handleTypeCount));
+            key.behind = static_cast<HandleType>(random.below(handleTypeCount));
+            for (std::size_t c = 0; c < 4; ++c) {
+                key.in[c] = {random.range(-0.2, 0.1), random.range(-0.5, 0.5)};
+                key.out[c] = {random.range(-0.1, 0.2), random.range(-0.5, 0.5)};
+            }
+            return key;
+        };
+        std::vector<OrientationKey> keys;
+        glm::dquat value(1.0, 0.0, 0.0, 0.0);
+        for (int i = 0; i < 1300; ++i) { // several pages; some stay where they are, some turn half round
+            const auto kind = random.below(10);
+            value = kind == 0   ? value
+                    : kind == 1 ? value * about({0.0, random.range(-1.0, 1.0), 0.5}, pi)
+                                : turnedBy(value, kind == 2 ? 3.0 : 0.3);
+            keys.push_back(typed(keyAt(0.1 * i, value, KeyMode::Bezier)));
+        }
+        OrientationTrack track = trackOf(keys);
+        for (int edit = 0; edit < 600; ++edit) {
+            std::vector<std::size_t> indices;
+            for (auto n = 1 + random.below(3) * random.below(3); n-- > 0;)
+                indices.push_back(random.below(static_cast<std::uint32_t>(track.size())));
+            std::sort(indices.begin(), indices.end());
+            indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+            keys = track.keys().toVector();
+            const auto kind = random.below(4);
+            if (kind == 0) {
+                OrientationKey key =
+                    typed(keyAt(random.range(-1.0, 131.0), randomTurn(random), KeyMode::Bezier));
+                key.value =
+                    random.below(2) == 0 ? 3.0 * key.value : turnedBy(track.keys()[indices[0]].value, 0.2);
+                keys.push_back(key);
+                QVERIFY(track.insert(key));
+            } else if (kind == 1) {
+                for (std::size_t i = indices.size(); i-- > 0;)
+                    keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(indices[i]));
+                track.erase(indices);
+            } else { // in their places, or thrown elsewhere
+                std::vector<OrientationKey> fresh;
+                for (const std::size_t index : indices) {
+                    OrientationKey key = track.keys()[index];
+                    key.value = random.below(3) == 0 ? -2.0 * randomTurn(random) : turnedBy(key.value, 0.5);
+                    if (kind == 3)
+                        key.time = ticksOf(random.range(-1.0, 131.0));
+                    fresh.push_back(key);
+                }
+                for (std::size_t i = indices.size(); i-- > 0;)
+                    keys.erase(keys.begin() + static_cast<std::ptrdiff_t>(indices[i]));
+                keys.insert(keys.end(), fresh.begin(), fresh.end());
+                QVERIFY(track.replace(indices, fresh));
+            }
+            const OrientationTrack anew = trackOf(keys);
+            QCOMPARE(track.size(), anew.size());
+            for (std::size_t i = 0; i < track.size(); ++i)
+                QVERIFY2(track.keys()[i] == anew.keys()[i],
+                         qPrintable(QStringLiteral("edit %1 (%2), key %3").arg(edit).arg(kind).arg(i)));
+        }
     }
     void hundredThousandEditsNeverTakeTheLongWay()
     {
