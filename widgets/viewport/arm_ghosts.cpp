@@ -19,6 +19,7 @@ bool ArmGhosts::operator==(const ArmGhosts& other) const
 ArmGhostMaker::ArmGhostMaker(QObject* parent)
     : QObject(parent)
     , m_arms(std::make_shared<MovingArms>())
+    , m_work(this)
 {
 }
 
@@ -38,29 +39,18 @@ void ArmGhostMaker::show(std::vector<ArmGhosts> wanted)
     if (wanted == m_wanted)
         return;
     m_wanted = std::move(wanted);
-    ++m_wish;
-    m_busy = !m_wanted.empty();
-    if (!m_busy) {
-        m_thread.stop();
+    if (m_wanted.empty()) {
+        m_work.stop();
         if (!std::exchange(m_made, {}).empty())
             emit changed();
         return;
     }
-    m_thread.start([this, wish = m_wish, all = m_wanted, arms = m_arms](const std::stop_token& stop) {
-        std::vector<Made> done = made(all, *arms, stop);
-        if (stop.stop_requested())
-            return;
-        QMetaObject::invokeMethod(
-            this,
-            [this, wish, done = std::move(done)] {
-                if (wish != m_wish)
-                    return;
-                m_busy = false;
-                m_made = done;
-                emit changed();
-            },
-            Qt::QueuedConnection);
-    });
+    m_work.start(
+        [all = m_wanted, arms = m_arms](const std::stop_token& stop) { return made(all, *arms, stop); },
+        [this](const std::vector<Made>& done) {
+            m_made = done;
+            emit changed();
+        });
 }
 
 std::vector<ArmGhostMaker::Made> ArmGhostMaker::made(const std::vector<ArmGhosts>& wanted, MovingArms& arms,

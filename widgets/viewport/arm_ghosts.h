@@ -4,9 +4,9 @@
 /// to be followed there.
 #pragma once
 
-#include "core/document/background_thread.h"
 #include "core/scene/scene.h"
 #include "widgets/render/render_scene.h"
+#include "widgets/viewport/latest_work.h"
 #include <QObject>
 #include <memory>
 #include <vector>
@@ -43,7 +43,7 @@ public:
     /// What is to be shown from now on; those from before stay until these are there.
     void show(std::vector<ArmGhosts> wanted);
     [[nodiscard]] std::size_t count() const { return m_made.size(); }
-    [[nodiscard]] bool isBusy() const { return m_busy; }
+    [[nodiscard]] bool isBusy() const { return m_work.isBusy(); }
     void addTo(RenderScene& scene) const;
     /// Two placements are the same but for rounding.
     static bool isNear(const glm::dmat4& a, const glm::dmat4& b);
@@ -64,9 +64,7 @@ private:
     std::vector<ArmGhosts> m_wanted;
     std::vector<Made> m_made;
     std::shared_ptr<MovingArms> m_arms; ///< of the thread
-    quint64 m_wish = 0;
-    bool m_busy = false;
-    BackgroundThread m_thread; ///< last: it uses the above
+    LatestWork m_work;                  ///< last: it uses the above
 };
 
 } // namespace ramure

@@ -98,6 +98,7 @@ std::vector<int> ghostOrder(const GhostFrames& frames)
 
 GizmoTrail::GizmoTrail(QObject* parent)
     : QObject(parent)
+    , m_work(this)
 {
     connect(&m_arms, &ArmGhostMaker::changed, this, [this] {
         ++m_revision;
@@ -125,9 +126,7 @@ void GizmoTrail::show(const Scene& scene, const std::vector<NodeId>& nodes, cons
 
 void GizmoTrail::clearPaths()
 {
-    m_thread.stop();
-    m_busy = false;
-    ++m_wish;
+    m_work.stop();
     m_chains.clear();
     if (m_paths.empty())
         return;
@@ -152,26 +151,15 @@ void GizmoTrail::showPaths(const Scene& scene, const std::vector<NodeId>& nodes,
         return;
     m_chains = chains;
     m_timeline = scene.timeline();
-    m_busy = true;
-    m_thread.start([this, wish = ++m_wish, chains = std::move(chains),
-                    timeline = m_timeline](const std::stop_token& stop) {
-        Made done = made(chains, timeline, stop);
-        if (stop.stop_requested())
-            return;
-        QMetaObject::invokeMethod(
-            this,
-            [this, wish, done = std::move(done)] {
-                if (wish != m_wish)
-                    return;
-                m_busy = false;
-                m_paths = done.paths;
-                m_lines = done.lines;
-                m_points = done.points;
-                ++m_revision;
-                emit changed();
-            },
-            Qt::QueuedConnection);
-    });
+    m_work.start([chains = std::move(chains), timeline = m_timeline](
+                     const std::stop_token& stop) { return made(chains, timeline, stop); },
+                 [this](const Made& done) {
+                     m_paths = done.paths;
+                     m_lines = done.lines;
+                     m_points = done.points;
+                     ++m_revision;
+                     emit changed();
+                 });
 }
 
 GizmoTrail::Made GizmoTrail::made(const std::vector<MotionChain>& chains, const TimelineSettings& timeline,

@@ -4,12 +4,12 @@
 /// already.
 #pragma once
 
-#include "core/document/background_thread.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/scene/motion_path.h"
 #include "widgets/render/pick_scene.h"
 #include "widgets/viewport/arm_ghosts.h"
 #include "widgets/viewport/gizmo_settings.h"
+#include "widgets/viewport/latest_work.h"
 #include <QObject>
 #include <functional>
 #include <map>
@@ -48,7 +48,7 @@ public:
     }
     [[nodiscard]] quint64 revision() const { return m_revision; } ///< of what addTo adds
     /// Paths or ghosts of arms are being computed.
-    [[nodiscard]] bool isBusy() const { return m_busy || m_arms.isBusy(); }
+    [[nodiscard]] bool isBusy() const { return m_work.isBusy() || m_arms.isBusy(); }
     [[nodiscard]] const std::vector<std::shared_ptr<const MotionPath>>& paths() const { return m_paths; }
     /// How many copies there are of all nodes together.
     [[nodiscard]] std::size_t ghostCount() const { return m_ghosts.size() + m_arms.count(); }
@@ -95,9 +95,7 @@ private:
     };
     std::vector<Twigs> m_twigs;
     quint64 m_revision = 0;
-    quint64 m_wish = 0;
-    bool m_busy = false;
-    BackgroundThread m_thread; ///< last: it uses all of the above
+    LatestWork m_work; ///< last: it uses all of the above
 };
 
 } // namespace ramure
