@@ -4991,6 +4991,14 @@ OpenGL&#xa0;: %4
         <source>Frame %1, %2 s</source>
         <translation>Image %1, %2 s</translation>
     </message>
+    <message>
+        <source>without unit</source>
+        <translation>sans unité</translation>
+    </message>
+    <message>
+        <source>Values: %1</source>
+        <translation>Valeurs : %1</translation>
+    </message>
 </context>
 <context>
     <name>ramure::KeyPanel</name>

@@ -35,6 +35,10 @@ public:
     [[nodiscard]] QPointF placeOf(const TrackRef& ref, Ticks time, double value) const;
     [[nodiscard]] QPointF placeOf(const CurveRef& ref, Ticks time, double value) const;
     [[nodiscard]] const std::vector<KeyCurve>& curves() const { return m_curves; }
+    /// "Values: m · °" where curves of several units stand on one axis; else empty.
+    [[nodiscard]] QString axisUnits() const;
+    /// What a key, a handle or a line of a curve here is; with its value and unit. Empty where there is none.
+    [[nodiscard]] QString tipAt(const QPointF& place) const;
 
 signals:
     void menuRequested(const QPoint& globalPosition);
@@ -99,7 +103,8 @@ private:
     [[nodiscard]] std::pair<std::size_t, std::size_t> keysInSight(const Curve& curve) const;
     [[nodiscard]] QPointF keyPlace(const Curve& curve, std::size_t key, bool selected) const;
     void paintGrid(QPainter& painter) const;
-    [[nodiscard]] QString tipAt(const QPointF& place) const;
+    [[nodiscard]] const Curve* lineAt(const QPointF& place) const;
+    [[nodiscard]] QString tipOf(const Curve& curve, double value, double seconds) const;
     /// In which all curves are shown; plain numbers where they differ.
     [[nodiscard]] NumberFormat commonFormat() const;
     void dragHandle(const QPointF& place);

@@ -273,21 +273,45 @@ void KeyCurves::contextMenuEvent(QContextMenuEvent* event)
     emit menuRequested(event->globalPos());
 }
 
+/// The nearest one, looked at straight above and below.
+const KeyCurves::Curve* KeyCurves::lineAt(const QPointF& place) const
+{
+    const double seconds = m_ruler->framesAt(place.x()) / m_model->timeline().framesPerSecond;
+    const Curve* best = nullptr;
+    double nearest = reach;
+    for (const Curve& curve : m_curves) {
+        const double distance = std::abs(yOf(curve, Curve::Reader(curve).at(seconds)) - place.y());
+        if (distance >= nearest)
+            continue;
+        nearest = distance;
+        best = &curve;
+    }
+    return best;
+}
+
+QString KeyCurves::tipOf(const Curve& curve, double value, double seconds) const
+{
+    const Node* node = m_model->document()->scene().find(curve.ref().track.node);
+    const double frame = seconds * m_model->timeline().framesPerSecond;
+    return (node ? QString::fromStdString(node->name) + QStringLiteral(" · ") : QString()) + curve.text() +
+           QStringLiteral(": ") + curve.format().text(value) + QLatin1Char('\n') +
+           tr("Frame %1, %2 s")
+               .arg(locale().toString(std::round(1e3 * frame) / 1e3, 'g', 10),
+                    locale().toString(seconds, 'f', 3));
+}
+
 QString KeyCurves::tipAt(const QPointF& place) const
 {
     const auto hit = hitAt(place);
-    const Curve* curve = hit ? curveOf(hit->ref) : nullptr;
-    const auto key = curve ? curve->find(hit->time) : std::nullopt;
-    if (!key)
-        return {};
-    if (hit->side != 0)
+    if (hit && hit->side != 0)
         return tr("Drag the handle: how the curve leaves the key, or comes to it");
-    const Node* node = m_model->document()->scene().find(hit->ref.track.node);
-    const double frame = secondsOf(hit->time) * m_model->timeline().framesPerSecond;
-    return (node ? QString::fromStdString(node->name) + QStringLiteral(" · ") : QString()) + curve->text() +
-           QStringLiteral(": ") + curve->format().text(curve->valueOf(*key)) + QLatin1Char('\n') +
-           tr("Frame %1, %2 s")
-               .arg(locale().toString(frame, 'g', 10), locale().toString(secondsOf(hit->time), 'f', 3));
+    const Curve* curve = hit ? curveOf(hit->ref) : lineAt(place);
+    if (!curve)
+        return {};
+    if (const auto key = hit ? curve->find(hit->time) : std::nullopt)
+        return tipOf(*curve, curve->valueOf(*key), secondsOf(hit->time));
+    const double seconds = m_ruler->framesAt(place.x()) / m_model->timeline().framesPerSecond;
+    return tipOf(*curve, Curve::Reader(*curve).at(seconds), seconds);
 }
 
 bool KeyCurves::event(QEvent* event)

@@ -25,10 +25,28 @@ NumberFormat KeyCurves::commonFormat() const
     return common;
 }
 
-/// In the unit that the curves have in common.
+/// On an axis that several kinds share values stand as the tracks have them: angles of joints in radians.
+QString KeyCurves::axisUnits() const
+{
+    QStringList units;
+    for (const Curve& curve : m_curves) {
+        const NumberFormat format = curve.format();
+        const bool radians = format.unit == ParamUnit::Radian && format.factor != 1.0;
+        QString unit = radians ? QStringLiteral("rad") : format.suffix.trimmed();
+        if (unit.isEmpty())
+            unit = tr("without unit");
+        if (!units.contains(unit))
+            units << unit;
+    }
+    return m_normalised || units.size() < 2 ? QString()
+                                            : tr("Values: %1").arg(units.join(QStringLiteral(" · ")));
+}
+
+/// In the unit that the curves have in common; where they have none, it says which there are.
 void KeyCurves::paintGrid(QPainter& painter) const
 {
     const NumberFormat format = commonFormat();
+    const QString units = axisUnits();
     const double low = m_low * format.factor, high = m_high * format.factor;
     const double wanted = 40.0 * (high - low) / std::max(1, height());
     const double tenth = std::pow(10.0, std::floor(std::log10(wanted)));
@@ -39,16 +57,19 @@ void KeyCurves::paintGrid(QPainter& painter) const
     QColor line = palette().color(QPalette::WindowText), text = line;
     line.setAlphaF(0.12f);
     text.setAlphaF(0.6f);
+    const double top = units.isEmpty() ? 0.0 : 2.0 * fontMetrics().height(); // there they stand
     for (double value = std::ceil(low / step) * step; value <= high; value += step) {
         const double y = std::floor(height() * (high - value) / (high - low)) + 0.5;
         painter.setPen(line);
         painter.drawLine(QPointF(0.0, y), QPointF(width(), y));
         painter.setPen(text);
-        if (!m_normalised)
+        if (!m_normalised && y > top)
             painter.drawText(QPointF(4.0, y - 2.0),
                              locale().toString(std::abs(value) < 1e-9 * step ? 0.0 : value, 'g', 6) +
                                  format.suffix);
     }
+    painter.setPen(text);
+    painter.drawText(QPointF(4.0, fontMetrics().ascent() + 2.0), units);
 }
 
 /// Looked at every other pixel; with many curves less often, so that a picture stays quick.

@@ -170,6 +170,38 @@ private slots:
         QCOMPARE(dock.bytes(), before);
     }
 
+    void theAxisSaysWhichUnitsShareIt()
+    {
+        for (const auto& [tracks, several] : {std::pair{3, false}, std::pair{4, true}, std::pair{7, true}}) {
+            KeyDock dock(test::keyScene(tracks, 3, 10)); // location, then rotation, then scale
+            dock.panel.setCurvesShown(true);
+            KeyCurves* curves = dock.panel.curves();
+            QCOMPARE(curves->axisUnits().isEmpty(), !several);
+            QCOMPARE(curves->axisUnits().contains(QStringLiteral("m · °")), several);
+            QCOMPARE(curves->axisUnits().contains(QLatin1String("without unit")), tracks == 7);
+            QVERIFY(!curves->grab().isNull());
+            curves->setNormalised(true); // no values on the axis then
+            QVERIFY(curves->axisUnits().isEmpty());
+        }
+    }
+
+    void aCurveTellsItsValueAndUnitAnywhere()
+    {
+        KeyDock dock(test::keyScene(4, 3, 10));
+        dock.panel.setCurvesShown(true);
+        KeyCurves* curves = dock.panel.curves();
+        QVERIFY(curves->tipAt({-500.0, -500.0}).isEmpty());
+        for (const KeyCurve& curve : curves->curves()) {
+            const Ticks key = curve.timeOf(1), between = key + ticksPerSecond / 16;
+            for (const Ticks time : {key, between}) {
+                const double value = KeyCurve::Reader(curve).at(secondsOf(time));
+                const QString tip = curves->tipAt(curves->placeOf(curve.ref(), time, value));
+                QVERIFY2(tip.contains(curve.isAngle() ? QStringLiteral("°") : QStringLiteral(" m")),
+                         qPrintable(tip));
+            }
+        }
+    }
+
     void curvesAreDraggedAsOneStep()
     {
         KeyDock dock(test::keyScene(1, 3, 10));
