@@ -2,6 +2,7 @@
 
 #include "widgets/support/core_text.h"
 #include <algorithm>
+#include <utility>
 
 namespace ramure {
 namespace {
@@ -220,9 +221,22 @@ void SceneModel::follow(const Change& change)
         }
     }
     if (change.has(changeResults)) {
-        for (const NodeId node : change.nodes)
+        for (const NodeId node : change.nodes) {
             syncBranches(node);
+            tellBranchCount(node);
+        }
     }
+}
+
+void SceneModel::tellBranchCount(NodeId node)
+{
+    const auto found = m_items.find(node);
+    if (found == m_items.end() || node == noNode)
+        return;
+    const auto skeleton = skeletonOf(node);
+    const Index count = skeleton ? skeleton->skeleton.size() : 0;
+    if (std::exchange(found->second.toldCount, count) != count)
+        emit dataChanged(nodeIndex(node, ChildrenColumn), nodeIndex(node, ChildrenColumn));
 }
 
 void SceneModel::rebuild()

@@ -90,10 +90,12 @@ private:
         std::vector<NodeId> children;
         std::unique_ptr<BranchRows> branches;
         bool fetched = false;        ///< somebody asked for the branches
+        Index toldCount = 0;         ///< of branches, when views were told last
         mutable std::size_t row = 0; ///< among its siblings, when it was asked for last
     };
 
     void follow(const Change& change);
+    void tellBranchCount(NodeId node);
     void rebuild();
     void syncStructure();
     void removeGone(NodeId parent);

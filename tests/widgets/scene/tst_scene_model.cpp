@@ -287,6 +287,31 @@ private slots:
         QCOMPARE(shadow.rows(), shownRows(model));
     }
 
+    void theCountOfBranchesIsToldWhenItChanges()
+    {
+        // Without a change of rows, too: of a tree that nobody has unfolded.
+        for (const bool unfolded : {false, true}) {
+            Document document;
+            test::openNodes(document, {test::treeNode(1, "T"), test::groupNode(2, "G")});
+            document.setResult(1, resultWith(10));
+            SceneModel model(&document);
+            if (unfolded)
+                model.fetchMore(model.nodeIndex(1));
+            QSignalSpy told(&model, &QAbstractItemModel::dataChanged);
+            for (const Index count : {25u, 7u, 0u, 10u}) {
+                told.clear();
+                document.setResult(1, count == 0 ? NodeResult() : resultWith(count));
+                QCOMPARE(told.count(), 1);
+                const QModelIndex cell = model.nodeIndex(1, SceneModel::ChildrenColumn);
+                QCOMPARE(told.front().front().toModelIndex(), cell);
+                QCOMPARE(cell.data().toString(), count == 0 ? QString() : QLocale().toString(count));
+            }
+            told.clear();
+            document.setResult(1, resultWith(10, 2.0)); // as many, of another length
+            QCOMPARE(told.count(), 0);
+        }
+    }
+
     void hundredThousandBranchesTakeNoTime()
     {
         Document document;
