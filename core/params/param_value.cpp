@@ -21,10 +21,16 @@ tl::unexpected<Error> refuse(const ParamDef& def, ErrorCode code, const char* te
     return error;
 }
 
+/// Whole numbers with all their digits: 20000000, not 2e+07.
+std::string boundText(const ParamDef& def, double bound)
+{
+    return def.type == ParamType::Int ? numberText(static_cast<std::int64_t>(bound)) : numberText(bound);
+}
+
 tl::unexpected<Error> outOfRange(const ParamDef& def, std::string given)
 {
     return refuse(def, ErrorCode::Invalid, RAMURE_NOOP("must be between %1 and %2, not %3"),
-                  {numberText(def.hardMin), numberText(def.hardMax), std::move(given)});
+                  {boundText(def, def.hardMin), boundText(def, def.hardMax), std::move(given)});
 }
 
 Expected<void> checkNumber(const ParamDef& def, double number)

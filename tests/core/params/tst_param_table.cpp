@@ -192,6 +192,8 @@ void TestParamTable::numbersOutsideAreRefused()
     }
     QCOMPARE(checkValue(row("sections.radialDivisions"), std::int64_t(2)).error().message(),
              std::string("sections.radialDivisions: must be between 3 and 64, not 2"));
+    QCOMPARE(checkValue(row("mesh.targetTriangles"), std::int64_t(-1)).error().message(),
+             std::string("mesh.targetTriangles: must be between 0 and 20000000, not -1"));
     QVERIFY(!checkValue(row("turtle.alpha"), 0.0));
     QVERIFY(!checkValue(row("turtle.decay"), 0.0));
     QVERIFY(!checkValue(row("tree.scale"), glm::dvec3(1.0, 0.0, 1.0)));
