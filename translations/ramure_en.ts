@@ -52,90 +52,90 @@
 <context>
     <name>FaultTexts</name>
     <message numerus="yes">
-        <source>%n defect(s)</source>
+        <source>%Ln defect(s)</source>
         <translation>
-            <numerusform>%n defect</numerusform>
-            <numerusform>%n defects</numerusform>
+            <numerusform>%Ln defect</numerusform>
+            <numerusform>%Ln defects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pair(s) of triangles cross at forks</source>
+        <source>%Ln pair(s) of triangles cross at forks</source>
         <translation>
-            <numerusform>%n pair of triangles crosses at forks</numerusform>
-            <numerusform>%n pairs of triangles cross at forks</numerusform>
+            <numerusform>%Ln pair of triangles crosses at forks</numerusform>
+            <numerusform>%Ln pairs of triangles cross at forks</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pair(s) of branches collide</source>
+        <source>%Ln pair(s) of branches collide</source>
         <translation>
-            <numerusform>%n pair of branches collides</numerusform>
-            <numerusform>%n pairs of branches collide</numerusform>
+            <numerusform>%Ln pair of branches collides</numerusform>
+            <numerusform>%Ln pairs of branches collide</numerusform>
         </translation>
     </message>
 </context>
 <context>
     <name>ReportTexts</name>
     <message numerus="yes">
-        <source>%1 vertices, %2 faces, volume %3, Euler characteristic %4, %n piece(s)</source>
+        <source>%1 vertices, %2 faces, volume %3, Euler characteristic %4, %Ln piece(s)</source>
         <translation>
-            <numerusform>%1 vertices, %2 faces, volume %3, Euler characteristic %4, %n piece</numerusform>
-            <numerusform>%1 vertices, %2 faces, volume %3, Euler characteristic %4, %n pieces</numerusform>
+            <numerusform>%1 vertices, %2 faces, volume %3, Euler characteristic %4, %Ln piece</numerusform>
+            <numerusform>%1 vertices, %2 faces, volume %3, Euler characteristic %4, %Ln pieces</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n defect(s)</source>
+        <source>%Ln defect(s)</source>
         <translation>
-            <numerusform>%n defect</numerusform>
-            <numerusform>%n defects</numerusform>
+            <numerusform>%Ln defect</numerusform>
+            <numerusform>%Ln defects</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Closed, but %n pair(s) of triangles cross at forks</source>
+        <source>Closed, but %Ln pair(s) of triangles cross at forks</source>
         <translation>
-            <numerusform>Closed, but %n pair of triangles crosses at forks</numerusform>
-            <numerusform>Closed, but %n pairs of triangles cross at forks</numerusform>
+            <numerusform>Closed, but %Ln pair of triangles crosses at forks</numerusform>
+            <numerusform>Closed, but %Ln pairs of triangles cross at forks</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pair(s) of triangles cross at forks.</source>
+        <source>%Ln pair(s) of triangles cross at forks.</source>
         <translation>
-            <numerusform>%n pair of triangles crosses at forks.</numerusform>
-            <numerusform>%n pairs of triangles cross at forks.</numerusform>
+            <numerusform>%Ln pair of triangles crosses at forks.</numerusform>
+            <numerusform>%Ln pairs of triangles cross at forks.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pair(s) of branches collide (%1 pairs of triangles).</source>
+        <source>%Ln pair(s) of branches collide (%1 pairs of triangles).</source>
         <translation>
-            <numerusform>%n pair of branches collides (%1 pairs of triangles).</numerusform>
-            <numerusform>%n pairs of branches collide (%1 pairs of triangles).</numerusform>
+            <numerusform>%Ln pair of branches collides (%1 pairs of triangles).</numerusform>
+            <numerusform>%Ln pairs of branches collide (%1 pairs of triangles).</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 vertices, %2 faces, Euler characteristic %3, %n piece(s)</source>
+        <source>%1 vertices, %2 faces, Euler characteristic %3, %Ln piece(s)</source>
         <translation>
-            <numerusform>%1 vertices, %2 faces, Euler characteristic %3, %n piece</numerusform>
-            <numerusform>%1 vertices, %2 faces, Euler characteristic %3, %n pieces</numerusform>
+            <numerusform>%1 vertices, %2 faces, Euler characteristic %3, %Ln piece</numerusform>
+            <numerusform>%1 vertices, %2 faces, Euler characteristic %3, %Ln pieces</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Closed, but %n pair(s) of triangles run through each other</source>
+        <source>Closed, but %Ln pair(s) of triangles run through each other</source>
         <translation>
-            <numerusform>Closed, but %n pair of triangles runs through each other</numerusform>
-            <numerusform>Closed, but %n pairs of triangles run through each other</numerusform>
+            <numerusform>Closed, but %Ln pair of triangles runs through each other</numerusform>
+            <numerusform>Closed, but %Ln pairs of triangles run through each other</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Oriented, but %n pair(s) of triangles run through each other</source>
+        <source>Oriented, but %Ln pair(s) of triangles run through each other</source>
         <translation>
-            <numerusform>Oriented, but %n pair of triangles runs through each other</numerusform>
-            <numerusform>Oriented, but %n pairs of triangles run through each other</numerusform>
+            <numerusform>Oriented, but %Ln pair of triangles runs through each other</numerusform>
+            <numerusform>Oriented, but %Ln pairs of triangles run through each other</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pair(s) of triangles run through each other.</source>
+        <source>%Ln pair(s) of triangles run through each other.</source>
         <translation>
-            <numerusform>%n pair of triangles runs through each other.</numerusform>
-            <numerusform>%n pairs of triangles run through each other.</numerusform>
+            <numerusform>%Ln pair of triangles runs through each other.</numerusform>
+            <numerusform>%Ln pairs of triangles run through each other.</numerusform>
         </translation>
     </message>
 </context>
@@ -351,17 +351,17 @@
 <context>
     <name>ramure::SeparateDialog</name>
     <message numerus="yes">
-        <source>All %n colliding pair(s) moved apart</source>
+        <source>All %Ln colliding pair(s) moved apart</source>
         <translation>
             <numerusform>The colliding pair was moved apart</numerusform>
-            <numerusform>All %n colliding pairs moved apart</numerusform>
+            <numerusform>All %Ln colliding pairs moved apart</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n colliding pair(s) moved apart; the rest are listed</source>
+        <source>%1 of %Ln colliding pair(s) moved apart; the rest are listed</source>
         <translation>
-            <numerusform>%1 of %n colliding pair moved apart; the rest are listed</numerusform>
-            <numerusform>%1 of %n colliding pairs moved apart; the rest are listed</numerusform>
+            <numerusform>%1 of %Ln colliding pair moved apart; the rest are listed</numerusform>
+            <numerusform>%1 of %Ln colliding pairs moved apart; the rest are listed</numerusform>
         </translation>
     </message>
 </context>

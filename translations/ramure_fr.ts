@@ -977,10 +977,10 @@
         <translation>Le maillage de «&#xa0;%1&#xa0;» n’est pas propre : %2.</translation>
     </message>
     <message numerus="yes">
-        <source>%n defect(s)</source>
+        <source>%Ln defect(s)</source>
         <translation>
-            <numerusform>%n défaut</numerusform>
-            <numerusform>%n défauts</numerusform>
+            <numerusform>%Ln défaut</numerusform>
+            <numerusform>%Ln défauts</numerusform>
         </translation>
     </message>
     <message>
@@ -988,17 +988,17 @@
         <translation>pas fermé et tourné vers l’extérieur</translation>
     </message>
     <message numerus="yes">
-        <source>%n pair(s) of triangles cross at forks</source>
+        <source>%Ln pair(s) of triangles cross at forks</source>
         <translation>
-            <numerusform>%n paire de triangles se croise aux fourches</numerusform>
-            <numerusform>%n paires de triangles se croisent aux fourches</numerusform>
+            <numerusform>%Ln paire de triangles se croise aux fourches</numerusform>
+            <numerusform>%Ln paires de triangles se croisent aux fourches</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pair(s) of branches collide</source>
+        <source>%Ln pair(s) of branches collide</source>
         <translation>
-            <numerusform>%n paire de branches se heurte</numerusform>
-            <numerusform>%n paires de branches se heurtent</numerusform>
+            <numerusform>%Ln paire de branches se heurte</numerusform>
+            <numerusform>%Ln paires de branches se heurtent</numerusform>
         </translation>
     </message>
 </context>
@@ -1540,10 +1540,10 @@
 <context>
     <name>ReportTexts</name>
     <message numerus="yes">
-        <source>%1 vertices, %2 faces, volume %3, Euler characteristic %4, %n piece(s)</source>
+        <source>%1 vertices, %2 faces, volume %3, Euler characteristic %4, %Ln piece(s)</source>
         <translation>
-            <numerusform>%1 sommets, %2 faces, volume %3, caractéristique d’Euler %4, %n morceau</numerusform>
-            <numerusform>%1 sommets, %2 faces, volume %3, caractéristique d’Euler %4, %n morceaux</numerusform>
+            <numerusform>%1 sommets, %2 faces, volume %3, caractéristique d’Euler %4, %Ln morceau</numerusform>
+            <numerusform>%1 sommets, %2 faces, volume %3, caractéristique d’Euler %4, %Ln morceaux</numerusform>
         </translation>
     </message>
     <message>
@@ -1563,10 +1563,10 @@
         <translation>OpenMesh n’a pas encore été consulté.</translation>
     </message>
     <message numerus="yes">
-        <source>%n defect(s)</source>
+        <source>%Ln defect(s)</source>
         <translation>
-            <numerusform>%n défaut</numerusform>
-            <numerusform>%n défauts</numerusform>
+            <numerusform>%Ln défaut</numerusform>
+            <numerusform>%Ln défauts</numerusform>
         </translation>
     </message>
     <message>
@@ -1622,10 +1622,10 @@
         <translation>Réparations du mailleur&#xa0;:</translation>
     </message>
     <message numerus="yes">
-        <source>Closed, but %n pair(s) of triangles cross at forks</source>
+        <source>Closed, but %Ln pair(s) of triangles cross at forks</source>
         <translation>
-            <numerusform>Fermé, mais %n paire de triangles se croise aux fourches</numerusform>
-            <numerusform>Fermé, mais %n paires de triangles se croisent aux fourches</numerusform>
+            <numerusform>Fermé, mais %Ln paire de triangles se croise aux fourches</numerusform>
+            <numerusform>Fermé, mais %Ln paires de triangles se croisent aux fourches</numerusform>
         </translation>
     </message>
     <message>
@@ -1637,17 +1637,17 @@
         <translation>Aucun triangle ne se croise aux fourches.</translation>
     </message>
     <message numerus="yes">
-        <source>%n pair(s) of triangles cross at forks.</source>
+        <source>%Ln pair(s) of triangles cross at forks.</source>
         <translation>
-            <numerusform>%n paire de triangles se croise aux fourches.</numerusform>
-            <numerusform>%n paires de triangles se croisent aux fourches.</numerusform>
+            <numerusform>%Ln paire de triangles se croise aux fourches.</numerusform>
+            <numerusform>%Ln paires de triangles se croisent aux fourches.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pair(s) of branches collide (%1 pairs of triangles).</source>
+        <source>%Ln pair(s) of branches collide (%1 pairs of triangles).</source>
         <translation>
-            <numerusform>%n paire de branches se heurte (%1 paires de triangles).</numerusform>
-            <numerusform>%n paires de branches se heurtent (%1 paires de triangles).</numerusform>
+            <numerusform>%Ln paire de branches se heurte (%1 paires de triangles).</numerusform>
+            <numerusform>%Ln paires de branches se heurtent (%1 paires de triangles).</numerusform>
         </translation>
     </message>
     <message>
@@ -1659,10 +1659,10 @@
         <translation>Empreinte %1</translation>
     </message>
     <message numerus="yes">
-        <source>%1 vertices, %2 faces, Euler characteristic %3, %n piece(s)</source>
+        <source>%1 vertices, %2 faces, Euler characteristic %3, %Ln piece(s)</source>
         <translation>
-            <numerusform>%1 sommets, %2 faces, caractéristique d’Euler %3, %n morceau</numerusform>
-            <numerusform>%1 sommets, %2 faces, caractéristique d’Euler %3, %n morceaux</numerusform>
+            <numerusform>%1 sommets, %2 faces, caractéristique d’Euler %3, %Ln morceau</numerusform>
+            <numerusform>%1 sommets, %2 faces, caractéristique d’Euler %3, %Ln morceaux</numerusform>
         </translation>
     </message>
     <message>
@@ -1670,24 +1670,24 @@
         <translation>Surface ouverte, variété, orientée</translation>
     </message>
     <message numerus="yes">
-        <source>Closed, but %n pair(s) of triangles run through each other</source>
+        <source>Closed, but %Ln pair(s) of triangles run through each other</source>
         <translation>
-            <numerusform>Fermé, mais %n paire de triangles se traverse</numerusform>
-            <numerusform>Fermé, mais %n paires de triangles se traversent</numerusform>
+            <numerusform>Fermé, mais %Ln paire de triangles se traverse</numerusform>
+            <numerusform>Fermé, mais %Ln paires de triangles se traversent</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>Oriented, but %n pair(s) of triangles run through each other</source>
+        <source>Oriented, but %Ln pair(s) of triangles run through each other</source>
         <translation>
-            <numerusform>Orienté, mais %n paire de triangles se traverse</numerusform>
-            <numerusform>Orienté, mais %n paires de triangles se traversent</numerusform>
+            <numerusform>Orienté, mais %Ln paire de triangles se traverse</numerusform>
+            <numerusform>Orienté, mais %Ln paires de triangles se traversent</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n pair(s) of triangles run through each other.</source>
+        <source>%Ln pair(s) of triangles run through each other.</source>
         <translation>
-            <numerusform>%n paire de triangles se traverse.</numerusform>
-            <numerusform>%n paires de triangles se traversent.</numerusform>
+            <numerusform>%Ln paire de triangles se traverse.</numerusform>
+            <numerusform>%Ln paires de triangles se traversent.</numerusform>
         </translation>
     </message>
 </context>
@@ -6256,17 +6256,17 @@ OpenGL&#xa0;: %4
         <translation>Aucune branche ne se heurte.</translation>
     </message>
     <message numerus="yes">
-        <source>All %n colliding pair(s) moved apart</source>
+        <source>All %Ln colliding pair(s) moved apart</source>
         <translation>
             <numerusform>La paire qui se heurtait a été écartée</numerusform>
-            <numerusform>Les %n paires qui se heurtaient ont été écartées</numerusform>
+            <numerusform>Les %Ln paires qui se heurtaient ont été écartées</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n colliding pair(s) moved apart; the rest are listed</source>
+        <source>%1 of %Ln colliding pair(s) moved apart; the rest are listed</source>
         <translation>
-            <numerusform>%1 paire sur %n écartée ; le reste est dans la liste</numerusform>
-            <numerusform>%1 paires sur %n écartées ; le reste est dans la liste</numerusform>
+            <numerusform>%1 paire sur %Ln écartée ; le reste est dans la liste</numerusform>
+            <numerusform>%1 paires sur %Ln écartées ; le reste est dans la liste</numerusform>
         </translation>
     </message>
 </context>

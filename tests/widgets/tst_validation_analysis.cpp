@@ -3,11 +3,13 @@
 #include "tests/widgets/tree_document.h"
 #include "widgets/validation/histogram_view.h"
 #include "widgets/validation/kind_texts.h"
+#include "widgets/validation/report_text.h"
 #include "widgets/validation/report_view.h"
 #include "widgets/validation/status_badge.h"
 #include "widgets/validation/validation_panel.h"
 #include <QClipboard>
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -28,6 +30,7 @@ private slots:
     void findingsAreListedAndShown();
     void whatIsSelectedIsShown();
     void defectsOfObjectsAreListed();
+    void largeNumbersAreGrouped();
 };
 
 void TestValidationAnalysis::theAnalysisTellsHowFarItIs()
@@ -209,6 +212,17 @@ void TestValidationAnalysis::defectsOfObjectsAreListed()
     QVERIFY(edit::removeNodes(document, {*scan}));
     panel.show();
     QVERIFY(panel.findChild<QLabel*>(QStringLiteral("hashText")));
+}
+
+void TestValidationAnalysis::largeNumbersAreGrouped()
+{
+    MeshAnalysis analysis;
+    analysis.crossings.kindsKnown = true;
+    analysis.crossings.counts = {12'345, 0, 0, 67'890};
+    analysis.collisions.resize(23'456);
+    const QString text = crossingsText(analysis);
+    for (const int number : {12'345, 67'890, 23'456})
+        QVERIFY2(text.contains(QLocale().toString(number)), qPrintable(text));
 }
 
 QTEST_MAIN(TestValidationAnalysis)

@@ -31,16 +31,16 @@ MeshFaults FaultTexts::ofTree(const Node& node, const NodeResult& result, const 
         quint64 defects = 0;
         for (int kind = 0; kind < defectKindCount; ++kind)
             defects += report->count(static_cast<DefectKind>(kind));
-        out.faults += defects > 0 ? tr("%n defect(s)", nullptr, static_cast<int>(defects))
+        out.faults += defects > 0 ? tr("%Ln defect(s)", nullptr, static_cast<int>(defects))
                                   : tr("not closed and outward");
     }
     if (!findings)
         return out;
     if (const quint64 forks = findings->crossings.aroundForks(); forks > 0)
-        out.faults += tr("%n pair(s) of triangles cross at forks", nullptr, static_cast<int>(forks));
+        out.faults += tr("%Ln pair(s) of triangles cross at forks", nullptr, static_cast<int>(forks));
     if (!findings->collisions.empty())
         out.notes +=
-            tr("%n pair(s) of branches collide", nullptr, static_cast<int>(findings->collisions.size()));
+            tr("%Ln pair(s) of branches collide", nullptr, static_cast<int>(findings->collisions.size()));
     return out;
 }
 

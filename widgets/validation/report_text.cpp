@@ -44,14 +44,14 @@ QString ReportTexts::counts(const MeshReport& report, CheckedShape shape)
 {
     const QLocale locale;
     if (shape == CheckedShape::Open) // encloses nothing
-        return tr("%1 vertices, %2 faces, Euler characteristic %3, %n piece(s)", nullptr,
+        return tr("%1 vertices, %2 faces, Euler characteristic %3, %Ln piece(s)", nullptr,
                   static_cast<int>(report.components))
             .arg(locale.toString(report.vertices), locale.toString(report.faces),
                  locale.toString(static_cast<qlonglong>(report.eulerCharacteristic)));
     NumberFormat volume;
     volume.decimals = 4;
     volume.suffix = QStringLiteral("\u00a0m³");
-    return tr("%1 vertices, %2 faces, volume %3, Euler characteristic %4, %n piece(s)", nullptr,
+    return tr("%1 vertices, %2 faces, volume %3, Euler characteristic %4, %Ln piece(s)", nullptr,
               static_cast<int>(report.components))
         .arg(locale.toString(report.vertices), locale.toString(report.faces), volume.text(report.volume),
              locale.toString(static_cast<qlonglong>(report.eulerCharacteristic)));
@@ -69,7 +69,7 @@ ReportSummary ReportTexts::judge(const MeshReport& report, Index roots, CheckedS
     using Status = StatusBadge::Status;
     const qulonglong defects = defectTotal(report);
     if (defects > 0)
-        return {Status::Bad, tr("%n defect(s)", nullptr, static_cast<int>(defects)), {}};
+        return {Status::Bad, tr("%Ln defect(s)", nullptr, static_cast<int>(defects)), {}};
     if (report.faces == 0)
         return {Status::Bad, tr("The mesh has no faces"), {}};
     if (shape == CheckedShape::Open)
@@ -89,11 +89,11 @@ ReportSummary ReportTexts::crossed(const MeshAnalysis& analysis, CheckedShape sh
     const int faults = static_cast<int>(analysis.crossings.aroundForks());
     QString text;
     if (shape == CheckedShape::Tree)
-        text = tr("Closed, but %n pair(s) of triangles cross at forks", nullptr, faults);
+        text = tr("Closed, but %Ln pair(s) of triangles cross at forks", nullptr, faults);
     else if (shape == CheckedShape::Solid)
-        text = tr("Closed, but %n pair(s) of triangles run through each other", nullptr, faults);
+        text = tr("Closed, but %Ln pair(s) of triangles run through each other", nullptr, faults);
     else
-        text = tr("Oriented, but %n pair(s) of triangles run through each other", nullptr, faults);
+        text = tr("Oriented, but %Ln pair(s) of triangles run through each other", nullptr, faults);
     return {StatusBadge::Status::Warning, text, {}};
 }
 
@@ -126,14 +126,14 @@ QString ReportTexts::crossings(const MeshAnalysis& analysis)
         return tr("No triangle runs through another.");
     const quint64 forks = analysis.crossings.aroundForks();
     if (!analysis.crossings.kindsKnown)
-        return tr("%n pair(s) of triangles run through each other.", nullptr,
+        return tr("%Ln pair(s) of triangles run through each other.", nullptr,
                   static_cast<int>(analysis.crossings.total()));
     if (forks == 0)
         sentences += tr("No triangles cross at forks.");
     else
-        sentences += tr("%n pair(s) of triangles cross at forks.", nullptr, static_cast<int>(forks));
+        sentences += tr("%Ln pair(s) of triangles cross at forks.", nullptr, static_cast<int>(forks));
     if (!analysis.collisions.empty())
-        sentences += tr("%n pair(s) of branches collide (%1 pairs of triangles).", nullptr,
+        sentences += tr("%Ln pair(s) of branches collide (%1 pairs of triangles).", nullptr,
                         static_cast<int>(analysis.collisions.size()))
                          .arg(locale.toString(qulonglong(analysis.crossings.count(PairKind::Far))));
     return sentences.join(QLatin1Char(' '));

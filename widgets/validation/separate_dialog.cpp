@@ -2,6 +2,7 @@
 
 #include "widgets/support/core_text.h"
 #include <QLabel>
+#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -71,9 +72,9 @@ QString SeparateDialog::outcomeText(const Separation& outcome)
     if (before == 0)
         return tr("No branches collide.");
     if (rest == 0)
-        return tr("All %n colliding pair(s) moved apart", nullptr, before);
-    return tr("%1 of %n colliding pair(s) moved apart; the rest are listed", nullptr, before)
-        .arg(before - rest);
+        return tr("All %Ln colliding pair(s) moved apart", nullptr, before);
+    return tr("%1 of %Ln colliding pair(s) moved apart; the rest are listed", nullptr, before)
+        .arg(QLocale().toString(before - rest));
 }
 
 } // namespace ramure
