@@ -150,8 +150,9 @@ QString armStatusText(const ArmProgress& progress)
     QString text = Words::tr("residual %1 after %n step(s)", nullptr, int(progress.figures.steps))
                        .arg(shortLengthText(progress.residual));
     if (progress.figures.status == ArmStatus::Settled)
-        text += QLatin1Char('\n') +
-                Words::tr("unreachable: %1 m short").arg(progress.figures.shortBy(), 0, 'f', 3);
+        text +=
+            QLatin1Char('\n') +
+            Words::tr("unreachable: %1 m short").arg(QLocale().toString(progress.figures.shortBy(), 'f', 3));
     else if (progress.figures.status == ArmStatus::Reached && !progress.moves)
         text += QLatin1Char('\n') + Words::tr("reached");
     if (const QString limits = limitsText(progress.limits); !limits.isEmpty())

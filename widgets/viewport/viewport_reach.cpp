@@ -7,6 +7,7 @@
 #include "widgets/support/core_text.h"
 #include "widgets/viewport/arm_overlay.h"
 #include "widgets/viewport/viewport_private.h"
+#include <QLocale>
 #include <QPainter>
 #include <limits>
 
@@ -71,7 +72,8 @@ void Viewport::paintReach(QPainter& painter, QPointF hand)
     QString text =
         tr("%n branch(es) follow; the wheel sets how many", nullptr, static_cast<int>(d->limb->branches()));
     if (d->limb->shortBy() > 1e-3)
-        text += QLatin1Char('\n') + tr("out of reach: %1 m short").arg(d->limb->shortBy(), 0, 'f', 3);
+        text += QLatin1Char('\n') +
+                tr("out of reach: %1 m short").arg(QLocale().toString(d->limb->shortBy(), 'f', 3));
     const QRectF place(hand + QPointF(14.0, -10.0), QSizeF(420.0, 60.0));
     painter.setPen(QColor(0, 0, 0, 160));
     painter.drawText(place.translated(1.0, 1.0), text);
