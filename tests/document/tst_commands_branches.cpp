@@ -4,6 +4,7 @@
 #include "tests/support/suite.h"
 
 #include <QElapsedTimer>
+#include <map>
 #include <set>
 
 using namespace ramure;
@@ -21,6 +22,7 @@ private slots:
     void turnedBranches();
     void newTrees();
     void randomEditsUndoAndRedo();
+    void editsOfTheMeshUndoToTheSameBytes();
 };
 
 void TestBranchCommands::branchRolls()
@@ -190,6 +192,57 @@ static void randomEdit(Document& document, Random& random)
         edit::setParam(document, {pick()}, def, test::randomValue(def, random),
                        random.below(2) == 0 ? gesture : 0);
     }
+    }
+}
+
+/// Values of the mesh and the texture, drags of them, and branches moved apart.
+static void randomMeshEdit(Document& document, Random& random, GestureId gesture)
+{
+    static const std::vector<const ParamDef*> defs = [] {
+        std::vector<const ParamDef*> found;
+        for (const ParamDef& def : paramTable())
+            for (const char* group : {"mesh.", "texture.", "sections."})
+                if (std::string(def.key).starts_with(group))
+                    found.push_back(&def);
+        return found;
+    }();
+    if (random.below(4) > 0) {
+        const ParamDef& def = *defs[random.below(static_cast<std::uint32_t>(defs.size()))];
+        edit::setParam(document, {2}, def, test::randomValue(def, random),
+                       random.below(2) == 0 ? gesture : 0);
+        return;
+    }
+    std::map<std::uint64_t, glm::dvec3> bends;
+    for (std::uint32_t i = random.below(4); i > 0; --i)
+        bends[random.below(6)] = glm::dvec3(random.range(-1, 1), random.range(-1, 1), random.range(-1, 1));
+    edit::setBranchBends(document, 2, bends);
+}
+
+void TestBranchCommands::editsOfTheMeshUndoToTheSameBytes()
+{
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Random random(seed, RandomStream::Test);
+        Fixture f;
+        std::vector<QByteArray> files{fileOf(f.document)}; // that of undo index i
+        GestureId gesture = newGesture();
+        for (int i = 0; i < 150; ++i) {
+            if (random.below(6) == 0)
+                gesture = newGesture();
+            if (random.below(10) == 0)
+                f.stack.undo();
+            randomMeshEdit(f.document, random, gesture);
+            files.resize(static_cast<std::size_t>(f.stack.index()) + 1);
+            files.back() = fileOf(f.document);
+        }
+        QVERIFY(files.size() > 20);
+        while (f.stack.canUndo()) {
+            f.stack.undo();
+            QCOMPARE(fileOf(f.document), files[static_cast<std::size_t>(f.stack.index())]);
+        }
+        for (std::size_t i = 1; i < files.size(); ++i) {
+            f.stack.redo();
+            QCOMPARE(fileOf(f.document), files[i]);
+        }
     }
 }
 
