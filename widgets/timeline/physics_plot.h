@@ -50,8 +50,6 @@ private:
                    double step) const;
     void paintTexts(QPainter& painter, const QRectF& area, const QString& name, const QString& value) const;
     void changed();
-    [[nodiscard]] static QString nameOf(Curve curve);
-    [[nodiscard]] static QString textOf(Curve curve, double value);
     void updateToolTip();
 
     Content m_content = Content::Trees;
