@@ -192,16 +192,23 @@ float scaleOf(const std::vector<glm::vec3>& positions)
 void computeNormals(TriangleMesh& mesh)
 {
     LargeBuffer<Sum> sums(mesh.positions.size() + 4); // read four at a time
-    std::fill_n(sums.data(), sums.size(), Sum());
+    // Cleared just before they are needed: then they are in the cache, of vertices in the order of the faces.
+    std::size_t cleared = 0;
+    const auto clearTo = [&](std::size_t end) {
+        for (; cleared < end; ++cleared)
+            sums[cleared] = {};
+    };
     const float scale = scaleOf(mesh.positions);
     Block block{};
     for (std::size_t from = 0; from < mesh.triangles.size(); from += blockSize) {
         const std::size_t count = std::min(blockSize, mesh.triangles.size() - from);
         const Index largest = largestIndex({&mesh.triangles[from], count});
+        clearTo(std::size_t(largest) + 1);
         loadBlock(mesh, from, count, scale, largest + 1 >= mesh.positions.size(), block);
         solveBlock(block);
         addBlock(block, &mesh.triangles[from], count, sums.data());
     }
+    clearTo(sums.size());
     mesh.normals.resize(mesh.positions.size());
     Lanes lanes{};
     for (std::size_t from = 0; from < mesh.normals.size(); from += blockSize) {
