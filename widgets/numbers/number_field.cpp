@@ -142,6 +142,20 @@ void NumberField::stepBy(int steps)
     edit(from + steps * step);
 }
 
+/// What was typed and confirmed is a step of its own; arrows and the wheel go on until the field is left.
+void NumberField::enter()
+{
+    const bool isTyped = lineEdit()->isModified();
+    commit(true);
+    if (m_refused)
+        return;
+    selectAll();
+    if (!isTyped)
+        return;
+    emit gestureEnded();
+    emit gestureBegan();
+}
+
 bool NumberField::event(QEvent* event)
 {
     // Ctrl+Z belongs to the document unless a text is being typed.
@@ -176,9 +190,7 @@ void NumberField::keyPressEvent(QKeyEvent* event)
     switch (event->key()) {
     case Qt::Key_Return:
     case Qt::Key_Enter:
-        commit(true);
-        if (!m_refused)
-            selectAll();
+        enter();
         return;
     case Qt::Key_Escape:
         if (lineEdit()->isModified() || m_refused) {

@@ -41,6 +41,7 @@ signals:
     /// What was typed lies outside the range and the nearest end was taken; \p note says which, in the
     /// interface's language. After valueEdited. Empty: the note is no longer true.
     void held(const QString& note);
+    /// Edits between these belong together: while the field has the focus, up to a typed value's Return.
     void gestureBegan();
     void gestureEnded();
 
@@ -56,6 +57,7 @@ private:
     void showValue();
     /// \param keepBadText leaves a text that is no number in place for another try.
     void commit(bool keepBadText);
+    void enter();
     void setRefusal(const QString& reason);
     void setNote(const QString& note);
     void edit(double value);

@@ -3,6 +3,7 @@
 #include "widgets/numbers/number_slider.h"
 #include <QLineEdit>
 #include <numbers>
+#include <vector>
 
 using namespace ramure;
 
@@ -190,6 +191,36 @@ private slots:
         QTest::keyClick(&field, static_cast<Qt::Key>(key), static_cast<Qt::KeyboardModifiers>(modifiers));
         QCOMPARE(edited.count(), 1);
         QVERIFY(std::abs(edited[0][0].toDouble() - expected) < 1e-12);
+    }
+
+    /// The edits up to each end of a gesture, which is a step that can be undone.
+    void whatIsTypedAndConfirmedIsAGestureOfItsOwn()
+    {
+        NumberField field;
+        field.setFormat(lengthFormat());
+        field.setRange(0.0, 100.0);
+        field.setStep(1.0);
+        field.setValue(2.0);
+        std::vector<std::vector<double>> gestures(1);
+        connect(&field, &NumberField::valueEdited, this,
+                [&](double value) { gestures.back().push_back(value); });
+        connect(&field, &NumberField::gestureEnded, this, [&] { gestures.emplace_back(); });
+        QSignalSpy began(&field, &NumberField::gestureBegan);
+        const auto type = [&field](const char* text) {
+            field.selectAll();
+            QTest::keyClicks(&field, QLatin1String(text));
+            QTest::keyClick(&field, Qt::Key_Return);
+        };
+        type("x"); // refused: nothing to undo
+        QTest::keyClick(&field, Qt::Key_Escape);
+        QTest::keyClick(&field, Qt::Key_Return); // nothing typed
+        QCOMPARE(gestures.size(), std::size_t(1));
+        type("5");
+        type("7");
+        for (int i = 0; i < 3; ++i)
+            QTest::keyClick(&field, Qt::Key_Up);
+        QVERIFY((gestures == std::vector<std::vector<double>>{{5.0}, {7.0}, {8.0, 9.0, 10.0}}));
+        QCOMPARE(began.size(), 2); // it goes on after each
     }
 
     void theWheelNeedsTheFocus()
