@@ -1,9 +1,12 @@
-// The editor: ramure [FILE|preset:NAME|demo:NAME] [--screenshot FILE.png] [--export FILE]...
+// The editor: ramure [FILE|FOLDER|preset:NAME|demo:NAME] [--screenshot FILE.png] [--export FILE]...
+#include "app/editor_options.h"
 #include "core/base/kept_memory.h"
 #include "core/document/exporter.h"
 #include "core/document/recompute.h"
+#include "core/io/file_writer.h"
 #include "widgets/actions/dialog_chooser.h"
 #include "widgets/actions/file_actions.h"
+#include "widgets/actions/help_actions.h"
 #include "widgets/main_window/main_window.h"
 #include "widgets/main_window/message_banner.h"
 #include "widgets/recovery/recovery.h"
@@ -11,6 +14,7 @@
 #include "widgets/support/language.h"
 #include "widgets/support/preferences.h"
 #include "widgets/theme/theme.h"
+#include "widgets/tour/tour.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/viewport_host.h"
 #include <QApplication>
@@ -55,25 +59,17 @@ void complain(const QString& text)
 Arguments readArguments(const QApplication& application)
 {
     QCommandLineParser parser;
-    parser.setApplicationDescription(
-        QStringLiteral("Editor for trees. Without arguments it opens the SmallTree."));
+    parser.setApplicationDescription(QLatin1String(editorSummary));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("input"),
-                                 QStringLiteral("A .ramure file, preset:NAME or demo:NAME."),
-                                 QStringLiteral("[FILE|preset:NAME|demo:NAME]"));
-    const QCommandLineOption screenshot(
-        QStringLiteral("screenshot"),
-        QStringLiteral("Write a picture of the window when the tree is there, and quit."),
-        QStringLiteral("FILE.png"));
-    const QCommandLineOption exported(QStringLiteral("export"),
-                                      QStringLiteral("Write the tree as OBJ or PLY, and quit. May repeat."),
-                                      QStringLiteral("FILE"));
-    const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window."),
-                                  QStringLiteral("WxH"));
+    parser.addPositionalArgument(QStringLiteral("input"), QLatin1String(editorInputText),
+                                 QLatin1String(editorInput));
+    for (const EditorOption& option : editorOptions)
+        parser.addOption(
+            {QLatin1String(option.name), QLatin1String(option.description), QLatin1String(option.value)});
     QCommandLineOption measureStart(QStringLiteral("measure-start")); // see tests/bench/interaction
     measureStart.setFlags(QCommandLineOption::HiddenFromHelp);
-    parser.addOptions({screenshot, exported, size, measureStart});
+    parser.addOption(measureStart);
     parser.process(application);
     Arguments arguments;
     if (parser.positionalArguments().size() > 1) {
@@ -82,10 +78,10 @@ Arguments readArguments(const QApplication& application)
     }
     if (!parser.positionalArguments().isEmpty())
         arguments.input = parser.positionalArguments().constFirst();
-    arguments.screenshot = parser.value(screenshot);
-    arguments.exports = parser.values(exported);
+    arguments.screenshot = parser.value(QLatin1String(screenshotOption.name));
+    arguments.exports = parser.values(QLatin1String(exportOption.name));
     arguments.measureStart = parser.isSet(measureStart);
-    const QStringList sides = parser.value(size).split(u'x');
+    const QStringList sides = parser.value(QLatin1String(sizeOption.name)).split(u'x');
     if (sides.size() == 2)
         arguments.size = {sides[0].toInt(), sides[1].toInt()};
     return arguments;
@@ -100,7 +96,17 @@ bool openInput(FileActions& files, const QString& input)
         return files.newFromPreset(QStringLiteral("SmallTree"));
     if (input.startsWith(prefix))
         return files.newFromPreset(input.mid(prefix.size()));
-    return files.openFile(input);
+    // Objects are read on another thread.
+    bool opened = false;
+    QEventLoop loop;
+    QObject::connect(&files, &FileActions::openEnded, &loop, [&](bool done) {
+        opened = done;
+        loop.quit();
+    });
+    files.openFile(input);
+    if (files.isOpening())
+        loop.exec();
+    return opened;
 }
 
 /// Lets the window show what is there: until the view has drawn once more, or at most a while.
@@ -123,6 +129,7 @@ void waitForPicture(const MainWindow& window)
 bool exportTo(const QString& path, const Document& document)
 {
     ExportOptions options;
+    options.texture = true;
     // A PLY file holds one mesh: the closed one.
     if (path.endsWith(QStringLiteral(".ply"), Qt::CaseInsensitive))
         options.parts = exportBranches;
@@ -181,11 +188,19 @@ void measureStart(const MainWindow& window, const Document& document)
     QObject::connect(view, &QOpenGLWidget::frameSwapped, view, tell);
 }
 
-/// The start of a session at the desk: what a crash left, else the welcome page.
+/// The start of a session at the desk: what a crash left, else the tour the first time, and the welcome page.
 void greet(MainWindow& window, Recovery& recovery, const Preferences& preferences, const Arguments& arguments)
 {
-    if (!recovery.offer() && arguments.input.isEmpty() && preferences.welcomeAtStart())
-        window.showWelcome();
+    if (recovery.offer())
+        return;
+    const auto welcome = [&window, wanted = arguments.input.isEmpty() && preferences.welcomeAtStart()] {
+        if (wanted)
+            window.showWelcome();
+    };
+    if (window.help()->startTourOnce()) // one thing at a time
+        QObject::connect(window.help()->tour(), &Tour::finished, &window, welcome, Qt::SingleShotConnection);
+    else
+        welcome();
 }
 
 } // namespace
@@ -193,6 +208,7 @@ void greet(MainWindow& window, Recovery& recovery, const Preferences& preference
 int main(int argc, char** argv)
 {
     keepFreedMemory();
+    makeFileLimitAnError();
     prepareOpenGl();
     QApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("ramure"));
@@ -221,6 +237,8 @@ int main(int argc, char** argv)
         }
         window.files()->newFromPreset(QStringLiteral("SmallTree"));
     }
+    if (!window.isVisible()) // closed while the file was read
+        return 0;
     if (arguments.measureStart) {
         measureStart(window, document);
         return QApplication::exec();

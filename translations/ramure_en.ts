@@ -59,17 +59,41 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%Ln pair(s) of triangles cross at forks</source>
-        <translation>
-            <numerusform>%Ln pair of triangles crosses at forks</numerusform>
-            <numerusform>%Ln pairs of triangles cross at forks</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln pair(s) of branches collide</source>
         <translation>
             <numerusform>%Ln pair of branches collides</numerusform>
             <numerusform>%Ln pairs of branches collide</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pair(s) of triangles run through each other</source>
+        <translation>
+            <numerusform>%Ln pair of triangles runs through each other</numerusform>
+            <numerusform>%Ln pairs of triangles run through each other</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The meshes of %Ln tree(s) are broken: %1.</source>
+        <translation>
+            <numerusform>The mesh of %Ln tree is broken: %1.</numerusform>
+            <numerusform>The meshes of %Ln trees are broken: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The meshes of %Ln tree(s) are closed, but %1.</source>
+        <translation>
+            <numerusform>The mesh of %Ln tree is closed, but %1.</numerusform>
+            <numerusform>The meshes of %Ln trees are closed, but %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>NodeWords</name>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation>
+            <numerusform>%n node</numerusform>
+            <numerusform>%n nodes</numerusform>
         </translation>
     </message>
 </context>
@@ -87,13 +111,6 @@
         <translation>
             <numerusform>%Ln defect</numerusform>
             <numerusform>%Ln defects</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>Closed, but %Ln pair(s) of triangles cross at forks</source>
-        <translation>
-            <numerusform>Closed, but %Ln pair of triangles crosses at forks</numerusform>
-            <numerusform>Closed, but %Ln pairs of triangles cross at forks</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -177,6 +194,16 @@
     </message>
 </context>
 <context>
+    <name>ramure::EditActions</name>
+    <message numerus="yes">
+        <source>De&amp;lete %n branch(es): not possible yet</source>
+        <translation>
+            <numerusform>De&amp;lete %n branch: not possible yet</numerusform>
+            <numerusform>De&amp;lete %n branches: not possible yet</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::ExportDialog</name>
     <message numerus="yes">
         <source>%Ln file(s)</source>
@@ -227,10 +254,10 @@
 <context>
     <name>ramure::GroupSection</name>
     <message numerus="yes">
-        <source>%n value(s) changed from the default</source>
+        <source>%n value(s) changed</source>
         <translation>
-            <numerusform>%n value changed from the default</numerusform>
-            <numerusform>%n values changed from the default</numerusform>
+            <numerusform>%n value changed</numerusform>
+            <numerusform>%n values changed</numerusform>
         </translation>
     </message>
 </context>
@@ -322,6 +349,23 @@
     </message>
 </context>
 <context>
+    <name>ramure::SceneModel</name>
+    <message numerus="yes">
+        <source>%Ln branch(es) in all</source>
+        <translation>
+            <numerusform>%Ln branch in all</numerusform>
+            <numerusform>%Ln branches in all</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln branch(es)</source>
+        <translation>
+            <numerusform>%Ln branch</numerusform>
+            <numerusform>%Ln branches</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::SceneSearch</name>
     <message numerus="yes">
         <source>%n node(s)</source>
@@ -335,6 +379,13 @@
         <translation>
             <numerusform>%Ln branch</numerusform>
             <numerusform>%Ln branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln limb(s) or twig(s)</source>
+        <translation>
+            <numerusform>%Ln limb or twig</numerusform>
+            <numerusform>%Ln limbs and twigs</numerusform>
         </translation>
     </message>
 </context>
@@ -388,6 +439,20 @@
             <numerusform>%Ln faces</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>closed, %Ln crossing(s)</source>
+        <translation>
+            <numerusform>closed, %Ln crossing</numerusform>
+            <numerusform>closed, %Ln crossings</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&lt;p&gt;Closed, 2-manifold and outward, but %Ln pair(s) of triangles run through each other.&lt;/p&gt;</source>
+        <translation>
+            <numerusform>&lt;p&gt;Closed, 2-manifold and outward, but %Ln pair of triangles runs through each other.&lt;/p&gt;</numerusform>
+            <numerusform>&lt;p&gt;Closed, 2-manifold and outward, but %Ln pairs of triangles run through each other.&lt;/p&gt;</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ramure::TimelinePanel</name>
@@ -402,10 +467,10 @@
 <context>
     <name>ramure::Viewport</name>
     <message numerus="yes">
-        <source>%n branch(es) follow; the wheel sets how many</source>
+        <source>%n branch(es) follow</source>
         <translation>
-            <numerusform>%n branch follows; the wheel sets how many</numerusform>
-            <numerusform>%n branches follow; the wheel sets how many</numerusform>
+            <numerusform>%n branch follows</numerusform>
+            <numerusform>%n branches follow</numerusform>
         </translation>
     </message>
 </context>

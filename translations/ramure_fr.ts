@@ -48,10 +48,6 @@
         <translation>&amp;Ouvrir…</translation>
     </message>
     <message>
-        <source>Open a Ramure file</source>
-        <translation>Ouvrir un fichier Ramure</translation>
-    </message>
-    <message>
         <source>&amp;Save</source>
         <translation>&amp;Enregistrer</translation>
     </message>
@@ -448,10 +444,6 @@
         <translation>Flèche du &amp;vent</translation>
     </message>
     <message>
-        <source>Show the wind of the active tree as an arrow; drag its head to turn and strengthen the wind</source>
-        <translation>Montre le vent de l&apos;arbre actif par une flèche ; tirez sa pointe pour tourner et renforcer le vent</translation>
-    </message>
-    <message>
         <source>&amp;Bake the motion</source>
         <translation>Pré&amp;calculer le mouvement</translation>
     </message>
@@ -474,10 +466,6 @@
     <message>
         <source>&amp;Insert key</source>
         <translation>&amp;Insérer une clé</translation>
-    </message>
-    <message>
-        <source>Keys of location, rotation and scale of the selected nodes, at the frame on show</source>
-        <translation>Clés de position, rotation et échelle des nœuds sélectionnés, à l’image affichée</translation>
     </message>
     <message>
         <source>&amp;Remove key here</source>
@@ -504,10 +492,6 @@
         <translation>Va à la clé après cette image</translation>
     </message>
     <message>
-        <source>&amp;Location</source>
-        <translation>&amp;Position</translation>
-    </message>
-    <message>
         <source>&amp;Rotation</source>
         <translation>&amp;Rotation</translation>
     </message>
@@ -518,10 +502,6 @@
     <message>
         <source>&amp;Geometry alone</source>
         <translation>&amp;Géométrie seule</translation>
-    </message>
-    <message>
-        <source>Location, rotation and scale that children do not follow</source>
-        <translation>Position, rotation et échelle que les enfants ne suivent pas</translation>
     </message>
     <message>
         <source>&amp;All that has keys</source>
@@ -646,10 +626,6 @@
     <message>
         <source>&amp;Import…</source>
         <translation>&amp;Importer…</translation>
-    </message>
-    <message>
-        <source>Add an object from Blender: .obj and .animation</source>
-        <translation>Ajouter un objet de Blender : .obj et .animation</translation>
     </message>
     <message>
         <source>Import &amp;folder…</source>
@@ -791,6 +767,126 @@
         <source>Frame the selected branches or nodes as they stand now, or everything where none is selected</source>
         <translation>Cadrer les branches ou les nœuds sélectionnés tels qu’ils sont maintenant, ou tout si rien n’est sélectionné</translation>
     </message>
+    <message>
+        <source>Sea&amp;mless loop</source>
+        <translation>Boucle sans &amp;raccord</translation>
+    </message>
+    <message>
+        <source>Blend the last second of the loop into its first frame, so that trees and arms go on without a jump</source>
+        <translation>Fond la dernière seconde de la boucle dans sa première image : les arbres et les bras continuent sans saut</translation>
+    </message>
+    <message>
+        <source>&amp;Find anything…</source>
+        <translation>&amp;Tout chercher…</translation>
+    </message>
+    <message>
+        <source>Finds every command, parameter and page of the handbook</source>
+        <translation>Trouve toutes les commandes, tous les paramètres et toutes les pages du manuel</translation>
+    </message>
+    <message>
+        <source>&amp;Handbook</source>
+        <translation>&amp;Manuel</translation>
+    </message>
+    <message>
+        <source>Explains the parameter or panel under the mouse</source>
+        <translation>Explique le paramètre ou le panneau sous la souris</translation>
+    </message>
+    <message>
+        <source>&amp;Tour</source>
+        <translation>&amp;Visite guidée</translation>
+    </message>
+    <message>
+        <source>Five steps through the window</source>
+        <translation>Cinq étapes à travers la fenêtre</translation>
+    </message>
+    <message>
+        <source>Keys of position, rotation and scale of the selected nodes, at the frame on show</source>
+        <translation>Clés de position, rotation et échelle des nœuds sélectionnés, à l’image affichée</translation>
+    </message>
+    <message>
+        <source>&amp;Position</source>
+        <translation>&amp;Position</translation>
+    </message>
+    <message>
+        <source>Position, rotation and scale that children do not follow</source>
+        <translation>Position, rotation et échelle que les enfants ne suivent pas</translation>
+    </message>
+    <message>
+        <source>Strai&amp;ghten branches</source>
+        <translation>&amp;Redresser les branches</translation>
+    </message>
+    <message>
+        <source>Take back how the selected branches were bent</source>
+        <translation>Annuler la courbure des branches sélectionnées</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect the branch</source>
+        <translation>&amp;Inspecter la branche</translation>
+    </message>
+    <message>
+        <source>Show the facts and sections of the branch</source>
+        <translation>Montrer les mesures et les sections de la branche</translation>
+    </message>
+    <message>
+        <source>Copy with everything below; the copy follows the mouse: a click puts it down, Esc leaves it in place</source>
+        <translation>Copier avec tout ce qui est dessous ; la copie suit la souris : un clic la pose, Échap la laisse en place</translation>
+    </message>
+    <message>
+        <source>The branches as lines, as the grammar grew them</source>
+        <translation>Les branches en lignes, telles que la grammaire les a fait pousser</translation>
+    </message>
+    <message>
+        <source>The branches as lines, straight runs joined: what the mesh is made of</source>
+        <translation>Les branches en lignes, les suites droites réunies : ce dont le maillage est fait</translation>
+    </message>
+    <message>
+        <source>A plain tube for each branch</source>
+        <translation>Un simple tube par branche</translation>
+    </message>
+    <message>
+        <source>The cross-sections between which the mesh is stretched</source>
+        <translation>Les sections entre lesquelles le maillage est tendu</translation>
+    </message>
+    <message>
+        <source>The surface as it is exported</source>
+        <translation>La surface telle qu’elle est exportée</translation>
+    </message>
+    <message>
+        <source>A checker on the surface shows how the texture lies</source>
+        <translation>Un damier sur la surface montre comment la texture se pose</translation>
+    </message>
+    <message>
+        <source>Colours show where the texture is stretched</source>
+        <translation>Des couleurs montrent où la texture est étirée</translation>
+    </message>
+    <message>
+        <source>Open a Ramure file, or objects into a new scene: .obj, .ply, .animation</source>
+        <translation>Ouvrir un fichier Ramure, ou des objets dans une nouvelle scène : .obj, .ply, .animation</translation>
+    </message>
+    <message>
+        <source>Add an object to the scene: .obj, .ply, and .animation from Blender</source>
+        <translation>Ajouter un objet à la scène : .obj, .ply, et .animation venu de Blender</translation>
+    </message>
+    <message>
+        <source>O&amp;pposite side</source>
+        <translation>Côté o&amp;pposé</translation>
+    </message>
+    <message>
+        <source>Look from the other side: from the front becomes from the back, from above from below</source>
+        <translation>Regarde de l&apos;autre côté : de face devient de dos, d&apos;en haut devient d&apos;en bas</translation>
+    </message>
+    <message>
+        <source>Show the wind of the active tree, and of all that have some, as arrows; drag a head to turn and strengthen the wind</source>
+        <translation>Montre par des flèches le vent de l&apos;arbre actif et de tous ceux qui en ont ; tirez une pointe pour tourner et renforcer le vent</translation>
+    </message>
+    <message>
+        <source>O&amp;utline of the selection</source>
+        <translation>Conto&amp;ur de la sélection</translation>
+    </message>
+    <message>
+        <source>A line around what is selected, seen through leaves and branches</source>
+        <translation>Une ligne autour de ce qui est sélectionné, visible à travers les feuilles et les branches</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -835,6 +931,45 @@
             <numerusform>résidu %1 après %n pas</numerusform>
             <numerusform>résidu %1 après %n pas</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>BranchNames</name>
+    <message>
+        <source>Trunk</source>
+        <translation>Tronc</translation>
+    </message>
+    <message>
+        <source>Trunk %1</source>
+        <translation>Tronc %1</translation>
+    </message>
+    <message>
+        <source>Limb %1 of the trunk, %2 m up</source>
+        <translation>Branche maîtresse %1 du tronc, à %2 m</translation>
+    </message>
+    <message>
+        <source>Limb %1 of trunk %2, %3 m up</source>
+        <translation>Branche maîtresse %1 du tronc %2, à %3 m</translation>
+    </message>
+    <message>
+        <source>Bough %1 of limb %2, %3 m along</source>
+        <translation>Branche secondaire %1 de la maîtresse %2, à %3 m</translation>
+    </message>
+    <message>
+        <source>Twig %1 of bough %2, %3 m along</source>
+        <translation>Rameau %1 de la branche secondaire %2, à %3 m</translation>
+    </message>
+    <message>
+        <source>Twig %1 of twig %2, %3 m along</source>
+        <translation>Rameau %1 du rameau %2, à %3 m</translation>
+    </message>
+    <message>
+        <source>%1, branch %2 of %3</source>
+        <translation>%1, tronçon %2 sur %3</translation>
+    </message>
+    <message>
+        <source>Branch %1 of %2</source>
+        <translation>Tronçon %1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -954,6 +1089,14 @@
         <source>Fit the worn mesh again</source>
         <translation>Réajuster le maillage porté</translation>
     </message>
+    <message>
+        <source>Keep Bookmark %1</source>
+        <translation>Garder le signet %1</translation>
+    </message>
+    <message>
+        <source>Forget Bookmark %1</source>
+        <translation>Oublier le signet %1</translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -972,10 +1115,6 @@
         <source>The mesh of “%1” is closed, but %2.</source>
         <translation>Le maillage de «&#xa0;%1&#xa0;» est fermé, mais %2.</translation>
     </message>
-    <message>
-        <source>The mesh of “%1” is not clean: %2.</source>
-        <translation>Le maillage de «&#xa0;%1&#xa0;» n’est pas propre : %2.</translation>
-    </message>
     <message numerus="yes">
         <source>%Ln defect(s)</source>
         <translation>
@@ -988,17 +1127,35 @@
         <translation>pas fermé et tourné vers l’extérieur</translation>
     </message>
     <message numerus="yes">
-        <source>%Ln pair(s) of triangles cross at forks</source>
-        <translation>
-            <numerusform>%Ln paire de triangles se croise aux fourches</numerusform>
-            <numerusform>%Ln paires de triangles se croisent aux fourches</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%Ln pair(s) of branches collide</source>
         <translation>
             <numerusform>%Ln paire de branches se heurte</numerusform>
             <numerusform>%Ln paires de branches se heurtent</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The mesh of “%1” is broken: %2.</source>
+        <translation>Le maillage de «&#xa0;%1&#xa0;» est défectueux&#xa0;: %2.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln pair(s) of triangles run through each other</source>
+        <translation>
+            <numerusform>%Ln paire de triangles se traverse</numerusform>
+            <numerusform>%Ln paires de triangles se traversent</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The meshes of %Ln tree(s) are broken: %1.</source>
+        <translation>
+            <numerusform>Le maillage de %Ln arbre est défectueux&#xa0;: %1.</numerusform>
+            <numerusform>Les maillages de %Ln arbres sont défectueux&#xa0;: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The meshes of %Ln tree(s) are closed, but %1.</source>
+        <translation>
+            <numerusform>Le maillage de %Ln arbre est fermé, mais %1.</numerusform>
+            <numerusform>Les maillages de %Ln arbres sont fermés, mais %1.</numerusform>
         </translation>
     </message>
 </context>
@@ -1058,7 +1215,7 @@
     </message>
     <message>
         <source>Bend a limb, or set the target of an arm</source>
-        <translation>Plier un membre, ou poser la cible d’un bras</translation>
+        <translation>Plier une branche maîtresse, ou poser la cible d’un bras</translation>
     </message>
     <message>
         <source>drag</source>
@@ -1155,6 +1312,14 @@
     <message>
         <source>Change values only</source>
         <translation>Ne changer que les valeurs</translation>
+    </message>
+    <message>
+        <source>Bend a limb with the trunk and the root</source>
+        <translation>Plier une branche maîtresse avec le tronc et la racine</translation>
+    </message>
+    <message>
+        <source>Menu of what is under the cursor</source>
+        <translation>Menu de ce qui est sous le curseur</translation>
     </message>
 </context>
 <context>
@@ -1475,14 +1640,6 @@
         <translation>Les triangles longs et minces s’ombrent en traînées, se subdivisent mal et ralentissent les calculs sur la surface.</translation>
     </message>
     <message>
-        <source>The branches are one closed skin without holes or seams: every edge has exactly two faces, and all faces look outward. Branches may still reach into each other: that is listed above as well.</source>
-        <translation>Les branches forment une seule peau fermée, sans trou ni couture : chaque arête a exactement deux faces, et toutes les faces regardent vers l’extérieur. Des branches peuvent encore s’interpénétrer : c’est aussi dans la liste ci-dessus.</translation>
-    </message>
-    <message>
-        <source>The surface is closed, without holes or seams: every edge has exactly two faces, and all faces look outward.</source>
-        <translation>La surface est fermée, sans trous ni coutures&#xa0;: chaque arête a exactement deux faces, et toutes regardent vers l’extérieur.</translation>
-    </message>
-    <message>
         <source>A terrain or a plane has an edge by its nature, so its surface is open there. Nothing else is wrong with it: no other holes or seams, and all faces look to the same side.</source>
         <translation>Un terrain ou un plan a un bord par nature&#xa0;: sa surface y est ouverte. Rien d’autre ne lui manque&#xa0;: ni autres trous ni coutures, et toutes les faces regardent du même côté.</translation>
     </message>
@@ -1510,6 +1667,18 @@
         <source>A hard crease where they meet, and false edges for tools that cut the mesh.</source>
         <translation>Un pli dur là où ils se rencontrent, et de fausses arêtes pour les outils qui coupent le maillage.</translation>
     </message>
+    <message>
+        <source>The branches are one closed skin without holes or seams: every edge has exactly two faces, and all faces look outward. No triangle runs through another.</source>
+        <translation>Les branches forment une seule peau fermée, sans trou ni couture : chaque arête a exactement deux faces, et toutes les faces regardent vers l’extérieur. Aucun triangle n’en traverse un autre.</translation>
+    </message>
+    <message>
+        <source>The surface has no holes or seams, but parts of it run through each other. Each such place is listed above.</source>
+        <translation>La surface n’a ni trou ni couture, mais des parties se traversent. Chaque endroit figure dans la liste ci-dessus.</translation>
+    </message>
+    <message>
+        <source>The surface is closed, without holes or seams: every edge has exactly two faces, and all faces look outward. No triangle runs through another.</source>
+        <translation>La surface est fermée, sans trou ni couture : chaque arête a exactement deux faces, et toutes les faces regardent vers l’extérieur. Aucun triangle n’en traverse un autre.</translation>
+    </message>
 </context>
 <context>
     <name>NodeEdits</name>
@@ -1520,6 +1689,46 @@
     <message>
         <source>Isolate</source>
         <translation>Isoler</translation>
+    </message>
+</context>
+<context>
+    <name>NodeWords</name>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation>
+            <numerusform>le nœud</numerusform>
+            <numerusform>les %n nœuds</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>group</source>
+        <comment>behind a verb: Delete group</comment>
+        <translation>le groupe</translation>
+    </message>
+    <message>
+        <source>tree</source>
+        <comment>behind a verb: Delete tree</comment>
+        <translation>l’arbre</translation>
+    </message>
+    <message>
+        <source>primitive</source>
+        <comment>behind a verb: Delete primitive</comment>
+        <translation>la primitive</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <comment>behind a verb: Delete mesh</comment>
+        <translation>le maillage</translation>
+    </message>
+    <message>
+        <source>arm</source>
+        <comment>behind a verb: Delete arm</comment>
+        <translation>le bras</translation>
+    </message>
+    <message>
+        <source>terrain</source>
+        <comment>behind a verb: Delete terrain</comment>
+        <translation>le terrain</translation>
     </message>
 </context>
 <context>
@@ -1535,6 +1744,114 @@
     <message>
         <source>at most %1</source>
         <translation>au plus %1</translation>
+    </message>
+</context>
+<context>
+    <name>Palette</name>
+    <message>
+        <source>Properties</source>
+        <translation>Propriétés</translation>
+    </message>
+    <message>
+        <source>nothing in the scene has it</source>
+        <translation>rien dans la scène ne l’a</translation>
+    </message>
+    <message>
+        <source>Handbook</source>
+        <translation>Manuel</translation>
+    </message>
+</context>
+<context>
+    <name>PanelHints</name>
+    <message>
+        <source>Drag: go to a frame · a handle: range · wheel: zoom · Shift + wheel: scroll · double click: whole range</source>
+        <translation>Glisser : aller à une image · une poignée : plage · molette : zoom · Maj + molette : défiler · double clic : toute la plage</translation>
+    </message>
+    <message>
+        <source>Click: select · drag: move · Shift: add, between frames · Ctrl + drag: copies · Alt + click: column · Ctrl + wheel: zoom</source>
+        <translation>Clic : sélectionner · glisser : déplacer · Maj : ajouter, entre les images · Ctrl + glisser : copies · Alt + clic : colonne · Ctrl + molette : zoom</translation>
+    </message>
+    <message>
+        <source>Click: select · drag: move · Shift: add, between frames · Ctrl + drag: value only · Ctrl + wheel: zoom</source>
+        <translation>Clic : sélectionner · glisser : déplacer · Maj : ajouter, entre les images · Ctrl + glisser : valeur seule · Ctrl + molette : zoom</translation>
+    </message>
+</context>
+<context>
+    <name>ParamFacts</name>
+    <message>
+        <source>metres; also cm, mm, km, in, ft</source>
+        <translation>mètres ; aussi cm, mm, km, in, ft</translation>
+    </message>
+    <message>
+        <source>degrees; also rad, turn, pi</source>
+        <translation>degrés ; aussi rad, turn, pi</translation>
+    </message>
+    <message>
+        <source>radians; also deg, turn, pi</source>
+        <translation>radians ; aussi deg, turn, pi</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>degrés</translation>
+    </message>
+    <message>
+        <source>a ratio; also %</source>
+        <translation>un rapport ; aussi %</translation>
+    </message>
+    <message>
+        <source>a count</source>
+        <translation>un nombre</translation>
+    </message>
+    <message>
+        <source>seconds; also ms, min</source>
+        <translation>secondes ; aussi ms, min</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activé</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivé</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Plage</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Défaut</translation>
+    </message>
+    <message>
+        <source>kilograms; also g</source>
+        <translation>kilogrammes ; aussi g</translation>
+    </message>
+    <message>
+        <source>a factor</source>
+        <translation>un facteur</translation>
+    </message>
+    <message>
+        <source>per cent</source>
+        <translation>pour cent</translation>
+    </message>
+    <message>
+        <source>In %1</source>
+        <translation>Dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>ParamPage</name>
+    <message>
+        <source>Parameters</source>
+        <translation>Les paramètres</translation>
+    </message>
+    <message>
+        <source>The key is the name in project files, and on the command line: `--set key=value`. Numbers outside the range are refused.</source>
+        <translation>La clé est le nom dans les fichiers de projet et en ligne de commande : `--set clé=valeur`. Les nombres hors de la plage sont refusés.</translation>
     </message>
 </context>
 <context>
@@ -1586,10 +1903,6 @@
         <translation>Les deux vérifications ne s’accordent pas</translation>
     </message>
     <message>
-        <source>Closed, manifold, oriented</source>
-        <translation>Fermé, variété, orienté</translation>
-    </message>
-    <message>
         <source>Not checked yet</source>
         <translation>Pas encore vérifié</translation>
     </message>
@@ -1620,13 +1933,6 @@
     <message>
         <source>Repairs of the mesher:</source>
         <translation>Réparations du mailleur&#xa0;:</translation>
-    </message>
-    <message numerus="yes">
-        <source>Closed, but %Ln pair(s) of triangles cross at forks</source>
-        <translation>
-            <numerusform>Fermé, mais %Ln paire de triangles se croise aux fourches</numerusform>
-            <numerusform>Fermé, mais %Ln paires de triangles se croisent aux fourches</numerusform>
-        </translation>
     </message>
     <message>
         <source>No triangle runs through another.</source>
@@ -1665,10 +1971,6 @@
             <numerusform>%1 sommets, %2 faces, caractéristique d’Euler %3, %Ln morceaux</numerusform>
         </translation>
     </message>
-    <message>
-        <source>An open surface, manifold and oriented</source>
-        <translation>Surface ouverte, variété, orientée</translation>
-    </message>
     <message numerus="yes">
         <source>Closed, but %Ln pair(s) of triangles run through each other</source>
         <translation>
@@ -1689,6 +1991,22 @@
             <numerusform>%Ln paire de triangles se traverse.</numerusform>
             <numerusform>%Ln paires de triangles se traversent.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>An open surface, manifold and oriented, free of crossings</source>
+        <translation>Une surface ouverte, variété orientée, sans croisement</translation>
+    </message>
+    <message>
+        <source>Closed and free of crossings</source>
+        <translation>Fermé et sans croisement</translation>
+    </message>
+    <message>
+        <source>An open surface, manifold and oriented; crossings not looked for yet</source>
+        <translation>Une surface ouverte, variété orientée&#xa0;; croisements pas encore cherchés</translation>
+    </message>
+    <message>
+        <source>Closed; crossings not looked for yet</source>
+        <translation>Fermé&#xa0;; croisements pas encore cherchés</translation>
     </message>
 </context>
 <context>
@@ -1712,6 +2030,10 @@
     <message>
         <source>terminal</source>
         <translation>terminale</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>numéro</translation>
     </message>
 </context>
 <context>
@@ -1747,6 +2069,208 @@
     <message>
         <source>Mirrored: %1</source>
         <translation>Inversés : %1</translation>
+    </message>
+</context>
+<context>
+    <name>Tour</name>
+    <message>
+        <source>Look around</source>
+        <translation>Regarder</translation>
+    </message>
+    <message>
+        <source>Hold the middle mouse button and drag to turn the view. Drag with Shift to move it; turn the wheel to zoom. %1 shows the whole tree.</source>
+        <translation>Glissez avec le bouton du milieu pour tourner la vue, avec Maj pour la déplacer ; la molette zoome. %1 montre tout l’arbre.</translation>
+    </message>
+    <message>
+        <source>Grow another tree</source>
+        <translation>Faire pousser un autre arbre</translation>
+    </message>
+    <message>
+        <source>Press %1: the same rules grow another tree. Undo brings the first one back.</source>
+        <translation>Appuyez sur %1 : les mêmes règles font pousser un autre arbre. Annuler ramène le premier.</translation>
+    </message>
+    <message>
+        <source>Change it</source>
+        <translation>Le modifier</translation>
+    </message>
+    <message>
+        <source>Drag a number or its slider, or type a value such as 18 deg. The tree follows while you drag. F1 on a row explains it.</source>
+        <translation>Glissez sur un nombre ou sur son curseur, ou tapez une valeur comme 18 deg. L’arbre suit pendant le geste. F1 sur une ligne l’explique.</translation>
+    </message>
+    <message>
+        <source>Let it move</source>
+        <translation>Le faire bouger</translation>
+    </message>
+    <message>
+        <source>Press %1 to play: the tree moves in the wind. While it plays, drag a branch and let it go.</source>
+        <translation>Appuyez sur %1 pour lancer la lecture : l’arbre bouge dans le vent. Tirez alors une branche et lâchez-la.</translation>
+    </message>
+    <message>
+        <source>Take it with you</source>
+        <translation>L’emporter</translation>
+    </message>
+    <message>
+        <source>%1 writes the mesh for other programs, or pictures. Anything else: F3 finds every command, F1 opens the handbook.</source>
+        <translation>%1 écrit le maillage pour d’autres programmes, ou des images. Pour tout le reste : F3 trouve chaque commande, F1 ouvre le manuel.</translation>
+    </message>
+</context>
+<context>
+    <name>ViewportHint</name>
+    <message>
+        <source>selection</source>
+        <translation>la sélection</translation>
+    </message>
+    <message>
+        <source>Rotate %1</source>
+        <translation>Tourner %1</translation>
+    </message>
+    <message>
+        <source>Scale %1</source>
+        <translation>Redimensionner %1</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Déplacer %1</translation>
+    </message>
+    <message>
+        <source>The view turns · release: done</source>
+        <translation>La vue tourne · relâcher : terminer</translation>
+    </message>
+    <message>
+        <source>The view moves · release: done</source>
+        <translation>La vue se déplace · relâcher : terminer</translation>
+    </message>
+    <message>
+        <source>Down or left: farther · up or right: nearer · release: done</source>
+        <translation>Bas ou gauche : plus loin · haut ou droite : plus près · relâcher : terminer</translation>
+    </message>
+    <message>
+        <source>Everything in the box is selected · Shift: added</source>
+        <translation>Tout ce qui est dans le cadre est sélectionné · Maj : ajouté</translation>
+    </message>
+    <message>
+        <source>The branch is pulled · release: it swings back</source>
+        <translation>La branche est tirée · relâcher : elle revient</translation>
+    </message>
+    <message>
+        <source>Length: strength of the wind · release: done</source>
+        <translation>Longueur : force du vent · relâcher : terminer</translation>
+    </message>
+    <message>
+        <source>The limb and what is thick follow · wheel: how many branches · Esc: back</source>
+        <translation>La branche maîtresse et ce qui est épais suivent · molette : combien de branches · Échap : annuler</translation>
+    </message>
+    <message>
+        <source>The limb follows · wheel: how many branches · Shift: trunk and root, too · Esc: back</source>
+        <translation>La branche maîtresse suit · molette : combien de branches · Maj : tronc et racine aussi · Échap : annuler</translation>
+    </message>
+    <message>
+        <source>The arm reaches for the point under the cursor · release: done</source>
+        <translation>Le bras va vers le point sous le curseur · relâcher : terminer</translation>
+    </message>
+    <message>
+        <source>The joint turns · release: done</source>
+        <translation>L’articulation tourne · relâcher : terminer</translation>
+    </message>
+    <message>
+        <source>Alt: drag turns (with Shift: moves, with Ctrl: zooms) · middle: moves · right: zooms</source>
+        <translation>Alt : glisser tourne (avec Maj : déplace, avec Ctrl : zoome) · milieu : déplace · droite : zoome</translation>
+    </message>
+    <message>
+        <source>Alt: drag turns (with Shift: moves, with Ctrl: zooms) · right: zooms</source>
+        <translation>Alt : glisser tourne (avec Maj : déplace, avec Ctrl : zoome) · droite : zoome</translation>
+    </message>
+    <message>
+        <source>Ctrl: drag pulls the branch</source>
+        <translation>Ctrl : glisser tire la branche</translation>
+    </message>
+    <message>
+        <source>Ctrl: drag bends the limb (with Shift: trunk and root, too)</source>
+        <translation>Ctrl : glisser plie la branche maîtresse (avec Maj : tronc et racine aussi)</translation>
+    </message>
+    <message>
+        <source>Ctrl: click or drag sets the target of the arm</source>
+        <translation>Ctrl : un clic ou glisser place la cible du bras</translation>
+    </message>
+    <message>
+        <source>Ctrl + middle: zoom</source>
+        <translation>Ctrl + milieu : zoom</translation>
+    </message>
+    <message>
+        <source>Shift: drag adds a box</source>
+        <translation>Maj : glisser ajoute un cadre</translation>
+    </message>
+    <message>
+        <source>Shift: click adds or takes away, drag adds a box</source>
+        <translation>Maj : un clic ajoute ou retire, glisser ajoute un cadre</translation>
+    </message>
+    <message>
+        <source>Shift + middle: move the view</source>
+        <translation>Maj + milieu : déplacer la vue</translation>
+    </message>
+    <message>
+        <source>Drag: pull the branch · double click an apple: it falls</source>
+        <translation>Glisser : tirer la branche · double clic sur une pomme : elle tombe</translation>
+    </message>
+    <message>
+        <source>Click: branch and tree · Ctrl + drag: bend the limb</source>
+        <translation>Clic : branche et arbre · Ctrl + glisser : plier la branche maîtresse</translation>
+    </message>
+    <message>
+        <source>Click: select · Ctrl + click: target of the arm</source>
+        <translation>Clic : sélectionner · Ctrl + clic : cible du bras</translation>
+    </message>
+    <message>
+        <source>Click: select</source>
+        <translation>Clic : sélectionner</translation>
+    </message>
+    <message>
+        <source>Click: look from this side · drag: turn the view</source>
+        <translation>Clic : regarder de ce côté · glisser : tourner la vue</translation>
+    </message>
+    <message>
+        <source>drag · Ctrl: steps · Shift: fine · digits: value</source>
+        <translation>glisser · Ctrl : par pas · Maj : fin · chiffres : valeur</translation>
+    </message>
+    <message>
+        <source>Drag: turn the joint</source>
+        <translation>Glisser : tourner l’articulation</translation>
+    </message>
+    <message>
+        <source>%1: move, rotate, scale %2</source>
+        <translation>%1 : déplacer, tourner, redimensionner %2</translation>
+    </message>
+    <message>
+        <source>drag: box</source>
+        <translation>glisser : cadre</translation>
+    </message>
+    <message>
+        <source>Shift: add</source>
+        <translation>Maj : ajouter</translation>
+    </message>
+    <message>
+        <source>Alt + drag: turn the view</source>
+        <translation>Alt + glisser : tourner la vue</translation>
+    </message>
+    <message>
+        <source>middle or Alt: turn the view</source>
+        <translation>milieu ou Alt : tourner la vue</translation>
+    </message>
+    <message>
+        <source>right: menu</source>
+        <translation>droite : menu</translation>
+    </message>
+    <message>
+        <source>Click: select nothing</source>
+        <translation>Clic : ne rien sélectionner</translation>
+    </message>
+    <message>
+        <source>click or Enter: done · Esc: back · X Y Z: axis (Shift: plane) · digits: value · Ctrl: steps · Shift: fine · Tab: next</source>
+        <translation>clic ou Entrée : terminer · Échap : annuler · X Y Z : axe (Maj : plan) · chiffres : valeur · Ctrl : par pas · Maj : fin · Tab : suivant</translation>
+    </message>
+    <message>
+        <source>release: done · Esc: back · X Y Z: axis · digits: value · Ctrl: steps · Shift: fine</source>
+        <translation>relâcher : terminer · Échap : annuler · X Y Z : axe · chiffres : valeur · Ctrl : par pas · Maj : fin</translation>
     </message>
 </context>
 <context>
@@ -2244,14 +2768,6 @@
         <translation>Au hasard</translation>
     </message>
     <message>
-        <source>Let chance choose among the outcomes of a rule, so that every seed gives another tree. Off: each rule always gives its default.</source>
-        <translation>Laisse le hasard choisir parmi les issues d’une règle&#xa0;: chaque graine donne un autre arbre. Sinon, chaque règle donne toujours son issue par défaut.</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Graine</translation>
-    </message>
-    <message>
         <source>Names one tree among all that chance can give. The same seed always grows the same tree.</source>
         <translation>Désigne un arbre parmi tous ceux que le hasard peut donner. La même graine donne toujours le même arbre.</translation>
     </message>
@@ -2612,10 +3128,6 @@
         <translation>Pesanteur</translation>
     </message>
     <message>
-        <source>How heavy everything is: 1 as on Earth, 0 weightless. Branches sag, apples fall.</source>
-        <translation>Le poids de toute chose&#xa0;: 1 comme sur Terre, 0 en apesanteur. Les branches ploient, les pommes tombent.</translation>
-    </message>
-    <message>
         <source>Damping</source>
         <translation>Amortissement</translation>
     </message>
@@ -2640,20 +3152,8 @@
         <translation>Vers où revient une branche&#xa0;: la place qu’elle a vue de son parent, ou la direction qu’elle avait d’abord dans le monde. Le mode fidèle prend toujours le monde.</translation>
     </message>
     <message>
-        <source>Weight of an apple</source>
-        <translation>Poids d’une pomme</translation>
-    </message>
-    <message>
-        <source>Added to the branch that carries it, which counts as heavy as the radius of its end in metres.</source>
-        <translation>Ajouté à la branche qui la porte, laquelle compte pour aussi lourde que le rayon de son bout en mètres.</translation>
-    </message>
-    <message>
         <source>Wind</source>
         <translation>Vent</translation>
-    </message>
-    <message>
-        <source>0: no wind; 1: a fresh breeze.</source>
-        <translation>0&#xa0;: pas de vent&#xa0;; 1&#xa0;: une bonne brise.</translation>
     </message>
     <message>
         <source>Wind direction</source>
@@ -3440,10 +3940,6 @@
         <translation>le dossier n&apos;a ni .obj ni .animation</translation>
     </message>
     <message>
-        <source>an .obj, an .animation or a folder of them is expected</source>
-        <translation>on attend un .obj, un .animation ou un dossier de tels fichiers</translation>
-    </message>
-    <message>
         <source>there is no .obj of this name: a group that moves</source>
         <translation>il n&apos;y a pas de .obj de ce nom : un groupe qui bouge</translation>
     </message>
@@ -3639,6 +4135,146 @@
         <source>another mesh is being put on</source>
         <translation>un autre maillage est en train d’être mis</translation>
     </message>
+    <message>
+        <source>How heavy everything is: 1 as on Earth, 0 weightless. Apples fall, and branches sag unless the tree starts settled.</source>
+        <translation>Le poids de toute chose&#xa0;: 1 comme sur Terre, 0 en apesanteur. Les pommes tombent, et les branches ploient sauf si l’arbre part équilibré.</translation>
+    </message>
+    <message>
+        <source>Starts settled</source>
+        <translation>Part équilibré</translation>
+    </message>
+    <message>
+        <source>The shape as modelled already hangs under its own weight, and motion starts from rest. Off: the weight comes on when motion starts, and branches sag. Only in the robust mode.</source>
+        <translation>La forme modelée porte déjà son propre poids, et le mouvement part du repos. Sans cela, le poids n’agit qu’au départ du mouvement, et les branches ploient. Seulement en mode robuste.</translation>
+    </message>
+    <message>
+        <source>nothing can vary: no rule has chances, and the variation of angles, lengths and radii is 0 %</source>
+        <translation>rien ne peut varier : aucune règle ne comporte de hasard, et la variation des angles, longueurs et rayons est de 0 %</translation>
+    </message>
+    <message>
+        <source>a variation must lie between 0 and 1</source>
+        <translation>une variation doit être comprise entre 0 et 1</translation>
+    </message>
+    <message>
+        <source>Variation</source>
+        <translation>Variation</translation>
+    </message>
+    <message>
+        <source>Let chance choose among the outcomes of a rule and vary the branches, so that every seed gives another tree. Off: each rule always gives its default, and nothing varies.</source>
+        <translation>Laisser le hasard choisir parmi les issues d’une règle et faire varier les branches : chaque graine donne un autre arbre. Sinon, chaque règle donne toujours son issue par défaut, et rien ne varie.</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>Angles</translation>
+    </message>
+    <message>
+        <source>How far each turn of a tree grown by chance may lie from the angle above, by seed. 0: every turn is the same.</source>
+        <translation>De combien chaque rotation d’un arbre tiré au hasard peut s’écarter de l’angle ci-dessus, selon la graine. 0 : toutes les rotations sont égales.</translation>
+    </message>
+    <message>
+        <source>Lengths</source>
+        <translation>Longueurs</translation>
+    </message>
+    <message>
+        <source>How far each piece of branch of a tree grown by chance may be longer or shorter than the step, by seed.</source>
+        <translation>De combien chaque morceau de branche d’un arbre tiré au hasard peut être plus long ou plus court que le pas, selon la graine.</translation>
+    </message>
+    <message>
+        <source>Radii</source>
+        <translation>Rayons</translation>
+    </message>
+    <message>
+        <source>How far each piece of branch of a tree grown by chance may taper more or less than the taper says, by seed. No branch gets thicker towards its tip.</source>
+        <translation>De combien chaque morceau de branche d’un arbre tiré au hasard peut s’amincir plus ou moins que l’amincissement ne le dit, selon la graine. Aucune branche ne s’épaissit vers son bout.</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no value of this kind</source>
+        <translation>Le presse-papiers ne contient pas de valeur de ce type</translation>
+    </message>
+    <message>
+        <source>there are nine places for views</source>
+        <translation>il y a neuf places pour les vues</translation>
+    </message>
+    <message>
+        <source>a camera cannot stand like that</source>
+        <translation>une caméra ne peut pas se tenir ainsi</translation>
+    </message>
+    <message>
+        <source>Seed of the tree</source>
+        <translation>Graine de l’arbre</translation>
+    </message>
+    <message>
+        <source>Seed of the leaves</source>
+        <translation>Graine des feuilles</translation>
+    </message>
+    <message>
+        <source>Mass of an apple</source>
+        <translation>Masse d’une pomme</translation>
+    </message>
+    <message>
+        <source>Added to the branch that carries it. A branch itself counts as many kilograms as the radius of its end has metres.</source>
+        <translation>Ajoutée à la branche qui la porte. Une branche compte elle-même autant de kilogrammes que le rayon de son bout a de mètres.</translation>
+    </message>
+    <message>
+        <source>How strong the wind is, as a factor: 0 is calm, 1 a gentle breeze of 4 m/s on average. The faithful mode multiplies the wind of the reference by it.</source>
+        <translation>La force du vent, comme facteur : 0 est le calme, 1 une petite brise de 4 m/s en moyenne. Le mode fidèle multiplie par lui le vent de la référence.</translation>
+    </message>
+    <message>
+        <source>Seed of the wind</source>
+        <translation>Graine du vent</translation>
+    </message>
+    <message>
+        <source>Seed of the hills</source>
+        <translation>Graine des collines</translation>
+    </message>
+    <message>
+        <source>base64 of rows of three bytes is expected here</source>
+        <translation>du base64 de lignes de trois octets est attendu ici</translation>
+    </message>
+    <message>
+        <source>an .obj, a .ply, an .animation or a folder of them is expected</source>
+        <translation>un .obj, un .ply, un .animation ou un dossier qui en contient est attendu</translation>
+    </message>
+    <message>
+        <source>an object with keys has Y up and metres: they cannot be chosen</source>
+        <translation>un objet à clés est en mètres, Y vers le haut : cela ne se choisit pas</translation>
+    </message>
+    <message>
+        <source>unknown axis &quot;%1&quot;: y or z expected</source>
+        <translation>axe inconnu « %1 » : y ou z attendu</translation>
+    </message>
+    <message>
+        <source>unknown unit &quot;%1&quot;: one of %2 expected</source>
+        <translation>unité inconnue « %1 » : une de %2 attendue</translation>
+    </message>
+    <message>
+        <source>the scale must be from %1 to %2</source>
+        <translation>l&apos;échelle doit être comprise entre %1 et %2</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n&apos;existe pas</translation>
+    </message>
+    <message>
+        <source>the file is too large</source>
+        <translation>le fichier est trop gros</translation>
+    </message>
+    <message>
+        <source>The longest</source>
+        <translation>Le plus long</translation>
+    </message>
+    <message>
+        <source>Axis of the mesh</source>
+        <translation>Axe du maillage</translation>
+    </message>
+    <message>
+        <source>unknown file ending &quot;%1&quot;: .ramure, .obj, .ply and .animation can be read</source>
+        <translation>extension inconnue « %1 » : .ramure, .obj, .ply et .animation peuvent être lus</translation>
+    </message>
+    <message>
+        <source>Which axis of an object comes to lie along the arm when the arm puts it on: Y for a tree.</source>
+        <translation>L&apos;axe d&apos;un objet qui vient s&apos;aligner sur le bras quand le bras le revêt : Y pour un arbre.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -3819,28 +4455,12 @@
         <translation>Aller et retour</translation>
     </message>
     <message>
-        <source>Location</source>
-        <translation>Position</translation>
-    </message>
-    <message>
         <source>Rotation</source>
         <translation>Rotation</translation>
     </message>
     <message>
         <source>Scale</source>
         <translation>Échelle</translation>
-    </message>
-    <message>
-        <source>Local location</source>
-        <translation>Position locale</translation>
-    </message>
-    <message>
-        <source>Local rotation</source>
-        <translation>Rotation locale</translation>
-    </message>
-    <message>
-        <source>Local scale</source>
-        <translation>Échelle locale</translation>
     </message>
     <message>
         <source>Joint %1: %2</source>
@@ -3861,6 +4481,22 @@
     <message>
         <source>%1: %2</source>
         <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Own position</source>
+        <translation>Position propre</translation>
+    </message>
+    <message>
+        <source>Own rotation</source>
+        <translation>Rotation propre</translation>
+    </message>
+    <message>
+        <source>Own scale</source>
+        <translation>Échelle propre</translation>
     </message>
 </context>
 <context>
@@ -3981,10 +4617,6 @@ OpenGL&#xa0;: %4
         <translation>Ajuster</translation>
     </message>
     <message>
-        <source>Makes the mesh as long as the arm and stands its longest axis on the foot; otherwise it is bound where it stands around the straight arm</source>
-        <translation>Rend le maillage aussi long que le bras et dresse son plus grand axe sur le pied ; sinon il est lié là où il se trouve autour du bras droit</translation>
-    </message>
-    <message>
         <source>From a file…</source>
         <translation>Depuis un fichier…</translation>
     </message>
@@ -3999,6 +4631,38 @@ OpenGL&#xa0;: %4
     <message>
         <source>Makes the worn mesh as long as the arm is now, its foot on the arm&apos;s foot. A mesh is bound to the straight arm: lengths that change later move the joints along it and do not stretch it.</source>
         <translation>Donne au maillage porté la longueur actuelle du bras, son pied sur celui du bras. Un maillage est lié au bras tendu&#xa0;: les longueurs changées ensuite déplacent les articulations le long du maillage sans l’étirer.</translation>
+    </message>
+    <message>
+        <source>The object that the arm&apos;s mesh was copied from is not in the scene: choose one again under “Skin”.</source>
+        <translation>L’objet dont le maillage du bras est la copie n’est plus dans la scène : choisissez-en un à nouveau sous « Peau ».</translation>
+    </message>
+    <message>
+        <source>Makes the mesh as long as the arm and stands it on the foot; otherwise it is bound where it stands around the straight arm</source>
+        <translation>Donne au maillage la longueur du bras et le pose sur le pied ; sinon, il est lié là où il se tient autour du bras tendu</translation>
+    </message>
+    <message>
+        <source>The longest along</source>
+        <translation>Le plus long, le long</translation>
+    </message>
+    <message>
+        <source>X along</source>
+        <translation>X le long</translation>
+    </message>
+    <message>
+        <source>Y along</source>
+        <translation>Y le long</translation>
+    </message>
+    <message>
+        <source>Z along</source>
+        <translation>Z le long</translation>
+    </message>
+    <message>
+        <source>Axis along the arm</source>
+        <translation>Axe le long du bras</translation>
+    </message>
+    <message>
+        <source>Which axis of a fitted mesh lies along the arm: of a tree that is Y. The mesh that is worn is put on again.</source>
+        <translation>L’axe d’un maillage ajusté qui s’aligne sur le bras : Y pour un arbre. Le maillage porté est revêtu à nouveau.</translation>
     </message>
 </context>
 <context>
@@ -4128,6 +4792,22 @@ OpenGL&#xa0;: %4
         <source>The baked motion is of another tree or of other parameters and is not used</source>
         <translation>Le mouvement précalculé vient d’un autre arbre ou d’autres paramètres et n’est pas utilisé</translation>
     </message>
+    <message>
+        <source>Bake the motion</source>
+        <translation>Précalculer le mouvement</translation>
+    </message>
+    <message>
+        <source>Save the project first?</source>
+        <translation>Enregistrer d’abord le projet&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Baked motion is kept in files beside the project file, so that it is there when the project is opened again. This project has no file yet.</source>
+        <translation>Le mouvement précalculé est gardé dans des fichiers à côté de celui du projet, pour être là à la prochaine ouverture. Ce projet n’a pas encore de fichier.</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
+    </message>
 </context>
 <context>
     <name>ramure::BakeKeysDialog</name>
@@ -4232,6 +4912,105 @@ OpenGL&#xa0;: %4
     <message>
         <source> frame</source>
         <translation> image</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::BookmarkActions</name>
+    <message>
+        <source>There is no bookmark %1 yet: %2 keeps the present view there.</source>
+        <translation>Il n&apos;y a pas encore de signet %1 : %2 y garde la vue actuelle.</translation>
+    </message>
+    <message>
+        <source>The view is kept as bookmark %1: %2 comes back to it.</source>
+        <translation>La vue est gardée comme signet %1 : %2 y revient.</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>de face</translation>
+    </message>
+    <message>
+        <source>front right</source>
+        <translation>de face à droite</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>de droite</translation>
+    </message>
+    <message>
+        <source>back right</source>
+        <translation>de dos à droite</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>de dos</translation>
+    </message>
+    <message>
+        <source>back left</source>
+        <translation>de dos à gauche</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>de gauche</translation>
+    </message>
+    <message>
+        <source>front left</source>
+        <translation>de face à gauche</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>d&apos;en haut</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>d&apos;en bas</translation>
+    </message>
+    <message>
+        <source>%1, %2 m</source>
+        <translation>%1, %2 m</translation>
+    </message>
+    <message>
+        <source>empty</source>
+        <translation>vide</translation>
+    </message>
+    <message>
+        <source>Go back to this view</source>
+        <translation>Revenir à cette vue</translation>
+    </message>
+    <message>
+        <source>Keep the present view in the project</source>
+        <translation>Garder la vue actuelle dans le projet</translation>
+    </message>
+    <message>
+        <source>Forget bookmark &amp;%1</source>
+        <translation>Oublier le signet &amp;%1</translation>
+    </message>
+    <message>
+        <source>&amp;Bookmarks</source>
+        <translation>Si&amp;gnets</translation>
+    </message>
+    <message>
+        <source>&amp;Forget</source>
+        <translation>&amp;Oublier</translation>
+    </message>
+    <message>
+        <source>Go to bookmark &amp;%1: %2</source>
+        <translation>Aller au signet &amp;%1 : %2</translation>
+    </message>
+    <message>
+        <source>Nothing is kept here yet, see “Keep the view”</source>
+        <translation>Rien n&apos;est encore gardé ici, voir « Garder la vue »</translation>
+    </message>
+    <message>
+        <source>Keep the view as bookmark &amp;%1, instead of %2</source>
+        <translation>Garder la vue comme signet &amp;%1, au lieu de %2</translation>
+    </message>
+    <message>
+        <source>Keep the view as bookmark &amp;%1</source>
+        <translation>Garder la vue comme signet &amp;%1</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the view</source>
+        <translation>&amp;Garder la vue</translation>
     </message>
 </context>
 <context>
@@ -4349,10 +5128,6 @@ OpenGL&#xa0;: %4
         <source>Select a branch in the viewport or in the scene panel.</source>
         <translation>Sélectionnez une branche dans la vue ou dans le panneau Scène.</translation>
     </message>
-    <message>
-        <source>Branch %1</source>
-        <translation>Branche %1</translation>
-    </message>
     <message numerus="yes">
         <source>%1 · the active one of %n selected branch(es)</source>
         <translation>
@@ -4367,6 +5142,45 @@ OpenGL&#xa0;: %4
     <message>
         <source>Section %1</source>
         <translation>Section %1</translation>
+    </message>
+    <message>
+        <source>%1 · branch %2 in reports</source>
+        <translation>%1 · branche %2 dans les rapports</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::Callout</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fait</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Passer</translation>
+    </message>
+    <message>
+        <source>Ends the tour (Esc); the Help menu starts it again</source>
+        <translation>Termine la visite (Échap) ; le menu Aide la relance</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Finish</source>
+        <translation>Terminer</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Suivant</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Entrée</translation>
     </message>
 </context>
 <context>
@@ -4409,6 +5223,49 @@ OpenGL&#xa0;: %4
     <message>
         <source>Terrain</source>
         <translation>Terrain</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate %1</source>
+        <translation>&amp;Dupliquer %1</translation>
+    </message>
+    <message>
+        <source>Rena&amp;me %1</source>
+        <translation>Re&amp;nommer %1</translation>
+    </message>
+    <message>
+        <source>S&amp;how %1</source>
+        <translation>A&amp;fficher %1</translation>
+    </message>
+    <message>
+        <source>&amp;Hide %1</source>
+        <translation>&amp;Masquer %1</translation>
+    </message>
+    <message>
+        <source>Unloc&amp;k %1</source>
+        <translation>Dé&amp;verrouiller %1</translation>
+    </message>
+    <message>
+        <source>Loc&amp;k %1</source>
+        <translation>&amp;Verrouiller %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>De&amp;lete %n branch(es): not possible yet</source>
+        <translation>
+            <numerusform>&amp;Supprimer %n branche : pas encore possible</numerusform>
+            <numerusform>&amp;Supprimer %n branches : pas encore possible</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>De&amp;lete %1</source>
+        <translation>&amp;Supprimer %1</translation>
+    </message>
+    <message>
+        <source>New tree: nothing can vary. No rule has chances, and the variation of angles, lengths and radii is 0 %</source>
+        <translation>Nouvel arbre : rien ne peut varier. Aucune règle ne comporte de hasard, et la variation des angles, longueurs et rayons est de 0 %</translation>
+    </message>
+    <message>
+        <source>Branches cannot be cut yet. Esc selects the tree alone: then Del deletes it.</source>
+        <translation>Les branches ne peuvent pas encore être coupées. Échap sélectionne l’arbre seul : Suppr le supprime alors.</translation>
     </message>
 </context>
 <context>
@@ -4583,6 +5440,14 @@ OpenGL&#xa0;: %4
         <source>Nodes</source>
         <translation>Nœuds</translation>
     </message>
+    <message>
+        <source>Axes and unit</source>
+        <translation>Axes et unité</translation>
+    </message>
+    <message>
+        <source>PLY has no objects: leaves and apples would be mixed into the one closed mesh of the branches. Tick them to write them all the same.</source>
+        <translation>PLY ne connaît pas d’objets&#xa0;: feuilles et pommes seraient mêlées au seul maillage fermé des branches. Cochez-les pour les écrire quand même.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::FileActions</name>
@@ -4601,10 +5466,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>Forget these files</source>
         <translation>Oublier ces fichiers</translation>
-    </message>
-    <message>
-        <source>Ramure files (*.ramure);;All files (*)</source>
-        <translation>Fichiers Ramure (*.ramure);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Untitled</source>
@@ -4637,6 +5498,22 @@ OpenGL&#xa0;: %4
     <message>
         <source>There is no such demo.</source>
         <translation>Cette démonstration n&apos;existe pas.</translation>
+    </message>
+    <message>
+        <source>Ramure files (*.ramure)</source>
+        <translation>Fichiers Ramure (*.ramure)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>All that can be opened (*.ramure *.obj *.ply *.animation)</source>
+        <translation>Tout ce qui peut être ouvert (*.ramure *.obj *.ply *.animation)</translation>
+    </message>
+    <message>
+        <source>Objects and keys (*.obj *.ply *.animation)</source>
+        <translation>Objets et clés (*.obj *.ply *.animation)</translation>
     </message>
 </context>
 <context>
@@ -4704,17 +5581,6 @@ OpenGL&#xa0;: %4
 </context>
 <context>
     <name>ramure::GroupSection</name>
-    <message numerus="yes">
-        <source>%n value(s) changed from the default</source>
-        <translation>
-            <numerusform>%n valeur modifiée</numerusform>
-            <numerusform>%n valeurs modifiées</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>All values are the defaults</source>
-        <translation>Toutes les valeurs sont celles par défaut</translation>
-    </message>
     <message>
         <source>Copy, paste or reset this group</source>
         <translation>Copier, coller ou réinitialiser ce groupe</translation>
@@ -4739,9 +5605,62 @@ OpenGL&#xa0;: %4
         <source>Paste values</source>
         <translation>Coller les valeurs</translation>
     </message>
+    <message numerus="yes">
+        <source>%n value(s) changed</source>
+        <translation>
+            <numerusform>%n valeur modifiée</numerusform>
+            <numerusform>%n valeurs modifiées</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>Reset to defaults</source>
-        <translation>Valeurs par défaut</translation>
+        <source>No value has been changed</source>
+        <translation>Aucune valeur n’a été modifiée</translation>
+    </message>
+    <message>
+        <source>Reset values</source>
+        <translation>Rétablir les valeurs</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::HandbookWindow</name>
+    <message>
+        <source>%1 – Handbook of Ramure</source>
+        <translation>%1 – Manuel de Ramure</translation>
+    </message>
+    <message>
+        <source>Nothing found</source>
+        <translation>Aucun résultat</translation>
+    </message>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>Retour (Alt+Gauche)</translation>
+    </message>
+    <message>
+        <source>Forward (Alt+Right)</source>
+        <translation>Suivant (Alt+Droite)</translation>
+    </message>
+    <message>
+        <source>First page</source>
+        <translation>Première page</translation>
+    </message>
+    <message>
+        <source>Search all pages</source>
+        <translation>Chercher dans toutes les pages</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Résultats</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::HeightGrip</name>
+    <message>
+        <source>Drag to make the box higher or lower; double-click for its usual height</source>
+        <translation>Tirer pour agrandir ou réduire la zone ; double-cliquer pour sa hauteur habituelle</translation>
     </message>
 </context>
 <context>
@@ -4764,10 +5683,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>Import</source>
         <translation>Importer</translation>
-    </message>
-    <message>
-        <source>Objects and keys (*.obj *.animation);;All files (*)</source>
-        <translation>Objets et clés (*.obj *.animation);;Tous les fichiers (*)</translation>
     </message>
     <message>
         <source>Import folder</source>
@@ -4795,6 +5710,26 @@ OpenGL&#xa0;: %4
             <numerusform>… et %n autre remarque</numerusform>
             <numerusform>… et %n autres remarques</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Objects and keys (*.obj *.ply *.animation);;All files (*)</source>
+        <translation>Objets et clés (*.obj *.ply *.animation);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Opening “%1”…</source>
+        <translation>Ouverture de « %1 »…</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be opened; the scene is as it was.</source>
+        <translation>« %1 » ne peut pas être ouvert ; la scène est inchangée.</translation>
+    </message>
+    <message>
+        <source>“%1” was opened.</source>
+        <translation>« %1 » a été ouvert.</translation>
     </message>
 </context>
 <context>
@@ -5074,10 +6009,6 @@ OpenGL&#xa0;: %4
         <translation>Alignement</translation>
     </message>
     <message>
-        <source>No keys here. Select a node and press I to insert keys of its location, rotation and scale at the frame on show.</source>
-        <translation>Pas de clés ici. Sélectionnez un nœud et appuyez sur I pour insérer des clés de position, rotation et échelle à l’image affichée.</translation>
-    </message>
-    <message>
         <source>Curves</source>
         <translation>Courbes</translation>
     </message>
@@ -5092,6 +6023,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Every curve over the same height, whatever its values</source>
         <translation>Chaque courbe sur la même hauteur, quelles que soient ses valeurs</translation>
+    </message>
+    <message>
+        <source>No keys here. Select a node and press I to insert keys of its position, rotation and scale at the frame on show.</source>
+        <translation>Pas de clés ici. Sélectionnez un nœud et appuyez sur I pour insérer des clés de position, rotation et échelle à l’image affichée.</translation>
     </message>
 </context>
 <context>
@@ -5337,12 +6272,12 @@ OpenGL&#xa0;: %4
         <translation> images</translation>
     </message>
     <message>
-        <source>Pictures all around, 2 to 10000; the view&apos;s camera keeps its height and its distance</source>
-        <translation>Images tout autour, de 2 à 10000 ; la caméra de la vue garde sa hauteur et sa distance</translation>
-    </message>
-    <message>
         <source>Pictures all around</source>
         <translation>Images tout autour</translation>
+    </message>
+    <message>
+        <source>Pictures all around, 2 to 10000, from the slope of the view and as near as the whole crown allows</source>
+        <translation>Images tout autour, de 2 à 10000, sous l&apos;inclinaison de la vue et d&apos;aussi près que le permet toute la couronne</translation>
     </message>
 </context>
 <context>
@@ -5395,51 +6330,30 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::Palette</name>
+    <message>
+        <source>Commands, parameters and the handbook</source>
+        <translation>Commandes, paramètres et manuel</translation>
+    </message>
+    <message>
+        <source>Find a command, a parameter or a page of the handbook</source>
+        <translation>Chercher une commande, un paramètre ou une page du manuel</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Résultats</translation>
+    </message>
+    <message>
+        <source>Nothing is called like this.</source>
+        <translation>Rien ne porte ce nom.</translation>
+    </message>
+    <message>
+        <source>Up and Down choose, Return runs or shows it, Esc closes</source>
+        <translation>Haut et Bas choisissent, Entrée exécute ou montre, Échap ferme</translation>
+    </message>
+</context>
+<context>
     <name>ramure::ParamRow</name>
-    <message>
-        <source>metres; also cm, mm, km, in, ft</source>
-        <translation>mètres&#xa0;; aussi cm, mm, km, in, ft</translation>
-    </message>
-    <message>
-        <source>degrees; also rad, turn, pi</source>
-        <translation>degrés&#xa0;; aussi rad, turn, pi</translation>
-    </message>
-    <message>
-        <source>radians; also deg, turn, pi</source>
-        <translation>radians&#xa0;; aussi deg, turn, pi</translation>
-    </message>
-    <message>
-        <source>degrees</source>
-        <translation>degrés</translation>
-    </message>
-    <message>
-        <source>a ratio; also %</source>
-        <translation>un rapport&#xa0;; aussi %</translation>
-    </message>
-    <message>
-        <source>a count</source>
-        <translation>un nombre</translation>
-    </message>
-    <message>
-        <source>on</source>
-        <translation>oui</translation>
-    </message>
-    <message>
-        <source>off</source>
-        <translation>non</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Unité</translation>
-    </message>
-    <message>
-        <source>Range</source>
-        <translation>Limites</translation>
-    </message>
-    <message>
-        <source>Default</source>
-        <translation>Défaut</translation>
-    </message>
     <message>
         <source>Key</source>
         <translation>Clé</translation>
@@ -5447,14 +6361,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>Back to the default</source>
         <translation>Revenir à la valeur par défaut</translation>
-    </message>
-    <message>
-        <source>%1: back to the default</source>
-        <translation>%1&#xa0;: revenir à la valeur par défaut</translation>
-    </message>
-    <message>
-        <source>seconds; also ms, min</source>
-        <translation>secondes&#xa0;; aussi ms, min</translation>
     </message>
     <message>
         <source>%1: take the key at this frame away</source>
@@ -5467,6 +6373,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>%1: insert a key at this frame</source>
         <translation>%1 : insérer une clé à cette image</translation>
+    </message>
+    <message>
+        <source>Back to the value of %1</source>
+        <translation>Revenir à la valeur de %1</translation>
     </message>
 </context>
 <context>
@@ -5514,6 +6424,22 @@ OpenGL&#xa0;: %4
     <message>
         <source>Play, or Ctrl+click a surface, to see a curve.</source>
         <translation>Lecture ou Ctrl+clic sur une surface : la courbe se trace.</translation>
+    </message>
+    <message>
+        <source>Copy the values as CSV</source>
+        <translation>Copier les valeurs au format CSV</translation>
+    </message>
+    <message>
+        <source>Copy the values for a spreadsheet</source>
+        <translation>Copier les valeurs pour un tableur</translation>
+    </message>
+    <message>
+        <source>As columns with tabs between them</source>
+        <translation>En colonnes séparées par des tabulations</translation>
+    </message>
+    <message>
+        <source>Start anew</source>
+        <translation>Recommencer</translation>
     </message>
 </context>
 <context>
@@ -5745,6 +6671,26 @@ OpenGL&#xa0;: %4
         <source>Parameters</source>
         <translation>Paramètres</translation>
     </message>
+    <message>
+        <source>Copy value</source>
+        <translation>Copier la valeur</translation>
+    </message>
+    <message>
+        <source>Paste value</source>
+        <translation>Coller la valeur</translation>
+    </message>
+    <message>
+        <source>Copy as --set for the command line</source>
+        <translation>Copier comme --set pour la ligne de commande</translation>
+    </message>
+    <message>
+        <source>Take the key away</source>
+        <translation>Retirer la clé</translation>
+    </message>
+    <message>
+        <source>Insert a key</source>
+        <translation>Insérer une clé</translation>
+    </message>
 </context>
 <context>
     <name>ramure::Recovery</name>
@@ -5894,6 +6840,49 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::RulerMenu</name>
+    <message>
+        <source>&amp;Go to frame %1</source>
+        <translation>&amp;Aller à l’image %1</translation>
+    </message>
+    <message>
+        <source>Insert &amp;keys at frame %1</source>
+        <translation>Insérer des &amp;clés à l’image %1</translation>
+    </message>
+    <message>
+        <source>&amp;First frame of the range: %1</source>
+        <translation>&amp;Première image de la plage&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Last frame of the range: %1</source>
+        <translation>&amp;Dernière image de la plage&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Show the &amp;whole range</source>
+        <translation>Montrer &amp;toute la plage</translation>
+    </message>
+    <message>
+        <source>At the &amp;end</source>
+        <translation>À la &amp;fin</translation>
+    </message>
+    <message>
+        <source>Show &amp;moments as</source>
+        <translation>Montrer les &amp;moments en</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Secondes</translation>
+    </message>
+    <message>
+        <source>Timecode</source>
+        <translation>Timecode</translation>
+    </message>
+</context>
+<context>
     <name>ramure::SceneModel</name>
     <message>
         <source>Tree: %1</source>
@@ -5922,10 +6911,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>Not locked</source>
         <translation>Non verrouillé</translation>
-    </message>
-    <message>
-        <source>Branch %1</source>
-        <translation>Branche %1</translation>
     </message>
     <message>
         <source>Name</source>
@@ -5960,10 +6945,6 @@ OpenGL&#xa0;: %4
         <translation>Rayon à l’extrémité basse, en mètres</translation>
     </message>
     <message>
-        <source>Branches that begin at its end; of a tree: all its branches</source>
-        <translation>Branches qui partent de son bout&#xa0;; pour un arbre&#xa0;: toutes ses branches</translation>
-    </message>
-    <message>
         <source>Depth of brackets: 0 is the trunk</source>
         <translation>Profondeur des crochets&#xa0;: 0 est le tronc</translation>
     </message>
@@ -5986,6 +6967,32 @@ OpenGL&#xa0;: %4
     <message>
         <source>Terrain: %1</source>
         <translation>Terrain : %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln branch(es) in all</source>
+        <translation>
+            <numerusform>%Ln branche en tout</numerusform>
+            <numerusform>%Ln branches en tout</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Branch %1 in reports and files</source>
+        <translation>Branche %1 dans les rapports et les fichiers</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln branch(es)</source>
+        <translation>
+            <numerusform>%Ln branche</numerusform>
+            <numerusform>%Ln branches</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The branches of %1 one by one, from foot to tip</source>
+        <translation>%1&#xa0;: ses tronçons un par un, du pied à la pointe</translation>
+    </message>
+    <message>
+        <source>Rows below it; of a single branch that was searched for: the branches that begin at its end</source>
+        <translation>Lignes en dessous&#xa0;; pour une seule branche trouvée par une recherche&#xa0;: les branches qui partent de son extrémité</translation>
     </message>
 </context>
 <context>
@@ -6064,10 +7071,6 @@ OpenGL&#xa0;: %4
         <translation>chêne</translation>
     </message>
     <message>
-        <source>nodes and branches whose name has this</source>
-        <translation>les nœuds et branches dont le nom contient ceci</translation>
-    </message>
-    <message>
         <source>branches longer than that, in metres</source>
         <translation>les branches plus longues, en mètres</translation>
     </message>
@@ -6098,6 +7101,29 @@ OpenGL&#xa0;: %4
     <message>
         <source>Select everything found (Enter in the field)</source>
         <translation>Sélectionner tout ce qui est trouvé (Entrée dans le champ)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln limb(s) or twig(s)</source>
+        <translation>
+            <numerusform>%Ln branche ou rameau</numerusform>
+            <numerusform>%Ln branches et rameaux</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>nodes whose name has this</source>
+        <translation>les nœuds dont le nom contient ceci</translation>
+    </message>
+    <message>
+        <source>limb 3</source>
+        <translation>maîtresse 3</translation>
+    </message>
+    <message>
+        <source>limbs, boughs and twigs of that name</source>
+        <translation>les branches et les rameaux de ce nom</translation>
+    </message>
+    <message>
+        <source>the branch of that number in reports and files</source>
+        <translation>la branche de ce numéro dans les rapports et les fichiers</translation>
     </message>
 </context>
 <context>
@@ -6326,6 +7352,65 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::SpaceForm</name>
+    <message>
+        <source>Y up</source>
+        <translation>Y vers le haut</translation>
+    </message>
+    <message>
+        <source>Z up</source>
+        <translation>Z vers le haut</translation>
+    </message>
+    <message>
+        <source>The axis of the file that points up: Y for most game engines and Maya, Z for Blender, 3ds Max and printers</source>
+        <translation>L’axe du fichier qui pointe vers le haut : Y pour la plupart des moteurs de jeu et Maya, Z pour Blender, 3ds Max et les imprimantes</translation>
+    </message>
+    <message>
+        <source>Axis that points up</source>
+        <translation>Axe vers le haut</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>mètres</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>centimètres</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>millimètres</translation>
+    </message>
+    <message>
+        <source>kilometres</source>
+        <translation>kilomètres</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>pouces</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>pieds</translation>
+    </message>
+    <message>
+        <source>What a 1 in the file is</source>
+        <translation>Ce que vaut un 1 dans le fichier</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>How many times larger than in the scene</source>
+        <translation>Combien de fois plus grand que dans la scène</translation>
+    </message>
+</context>
+<context>
     <name>ramure::StatusPanel</name>
     <message>
         <source>Boundary edges</source>
@@ -6368,10 +7453,6 @@ OpenGL&#xa0;: %4
         <translation>Caractéristique d’Euler</translation>
     </message>
     <message>
-        <source>No trees</source>
-        <translation>Pas d’arbre</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -6396,18 +7477,6 @@ OpenGL&#xa0;: %4
         <translation>Une ébauche rapide est affichée en attendant le résultat complet.</translation>
     </message>
     <message>
-        <source>valid</source>
-        <translation>valide</translation>
-    </message>
-    <message>
-        <source>&lt;p&gt;Closed, 2-manifold and outward: every edge has two faces.&lt;/p&gt;</source>
-        <translation>&lt;p&gt;Fermé, 2-variété, tourné vers l’extérieur&#xa0;: chaque arête a deux faces.&lt;/p&gt;</translation>
-    </message>
-    <message>
-        <source>not valid</source>
-        <translation>non valide</translation>
-    </message>
-    <message>
         <source>Stop computing; the draft stays</source>
         <translation>Arrêter le calcul&#xa0;; l’ébauche reste</translation>
     </message>
@@ -6418,10 +7487,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>Progress of the computation</source>
         <translation>Progression du calcul</translation>
-    </message>
-    <message>
-        <source>Branches after simplification; vertices and faces of the branch meshes</source>
-        <translation>Branches après simplification&#xa0;; sommets et faces des maillages de branches</translation>
     </message>
     <message>
         <source>cached</source>
@@ -6455,6 +7520,88 @@ OpenGL&#xa0;: %4
     <message>
         <source>Hash of the mesh: %1</source>
         <translation>Empreinte du maillage : %1</translation>
+    </message>
+    <message>
+        <source>Nothing visible</source>
+        <translation>Rien de visible</translation>
+    </message>
+    <message>
+        <source>Branches</source>
+        <translation>Branches</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Feuilles</translation>
+    </message>
+    <message>
+        <source>Apples</source>
+        <translation>Pommes</translation>
+    </message>
+    <message>
+        <source>Arms</source>
+        <translation>Bras</translation>
+    </message>
+    <message>
+        <source>Terrains</source>
+        <translation>Terrains</translation>
+    </message>
+    <message>
+        <source>Primitives</source>
+        <translation>Primitives</translation>
+    </message>
+    <message>
+        <source>Imported meshes</source>
+        <translation>Maillages importés</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>sommets</translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation>faces</translation>
+    </message>
+    <message>
+        <source>What is visible, as an export writes it. Branches are counted after simplification.</source>
+        <translation>Ce qui est visible, tel qu’un export l’écrit. Les branches sont comptées après simplification.</translation>
+    </message>
+    <message>
+        <source>closed, no crossings</source>
+        <translation>fermé, sans croisement</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Closed, 2-manifold and outward: every edge has two faces. No triangle runs through another.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Fermé, 2-variété et tourné vers l’extérieur : chaque arête a deux faces. Aucun triangle n’en traverse un autre.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>fermé</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Closed, 2-manifold and outward: every edge has two faces. Whether triangles run through each other has not been looked for yet.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Fermé, 2-variété et tourné vers l’extérieur : chaque arête a deux faces. On n’a pas encore cherché si des triangles se traversent.&lt;/p&gt;</translation>
+    </message>
+    <message numerus="yes">
+        <source>closed, %Ln crossing(s)</source>
+        <translation>
+            <numerusform>fermé, %Ln croisement</numerusform>
+            <numerusform>fermé, %Ln croisements</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>&lt;p&gt;Closed, 2-manifold and outward, but %Ln pair(s) of triangles run through each other.&lt;/p&gt;</source>
+        <translation>
+            <numerusform>&lt;p&gt;Fermé, 2-variété et tourné vers l’extérieur, mais %Ln paire de triangles se traverse.&lt;/p&gt;</numerusform>
+            <numerusform>&lt;p&gt;Fermé, 2-variété et tourné vers l’extérieur, mais %Ln paires de triangles se traversent.&lt;/p&gt;</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>broken</source>
+        <translation>défectueux</translation>
+    </message>
+    <message>
+        <source>A click opens the Validation panel.</source>
+        <translation>Un clic ouvre le panneau Validation.</translation>
     </message>
 </context>
 <context>
@@ -6667,6 +7814,18 @@ OpenGL&#xa0;: %4
         <source>Axes of the tools</source>
         <translation>Axes des outils</translation>
     </message>
+    <message>
+        <source>&amp;Move %1</source>
+        <translation>&amp;Déplacer %1</translation>
+    </message>
+    <message>
+        <source>&amp;Rotate %1</source>
+        <translation>&amp;Tourner %1</translation>
+    </message>
+    <message>
+        <source>S&amp;cale %1</source>
+        <translation>&amp;Redimensionner %1</translation>
+    </message>
 </context>
 <context>
     <name>ramure::ValidationPanel</name>
@@ -6723,6 +7882,21 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::ViewMenu</name>
+    <message>
+        <source>Select</source>
+        <translation>Sélectionner</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Draw as</source>
+        <translation>Représentation</translation>
+    </message>
+</context>
+<context>
     <name>ramure::Viewport</name>
     <message>
         <source>3D view</source>
@@ -6731,13 +7905,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>Change the wind</source>
         <translation>Modifier le vent</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n branch(es) follow; the wheel sets how many</source>
-        <translation>
-            <numerusform>%n branche suit ; la molette règle combien</numerusform>
-            <numerusform>%n branches suivent ; la molette règle combien</numerusform>
-        </translation>
     </message>
     <message>
         <source>out of reach: %1 m short</source>
@@ -6756,12 +7923,27 @@ OpenGL&#xa0;: %4
         <translation>Sélectionnez un nœud visible et non verrouillé : il pourra alors être déplacé</translation>
     </message>
     <message>
-        <source>X Y Z: axis (with Shift: plane) · digits: value · Tab: next · Ctrl: steps · Shift: fine · Enter or click: done · Esc or right click: back</source>
-        <translation>X Y Z : axe (avec Maj : plan) · chiffres : valeur · Tab : suivant · Ctrl : pas · Maj : finement · Entrée ou clic : fini · Échap ou clic droit : retour</translation>
+        <source>Branches are bent by a drag with Ctrl; what is moved is the tree: select it</source>
+        <translation>Les branches se plient en glissant avec Ctrl ; ce qui se déplace est l’arbre : sélectionnez-le</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n branch(es) follow</source>
+        <translation>
+            <numerusform>%n branche suit</numerusform>
+            <numerusform>%n branches suivent</numerusform>
+        </translation>
     </message>
     <message>
-        <source>X Y Z: axis · digits: value · Ctrl: steps · Shift: fine · release or Enter: done · Esc or right click: back</source>
-        <translation>X Y Z : axe · chiffres : valeur · Ctrl : pas · Maj : finement · relâcher ou Entrée : fini · Échap ou clic droit : retour</translation>
+        <source>The root stays; with Shift it follows</source>
+        <translation>La racine reste ; avec Maj elle suit</translation>
+    </message>
+    <message>
+        <source>There is no tree for a wind to blow on.</source>
+        <translation>Il n&apos;y a pas d&apos;arbre sur lequel le vent pourrait souffler.</translation>
+    </message>
+    <message>
+        <source>No wind blows in this scene: select a tree to set its wind with the arrow.</source>
+        <translation>Aucun vent ne souffle dans cette scène : sélectionnez un arbre pour régler son vent avec la flèche.</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/file_space_options.h"
 #include "app/cli/mesh_check.h"
 #include "app/cli/moments.h"
 #include "app/cli/work.h"
@@ -19,7 +20,8 @@ namespace ramure::cli {
 namespace {
 
 constexpr CommandText text = {
-    "export", "INPUT", "Writes a tree or a scene as meshes, or a mesh file in another format.",
+    "export", "writes OBJ and PLY", "INPUT",
+    "Writes a tree or a scene as meshes, or a mesh file in another format.",
     "The ending of FILE says the format: .obj (with an .mtl beside it: objects "
     "branches, leaves, apples, with normals) or .ply "
     "(binary unless --ascii; vertices with normal, colour, branch id and level).\n"
@@ -63,7 +65,8 @@ struct Request
     ExportModel model = ExportModel::Mesh;
     bool ascii = false;
     bool needsTree = false; ///< an option that says something about trees was given
-    bool texture = false;
+    bool texture = true;
+    FileSpace space;
     bool requireValid = false;
     QString report; ///< file, or empty
 
@@ -75,8 +78,14 @@ Expected<Request> requestOf(const CommandLine& line)
     Request out;
     out.files = line.values("o");
     out.ascii = line.has("ascii");
-    out.texture = line.has("texture");
-    out.needsTree = line.has("part") || line.has("model") || out.texture;
+    if (line.has("texture") && line.has("no-texture"))
+        return fail(ErrorCode::Invalid, "--texture and --no-texture exclude each other");
+    out.texture = !line.has("no-texture");
+    out.needsTree = line.has("part") || line.has("model") || line.has("texture");
+    const auto space = fileSpaceFrom(line);
+    if (!space)
+        return fail(space.error());
+    out.space = space->value_or(FileSpace());
     if (out.files.isEmpty())
         return fail(ErrorCode::Invalid, "missing -o FILE: `ramure-cli export --help` shows what it takes");
     for (const QString& file : out.files)
@@ -98,9 +107,10 @@ Expected<Request> requestOf(const CommandLine& line)
             return fail(model.error());
         out.model = *model;
     }
-    if (out.texture && out.model != ExportModel::Mesh)
+    if (line.has("texture") && out.model != ExportModel::Mesh)
         return fail(ErrorCode::Invalid,
                     "--texture needs --model mesh: other models have no texture coordinates");
+    out.texture = out.texture && out.model == ExportModel::Mesh;
     if (out.needsCheck() && out.model != ExportModel::Mesh)
         return fail(ErrorCode::Invalid,
                     "--require-valid and --report need --model mesh: there is no closed mesh "
@@ -138,6 +148,7 @@ Expected<void> exportAt(const Scene& scene, const Request& request, double timeS
         options.parts = request.parts.value_or(isPly(file) ? exportBranches : exportAll);
         options.ply.ascii = request.ascii;
         options.texture = request.texture;
+        options.space = request.space;
         options.timeSeconds = timeSeconds;
         options.arms = &moving.arms();
         const double from = static_cast<double>(i) / count;
@@ -174,15 +185,27 @@ Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Pr
 {
     if (request.needsTree)
         return fail(ErrorCode::Invalid, "--part, --model and --texture need a tree: the input is a mesh");
-    std::vector<MeshPart> parts;
+    const auto placed = [&request](TriangleMesh object) {
+        if (!request.texture) {
+            object.uv.clear();
+            object.uvTriangles.clear();
+        }
+        return request.space.isOwn() ? object : transformed(object, request.space.matrix());
+    };
+    std::vector<TriangleMesh> objects;
     for (const ReadObject& object : mesh.objects)
-        parts.push_back({object.name, &object.mesh, barkMaterial()});
-    const TriangleMesh joined = mesh.joined();
+        objects.push_back(placed(object.mesh));
+    std::vector<MeshPart> parts;
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        parts.push_back({mesh.objects[i].name, &objects[i], barkMaterial()});
+    const TriangleMesh joined = placed(mesh.joined());
+    const std::string comment = request.space.comment();
     // A PLY file is one mesh: vertices that the objects share stay shared.
     const std::vector<MeshPart> whole{{"mesh", &joined, barkMaterial()}};
     for (const QString& file : request.files) {
-        const auto written = isPly(file) ? writePly(systemPath(file), whole, {request.ascii}, progress)
-                                         : writeObj(systemPath(file), parts, progress);
+        const auto written = isPly(file)
+                                 ? writePly(systemPath(file), whole, {request.ascii, comment}, progress)
+                                 : writeObj(systemPath(file), parts, progress, comment);
         if (!written)
             return written;
     }
@@ -245,7 +268,7 @@ Expected<void> writeFiles(const Input& input, const Request& request, const Mome
 Expected<int> checkAndWrite(const Input& input, const QString& name, const Request& request,
                             const Moments& moments, TreePipeline& pipeline, const Progress& progress)
 {
-    MovingSource moving(notingSource(pipeline));
+    MovingSource moving(notingSource(pipeline), moments.timeline);
     if (!request.needsCheck()) {
         const auto written = writeFiles(input, request, moments, moving, progress);
         return written ? Expected<int>(exitGood) : fail(written.error());
@@ -278,41 +301,42 @@ Expected<int> checkAndWrite(const Input& input, const QString& name, const Reque
     return exitGood;
 }
 
-} // namespace
-
-Expected<int> runExport(const QStringList& arguments)
+void addOptions(CommandLine& line)
 {
-    CommandLine line(text);
     line.add({QStringLiteral("o"), QStringLiteral("output")},
              QStringLiteral("Writes this file; may be repeated."), QStringLiteral("FILE"));
     line.addInputOptions();
     line.addNodeOption();
     line.add({QStringLiteral("part")},
-             QStringLiteral("branches, leaves, apples or all. Without it .obj gets all, .ply the branches."),
-             QStringLiteral("PART"));
+             QStringLiteral("What is written. Without it .obj gets all, .ply the branches."),
+             QStringLiteral("branches|leaves|apples|all"));
     line.add({QStringLiteral("model")},
              QStringLiteral("mesh (one continuous mesh; the default), rough (open cylinders, squares, cubes) "
                             "or skeleton (line "
                             "segments)."),
-             QStringLiteral("MODEL"));
+             QStringLiteral("mesh|rough|skeleton"));
     line.add({QStringLiteral("texture")},
-             QStringLiteral("With texture coordinates: vt lines of .obj, a list texcoord per face of .ply. "
-                            "Parameter texture.tileSize (metres) is the size of one repeat of the bark. A "
+             QStringLiteral("With texture coordinates, which is the default for --model mesh: vt lines of "
+                            ".obj, a list texcoord per face of .ply. Parameter texture.tileSize (metres) is "
+                            "the size of one repeat of the bark. A "
                             "tree that moves keeps the coordinates it has at rest."));
+    line.add({QStringLiteral("no-texture")}, QStringLiteral("Without texture coordinates."));
+    addSpaceOptions(line);
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes .ply as text."));
     addMomentOptions(line, MomentOptions::Sequence);
     line.add({QStringLiteral("separate")},
              QStringLiteral("Moves branches that collide apart before they are written; says how many."));
-    line.add({QStringLiteral("require-valid")},
-             QStringLiteral("Writes nothing and ends with exit code 1 where `validate` would."));
+    line.add(
+        {QStringLiteral("require-valid")},
+        QStringLiteral("Writes nothing and ends with exit code 1 where `validate` would: where a mesh is "
+                       "broken. Crossings do not count: --report tells of them."));
     line.add({QStringLiteral("report")},
              QStringLiteral("Writes beside the mesh what `validate --self-intersections --json` says of it."),
              QStringLiteral("FILE.json"));
-    const auto done = line.parse(arguments, 1, 1);
-    if (!done)
-        return fail(done.error());
-    if (*done)
-        return **done;
+}
+
+Expected<int> run(const CommandLine& line)
+{
     const auto request = requestOf(line);
     if (!request)
         return fail(request.error());
@@ -339,5 +363,9 @@ Expected<int> runExport(const QStringList& arguments)
     return checkAndWrite(*input, line.arguments().front(), *request, *moments, pipeline,
                          progress.part(begun, 1.0));
 }
+
+} // namespace
+
+const Command exportCommand{text, &addOptions, &run};
 
 } // namespace ramure::cli

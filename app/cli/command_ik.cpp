@@ -10,7 +10,8 @@ namespace ramure::cli {
 namespace {
 
 constexpr CommandText text = {
-    "ik", "INPUT", "Turns the joints of an arm until its tip is at a target.",
+    "ik", "turns the joints of an arm to a target", "INPUT",
+    "Turns the joints of an arm until its tip is at a target.",
     "INPUT is demo:Arm or a .ramure file; of several arms --node names one. The target is in the arm's own "
     "space: its foot "
     "at 0, Z up, metres. Angles are radians. Speed limits do not count. Where the target is not reached, the "
@@ -123,27 +124,27 @@ Expected<int> solveInput(const CommandLine& line)
     return solver.figures().status == ArmStatus::Reached ? exitGood : exitCheckFailed;
 }
 
-} // namespace
-
-Expected<int> runIk(const QStringList& arguments)
+void addOptions(CommandLine& line)
 {
-    CommandLine line(text);
     line.addInputOptions();
     line.add({QStringLiteral("target")}, QStringLiteral("Where the tip is to go."), QStringLiteral("X,Y,Z"));
     line.add({QStringLiteral("solver")},
              QStringLiteral("transpose or dls (damped least squares); without it the arm's own."),
-             QStringLiteral("NAME"));
+             QStringLiteral("transpose|dls"));
     line.addDefault({QStringLiteral("steps")}, QStringLiteral("Gives up after so many steps."),
                     QStringLiteral("N"), QStringLiteral("10000"));
     line.add({QStringLiteral("node")}, QStringLiteral("Name of the arm; without it the first one."),
              QStringLiteral("NAME"));
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
-    const auto done = line.parse(arguments, 1, 1);
-    if (!done)
-        return fail(done.error());
-    if (*done)
-        return **done;
+}
+
+Expected<int> run(const CommandLine& line)
+{
     return solveInput(line);
 }
+
+} // namespace
+
+const Command ikCommand{text, &addOptions, &run};
 
 } // namespace ramure::cli

@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/file_space_options.h"
 #include "app/cli/input.h"
 #include "app/cli/work.h"
 #include "core/document/project_file.h"
@@ -12,11 +13,12 @@ namespace ramure::cli {
 namespace {
 
 constexpr CommandText text = {
-    "import", "INPUT",
-    "Makes a project of what a script for Blender wrote, or writes a project as such files.",
-    "INPUT is NAME.obj with a line TRANSFORM, NAME.animation, or a folder of them; the other file of the "
-    "same "
-    "name is read too. All that was guessed or mended is told on the standard error, or under \"notes\" with "
+    "import", "makes a project of meshes or of what a script for Blender wrote", "INPUT",
+    "Makes a project of mesh files, or writes a project as files for Blender.",
+    "INPUT is any .obj or .ply, or what a script for Blender wrote: NAME.obj with a line TRANSFORM, "
+    "NAME.animation, or a folder of them; the other file of the same name is read too. Colours come from the "
+    ".mtl that an .obj names. A file that Ramure wrote says its axes and its unit itself. All that was "
+    "guessed or mended is told on the standard error, or under \"notes\" with "
     "--json.\nThe other way round: INPUT is a .ramure or demo:NAME, and -o a folder that exists."};
 
 Expected<CubicMeaning> cubicOf(const CommandLine& line)
@@ -58,7 +60,10 @@ Expected<void> importTo(const CommandLine& line, const QString& input, const QSt
     const auto cubic = cubicOf(line);
     if (!cubic)
         return fail(cubic.error());
-    auto imported = importBlender(systemPath(input), *cubic, progress);
+    const auto space = fileSpaceFrom(line);
+    if (!space)
+        return fail(space.error());
+    auto imported = importBlender(systemPath(input), {*cubic, *space}, progress);
     if (!imported)
         return fail(std::move(imported.error()));
     const auto count = static_cast<qint64>(imported->nodes.size());
@@ -85,24 +90,21 @@ Expected<void> exportTo(const CommandLine& line, const Scene& scene, const QStri
     return report(line, written->notes, {{QStringLiteral("files"), files}});
 }
 
-} // namespace
-
-Expected<int> runImport(const QStringList& arguments)
+void addOptions(CommandLine& line)
 {
-    CommandLine line(text);
     line.add({QStringLiteral("o"), QStringLiteral("output")},
              QStringLiteral("Writes this project, or into this folder."),
              QStringLiteral("FILE.ramure|FOLDER"));
     line.addDefault({QStringLiteral("cubic")},
                     QStringLiteral("What CUBIC means: the spline through the keys, Blender's easing, or "
                                    "automatic: the easing where our own script wrote the file."),
-                    QStringLiteral("MEANING"), QStringLiteral("automatic"));
+                    QStringLiteral("automatic|spline|easing"), QStringLiteral("automatic"));
+    addSpaceOptions(line);
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
-    const auto done = line.parse(arguments, 1, 1);
-    if (!done)
-        return fail(done.error());
-    if (*done)
-        return **done;
+}
+
+Expected<int> run(const CommandLine& line)
+{
     const QString input = line.arguments().front(), output = line.value("output");
     if (output.isEmpty())
         return fail(ErrorCode::Invalid,
@@ -126,5 +128,9 @@ Expected<int> runImport(const QStringList& arguments)
         return fail(imported.error());
     return exitGood;
 }
+
+} // namespace
+
+const Command importCommand{text, &addOptions, &run};
 
 } // namespace ramure::cli

@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
+#include "app/cli/mesh_check.h"
 #include "app/cli/moments.h"
 #include "core/arm/arm_chain.h"
 #include "core/document/moving_arms.h"
@@ -16,7 +17,7 @@ namespace ramure::cli {
 namespace {
 
 constexpr CommandText text = {
-    "info", "INPUT",
+    "info", "counts and measures of a tree or mesh", "INPUT",
     "Counts and measures the skeleton of a tree, before and after simplification, or a mesh file.",
     "Lengths are in metres and boxes in the tree's own space, before its placement. Of a project with "
     "several trees the counts "
@@ -178,6 +179,8 @@ Expected<QJsonArray> jsonNodes(const Scene& scene, double timeSeconds)
                           {QStringLiteral("world"), jsonMatrix(places[i].world)}};
         if (node.parent != noNode)
             entry.insert(QStringLiteral("parent"), qint64{node.parent});
+        if (!node.preset.empty())
+            entry.insert(QStringLiteral("preset"), fromText(node.preset));
         if (node.kind != NodeKind::Group)
             entry.insert(QStringLiteral("geometry"), jsonMatrix(places[i].geometry));
         if (isShape(node.kind))
@@ -189,6 +192,20 @@ Expected<QJsonArray> jsonNodes(const Scene& scene, double timeSeconds)
         list.append(entry);
     }
     return list;
+}
+
+using Checked = std::optional<std::vector<CheckedMesh>>;
+
+/// Empty where it was not asked for.
+QString verdictRow(const Checked& checked)
+{
+    return checked ? row("verdict", verdictText(verdictOn(*checked), crossingsOf(*checked))) : QString();
+}
+
+void addVerdict(QJsonObject& object, const Checked& checked)
+{
+    if (checked)
+        object.insert(QStringLiteral("verdict"), QLatin1String(verdictName(verdictOn(*checked))));
 }
 
 /// How many there are of what is no tree.
@@ -230,7 +247,7 @@ QString textOfTrees(const TreeFacts& sum, const std::vector<TreeFacts>& trees)
     return texts + QStringLiteral("%1 trees\n%2").arg(trees.size()).arg(textOf(sum));
 }
 
-Expected<void> showScene(const Scene& given, double timeSeconds, bool json)
+Expected<void> showScene(const Scene& given, double timeSeconds, const Checked& checked, bool json)
 {
     const auto turned = MovingArms().at(given, timeSeconds);
     if (!turned)
@@ -251,12 +268,14 @@ Expected<void> showScene(const Scene& given, double timeSeconds, bool json)
         add(sum.simplified, tree.simplified, world);
     }
     if (!json)
-        return print((trees->empty() ? QString() : textOfTrees(sum, *trees)) + objectsText(scene));
+        return print((trees->empty() ? QString() : textOfTrees(sum, *trees)) + objectsText(scene) +
+                     verdictRow(checked));
     QJsonObject all = trees->empty() ? QJsonObject() : jsonTrees(sum, *trees);
     const auto list = jsonNodes(scene, timeSeconds);
     if (!list)
         return fail(list.error());
     all.insert(QStringLiteral("nodes"), *list);
+    addVerdict(all, checked);
     return printJson(all);
 }
 
@@ -268,7 +287,7 @@ Box boxOf(const TriangleMesh& mesh)
     return out;
 }
 
-Expected<void> showMesh(const ReadMesh& mesh, bool json)
+Expected<void> showMesh(const ReadMesh& mesh, const Checked& checked, bool json)
 {
     Box all;
     QJsonArray objects;
@@ -292,45 +311,61 @@ Expected<void> showMesh(const ReadMesh& mesh, bool json)
         notes.append(fromText(note));
         lines += row("note", fromText(note));
     }
-    if (json)
-        return printJson(QJsonObject{{QStringLiteral("vertices"), qint64(joined.vertexCount())},
-                                     {QStringLiteral("faces"), qint64(joined.faceCount())},
-                                     {QStringLiteral("min"), jsonVector(all.min)},
-                                     {QStringLiteral("max"), jsonVector(all.max)},
-                                     {QStringLiteral("objects"), objects},
-                                     {QStringLiteral("notes"), notes}});
+    if (json) {
+        QJsonObject out{{QStringLiteral("vertices"), qint64(joined.vertexCount())},
+                        {QStringLiteral("faces"), qint64(joined.faceCount())},
+                        {QStringLiteral("min"), jsonVector(all.min)},
+                        {QStringLiteral("max"), jsonVector(all.max)},
+                        {QStringLiteral("objects"), objects},
+                        {QStringLiteral("notes"), notes}};
+        addVerdict(out, checked);
+        return printJson(out);
+    }
     return print(row("vertices", QString::number(joined.vertexCount())) +
                  row("faces", QString::number(joined.faceCount())) + row("min", vectorText(all.min)) +
-                 row("max", vectorText(all.max)) + lines);
+                 row("max", vectorText(all.max)) + verdictRow(checked) + lines);
 }
 
-} // namespace
-
-Expected<int> runInfo(const QStringList& arguments)
+void addOptions(CommandLine& line)
 {
-    CommandLine line(text);
     line.addInputOptions();
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
     line.add(
         {QStringLiteral("time")},
         QStringLiteral("Tracks as they are after so many seconds; 0 without it. Trees are measured at rest."),
         QStringLiteral("SECONDS"));
-    const auto done = line.parse(arguments, 1, 1);
-    if (!done)
-        return fail(done.error());
-    if (*done)
-        return **done;
+    line.add({QStringLiteral("verdict")},
+             QStringLiteral("Also what the meshes are worth, as `validate --self-intersections` finds: the "
+                            "worst verdict of all."));
+}
+
+Expected<int> run(const CommandLine& line)
+{
     const auto input = loadInput(line.arguments().front(), line.values("set"));
     if (!input)
         return fail(input.error());
     const auto moments = momentsOf(line, *input);
     if (!moments)
         return fail(moments.error());
-    const auto shown = input->scene() ? showScene(*input->scene(), moments->timeSeconds, line.has("json"))
-                                      : showMesh(*input->mesh(), line.has("json"));
+    Checked checked;
+    if (line.has("verdict")) {
+        TreePipeline pipeline;
+        MovingSource moving(pipelineSource(pipeline), moments->timeline);
+        auto found = checkMeshes(*input, moving, {moments->timeSeconds, true, true}, {});
+        if (!found)
+            return fail(found.error());
+        checked = std::move(*found);
+    }
+    const auto shown = input->scene()
+                           ? showScene(*input->scene(), moments->timeSeconds, checked, line.has("json"))
+                           : showMesh(*input->mesh(), checked, line.has("json"));
     if (!shown)
         return fail(shown.error());
     return exitGood;
 }
+
+} // namespace
+
+const Command infoCommand{text, &addOptions, &run};
 
 } // namespace ramure::cli

@@ -10,9 +10,6 @@
 
 namespace ramure::cli {
 
-namespace {
-
-/// Lines of at most 96 characters, each with the indentation.
 QString wrapped(const QString& text, int indentation)
 {
     constexpr int width = 96;
@@ -39,11 +36,8 @@ QString optionHead(const QCommandLineOption& option)
     for (const QString& name : option.names())
         names << (name.size() == 1 ? QLatin1Char('-') + name : QStringLiteral("--") + name);
     const QString value = option.valueName();
-    return QStringLiteral("  ") + names.join(QStringLiteral(", ")) +
-           (value.isEmpty() ? QString() : QLatin1Char(' ') + value);
+    return names.join(QStringLiteral(", ")) + (value.isEmpty() ? QString() : QLatin1Char(' ') + value);
 }
-
-} // namespace
 
 CommandLine::CommandLine(const CommandText& text)
     : m_text(text)
@@ -83,7 +77,7 @@ void CommandLine::addInputOptions()
         QStringLiteral("KEY=VALUE"));
 }
 
-Expected<std::optional<int>> CommandLine::parse(const QStringList& arguments, int fewest, int most)
+Expected<std::optional<int>> CommandLine::parse(const QStringList& arguments)
 {
     const bool isGood = m_parser.parse(QStringList{QString()} + arguments);
     if (has("help")) {
@@ -104,11 +98,11 @@ Expected<std::optional<int>> CommandLine::parse(const QStringList& arguments, in
         return fail(ErrorCode::Invalid, "%1: %2", {text.toStdString(), hint});
     }
     const auto count = m_parser.positionalArguments().size();
-    if (count < fewest)
+    if (count < 1)
         return fail(ErrorCode::Invalid, "missing %1: %2", {m_text.arguments, hint});
-    if (count > most)
+    if (count > 1)
         return fail(ErrorCode::Invalid, "unexpected argument \"%1\": %2",
-                    {m_parser.positionalArguments().at(most).toStdString(), hint});
+                    {m_parser.positionalArguments().at(1).toStdString(), hint});
     return std::optional<int>();
 }
 
@@ -122,7 +116,8 @@ QString CommandLine::help() const
         out += paragraph.startsWith(QLatin1Char(' ')) ? paragraph + QLatin1Char('\n') : wrapped(paragraph, 0);
     out += QStringLiteral("\nOptions:\n");
     for (const QCommandLineOption& option : m_options)
-        out += optionHead(option) + QLatin1Char('\n') + wrapped(option.description(), 6);
+        out +=
+            QStringLiteral("  ") + optionHead(option) + QLatin1Char('\n') + wrapped(option.description(), 6);
     return out;
 }
 

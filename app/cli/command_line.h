@@ -19,7 +19,8 @@ inline constexpr int exitBad = 2; ///< usage or input
 struct CommandText
 {
     const char* name;      ///< "info"
-    const char* arguments; ///< "INPUT"
+    const char* brief;     ///< in the list of commands
+    const char* arguments; ///< "INPUT", or words to choose from: "presets|params"
     const char* summary;   ///< one line
     const char* details;   ///< paragraphs, may be empty
 };
@@ -30,6 +31,7 @@ class CommandLine
 public:
     explicit CommandLine(const CommandText& text);
 
+    /// \param valueName "FILE", or words to choose from: "mesh|rough|skeleton"
     void add(const QStringList& names, const QString& description, const QString& valueName = {});
     void addDefault(const QStringList& names, const QString& description, const QString& valueName,
                     const QString& defaultValue);
@@ -39,8 +41,8 @@ public:
     void addNodeOption();
 
     /// An exit code where there is nothing left to do: help and version were printed.
-    /// Errors: Invalid for an unknown option or a wrong number of arguments.
-    Expected<std::optional<int>> parse(const QStringList& arguments, int fewest, int most);
+    /// Errors: Invalid for an unknown option, or where not exactly one argument is given.
+    Expected<std::optional<int>> parse(const QStringList& arguments);
 
     [[nodiscard]] bool has(const char* name) const { return m_parser.isSet(QString::fromLatin1(name)); }
     [[nodiscard]] QString value(const char* name) const { return m_parser.value(QString::fromLatin1(name)); }
@@ -50,12 +52,19 @@ public:
     }
     [[nodiscard]] QStringList arguments() const { return m_parser.positionalArguments(); }
     [[nodiscard]] QString help() const;
+    [[nodiscard]] const CommandText& text() const { return m_text; }
+    [[nodiscard]] const QList<QCommandLineOption>& options() const { return m_options; }
 
 private:
     CommandText m_text;
     QCommandLineParser m_parser;
     QList<QCommandLineOption> m_options;
 };
+
+/// "-o, --output FILE"
+QString optionHead(const QCommandLineOption& option);
+/// Lines of at most 96 characters, each with the indentation.
+QString wrapped(const QString& text, int indentation);
 
 /// To the standard output. Error: Io.
 Expected<void> print(const QString& text);

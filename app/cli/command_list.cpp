@@ -10,7 +10,8 @@ namespace ramure::cli {
 namespace {
 
 constexpr CommandText text = {
-    "list", "presets|params", "Lists the trees that ship with the program, or every parameter of a tree.",
+    "list", "the trees that ship with the program; every parameter", "presets|params",
+    "Lists the trees that ship with the program, or every parameter of a tree.",
     "A parameter's key is its name in project files and for --set. Numbers outside its range are refused."};
 
 const char* unitName(ParamUnit unit)
@@ -30,6 +31,12 @@ const char* unitName(ParamUnit unit)
         return "deg";
     case ParamUnit::Second:
         return "s";
+    case ParamUnit::Share:
+        return "share";
+    case ParamUnit::Kilogram:
+        return "kg";
+    case ParamUnit::Factor:
+        return "factor";
     }
     return "";
 }
@@ -188,18 +195,14 @@ QString paramsMarkdown()
     return out;
 }
 
-} // namespace
-
-Expected<int> runList(const QStringList& arguments)
+void addOptions(CommandLine& line)
 {
-    CommandLine line(text);
     line.add({QStringLiteral("json")}, QStringLiteral("Prints JSON: an array with one object per entry."));
     line.add({QStringLiteral("markdown")}, QStringLiteral("Prints the handbook's page of the parameters."));
-    const auto done = line.parse(arguments, 1, 1);
-    if (!done)
-        return fail(done.error());
-    if (*done)
-        return **done;
+}
+
+Expected<int> run(const CommandLine& line)
+{
     const QString what = line.arguments().front();
     const bool isPresets = what == QLatin1String("presets");
     if (!isPresets && what != QLatin1String("params"))
@@ -214,5 +217,9 @@ Expected<int> runList(const QStringList& arguments)
         return fail(printed.error());
     return exitGood;
 }
+
+} // namespace
+
+const Command listCommand{text, &addOptions, &run};
 
 } // namespace ramure::cli

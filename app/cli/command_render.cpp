@@ -16,7 +16,8 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {"render", "INPUT", "Draws a picture of a tree, a scene or a mesh file.",
+constexpr CommandText text = {"render", "draws a picture", "INPUT",
+                              "Draws a picture of a tree, a scene or a mesh file.",
                               "Without a display a virtual X server (Xvfb) is started for the time it takes. "
                               "The camera shows all that is visible."};
 
@@ -174,11 +175,11 @@ Camera cameraFor(const RenderScene& scene, QSize size)
     return camera;
 }
 
-/// All around one scene: the camera keeps its height and distance.
-Expected<void> drawTurntable(Painter& painter, const RenderScene& scene, const Request& request,
-                             const Progress& progress)
+/// All around one scene: the camera keeps its height and a distance from which all is seen from every side.
+Expected<void> drawTurntable(Painter& painter, const RenderScene& scene, Camera camera,
+                             const Request& request, const Progress& progress)
 {
-    Camera camera = cameraFor(scene, request.size);
+    camera.frameAllAround(scene.framePoints(), double(request.size.width()) / double(request.size.height()));
     const double start = camera.yawRad;
     for (int i = 0; i < request.turntable; ++i) {
         camera.yawRad = start + 2.0 * std::numbers::pi * i / request.turntable;
@@ -197,7 +198,7 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Reques
                        const Moments& moments, const Progress& progress)
 {
     TreePipeline pipeline;
-    MovingSource moving(pipelineSource(pipeline));
+    MovingSource moving(pipelineSource(pipeline), moments.timeline);
     Painter painter;
     std::optional<Camera> camera;
     const std::vector<std::int64_t> frames =
@@ -213,7 +214,7 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Reques
             camera = cameraFor(*scene, request.size);
         }
         if (request.turntable > 0)
-            return drawTurntable(painter, *scene, request, progress);
+            return drawTurntable(painter, *scene, *camera, request, progress);
         const QString file = moments.isSequence() ? numberedFile(request.file, frames[i]) : request.file;
         if (auto drawn = painter.draw(*scene, *camera, request.size, file); !drawn)
             return drawn;
@@ -224,11 +225,8 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Reques
     return {};
 }
 
-} // namespace
-
-Expected<int> runRender(const QStringList& arguments)
+void addOptions(CommandLine& line)
 {
-    CommandLine line(text);
     line.add({QStringLiteral("o"), QStringLiteral("output")}, QStringLiteral("Writes this file."),
              QStringLiteral("FILE.png"));
     line.addDefault(
@@ -241,7 +239,7 @@ Expected<int> runRender(const QStringList& arguments)
             "skeleton, simplified (removed nodes in red), rough, sections, mesh (the default), checker "
             "(texture coordinates as squares) or stretch (blue where squares stay squares, yellow "
             "from 1.25 on, red from 2 on)."),
-        QStringLiteral("MODE"), QStringLiteral("mesh"));
+        QStringLiteral("skeleton|simplified|rough|sections|mesh|checker|stretch"), QStringLiteral("mesh"));
     addMomentOptions(line, MomentOptions::Sequence);
     line.add(
         {QStringLiteral("turntable")},
@@ -249,11 +247,10 @@ Expected<int> runRender(const QStringList& arguments)
         QStringLiteral("N"));
     line.addInputOptions();
     line.addNodeOption();
-    const auto done = line.parse(arguments, 1, 1);
-    if (!done)
-        return fail(done.error());
-    if (*done)
-        return **done;
+}
+
+Expected<int> run(const CommandLine& line)
+{
     const auto request = requestOf(line);
     if (!request)
         return fail(request.error());
@@ -274,5 +271,9 @@ Expected<int> runRender(const QStringList& arguments)
         return fail(drawn.error());
     return exitGood;
 }
+
+} // namespace
+
+const Command renderCommand{text, &addOptions, &run, true};
 
 } // namespace ramure::cli

@@ -12,7 +12,8 @@ namespace ramure::cli {
 
 namespace {
 
-constexpr CommandText text = {"simulate", "INPUT", "Lets a tree move in the wind and says how far it went.",
+constexpr CommandText text = {"simulate", "lets a tree move", "INPUT",
+                              "Lets a tree move in the wind and says how far it went.",
                               "Steps are of physics.stepSeconds; --set physics.mode=faithful, "
                               "physics.windStrength=0 and so on say how.\n"
                               "Of all steps: lengthError, the worst relative error of a branch's length; "
@@ -165,11 +166,8 @@ Expected<void> show(const Run& run, const TreeBody& body, std::int64_t steps, bo
                  row("stepTime", number(1e3 * run.stepSeconds) + QStringLiteral(" ms")));
 }
 
-} // namespace
-
-Expected<int> runSimulate(const QStringList& arguments)
+void addOptions(CommandLine& line)
 {
-    CommandLine line(text);
     line.addInputOptions();
     line.add({QStringLiteral("steps")}, QStringLiteral("How many steps."), QStringLiteral("N"));
     line.add({QStringLiteral("csv")}, QStringLiteral("Writes the figures of every step."),
@@ -177,11 +175,10 @@ Expected<int> runSimulate(const QStringList& arguments)
     line.add({QStringLiteral("tree")}, QStringLiteral("Which tree of a project with several."),
              QStringLiteral("NAME"));
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
-    const auto done = line.parse(arguments, 1, 1);
-    if (!done)
-        return fail(done.error());
-    if (*done)
-        return **done;
+}
+
+Expected<int> run(const CommandLine& line)
+{
     const auto steps = stepsOf(line);
     if (!steps)
         return fail(steps.error());
@@ -213,5 +210,9 @@ Expected<int> runSimulate(const QStringList& arguments)
         return fail(shown.error());
     return exitGood;
 }
+
+} // namespace
+
+const Command simulateCommand{text, &addOptions, &run};
 
 } // namespace ramure::cli

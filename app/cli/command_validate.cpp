@@ -10,8 +10,10 @@ namespace ramure::cli {
 namespace {
 
 constexpr CommandText text = {
-    "validate", "INPUT",
+    "validate", "is the mesh closed and manifold?", "INPUT",
     "Checks whether a mesh is one closed, oriented 2-manifold. Exit code 1 where it is not.",
+    "The verdict is \"clean\" (closed, and no triangle runs through another), \"crossing\" (closed, but some "
+    "do), \"closed\" (without --self-intersections: not looked for) or \"broken\", and broken alone fails. "
     "Of a tree the mesh of its branches is checked, before its placement: every edge has two faces in "
     "opposite directions, every "
     "vertex one fan; no duplicate or degenerate element, one component and Euler characteristic 2 per root, "
@@ -25,7 +27,7 @@ constexpr CommandText text = {
     "each."};
 
 /// \param open a surface that need not be closed
-QString textReport(const MeshReport& r, bool open = false)
+QString textReport(const MeshReport& r, const QString& verdict, bool open = false)
 {
     const auto row = [](const char* name, const QString& value) {
         return QStringLiteral("%1 %2\n").arg(QLatin1String(name), -20).arg(value);
@@ -36,8 +38,8 @@ QString textReport(const MeshReport& r, bool open = false)
     return row("valid", !r.valid ? QStringLiteral("no")
                         : open   ? QStringLiteral("yes, an open surface")
                                  : QStringLiteral("yes")) +
-           count("vertices", r.vertices) + count("faces", r.faces) + count("boundaryEdges", r.boundaryEdges) +
-           count("nonManifoldEdges", r.nonManifoldEdges) +
+           row("verdict", verdict) + count("vertices", r.vertices) + count("faces", r.faces) +
+           count("boundaryEdges", r.boundaryEdges) + count("nonManifoldEdges", r.nonManifoldEdges) +
            count("nonManifoldVertices", r.nonManifoldVertices) +
            count("inconsistentEdges", r.inconsistentEdges) + count("duplicateVertices", r.duplicateVertices) +
            count("duplicateFaces", r.duplicateFaces) + count("degenerateFaces", r.degenerateFaces) +
@@ -117,8 +119,8 @@ QString textBudget(const CheckedMesh& one)
 
 QString textOf(const CheckedMesh& one, bool crossings)
 {
-    return textReport(one.report, one.isOpen) + textBudget(one) + textShape(one.analysis) +
-           (crossings ? textCrossings(one.analysis) : QString()) +
+    return textReport(one.report, verdictText(one.verdict(), one.analysis.crossings.total()), one.isOpen) +
+           textBudget(one) + textShape(one.analysis) + (crossings ? textCrossings(one.analysis) : QString()) +
            (one.texture ? textTexture(*one.texture) : QString());
 }
 
@@ -132,14 +134,14 @@ Expected<void> show(const std::vector<CheckedMesh>& all, bool crossings, bool js
     for (const CheckedMesh& one : all)
         texts += QStringLiteral("%1\n%2\n").arg(fromText(one.name), textOf(one, crossings));
     const QString what = isOfTrees(all) ? QStringLiteral("trees") : QStringLiteral("nodes");
-    return print(texts + QStringLiteral("%1 %2\n%3").arg(all.size()).arg(what, textReport(sumOf(all))));
+    return print(texts +
+                 QStringLiteral("%1 %2\n%3")
+                     .arg(all.size())
+                     .arg(what, textReport(sumOf(all), verdictText(verdictOn(all), crossingsOf(all)))));
 }
 
-} // namespace
-
-Expected<int> runValidate(const QStringList& arguments)
+void addOptions(CommandLine& line)
 {
-    CommandLine line(text);
     line.addInputOptions();
     line.addNodeOption();
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
@@ -150,17 +152,16 @@ Expected<int> runValidate(const QStringList& arguments)
     line.add(
         {QStringLiteral("self-intersections")},
         QStringLiteral("Also counts the pairs of triangles that run through each other, by kind, and lists "
-                       "the branches that collide. They do not change the exit code."));
+                       "the branches that collide. They change the verdict, not the exit code."));
     line.add(
         {QStringLiteral("texture")},
         QStringLiteral("Also says how the texture coordinates of a tree fit: stretch, mirrored triangles and "
                        "density by level; with --time how those of the tree at rest fit it then. They do not "
                        "change the exit code."));
-    const auto done = line.parse(arguments, 1, 1);
-    if (!done)
-        return fail(done.error());
-    if (*done)
-        return **done;
+}
+
+Expected<int> run(const CommandLine& line)
+{
     const bool crossings = line.has("self-intersections");
     const auto checked = [&]() -> Expected<std::vector<CheckedMesh>> {
         const Work work("validate");
@@ -180,7 +181,7 @@ Expected<int> runValidate(const QStringList& arguments)
                 return fail(separated.error());
             begun = 0.6;
         }
-        MovingSource moving(pipelineSource(pipeline));
+        MovingSource moving(pipelineSource(pipeline), moments->timeline);
         const MeshChecks checks{moments->timeSeconds, crossings, !line.has("node"), line.has("texture")};
         return checkMeshes(*input, moving, checks, progress.part(begun, 1.0));
     }();
@@ -190,5 +191,9 @@ Expected<int> runValidate(const QStringList& arguments)
         return fail(shown.error());
     return sumOf(*checked).valid ? exitGood : exitCheckFailed;
 }
+
+} // namespace
+
+const Command validateCommand{text, &addOptions, &run};
 
 } // namespace ramure::cli

@@ -2,9 +2,9 @@
 #include "core/arm/arm_chain.h"
 #include "core/document/project_file.h"
 #include "core/params/param_def.h"
-#include "core/params/presets.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/object_mesh.h"
+#include "core/scene/preset_scene.h"
 #include <QFileInfo>
 #include <QLocale>
 #include <algorithm>
@@ -13,22 +13,6 @@
 namespace ramure::cli {
 
 namespace {
-
-Expected<Scene> presetScene(const QString& name)
-{
-    auto params = presetParams(name.toStdString());
-    if (!params)
-        return fail(params.error());
-    Scene scene;
-    Node node;
-    node.id = scene.newId();
-    node.kind = NodeKind::Tree;
-    node.name = name.toStdString();
-    node.params = std::move(*params);
-    if (const auto inserted = scene.insert({std::move(node)}, noNode, 0); !inserted)
-        return fail(inserted.error());
-    return scene;
-}
 
 struct Setting
 {
@@ -115,7 +99,7 @@ Expected<Input> loadInput(const QString& text, const QStringList& sets, const Pr
     const QString ending = QFileInfo(text).suffix().toLower();
     const bool isPreset = text.startsWith(presetPrefix), isDemo = text.startsWith(demoPrefix);
     if (isPreset || isDemo || ending == QLatin1String("ramure")) {
-        auto scene = isPreset ? presetScene(text.mid(presetPrefix.size()))
+        auto scene = isPreset ? presetScene(text.mid(presetPrefix.size()).toStdString())
                      : isDemo ? demoScene(text.mid(demoPrefix.size()).toStdString())
                               : projectScene(text);
         if (!scene)

@@ -1,48 +1,41 @@
 #include "app/cli/commands.h"
+#include "app/cli/reference.h"
 #include "core/base/kept_memory.h"
+#include "core/io/file_writer.h"
 #include <QCoreApplication>
 #include <algorithm>
-#include <iterator>
 #include <new>
+#include <optional>
 
 using namespace ramure;
 using namespace ramure::cli;
 
 namespace {
 
-struct Command
+/// What an option in a command's place prints, or nothing where \p word is none.
+std::optional<QString> programText(const QString& word)
 {
-    const char* name;
-    const char* summary;
-    Expected<int> (*run)(const QStringList& arguments);
-    bool startsApplication; ///< the command does it itself
-};
-constexpr Command commands[] = {
-    {"list", "the trees that ship with the program; every parameter", &runList, false},
-    {"info", "counts and measures of a tree or mesh", &runInfo, false},
-    {"import", "makes a project of what a script for Blender wrote", &runImport, false},
-    {"export", "writes OBJ and PLY", &runExport, false},
-    {"validate", "is the mesh closed and manifold?", &runValidate, false},
-    {"simulate", "lets a tree move", &runSimulate, false},
-    {"ik", "turns the joints of an arm to a target", &runIk, false},
-    {"render", "draws a picture", &runRender, true},
-};
+    if (word == QLatin1String("--help") || word == QLatin1String("-h") || word == QLatin1String("help"))
+        return helpText();
+    if (word == QLatin1String("--version"))
+        return versionText();
+    if (word == QLatin1String("--manual"))
+        return manualText();
+    if (word == QLatin1String("--manual-editor"))
+        return editorManualText();
+    if (word == QLatin1String("--completion"))
+        return completionText();
+    return std::nullopt;
+}
 
-QString helpText()
+Expected<int> runCommand(const Command& command, const QStringList& arguments)
 {
-    QString out =
-        QStringLiteral("Usage: ramure-cli COMMAND [ARGUMENTS] [OPTIONS]\n\n"
-                       "Grows, checks, moves, exports and draws trees without a window.\n\nCommands:\n");
-    for (const Command& command : commands)
-        out += QStringLiteral("  %1 %2\n")
-                   .arg(QLatin1String(command.name), -10)
-                   .arg(QLatin1String(command.summary));
-    return out +
-           QStringLiteral("\nOptions:\n"
-                          "  --help, -h\n      Shows this text; behind a command, that command's.\n"
-                          "  --version\n      Shows the version of the program.\n\n"
-                          "INPUT of a command is preset:NAME, demo:NAME or a file .ramure, .obj or .ply.\n"
-                          "Exit codes: 0 good, 1 the check failed, 2 bad usage or input.\n");
+    CommandLine line(command.text);
+    command.addOptions(line);
+    const auto done = line.parse(arguments);
+    if (!done)
+        return fail(done.error());
+    return *done ? Expected<int>(**done) : command.run(line);
 }
 
 Expected<int> runProgram(int& argc, char** argv)
@@ -51,28 +44,26 @@ Expected<int> runProgram(int& argc, char** argv)
     for (int i = 1; i < argc; ++i)
         arguments << QString::fromLocal8Bit(argv[i]);
     const QString first = arguments.isEmpty() ? QString() : arguments.takeFirst();
-    const bool wantsHelp =
-        first == QLatin1String("--help") || first == QLatin1String("-h") || first == QLatin1String("help");
-    if (wantsHelp || first == QLatin1String("--version")) {
-        const auto printed = print(wantsHelp ? helpText() : versionText());
+    if (const auto text = programText(first)) {
+        const auto printed = print(*text);
         return printed ? Expected<int>(exitGood) : fail(printed.error());
     }
-    const auto* const command = std::find_if(std::begin(commands), std::end(commands), [&](const Command& c) {
-        return first == QLatin1String(c.name);
+    const auto* const command = std::find_if(allCommands.begin(), allCommands.end(), [&](const Command* c) {
+        return first == QLatin1String(c->text.name);
     });
-    if (command == std::end(commands)) {
+    if (command == allCommands.end()) {
         QStringList names;
-        for (const Command& known : commands)
-            names << QLatin1String(known.name);
+        for (const Command* known : allCommands)
+            names << QLatin1String(known->text.name);
         if (first.isEmpty())
             return fail(ErrorCode::Invalid, "missing command: %1 expected", {commaList(names).toStdString()});
         return fail(ErrorCode::Unknown, "unknown command \"%1\": %2 expected",
                     {first.toStdString(), commaList(names).toStdString()});
     }
-    if (command->startsApplication)
-        return command->run(arguments);
+    if ((*command)->startsApplication)
+        return runCommand(**command, arguments);
     const QCoreApplication application(argc, argv);
-    return command->run(arguments);
+    return runCommand(**command, arguments);
 }
 
 /// Errors are told once, by us: warnings of the libraries are not.
@@ -85,6 +76,7 @@ void dropMessage(QtMsgType, const QMessageLogContext&, const QString&)
 int main(int argc, char** argv)
 {
     keepFreedMemory();
+    makeFileLimitAnError();
     qInstallMessageHandler(dropMessage);
     try {
         const auto code = runProgram(argc, argv);

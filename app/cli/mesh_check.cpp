@@ -14,16 +14,6 @@ namespace ramure::cli {
 
 namespace {
 
-/// Adds OpenMesh's opinion, and makes it count.
-Expected<void> confirm(const TriangleMesh& mesh, MeshReport& report, const Progress& progress)
-{
-    if (const auto asked = confirmWithOpenMesh(mesh, report, progress); !asked)
-        return asked;
-    if (report.openMeshChecked && !report.openMeshAgrees)
-        report.valid = false;
-    return {};
-}
-
 /// What a tree is asked without its crossings, in about 30 ms for a million triangles.
 Expected<MeshAnalysis> shapeOf(const TriangleMesh& mesh, const Progress& progress)
 {
@@ -34,12 +24,6 @@ Expected<MeshAnalysis> shapeOf(const TriangleMesh& mesh, const Progress& progres
         return fail(quality.error());
     analysis.quality = std::move(*quality);
     return analysis;
-}
-
-/// Does a tree have as many closed pieces as roots?
-bool isOnePieceARoot(const MeshReport& report, Index roots)
-{
-    return report.components == roots && report.eulerCharacteristic == 2 * std::int64_t(roots);
 }
 
 /// The check again, of the mesh where it stands in the world.
@@ -70,8 +54,9 @@ Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, const Tre
     const BranchMesh& branches = *result->branches;
     CheckedMesh checked{node.name, *result->report, {},
                         {},        branches.budget, static_cast<Index>(node.params.mesh.targetTriangles)};
-    if (const auto confirmed = confirm(branches.mesh, checked.report, progress.part(0.4, 0.6)); !confirmed)
-        return fail(confirmed.error());
+    if (const auto asked = confirmWithOpenMesh(branches.mesh, checked.report, progress.part(0.4, 0.6));
+        !asked)
+        return fail(asked.error());
     auto analysis = checks.crossings
                         ? analyseMesh(branches, result->simplified->skeleton, 0, progress.part(0.6, 0.9))
                         : shapeOf(branches.mesh, progress.part(0.6, 0.9));
@@ -81,7 +66,8 @@ Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, const Tre
     if (checks.placed && world != glm::dmat4(1.0))
         if (const auto placed = checkPlaced(checked, branches.mesh, world, progress.part(0.9, 1.0)); !placed)
             return fail(placed.error());
-    checked.report.valid = checked.report.valid && isOnePieceARoot(checked.report, branches.roots);
+    checked.report.valid = verdictOn(checked.report, nullptr, branches.roots) != MeshVerdict::Broken;
+    checked.crossingsKnown = checks.crossings;
     if (checks.texture) {
         const BranchMesh& rest = result->restBranches ? *result->restBranches : branches;
         const auto coordinates = textureCoordinates(
@@ -93,10 +79,11 @@ Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, const Tre
     return checked;
 }
 
-CheckedMesh checkedMesh(ShapeCheck&& check)
+CheckedMesh checkedMesh(ShapeCheck&& check, bool crossings)
 {
     CheckedMesh checked{{}, std::move(check.report), std::move(check.analysis), {}};
     checked.isOpen = check.isOpen;
+    checked.crossingsKnown = crossings;
     return checked;
 }
 
@@ -105,7 +92,7 @@ Expected<CheckedMesh> checkFile(const ReadMesh& mesh, bool crossings, const Prog
     auto checked = checkMesh(std::make_shared<const TriangleMesh>(mesh.joined()), crossings, progress);
     if (!checked)
         return fail(std::move(checked.error()));
-    return checkedMesh(std::move(*checked));
+    return checkedMesh(std::move(*checked), crossings);
 }
 
 /// An arm, a terrain, a primitive or an imported mesh.
@@ -127,7 +114,7 @@ Expected<CheckedMesh> checkMoving(const Node& node, MovingSource& moving, const 
     if (!check)
         return named(std::move(check.error()));
     const std::shared_ptr<const TriangleMesh> mesh = check->mesh;
-    CheckedMesh checked = checkedMesh(std::move(*check));
+    CheckedMesh checked = checkedMesh(std::move(*check), checks.crossings);
     checked.name = node.name;
     checked.kind = node.kind;
     if (checks.placed && world != glm::dmat4(1.0))
@@ -222,6 +209,37 @@ MeshReport sumOf(const std::vector<CheckedMesh>& all)
     return sum;
 }
 
+MeshVerdict verdictOn(const std::vector<CheckedMesh>& all)
+{
+    MeshVerdict worst = MeshVerdict::Clean;
+    for (const CheckedMesh& one : all)
+        worst = std::max(worst, one.verdict());
+    return worst;
+}
+
+std::uint64_t crossingsOf(const std::vector<CheckedMesh>& all)
+{
+    std::uint64_t sum = 0;
+    for (const CheckedMesh& one : all)
+        sum += one.analysis.crossings.total();
+    return sum;
+}
+
+QString verdictText(MeshVerdict verdict, std::uint64_t crossings)
+{
+    switch (verdict) {
+    case MeshVerdict::Clean:
+        return QStringLiteral("closed and free of crossings");
+    case MeshVerdict::Closed:
+        return QStringLiteral("closed; crossings not looked for");
+    case MeshVerdict::Crossing:
+        return QStringLiteral("closed, but %1 pairs of triangles run through each other").arg(crossings);
+    case MeshVerdict::Broken:
+        break;
+    }
+    return QStringLiteral("broken");
+}
+
 static QJsonObject jsonOf(const TextureReport& texture)
 {
     QJsonArray levels;
@@ -263,6 +281,7 @@ static QJsonObject budgetJson(const CheckedMesh& one)
 static QJsonObject jsonOf(const CheckedMesh& one, bool crossings)
 {
     QJsonObject out = toJson(one.report, one.analysis, crossings);
+    out.insert(QStringLiteral("verdict"), QLatin1String(verdictName(one.verdict())));
     if (one.isOpen)
         out.insert(QStringLiteral("openSurface"), true);
     if (one.texture)
@@ -283,6 +302,7 @@ QJsonObject jsonOf(const std::vector<CheckedMesh>& all, bool crossings)
     if (all.size() == 1)
         return jsonOf(all.front(), crossings);
     QJsonObject sum = toJson(sumOf(all));
+    sum.insert(QStringLiteral("verdict"), QLatin1String(verdictName(verdictOn(all))));
     const bool trees = isOfTrees(all);
     QJsonArray list;
     for (const CheckedMesh& one : all) {

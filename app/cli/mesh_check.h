@@ -6,6 +6,7 @@
 #include "core/document/moving_source.h"
 #include "core/mesh/mesh_analysis.h"
 #include "core/mesh/texture_report.h"
+#include "core/mesh/verdict.h"
 #include <QJsonObject>
 #include <optional>
 #include <vector>
@@ -26,6 +27,12 @@ struct CheckedMesh
     bool isOpen = false; ///< a terrain or a plane: valid with a boundary
     /// Valid in its own space, but not where it stands (MeshChecks::placed).
     bool isSpoiltByPlace = false;
+    bool crossingsKnown = false; ///< MeshChecks::crossings
+
+    [[nodiscard]] MeshVerdict verdict() const
+    {
+        return verdictOn(report, crossingsKnown ? &analysis.crossings : nullptr);
+    }
 };
 
 struct MeshChecks
@@ -52,6 +59,11 @@ Expected<void> separateTrees(Input& input, TreePipeline& pipeline, const Progres
 
 /// All figures added up; valid where all are.
 MeshReport sumOf(const std::vector<CheckedMesh>& all);
+/// The worst of them.
+MeshVerdict verdictOn(const std::vector<CheckedMesh>& all);
+/// "closed, but 26 pairs of triangles run through each other".
+QString verdictText(MeshVerdict verdict, std::uint64_t crossings);
+std::uint64_t crossingsOf(const std::vector<CheckedMesh>& all);
 /// Are these trees alone, or a file?
 bool isOfTrees(const std::vector<CheckedMesh>& all);
 /// Of one mesh its object; of several the sums, and "trees", or "nodes" where not all are trees.

@@ -68,6 +68,10 @@ void addMomentOptions(CommandLine& line, MomentOptions kind)
     line.add({QStringLiteral("fps")},
              QStringLiteral("Frames per second, 1 to 240; without it those of the project."),
              QStringLiteral("RATE"));
+    line.add(
+        {QStringLiteral("seamless")},
+        QStringLiteral("With --frames: they are a loop whose last second blends into its first frame, as "
+                       "the editor's \"Seamless loop\"; without it the project says so."));
 }
 
 Expected<Moments> momentsOf(const CommandLine& line, const Input& input)
@@ -79,7 +83,8 @@ Expected<Moments> momentsOf(const CommandLine& line, const Input& input)
     if (line.has("time") && line.has("frames"))
         return fail(ErrorCode::Invalid, "--time or --frames, not both");
     if (input.scene())
-        moments.framesPerSecond = input.scene()->timeline().framesPerSecond;
+        moments.timeline = input.scene()->timeline();
+    moments.framesPerSecond = moments.timeline.framesPerSecond;
     if (line.has("time")) {
         const auto time = numberOf(line, "time", 0.0, mostSeconds);
         if (!time)
@@ -98,6 +103,12 @@ Expected<Moments> momentsOf(const CommandLine& line, const Input& input)
             return fail(frames.error());
         moments.frames = std::move(*frames);
     }
+    if (!line.has("seamless"))
+        return moments;
+    if (!moments.isSequence())
+        return fail(ErrorCode::Invalid, "--seamless needs --frames: one moment is no loop");
+    moments.timeline = {moments.framesPerSecond, moments.frames.front(), moments.frames.back(),
+                        PlayLoop::Loop, true};
     return moments;
 }
 

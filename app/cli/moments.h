@@ -15,6 +15,9 @@ struct Moments
     std::vector<std::int64_t> frames;
     double framesPerSecond = 24.0;
 
+    /// That of the project; with --seamless the frames of the sequence are a loop without a seam.
+    TimelineSettings timeline;
+
     [[nodiscard]] bool isSequence() const { return !frames.empty(); }
     [[nodiscard]] double timeOf(std::int64_t frame) const { return double(frame) / framesPerSecond; }
 };

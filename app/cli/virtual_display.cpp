@@ -28,6 +28,10 @@ Expected<void> VirtualDisplay::ensure()
     if (!qEnvironmentVariableIsEmpty("DISPLAY"))
         return {};
     m_server.setChildProcessModifier([] {
+        // It would inherit that we block the signals that a thread of ours waits for, and never end.
+        sigset_t none;
+        sigemptyset(&none);
+        sigprocmask(SIG_SETMASK, &none, nullptr);
 #ifdef __linux__
         ::prctl(PR_SET_PDEATHSIG, SIGTERM); // does not outlive us, however we end
 #endif

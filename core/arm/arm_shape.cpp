@@ -86,7 +86,7 @@ Expected<void> checkArmMesh(const TriangleMesh& mesh)
     return {};
 }
 
-TriangleMesh fittedToArm(TriangleMesh mesh, std::span<const ArmJoint> joints)
+TriangleMesh fittedToArm(TriangleMesh mesh, std::span<const ArmJoint> joints, MeshAxis axis)
 {
     if (mesh.positions.empty())
         return mesh;
@@ -98,15 +98,17 @@ TriangleMesh fittedToArm(TriangleMesh mesh, std::span<const ArmJoint> joints)
     const glm::dvec3 size = glm::dvec3(high) - glm::dvec3(low);
     // One that is as long along Z stands already.
     const int longest = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
-    const auto turned = [longest](const glm::dvec3& v) {
-        return longest == 2 ? v : longest == 1 ? glm::dvec3(v.z, v.x, v.y) : glm::dvec3(v.y, v.z, v.x);
+    const int along =
+        axis == MeshAxis::Longest ? longest : static_cast<int>(axis) - static_cast<int>(MeshAxis::X);
+    const auto turned = [along](const glm::dvec3& v) {
+        return along == 2 ? v : along == 1 ? glm::dvec3(v.z, v.x, v.y) : glm::dvec3(v.y, v.z, v.x);
     };
     double height = 0.0;
     for (const ArmJoint& joint : joints)
         height += joint.length;
-    const double scale = size[longest] > 0.0 ? height / size[longest] : 1.0;
+    const double scale = size[along] > 0.0 ? height / size[along] : 1.0;
     glm::dvec3 foot = 0.5 * (glm::dvec3(low) + glm::dvec3(high));
-    foot[longest] = double(low[longest]);
+    foot[along] = double(low[along]);
     for (glm::vec3& p : mesh.positions)
         p = glm::vec3(turned(glm::dvec3(p) - foot) * scale);
     for (glm::vec3& n : mesh.normals)

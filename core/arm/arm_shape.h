@@ -29,9 +29,10 @@ inline ArmPart shownArmPart(const NodeParams& params)
 /// positions that are not finite, over ten million vertices), path "mesh".
 Expected<void> checkArmMesh(const TriangleMesh& mesh);
 
-/// The mesh as large as the arm: its longest axis turned along Z, on the foot, in the middle, as high as the
+/// The mesh as large as the arm: one of its axes turned along Z, on the foot, in the middle, as high as the
 /// straight arm; the same scale all around. Flat ones of no height are only moved.
-TriangleMesh fittedToArm(TriangleMesh mesh, std::span<const ArmJoint> joints);
+TriangleMesh fittedToArm(TriangleMesh mesh, std::span<const ArmJoint> joints,
+                         MeshAxis axis = MeshAxis::Longest);
 
 /// To look at, with normals. \param bound null: the cylinder. Errors: those of armCylinder and checkArmMesh.
 Expected<ArmShape> armShape(const NodeParams& params, const TriangleMesh* bound, ArmPart part);

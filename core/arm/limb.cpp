@@ -13,6 +13,8 @@ constexpr double drawnIn = 0.999;
 constexpr double near = 1e-7;         ///< of the reach
 constexpr double firstDamping = 0.05; ///< of the reach
 constexpr double mostTurn = 0.5;      ///< rad a step
+constexpr double atStop = 1e-9;       ///< rad
+constexpr double thickest = 2.0;      ///< times the grabbed branch
 
 glm::dvec3 bendOf(const Limb::Bends& bends, std::uint64_t key)
 {
@@ -20,17 +22,33 @@ glm::dvec3 bendOf(const Limb::Bends& bends, std::uint64_t key)
     return found == bends.end() ? glm::dvec3(0.0) : found->second;
 }
 
+double radiusOf(const Skeleton& skeleton, Index branch)
+{
+    return 0.5 * (skeleton.a0[branch] + skeleton.a1[branch]);
+}
+
 } // namespace
 
+std::size_t limbLength(const Skeleton& skeleton, Index branch)
+{
+    const double most = thickest * radiusOf(skeleton, branch);
+    std::size_t length = 0;
+    for (Index b = branch; skeleton.parent[b] != noIndex && radiusOf(skeleton, b) <= most;
+         b = skeleton.parent[b])
+        ++length;
+    return length;
+}
+
 Limb::Limb(const Skeleton& skeleton, const Bends& bendRad, Index branch, const LimbOptions& options)
+    : m_mostTurn(options.mostTurnRad)
 {
     std::vector<Index> way; // from the branch to the root
     for (Index b = branch; b != noIndex; b = skeleton.parent[b])
         way.push_back(b);
-    const std::size_t count = std::clamp<std::size_t>(options.branches, 1, way.size());
+    const std::size_t count = std::min(options.branches, way.size());
     for (std::size_t i = way.size(); i-- > count;)
         m_carried = glm::normalize(m_carried * bendRotation(bendOf(bendRad, skeleton.key[way[i]])));
-    m_foot = skeleton.p0[way[count - 1]];
+    m_foot = count == 0 ? skeleton.p1[branch] : skeleton.p0[way[count - 1]];
     glm::dquat turn = m_carried;
     double most = 0.0;
     for (std::size_t i = count; i-- > 0;) {
@@ -40,7 +58,7 @@ Limb::Limb(const Skeleton& skeleton, const Bends& bendRad, Index branch, const L
         link.bend = bendRotation(bendOf(bendRad, link.key));
         turn = glm::normalize(turn * link.bend);
         link.along = glm::conjugate(turn) * (skeleton.p1[b] - skeleton.p0[b]);
-        const double length = glm::length(link.along), radius = 0.5 * (skeleton.a0[b] + skeleton.a1[b]);
+        const double length = glm::length(link.along), radius = radiusOf(skeleton, b);
         link.give = std::max(length, 1e-9) / std::pow(std::max(radius, 1e-9), options.stiffness);
         most = std::max(most, link.give);
         m_reach += length;
@@ -69,28 +87,71 @@ void Limb::place(const Chain& chain)
     }
 }
 
-/// One damped step. \pre place(from). \return whether anything turns
-bool Limb::turned(const Chain& from, const glm::dvec3& error, double damping, Chain& to) const
+/// Where a link has turned as far as it may: the axis about which it must not turn on, in the space of the
+/// tree; else zero.
+glm::dvec3 Limb::stopOf(const Chain& from, std::size_t link) const
+{
+    const glm::dvec3 turn = bendVector(from[link].bend * glm::conjugate(m_atGrab[link].bend));
+    const double angle = glm::length(turn);
+    return angle < m_mostTurn - atStop ? glm::dvec3(0.0) : m_before[link] * (turn / angle);
+}
+
+/// How each link turns in one damped step, none of them about its stop.
+std::vector<glm::dvec3> Limb::turnsFor(const Chain& from, const std::vector<glm::dvec3>& stops,
+                                       const glm::dvec3& error, double damping) const
 {
     glm::dmat3 normal(damping * damping);
     for (std::size_t j = 0; j < from.size(); ++j) {
-        const glm::dvec3 r = tip() - m_points[j];
+        const glm::dvec3 r = tip() - m_points[j], stopped = glm::cross(stops[j], r);
         const double square = glm::dot(r, r);
         for (int c = 0; c < 3; ++c)
             for (int k = 0; k < 3; ++k)
-                normal[c][k] += from[j].give * ((c == k ? square : 0.0) - r[c] * r[k]);
+                normal[c][k] +=
+                    from[j].give * ((c == k ? square : 0.0) - r[c] * r[k] - stopped[c] * stopped[k]);
     }
     const glm::dvec3 pull = solvedSymmetric(normal, error);
+    std::vector<glm::dvec3> turns;
+    for (std::size_t j = 0; j < from.size(); ++j) {
+        const glm::dvec3 turn = from[j].give * glm::cross(tip() - m_points[j], pull);
+        turns.push_back(turn - glm::dot(turn, stops[j]) * stops[j]);
+    }
+    return turns;
+}
+
+/// One damped step. \pre place(from). \return whether anything turns
+bool Limb::turned(const Chain& from, const glm::dvec3& error, double damping, Chain& to) const
+{
+    std::vector<glm::dvec3> stops(from.size(), glm::dvec3(0.0));
+    std::vector<glm::dvec3> turns = turnsFor(from, stops, error, damping);
+    // Links that would turn on beyond their stops do not: the others are asked again.
+    for (bool more = true; more;) {
+        more = false;
+        for (std::size_t j = 0; j < from.size(); ++j) {
+            if (stops[j] != glm::dvec3(0.0))
+                continue;
+            const glm::dvec3 stop = stopOf(from, j);
+            if (glm::dot(stop, turns[j]) > 0.0) {
+                stops[j] = stop;
+                more = true;
+            }
+        }
+        if (more)
+            turns = turnsFor(from, stops, error, damping);
+    }
     double most = 0.0;
-    for (std::size_t j = 0; j < from.size(); ++j)
-        most = std::max(most, from[j].give * glm::length(glm::cross(tip() - m_points[j], pull)));
+    for (const glm::dvec3& turn : turns)
+        most = std::max(most, glm::length(turn));
     if (!(most > 0.0) || !std::isfinite(most))
         return false;
     const double scale = std::min(1.0, mostTurn / most);
     to = from;
     for (std::size_t j = 0; j < from.size(); ++j) {
-        const glm::dvec3 turn = scale * from[j].give * glm::cross(tip() - m_points[j], pull);
-        to[j].bend = glm::normalize(bendRotation(glm::conjugate(m_before[j]) * turn) * from[j].bend);
+        const glm::dquat bend = bendRotation(glm::conjugate(m_before[j]) * (scale * turns[j])) * from[j].bend;
+        glm::dvec3 whole = bendVector(bend * glm::conjugate(m_atGrab[j].bend));
+        const double angle = glm::length(whole);
+        if (angle > m_mostTurn)
+            whole *= m_mostTurn / angle;
+        to[j].bend = glm::normalize(angle > m_mostTurn ? bendRotation(whole) * m_atGrab[j].bend : bend);
     }
     return true;
 }
@@ -100,6 +161,8 @@ double Limb::pullTo(const glm::dvec3& target)
     const double distance = glm::distance(target, m_foot);
     if (!std::isfinite(distance))
         return 0.0;
+    if (m_atGrab.empty())
+        return distance;
     glm::dvec3 aim = target;
     if (distance > drawnIn * m_reach)
         aim = m_foot + (target - m_foot) * (drawnIn * m_reach / distance);

@@ -12,10 +12,15 @@ namespace ramure {
 
 struct LimbOptions
 {
-    std::size_t branches = 8; ///< as many turn, from the grabbed one towards the root; at least 1
+    std::size_t branches = 8; ///< as many turn, from the grabbed one towards the root
     /// A branch gives way in proportion to length / radius^stiffness: 0 = all alike, 4 = as beams do.
     double stiffness = 2.0;
+    double mostTurnRad = 1.0471975511965976; ///< that a branch turns from where it was; 60 degrees
 };
+
+/// How many branches, from \p branch towards the root, a light pull may turn: what is thicker than twice that
+/// branch stays, and so does the root with all below. 0 for the root itself. \pre \p branch exists
+std::size_t limbLength(const Skeleton& skeleton, Index branch);
 
 class Limb
 {
@@ -49,8 +54,12 @@ private:
     /// Where each link starts and, last, the tip; and what the links before each turn it by.
     void place(const Chain& chain);
     [[nodiscard]] bool turned(const Chain& from, const glm::dvec3& error, double damping, Chain& to) const;
+    [[nodiscard]] std::vector<glm::dvec3> turnsFor(const Chain& from, const std::vector<glm::dvec3>& stops,
+                                                   const glm::dvec3& error, double damping) const;
+    [[nodiscard]] glm::dvec3 stopOf(const Chain& from, std::size_t link) const;
 
     Chain m_atGrab, m_links;
+    double m_mostTurn;
     glm::dvec3 m_foot{0.0};                   ///< start of the first link
     glm::dquat m_carried{1.0, 0.0, 0.0, 0.0}; ///< by what the branches below the chain turn it
     double m_reach = 0.0;

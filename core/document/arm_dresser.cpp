@@ -5,7 +5,11 @@
 #include "core/document/document_command.h"
 #include "core/document/exporter.h"
 #include "core/scene/places.h"
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
+#include <numbers>
 
 namespace ramure {
 
@@ -16,12 +20,17 @@ struct ArmDresser::Work
     NodeId worn = noNode; ///< whose mesh it is, to be hidden; noNode: the arm's own one
     SharedValue<TriangleMesh> source;
     glm::dmat4 intoArm = glm::dmat4(1.0);
-    std::vector<ArmJoint> joints; ///< it is fitted to; empty: it stays where it is
+    std::vector<ArmJoint> joints;      ///< it is fitted to; empty: it stays where it is
+    MeshAxis axis = MeshAxis::Longest; ///< of the source that comes to lie along the arm, where it is fitted
     SharedValue<TriangleMesh> before;
     SharedValue<TriangleMesh> made;
 
+    /// Errors: those of edit::wearMesh.
+    static Expected<std::shared_ptr<Work>> of(const Scene& scene, NodeId arm, NodeId mesh, bool fitted,
+                                              std::optional<MeshAxis> axis = {});
     Expected<void> make(const Progress& progress = {});
     Expected<void> putOn(Document& document) const;
+    [[nodiscard]] std::vector<std::pair<const ParamDef*, ParamValue>> looksOf(const Node& from) const;
     [[nodiscard]] bool holds(const Scene& scene) const;
 };
 
@@ -47,14 +56,58 @@ Expected<glm::dmat4> wayIntoArm(const Scene& scene, NodeId arm, NodeId worn)
     return glm::inverse(place) * from;
 }
 
+/// The way turned on until an axis of what it moves lies along the arm's Z.
+glm::dmat4 turnedAlong(const glm::dmat4& way, MeshAxis axis)
+{
+    if (axis == MeshAxis::Longest)
+        return way;
+    const glm::dvec3 along(0.0, 0.0, 1.0);
+    const glm::dvec3 now =
+        glm::normalize(glm::dvec3(way[static_cast<int>(axis) - static_cast<int>(MeshAxis::X)]));
+    const glm::dvec3 across = glm::cross(now, along);
+    const double sine = glm::length(across), cosine = glm::dot(now, along);
+    if (sine < 1e-12)
+        return cosine > 0.0 ? way
+                            : glm::rotate(glm::dmat4(1.0), std::numbers::pi, glm::dvec3(1.0, 0.0, 0.0)) * way;
+    return glm::rotate(glm::dmat4(1.0), std::atan2(sine, cosine), across / sine) * way;
+}
+
 } // namespace
+
+Expected<std::shared_ptr<ArmDresser::Work>> ArmDresser::Work::of(const Scene& scene, NodeId arm, NodeId mesh,
+                                                                 bool fitted, std::optional<MeshAxis> axis)
+{
+    const auto node = armToDress(scene, arm);
+    if (!node)
+        return fail(node.error());
+    const Node* from = scene.find(mesh);
+    if (!from)
+        return unknownNode(mesh);
+    if (from->kind != NodeKind::Mesh || !from->mesh)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is no imported mesh"), {from->name});
+    const auto way = wayIntoArm(scene, arm, mesh);
+    if (!way)
+        return fail(way.error());
+    auto work = std::make_shared<Work>();
+    work->arm = arm;
+    work->worn = mesh;
+    work->source = from->mesh;
+    work->before = (*node)->mesh;
+    work->intoArm = *way;
+    if (fitted) {
+        work->axis = axis.value_or((*node)->params.armSkin.axis);
+        work->joints = (*node)->params.joints;
+        work->intoArm = turnedAlong(*way, work->axis);
+    }
+    return work;
+}
 
 Expected<void> ArmDresser::Work::make(const Progress& progress)
 {
     TriangleMesh mesh = worn == noNode ? *source : transformed(*source, intoArm);
     progress.report(0.5);
     if (!joints.empty() && !progress.cancelled())
-        mesh = fittedToArm(std::move(mesh), joints);
+        mesh = fittedToArm(std::move(mesh), joints, axis == MeshAxis::Longest ? axis : MeshAxis::Z);
     progress.report(0.8);
     if (auto checked = checkArmMesh(mesh); !checked)
         return checked;
@@ -62,14 +115,30 @@ Expected<void> ArmDresser::Work::make(const Progress& progress)
     return {};
 }
 
+/// What the arm takes over besides the mesh: its colour, and how it was turned.
+std::vector<std::pair<const ParamDef*, ParamValue>> ArmDresser::Work::looksOf(const Node& from) const
+{
+    const ParamDef* axisDef = findParam("armSkin.axis");
+    NodeParams turned;
+    turned.armSkin.axis = axis;
+    std::vector<std::pair<const ParamDef*, ParamValue>> looks{
+        {findParam("surface.color"), from.params.surface.color}};
+    if (!joints.empty())
+        looks.emplace_back(axisDef, axisDef->get(turned));
+    return looks;
+}
+
 Expected<void> ArmDresser::Work::putOn(Document& document) const
 {
     if (worn == noNode)
         return edit::setArmMesh(document, arm, made, DocumentCommand::tr("Fit the worn mesh again"));
-    const QString name = QString::fromStdString(document.scene().find(worn)->name);
-    const QString text = DocumentCommand::tr("Wear \"%1\"").arg(name);
+    const Node& from = *document.scene().find(worn);
+    const QString text = DocumentCommand::tr("Wear \"%1\"").arg(QString::fromStdString(from.name));
+    const std::vector<std::pair<const ParamDef*, ParamValue>> looks = looksOf(from);
     document.undoStack()->beginMacro(text);
     auto done = edit::setArmMesh(document, arm, made, text);
+    if (done)
+        done = edit::setParams(document, {arm}, looks, text);
     // Refused where it is locked: it stays, and is only in the way.
     [[maybe_unused]] const auto hidden = edit::setNodeVisible(document, {worn}, false);
     document.undoStack()->endMacro();
@@ -93,33 +162,10 @@ ArmDresser::ArmDresser(Document* document, QObject* parent)
     connect(&m_job, &BackgroundJob::finished, this, &ArmDresser::take);
 }
 
-Expected<void> ArmDresser::wear(NodeId arm, NodeId mesh, bool fitted)
+Expected<void> ArmDresser::wear(NodeId arm, NodeId mesh, bool fitted, std::optional<MeshAxis> axis)
 {
-    const Scene& scene = m_document->scene();
-    const Node* worn = scene.find(mesh);
-    if (!worn || !worn->mesh || worn->mesh->vertexCount() < fewVertices) {
-        auto done = edit::wearMesh(*m_document, arm, mesh, fitted); // or what is wrong with it
-        if (done)
-            emit finished(std::nullopt);
-        return done;
-    }
-    const auto node = armToDress(scene, arm);
-    if (!node)
-        return fail(node.error());
-    if (worn->kind != NodeKind::Mesh)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is no imported mesh"), {worn->name});
-    const auto way = wayIntoArm(scene, arm, mesh);
-    if (!way)
-        return fail(way.error());
-    auto work = std::make_shared<Work>();
-    work->arm = arm;
-    work->worn = mesh;
-    work->source = worn->mesh;
-    work->intoArm = *way;
-    work->before = (*node)->mesh;
-    if (fitted)
-        work->joints = (*node)->params.joints;
-    return begin(std::move(work));
+    auto work = Work::of(m_document->scene(), arm, mesh, fitted, axis);
+    return work ? doOrBegin(std::move(*work)) : fail(work.error());
 }
 
 Expected<void> ArmDresser::fitAgain(NodeId arm)
@@ -133,18 +179,21 @@ Expected<void> ArmDresser::fitAgain(NodeId arm)
     work->arm = arm;
     work->source = work->before = (*node)->mesh;
     work->joints = (*node)->params.joints;
-    if (work->source->vertexCount() >= fewVertices)
-        return begin(std::move(work));
-    if (auto made = work->make(); !made)
-        return made;
-    auto done = work->putOn(*m_document);
-    if (done)
-        emit finished(std::nullopt);
-    return done;
+    work->axis = (*node)->params.armSkin.axis;
+    return doOrBegin(std::move(work));
 }
 
-Expected<void> ArmDresser::begin(std::shared_ptr<Work> work)
+/// Small ones at once.
+Expected<void> ArmDresser::doOrBegin(std::shared_ptr<Work> work)
 {
+    if (work->source->vertexCount() < fewVertices) {
+        if (auto made = work->make(); !made)
+            return made;
+        auto done = work->putOn(*m_document);
+        if (done)
+            emit finished(std::nullopt);
+        return done;
+    }
     if (m_job.isRunning())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("another mesh is being put on"));
     m_work = std::move(work);
@@ -171,26 +220,12 @@ void ArmDresser::take(const std::optional<Error>& error)
 
 Expected<void> edit::wearMesh(Document& document, NodeId arm, NodeId mesh, bool fitted)
 {
-    ArmDresser::Work work;
-    if (const auto node = armToDress(document.scene(), arm); !node)
-        return fail(node.error());
-    else if (fitted)
-        work.joints = (*node)->params.joints;
-    const Node* worn = document.scene().find(mesh);
-    if (!worn)
-        return unknownNode(mesh);
-    if (worn->kind != NodeKind::Mesh || !worn->mesh)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is no imported mesh"), {worn->name});
-    const auto way = wayIntoArm(document.scene(), arm, mesh);
-    if (!way)
-        return fail(way.error());
-    work.arm = arm;
-    work.worn = mesh;
-    work.source = worn->mesh;
-    work.intoArm = *way;
-    if (auto made = work.make(); !made)
+    const auto work = ArmDresser::Work::of(document.scene(), arm, mesh, fitted);
+    if (!work)
+        return fail(work.error());
+    if (auto made = (*work)->make(); !made)
         return made;
-    return work.putOn(document);
+    return (*work)->putOn(document);
 }
 
 } // namespace ramure

@@ -7,6 +7,7 @@
 #include "core/document/commands.h"
 #include <QObject>
 #include <memory>
+#include <optional>
 
 namespace ramure {
 
@@ -20,11 +21,13 @@ public:
     /// \p document is not owned and must outlive this object.
     explicit ArmDresser(Document* document, QObject* parent = nullptr);
 
-    /// As edit::wearMesh, one undo step; afterwards finished(). Errors: those of edit::wearMesh as far as
-    /// they are known at once; Invalid while another mesh is being put on.
-    Expected<void> wear(NodeId arm, NodeId mesh, bool fitted);
-    /// Makes the mesh that an arm wears as long as the arm is now, its foot at the arm's. Errors: Unknown
-    /// (node), Invalid (no arm, locked, it wears none, another mesh is being put on).
+    /// As edit::wearMesh, one undo step; afterwards finished(). \param axis of a fitted one, which becomes
+    /// the arm's "armSkin.axis"; none: as that says. Errors: those of edit::wearMesh as far as they are known
+    /// at once; Invalid while another mesh is being put on.
+    Expected<void> wear(NodeId arm, NodeId mesh, bool fitted, std::optional<MeshAxis> axis = {});
+    /// Makes the mesh that an arm wears as long as the arm is now, its foot at the arm's; where the arm's
+    /// "armSkin.axis" is the longest, that is turned along it. Errors: Unknown (node), Invalid (no arm,
+    /// locked, it wears none, another mesh is being put on).
     Expected<void> fitAgain(NodeId arm);
     [[nodiscard]] BackgroundJob* job() { return &m_job; }
 
@@ -36,7 +39,7 @@ signals:
 private:
     friend Expected<void> edit::wearMesh(Document& document, NodeId arm, NodeId mesh, bool fitted);
     struct Work;
-    Expected<void> begin(std::shared_ptr<Work> work);
+    Expected<void> doOrBegin(std::shared_ptr<Work> work);
     void take(const std::optional<Error>& error);
 
     Document* m_document;

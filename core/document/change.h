@@ -11,17 +11,18 @@
 namespace ramure {
 
 enum ChangeKind : quint32 {
-    changeStructure = 1,  ///< nodes added, removed, moved
-    changeParams = 2,     ///< values of parameters (Change::params) of nodes (Change::nodes)
-    changeNodeState = 4,  ///< name, visible, locked
-    changeSelection = 8,  ///< not part of undo
-    changeResults = 16,   ///< a computation finished, or failed, for nodes (Change::nodes)
-    changeFile = 32,      ///< path or modified state
-    changeReset = 64,     ///< another document: everything
-    changeBranches = 128, ///< per-branch values of nodes
-    changeTimeline = 256, ///< frames and frame rate of the scene
-    changeTracks = 512,   ///< keys or extrapolation of tracks of nodes (Change::nodes)
-    changeJoints = 1024,  ///< joints of arms, or what they wear (Change::nodes)
+    changeStructure = 1,    ///< nodes added, removed, moved
+    changeParams = 2,       ///< values of parameters (Change::params) of nodes (Change::nodes)
+    changeNodeState = 4,    ///< name, visible, locked
+    changeSelection = 8,    ///< not part of undo
+    changeResults = 16,     ///< a computation finished, or failed, for nodes (Change::nodes)
+    changeFile = 32,        ///< path or modified state
+    changeReset = 64,       ///< another document: everything
+    changeBranches = 128,   ///< per-branch values of nodes
+    changeTimeline = 256,   ///< frames and frame rate of the scene
+    changeTracks = 512,     ///< keys or extrapolation of tracks of nodes (Change::nodes)
+    changeJoints = 1024,    ///< joints of arms, or what they wear (Change::nodes)
+    changeBookmarks = 2048, ///< views that are kept
 };
 
 struct Change

@@ -26,6 +26,7 @@ enum class CommandId : int {
     SetArm,
     SetArmMesh,
     PlaceNodes,
+    SetBookmark,
 };
 
 /// A gesture: commands with the same id merge. 0 = never merge.
@@ -74,6 +75,10 @@ Expected<void> setParam(Document& document, const std::vector<NodeId>& nodes, co
 Expected<void> setParams(Document& document, const std::vector<NodeId>& nodes,
                          const std::vector<std::pair<const ParamDef*, ParamValue>>& values,
                          const QString& text, GestureId gesture = 0);
+/// Back to what each node's preset says, or to the default where it came from none (core/params/presets.h).
+/// Errors: as above.
+Expected<void> resetParams(Document& document, const std::vector<NodeId>& nodes,
+                           const std::vector<const ParamDef*>& params, const QString& text);
 /// One component of a vector parameter (0 = x, 1 = y, 2 = z); of each node the other components stay.
 Expected<void> setComponent(Document& document, const std::vector<NodeId>& nodes, const ParamDef& def,
                             int axis, double value, GestureId gesture = 0);
@@ -125,8 +130,9 @@ Expected<void> setArmMesh(Document& document, NodeId arm, SharedValue<TriangleMe
 /// no imported mesh; the scale of one of the two is 0).
 Expected<void> wearMesh(Document& document, NodeId arm, NodeId mesh, bool fitted);
 /// "New tree" (Space): the next seeds and stochastic rewriting on, as one step. Seeds follow each other in a
-/// fixed order that repeats after 2^31 of them; trees of one call never get the same. Nodes that are no trees
-/// are left out; error where no tree remains.
+/// fixed order that repeats after 2^31 of them; trees of one call never get the same. Nodes that are no
+/// trees, and trees in which chance has no say (core/grammar/variety.h), are left out; error where no tree
+/// remains.
 Expected<void> newTree(Document& document, const std::vector<NodeId>& nodes);
 /// Tracks of any channels of any nodes as one step: every edit of keys (insert, remove, drag, paste, modes,
 /// extrapolation) is made on copies of the tracks and set with this. While a gesture goes on, the dragged
@@ -148,6 +154,8 @@ Expected<void> placeNodes(Document& document, const std::vector<NodePlacing>& pl
                           GestureId gesture = 0);
 /// Frames and frame rate. Errors: those of checkTimeline.
 Expected<void> setTimeline(Document& document, const TimelineSettings& settings, GestureId gesture = 0);
+/// A view that is kept, by its place from 0; nothing forgets it. Errors: Invalid (place, checkViewBookmark).
+Expected<void> setBookmark(Document& document, std::size_t place, const std::optional<ViewBookmark>& view);
 } // namespace edit
 
 } // namespace ramure

@@ -27,14 +27,31 @@ public:
     [[nodiscard]] int id() const override { return m_gesture == 0 ? -1 : static_cast<int>(m_id); }
     [[nodiscard]] CommandId commandId() const { return m_id; }
     [[nodiscard]] GestureId gesture() const { return m_gesture; }
-    void undo() final { swap(); }
+    void undo() final
+    {
+        for (std::size_t i = m_joined.size(); i-- > 0;)
+            m_joined[i]->undo();
+        swap();
+    }
     void redo() final
     {
         if (!std::exchange(m_isDone, false))
             swap();
+        for (const auto& next : m_joined)
+            next->redo();
     }
     /// The scene is as after redo() already: the next one does nothing.
     void setDone() { m_isDone = true; }
+    /// What is done by this gesture later is part of this command, see joinToLastStep.
+    void awaitGesture(GestureId gesture) { m_awaited = gesture; }
+    [[nodiscard]] bool awaits(GestureId gesture) const { return gesture != 0 && gesture == m_awaited; }
+    /// \pre the scene is as after both
+    void join(std::unique_ptr<DocumentCommand> next)
+    {
+        next->m_isDone = false;
+        m_joined.push_back(std::move(next));
+        m_awaited = 0;
+    }
 
 protected:
     virtual void swap() = 0;
@@ -45,6 +62,8 @@ private:
     CommandId m_id;
     GestureId m_gesture;
     bool m_isDone = false;
+    GestureId m_awaited = 0;
+    std::vector<std::unique_ptr<DocumentCommand>> m_joined; ///< done after this one
 };
 
 /// Sets any values. A Target names one value of the scene:

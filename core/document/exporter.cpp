@@ -3,6 +3,8 @@
 #include "core/arm/arm_chain.h"
 #include "core/document/document.h"
 #include "core/document/moving_arms.h"
+#include "core/document/scene_counts.h"
+#include "core/io/material_file.h"
 #include "core/mesh/foliage_texture.h"
 #include "core/mesh/rough_model.h"
 #include "core/mesh/texture_coordinates.h"
@@ -29,17 +31,6 @@ struct Candidate
     glm::dmat4 world{1.0};
 };
 
-bool isAsked(const Scene& scene, const ExportOptions& options, const Node& node)
-{
-    const bool hasShape = node.kind == NodeKind::Tree || isShape(node.kind);
-    if (!hasShape || (!options.hidden && !scene.isShown(node.id)))
-        return false;
-    if (options.nodes.empty())
-        return true;
-    return std::any_of(options.nodes.begin(), options.nodes.end(),
-                       [&](NodeId id) { return id == node.id || scene.isAncestor(id, node.id); });
-}
-
 /// Each by the name of its node; the second "Box", or one that is named as a part of a tree, is "Box_2".
 void nameShapes(std::vector<Candidate>& shapes, const std::vector<Candidate>& trees)
 {
@@ -63,11 +54,14 @@ Expected<std::vector<Candidate>> candidates(const Scene& scene, const ExportOpti
         if (!scene.find(id))
             return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(id)});
     const std::vector<NodePlace> places = placesAt(scene, options.timeSeconds);
+    const glm::dmat4 intoFile = options.space.matrix();
     std::vector<Candidate> trees, objects;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Node& node = scene.nodes()[i];
-        if (isAsked(scene, options, node))
-            (isShape(node.kind) ? objects : trees).push_back({&node, {}, places[i].geometry});
+        if (isExported(scene, options, node))
+            (isShape(node.kind) ? objects : trees)
+                .push_back(
+                    {&node, {}, options.space.isOwn() ? places[i].geometry : intoFile * places[i].geometry});
     }
     if (trees.empty() && objects.empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("there is nothing visible to export"));
@@ -214,13 +208,11 @@ void addChain(LinePart& lines, const NodeParams& params, const glm::dmat4& world
     }
 }
 
-Material surfaceMaterial(const SurfaceParams& surface)
+/// The colours of a mesh in the light of its node's own: white leaves them as they are.
+void tint(std::vector<glm::u8vec3>& colours, const glm::dvec3& colour)
 {
-    Material material{"surface_", glm::u8vec3(surface.color * 255.0 + 0.5), true, false};
-    constexpr const char* digits = "0123456789abcdef";
-    for (int c = 0; c < 3; ++c)
-        material.name.append(1, digits[material.colour[c] / 16]).append(1, digits[material.colour[c] % 16]);
-    return material;
+    for (glm::u8vec3& c : colours)
+        c = glm::u8vec3(glm::dvec3(c) * colour + 0.5);
 }
 
 /// Anything but a tree as it is at the time, under the name of its node.
@@ -244,9 +236,12 @@ Expected<void> addShape(ExportSet& set, const Candidate& shape, const ExportOpti
     const auto mesh = objectSolid(node, params);
     if (!mesh)
         return fail(named(mesh.error(), shape));
-    if (*mesh && !(*mesh)->empty())
-        set.meshes.push_back({shape.suffix, std::make_shared<TriangleMesh>(transformed(**mesh, shape.world)),
-                              surfaceMaterial(params.surface)});
+    if (!*mesh || (*mesh)->empty())
+        return {};
+    const auto placed = std::make_shared<TriangleMesh>(transformed(**mesh, shape.world));
+    tint(placed->colours, params.surface.color);
+    set.meshes.push_back(
+        {shape.suffix, placed, surfaceMaterial(glm::u8vec3(params.surface.color * 255.0 + 0.5))});
     return {};
 }
 
@@ -346,25 +341,6 @@ TreeSource documentSource(const Document& document)
     };
 }
 
-TriangleMesh transformed(const TriangleMesh& mesh, const glm::dmat4& matrix)
-{
-    TriangleMesh out = mesh;
-    for (glm::vec3& p : out.positions)
-        p = glm::vec3(glm::dvec3(matrix * glm::dvec4(p, 1.0)));
-    const glm::dmat3 linear(matrix);
-    const double determinant = glm::determinant(linear);
-    if (determinant != 0.0) {
-        const glm::dmat3 forNormals = glm::transpose(glm::inverse(linear));
-        for (glm::vec3& n : out.normals)
-            n = glm::vec3(glm::normalize(forNormals * glm::dvec3(n)));
-    }
-    if (determinant < 0.0)
-        for (std::vector<glm::uvec3>* corners : {&out.triangles, &out.uvTriangles})
-            for (glm::uvec3& t : *corners)
-                std::swap(t.y, t.z);
-    return out;
-}
-
 Expected<ExportSet> collectExport(const Scene& scene, const ExportOptions& options, const TreeSource& source,
                                   const Progress& progress)
 {
@@ -396,18 +372,18 @@ Expected<void> checkExportEnding(const std::string& path)
     return format ? Expected<void>{} : fail(format.error());
 }
 
-Expected<void> writeExport(const ExportSet& set, const std::string& path, const PlyOptions& ply,
+Expected<void> writeExport(const ExportSet& set, const std::string& path, const PlyOptions& options,
                            const Progress& progress)
 {
     const auto format = formatOf(path);
     if (!format)
         return fail(format.error());
     if (set.lines)
-        return *format == FileFormat::Obj ? writeObjLines(path, *set.lines, progress)
-                                          : writePlyLines(path, *set.lines, ply);
+        return *format == FileFormat::Obj ? writeObjLines(path, *set.lines, progress, options.comment)
+                                          : writePlyLines(path, *set.lines, options);
     const std::vector<MeshPart> parts = set.parts();
-    return *format == FileFormat::Obj ? writeObj(path, parts, progress)
-                                      : writePly(path, parts, ply, progress);
+    return *format == FileFormat::Obj ? writeObj(path, parts, progress, options.comment)
+                                      : writePly(path, parts, options, progress);
 }
 
 Expected<void> exportScene(const Scene& scene, const ExportOptions& options, const TreeSource& source,
@@ -418,7 +394,9 @@ Expected<void> exportScene(const Scene& scene, const ExportOptions& options, con
     const auto set = collectExport(scene, options, source, progress.part(0.0, 0.5));
     if (!set)
         return fail(set.error());
-    return writeExport(*set, path, options.ply, progress.part(0.5, 1.0));
+    PlyOptions head = options.ply;
+    head.comment = options.space.comment();
+    return writeExport(*set, path, head, progress.part(0.5, 1.0));
 }
 
 } // namespace ramure

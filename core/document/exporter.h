@@ -5,7 +5,9 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
+#include "core/io/file_space.h"
 #include "core/io/mesh_file.h"
+#include "core/mesh/transformed.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/scene/scene.h"
 #include <functional>
@@ -39,9 +41,10 @@ struct ExportOptions
     MovingArms* arms = nullptr;
     bool texture = false; ///< trees with texture coordinates; the rough model and the skeleton have none
     PlyOptions ply;
+    FileSpace space; ///< the axes and the unit of the file
 };
 
-/// Named meshes in world space (metres). Owns, or shares with the results, what parts() points to.
+/// Named meshes in the space of the file. Owns, or shares with the results, what parts() points to.
 struct ExportSet
 {
     struct Entry
@@ -72,13 +75,11 @@ TreeSource documentSource(const Document& document);
 /// options); Invalid (nothing to export, a node flattened by a zero scale); Cancelled.
 Expected<ExportSet> collectExport(const Scene& scene, const ExportOptions& options, const TreeSource& source,
                                   const Progress& progress = {});
-/// Moves a mesh: positions by \p matrix, normals by its inverse transpose; a mirroring one turns the
-/// triangles round.
-TriangleMesh transformed(const TriangleMesh& mesh, const glm::dmat4& matrix);
 
-/// Writes .obj (with its .mtl) or .ply, by the ending of \p path. Errors: Unknown (another ending), and those
+/// Writes .obj (with its .mtl) or .ply, by the ending of \p path; OBJ has the comment of \p options alone.
+/// Errors: Unknown (another ending), and those
 /// of core/io; the old file is intact then.
-Expected<void> writeExport(const ExportSet& set, const std::string& path, const PlyOptions& ply = {},
+Expected<void> writeExport(const ExportSet& set, const std::string& path, const PlyOptions& options = {},
                            const Progress& progress = {});
 /// collectExport and writeExport; the ending is checked before anything is computed.
 Expected<void> exportScene(const Scene& scene, const ExportOptions& options, const TreeSource& source,

@@ -1,7 +1,26 @@
 // Gestures whose edits come onto the undo stack only when they are kept.
 #include "core/document/document_command.h"
+#include "core/document/joined_steps.h"
 
 namespace ramure {
+namespace {
+
+/// The last step that can be undone; null where it must not change any more. A command on the stack may only
+/// take in what is done already, as in QUndoStack's own merging.
+DocumentCommand* lastStep(const QUndoStack& stack)
+{
+    if (stack.index() == 0 || stack.isClean())
+        return nullptr;
+    return dynamic_cast<DocumentCommand*>(const_cast<QUndoCommand*>(stack.command(stack.index() - 1)));
+}
+
+} // namespace
+
+void joinToLastStep(Document& document, GestureId gesture)
+{
+    if (DocumentCommand* last = document.isHeld(gesture) ? lastStep(*document.undoStack()) : nullptr)
+        last->awaitGesture(gesture);
+}
 
 void Document::holdGesture(quint64 gesture)
 {
@@ -16,7 +35,12 @@ void Document::keepGesture(quint64 gesture)
         return;
     m_heldGesture = 0;
     auto held = std::exchange(m_held, nullptr);
-    if (held && !held->isObsolete()) // else it ended where it began
+    if (!held || held->isObsolete()) // it ended where it began
+        return;
+    DocumentCommand* last = lastStep(m_undoStack);
+    if (last && last->awaits(gesture) && !m_undoStack.canRedo())
+        last->join(std::move(held));
+    else
         m_undoStack.push(held.release());
 }
 

@@ -24,6 +24,20 @@ void ImportTask::start(const QString& path)
 {
     if (m_running)
         return;
+    m_isScene = false;
+    read(path);
+}
+
+void ImportTask::startScene(const QString& path)
+{
+    if (m_running)
+        return;
+    m_isScene = true;
+    read(path);
+}
+
+void ImportTask::read(const QString& path)
+{
     m_running = true;
     m_thread =
         std::jthread([this, file = QFile::encodeName(path).toStdString()](const std::stop_token& stop) {
@@ -34,7 +48,7 @@ void ImportTask::start(const QString& path)
                                   }};
             Expected<BlenderImport> result = fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
             try {
-                result = importBlender(file, CubicMeaning::Automatic, report);
+                result = importBlender(file, {}, report);
             } catch (const std::bad_alloc&) {
                 result = fail(ErrorCode::Limit, RAMURE_NOOP("there is not enough memory for these objects"));
             }
@@ -51,7 +65,13 @@ void ImportTask::cancel()
 void ImportTask::finish(const Expected<BlenderImport>& result)
 {
     m_running = false;
-    const Expected<NodeId> top = result ? apply(*result) : fail(result.error());
+    Expected<NodeId> top = noNode;
+    if (!result)
+        top = fail(result.error());
+    else
+        top = m_isScene ? keep(*result) : apply(*result);
+    if (top)
+        m_notes = result->notes;
     emit finished(top ? *top : noNode, top ? std::nullopt : std::optional(top.error()));
 }
 
@@ -79,9 +99,18 @@ Expected<NodeId> ImportTask::apply(const BlenderImport& result)
         if (auto set = edit::setTimeline(*m_document, timeline); !set)
             top = fail(std::move(set.error()));
     stack->endMacro();
-    if (top)
-        m_notes = result.notes;
     return top;
+}
+
+Expected<NodeId> ImportTask::keep(const BlenderImport& result)
+{
+    auto scene = Scene::fromNodes(result.nodes);
+    if (!scene)
+        return fail(std::move(scene.error()));
+    if (result.keyCount > 0)
+        scene->setTimeline(result.timeline);
+    m_scene = std::move(*scene);
+    return m_scene.nodes().front().id;
 }
 
 } // namespace ramure

@@ -1,10 +1,13 @@
 #include "core/document/motion_worker.h"
 
+#include "core/arm/arm_blend.h"
 #include "core/arm/arm_driver.h"
 #include "core/document/animated_physics.h"
 #include "core/physics/physics_bake.h"
 #include "core/physics/physics_cache.h"
+#include "core/physics/pose_blend.h"
 #include "core/physics/tree_body.h"
+#include "core/scene/loop_blend.h"
 #include "core/scene/object_mesh.h"
 
 #include <algorithm>
@@ -29,7 +32,8 @@ struct MotionWorker::Actor
     /// The baked run in place of what is computed, where it is of use. Error: why it is not; it is told once.
     Expected<void> takeBake(const MotionTree& wanted, const Progress& progress);
     [[nodiscard]] BakeState bakeState() const;
-    Expected<NodeMotion> motionAt(std::int64_t step, const Progress& progress);
+    /// \param blend of the loop's end into its beginning.
+    Expected<NodeMotion> motionAt(std::int64_t step, const LoopBlend& blend, const Progress& progress);
     void addBand(const TimelineSettings& timeline, std::vector<FrameState>& states) const;
 
     std::unique_ptr<PhysicsCache> cache;
@@ -56,7 +60,7 @@ private:
     bool m_lookAtBake = false;       ///< tree, parameters or hand are others than when the file was looked at
     NodeMotion m_motion;             ///< meshes and skins; the rest is of the frame made last
     bool m_smooth = false;
-    Pose m_pose;
+    Pose m_pose, m_earlier;
 };
 
 Expected<void> MotionWorker::Actor::setTree(const MotionTree& wanted)
@@ -245,8 +249,14 @@ static Box movedBox(const TreeBody& body, const std::vector<RigidTransform>& bon
     return box.grown(thickest + leafReach * body.appleRadius);
 }
 
-Expected<NodeMotion> MotionWorker::Actor::motionAt(std::int64_t step, const Progress& progress)
+Expected<NodeMotion> MotionWorker::Actor::motionAt(std::int64_t step, const LoopBlend& blend,
+                                                   const Progress& progress)
 {
+    if (blend.weight > 0.0) {
+        if (auto there = cache->seek(cache->stepAt(blend.earlierSeconds), progress); !there)
+            return fail(std::move(there.error()));
+        cache->pose(m_earlier);
+    }
     const std::int64_t from = cache->step();
     const Clock::time_point start = Clock::now();
     if (auto there = cache->seek(step, progress); !there)
@@ -256,6 +266,8 @@ Expected<NodeMotion> MotionWorker::Actor::motionAt(std::int64_t step, const Prog
         motion.stepSeconds =
             std::chrono::duration<double>(Clock::now() - start).count() / double(step - from);
     cache->pose(m_pose);
+    if (blend.weight > 0.0)
+        blendPose(cache->physics().body(), m_earlier, blend.weight, m_pose);
     auto bones = std::make_shared<std::vector<RigidTransform>>(m_pose.bones);
     const TreeBody& body = cache->physics().body();
     for (const Index slot : body.appleSlot)
@@ -298,6 +310,21 @@ struct MotionWorker::ArmActor
                arm.params.arm == other.params.arm && arm.animation == other.animation;
     }
 
+    Expected<ArmMoment> momentAt(double seconds, const LoopBlend& blend, const Progress& progress)
+    {
+        auto earlier = blend.weight > 0.0 ? driver.momentAt(blend.earlierSeconds, progress)
+                                          : Expected<ArmMoment>(ArmMoment());
+        auto moment = earlier ? driver.momentAt(seconds, progress) : std::move(earlier);
+        if (!moment || blend.weight == 0.0)
+            return moment;
+        blendJoints(earlier->joints, blend.weight, moment->joints);
+        for (std::size_t i = 0; i < moment->joints.size(); ++i) {
+            moment->angles[2 * i] = moment->joints[i].phi.angleRad;
+            moment->angles[2 * i + 1] = moment->joints[i].theta.angleRad;
+        }
+        return moment;
+    }
+
     MotionArm arm;
     ArmDriver driver;
 };
@@ -322,7 +349,9 @@ std::optional<Error> MotionWorker::runArms(const MotionRequest& request, MotionF
         std::unique_ptr<ArmActor>& actor = m_arms[arm.node];
         if (!actor || !actor->isFor(arm))
             actor = std::make_unique<ArmActor>(arm);
-        const auto moment = actor->driver.momentAt(frame.timeSeconds, progress);
+        const LoopBlend blend =
+            arm.params.arm.follows ? loopBlend(request.timeline, frame.timeSeconds) : LoopBlend();
+        const auto moment = actor->momentAt(frame.timeSeconds, blend, progress);
         if (!moment) {
             if (moment.error().code != ErrorCode::Cancelled)
                 problem = moment.error();
@@ -471,7 +500,7 @@ Expected<void> MotionWorker::moveTree(const MotionTree& tree, const MotionReques
     if (auto baked = actor->takeBake(tree, progress.part(0.0, 0.5));
         !baked && baked.error().code != ErrorCode::Cancelled)
         m_listener.bakeRefused(std::move(baked.error()));
-    auto motion = actor->motionAt(step, progress);
+    auto motion = actor->motionAt(step, loopBlend(request.timeline, frame.timeSeconds), progress);
     if (!motion)
         return fail(std::move(motion.error()));
     frame.nodes.emplace(tree.node, std::move(*motion));

@@ -1,7 +1,9 @@
 #include "core/document/moving_arms.h"
 
+#include "core/arm/arm_blend.h"
 #include "core/arm/arm_chain.h"
 #include "core/arm/arm_driver.h"
+#include "core/scene/loop_blend.h"
 #include <cmath>
 
 namespace ramure {
@@ -26,7 +28,11 @@ struct MovingArms::Run
     ArmDriver driver;
 };
 
-MovingArms::MovingArms() = default;
+MovingArms::MovingArms(const TimelineSettings& timeline)
+    : m_timeline(timeline)
+{
+}
+
 MovingArms::~MovingArms() = default;
 
 Expected<std::vector<ArmJoint>> MovingArms::jointsAt(const Node& arm, double seconds,
@@ -40,10 +46,17 @@ Expected<std::vector<ArmJoint>> MovingArms::jointsAt(const Node& arm, double sec
     std::unique_ptr<Run>& run = m_runs[arm.id];
     if (!run || !run->isFor(arm))
         run = std::make_unique<Run>(arm);
-    const auto moment = run->driver.momentAt(seconds, progress);
+    const LoopBlend blend = turns ? loopBlend(m_timeline, seconds) : LoopBlend();
+    auto earlier = blend.weight > 0.0 ? run->driver.momentAt(blend.earlierSeconds, progress)
+                                      : Expected<ArmMoment>(ArmMoment());
+    if (!earlier)
+        return fail(earlier.error());
+    auto moment = run->driver.momentAt(seconds, progress);
     if (!moment)
         return fail(moment.error());
-    return moment->joints;
+    if (blend.weight > 0.0)
+        blendJoints(earlier->joints, blend.weight, moment->joints);
+    return std::move(moment->joints);
 }
 
 Expected<Scene> MovingArms::at(const Scene& scene, double seconds, const Progress& progress)

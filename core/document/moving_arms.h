@@ -14,7 +14,8 @@ namespace ramure {
 class MovingArms
 {
 public:
-    MovingArms();
+    /// \param timeline says whether, and where, the end of a loop blends into its beginning.
+    explicit MovingArms(const TimelineSettings& timeline = {});
     ~MovingArms();
     MovingArms(const MovingArms&) = delete;
     MovingArms& operator=(const MovingArms&) = delete;
@@ -28,6 +29,7 @@ public:
 
 private:
     struct Run;
+    TimelineSettings m_timeline;
     std::map<NodeId, std::unique_ptr<Run>> m_runs;
 };
 

@@ -2,7 +2,9 @@
 
 #include "core/document/animated_physics.h"
 #include "core/physics/physics_cache.h"
+#include "core/physics/pose_blend.h"
 #include "core/pose/skin.h"
+#include "core/scene/loop_blend.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,16 +75,19 @@ struct MovingSource::Run
     }
     Expected<void> moveMeshes(TreeResult& tree, const Foliage& foliage, SkinMethod method,
                               const Progress& progress);
+    Expected<void> poseAt(double timeSeconds, const LoopBlend& blend, const Progress& progress);
 
     Bound branches, leaves, apples;
     std::shared_ptr<const SimplifiedSkeleton> skeleton;
     std::unique_ptr<PhysicsCache> cache;
-    Pose pose;
+    Pose pose, earlier;
     std::int64_t scripted = -1; ///< steps whose animated parameters the run has been told
 };
 
-MovingSource::MovingSource(TreeSource rest)
+MovingSource::MovingSource(TreeSource rest, const TimelineSettings& timeline)
     : m_rest(std::move(rest))
+    , m_timeline(timeline)
+    , m_arms(timeline)
 {
 }
 
@@ -145,6 +150,22 @@ Expected<void> MovingSource::Run::moveMeshes(TreeResult& tree, const Foliage& fo
     return {};
 }
 
+/// In the seam of a loop the run goes back for the pose of the round before.
+Expected<void> MovingSource::Run::poseAt(double timeSeconds, const LoopBlend& blend, const Progress& progress)
+{
+    if (blend.weight > 0.0) {
+        if (auto there = cache->seek(cache->stepAt(blend.earlierSeconds), progress.part(0.0, 0.5)); !there)
+            return there;
+        cache->pose(earlier);
+    }
+    if (auto there = cache->seek(cache->stepAt(timeSeconds), progress.part(0.5, 1.0)); !there)
+        return there;
+    cache->pose(pose);
+    if (blend.weight > 0.0)
+        blendPose(cache->physics().body(), earlier, blend.weight, pose);
+    return {};
+}
+
 Expected<TreeResult> MovingSource::moved(const Node& node, Stage last, double timeSeconds,
                                          const Progress& progress)
 {
@@ -167,9 +188,9 @@ Expected<TreeResult> MovingSource::moved(const Node& node, Stage last, double ti
         scriptSteps(*run->cache, node.params.physics, node.animation, run->scripted + 1, step);
         run->scripted = std::max(run->scripted, step);
     }
-    if (auto there = run->cache->seek(step, progress.part(0.4, 0.9)); !there)
+    if (auto there = run->poseAt(timeSeconds, loopBlend(m_timeline, timeSeconds), progress.part(0.4, 0.9));
+        !there)
         return fail(std::move(there.error()));
-    run->cache->pose(run->pose);
     const std::span<const RigidTransform> bones = run->pose.bones;
     const std::shared_ptr<const Foliage> foliage = tree->foliage;
     if (tree->branches)

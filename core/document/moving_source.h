@@ -15,7 +15,8 @@ class MovingSource
 {
 public:
     /// \param rest gives the trees at rest; it must outlive this object's sources.
-    explicit MovingSource(TreeSource rest);
+    /// \param timeline says whether, and where, the end of a loop blends into its beginning.
+    explicit MovingSource(TreeSource rest, const TimelineSettings& timeline = {});
     ~MovingSource();
     MovingSource(const MovingSource&) = delete;
     MovingSource& operator=(const MovingSource&) = delete;
@@ -34,6 +35,7 @@ private:
     Expected<TreeResult> moved(const Node& node, Stage last, double timeSeconds, const Progress& progress);
 
     TreeSource m_rest;
+    TimelineSettings m_timeline;
     std::map<NodeId, std::unique_ptr<Run>> m_runs;
     MovingArms m_arms;
 };

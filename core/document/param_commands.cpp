@@ -1,5 +1,7 @@
 // Parameters of nodes.
 #include "core/document/document_command.h"
+#include "core/grammar/variety.h"
+#include "core/params/presets.h"
 
 namespace ramure {
 
@@ -73,6 +75,24 @@ Expected<void> edit::setParams(Document& document, const std::vector<NodeId>& no
     return {};
 }
 
+Expected<void> edit::resetParams(Document& document, const std::vector<NodeId>& nodes,
+                                 const std::vector<const ParamDef*>& params, const QString& text)
+{
+    const auto ids = editable(document.scene(), nodes);
+    if (!ids)
+        return fail(ids.error());
+    std::vector<ParamEntry> entries;
+    for (const NodeId id : *ids)
+        for (const ParamDef* def : params) {
+            ParamValue value = presetValue(document.scene().find(id)->preset, *def);
+            if (const auto allowed = checkParam(document.scene(), id, *def, value); !allowed)
+                return allowed;
+            entries.push_back({{id, def}, std::move(value)});
+        }
+    pushSet<ParamTarget>(document, std::move(entries), text);
+    return {};
+}
+
 Expected<void> edit::setComponent(Document& document, const std::vector<NodeId>& nodes, const ParamDef& def,
                                   int axis, double value, GestureId gesture)
 {
@@ -103,9 +123,15 @@ Expected<void> edit::newTree(Document& document, const std::vector<NodeId>& node
         return fail(ids.error());
     if (ids->empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("there is no tree that could be drawn anew"));
+    std::vector<NodeId> varied = *ids;
+    std::erase_if(varied, [&](NodeId id) { return !variesByChance(document.scene().find(id)->params); });
+    if (varied.empty())
+        return fail(ErrorCode::Invalid,
+                    RAMURE_NOOP("nothing can vary: no rule has chances, and the variation of "
+                                "angles, lengths and radii is 0 %"));
     std::vector<ParamEntry> entries;
     std::vector<std::int64_t> given;
-    for (const NodeId id : *ids) {
+    for (const NodeId id : varied) {
         const NodeParams& params = document.scene().find(id)->params;
         std::int64_t seed = nextSeed(params.grammar.seed);
         while (std::find(given.begin(), given.end(), seed) != given.end())

@@ -1,5 +1,6 @@
 #include "core/document/project_file.h"
 
+#include "core/document/project_bookmarks.h"
 #include "core/document/project_json.h"
 #include "core/document/project_migrations.h"
 #include "core/document/project_timeline.h"
@@ -29,6 +30,8 @@ QByteArray writeProject(const Project& project)
     };
     if (const QJsonObject timeline = json::writeTimeline(project.scene.timeline()); !timeline.isEmpty())
         root.insert(QLatin1String("timeline"), timeline);
+    if (const QJsonObject views = json::writeBookmarks(project.scene.bookmarks()); !views.isEmpty())
+        root.insert(QLatin1String("views"), views);
     return QJsonDocument(json::merged(root, project.extras)).toJson(QJsonDocument::Indented);
 }
 
@@ -74,22 +77,23 @@ static Expected<std::vector<Node>> readNodes(const QJsonValue& value)
     return nodes;
 }
 
-/// Keys of the timeline that are not known stay where they are.
-static Expected<TimelineSettings> readTimeline(QJsonObject& root)
+/// Reads one object of the top level, where it is there, with \p read, which takes out what it knows. Keys
+/// that are not known stay where they are.
+template <class T, class Read> static Expected<T> readPart(QJsonObject& root, const char* name, Read&& read)
 {
-    const QLatin1String key("timeline");
+    const QLatin1String key(name);
     const QJsonValue value = root.take(key);
     if (value.isUndefined())
-        return TimelineSettings{};
+        return T{};
     if (!value.isObject())
-        return failAt("timeline", ErrorCode::Invalid, RAMURE_NOOP("an object is expected here"));
+        return failAt(name, ErrorCode::Invalid, RAMURE_NOOP("an object is expected here"));
     QJsonObject object = value.toObject();
-    auto settings = json::readTimeline(object);
-    if (!settings)
-        return failInside("timeline", std::move(settings.error()));
+    Expected<T> part = read(object);
+    if (!part)
+        return failInside(name, std::move(part.error()));
     if (!object.isEmpty())
         root.insert(key, object);
-    return settings;
+    return part;
 }
 
 static Expected<Project> readParsed(QJsonObject root)
@@ -102,10 +106,14 @@ static Expected<Project> readParsed(QJsonObject root)
     auto scene = Scene::fromNodes(std::move(*nodes));
     if (!scene)
         return failInside("nodes", std::move(scene.error()));
-    const auto timeline = readTimeline(root);
+    const auto timeline = readPart<TimelineSettings>(root, "timeline", json::readTimeline);
     if (!timeline)
         return fail(timeline.error());
     scene->setTimeline(*timeline);
+    const auto bookmarks = readPart<ViewBookmarks>(root, "views", json::readBookmarks);
+    if (!bookmarks)
+        return fail(bookmarks.error());
+    scene->setBookmarks(*bookmarks);
     root.remove(QLatin1String("format"));
     root.remove(QLatin1String("version"));
     return Project{std::move(*scene), json::extrasText(root)};
@@ -163,7 +171,7 @@ Expected<void> saveAtomically(const QByteArray& bytes, const QString& path)
     if (path.isEmpty())
         return ioError(path, RAMURE_NOOP("cannot be written: %1"), QStringLiteral("the name is empty"));
     const std::string name = QFile::encodeName(path).toStdString();
-    auto file = FileWriter::open(name);
+    auto file = FileWriter::open(name, Durability::Power);
     if (!file)
         return fail(file.error());
     constexpr qsizetype atOnce = qsizetype(1) << 16;

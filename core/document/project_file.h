@@ -15,7 +15,8 @@
 ///             }
 ///         ],
 ///         "timeline": {"framesPerSecond": 30, "lastFrame": 120},        left out where all is default
-///         "version": 1
+///         "version": 2,
+///         "views": {"1": {"distance": 4.5, ...}}     kept views by their digit, see project_bookmarks.h
 ///     }
 ///
 /// A node may also have "tracks" (project_tracks.h), a "mesh" (project_mesh.h) and "joints" (project_arm.h).
@@ -39,7 +40,7 @@ struct Project
     std::string extras; ///< unknown keys of the top level: one JSON object, or empty
 };
 
-inline constexpr int projectVersion = 1;
+inline constexpr int projectVersion = 2;
 inline constexpr qint64 projectSizeLimit = 256 * 1024 * 1024; ///< bytes
 
 QByteArray writeProject(const Project& project);

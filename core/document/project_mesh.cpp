@@ -20,7 +20,8 @@ template <class T> static QString toText(const std::vector<T>& rows)
 
 template <class T> static Expected<std::vector<T>> fromText(QJsonObject& object, const char* key)
 {
-    static_assert(sizeof(T) == 12 || sizeof(T) == 8, "two or three numbers of 32 bits");
+    static_assert(sizeof(T) == 12 || sizeof(T) == 8 || sizeof(T) == 3,
+                  "two or three numbers of 32 bits, or three bytes");
     const QJsonValue value = object.take(QLatin1String(key));
     std::vector<T> rows;
     if (value.isUndefined())
@@ -29,10 +30,11 @@ template <class T> static Expected<std::vector<T>> fromText(QJsonObject& object,
         QByteArray::fromBase64Encoding(value.toString().toLatin1(), QByteArray::AbortOnBase64DecodingErrors);
     const QByteArray bytes = decoded ? *decoded : QByteArray();
     if (!value.isString() || !decoded || bytes.size() % qsizetype(sizeof(T)) != 0)
-        return failAt(key, ErrorCode::Invalid,
-                      sizeof(T) == 12
-                          ? RAMURE_NOOP("base64 of rows of three numbers of 32 bits is expected here")
-                          : RAMURE_NOOP("base64 of rows of two numbers of 32 bits is expected here"));
+        return failAt(
+            key, ErrorCode::Invalid,
+            sizeof(T) == 12  ? RAMURE_NOOP("base64 of rows of three numbers of 32 bits is expected here")
+            : sizeof(T) == 3 ? RAMURE_NOOP("base64 of rows of three bytes is expected here")
+                             : RAMURE_NOOP("base64 of rows of two numbers of 32 bits is expected here"));
     rows.resize(static_cast<std::size_t>(bytes.size()) / sizeof(T));
     if (!rows.empty())
         std::memcpy(rows.data(), bytes.constData(), static_cast<std::size_t>(bytes.size()));
@@ -75,6 +77,8 @@ static Expected<void> checkMesh(const TriangleMesh& mesh)
         if (t.x >= count || t.y >= count || t.z >= count)
             return failAt("indices", ErrorCode::Invalid, RAMURE_NOOP("there is no vertex %1"),
                           {std::to_string(std::max({t.x, t.y, t.z}))});
+    if (!mesh.colours.empty() && mesh.colours.size() != mesh.triangles.size())
+        return failAt("colours", ErrorCode::Invalid, RAMURE_NOOP("there must be three for each triangle"));
     return checkTexture(mesh);
 }
 
@@ -88,6 +92,8 @@ QJsonObject writeMesh(const TriangleMesh& mesh)
         object.insert(QStringLiteral("uv"), toText(mesh.uv));
     if (!mesh.uvTriangles.empty())
         object.insert(QStringLiteral("uvIndices"), toText(mesh.uvTriangles));
+    if (!mesh.colours.empty())
+        object.insert(QStringLiteral("colours"), toText(mesh.colours));
     return object;
 }
 
@@ -99,6 +105,7 @@ Expected<TriangleMesh> readMesh(QJsonObject& object)
     auto triangles = fromText<glm::uvec3>(object, "indices");
     auto uv = fromText<glm::vec2>(object, "uv");
     auto uvTriangles = fromText<glm::uvec3>(object, "uvIndices");
+    auto colours = fromText<glm::u8vec3>(object, "colours");
     if (!positions)
         return fail(std::move(positions.error()));
     if (!normals)
@@ -109,11 +116,14 @@ Expected<TriangleMesh> readMesh(QJsonObject& object)
         return fail(std::move(uv.error()));
     if (!uvTriangles)
         return fail(std::move(uvTriangles.error()));
+    if (!colours)
+        return fail(std::move(colours.error()));
     mesh.positions = std::move(*positions);
     mesh.normals = std::move(*normals);
     mesh.triangles = std::move(*triangles);
     mesh.uv = std::move(*uv);
     mesh.uvTriangles = std::move(*uvTriangles);
+    mesh.colours = std::move(*colours);
     if (auto good = checkMesh(mesh); !good)
         return fail(std::move(good.error()));
     return mesh;

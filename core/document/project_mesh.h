@@ -3,11 +3,13 @@
 /// embedded: a project is one file that can be moved, sent and recovered, and nothing on the disk can change
 /// it behind the program's back.
 ///
-///     "mesh": {"indices": "...", "normals": "...", "positions": "...", "uv": "...", "uvIndices": "..."}
+///     "mesh": {"colours": "...", "indices": "...", "normals": "...", "positions": "...", "uv": "...",
+///              "uvIndices": "..."}
 ///
 /// Each text is base64 of little-endian numbers of 32 bits: three floats per vertex (metres), three of its
 /// normal, three whole numbers per triangle; two floats per texture coordinate and, where those are not one
-/// per vertex, three whole numbers per triangle. What a mesh does not have is left out.
+/// per vertex, three whole numbers per triangle. Colours are three bytes per triangle (sRGB). What a mesh
+/// does not have is left out.
 #pragma once
 
 #include "core/base/error.h"

@@ -3,15 +3,52 @@
 #include "core/document/project_file.h"
 #include "core/document/project_json.h"
 
+#include <QJsonArray>
+#include <array>
+
 namespace ramure {
 
 using json::failAt;
 
-static_assert(projectVersion == 1, "a new version needs its step in projectMigrations()");
+/// What a tree's parameters must hold so that it looks and moves as it did in version 1.
+static void keepTree(QJsonObject& params)
+{
+    const QLatin1String settledKey("physics.settled"); // trees started unloaded
+    if (!params.contains(settledKey))
+        params.insert(settledKey, false);
+    if (!params.value(QLatin1String("grammar.stochastic")).toBool())
+        return;
+    for (const char* key : {"variation.angle", "variation.length", "variation.radius"})
+        if (!params.contains(QLatin1String(key)))
+            params.insert(QLatin1String(key), 0.0); // chance did not vary the branches
+}
+
+/// What has not the shape of a project is left to the reader, which says so.
+static Expected<void> keepTrees(QJsonObject& root)
+{
+    const QLatin1String nodesKey("nodes"), paramsKey("params");
+    QJsonArray nodes = root.value(nodesKey).toArray();
+    for (auto&& entry : nodes) {
+        QJsonObject node = entry.toObject();
+        const bool hasOther = node.contains(paramsKey) && !node.value(paramsKey).isObject();
+        if (node.value(QLatin1String("kind")) != QLatin1String("tree") || hasOther)
+            continue;
+        QJsonObject params = node.value(paramsKey).toObject();
+        keepTree(params);
+        node.insert(paramsKey, params);
+        entry = node;
+    }
+    if (!nodes.isEmpty())
+        root.insert(nodesKey, nodes);
+    return {};
+}
+
+static constexpr std::array<ProjectMigration, 1> allSteps{keepTrees};
+static_assert(projectVersion == allSteps.size() + 1, "a new version needs its step");
 
 std::span<const ProjectMigration> projectMigrations()
 {
-    return {};
+    return allSteps;
 }
 
 Expected<void> migrateProject(QJsonObject& root, std::span<const ProjectMigration> steps)

@@ -13,7 +13,7 @@ namespace ramure {
 /// caller.
 using ProjectMigration = Expected<void> (*)(QJsonObject& root);
 
-/// Element n - 1 takes version n to n + 1. As long as projectVersion is 1 there is none.
+/// Element n - 1 takes version n to n + 1.
 std::span<const ProjectMigration> projectMigrations();
 
 /// Runs the steps from the root's version up to one past the last step. Errors: Invalid (format or version

@@ -48,6 +48,8 @@ QJsonObject writeNode(const Node& node)
     };
     if (node.parent != noNode)
         object.insert(QStringLiteral("parent"), qint64{node.parent});
+    if (!node.preset.empty())
+        object.insert(QStringLiteral("preset"), QString::fromStdString(node.preset));
     if (!node.visible)
         object.insert(QStringLiteral("visible"), false);
     if (node.locked)
@@ -126,12 +128,19 @@ private:
         flag = value.toBool();
         return {};
     }
+    Expected<void> readText(const char* key, std::string& text)
+    {
+        const QJsonValue value = m_rest.take(QLatin1String(key));
+        if (!value.isString() && !value.isUndefined())
+            return failAt(key, ErrorCode::Invalid, RAMURE_NOOP("a text is expected here"));
+        text = value.toString().toStdString();
+        return {};
+    }
     Expected<void> readState()
     {
-        const QJsonValue name = m_rest.take(QLatin1String("name"));
-        if (!name.isString() && !name.isUndefined())
-            return failAt("name", ErrorCode::Invalid, RAMURE_NOOP("a text is expected here"));
-        m_node.name = name.toString().toStdString();
+        for (const auto& [key, text] : {std::pair{"name", &m_node.name}, {"preset", &m_node.preset}})
+            if (auto done = readText(key, *text); !done)
+                return done;
         if (auto done = readFlag("visible", m_node.visible); !done)
             return done;
         return readFlag("locked", m_node.locked);

@@ -21,6 +21,8 @@ QJsonObject writeTimeline(const TimelineSettings& settings)
     if (settings.loop != usual.loop)
         object.insert(QLatin1String("loop"),
                       QLatin1String(loopNames[static_cast<std::size_t>(settings.loop)]));
+    if (settings.seamless != usual.seamless)
+        object.insert(QLatin1String("seamless"), settings.seamless);
     return object;
 }
 
@@ -49,6 +51,15 @@ static Expected<void> readLoop(QJsonObject& object, PlayLoop& loop)
     return failAt("loop", ErrorCode::Invalid, RAMURE_NOOP("once, loop or pingPong is expected here"));
 }
 
+static Expected<void> readSeamless(QJsonObject& object, bool& seamless)
+{
+    const QJsonValue value = object.take(QLatin1String("seamless"));
+    if (!value.isUndefined() && !value.isBool())
+        return failAt("seamless", ErrorCode::Invalid, RAMURE_NOOP("true or false is expected here"));
+    seamless = value.toBool(seamless);
+    return {};
+}
+
 Expected<TimelineSettings> readTimeline(QJsonObject& object)
 {
     TimelineSettings settings;
@@ -61,6 +72,8 @@ Expected<TimelineSettings> readTimeline(QJsonObject& object)
     if (auto read = readFrame(object, "lastFrame", settings.lastFrame); !read)
         return fail(std::move(read.error()));
     if (auto read = readLoop(object, settings.loop); !read)
+        return fail(std::move(read.error()));
+    if (auto read = readSeamless(object, settings.seamless); !read)
         return fail(std::move(read.error()));
     if (auto fine = checkTimeline(settings); !fine)
         return fail(std::move(fine.error()));

@@ -1,6 +1,6 @@
 /// \file
 /// The "timeline" of a project file: framesPerSecond, firstFrame, lastFrame, loop ("once", "loop",
-/// "pingPong"); defaults are left out.
+/// "pingPong"), seamless (true or false); defaults are left out.
 #pragma once
 
 #include "core/base/error.h"

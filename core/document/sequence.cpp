@@ -1,7 +1,7 @@
 #include "core/document/sequence.h"
 
 #include "core/document/moving_source.h"
-#include "core/scene/object_mesh.h"
+#include "core/document/scene_counts.h"
 
 #include <algorithm>
 #include <cctype>
@@ -60,7 +60,7 @@ Expected<void> exportSequence(const Scene& scene, const ExportOptions& options, 
 {
     if (auto fine = checkSequence(frames); !fine)
         return fine;
-    MovingSource moving(withoutReport(rest));
+    MovingSource moving(withoutReport(rest), scene.timeline());
     const auto count = static_cast<double>(frames.count());
     for (std::int64_t i = 0; i < frames.count(); ++i) {
         if (progress.cancelled())
@@ -104,33 +104,11 @@ std::uint64_t estimatedFileBytes(const Scene& scene, const ExportOptions& option
 {
     if (options.model != ExportModel::Mesh)
         return 0;
-    double vertices = 0.0, triangles = 0.0;
-    const auto add = [&](const TriangleMesh* mesh, std::uint8_t part) {
-        if (mesh && (options.parts & part)) {
-            vertices += mesh->vertexCount();
-            triangles += mesh->faceCount();
-        }
-    };
-    for (const Node& node : scene.nodes()) {
-        const auto holds = [&](NodeId id) { return id == node.id || scene.isAncestor(id, node.id); };
-        const bool isAsked =
-            options.nodes.empty() || std::any_of(options.nodes.begin(), options.nodes.end(), holds);
-        if (!isAsked || !(options.hidden || scene.isShown(node.id)))
-            continue;
-        if (isShape(node.kind)) {
-            const auto mesh = objectSolid(node, node.params);
-            vertices += mesh && *mesh ? double((*mesh)->vertexCount()) : 0.0;
-            triangles += mesh && *mesh ? double((*mesh)->faceCount()) : 0.0;
-        }
-        if (node.kind != NodeKind::Tree)
-            continue;
-        const auto tree = rest(node, Stage::Foliage, {});
-        if (!tree)
-            return 0;
-        add(tree->branches ? &tree->branches->mesh : nullptr, exportBranches);
-        add(tree->leaves.get(), exportLeaves);
-        add(tree->apples.get(), exportApples);
-    }
+    const SceneCounts counts = SceneCounter().count(scene, options, rest);
+    if (!counts.complete)
+        return 0;
+    const auto vertices = static_cast<double>(counts.total().vertices);
+    const auto triangles = static_cast<double>(counts.total().faces);
     std::string ending = path.size() > 4 ? path.substr(path.size() - 4) : std::string();
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -67,6 +67,7 @@ struct State
     Column x{{1.0, 0.0}, {0.0, 0.0}}, y{{0.0, 1.0}, {0.0, 0.0}}, z{{0.0, 0.0}, {1.0, 0.0}};
     double radius = 0.0;
     Index branch = noIndex;
+    Index turns = 0; ///< by chance: since that branch
 };
 
 struct Level
@@ -75,14 +76,21 @@ struct Level
     std::size_t at = 0; ///< of the bracket that opened it
 };
 
-class Turtle
+struct Turn
+{
+    double sine, cosine;
+    [[nodiscard]] Turn back() const { return {-sine, cosine}; }
+};
+
+template <bool byChance> class Turtle
 {
 public:
-    Turtle(const TurtleParams& params, std::size_t branches)
+    Turtle(const TurtleParams& params, const TurtleChance& chance, std::size_t branches)
         : m_alpha(params.alpha)
         , m_decay(params.decay)
-        , m_sin(std::sin(params.theta))
-        , m_cos(std::cos(params.theta))
+        , m_theta(params.theta)
+        , m_turn{std::sin(params.theta), std::cos(params.theta)}
+        , m_chance(chance)
     {
         m_levels.back().state.radius = params.alpha;
         m_skeleton.reserve(branches);
@@ -103,22 +111,22 @@ public:
                 grow(top->state);
                 break;
             case Action::TurnX:
-                turn(top->state.y, top->state.z, m_sin);
+                turn(top->state.y, top->state.z, nextTurn(top->state));
                 break;
             case Action::TurnXBack:
-                turn(top->state.y, top->state.z, -m_sin);
+                turn(top->state.y, top->state.z, nextTurn(top->state).back());
                 break;
             case Action::TurnY:
-                turn(top->state.z, top->state.x, m_sin);
+                turn(top->state.z, top->state.x, nextTurn(top->state));
                 break;
             case Action::TurnYBack:
-                turn(top->state.z, top->state.x, -m_sin);
+                turn(top->state.z, top->state.x, nextTurn(top->state).back());
                 break;
             case Action::TurnZ:
-                turn(top->state.x, top->state.y, m_sin);
+                turn(top->state.x, top->state.y, nextTurn(top->state));
                 break;
             case Action::TurnZBack:
-                turn(top->state.x, top->state.y, -m_sin);
+                turn(top->state.x, top->state.y, nextTurn(top->state).back());
                 break;
             case Action::Push:
                 if (m_levels.size() > maxBracketDepth)
@@ -157,13 +165,43 @@ private:
     }
 
     /// Post-multiplies by the rotation in the plane of two columns, from \p a towards \p b.
-    void turn(Column& a, Column& b, double sine) const
+    static void turn(Column& a, Column& b, const Turn& by)
     {
         const Column before = a;
-        a.xy = m_cos * a.xy + sine * b.xy;
-        a.z = m_cos * a.z + sine * b.z;
-        b.xy = m_cos * b.xy - sine * before.xy;
-        b.z = m_cos * b.z - sine * before.z;
+        a.xy = by.cosine * a.xy + by.sine * b.xy;
+        a.z = by.cosine * a.z + by.sine * b.z;
+        b.xy = by.cosine * b.xy - by.sine * before.xy;
+        b.z = by.cosine * b.z - by.sine * before.z;
+    }
+
+    Turn nextTurn(State& state)
+    {
+        if constexpr (byChance) {
+            if (m_chance.variation.angle != 0.0) {
+                // Of the branch that would grow here: two brackets before it never draw the same.
+                Random random(m_chance.seed, RandomStream::BranchTurn, nextKey(state) + state.turns++);
+                const double angle = varied(m_theta, m_chance.variation.angle, random);
+                return {std::sin(angle), std::cos(angle)};
+            }
+        }
+        return m_turn;
+    }
+
+    static double varied(double value, double share, Random& random)
+    {
+        return value * (1.0 + share * random.range(-1.0, 1.0));
+    }
+
+    [[nodiscard]] std::uint64_t nextKey(const State& state) const
+    {
+        const bool isRoot = state.branch == noIndex;
+        return keyBelow(isRoot ? rootKey : m_skeleton.key[state.branch],
+                        isRoot ? m_roots : m_children[state.branch]);
+    }
+
+    static std::uint64_t keyBelow(std::uint64_t parentKey, Index number)
+    {
+        return mixBits(parentKey + keyStep * (std::uint64_t(number) + 1));
     }
 
     void grow(State& state)
@@ -176,12 +214,20 @@ private:
         const Index i = m_count++;
         m_skeleton.parent[i] = parent;
         m_skeleton.p0[i] = from;
-        m_skeleton.p1[i] = from + m_alpha * glm::dvec3(state.y.xy[0], state.y.xy[1], state.y.z[0]);
+        const std::uint64_t key = keyBelow(parentKey, number);
+        double length = m_alpha, decay = m_decay;
+        if constexpr (byChance) {
+            Random random(m_chance.seed, RandomStream::BranchShape, key);
+            length = varied(m_alpha, m_chance.variation.length, random);
+            decay = std::min(varied(m_decay, m_chance.variation.radius, random), std::max(m_decay, 1.0));
+            state.turns = 0;
+        }
+        m_skeleton.p1[i] = from + length * glm::dvec3(state.y.xy[0], state.y.xy[1], state.y.z[0]);
         m_skeleton.a0[i] = state.radius;
-        state.radius *= m_decay;
+        state.radius *= decay;
         m_skeleton.a1[i] = state.radius;
         m_skeleton.level[i] = static_cast<Index>(m_levels.size() - 1);
-        m_skeleton.key[i] = mixBits(parentKey + keyStep * (std::uint64_t(number) + 1));
+        m_skeleton.key[i] = key;
         m_skeleton.source[i] = i;
         state.branch = i;
     }
@@ -190,7 +236,9 @@ private:
     static constexpr std::uint64_t rootKey = 0x52616D757265ull;
     static constexpr std::uint64_t keyStep = 0x9E3779B97F4A7C15ull;
 
-    double m_alpha, m_decay, m_sin, m_cos;
+    double m_alpha, m_decay, m_theta;
+    Turn m_turn;
+    TurtleChance m_chance;
     std::vector<Level> m_levels{Level()}; ///< the last one is where the turtle is
     std::vector<Index> m_children;        ///< children that each branch has so far
     Index m_roots = 0;
@@ -209,9 +257,17 @@ Expected<void> checkTurtle(const TurtleParams& params)
     return {};
 }
 
-} // namespace
+Expected<void> checkChance(const VariationParams& shares)
+{
+    for (const double share : {shares.angle, shares.length, shares.radius})
+        if (!(share >= 0.0 && share <= 1.0))
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("a variation must lie between 0 and 1"));
+    return {};
+}
 
-Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& params, const Progress& progress)
+template <bool byChance>
+Expected<Skeleton> draw(std::string_view symbols, const TurtleParams& params, const TurtleChance& chance,
+                        const Progress& progress)
 {
     if (auto ok = checkTurtle(params); !ok)
         return fail(ok.error());
@@ -219,7 +275,7 @@ Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& param
     if (branches > maxBranches)
         return fail(ErrorCode::Limit, RAMURE_NOOP("the string draws %1 branches, more than the limit of %2"),
                     {std::to_string(branches), std::to_string(maxBranches)});
-    Turtle turtle(params, branches);
+    Turtle<byChance> turtle(params, chance, branches);
     constexpr std::size_t stride = std::size_t(1) << 20;
     for (std::size_t from = 0; from < symbols.size(); from += stride) {
         if (progress.cancelled())
@@ -232,6 +288,22 @@ Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& param
     if (skeleton && skeleton->empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("the grammar draws no branch at all"));
     return skeleton;
+}
+
+} // namespace
+
+Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& params, const Progress& progress)
+{
+    return draw<false>(symbols, params, {}, progress);
+}
+
+Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& params, const TurtleChance& chance,
+                             const Progress& progress)
+{
+    if (auto ok = checkChance(chance.variation); !ok)
+        return fail(ok.error());
+    return chance.variation == VariationParams{0.0, 0.0, 0.0} ? draw<false>(symbols, params, {}, progress)
+                                                              : draw<true>(symbols, params, chance, progress);
 }
 
 } // namespace ramure

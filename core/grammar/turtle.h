@@ -16,10 +16,23 @@ inline constexpr std::size_t maxBranches = 16'000'000;
 /// Deepest nesting of brackets.
 inline constexpr std::size_t maxBracketDepth = 1'000'000;
 
+/// What chance does to a tree: how far its branches vary, by which seed.
+struct TurtleChance
+{
+    VariationParams variation; ///< shares, each from 0 to 1
+    std::uint64_t seed = 1;
+};
+
 /// level = depth of brackets; key = hash of the parent's key and of the number of the branch among its
 /// siblings. Errors: Invalid with column (unbalanced bracket, 1-based position in \p symbols), Invalid (no
 /// branch at all), Limit (more than maxBranches), Cancelled.
 Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& params,
+                             const Progress& progress = {});
+/// Likewise, and each turn, length and taper lies anywhere within its share around what \p params say. What a
+/// branch draws depends on the seed and on its key alone, not on what else there is. Radii stay continuous
+/// and never grow along a branch, unless the taper is above 1. Without any variation the skeleton is the same
+/// to the bit as above. Error: Invalid (a share outside 0 .. 1).
+Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& params, const TurtleChance& chance,
                              const Progress& progress = {});
 
 } // namespace ramure

@@ -3,6 +3,7 @@
 #include "core/io/blender_scene.h"
 #include "core/io/file_writer.h"
 #include "core/io/write_parts.h"
+#include "core/mesh/transformed.h"
 #include "core/scene/object_mesh.h"
 
 #include <algorithm>
@@ -156,7 +157,7 @@ private:
             return fail(std::move(solid.error()));
         std::shared_ptr<const TriangleMesh> mesh = std::move(*solid);
         if (mesh && node.params.local != PlacementParams{})
-            mesh = std::make_shared<const TriangleMesh>(movedMesh(*mesh, local));
+            mesh = std::make_shared<const TriangleMesh>(transformed(*mesh, local));
         if (auto written =
                 write(name + ".obj", meshText(name, mesh.get(), placementMatrix(node.params.tree), parent));
             !written)
@@ -174,23 +175,6 @@ private:
         if (baked || sampled)
             note(node, RAMURE_NOOP("the keys differ between the channels: written frame by frame"));
         return write(name + ".animation", text);
-    }
-    static TriangleMesh movedMesh(const TriangleMesh& mesh, const glm::dmat4& matrix)
-    {
-        TriangleMesh out = mesh;
-        const glm::dmat3 linear(matrix);
-        const double determinant = glm::determinant(linear);
-        for (glm::vec3& p : out.positions)
-            p = glm::vec3(glm::dvec3(matrix * glm::dvec4(p, 1.0)));
-        if (determinant == 0.0)
-            out.normals.clear();
-        for (glm::vec3& n : out.normals)
-            n = glm::vec3(glm::normalize(glm::transpose(glm::inverse(linear)) * glm::dvec3(n)));
-        if (determinant < 0.0)
-            for (std::vector<glm::uvec3>* corners : {&out.triangles, &out.uvTriangles})
-                for (glm::uvec3& t : *corners)
-                    std::swap(t.y, t.z);
-        return out;
     }
     /// Track and static as one track, a key per frame. A sheared frame keeps what a placement can say of it.
     static NodeAnimation withPlacement(const Node& node, double rate)

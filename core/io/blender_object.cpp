@@ -121,7 +121,7 @@ static bool hasVertices(std::string_view text)
 }
 
 Expected<BlenderObject> parseBlenderObject(std::string_view text, const std::string& file,
-                                           const Progress& progress)
+                                           const Progress& progress, const MaterialSource& materials)
 {
     if (text.starts_with("\xEF\xBB\xBF"))
         text.remove_prefix(3);
@@ -131,7 +131,7 @@ Expected<BlenderObject> parseBlenderObject(std::string_view text, const std::str
         return fail(std::move(read.error()));
     if (object.transform && !hasVertices(copy))
         return object;
-    auto mesh = parseObj(copy, file, progress);
+    auto mesh = parseObj(copy, file, progress, materials);
     if (!mesh)
         return fail(std::move(mesh.error()));
     for (std::string& said : mesh->notes) {

@@ -1,5 +1,7 @@
 #include "core/io/blender_scene.h"
 
+#include "core/mesh/transformed.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,9 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-tl::unexpected<Error> ioError(const std::string& file, const char* text)
+tl::unexpected<Error> fileError(const std::string& file, ErrorCode code, const char* text)
 {
-    auto error = fail(ErrorCode::Io, text);
+    auto error = fail(code, text);
     error.value().file = file;
     return error;
 }
@@ -27,10 +29,10 @@ Expected<std::string> textOf(const fs::path& path)
 {
     std::ifstream file(path, std::ios::binary);
     if (!file)
-        return ioError(path.string(), RAMURE_NOOP("the file cannot be opened"));
+        return fileError(path.string(), ErrorCode::Io, RAMURE_NOOP("the file cannot be opened"));
     std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     if (file.bad())
-        return ioError(path.string(), RAMURE_NOOP("the file cannot be read"));
+        return fileError(path.string(), ErrorCode::Io, RAMURE_NOOP("the file cannot be read"));
     return text;
 }
 
@@ -66,38 +68,23 @@ Expected<std::map<std::string, Pair>> pairsOf(const fs::path& path)
             if (it->is_regular_file(problem))
                 addFile(pairs, it->path());
         if (problem)
-            return ioError(path.string(), RAMURE_NOOP("the folder cannot be read"));
+            return fileError(path.string(), ErrorCode::Io, RAMURE_NOOP("the folder cannot be read"));
         if (pairs.empty())
-            return ioError(path.string(), RAMURE_NOOP("the folder has no .obj and no .animation"));
+            return fileError(path.string(), ErrorCode::Io,
+                             RAMURE_NOOP("the folder has no .obj and no .animation"));
         return pairs;
     }
+    if (hasEnding(path, ".ply"))
+        pairs[path.stem().string()].mesh = path;
     addFile(pairs, path);
     if (pairs.empty())
-        return ioError(path.string(), RAMURE_NOOP("an .obj, an .animation or a folder of them is expected"));
-    const fs::path other = fs::path(path).replace_extension(hasEnding(path, ".obj") ? ".animation" : ".obj");
+        return fileError(path.string(), ErrorCode::Io,
+                         RAMURE_NOOP("an .obj, a .ply, an .animation or a folder of them is expected"));
+    const fs::path other =
+        fs::path(path).replace_extension(hasEnding(path, ".animation") ? ".obj" : ".animation");
     if (fs::is_regular_file(other, problem))
         addFile(pairs, other);
     return pairs;
-}
-
-/// Into the vertices of an object: what its placement cannot say.
-void bake(TriangleMesh& mesh, const glm::dmat4& matrix)
-{
-    const glm::dmat3 linear(matrix);
-    const double determinant = glm::determinant(linear);
-    for (glm::vec3& p : mesh.positions)
-        p = glm::vec3(glm::dvec3(matrix * glm::dvec4(p, 1.0)));
-    if (determinant == 0.0)
-        mesh.normals.clear();
-    else {
-        const glm::dmat3 forNormals = glm::transpose(glm::inverse(linear));
-        for (glm::vec3& n : mesh.normals)
-            n = glm::vec3(glm::normalize(forNormals * glm::dvec3(n)));
-    }
-    if (determinant < 0.0)
-        for (std::vector<glm::uvec3>* corners : {&mesh.triangles, &mesh.uvTriangles})
-            for (glm::uvec3& t : *corners)
-                std::swap(t.y, t.z);
 }
 
 /// Numbers of single precision are never quite square: the nearest placement, where it is near.
@@ -125,8 +112,8 @@ Expected<PlacementParams> placementNear(const glm::dmat4& matrix)
 class Importer
 {
 public:
-    Importer(CubicMeaning cubic, const Progress& progress)
-        : m_cubic(cubic)
+    Importer(const ImportOptions& options, const Progress& progress)
+        : m_options(options)
         , m_progress(progress)
     {
     }
@@ -138,12 +125,17 @@ public:
             return fail(pairs.error());
         std::size_t done = 0;
         for (const auto& [name, pair] : *pairs) {
-            m_progress.report(double(done++) / double(pairs->size()));
-            if (m_progress.cancelled())
+            const double from = double(done++) / double(pairs->size());
+            const Progress part = m_progress.part(from, from + 1.0 / double(pairs->size()));
+            part.report(0.0);
+            if (part.cancelled())
                 return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-            if (auto added = add(name, pair); !added)
+            if (auto added = add(name, pair, part); !added)
                 return fail(std::move(added.error()));
         }
+        if (m_hasTransform)
+            for (const std::string& file : m_withoutTransform)
+                note(file, RAMURE_NOOP("there is no TRANSFORM: the object stands at the origin"));
         hang(fs::path(path));
         setTimeline();
         return std::move(m_out);
@@ -160,7 +152,7 @@ private:
     {
         std::move(notes.begin(), notes.end(), std::back_inserter(m_out.notes));
     }
-    Expected<void> add(const std::string& name, const Pair& pair)
+    Expected<void> add(const std::string& name, const Pair& pair, const Progress& progress)
     {
         Node node;
         node.id = static_cast<NodeId>(m_out.nodes.size() + 1);
@@ -171,7 +163,7 @@ private:
             if (auto read = readAnimation(pair.animation, node, parent); !read)
                 return read;
         if (!pair.mesh.empty())
-            if (auto read = readMesh(pair.mesh, node, parent); !read)
+            if (auto read = readMesh(pair.mesh, node, parent, progress); !read)
                 return read;
         if (pair.mesh.empty())
             note(pair.animation.string(), RAMURE_NOOP("there is no .obj of this name: a group that moves"));
@@ -184,7 +176,7 @@ private:
         const auto text = textOf(path);
         if (!text)
             return fail(text.error());
-        auto read = parseAnimation(*text, path.string(), m_cubic);
+        auto read = parseAnimation(*text, path.string(), m_options.cubic);
         if (!read)
             return fail(std::move(read.error()));
         node.animation = std::move(read->animation);
@@ -195,26 +187,77 @@ private:
         take(read->notes);
         return {};
     }
-    Expected<void> readMesh(const fs::path& path, Node& node, std::string& parent)
+    Expected<void> readMesh(const fs::path& path, Node& node, std::string& parent, const Progress& progress)
     {
-        const auto text = textOf(path);
-        if (!text)
-            return fail(text.error());
-        auto object = parseBlenderObject(*text, path.string());
+        if (m_options.space && !node.animation.empty())
+            return fileError(path.string(), ErrorCode::Invalid,
+                             RAMURE_NOOP("an object with keys has Y up and metres: they cannot be chosen"));
+        auto object = hasEnding(path, ".ply") ? plyObject(path, progress) : blenderObject(path, progress);
         if (!object)
             return fail(std::move(object.error()));
         if (!object->parent.empty())
             parent = object->parent;
         take(object->notes);
+        m_hasTransform = m_hasTransform || object->transform || !object->parent.empty();
         if (!object->transform)
-            note(path.string(), RAMURE_NOOP("there is no TRANSFORM: the object stands at the origin"));
+            m_withoutTransform.push_back(path.string());
         else if (node.animation.empty())
             place(path, node, *object);
+        takeColour(node, object->mesh);
         if (object->mesh.empty() && object->mesh.positions.empty())
             node.kind = NodeKind::Group;
         else
             node.mesh = SharedValue<TriangleMesh>(std::move(object->mesh));
         return {};
+    }
+    Expected<BlenderObject> blenderObject(const fs::path& path, const Progress& progress)
+    {
+        const auto text = textOf(path);
+        if (!text)
+            return fail(text.error());
+        auto object = parseBlenderObject(*text, path.string(), progress, materialsBeside(path.string()));
+        if (object)
+            turn(*object, m_options.space.value_or(fileSpaceIn(*text).value_or(FileSpace())).matrix());
+        return object;
+    }
+    /// Read with the space that the file says.
+    Expected<BlenderObject> plyObject(const fs::path& path, const Progress& progress)
+    {
+        auto mesh = readMeshFile(path.string(), progress);
+        if (!mesh)
+            return fail(std::move(mesh.error()));
+        BlenderObject object;
+        object.mesh = mesh->joined();
+        object.mesh.branch.clear();
+        object.mesh.level.clear();
+        for (std::string& said : mesh->notes)
+            note(path.string(), "%1", {std::move(said)});
+        if (m_options.space)
+            turn(object, m_options.space->matrix() *
+                             glm::inverse(fileSpaceOf(path.string()).value_or(FileSpace()).matrix()));
+        return object;
+    }
+    /// Out of the file's space into the program's.
+    static void turn(BlenderObject& object, const glm::dmat4& intoFile)
+    {
+        if (intoFile == glm::dmat4(1.0))
+            return;
+        const glm::dmat4 back = glm::inverse(intoFile);
+        object.mesh = transformed(object.mesh, back);
+        if (object.transform)
+            object.transform = back * *object.transform * intoFile;
+    }
+    /// One colour for all is the node's own; several stay as they are.
+    static void takeColour(Node& node, TriangleMesh& mesh)
+    {
+        if (mesh.colours.empty())
+            return;
+        const glm::u8vec3 first = mesh.colours.front();
+        const bool isOne = std::all_of(mesh.colours.begin(), mesh.colours.end(),
+                                       [first](const glm::u8vec3& c) { return c == first; });
+        node.params.surface.color = isOne ? glm::dvec3(first) / 255.0 : glm::dvec3(1.0);
+        if (isOne)
+            mesh.colours.clear();
     }
     /// As a placement where it is one that the parameters allow.
     void place(const fs::path& path, Node& node, BlenderObject& object)
@@ -228,7 +271,7 @@ private:
                 return;
             }
         }
-        bake(object.mesh, *object.transform);
+        object.mesh = transformed(object.mesh, *object.transform);
         note(path.string(),
              RAMURE_NOOP("the TRANSFORM shears, mirrors or flattens: it was put into the vertices"));
     }
@@ -309,18 +352,26 @@ private:
         timeline.lastFrame = std::max(timeline.firstFrame, frame(*times.rbegin()));
     }
 
-    CubicMeaning m_cubic;
+    const ImportOptions& m_options;
     const Progress& m_progress;
     BlenderImport m_out;
     std::map<NodeId, std::string> m_parents;
+    bool m_hasTransform = false; ///< some file does, or says what else a script says
+    std::vector<std::string> m_withoutTransform;
     double m_saidRate = 0.0;
 };
 
 } // namespace
 
-Expected<BlenderImport> importBlender(const std::string& path, CubicMeaning cubic, const Progress& progress)
+bool isImportEnding(const std::string& path)
 {
-    return Importer(cubic, progress).run(path);
+    return hasEnding(path, ".obj") || hasEnding(path, ".ply") || hasEnding(path, ".animation");
+}
+
+Expected<BlenderImport> importBlender(const std::string& path, const ImportOptions& options,
+                                      const Progress& progress)
+{
+    return Importer(options, progress).run(path);
 }
 
 } // namespace ramure

@@ -1,10 +1,12 @@
 /// \file
-/// Scenes as a script for Blender writes them (SPEC B4): for each object NAME.obj, with a line `TRANSFORM`
-/// and 16 numbers (row-major, Y up; on one line or on several) behind the geometry, and NAME.animation.
+/// Reading objects: any OBJ or PLY file, and scenes as a script for Blender writes them (SPEC B4): for each
+/// object NAME.obj, with a line `TRANSFORM` and 16 numbers (row-major, Y up; on one line or on several)
+/// behind the geometry, and NAME.animation.
 #pragma once
 
 #include "core/base/progress.h"
 #include "core/io/animation_file.h"
+#include "core/io/file_space.h"
 #include "core/io/mesh_file.h"
 #include "core/scene/scene.h"
 #include <optional>
@@ -23,8 +25,16 @@ struct BlenderObject
 /// Reads OBJ as parseObj does, and the TRANSFORM. Noted: what the reader skipped, TRANSFORM twice (the last
 /// counts). Errors, with file and line: those of parseObj; Syntax (fewer than 16 numbers, not a number),
 /// Invalid (not finite, a projection).
+/// \param materials as for parseObj
 Expected<BlenderObject> parseBlenderObject(std::string_view text, const std::string& file,
-                                           const Progress& progress = {});
+                                           const Progress& progress = {},
+                                           const MaterialSource& materials = {});
+
+struct ImportOptions
+{
+    CubicMeaning cubic = CubicMeaning::Automatic;
+    std::optional<FileSpace> space; ///< of the vertices; none: what each file says, else Y up and metres
+};
 
 struct BlenderImport
 {
@@ -37,12 +47,17 @@ struct BlenderImport
     std::size_t keyCount = 0;
 };
 
-/// \param path an .obj, an .animation (each with the other beside it, where there is one) or a folder with
-/// any number of them. A file .animation alone becomes a group that moves. An object with keys stands where
-/// its keys say, its TRANSFORM is that of one frame; one without keys where its TRANSFORM says. What no
-/// translation, rotation and scale can say (shear, mirroring, flatness) is put into the vertices of objects
-/// without keys. Errors: Io, and those of the files; nothing is returned in part.
-Expected<BlenderImport> importBlender(const std::string& path, CubicMeaning cubic = CubicMeaning::Automatic,
+/// Can the ending of this path be imported: .obj, .ply or .animation?
+bool isImportEnding(const std::string& path);
+
+/// \param path an .obj or .ply, an .animation (each with the other beside it, where there is one) or a folder
+/// with any number of .obj and .animation. All objects of a file are one node. The colours of its materials
+/// stay with its triangles; where there is one alone, it is the node's. A file .animation alone becomes a
+/// group that moves. An object with keys stands where its keys say, its TRANSFORM is that of one frame; one
+/// without keys where its TRANSFORM says. What no translation, rotation and scale can say (shear, mirroring,
+/// flatness) is put into the vertices of objects without keys. Errors: Io, Invalid (a space asked for where
+/// there are keys), and those of the files; nothing is returned in part.
+Expected<BlenderImport> importBlender(const std::string& path, const ImportOptions& options = {},
                                       const Progress& progress = {});
 
 struct BlenderExport

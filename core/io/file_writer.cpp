@@ -81,17 +81,30 @@ int openTemporary(const std::string& target, std::string& name)
     return -1;
 }
 
+/// The new name is a change of the folder. It is in place already: where this fails there is nothing to undo.
+void syncFolder(const std::string& target)
+{
+    const std::filesystem::path folder = std::filesystem::path(target).parent_path();
+    const int file = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file < 0)
+        return;
+    ::fsync(file);
+    ::close(file);
+}
+
 } // namespace
 
-FileWriter::FileWriter(std::string path)
-    : m_path(std::move(path))
+FileWriter::FileWriter(std::string path, Durability durability)
+    : m_durability(durability)
+    , m_path(std::move(path))
     , m_target(linkTarget(m_path))
     , m_buffer(new char[bufferSize])
 {
 }
 
 FileWriter::FileWriter(FileWriter&& other) noexcept
-    : m_path(std::move(other.m_path))
+    : m_durability(other.m_durability)
+    , m_path(std::move(other.m_path))
     , m_target(std::move(other.m_target))
     , m_temporary(std::exchange(other.m_temporary, {}))
     , m_file(std::exchange(other.m_file, -1))
@@ -119,9 +132,9 @@ Error FileWriter::error(int code) const
     return out;
 }
 
-Expected<FileWriter> FileWriter::open(const std::string& path)
+Expected<FileWriter> FileWriter::open(const std::string& path, Durability durability)
 {
-    FileWriter out(path);
+    FileWriter out(path, durability);
     struct stat old = {};
     const bool exists = ::stat(out.m_target.c_str(), &old) == 0;
     if (exists && S_ISDIR(old.st_mode))
@@ -177,6 +190,10 @@ void FileWriter::flush(std::size_t bytes)
 Expected<void> FileWriter::finish()
 {
     flush(m_used);
+    // Not every file system can (EINVAL): then there is nothing to wait for.
+    const bool syncs = m_durability == Durability::Power && isRegular() && m_errno == 0;
+    if (syncs && ::fsync(m_file) != 0 && errno != EINVAL)
+        m_errno = errno;
     // Some file systems say only now that the disk is full.
     if (::close(std::exchange(m_file, -1)) != 0 && m_errno == 0)
         m_errno = errno;
@@ -192,7 +209,14 @@ Expected<void> FileWriter::commit()
     if (::rename(m_temporary.c_str(), m_target.c_str()) != 0)
         return fail(error(errno));
     m_temporary.clear();
+    if (m_durability == Durability::Power)
+        syncFolder(m_target);
     return {};
+}
+
+void makeFileLimitAnError()
+{
+    std::signal(SIGXFSZ, SIG_IGN);
 }
 
 int removeAbandonedParts(const std::string& path)

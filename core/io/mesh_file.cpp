@@ -1,8 +1,11 @@
 #include "core/io/mesh_file.h"
+#include "core/io/file_space.h"
 #include "core/io/read_parts.h"
 #include "core/io/write_parts.h"
+#include "core/mesh/transformed.h"
 #include <algorithm>
 #include <filesystem>
+#include <glm/matrix.hpp>
 
 namespace ramure {
 
@@ -50,6 +53,20 @@ void appendTexture(TriangleMesh& out, const std::vector<ReadObject>& objects)
     }
 }
 
+/// The colours of the objects' triangles one after the other, where any has some.
+void appendColours(TriangleMesh& out, const std::vector<ReadObject>& objects)
+{
+    const auto hasColours = [](const ReadObject& object) { return !object.mesh.colours.empty(); };
+    if (std::none_of(objects.begin(), objects.end(), hasColours))
+        return;
+    for (const ReadObject& object : objects) {
+        const auto& colours = object.mesh.colours;
+        out.colours.insert(out.colours.end(), colours.begin(), colours.end());
+        out.colours.resize(out.colours.size() + object.mesh.triangles.size() - colours.size(),
+                           reading::plainColour);
+    }
+}
+
 /// The objects one after the other.
 TriangleMesh appended(const std::vector<ReadObject>& objects)
 {
@@ -58,6 +75,7 @@ TriangleMesh appended(const std::vector<ReadObject>& objects)
         return object.mesh.normals.size() == object.mesh.positions.size();
     });
     appendTexture(out, objects);
+    appendColours(out, objects);
     for (const ReadObject& object : objects) {
         const TriangleMesh& mesh = object.mesh;
         const std::size_t before = out.positions.size();
@@ -81,6 +99,7 @@ TriangleMesh rewelded(const std::vector<ReadObject>& objects)
             count = std::max(count, v + 1);
     TriangleMesh out;
     appendTexture(out, objects);
+    appendColours(out, objects);
     out.positions.resize(count);
     const bool hasNormals = std::all_of(objects.begin(), objects.end(), [](const ReadObject& object) {
         return object.mesh.normals.size() == object.mesh.positions.size();
@@ -122,7 +141,12 @@ Expected<ReadMesh> readMeshFile(const std::string& path, const Progress& progres
         error.value().file = path;
         return error;
     }
-    return ending == ".obj" ? reading::readObjFile(path, progress) : reading::readPlyFile(path, progress);
+    auto mesh = ending == ".obj" ? reading::readObjFile(path, progress, materialsBeside(path))
+                                 : reading::readPlyFile(path, progress);
+    if (const auto space = mesh ? fileSpaceOf(path) : std::nullopt)
+        for (ReadObject& object : mesh->objects)
+            object.mesh = transformed(object.mesh, glm::inverse(space->matrix()));
+    return mesh;
 }
 
 } // namespace ramure

@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/mesh/triangle_mesh.h"
+#include <functional>
 #include <glm/mat4x4.hpp>
 #include <span>
 #include <string>
@@ -43,15 +44,18 @@ struct LinePart
 struct PlyOptions
 {
     bool ascii = false;
+    std::string comment{}; ///< one line in the head of the file, after the program's name; empty: none
 };
 
+/// \param comment one line in the head of the file, after the program's name; empty: none.
 /// Writes PATH and, beside it, the .mtl with the same stem. Files are written under a temporary name and
 /// renamed, so that an error or a cancel leaves the old ones intact. Devices and pipes are written directly,
 /// without an .mtl. Texture coordinates stand in vt lines: they are split there, positions never. Errors: Io
 /// (with file), Invalid (a number is not finite), Cancelled.
 Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts,
-                        const Progress& progress = {});
-Expected<void> writeObjLines(const std::string& path, const LinePart& lines, const Progress& progress = {});
+                        const Progress& progress = {}, const std::string& comment = {});
+Expected<void> writeObjLines(const std::string& path, const LinePart& lines, const Progress& progress = {},
+                             const std::string& comment = {});
 /// The parts joined into one vertex list with properties x y z nx ny nz red green blue branch level; normals
 /// where all parts have them, texture coordinates as well (six floats per face, property list texcoord, as
 /// MeshLab has it), branch and level where one has (noIndex, as an int -1, in the others).
@@ -75,12 +79,21 @@ struct ReadMesh
     [[nodiscard]] TriangleMesh joined() const;
 };
 
+/// The text of the material file that an OBJ names. Error: Io.
+using MaterialSource = std::function<Expected<std::string>(const std::string& name)>;
+/// Looks beside the OBJ at \p path.
+MaterialSource materialsBeside(const std::string& path);
+
 /// Reads .obj and .ply (ASCII, little and big endian) by the ending. What the program does not use
-/// (materials, unknown PLY properties) is skipped; texture coordinates are kept where every corner of an
-/// object has them. Indices may be negative. Errors with file and line (or byte offset): Io, Syntax, Invalid
-/// (index out of range, non-finite number), Unknown (ending), Cancelled.
+/// (unknown PLY properties) is skipped; texture coordinates are kept where every corner of an object has
+/// them. Of materials the diffuse colour is kept, for each triangle; where none is to be had there are no
+/// colours, and a material file that is missing or broken is a note. Indices may be negative. Errors with
+/// file and line (or byte offset): Io, Syntax, Invalid (index out of range, non-finite number), Unknown
+/// (ending), Cancelled.
 Expected<ReadMesh> readMeshFile(const std::string& path, const Progress& progress = {});
-Expected<ReadMesh> parseObj(std::string_view text, const std::string& file, const Progress& progress = {});
+/// \param materials what mtllib is read from; none: it is skipped
+Expected<ReadMesh> parseObj(std::string_view text, const std::string& file, const Progress& progress = {},
+                            const MaterialSource& materials = {});
 Expected<ReadMesh> parsePly(std::string_view bytes, const std::string& file, const Progress& progress = {});
 
 } // namespace ramure

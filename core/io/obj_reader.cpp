@@ -1,7 +1,10 @@
+#include "core/io/material_file.h"
 #include "core/io/obj_scan.h"
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
+#include <optional>
+#include <set>
 
 namespace ramure {
 
@@ -9,6 +12,7 @@ namespace {
 
 using reading::ObjLists;
 using reading::ObjMark;
+using reading::plainColour;
 
 /// One normal per vertex, from the normals of its corners; empty where a corner has none.
 std::vector<glm::vec3> vertexNormals(ObjLists& lists, std::vector<std::string>& notes)
@@ -95,12 +99,74 @@ void simplifyTexture(TriangleMesh& mesh)
         mesh.uvTriangles.clear();
 }
 
+/// The colours of all material files that the OBJ names; of a name in several of them the last counts.
+MaterialColours coloursOf(const ObjLists& lists, const MaterialSource& materials)
+{
+    MaterialColours out;
+    const auto take = [&](const std::string& name) {
+        const auto text = materials(name);
+        if (!text)
+            return std::optional(text.error());
+        MaterialColours read = parseMaterials(*text, name);
+        for (const auto& [material, colour] : read.colours)
+            out.colours.insert_or_assign(material, colour);
+        out.notes.insert(out.notes.end(), read.notes.begin(), read.notes.end());
+        return std::optional<Error>();
+    };
+    for (const auto& [line, names] : lists.libraries) {
+        // One name that may have blanks, or several names.
+        const auto problem = take(names);
+        bool isRead = !problem;
+        for (std::size_t at = 0; problem && names.find(' ') != std::string::npos && at < names.size();) {
+            const std::size_t end = std::min(names.find(' ', at), names.size());
+            isRead = (end > at && !take(names.substr(at, end - at))) || isRead;
+            at = end + 1;
+        }
+        if (!isRead)
+            out.notes.push_back("line " + std::to_string(line) + ": the material file \"" +
+                                reading::excerpt(names) + "\" cannot be read, " + problem->plain() +
+                                ": its colours are left out");
+    }
+    return out;
+}
+
+/// Materials without a colour that are noted.
+constexpr std::size_t mostMissing = 20;
+
+/// The colours of the triangles in the file's order; empty where no material has one.
+std::vector<glm::u8vec3> triangleColours(const ObjLists& lists, const MaterialSource& materials,
+                                         std::vector<std::string>& notes)
+{
+    if (!materials || lists.libraries.empty() || lists.materials.empty())
+        return {};
+    MaterialColours read = coloursOf(lists, materials);
+    notes.insert(notes.end(), read.notes.begin(), read.notes.end());
+    std::vector<glm::u8vec3> out;
+    std::set<std::string> missing;
+    for (std::size_t i = 0; i < lists.materials.size() && !read.colours.empty(); ++i) {
+        const std::string& name = lists.materials[i].name;
+        const auto found = read.colours.find(name);
+        if (found == read.colours.end() && missing.size() < mostMissing && missing.insert(name).second)
+            notes.push_back("the material \"" + reading::excerpt(name) +
+                            "\" has no colour in the material file");
+        if (found == read.colours.end())
+            continue;
+        const std::size_t end =
+            i + 1 < lists.materials.size() ? lists.materials[i + 1].firstTriangle : lists.triangles.size();
+        out.resize(lists.triangles.size(), plainColour);
+        std::fill(out.begin() + lists.materials[i].firstTriangle, out.begin() + std::ptrdiff_t(end),
+                  found->second);
+    }
+    return out;
+}
+
 /// Distributes vertices and triangles over the objects.
 class Splitter
 {
 public:
-    Splitter(const ObjLists& lists, const Split& split)
+    Splitter(const ObjLists& lists, const std::vector<glm::u8vec3>& colours, const Split& split)
         : m_lists(lists)
+        , m_colours(colours)
         , m_split(split)
         , m_local(lists.positions.size(), noIndex)
         , m_user(lists.positions.size(), noIndex)
@@ -167,8 +233,10 @@ private:
             if (!m_lists.normals.empty())
                 out.mesh.normals.push_back(m_lists.normals[v]);
         }
-        forTriangles(ranges, [&](const glm::uvec3& t, Index) {
+        forTriangles(ranges, [&](const glm::uvec3& t, Index number) {
             out.mesh.triangles.emplace_back(m_local[t.x], m_local[t.y], m_local[t.z]);
+            if (!m_colours.empty())
+                out.mesh.colours.push_back(m_colours[number]);
         });
         takeTexture(ranges, out.mesh);
         if (m_isShared)
@@ -205,6 +273,7 @@ private:
     }
 
     const ObjLists& m_lists;
+    const std::vector<glm::u8vec3>& m_colours; ///< per triangle, or none
     std::vector<Index> m_localTexture; ///< number of a texture coordinate within the object being built
     const Split& m_split;
     std::vector<Index> m_local; ///< number of a vertex within the object being built
@@ -212,7 +281,8 @@ private:
     bool m_isShared = false;
 };
 
-Expected<ReadMesh> meshOf(Expected<ObjLists> lists, const std::string& file, const Progress& progress)
+Expected<ReadMesh> meshOf(Expected<ObjLists> lists, const std::string& file, const MaterialSource& materials,
+                          const Progress& progress)
 {
     if (!lists)
         return fail(lists.error());
@@ -220,6 +290,7 @@ Expected<ReadMesh> meshOf(Expected<ObjLists> lists, const std::string& file, con
     out.notes = std::move(lists->notes);
     lists->normals = vertexNormals(*lists, out.notes);
     const Split split = splitOf(*lists, file);
+    std::vector<glm::u8vec3> colours = triangleColours(*lists, materials, out.notes);
     const bool isWhole =
         split.ranges.size() == 1 ||
         (split.ranges.size() == 2 && split.ranges[1].firstVertex == 0 && split.ranges[1].firstTriangle == 0);
@@ -229,6 +300,7 @@ Expected<ReadMesh> meshOf(Expected<ObjLists> lists, const std::string& file, con
         object.mesh.positions = std::move(lists->positions);
         object.mesh.normals = std::move(lists->normals);
         object.mesh.triangles = std::move(lists->triangles);
+        object.mesh.colours = std::move(colours);
         const auto isWholly = [](const glm::uvec3& t) {
             return t.x != noIndex && t.y != noIndex && t.z != noIndex;
         };
@@ -241,7 +313,7 @@ Expected<ReadMesh> meshOf(Expected<ObjLists> lists, const std::string& file, con
         }
         out.objects.push_back(std::move(object));
     } else {
-        out.objects = Splitter(*lists, split).run();
+        out.objects = Splitter(*lists, colours, split).run();
     }
     progress.report(1.0);
     return out;
@@ -249,23 +321,24 @@ Expected<ReadMesh> meshOf(Expected<ObjLists> lists, const std::string& file, con
 
 } // namespace
 
-Expected<ReadMesh> parseObj(std::string_view text, const std::string& file, const Progress& progress)
+Expected<ReadMesh> parseObj(std::string_view text, const std::string& file, const Progress& progress,
+                            const MaterialSource& materials)
 {
-    return meshOf(reading::scanObj(text, file, progress.part(0.0, 0.9)), file, progress);
+    return meshOf(reading::scanObj(text, file, progress.part(0.0, 0.9)), file, materials, progress);
 }
 
 Expected<ReadMesh> reading::readObjFile(const std::string& path, const Progress& progress,
-                                        std::size_t blockSize)
+                                        const MaterialSource& materials, std::size_t blockSize)
 {
     auto input = InputFile::open(path);
     if (!input)
         return fail(input.error());
     if (input->isRegular())
-        return meshOf(scanObj(*input, path, progress.part(0.0, 0.9), blockSize), path, progress);
+        return meshOf(scanObj(*input, path, progress.part(0.0, 0.9), blockSize), path, materials, progress);
     const auto bytes = loadFile(*input, path);
     if (!bytes)
         return fail(bytes.error());
-    return parseObj(bytes->view(), path, progress);
+    return parseObj(bytes->view(), path, progress, materials);
 }
 
 } // namespace ramure

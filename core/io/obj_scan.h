@@ -32,6 +32,8 @@ struct ObjLists
     /// Per triangle its corners' places in texture, noIndex where a corner has none; may be shorter.
     std::vector<glm::uvec3> textureTriangles;
     std::vector<ObjMark> objects, groups;
+    std::vector<ObjMark> materials;                     ///< of lines usemtl
+    std::vector<std::pair<int, std::string>> libraries; ///< of lines mtllib: line, and what it names
     std::vector<std::string> notes;
     std::size_t cornersWithoutNormal = 0;
 };

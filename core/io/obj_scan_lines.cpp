@@ -210,8 +210,16 @@ bool ObjScanner::scanOther()
         return fail(ErrorCode::Syntax, RAMURE_NOOP("not a line of an OBJ file: \"%1\""),
                     {excerpt(restOfLine())});
     m_transformNumbers = 0;
-    for (const std::string_view unused : {"vt", "vp", "s", "mtllib", "usemtl", "usemap", "maplib", "mg",
-                                          "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"})
+    if (word == "usemtl" || word == "mtllib") {
+        m_at = end;
+        if (word == "usemtl")
+            scanMark(m_lists.materials);
+        else if (m_lists.libraries.size() < maxNotedKeywords)
+            m_lists.libraries.emplace_back(m_line, restOfLine());
+        return true;
+    }
+    for (const std::string_view unused : {"vt", "vp", "s", "usemap", "maplib", "mg", "lod", "bevel",
+                                          "c_interp", "d_interp", "shadow_obj", "trace_obj"})
         if (word == unused)
             return true;
     if (const auto known = m_skipped.find(word); known != m_skipped.end())

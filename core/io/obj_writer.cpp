@@ -1,7 +1,9 @@
+#include "core/io/material_file.h"
 #include "core/io/write_parts.h"
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <set>
 
 namespace ramure {
 
@@ -22,6 +24,11 @@ std::string materialPath(const std::string& path)
     else
         out.replace_extension(".mtl");
     return out.string();
+}
+
+std::string head(const std::string& comment)
+{
+    return "# Ramure " RAMURE_VERSION "\n" + (comment.empty() ? "" : "# " + oneLine(comment) + "\n");
 }
 
 /// Number of \p v in the object's own vertices, counted through the file from 1.
@@ -89,13 +96,35 @@ struct Before
     Index vertices = 0, normals = 0, texture = 0;
 };
 
+/// Triangles of one mesh that follow each other.
+struct Run
+{
+    std::size_t begin, end;
+};
+
+/// Those of one colour together; all of them where there are no colours.
+std::vector<Run> runsOf(const TriangleMesh& mesh)
+{
+    const std::size_t count = mesh.triangles.size();
+    if (!writing::hasColours(mesh))
+        return {{0, count}};
+    std::vector<Run> runs;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (runs.empty() || mesh.colours[i] != mesh.colours[runs.back().begin])
+            runs.push_back({i, i});
+        runs.back().end = i + 1;
+    }
+    return runs;
+}
+
 /// Faces v/vt/vn or v/vt.
-bool writeTexturedFaces(FileWriter& out, const TriangleMesh& mesh, const Before& before, bool hasNormals,
-                        Ticker& ticker)
+bool writeTexturedFaces(FileWriter& out, const TriangleMesh& mesh, const Run& run, const Before& before,
+                        bool hasNormals, Ticker& ticker)
 {
     const std::vector<glm::uvec3>& texture = writing::textureTriangles(mesh);
     constexpr std::size_t faceRoom = 32 + 9 * (maxIndexText + 2);
-    return forEach(mesh.triangles.size(), faceRoom, ticker, out, [&](char* to, std::size_t i) {
+    return forEach(run.end - run.begin, faceRoom, ticker, out, [&](char* to, std::size_t number) {
+        const std::size_t i = run.begin + number;
         *to++ = 'f';
         for (int k = 0; k < 3; ++k) {
             *to++ = ' ';
@@ -112,10 +141,31 @@ bool writeTexturedFaces(FileWriter& out, const TriangleMesh& mesh, const Before&
     });
 }
 
+/// Faces v//vn or v.
+bool writePlainFaces(FileWriter& out, const TriangleMesh& mesh, const Run& run, const Before& before,
+                     CornerTexts& corners, Ticker& ticker)
+{
+    constexpr std::size_t faceRoom = 8 + 4 * CornerTexts::room;
+    return forEach(run.end - run.begin, faceRoom, ticker, out, [&](char* to, std::size_t i) {
+        const glm::uvec3 t = mesh.triangles[run.begin + i] + (before.vertices + 1u);
+        *to++ = 'f';
+        to = corners.append(to, t.x);
+        to = corners.append(to, t.y);
+        to = corners.append(to, t.z);
+        *to++ = '\n';
+        return to;
+    });
+}
+
+/// Of a triangle.
+Material materialOf(const MeshPart& part, std::size_t triangle)
+{
+    return writing::hasColours(*part.mesh) ? surfaceMaterial(part.mesh->colours[triangle]) : part.material;
+}
+
 /// One object.
 bool writePart(FileWriter& out, const MeshPart& part, const Before& before, bool hasMaterials, Ticker& ticker)
 {
-    const Index firstVertex = before.vertices, firstNormal = before.normals;
     const TriangleMesh& mesh = *part.mesh;
     const bool hasNormals = writing::hasNormals(mesh);
     out.append("o " + oneLine(part.name) + "\n");
@@ -124,24 +174,18 @@ bool writePart(FileWriter& out, const MeshPart& part, const Before& before, bool
         (hasTexture && !writeVectors("vt ", mesh.uv, ticker, out)) ||
         (hasNormals && !writeVectors("vn ", mesh.normals, ticker, out)))
         return false;
-    if (hasMaterials)
-        out.append("usemtl " + oneLine(part.material.name) + "\n");
-    if (hasNormals)
-        out.append("s 1\n"); // smooth: some programs look at this alone and not at the normals
-    if (hasTexture)
-        return writeTexturedFaces(out, mesh, before, hasNormals, ticker);
-    const Index shift = firstVertex - firstNormal;
-    CornerTexts corners(hasNormals, shift);
-    constexpr std::size_t faceRoom = 8 + 4 * CornerTexts::room;
-    return forEach(mesh.triangles.size(), faceRoom, ticker, out, [&](char* to, std::size_t i) {
-        const glm::uvec3 t = mesh.triangles[i] + (firstVertex + 1u);
-        *to++ = 'f';
-        to = corners.append(to, t.x);
-        to = corners.append(to, t.y);
-        to = corners.append(to, t.z);
-        *to++ = '\n';
-        return to;
-    });
+    const std::vector<Run> runs = runsOf(mesh);
+    CornerTexts corners(hasNormals, before.vertices - before.normals);
+    for (const Run& run : runs) {
+        if (hasMaterials)
+            out.append("usemtl " + oneLine(materialOf(part, run.begin).name) + "\n");
+        if (hasNormals && &run == &runs.front())
+            out.append("s 1\n"); // smooth: some programs look at this alone and not at the normals
+        if (!(hasTexture ? writeTexturedFaces(out, mesh, run, before, hasNormals, ticker)
+                         : writePlainFaces(out, mesh, run, before, corners, ticker)))
+            return false;
+    }
+    return true;
 }
 
 /// Colours in an .mtl have no stated space. Programs show Kd as it is, so that it holds the sRGB value that
@@ -161,11 +205,13 @@ void writeMaterial(FileWriter& out, const Material& material)
 Expected<void> writeMaterials(FileWriter& out, std::span<const MeshPart> parts)
 {
     out.append("# Ramure " RAMURE_VERSION "\n# Kd in sRGB\n");
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const auto isSame = [&](const MeshPart& p) { return p.material.name == parts[i].material.name; };
-        if (std::none_of(parts.begin(), parts.begin() + std::ptrdiff_t(i), isSame))
-            writeMaterial(out, parts[i].material);
-    }
+    std::set<std::string> written;
+    for (const MeshPart& part : parts)
+        for (const Run& run : runsOf(*part.mesh)) {
+            const Material material = materialOf(part, run.begin);
+            if (written.insert(material.name).second)
+                writeMaterial(out, material);
+        }
     return out.finish();
 }
 
@@ -187,7 +233,8 @@ tl::unexpected<Error> cancelled(const std::string& path)
 
 } // namespace
 
-Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts, const Progress& progress)
+Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts, const Progress& progress,
+                        const std::string& comment)
 {
     if (const auto finite = writing::checkFinite(parts, path); !finite)
         return finite;
@@ -195,7 +242,7 @@ Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts
     if (!out)
         return fail(out.error());
     const std::string library = materialPath(path);
-    out->append("# Ramure " RAMURE_VERSION "\n");
+    out->append(head(comment));
     if (out->isRegular()) // a device has nothing beside it
         out->append("mtllib " + oneLine(std::filesystem::path(library).filename().string()) + "\n");
     Ticker ticker(progress, elementCount(parts));
@@ -224,14 +271,15 @@ Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts
     return out->commit();
 }
 
-Expected<void> writeObjLines(const std::string& path, const LinePart& lines, const Progress& progress)
+Expected<void> writeObjLines(const std::string& path, const LinePart& lines, const Progress& progress,
+                             const std::string& comment)
 {
     if (const auto finite = writing::checkFinite(lines, path); !finite)
         return finite;
     auto out = FileWriter::open(path);
     if (!out)
         return fail(out.error());
-    out->append("# Ramure " RAMURE_VERSION "\no " + oneLine(lines.name) + "\n");
+    out->append(head(comment) + "o " + oneLine(lines.name) + "\n");
     Ticker ticker(progress, lines.positions.size() + lines.lines.size());
     if (writeVectors("v ", lines.positions, ticker, *out))
         forEach(lines.lines.size(), 8 + 2 * maxIndexText, ticker, *out, [&](char* to, std::size_t i) {

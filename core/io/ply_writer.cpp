@@ -42,15 +42,16 @@ Layout layoutOf(std::span<const MeshPart> parts)
     return out;
 }
 
-std::string headerBegin(bool ascii)
+std::string headerBegin(const PlyOptions& options)
 {
-    return std::string("ply\nformat ") + (ascii ? "ascii" : "binary_little_endian") +
-           " 1.0\ncomment Ramure " RAMURE_VERSION "\n";
+    return std::string("ply\nformat ") + (options.ascii ? "ascii" : "binary_little_endian") +
+           " 1.0\ncomment Ramure " RAMURE_VERSION "\n" +
+           (options.comment.empty() ? "" : "comment " + writing::oneLine(options.comment) + "\n");
 }
 
-std::string header(const Layout& layout, bool ascii)
+std::string header(const Layout& layout, const PlyOptions& options)
 {
-    std::string out = headerBegin(ascii) + "element vertex " + std::to_string(layout.vertices) +
+    std::string out = headerBegin(options) + "element vertex " + std::to_string(layout.vertices) +
                       "\nproperty float x\nproperty float y\nproperty float z\n";
     if (layout.normals)
         out += "property float nx\nproperty float ny\nproperty float nz\n";
@@ -78,10 +79,9 @@ Index valueAt(const std::vector<Index>& values, std::size_t i)
 /// A vertex as it lies in the file; what a layout lacks is decided where the function is made, not per
 /// vertex.
 template <bool HasNormals, bool HasBranch, bool HasLevel>
-char* binaryVertices(char* to, const MeshPart& part, std::size_t begin, std::size_t end)
+char* binaryVertices(char* to, const TriangleMesh& mesh, const glm::u8vec3 colour, std::size_t begin,
+                     std::size_t end)
 {
-    const TriangleMesh& mesh = *part.mesh;
-    const glm::u8vec3 colour = part.material.colour;
     for (std::size_t i = begin; i < end; ++i) {
         to = appendBytes(to, mesh.positions[i]);
         if constexpr (HasNormals)
@@ -95,7 +95,8 @@ char* binaryVertices(char* to, const MeshPart& part, std::size_t begin, std::siz
     return to;
 }
 
-using Vertices = char* (*)(char* to, const MeshPart& part, std::size_t begin, std::size_t end);
+using Vertices = char* (*)(char* to, const TriangleMesh& mesh, glm::u8vec3 colour, std::size_t begin,
+                           std::size_t end);
 
 Vertices binaryVerticesOf(const Layout& layout)
 {
@@ -106,24 +107,38 @@ Vertices binaryVerticesOf(const Layout& layout)
     return all[(layout.normals ? 1 : 0) + (layout.branch ? 2 : 0) + (layout.level ? 4 : 0)];
 }
 
-char* asciiVertex(char* to, const MeshPart& part, const Layout& layout, std::size_t i)
+/// Of each vertex, from the last triangle that has it; empty where the triangles have no colours.
+std::vector<glm::u8vec3> vertexColours(const MeshPart& part)
 {
-    to = writing::appendVector(to, part.mesh->positions[i]);
+    const TriangleMesh& mesh = *part.mesh;
+    if (!writing::hasColours(mesh))
+        return {};
+    std::vector<glm::u8vec3> out(mesh.positions.size(), part.material.colour);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (int k = 0; k < 3; ++k)
+            out[mesh.triangles[t][k]] = mesh.colours[t];
+    return out;
+}
+
+char* asciiVertex(char* to, const TriangleMesh& mesh, const glm::u8vec3 colour, const Layout& layout,
+                  std::size_t i)
+{
+    to = writing::appendVector(to, mesh.positions[i]);
     *to++ = ' ';
     if (layout.normals) {
-        to = writing::appendVector(to, part.mesh->normals[i]);
+        to = writing::appendVector(to, mesh.normals[i]);
         *to++ = ' ';
     }
     for (int k = 0; k < 3; ++k) {
-        to = appendIndex(to, part.material.colour[k]);
+        to = appendIndex(to, colour[k]);
         *to++ = ' ';
     }
     if (layout.branch) {
-        to = appendIndex(to, valueAt(part.mesh->branch, i));
+        to = appendIndex(to, valueAt(mesh.branch, i));
         *to++ = ' ';
     }
     if (layout.level) {
-        const Index level = valueAt(part.mesh->level, i);
+        const Index level = valueAt(mesh.level, i);
         to = level == noIndex ? appendText(to, "-1") : appendIndex(to, level);
         *to++ = ' ';
     }
@@ -163,14 +178,22 @@ constexpr std::size_t longestFace = 48;
 
 bool writeVertices(FileWriter& out, const MeshPart& part, const Layout& layout, bool ascii, Ticker& ticker)
 {
-    const std::size_t count = part.mesh->positions.size();
+    constexpr std::size_t largestVertex = sizeof(glm::vec3) * 2 + 16;
+    const TriangleMesh& mesh = *part.mesh;
+    const std::size_t count = mesh.positions.size();
+    const std::vector<glm::u8vec3> colours = vertexColours(part);
+    const auto colourOf = [&](std::size_t i) { return colours.empty() ? part.material.colour : colours[i]; };
     if (ascii)
-        return forEach(count, longestVertex, ticker, out,
-                       [&](char* to, std::size_t i) { return asciiVertex(to, part, layout, i); });
-    return forRanges(count, sizeof(glm::vec3) * 2 + 16, ticker, out,
-                     [&, write = binaryVerticesOf(layout)](char* to, std::size_t begin, std::size_t end) {
-                         return write(to, part, begin, end);
-                     });
+        return forEach(count, longestVertex, ticker, out, [&](char* to, std::size_t i) {
+            return asciiVertex(to, mesh, colourOf(i), layout, i);
+        });
+    const Vertices write = binaryVerticesOf(layout);
+    if (!colours.empty())
+        return forEach(count, largestVertex, ticker, out,
+                       [&](char* to, std::size_t i) { return write(to, mesh, colours[i], i, i + 1); });
+    return forRanges(count, largestVertex, ticker, out, [&](char* to, std::size_t begin, std::size_t end) {
+        return write(to, mesh, part.material.colour, begin, end);
+    });
 }
 
 bool writeTexturedFaces(FileWriter& out, const TriangleMesh& mesh, Index first, bool ascii, Ticker& ticker)
@@ -235,7 +258,7 @@ Expected<void> writePly(const std::string& path, std::span<const MeshPart> parts
     if (!out)
         return fail(out.error());
     const Layout layout = layoutOf(parts);
-    out->append(header(layout, options.ascii));
+    out->append(header(layout, options));
     Ticker ticker(progress, layout.vertices + layout.faces);
     writeElements(*out, parts, layout, options.ascii, ticker);
     if (ticker.cancelled()) {
@@ -253,7 +276,7 @@ Expected<void> writePlyLines(const std::string& path, const LinePart& lines, con
     auto out = FileWriter::open(path);
     if (!out)
         return fail(out.error());
-    out->append(headerBegin(options.ascii) + "element vertex " + std::to_string(lines.positions.size()) +
+    out->append(headerBegin(options) + "element vertex " + std::to_string(lines.positions.size()) +
                 "\nproperty float x\nproperty float y\nproperty float z\nelement edge " +
                 std::to_string(lines.lines.size()) +
                 "\nproperty int vertex1\nproperty int vertex2\nend_header\n");

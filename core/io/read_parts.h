@@ -10,6 +10,9 @@
 
 namespace ramure::reading {
 
+/// Of triangles whose material says none, where others have one.
+inline constexpr glm::u8vec3 plainColour{184, 184, 184};
+
 /// Elements or lines between two looks at the stop token.
 inline constexpr std::size_t chunk = std::size_t(1) << 16;
 
@@ -101,7 +104,7 @@ struct ScanBlocks
 
 /// readMeshFile for either ending: regular files in blocks.
 Expected<ReadMesh> readObjFile(const std::string& path, const Progress& progress,
-                               std::size_t blockSize = lineBlockSize);
+                               const MaterialSource& materials = {}, std::size_t blockSize = lineBlockSize);
 Expected<ReadMesh> readPlyFile(const std::string& path, const Progress& progress);
 
 /// Part of a text as it may be shown in a message: short, printable.

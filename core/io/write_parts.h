@@ -107,6 +107,12 @@ inline const std::vector<glm::uvec3>& textureTriangles(const TriangleMesh& mesh)
     return mesh.uvTriangles.empty() ? mesh.triangles : mesh.uvTriangles;
 }
 
+/// Each triangle has a colour of its own, in place of the part's material.
+inline bool hasColours(const TriangleMesh& mesh)
+{
+    return !mesh.colours.empty() && mesh.colours.size() == mesh.triangles.size();
+}
+
 /// Normals are written where there is one for every vertex.
 inline bool hasNormals(const TriangleMesh& mesh)
 {

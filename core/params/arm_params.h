@@ -62,6 +62,9 @@ struct ArmParams
 };
 
 /// The arm's skin, a cylinder rolled up from a regular grid (SPEC C3).
+/// Which axis of a worn mesh lies along the arm.
+enum class MeshAxis : std::uint8_t { Longest, X, Y, Z };
+
 struct ArmSkinParams
 {
     bool shown = true;                 ///< otherwise joints and rods are seen
@@ -69,6 +72,7 @@ struct ArmSkinParams
     std::int64_t lengthDivisions = 94; ///< cells of the grid along the arm
     std::int64_t radialDivisions = 32; ///< and around it
     double window = 0.2;               ///< m on either side of a joint, over which segments share the skin
+    MeshAxis axis = MeshAxis::Longest; ///< of a worn mesh
     bool weights = false;              ///< coloured by the segments that it follows
     bool operator==(const ArmSkinParams&) const = default;
 };

@@ -37,6 +37,16 @@ struct TurtleParams
     bool operator==(const TurtleParams&) const = default;
 };
 
+/// How far turns, lengths and radii of a tree grown by chance lie from what the turtle says, at most, as a
+/// share of it.
+struct VariationParams
+{
+    double angle = 0.05;
+    double length = 0.05;
+    double radius = 0.05;
+    bool operator==(const VariationParams&) const = default;
+};
+
 struct SimplifyParams
 {
     bool enabled = true;
@@ -101,6 +111,7 @@ struct NodeParams
 {
     GrammarParams grammar;
     TurtleParams turtle;
+    VariationParams variation;
     SimplifyParams simplify;
     SectionParams sections;
     MeshParams mesh;

@@ -34,7 +34,19 @@ using ParamValue = std::variant<bool, std::int64_t, double, std::string, glm::dv
 enum class ParamType : std::uint8_t { Bool, Int, Real, Text, Vec3, Enum };
 
 /// Inside the program angles are radians and lengths metres; the interface may show degrees.
-enum class ParamUnit : std::uint8_t { None, Metre, Radian, Ratio, Count, Degree, Second };
+/// A share is a ratio that the interface shows in per cent.
+enum class ParamUnit : std::uint8_t {
+    None,
+    Metre,
+    Radian,
+    Ratio,
+    Count,
+    Degree,
+    Second,
+    Share,
+    Kilogram,
+    Factor
+};
 
 enum ParamFlag : std::uint8_t {
     paramNone = 0,

@@ -21,6 +21,7 @@ constexpr std::array relevances{
     Relevance{"primitive.sides", "primitive.shape", round},
     Relevance{"primitive.axis", "primitive.shape", standing},
     Relevance{"physics.substeps", "physics.mode", robust},
+    Relevance{"physics.settled", "physics.mode", robust},
     Relevance{"ik.gain", "ik.solver", transpose},
 };
 

@@ -51,6 +51,11 @@ constexpr std::array itemsOf<PrimitiveAxis>{EnumItem{"x", RAMURE_NOOP("X")}, Enu
                                             EnumItem{"z", RAMURE_NOOP("Z")}};
 
 template <>
+constexpr std::array itemsOf<MeshAxis>{EnumItem{"longest", RAMURE_NOOP("The longest")},
+                                       EnumItem{"x", RAMURE_NOOP("X")}, EnumItem{"y", RAMURE_NOOP("Y")},
+                                       EnumItem{"z", RAMURE_NOOP("Z")}};
+
+template <>
 constexpr std::array itemsOf<ArmSolverKind>{EnumItem{"leastSquares", RAMURE_NOOP("Damped least squares")},
                                             EnumItem{"transpose", RAMURE_NOOP("Jacobian transpose")}};
 
@@ -133,6 +138,7 @@ constexpr ParamDef row(const Words& words, ParamUnit unit, const Range& range, S
 
 constexpr const char* grammarGroup = RAMURE_NOOP("Grammar");
 constexpr const char* turtleGroup = RAMURE_NOOP("Turtle");
+constexpr const char* variationGroup = RAMURE_NOOP("Variation");
 constexpr const char* simplifyGroup = RAMURE_NOOP("Simplification");
 constexpr const char* sectionsGroup = RAMURE_NOOP("Cross-sections");
 constexpr const char* forksGroup = RAMURE_NOOP("Forks");
@@ -168,11 +174,11 @@ constexpr std::array table{
         ParamUnit::Count, {0, 30, 0, 12, 1, 0}, Stage::Symbols),
     row<&NodeParams::grammar, &GrammarParams::stochastic>(
         {"grammar.stochastic", grammarGroup, RAMURE_NOOP("By chance"),
-         RAMURE_NOOP("Let chance choose among the outcomes of a rule, so that every seed gives another tree. Off: "
-                     "each rule always gives its default.")},
+         RAMURE_NOOP("Let chance choose among the outcomes of a rule and vary the branches, so that every seed gives "
+                     "another tree. Off: each rule always gives its default, and nothing varies.")},
         ParamUnit::None, {}, Stage::Symbols),
     row<&NodeParams::grammar, &GrammarParams::seed>(
-        {"grammar.seed", grammarGroup, RAMURE_NOOP("Seed"),
+        {"grammar.seed", grammarGroup, RAMURE_NOOP("Seed of the tree"),
          RAMURE_NOOP("Names one tree among all that chance can give. The same seed always grows the same tree.")},
         ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Symbols, paramSeed),
 
@@ -180,7 +186,7 @@ constexpr std::array table{
         {"turtle.theta", turtleGroup, RAMURE_NOOP("Turn"),
          RAMURE_NOOP("The angle of every turn a symbol asks for. Small angles give slender trees, large ones "
                      "spreading trees.")},
-        ParamUnit::Radian, {-2 * pi, 2 * pi, 0, pi / 2, 0.01, 4}, Stage::Skeleton, paramAnimatable),
+        ParamUnit::Radian, {-2 * pi, 2 * pi, 0, pi / 3, 0.01, 4}, Stage::Skeleton, paramAnimatable),
     row<&NodeParams::turtle, &TurtleParams::alpha>(
         {"turtle.alpha", turtleGroup, RAMURE_NOOP("Step"),
          RAMURE_NOOP("Length of each piece of branch, and the radius of the trunk at the ground. Leaves and apples "
@@ -192,6 +198,21 @@ constexpr std::array table{
                      "the trunk.")},
         ParamUnit::Ratio, {0.01, 1, 0.5, 1, 0.01, 4}, Stage::Skeleton, paramAnimatable),
 
+    row<&NodeParams::variation, &VariationParams::angle>(
+        {"variation.angle", variationGroup, RAMURE_NOOP("Angles"),
+         RAMURE_NOOP("How far each turn of a tree grown by chance may lie from the angle above, by seed. 0: every turn is the "
+                     "same.")},
+        ParamUnit::Share, {0, 0.9, 0, 0.3, 0.01, 3}, Stage::Skeleton),
+    row<&NodeParams::variation, &VariationParams::length>(
+        {"variation.length", variationGroup, RAMURE_NOOP("Lengths"),
+         RAMURE_NOOP("How far each piece of branch of a tree grown by chance may be longer or shorter than the step, by seed.")},
+        ParamUnit::Share, {0, 0.9, 0, 0.3, 0.01, 3}, Stage::Skeleton),
+    row<&NodeParams::variation, &VariationParams::radius>(
+        {"variation.radius", variationGroup, RAMURE_NOOP("Radii"),
+         RAMURE_NOOP("How far each piece of branch of a tree grown by chance may taper more or less than the taper says, by "
+                     "seed. No branch gets thicker towards its tip.")},
+        ParamUnit::Share, {0, 0.9, 0, 0.3, 0.01, 3}, Stage::Skeleton),
+
     row<&NodeParams::simplify, &SimplifyParams::enabled>(
         {"simplify.enabled", simplifyGroup, RAMURE_NOOP("Merge straight runs"),
          RAMURE_NOOP("Make one branch of pieces that follow each other without a turn. The shape stays, the mesh gets "
@@ -201,7 +222,7 @@ constexpr std::array table{
         {"simplify.rotationThreshold", simplifyGroup, RAMURE_NOOP("Straight below"),
          RAMURE_NOOP("Pieces that turn by less than this angle count as straight and are merged. Larger angles remove "
                      "bends too.")},
-        ParamUnit::Radian, {0, pi, 0, 0.5, 0.01, 6}, Stage::Simplified, paramAdvanced),
+        ParamUnit::Radian, {0, pi, 0, 0.5, 0.001, 6}, Stage::Simplified, paramAdvanced),
 
     row<&NodeParams::sections, &SectionParams::lengthDivisions>(
         {"sections.lengthDivisions", sectionsGroup, RAMURE_NOOP("Along the branch"),
@@ -252,7 +273,7 @@ constexpr std::array table{
          RAMURE_NOOP("The chance that a branch which is thin enough carries an apple: 0 for none, 1 for one on each.")},
         ParamUnit::Ratio, {0, 1, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable),
     row<&NodeParams::foliage, &FoliageParams::seed>(
-        {"foliage.seed", foliageGroup, RAMURE_NOOP("Seed"),
+        {"foliage.seed", foliageGroup, RAMURE_NOOP("Seed of the leaves"),
          RAMURE_NOOP("Another seed arranges leaves and apples anew; the branches stay as they are.")},
         ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Foliage, paramSeed),
 
@@ -340,7 +361,8 @@ constexpr std::array table{
         ParamUnit::Count, {1, 64, 1, 8, 1, 0}, Stage::Motion, paramAdvanced),
     row<&NodeParams::physics, &PhysicsParams::gravity>(
         {"physics.gravity", physicsGroup, RAMURE_NOOP("Gravity"),
-         RAMURE_NOOP("How heavy everything is: 1 as on Earth, 0 weightless. Branches sag, apples fall.")},
+         RAMURE_NOOP("How heavy everything is: 1 as on Earth, 0 weightless. Apples fall, and branches sag unless the tree starts "
+                     "settled.")},
         ParamUnit::Ratio, {0, 100, 0, 3, 0.05, 3}, Stage::Motion, paramAnimatable),
     row<&NodeParams::physics, &PhysicsParams::damping>(
         {"physics.damping", physicsGroup, RAMURE_NOOP("Damping"),
@@ -356,14 +378,21 @@ constexpr std::array table{
          RAMURE_NOOP("Where a branch wants back to: the place it has as seen from its parent, or the direction it had in the "
                      "world at first. The faithful mode always takes the world.")},
         ParamUnit::None, {}, Stage::Motion, paramAdvanced),
+    row<&NodeParams::physics, &PhysicsParams::settled>(
+        {"physics.settled", physicsGroup, RAMURE_NOOP("Starts settled"),
+         RAMURE_NOOP("The shape as modelled already hangs under its own weight, and motion starts from rest. Off: the weight "
+                     "comes on when motion starts, and branches sag. Only in the robust mode.")},
+        ParamUnit::None, {}, Stage::Motion),
     row<&NodeParams::physics, &PhysicsParams::appleMass>(
-        {"physics.appleMass", physicsGroup, RAMURE_NOOP("Weight of an apple"),
-         RAMURE_NOOP("Added to the branch that carries it, which counts as heavy as the radius of its end in metres.")},
-        ParamUnit::None, {0, 100, 0, 1, 0.005, 4}, Stage::Motion),
+        {"physics.appleMass", physicsGroup, RAMURE_NOOP("Mass of an apple"),
+         RAMURE_NOOP("Added to the branch that carries it. A branch itself counts as many kilograms as the radius of its end "
+                     "has metres.")},
+        ParamUnit::Kilogram, {0, 100, 0, 1, 0.005, 4}, Stage::Motion),
     row<&NodeParams::physics, &PhysicsParams::windStrength>(
         {"physics.windStrength", physicsGroup, RAMURE_NOOP("Wind"),
-         RAMURE_NOOP("0: no wind; 1: a fresh breeze.")},
-        ParamUnit::Ratio, {0, 100, 0, 3, 0.05, 3}, Stage::Motion, paramAnimatable),
+         RAMURE_NOOP("How strong the wind is, as a factor: 0 is calm, 1 a gentle breeze of 4 m/s on average. The faithful "
+                     "mode multiplies the wind of the reference by it.")},
+        ParamUnit::Factor, {0, 100, 0, 3, 0.05, 3}, Stage::Motion, paramAnimatable),
     row<&NodeParams::physics, &PhysicsParams::windDirection>(
         {"physics.windDirection", physicsGroup, RAMURE_NOOP("Wind direction"),
          RAMURE_NOOP("Where the wind blows to, about the vertical axis: 0 along X, a quarter turn against Z.")},
@@ -377,7 +406,7 @@ constexpr std::array table{
          RAMURE_NOOP("How much the wind differs from place to place, quickly, so that twigs flutter. Only in the robust mode.")},
         ParamUnit::Ratio, {0, 10, 0, 1, 0.05, 3}, Stage::Motion, paramAnimatable),
     row<&NodeParams::physics, &PhysicsParams::seed>(
-        {"physics.seed", physicsGroup, RAMURE_NOOP("Seed"),
+        {"physics.seed", physicsGroup, RAMURE_NOOP("Seed of the wind"),
          RAMURE_NOOP("Another seed gives other gusts and eddies. The same seed always gives the same motion.")},
         ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Motion, paramSeed),
     row<&NodeParams::physics, &PhysicsParams::appleBounce>(
@@ -444,13 +473,17 @@ constexpr std::array table{
         {"armSkin.window", armSkinGroup, RAMURE_NOOP("Blending"),
          RAMURE_NOOP("How far on either side of a joint two segments share the skin; at most half a segment.")},
         ParamUnit::Metre, {0, 1e3, 0, 1, 0.01, 3}, Stage::Mesh, paramNone, armOnly),
+    row<&NodeParams::armSkin, &ArmSkinParams::axis>(
+        {"armSkin.axis", armSkinGroup, RAMURE_NOOP("Axis of the mesh"),
+         RAMURE_NOOP("Which axis of an object comes to lie along the arm when the arm puts it on: Y for a tree.")},
+        ParamUnit::None, {}, Stage::Mesh, paramNone, armOnly),
     row<&NodeParams::armSkin, &ArmSkinParams::weights>(
         {"armSkin.weights", armSkinGroup, RAMURE_NOOP("Show weights"),
          RAMURE_NOOP("Colours the skin by the segments that it follows.")},
         ParamUnit::None, {}, Stage::Mesh, paramNone, armOnly),
 
     row<&NodeParams::relief, &ReliefParams::seed>(
-        {"relief.seed", reliefGroup, RAMURE_NOOP("Seed"),
+        {"relief.seed", reliefGroup, RAMURE_NOOP("Seed of the hills"),
          RAMURE_NOOP("Another seed, another terrain.")},
         ParamUnit::None, {0, maxSeed, 0, 1000, 1, 0}, Stage::Mesh, paramSeed, reliefOnly),
     row<&NodeParams::relief, &ReliefParams::size>(

@@ -25,6 +25,7 @@ struct PhysicsParams
     double damping = 0.7; ///< faithful: what a step leaves of the speed; robust: half a swing of the swing
     double restitution = 1000.0;             ///< stiffness
     RestFrame restFrame = RestFrame::Parent; ///< robust only: SPEC A7 is in world space
+    bool settled = true; ///< robust only: the modelled shape is the one that the tree's own weight has bent
     double appleMass = 0.075;
     double windStrength = 1.0;
     double windDirection = 0.0; ///< rad, about +Y from +X
@@ -42,7 +43,7 @@ template <class Params, class Visit> void visitFields(Params& p, Visit&& visit)
     visit(p.mode), visit(p.stepSeconds), visit(p.substeps), visit(p.gravity), visit(p.damping);
     visit(p.restitution), visit(p.restFrame), visit(p.appleMass), visit(p.windStrength);
     visit(p.windDirection), visit(p.windGust), visit(p.windTurbulence), visit(p.seed);
-    visit(p.appleBounce), visit(p.appleFriction);
+    visit(p.appleBounce), visit(p.appleFriction), visit(p.settled);
 }
 
 } // namespace ramure

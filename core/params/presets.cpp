@@ -1,5 +1,6 @@
 #include "core/params/presets.h"
 
+#include <algorithm>
 #include <array>
 
 namespace ramure {
@@ -64,6 +65,13 @@ Expected<NodeParams> presetParams(std::string_view name)
     }
     return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no preset \"%1\"; there are %2"),
                 {std::string(name), names});
+}
+
+ParamValue presetValue(std::string_view preset, const ParamDef& def)
+{
+    const auto all = presets();
+    const auto found = std::ranges::find(all, preset, &Preset::name);
+    return found == all.end() ? defaultValue(def) : def.get(found->params);
 }
 
 } // namespace ramure

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/params/node_params.h"
+#include "core/params/param_def.h"
 #include <span>
 #include <string_view>
 
@@ -19,5 +19,8 @@ struct Preset
 std::span<const Preset> presets();
 /// Error: Unknown, with the names there are.
 Expected<NodeParams> presetParams(std::string_view name);
+/// The value that an unchanged node of this preset has; of no preset, or of one that there is not, the
+/// default.
+ParamValue presetValue(std::string_view preset, const ParamDef& def);
 
 } // namespace ramure

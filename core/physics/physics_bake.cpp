@@ -19,11 +19,12 @@ static_assert(std::endian::native == std::endian::little, "words go to the file 
 
 using Word = std::uint64_t;
 constexpr std::array<char, sizeof(Word)> magicWord{'R', 'A', 'M', 'R', 'P', 'H', 'Y', 'S'};
-constexpr Word version = 1;
+constexpr Word version = 2;          ///< 1 knew no settled trees
 constexpr std::size_t headWords = 3; // magic, version, number of words
 constexpr std::size_t stateHeadWords = 7, appleWords = 15;
 
-Word checksumOf(const std::vector<Word>& words, Word sum = version)
+/// \param sum of what stands before; the file's version at the beginning.
+Word checksumOf(const std::vector<Word>& words, Word sum)
 {
     for (const Word word : words)
         sum = mixBits(sum * 0x9E3779B97F4A7C15ull + word + 1);
@@ -83,8 +84,9 @@ private:
 class WordReader
 {
 public:
-    explicit WordReader(const std::vector<Word>& words)
+    WordReader(const std::vector<Word>& words, Word fileVersion)
         : m_words(words)
+        , m_version(fileVersion)
     {
     }
     [[nodiscard]] bool isGood() const { return m_good; }
@@ -121,14 +123,27 @@ public:
     {
         if constexpr (std::is_enum_v<T>)
             out = static_cast<T>(word(1));
+        else if constexpr (std::is_same_v<T, bool>)
+            out = word(1) == 1;
         else if constexpr (std::is_integral_v<T>)
             out = static_cast<T>(word());
         else
             out = real();
     }
+    PhysicsParams physics()
+    {
+        PhysicsParams params;
+        visitFields(params, [&](auto& each) {
+            if (static_cast<const void*>(&each) != &params.settled || m_version > 1)
+                field(each);
+        });
+        params.settled = params.settled && m_version > 1;
+        return params;
+    }
 
 private:
     const std::vector<Word>& m_words;
+    Word m_version;
     std::size_t m_next = 0;
     bool m_good = true;
 };
@@ -150,7 +165,7 @@ void readParams(WordReader& in, PhysicsScript& out)
         in.demand(i == 0 ? from == 0 : from > last);
         last = from;
         NodeParams node;
-        visitFields(node.physics, [&](auto& field) { in.field(field); });
+        node.physics = in.physics();
         in.demand(in.isGood() && checkParams(node).has_value());
         if (in.isGood())
             out.setParams(node.physics, from);
@@ -211,9 +226,10 @@ void demandUnitRotations(WordReader& in, const PhysicsState& state)
     }
 }
 
-PhysicsState readState(WordReader& in, const TreeBody& body)
+PhysicsState readState(WordReader& in, const TreeBody& body, const HeldWeight& held)
 {
     PhysicsState state;
+    state.held = held;
     state.step = in.step();
     state.timeSeconds = in.real();
     state.clockTime = in.real();
@@ -240,7 +256,18 @@ tl::unexpected<Error> refuse(const std::string& file, ErrorCode code, const char
     return error;
 }
 
-Expected<std::vector<Word>> readWords(const std::string& path)
+struct FileWords
+{
+    Word version = 0;
+    std::vector<Word> words; ///< without head and checksum
+};
+
+bool isKnown(Word fileVersion)
+{
+    return fileVersion >= 1 && fileVersion <= version;
+}
+
+Expected<FileWords> readWords(const std::string& path)
 {
     std::error_code status; // a folder opens, and then has no end
     const std::uintmax_t bytes = std::filesystem::file_size(path, status);
@@ -256,7 +283,7 @@ Expected<std::vector<Word>> readWords(const std::string& path)
                       {std::generic_category().message(errno)});
     if (words.empty() || words[0] != std::bit_cast<Word>(magicWord))
         return refuse(path, ErrorCode::Syntax, RAMURE_NOOP("not a file of baked motion"));
-    if (words.size() > 1 && words[1] != version)
+    if (words.size() > 1 && !isKnown(words[1]))
         return refuse(path, ErrorCode::Version,
                       RAMURE_NOOP("baked motion of version %1; this program knows version %2"),
                       {std::to_string(words[1]), std::to_string(version)});
@@ -265,22 +292,22 @@ Expected<std::vector<Word>> readWords(const std::string& path)
     if (!isWhole)
         return refuse(path, ErrorCode::Syntax,
                       RAMURE_NOOP("the file is cut short, or something follows its end"));
-    const Word checksum = words.back();
+    const Word checksum = words.back(), fileVersion = words[1];
     words.pop_back();
     words.erase(words.begin(), words.begin() + headWords);
-    if (checksumOf(words) != checksum)
+    if (checksumOf(words, fileVersion) != checksum)
         return refuse(path, ErrorCode::Syntax, RAMURE_NOOP("the file is damaged: its checksum differs"));
-    return words;
+    return FileWords{fileVersion, std::move(words)};
 }
 
 /// \param wanted null: any run.
 Expected<Baked> readBake(const std::string& path, const TreeBody& body, const PhysicsParams* wanted,
                          const Progress& progress)
 {
-    const auto words = readWords(path);
-    if (!words)
-        return fail(words.error());
-    WordReader in(*words);
+    const auto file = readWords(path);
+    if (!file)
+        return fail(file.error());
+    WordReader in(file->words, file->version);
     const bool isThisTree = in.word() == body.key && in.word() == body.size();
     if (!isThisTree)
         return refuse(path, ErrorCode::Invalid, RAMURE_NOOP("this motion was baked from another tree"));
@@ -291,12 +318,13 @@ Expected<Baked> readBake(const std::string& path, const TreeBody& body, const Ph
     readHand(in, body, out.script);
     if (wanted && in.isGood() && !(out.script == PhysicsScript(*wanted)))
         return refuse(path, ErrorCode::Invalid, RAMURE_NOOP("this motion was baked with other parameters"));
+    const HeldWeight held = heldWeight(out.script.paramsAt(0));
     const std::size_t count = in.count(stateHeadWords);
     for (std::size_t i = 0; i < count && in.isGood(); ++i) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         progress.report(static_cast<double>(i) / static_cast<double>(count));
-        PhysicsState state = readState(in, body);
+        PhysicsState state = readState(in, body, held);
         in.demand(out.states.empty() ? state.step > 0 : state.step > out.states.back().step);
         out.states.push_back(std::move(state));
     }
@@ -321,7 +349,7 @@ Expected<void> saveBake(PhysicsCache& cache, std::int64_t lastStep, const std::s
                         const Progress& progress)
 {
     // Before the long work: a folder that is missing.
-    auto file = FileWriter::open(path);
+    auto file = FileWriter::open(path, Durability::Power);
     if (!file)
         return fail(file.error());
     if (auto done = cache.seek(lastStep, progress.part(0.0, 0.9)); !done)
@@ -348,7 +376,7 @@ Expected<void> saveBake(PhysicsCache& cache, std::int64_t lastStep, const std::s
         count += wordCount(*state);
     append(*file, {std::bit_cast<Word>(magicWord), version, count});
     append(*file, head);
-    Word checksum = checksumOf(head);
+    Word checksum = checksumOf(head, version);
     for (std::size_t i = 0; i < states.size() && file->isGood(); ++i) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
@@ -396,15 +424,16 @@ Expected<BakeLabel> readBakeLabel(const std::string& path)
                       {std::generic_category().message(errno)});
     file.read(reinterpret_cast<char*>(read.data()), sizeof(read));
     std::vector<Word> words(read.begin(), read.begin() + file.gcount() / std::streamsize(sizeof(Word)));
-    if (words.size() < headWords || words[0] != std::bit_cast<Word>(magicWord) || words[1] != version)
+    if (words.size() < headWords || words[0] != std::bit_cast<Word>(magicWord) || !isKnown(words[1]))
         return refuse(path, ErrorCode::Syntax, RAMURE_NOOP("not a file of baked motion"));
+    const Word fileVersion = words[1];
     words.erase(words.begin(), words.begin() + headWords);
-    WordReader in(words);
+    WordReader in(words, fileVersion);
     BakeLabel label;
     label.bodyKey = in.word();
     in.word(), in.word(), in.word(), in.word(); // slots, checkpoints, number of changes, step of the first
     NodeParams node;
-    visitFields(node.physics, [&](auto& field) { in.field(field); });
+    node.physics = in.physics();
     if (!in.isGood() || !checkParams(node))
         return refuse(path, ErrorCode::Invalid, RAMURE_NOOP("the file holds values that cannot be"));
     label.params = node.physics;

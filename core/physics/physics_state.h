@@ -36,6 +36,16 @@ struct Pull
     bool operator==(const Pull&) const = default;
 };
 
+/// The weight under which the shape at rest stands still, as it was when the run began. Without gravity:
+/// none.
+struct HeldWeight
+{
+    double gravity = 0.0, restitution = 0.0, appleMass = 0.0;
+    bool operator==(const HeldWeight&) const = default;
+};
+/// Of a run that begins with \p params.
+HeldWeight heldWeight(const PhysicsParams& params);
+
 /// One channel per column, all slots of a channel side by side.
 struct PhysicsState
 {
@@ -64,6 +74,7 @@ struct PhysicsState
     double clockTime = 0.0, clockStepSeconds = 0.0;
     std::int64_t clockStep = 0;
     PhysicsMode mode = PhysicsMode::Robust;
+    HeldWeight held; ///< the same throughout a run; the robust step reads it
     Index slotCount = 0;
     std::vector<double> values;    ///< channels * slots
     std::vector<LooseApple> loose; ///< in the order in which they fell

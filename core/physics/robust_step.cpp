@@ -29,7 +29,7 @@ struct Columns
 {
     double *rotW, *rotX, *rotY, *rotZ, *velX, *velY, *velZ;
     double *bendX, *bendY, *bendZ, *rateX, *rateY, *rateZ;
-    const double *dirX, *dirY, *dirZ, *length, *give, *drag, *weight;
+    const double *dirX, *dirY, *dirZ, *length, *give, *drag, *weight, *held;
     const double *keepXX, *keepXV, *keepVX, *keepVV;
 };
 
@@ -108,7 +108,8 @@ void stepBlock(const Columns& c, double perSecond, const Around& around, std::si
         const Vec air{around.airX[lane], around.airY[lane], around.airZ[lane]};
         const double felt = c.drag[i] / std::sqrt(1.0 + dot(carried, carried) * (1.0 / (fastAir * fastAir)));
         const Vec pressed = c.give[i] * (turnOfWind * air - Vec{0.0, c.weight[i], 0.0}) - felt * carried;
-        const Vec target = bendOf(rest, turned(conjugate(frame), pressed));
+        const Vec load = turned(conjugate(frame), pressed) + Vec{0.0, c.held[i], 0.0};
+        const Vec target = bendOf(rest, load);
         // The spring, solved exactly.
         const Vec away = Vec{c.bendX[i], c.bendY[i], c.bendZ[i]} - target;
         const Vec rate{c.rateX[i], c.rateY[i], c.rateZ[i]};
@@ -156,22 +157,47 @@ void solve(double rate, double ratio, double h, Springs& out)
     out.keepVV.push_back(even - a * odd);
 }
 
+double stiffnessOf(double restitution)
+{
+    return std::max(restitution / 1000.0, leastStiffness);
+}
+
+double giveOf(const TreeBody& body, Index slot, double stiffness)
+{
+    return body.length[slot] / std::max(body.reach[slot], 1e-9) / stiffness;
+}
+
+double weightOf(const Masses& masses, Index slot, double gravity)
+{
+    const double heavier = masses.bare[slot] > 0.0 ? masses.mass[slot] / masses.bare[slot] : 1.0;
+    return turnOfWeight * gravity * std::min(heavier, 6.0);
+}
+
 } // namespace
+
+std::vector<double> heldLoads(const TreeBody& body, const HeldWeight& held)
+{
+    const Masses masses = massesOf(body, held.appleMass, {});
+    const double stiffness = stiffnessOf(held.restitution);
+    std::vector<double> out(body.size());
+    for (Index slot = 0; slot < body.size(); ++slot)
+        out[slot] = giveOf(body, slot, stiffness) * weightOf(masses, slot, held.gravity);
+    return out;
+}
 
 Springs springsOf(const TreeBody& body, const PhysicsParams& params, const Masses& masses)
 {
     Springs out;
     out.seconds = params.stepSeconds / static_cast<double>(params.substeps);
-    const double stiffness = std::max(params.restitution / 1000.0, leastStiffness);
+    const double stiffness = stiffnessOf(params.restitution);
     const double ratio =
         std::clamp(-std::log(std::max(params.damping, 1e-30)) / std::numbers::pi, leastRatio, mostRatio);
     for (Index slot = 0; slot < body.size(); ++slot) {
         const double reach = std::max(body.reach[slot], 1e-9);
         out.rate.push_back(std::min(std::sqrt(springiness * earthGravity * stiffness / reach),
                                     mostTurnOfSubstep / out.seconds));
-        out.give.push_back(body.length[slot] / reach / stiffness);
-        const double heavier = masses.bare[slot] > 0.0 ? masses.mass[slot] / masses.bare[slot] : 1.0;
-        out.weight.push_back(turnOfWeight * params.gravity * std::min(heavier, 6.0));
+        out.give.push_back(giveOf(body, slot, stiffness));
+        out.weight.push_back(weightOf(masses, slot, params.gravity));
         // The air that a swinging branch pushes away slows it, as it shakes the branches that are carried
         // through it. Of soft branches no more than of usual ones: what shakes them must not be more than
         // what slows them.
@@ -188,12 +214,12 @@ void robustStep(const StepInputs& in, PhysicsState& state, double timeSeconds)
     const Springs& s = in.springs;
     const auto at = [&](PhysicsState::Channel channel) { return state.channel(channel).data(); };
     using State = PhysicsState;
-    const Columns columns{at(State::RotW),    at(State::RotX),  at(State::RotY),  at(State::RotZ),
-                          at(State::VelX),    at(State::VelY),  at(State::VelZ),  at(State::BendX),
-                          at(State::BendY),   at(State::BendZ), at(State::RateX), at(State::RateY),
-                          at(State::RateZ),   body.dirX.data(), body.dirY.data(), body.dirZ.data(),
-                          body.length.data(), s.give.data(),    s.drag.data(),    s.weight.data(),
-                          s.keepXX.data(),    s.keepXV.data(),  s.keepVX.data(),  s.keepVV.data()};
+    const Columns columns{
+        at(State::RotW),  at(State::RotX),    at(State::RotY),  at(State::RotZ),  at(State::VelX),
+        at(State::VelY),  at(State::VelZ),    at(State::BendX), at(State::BendY), at(State::BendZ),
+        at(State::RateX), at(State::RateY),   at(State::RateZ), body.dirX.data(), body.dirY.data(),
+        body.dirZ.data(), body.length.data(), s.give.data(),    s.drag.data(),    s.weight.data(),
+        in.held.data(),   s.keepXX.data(),    s.keepXV.data(),  s.keepVX.data(),  s.keepVV.data()};
     const WindField::Moment moment = in.wind.at(timeSeconds);
     const bool isParentFrame = in.params.restFrame == RestFrame::Parent;
     Around around;

@@ -10,6 +10,10 @@
 /// can explode. The target depends on what stands below the branch only, never on its own bend, and is
 /// bounded. A branch feels the air that it is carried through: that makes tips lag behind.
 ///
+/// A settled tree is bent by its weight already: what its weight at rest asks for is taken off the load, as
+/// seen from the frame that the branch rests in. So the shape at rest stands still to the last bit, whatever
+/// the weight; more or less weight than at first, and weight from another side, bend it.
+///
 /// Bends are vectors tan(angle / 2) * axis across the branch: any vector is a rotation, without sine or
 /// cosine.
 #pragma once
@@ -20,6 +24,9 @@ namespace ramure {
 
 /// The constants for one set of parameters, body and masses.
 Springs springsOf(const TreeBody& body, const PhysicsParams& params, const Masses& masses);
+
+/// By slot: the load that the weight \p held puts on each branch while all apples hang.
+std::vector<double> heldLoads(const TreeBody& body, const HeldWeight& held);
 
 /// One substep from \p timeSeconds on. Leaves time and step of the state alone.
 void robustStep(const StepInputs& in, PhysicsState& state, double timeSeconds);

@@ -44,6 +44,7 @@ struct StepInputs
     const PhysicsParams& params;
     const Masses& masses;
     const Springs& springs;
+    const std::vector<double>& held; ///< heldLoads(); the robust step's
     const WindField& wind;
     StepRotations& rotations;
 };

@@ -118,6 +118,8 @@ struct TreePhysics::Prepared
     Springs springs;
     WindField wind;
     StepRotations rotations;
+    HeldWeight heldFor;
+    std::vector<double> held; ///< for heldFor
     bool hasMasses = false, hasSprings = false, hasWind = false;
 
     void setParams(const PhysicsParams& next)
@@ -151,6 +153,8 @@ struct TreePhysics::Prepared
             return;
         if (!hasSprings)
             springs = springsOf(body, params, masses);
+        if (held.size() != body.size() || heldFor != state.held)
+            held = heldLoads(body, heldFor = state.held);
         if (!hasWind)
             wind.setParams(body, params);
         hasSprings = hasWind = true;
@@ -187,6 +191,7 @@ PhysicsState TreePhysics::restState() const
 {
     PhysicsState state;
     state.mode = params().mode;
+    state.held = heldWeight(params());
     state.slotCount = m_body->size();
     state.clockStepSeconds = params().stepSeconds;
     state.values.assign(std::size_t(state.channels()) * state.slotCount, 0.0);
@@ -279,7 +284,7 @@ void TreePhysics::step(PhysicsState& state, const std::optional<Pull>& pull)
     }
     if (pull)
         pullBranches(*m_body, p.params, *pull, p.springs, state);
-    const StepInputs in{*m_body, p.params, p.masses, p.springs, p.wind, p.rotations};
+    const StepInputs in{*m_body, p.params, p.masses, p.springs, p.held, p.wind, p.rotations};
     if (p.params.mode == PhysicsMode::Faithful)
         faithfulStep(in, state);
     else

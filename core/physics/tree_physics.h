@@ -28,7 +28,8 @@ public:
     /// outside the table's ranges are clamped.
     void setParams(const PhysicsParams& params);
 
-    /// At rest, step 0, all apples on the tree.
+    /// At rest, step 0, all apples on the tree. Settled trees (PhysicsParams::settled) hold the weight that
+    /// they have with these parameters.
     [[nodiscard]] PhysicsState restState() const;
     /// step k -> k + 1. \p pull the hand during this step, if any; out of range branches are ignored.
     void step(PhysicsState& state, const std::optional<Pull>& pull = {});

@@ -85,10 +85,14 @@ Expected<std::string> growSymbols(const GrammarParams& params, const Progress& p
     return symbols;
 }
 
-Expected<Skeleton> growSkeleton(const std::string& symbols, const TurtleParams& params,
+Expected<Skeleton> growSkeleton(const std::string& symbols, const NodeParams& params,
                                 const Progress& progress)
 {
-    auto skeleton = runTurtle(symbols, params, progress);
+    const GrammarParams& grammar = params.grammar;
+    auto skeleton = grammar.stochastic
+                        ? runTurtle(symbols, params.turtle,
+                                    {params.variation, static_cast<std::uint64_t>(grammar.seed)}, progress)
+                        : runTurtle(symbols, params.turtle, progress);
     if (skeleton)
         return skeleton;
     Error error = std::move(skeleton.error());
@@ -260,7 +264,11 @@ struct StageHashes
         if (g.stochastic)
             grammar.add(g.seed);
         symbols = grammar.value();
-        skeleton = StageHash(symbols).add(p.turtle.theta).add(p.turtle.alpha).add(p.turtle.decay).value();
+        StageHash turtle(symbols);
+        turtle.add(p.turtle.theta).add(p.turtle.alpha).add(p.turtle.decay);
+        if (g.stochastic) // the seed is in it already
+            turtle.add(p.variation.angle).add(p.variation.length).add(p.variation.radius);
+        skeleton = turtle.value();
         StageHash simplify(skeleton);
         simplify.add(p.simplify.enabled);
         if (p.simplify.enabled)
@@ -374,9 +382,7 @@ private:
     Expected<void> skeleton()
     {
         return cached(m_cache.skeleton, m_hashes.skeleton, m_progress,
-                      [&] {
-                          return growSkeleton(*m_result.symbols, m_params.turtle, m_progress.part(0.05, 0.1));
-                      })
+                      [&] { return growSkeleton(*m_result.symbols, m_params, m_progress.part(0.05, 0.1)); })
             .map([&](auto made) { m_result.skeleton = std::move(made); });
     }
     Expected<void> simplified()

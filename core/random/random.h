@@ -17,6 +17,8 @@ enum class RandomStream : std::uint64_t {
     Wind = 4,
     Preset = 5,
     Nudge = 6,
+    BranchTurn = 7,
+    BranchShape = 8,
     ArmStart = 20,
     Relief = 21,
     Test = 1000

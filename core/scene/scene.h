@@ -10,6 +10,7 @@
 #include "core/params/node_kind.h"
 #include "core/params/node_params.h"
 #include "core/scene/timeline_settings.h"
+#include "core/scene/view_bookmarks.h"
 #include <glm/mat4x4.hpp>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct Node
     NodeId parent = noNode;
     NodeKind kind = NodeKind::Group;
     std::string name;
+    std::string preset; ///< name of the preset it came from, or empty
     bool visible = true;
     bool locked = false; ///< cannot be selected in the viewport nor changed
     NodeParams params;
@@ -73,10 +75,14 @@ public:
     [[nodiscard]] const TimelineSettings& timeline() const { return m_timeline; }
     /// \pre checkTimeline.
     void setTimeline(const TimelineSettings& settings) { m_timeline = settings; }
-    /// The same nodes in the same order and the same timeline; which ids were used before does not count.
+    [[nodiscard]] const ViewBookmarks& bookmarks() const { return m_bookmarks; }
+    /// \pre checkViewBookmark of each.
+    void setBookmarks(const ViewBookmarks& bookmarks) { m_bookmarks = bookmarks; }
+    /// The same nodes in the same order, the same timeline and bookmarks; which ids were used before does
+    /// not count.
     bool operator==(const Scene& other) const
     {
-        return m_nodes == other.m_nodes && m_timeline == other.m_timeline;
+        return m_nodes == other.m_nodes && m_timeline == other.m_timeline && m_bookmarks == other.m_bookmarks;
     }
 
 private:
@@ -88,6 +94,7 @@ private:
 
     std::vector<Node> m_nodes;
     TimelineSettings m_timeline;
+    ViewBookmarks m_bookmarks;
     NodeId m_nextId = 1; ///< noNode once all have been used
 };
 

@@ -20,6 +20,7 @@ struct TimelineSettings
     std::int64_t firstFrame = 0;
     std::int64_t lastFrame = 250; ///< shown too; not before firstFrame
     PlayLoop loop = PlayLoop::Loop;
+    bool seamless = false; ///< Loop: the last second blends into the first frame
 
     bool operator==(const TimelineSettings&) const = default;
     /// A frame's time in seconds. Frame 0 is at 0 s; physics rests before it.

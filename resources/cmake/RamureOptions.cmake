@@ -13,10 +13,7 @@ if(NOT CMAKE_BUILD_TYPE)
     set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
 
-option(RAMURE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
-option(RAMURE_CORE_ONLY "Build only the core and its tests (the sanitizer run)" OFF)
-
-option(RAMURE_FUZZ "Only the fuzz targets; needs clang (./dev fuzz)" OFF)
+option(RAMURE_SANITIZE "Only the suites of the core and the fuzz targets, under sanitizers; needs clang (./dev check)" OFF)
 
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
@@ -26,25 +23,19 @@ endif()
 
 add_library(ramure_options INTERFACE)
 target_compile_options(ramure_options INTERFACE
-    -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<NOT:$<BOOL:${RAMURE_FUZZ}>>:-Werror>
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow $<$<NOT:$<BOOL:${RAMURE_SANITIZE}>>:-Werror>
     # The same seed gives the same bytes on every run and machine: no contraction into fused operations.
     -ffp-contract=off -fno-math-errno
     # Nothing of this is a shared library whose functions another could replace: they may be inlined.
     -fno-semantic-interposition)
-if(CCACHE_PROGRAM AND NOT RAMURE_FUZZ)
+if(CCACHE_PROGRAM AND NOT RAMURE_SANITIZE)
     target_compile_options(ramure_options INTERFACE -fpch-preprocess)
 endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
     target_compile_options(ramure_options INTERFACE -O3)
 endif()
 if(RAMURE_SANITIZE)
-    add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer -O1 -g1)
-    add_link_options(-fsanitize=address,undefined)
-    # GCC warns of values it can no longer follow through its own instrumentation; the plain builds keep the warning.
-    target_compile_options(ramure_options INTERFACE -Wno-maybe-uninitialized)
-endif()
-
-if(RAMURE_FUZZ)
+    # One build for both: what libFuzzer wants to know besides costs the suites little.
     add_compile_options(-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
         -O1 -g1 -D_GLIBCXX_ASSERTIONS)
     add_link_options(-fsanitize=address,undefined)

@@ -8,6 +8,7 @@ layout(location = 4) in uint aBranch;
 uniform mat4 uClip;
 uniform vec2 uViewport; // pixels
 uniform float uPixelRatio;
+uniform bool uOnlySelected; // the others have no width
 uniform float uLift; // share of the depth by which lines come forward
 
 out vec4 vColour;
@@ -32,6 +33,8 @@ void main()
     uint state = branchState(aBranch);
     vec4 tint = stateTint(state);
     float width = (end ? aWidths.y : aWidths.x) * (state == 0u ? 1.0 : 1.7);
+    if (uOnlySelected && (state == 0u || state == 3u))
+        width = 0.0;
     vColour = vec4(mix(aColour.rgb, tint.rgb, tint.a), aColour.a);
 
     vec4 position = end ? to : from;

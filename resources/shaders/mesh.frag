@@ -14,10 +14,13 @@ uniform float uLineWidth; // pixels
 #endif
 
 uniform vec3 uColour;      // sRGB
+uniform bool uHasColours;  // each triangle has its own, tinted by uColour
+uniform sampler2D uColours;
 uniform float uShininess;  // 0 = Lambert
 uniform float uGlint;      // strength of the highlight
 uniform float uThrough;    // share of the light that shines through, for leaves
 uniform bool uTwoSided;
+uniform float uOpacity;
 uniform vec4 uBackward;    // orthographic: direction to the eye, w = 1; perspective: w = 0
 
 out vec4 fragment;
@@ -25,6 +28,12 @@ out vec4 fragment;
 // The ground, level, shows exactly its colour; surfaces that stand get a little more light, so that a trunk is not dark
 // beside it.
 const float standing = 1.2;
+
+vec3 ownColour()
+{
+    int width = textureSize(uColours, 0).x;
+    return texelFetch(uColours, ivec2(gl_PrimitiveID % width, gl_PrimitiveID / width), 0).rgb;
+}
 
 vec3 shaded(vec3 albedo, vec3 normal)
 {
@@ -46,7 +55,7 @@ void main()
 {
     vec3 flatNormal = cross(dFdx(v.relative), dFdy(v.relative));
     vec3 normal = normalize(dot(v.normal, v.normal) > 1e-8 ? v.normal : (gl_FrontFacing ? flatNormal : -flatNormal));
-    vec3 paint = painted(v.uv, v.relative, uColour);
+    vec3 paint = painted(v.uv, v.relative, uHasColours ? uColour * ownColour() : uColour);
     vec3 albedo = toLinear(mix(paint, v.tint.rgb, v.tint.a)) * v.shade;
     if (!gl_FrontFacing) {
         normal = -normal;
@@ -60,12 +69,12 @@ void main()
     if (uWireOnly) {
         if (line < 0.4)
             discard;
-        fragment = vec4(dithered(toSrgb(mix(albedo * 0.35, albedo, v.tint.a))), 1.0);
+        fragment = vec4(dithered(toSrgb(mix(albedo * 0.35, albedo, v.tint.a))), uOpacity);
         return;
     }
     vec3 colour = shaded(albedo, normal);
-    fragment = vec4(dithered(toSrgb(mix(colour, albedo * 0.06, 0.75 * line))), 1.0);
+    fragment = vec4(dithered(toSrgb(mix(colour, albedo * 0.06, 0.75 * line))), uOpacity);
 #else
-    fragment = vec4(dithered(toSrgb(shaded(albedo, normal))), 1.0);
+    fragment = vec4(dithered(toSrgb(shaded(albedo, normal))), uOpacity);
 #endif
 }

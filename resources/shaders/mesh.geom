@@ -36,6 +36,7 @@ void main()
     float area = abs((p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y));
     for (int i = 0; i < 3; ++i) {
         gl_Position = gl_in[i].gl_Position;
+        gl_PrimitiveID = gl_PrimitiveIDIn;
         v.relative = vIn[i].relative;
         v.normal = vIn[i].normal;
         v.local = vIn[i].local;

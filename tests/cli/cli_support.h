@@ -33,16 +33,22 @@ struct CliRun
     }
 };
 
-inline CliRun runCli(const QStringList& arguments,
-                     const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment())
+inline CliRun runProgram(const QString& program, const QStringList& arguments,
+                         const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment())
 {
     QProcess process;
     process.setProcessEnvironment(environment);
-    process.start(QStringLiteral(RAMURE_CLI), arguments);
+    process.start(program, arguments);
     if (!process.waitForFinished(120'000) || process.exitStatus() != QProcess::NormalExit)
-        qFatal("ramure-cli %s: crashed or hangs", qPrintable(arguments.join(QLatin1Char(' '))));
+        qFatal("%s %s: crashed or hangs", qPrintable(program), qPrintable(arguments.join(QLatin1Char(' '))));
     return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
             QString::fromUtf8(process.readAllStandardError())};
+}
+
+inline CliRun runCli(const QStringList& arguments,
+                     const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment())
+{
+    return runProgram(QStringLiteral(RAMURE_CLI), arguments, environment);
 }
 
 /// Exit code 2, nothing on the standard output, one line on the standard error that holds \p part.

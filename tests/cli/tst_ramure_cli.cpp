@@ -54,6 +54,11 @@ private slots:
             "unknown file ending \".fbx\": meshes are written as .obj or .ply");
         row("export preset:SmallTree -o tree", "unknown file ending \"\"");
         row("export preset:SmallTree -o t.obj --texture --model rough", "--texture needs --model mesh");
+        row("export preset:SmallTree -o t.obj --texture --no-texture", "exclude each other");
+        row("export preset:SmallTree -o t.obj --up x", "--up: unknown axis \"x\": y or z expected");
+        row("export preset:SmallTree -o t.obj --unit parsec", "--unit: unknown unit \"parsec\"");
+        row("export preset:SmallTree -o t.obj --scale 0", "--scale: the scale must be from");
+        row("export preset:SmallTree -o t.obj --scale two", "--scale: \"two\" is not a number");
         row("export preset:SmallTree -o t.obj --part roots", "branches, leaves, apples, all expected");
         row("export preset:SmallTree -o t.obj --model fine", "mesh, rough, skeleton expected");
         row("validate", "missing INPUT");

@@ -1,5 +1,6 @@
 #include "core/io/mesh_file.h"
 #include "tests/cli/cli_support.h"
+#include "tests/support/cannot_run.h"
 #include <QDir>
 #include <QImage>
 #include <QJsonArray>
@@ -57,6 +58,19 @@ private slots:
         QVERIFY(QFile::setPermissions(path("old.ply"), QFile::ReadOwner));
         QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "-o", path("old.ply")}), "Permission denied"));
         QCOMPARE(test::bytesOf(path("old.ply")), QByteArray("old"));
+    }
+    /// A file that may not grow (ulimit -f, in KiB) ended the program and left half a file beside the old
+    /// one.
+    void limitOfFilesIsAnErrorThatKeepsTheOldOne()
+    {
+        for (const char* name : {"limit.obj", "limit.ply"}) {
+            test::write(path(name), "old");
+            const auto run = test::runProgram("bash", {"-c", "ulimit -f 20; exec \"$@\"", "bash", RAMURE_CLI,
+                                                       "export", "preset:SmallTree", "-o", path(name)});
+            QVERIFY(isRefused(run, path(name) + ": cannot be written: File too large"));
+            QCOMPARE(test::bytesOf(path(name)), QByteArray("old"));
+        }
+        QCOMPARE(QDir(m_folder.path()).entryList({"limit*"}).size(), 2);
     }
     static QJsonObject reportAt(const QString& file)
     {
@@ -132,6 +146,39 @@ private slots:
         QCOMPARE(run.code, 0);
         QVERIFY(run.json()["volume"].toDouble() > 0.0);
     }
+    void exportTurnsAndScales()
+    {
+        const QStringList base = {"export", "preset:TinyTree", "--part", "branches", "-o"};
+        QCOMPARE(runCli(base + QStringList{path("own.obj")}).code, 0);
+        QCOMPARE(runCli(base + QStringList{path("bare.obj"), "--no-texture"}).code, 0);
+        QVERIFY(test::bytesOf(path("own.obj")).contains("\nvt "));
+        QVERIFY(!test::bytesOf(path("bare.obj")).contains("\nvt "));
+        const QStringList space = {"--up", "z", "--unit", "in", "--scale", "0.5"};
+        QCOMPARE(runCli(base + QStringList{path("turned.obj")} + space).code, 0);
+        QVERIFY(test::bytesOf(path("turned.obj")).left(200).contains("# up z, unit in, scale 0.5\n"));
+        // The trunk points up along Z: 1 m is 19.7 half inches.
+        const auto heights = [&](const char* file) {
+            QList<float> found;
+            for (const QByteArray& line : test::bytesOf(path(file)).split('\n'))
+                if (line.startsWith("v "))
+                    found += line.split(' ').at(file[0] == 't' ? 3 : 2).toFloat();
+            return found;
+        };
+        const QList<float> own = heights("own.obj"), turned = heights("turned.obj");
+        QCOMPARE(turned.size(), own.size());
+        for (int i = 0; i < own.size(); ++i)
+            QVERIFY(std::abs(turned[i] - own[i] * 0.5F / 0.0254F) < 1e-3F);
+        // Read again it stands as it did, and so does what is made of it.
+        QCOMPARE(runCli({"export", path("turned.obj"), "-o", path("back.ply")}).code, 0);
+        QVERIFY(!test::bytesOf(path("back.ply")).left(300).contains("unit"));
+        const TriangleMesh back = read(path("back.ply")).joined(), meant = read(path("own.obj")).joined();
+        QCOMPARE(back.triangles, meant.triangles);
+        QVERIFY(glm::length(back.positions.back() - meant.positions.back()) < 1e-5F);
+        QCOMPARE(runCli({"export", path("own.obj"), "-o", path("mm.ply"), "--unit", "mm"}).code, 0);
+        QVERIFY(test::bytesOf(path("mm.ply")).left(300).contains("comment up y, unit mm, scale 1\n"));
+        QCOMPARE(runCli({"import", path("mm.ply"), "-o", path("mm.ramure")}).code, 0);
+        QVERIFY(isRefused(runCli({"import", path("mm.ply"), "-o", path("mm.ramure"), "--up", "w"}), "--up"));
+    }
     void exportOfSeveralTreesAndOfMeshes()
     {
         test::write(path("two.ramure"), R"({"format": "ramure", "version": 1, "nodes": [
@@ -191,6 +238,7 @@ private slots:
                                   "nonManifoldVertices",
                                   "quality",
                                   "valid",
+                                  "verdict",
                                   "vertices",
                                   "volume"};
         for (const char* preset : {"SmallTree", "FanTree", "TinyTree", "Fern2D"}) {
@@ -200,6 +248,7 @@ private slots:
             QCOMPARE(run.keys(), keys);
             const QJsonObject report = run.json();
             QCOMPARE(report["valid"].toBool(), true);
+            QCOMPARE(report["verdict"].toString(), QStringLiteral("closed")); // nobody looked for crossings
             QCOMPARE(report["components"].toInt(), 1);
             QCOMPARE(report["eulerCharacteristic"].toInt(), 2);
             QVERIFY(report["volume"].toDouble() > 0.0);
@@ -211,6 +260,7 @@ private slots:
         QCOMPARE(open.keys(), keys);
         QCOMPARE(open.json()["boundaryEdges"].toInt(), 3);
         QCOMPARE(open.json()["valid"].toBool(), false);
+        QCOMPARE(open.json()["verdict"].toString(), QStringLiteral("broken"));
         QCOMPARE(runCli({"validate", path("open.obj")}).code, 1);
         test::write(path("bad.obj"), "v 0 0 0\nf 1 2 3\n");
         QVERIFY(isRefused(runCli({"validate", path("bad.obj")}), "bad.obj:2: vertex"));
@@ -284,6 +334,43 @@ private slots:
         QCOMPARE(file["selfIntersections"].toObject()["total"].toInt(), 0);
         QVERIFY(isRefused(runCli({"export", path("apart.ply"), "-o", path("x.obj"), "--separate"}),
                           "needs a tree"));
+    }
+    /// Closed, with a box that runs through another: amber for all commands, red for none.
+    void crossingsChangeTheVerdictNotTheExitCode()
+    {
+        const auto box = [](double from, int first) {
+            constexpr int corners[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                                            {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+            QByteArray text;
+            for (int i = 0; i < 8; ++i)
+                text += "v " + QByteArray::number(from + (i & 1)) + ' ' +
+                        QByteArray::number(from + (i >> 1 & 1)) + ' ' + QByteArray::number(from + (i >> 2)) +
+                        '\n';
+            for (const auto& face : corners)
+                text += "f " + QByteArray::number(face[0] + first) + ' ' +
+                        QByteArray::number(face[1] + first) + ' ' + QByteArray::number(face[2] + first) +
+                        '\n';
+            return text;
+        };
+        test::write(path("one.obj"), box(0.0, 1));
+        test::write(path("two.obj"), box(0.0, 1) + box(0.4, 9));
+        const auto verdict = [this](const char* file, const QStringList& more) {
+            return runCli(QStringList{more.front(), path(file), "--json"} + more.mid(1))
+                .json()["verdict"]
+                .toString();
+        };
+        QCOMPARE(verdict("one.obj", {"validate"}), QStringLiteral("closed"));
+        QCOMPARE(verdict("one.obj", {"validate", "--self-intersections"}), QStringLiteral("clean"));
+        QCOMPARE(verdict("two.obj", {"validate", "--self-intersections"}), QStringLiteral("crossing"));
+        QCOMPARE(verdict("two.obj", {"info", "--verdict"}), QStringLiteral("crossing"));
+        const test::CliRun told = runCli({"validate", path("two.obj"), "--self-intersections"});
+        QCOMPARE(told.code, 0);
+        QVERIFY(told.out.contains("closed, but"));
+        QCOMPARE(runCli({"export", path("two.obj"), "-o", path("again.ply"), "--require-valid", "--report",
+                         path("two.json")})
+                     .code,
+                 0);
+        QCOMPARE(reportAt(path("two.json"))["verdict"].toString(), QStringLiteral("crossing"));
     }
     void exportInsistsOnAValidMesh()
     {
@@ -400,7 +487,7 @@ private slots:
         QVERIFY(isRefused(runCli({"render", "preset:TinyTree", "-o", path("x.png")}, without), "Xvfb"));
         QVERIFY(!QFile::exists(path("x.png")));
         if (QStandardPaths::findExecutable("Xvfb").isEmpty())
-            QSKIP("Xvfb is not installed");
+            RAMURE_CANNOT_RUN("Xvfb is not installed");
         QByteArray before;
         for (const char* mode : {"skeleton", "simplified", "rough", "sections", "mesh"}) {
             const test::CliRun run = runCli({"render", "preset:TinyTree", "-o", path("x.png"), "--size",
@@ -423,6 +510,28 @@ private slots:
         QVERIFY(
             isRefused(runCli({"render", "preset:TinyTree", "-o", path("full.png"), "--size", "64x64"}, bare),
                       "No space left on device"));
+    }
+    /// It blocked the signal that ends it: every picture took five seconds more, and a killed program left it
+    /// behind.
+    void displayEndsWithTheProgram()
+    {
+        if (QStandardPaths::findExecutable("Xvfb").isEmpty())
+            RAMURE_CANNOT_RUN("Xvfb is not installed");
+        QProcess process;
+        QProcessEnvironment bare = QProcessEnvironment::systemEnvironment();
+        bare.remove("DISPLAY");
+        bare.remove("WAYLAND_DISPLAY");
+        process.setProcessEnvironment(bare);
+        process.start(QStringLiteral(RAMURE_CLI), {"render", "preset:TinyTree", "-o", path("turn.png"),
+                                                   "--size", "16x16", "--turntable", "10000"});
+        QTRY_VERIFY_WITH_TIMEOUT(!QDir(m_folder.path()).entryList({"turn*.png"}).isEmpty(), 60'000);
+        const QByteArray server =
+            test::bytesOf(QStringLiteral("/proc/%1/task/%1/children").arg(process.processId())).trimmed();
+        const QString command = QStringLiteral("/proc/%1/cmdline").arg(QString::fromLatin1(server));
+        QVERIFY(test::bytesOf(command).contains("Xvfb"));
+        process.kill();
+        QVERIFY(process.waitForFinished());
+        QTRY_VERIFY_WITH_TIMEOUT(test::bytesOf(command).isEmpty(), 30'000);
     }
 };
 

@@ -87,9 +87,11 @@ private slots:
                                 "physics.windDirection=1", "physics.gravity=0", "physics.restFrame=world"})
             QVERIFY2(tip({set}) != tip({}), set);
         QVERIFY(runCli({"simulate", "preset:TinyTree", "--steps", "0"}).out.contains("lengthError"));
-        const QJsonArray rest = tip({"physics.windStrength=0", "physics.gravity=0"});
-        QVERIFY(rest ==
-                runCli({"simulate", "preset:TinyTree", "--steps", "0", "--json"}).json()["tip"].toArray());
+        const QJsonArray rest =
+            runCli({"simulate", "preset:TinyTree", "--steps", "0", "--json"}).json()["tip"].toArray();
+        QVERIFY(tip({"physics.windStrength=0"}) == rest); // settled
+        QVERIFY(tip({"physics.windStrength=0", "physics.settled=false"}) != rest);
+        QVERIFY(tip({"physics.windStrength=0", "physics.gravity=0", "physics.settled=false"}) == rest);
     }
 
     void oneOfSeveralTreesIsChosen()

@@ -177,6 +177,7 @@ constexpr Rule rules[] = {
     {"no random generator but our own", "core/.*", R"(std::(mt19937|random_device|\w+_distribution)\b)"},
     // Memory that runs out is the one thing the language itself throws for.
     {"no exceptions across modules", "core/.*", R"(\bthrow\b(?!\s+std::bad_alloc))"},
+    {"suites skip through RAMURE_CANNOT_RUN", R"(tests/(?!support/cannot_run\.h).*)", R"(\bQSKIP\b)"},
 };
 
 std::vector<Source> sources;

@@ -86,6 +86,8 @@ inline Node randomNode(NodeId id, NodeId parent, Random& random)
     node.parent = parent;
     node.kind = static_cast<NodeKind>(random.below(nodeKindCount));
     node.name = randomText(random, true);
+    if (random.below(3) == 0)
+        node.preset = random.below(2) == 0 ? "FanTree" : randomText(random, false);
     node.visible = random.below(4) != 0;
     node.locked = random.below(8) == 0;
     for (const ParamDef& def : paramTable())

@@ -2,6 +2,7 @@
 // is no Blender.
 #include "core/io/blender_scene.h"
 #include "core/scene/places.h"
+#include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 
 #include <QDir>
@@ -27,7 +28,8 @@ private slots:
     {
         const QString blender = QStandardPaths::findExecutable(QStringLiteral("blender"));
         if (blender.isEmpty())
-            QSKIP("no Blender on this machine (Debian: apt-get install blender): nothing to compare with");
+            RAMURE_CANNOT_RUN(
+                "no Blender on this machine (Debian: apt-get install blender): nothing to compare with");
         QProcess process;
         process.setProcessChannelMode(QProcess::MergedChannels);
         process.start(blender,

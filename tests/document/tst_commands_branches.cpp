@@ -1,4 +1,7 @@
 #include "core/document/commands.h"
+#include "core/params/presets.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "core/scene/preset_scene.h"
 #include "tests/document/commands_fixture.h"
 #include "tests/document/random_scene.h"
 #include "tests/support/suite.h"
@@ -21,6 +24,9 @@ private slots:
     void branchBends();
     void turnedBranches();
     void newTrees();
+    void newTreeOfEveryPresetIsAnotherTree();
+    void newTreeNeedsSomethingThatVaries();
+    void resetGivesThePresetsValues();
     void randomEditsUndoAndRedo();
     void editsOfTheMeshUndoToTheSameBytes();
 };
@@ -132,6 +138,67 @@ void TestBranchCommands::newTrees()
         QVERIFY(edit::setParam(f.document, {2}, *findParam("grammar.seed"), static_cast<std::int64_t>(seed)));
         QVERIFY(edit::newTree(f.document, {2}));
     }
+}
+
+void TestBranchCommands::newTreeOfEveryPresetIsAnotherTree()
+{
+    TreePipeline pipeline;
+    for (const Preset& preset : presets()) {
+        Document document;
+        document.reset(*presetScene(preset.name), {});
+        const auto skeleton = [&] {
+            return pipeline.evaluate(document.scene().nodes().front().params, Stage::Skeleton)->skeleton;
+        };
+        const auto first = skeleton();
+        QVERIFY(edit::newTree(document, {1}));
+        const auto second = skeleton();
+        QVERIFY(edit::newTree(document, {1}));
+        const auto third = skeleton();
+        QVERIFY2(!(*first == *second) && !(*second == *third), preset.name);
+    }
+}
+
+void TestBranchCommands::newTreeNeedsSomethingThatVaries()
+{
+    Document document;
+    document.reset(*presetScene("Fern2D"), {}); // its rules have no chances
+    for (const char* key : {"variation.angle", "variation.length", "variation.radius"})
+        QVERIFY(edit::setParam(document, {1}, *findParam(key), 0.0));
+    const int steps = document.undoStack()->count();
+    const QByteArray file = fileOf(document);
+    QVERIFY(!edit::newTree(document, {1}));
+    QCOMPARE(document.undoStack()->count(), steps);
+    QCOMPARE(fileOf(document), file);
+    const ParamDef& rules = *findParam("grammar.rules");
+    QVERIFY(edit::setParam(document, {1}, rules, std::string("X -> 1: F | 0: FF"))); // there is one outcome
+    QVERIFY(!edit::newTree(document, {1}));
+    QVERIFY(edit::setParam(document, {1}, rules, std::string("X -> 1: F | 2: FF")));
+    QVERIFY(edit::newTree(document, {1}));
+    document.undoStack()->undo();
+    QVERIFY(edit::setParam(document, {1}, *findParam("grammar.iterations"), std::int64_t(0)));
+    QVERIFY(!edit::newTree(document, {1}));
+}
+
+void TestBranchCommands::resetGivesThePresetsValues()
+{
+    Fixture f;
+    Node tree = *presetTree("FanTree");
+    tree.id = 9; // replaced
+    QVERIFY(edit::insertNodes(f.document, {tree}, noNode, 0));
+    const NodeId fan = f.document.scene().nodes().front().id;
+    const ParamDef &theta = *findParam("turtle.theta"), &alpha = *findParam("turtle.alpha");
+    QVERIFY(edit::setParam(f.document, {fan, 2}, theta, 1.0));
+    QVERIFY(edit::setParam(f.document, {fan, 2}, alpha, 1.0));
+    const int steps = f.stack.count();
+    QVERIFY(edit::resetParams(f.document, {fan, 2}, {&theta, &alpha}, "Reset"));
+    QCOMPARE(f.stack.count(), steps + 1);
+    QCOMPARE(f.document.scene().find(fan)->params.turtle, presetParams("FanTree")->turtle);
+    QCOMPARE(f.document.scene().find(2)->params.turtle, TurtleParams());
+    QVERIFY(edit::resetParams(f.document, {fan}, {&theta}, "Reset")); // nothing to do
+    QCOMPARE(f.stack.count(), steps + 1);
+    QVERIFY(!edit::resetParams(f.document, {1}, {&theta}, "Reset")); // a group has none
+    QVERIFY(edit::duplicateNodes(f.document, {fan}));
+    QCOMPARE(f.document.scene().find(f.document.selection().activeNode())->preset, std::string("FanTree"));
 }
 
 /// One edit of any kind; most succeed.

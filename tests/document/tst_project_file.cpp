@@ -1,6 +1,8 @@
 #include "core/document/project_file.h"
 #include "core/document/project_migrations.h"
+#include "core/io/file_writer.h"
 #include "tests/document/random_scene.h"
+#include "tests/support/cannot_run.h"
 #include "tests/support/kind_with.h"
 #include "tests/support/suite.h"
 
@@ -8,7 +10,6 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QTemporaryDir>
-#include <csignal>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -16,7 +17,7 @@ using namespace ramure;
 
 static QByteArray inProject(const QByteArray& nodes)
 {
-    return R"({"format":"ramure","version":1,"nodes":[)" + nodes + "]}";
+    return R"({"format":"ramure","version":2,"nodes":[)" + nodes + "]}";
 }
 static QByteArray inNode(const QByteArray& members)
 {
@@ -34,7 +35,7 @@ class SmallDisk
 public:
     explicit SmallDisk(rlim_t bytes)
     {
-        std::signal(SIGXFSZ, SIG_IGN);
+        makeFileLimitAnError();
         getrlimit(RLIMIT_FSIZE, &m_before);
         const rlimit limit{bytes, m_before.rlim_max};
         setrlimit(RLIMIT_FSIZE, &limit);
@@ -83,6 +84,8 @@ private slots:
     void unknownKeysAreKept();
     void parentsMayStandBehind();
     void migrationsRunInOrder();
+    void treesOfVersion1LookAsTheyDid();
+    void treesOfVersion1StartUnloaded();
 
     void savesAndLoads();
     void savingFailsWithoutHarm_data();
@@ -111,7 +114,7 @@ void TestProjectFile::badFilesAreRefusedWithTheirPlace_data()
     row("no version", R"({"format":"ramure","nodes":[]})", invalid, "version");
     row("version 0", R"({"format":"ramure","version":0,"nodes":[]})", invalid, "version");
     row("version 1.5", R"({"format":"ramure","version":1.5,"nodes":[]})", invalid, "version");
-    row("newer", R"({"format":"ramure","version":2,"nodes":7})", int(ErrorCode::Version), "version");
+    row("newer", R"({"format":"ramure","version":3,"nodes":7})", int(ErrorCode::Version), "version");
     row("no nodes", R"({"format":"ramure","version":1})", invalid, "nodes");
     row("nodes no array", R"({"format":"ramure","version":1,"nodes":{}})", invalid, "nodes");
     row("node no object", inProject("7"), invalid, "nodes[0]");
@@ -129,6 +132,7 @@ void TestProjectFile::badFilesAreRefusedWithTheirPlace_data()
         invalid, "nodes[0].parent");
     row("parent null", inProject(R"({"id":1,"kind":"tree","parent":null})"), invalid, "nodes[0].parent");
     row("name", inNode(R"(,"name":1)"), invalid, "nodes[0].name");
+    row("preset", inNode(R"(,"preset":1)"), invalid, "nodes[0].preset");
     row("visible", inNode(R"(,"visible":1)"), invalid, "nodes[0].visible");
     row("locked", inNode(R"(,"locked":"yes")"), invalid, "nodes[0].locked");
     row("params", inNode(R"(,"params":[])"), invalid, "nodes[0].params");
@@ -334,7 +338,7 @@ void TestProjectFile::defaultsAreLeftOut()
             "name": "Oak"
         }
     ],
-    "version": 1
+    "version": 2
 }
 )"));
 }
@@ -402,7 +406,7 @@ void TestProjectFile::unknownKeysAreKept()
             "weather": null
         }
     ],
-    "version": 1
+    "version": 2
 }
 )";
     const auto project = readProject(bytes);
@@ -436,6 +440,37 @@ void TestProjectFile::migrationsRunInOrder()
     QJsonObject newer{{"format", "ramure"}, {"version", 4}};
     QCOMPARE(migrateProject(newer, steps).error().code, ErrorCode::Version);
     QCOMPARE(projectMigrations().size(), std::size_t{projectVersion - 1});
+}
+
+void TestProjectFile::treesOfVersion1LookAsTheyDid()
+{
+    const auto variation = [](const char* version, const char* params) {
+        const auto project = readProject(QByteArray(R"({"format":"ramure","version":)") + version +
+                                         R"(,"nodes":[{"id":1,"kind":"tree","params":{)" + params + "}}]}");
+        return project ? project->scene.nodes().front().params.variation : VariationParams{-1, -1, -1};
+    };
+    const VariationParams none{0.0, 0.0, 0.0};
+    const char* byChance = R"("grammar.stochastic":true)";
+    QCOMPARE(variation("1", byChance), none);
+    QCOMPARE(variation("2", byChance), VariationParams());
+    QCOMPARE(variation("1", R"("grammar.seed":7)"), VariationParams()); // nothing varies: the next one may
+    for (const char* broken : {"7", "{}", "[7]", R"([{"kind":"tree","params":7}])"}) // left to the reader
+        QVERIFY(!readProject(QByteArray(R"({"format":"ramure","version":1,"nodes":)") + broken + "}"));
+}
+
+void TestProjectFile::treesOfVersion1StartUnloaded()
+{
+    const QByteArray nodes = R"("nodes":[{"id":1,"kind":"tree"},{"id":2,"kind":"group"},)"
+                             R"({"id":3,"kind":"tree","params":{"physics.settled":true}}]})";
+    const auto old = readProject(R"({"format":"ramure","version":1,)" + nodes);
+    const auto now = readProject(R"({"format":"ramure","version":2,)" + nodes);
+    QVERIFY(old && now);
+    QVERIFY(!old->scene.find(1)->params.physics.settled);
+    QVERIFY(old->scene.find(2)->params.physics.settled); // a group has none
+    QVERIFY(old->scene.find(3)->params.physics.settled);
+    QVERIFY(now->scene.find(1)->params.physics.settled);
+    // Saved and opened again it stays what it was.
+    QVERIFY(!readProject(writeProject(*old))->scene.find(1)->params.physics.settled);
 }
 
 void TestProjectFile::savesAndLoads()
@@ -503,6 +538,7 @@ void TestProjectFile::fullDiskLeavesTheOldFile()
         }
         QVERIFY(!saved);
         QCOMPARE(saved.error().code, ErrorCode::Io);
+        QCOMPARE(saved.error().message(), path.toStdString() + ": cannot be written: File too large");
         QCOMPARE(allOf(path), before);
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
     }
@@ -532,7 +568,7 @@ void TestProjectFile::tooLargeFilesAreRefused()
     QFile file(folder.filePath("large.ramure"));
     QVERIFY(file.open(QIODevice::WriteOnly));
     if (!file.resize(projectSizeLimit + 1)) // sparse: takes no space
-        QSKIP("no sparse files here");
+        RAMURE_CANNOT_RUN("no sparse files here");
     file.close();
     const auto project = loadProjectFile(file.fileName());
     QVERIFY(!project);

@@ -1,5 +1,6 @@
 // The export script on what Blender 4.4 and later have, actions with slots, by stand-ins in plain Python: no
 // Debian has such a Blender yet.
+#include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 
 #include <QProcess>
@@ -17,7 +18,7 @@ private slots:
     {
         const QString python = QStandardPaths::findExecutable(QStringLiteral("python3"));
         if (python.isEmpty())
-            QSKIP("no Python on this machine");
+            RAMURE_CANNOT_RUN("no Python on this machine");
         QProcess process;
         process.setProcessChannelMode(QProcess::MergedChannels);
         process.start(python, {QStringLiteral("-B"), QStringLiteral(RAMURE_TEST_DATA "/slotted_actions.py"),

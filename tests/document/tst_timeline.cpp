@@ -41,6 +41,7 @@ void TestTimeline::badFilesSayWhere_data()
     row("backwards", R"({"firstFrame": 9, "lastFrame": 8})", "timeline.lastFrame");
     row("far", R"({"lastFrame": 1000001})", "timeline.lastFrame");
     row("an unknown loop", R"({"loop": "twice"})", "timeline.loop");
+    row("a text as seamless", R"({"seamless": "yes"})", "timeline.seamless");
     row("a number as loop", R"({"loop": 1})", "timeline.loop");
 }
 
@@ -95,7 +96,7 @@ void TestTimeline::aGestureIsOneStep()
 void TestTimeline::filesKeepSettings()
 {
     Project project;
-    project.scene.setTimeline({29.97, -10, 1000000, PlayLoop::Once});
+    project.scene.setTimeline({29.97, -10, 1000000, PlayLoop::Once, true});
     const QByteArray bytes = writeProject(project);
     const auto read = readProject(bytes);
     QVERIFY(read);
@@ -110,7 +111,7 @@ void TestTimeline::defaultsAreLeftOut()
     project.scene.setTimeline({24.0, 0, 99, PlayLoop::Loop});
     const QByteArray bytes = writeProject(project);
     QVERIFY(bytes.contains("lastFrame"));
-    QVERIFY(!bytes.contains("framesPerSecond") && !bytes.contains("loop"));
+    QVERIFY(!bytes.contains("framesPerSecond") && !bytes.contains("loop") && !bytes.contains("seamless"));
 }
 
 void TestTimeline::unknownKeysAreKept()

@@ -7,9 +7,13 @@ using namespace ramure;
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     const fuzz::MemoryFile file(data, size);
-    const auto mesh = parseObj(fuzz::textOf(data, size), file.path());
+    // The text is its own material file as well.
+    const MaterialSource materials = [text = std::string(fuzz::textOf(data, size))](const std::string&) {
+        return Expected<std::string>(text);
+    };
+    const auto mesh = parseObj(fuzz::textOf(data, size), file.path(), {}, materials);
     const std::size_t blockSize = size % 3 == 0 ? reading::lineBlockSize : 1 + size % 61;
-    fuzz::claimSame(mesh, reading::readObjFile(file.path(), {}, blockSize));
+    fuzz::claimSame(mesh, reading::readObjFile(file.path(), {}, materials, blockSize));
     if (!mesh) {
         fuzz::claimGoodError(mesh.error());
         return 0;

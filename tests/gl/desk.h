@@ -39,13 +39,15 @@ inline QString xdo(const QStringList& arguments)
     return QString::fromUtf8(tool.readAllStandardOutput()).trimmed();
 }
 
-/// What the editor is to find in its home at the start: English, no welcome page. Only the owner may look.
+/// What the editor is to find in its home at the start: English, no welcome page, no tour. Only the owner may
+/// look.
 inline void prepareHome(const QTemporaryDir& home, std::optional<double> autosaveMinutes = {})
 {
     QFile::setPermissions(home.path(), QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     QSettings settings(home.filePath(QStringLiteral("Ramure/ramure.conf")), QSettings::IniFormat);
     settings.setValue(QStringLiteral("view/language"), QStringLiteral("en"));
     settings.setValue(QStringLiteral("view/welcomeAtStart"), false);
+    settings.setValue(QStringLiteral("window/tourSeen"), true);
     if (autosaveMinutes)
         settings.setValue(QStringLiteral("files/autosaveMinutes"), *autosaveMinutes);
     settings.sync();

@@ -4,6 +4,7 @@
 #include "core/document/recompute.h"
 #include "core/params/presets.h"
 #include "tests/bench/interaction/watched_application.h"
+#include "tests/support/cannot_run.h"
 #include "tests/widgets/support/fixture.h"
 #include "widgets/main_window/main_window.h"
 #include "widgets/render/gl_setup.h"
@@ -75,7 +76,7 @@ private slots:
     void initTestCase()
     {
         if (!openGlAvailable())
-            QSKIP("no OpenGL on this display");
+            RAMURE_CANNOT_RUN("no OpenGL on this display");
         m_window = std::make_unique<MainWindow>(&m_document, &m_recompute, &m_preferences, &m_chooser);
         Node tree = test::treeNode(1, "Large");
         tree.params = *presetParams("SmallTree");

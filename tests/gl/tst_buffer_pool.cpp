@@ -1,3 +1,4 @@
+#include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "widgets/render/buffer_pool.h"
 #include "widgets/render/gl_setup.h"
@@ -30,7 +31,7 @@ private slots:
     {
         const OpenGlProbe probe = probeOpenGl();
         if (!probe.available)
-            QSKIP(qPrintable(probe.reason));
+            RAMURE_CANNOT_RUN(qPrintable(probe.reason));
         QVERIFY(m_context.create());
         m_surface.setFormat(m_context.format());
         m_surface.create();

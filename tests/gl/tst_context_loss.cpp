@@ -1,6 +1,7 @@
 #include "core/document/document.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "widgets/render/gl_setup.h"
 #include "widgets/viewport/viewport.h"
@@ -23,7 +24,7 @@ private slots:
     {
         const OpenGlProbe probe = probeOpenGl();
         if (!probe.available)
-            QSKIP(qPrintable(probe.reason));
+            RAMURE_CANNOT_RUN(qPrintable(probe.reason));
     }
     void init() { test::failOnAnyWarning(); }
 

@@ -1,6 +1,7 @@
 // The real window under a virtual X server: it opens, paints, follows keys, undoes; and the program itself,
 // from its command line.
 #include "core/document/recompute.h"
+#include "tests/support/cannot_run.h"
 #include "tests/widgets/support/fixture.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/actions/file_actions.h"
@@ -60,7 +61,7 @@ private slots:
     void initTestCase()
     {
         if (!openGlAvailable())
-            QSKIP("no OpenGL on this display");
+            RAMURE_CANNOT_RUN("no OpenGL on this display");
         m_window = std::make_unique<MainWindow>(&m_document, &m_recompute, &m_preferences, &m_chooser);
         QVERIFY(view());
         QVERIFY(m_window->files()->newFromPreset(QStringLiteral("SmallTree")));
@@ -76,7 +77,9 @@ private slots:
         QVERIFY(image.width() >= 1000);
         const QRect place(view()->mapTo(m_window.get(), QPoint(0, 0)), view()->size());
         QVERIFY2(colours(image.copy(place)) > 200, "the view is empty");
-        QCOMPARE(m_window->status()->badgeState(), QStringLiteral("good"));
+        // Closed; whether branches run through each other is found out in the background.
+        QTRY_VERIFY(QStringList({QStringLiteral("good"), QStringLiteral("warning")})
+                        .contains(m_window->status()->badgeState()));
     }
 
     void spaceDrawsAnotherTreeAndUndoTheFirstAgain()

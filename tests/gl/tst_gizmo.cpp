@@ -3,6 +3,7 @@
 #include "core/scene/demo_scenes.h"
 #include "core/scene/places.h"
 #include "tests/support/suite.h"
+#include "widgets/support/hint_source.h"
 #include "widgets/viewport/gizmo_handles.h"
 #include "widgets/viewport/viewport.h"
 #include "widgets/viewport/viewport_host.h"
@@ -208,19 +209,20 @@ void TestGizmo::rightClickAndEscapeTakeItBack()
 void TestGizmo::keysAloneAreEnough()
 {
     Window window;
-    QSignalSpy hint(window.view, &Viewport::hintChanged);
+    const HintSource* hint = window.view->hints();
     window.view->beginTransform(TransformTool::Move);
     QVERIFY(!window.view->isTransforming()); // nothing is selected
     window.select({1});
     window.view->beginTransform(TransformTool::Move);
     QVERIFY(window.view->isTransforming());
-    QVERIFY(!hint.last().front().toString().isEmpty());
+    QVERIFY(hint->isGesture());
+    QVERIFY2(hint->hint().startsWith(QStringLiteral("Move primitive: ")), qPrintable(hint->hint()));
     QTest::keyClicks(window.view, QStringLiteral("x-1.5"));
     window.waitForPicture();
     window.keep("typed");
     QTest::keyClick(window.view, Qt::Key_Return);
     QVERIFY(!window.view->isTransforming());
-    QVERIFY(hint.last().front().toString().isEmpty());
+    QVERIFY(!hint->isGesture());
     QCOMPARE(window.origin(1), glm::dvec3(-1.5, 0.5, 0.0));
     window.view->beginTransform(TransformTool::Move);
     QTest::keyClicks(window.view, QStringLiteral("1"));

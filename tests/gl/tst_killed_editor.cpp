@@ -5,6 +5,7 @@
 #include "core/params/presets.h"
 #include "core/random/random.h"
 #include "tests/gl/desk.h"
+#include "tests/support/cannot_run.h"
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
@@ -118,7 +119,7 @@ private slots:
     void initTestCase()
     {
         if (const QString missing = test::Desk::missing(); !missing.isEmpty())
-            QSKIP(qPrintable(missing + QStringLiteral(" is not installed")));
+            RAMURE_CANNOT_RUN(qPrintable(missing + QStringLiteral(" is not installed")));
         test::prepareHome(m_home, 0.005);
         Scene scene;
         Node tree;

@@ -6,6 +6,7 @@
 #include "core/document/recompute.h"
 #include "core/document/sequence.h"
 #include "tests/gl/desk.h"
+#include "tests/support/cannot_run.h"
 #include "tests/widgets/support/fixture.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/actions/file_actions.h"
@@ -112,7 +113,7 @@ private slots:
     void initTestCase()
     {
         if (!openGlAvailable())
-            QSKIP("no OpenGL on this display");
+            RAMURE_CANNOT_RUN("no OpenGL on this display");
         QSettings().setValue(QStringLiteral("view/language"), QStringLiteral("en"));
     }
     void init() { test::failOnWidgetWarning(); }
@@ -320,7 +321,7 @@ private slots:
     void longPlayKeepsItsMemoryAndLosesNoInput()
     {
         if (QStandardPaths::findExecutable(QStringLiteral("xdotool")).isEmpty())
-            QSKIP("xdotool is not installed");
+            RAMURE_CANNOT_RUN("xdotool is not installed");
         bool given = false;
         const int asked = qEnvironmentVariableIntValue("RAMURE_PLAY_SECONDS", &given);
         const double seconds = given ? asked : 6.0;

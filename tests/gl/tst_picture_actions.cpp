@@ -1,4 +1,5 @@
 #include "core/document/recompute.h"
+#include "tests/support/cannot_run.h"
 #include "tests/widgets/support/fixture.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/actions/picture_actions.h"
@@ -22,7 +23,7 @@ private slots:
     void picturesGoToFilesAndToTheClipboard()
     {
         if (!openGlAvailable(nullptr))
-            QSKIP("no OpenGL here");
+            RAMURE_CANNOT_RUN("no OpenGL here");
         Preferences preferences;
         Document document;
         Recompute recompute(&document);
@@ -61,7 +62,7 @@ private slots:
     void branchesAreSelectedByKeysInTheViewOnly()
     {
         if (!openGlAvailable(nullptr))
-            QSKIP("no OpenGL here");
+            RAMURE_CANNOT_RUN("no OpenGL here");
         Preferences preferences;
         Document document;
         Recompute recompute(&document);

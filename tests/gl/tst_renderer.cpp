@@ -1,7 +1,9 @@
+#include "tests/support/cannot_run.h"
 #include "tests/support/sample_tree.h"
 #include "tests/support/suite.h"
 #include "widgets/render/gl_setup.h"
 #include "widgets/render/offscreen_renderer.h"
+#include "widgets/render/outline.h"
 #include "widgets/render/renderer.h"
 #include <QApplication>
 #include <QOffscreenSurface>
@@ -116,7 +118,7 @@ private slots:
     {
         const OpenGlProbe probe = probeOpenGl();
         if (!probe.available)
-            QSKIP(qPrintable(probe.reason));
+            RAMURE_CANNOT_RUN(qPrintable(probe.reason));
     }
     void init() { test::failOnAnyWarning(); }
 
@@ -461,6 +463,50 @@ private slots:
         QCOMPARE(program, 0);
         QVERIFY(!gl->glIsEnabled(GL_DEPTH_TEST));
         QVERIFY(!gl->glIsEnabled(GL_BLEND));
+    }
+    /// Also behind a wall, and no more than a line.
+    void outlinesAreSeenThroughEverything()
+    {
+        const auto ink = [](const QColor& c) { return isNear(c, QColor(255, 128, 15), 40); };
+        RenderScene scene = test::sampleScene(4, 30);
+        const Camera camera = frontCamera(scene);
+        QCOMPARE(countWhere(picture(scene, camera), ink), 0);
+        const MeshItem plain = scene.meshes[0];
+        std::vector<bool> one(5, false);
+        one[4] = true;
+        scene.meshes[0].outlined = std::make_shared<const OutlinedFaces>(outlinedBranches(*plain.mesh, one));
+        const int around = countWhere(picture(scene, camera), ink);
+        QVERIFY2(around > 40 && around < 2000, qPrintable(QString::number(around)));
+        TriangleMesh wall;
+        const glm::vec3 at(camera.target + 0.7 * camera.distance * camera.backward());
+        for (const glm::vec2& corner : {glm::vec2(-9, -9), glm::vec2(9, -9), glm::vec2(0, 20)})
+            wall.positions.emplace_back(at + glm::vec3(corner, 0.0f));
+        wall.normals.assign(3, {0, 0, 1});
+        wall.triangles = {{0, 1, 2}};
+        scene.meshes.push_back(test::sampleItem(std::move(wall), "wall", 2));
+        const int behind = countWhere(picture(scene, camera), ink);
+        QVERIFY2(std::abs(behind - around) < around / 5, qPrintable(QString::number(behind)));
+        scene.meshes.pop_back();
+        scene.meshes[0] = plain;
+        for (MeshItem& item : scene.meshes)
+            item.outlined = std::make_shared<const OutlinedFaces>(outlinedWhole(*item.mesh, item.box, 0));
+        const int whole = countWhere(picture(scene, camera), ink);
+        QVERIFY2(whole > around / 2, qPrintable(QString::number(whole)));
+    }
+    /// However many there are, one over the other.
+    void fadedLeavesHideLittle()
+    {
+        RenderScene scene = test::sampleScene(4, 40);
+        const Camera camera = frontCamera(scene);
+        RenderScene bare = scene;
+        bare.meshes.pop_back();
+        const QImage without = picture(bare, camera);
+        scene.meshes[1].castsShadow = false;
+        const int opaque = differingPixels(picture(scene, camera), without, 45);
+        scene.meshes[1].opacity = 0.1f;
+        const int faded = differingPixels(picture(scene, camera), without, 45);
+        QVERIFY2(faded * 20 < opaque, qPrintable(QStringLiteral("%1 of %2").arg(faded).arg(opaque)));
+        QVERIFY(differingPixels(picture(scene, camera), without, 2) > 0); // they are still there
     }
 };
 

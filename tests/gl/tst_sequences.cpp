@@ -88,7 +88,9 @@ private slots:
     void meshesAreThoseOfTheCommandLine()
     {
         SequenceTask task;
-        task.startMeshes(m_document, {}, {0, 40, 20, 24.0}, path(QStringLiteral("mine/tree.obj")));
+        ExportOptions options;
+        options.texture = true; // as the command line does without --no-texture
+        task.startMeshes(m_document, options, {0, 40, 20, 24.0}, path(QStringLiteral("mine/tree.obj")));
         waitFor(task);
         cli({QStringLiteral("export"), QStringLiteral("preset:TinyTree"), QStringLiteral("--frames"),
              QStringLiteral("0:40:20"), QStringLiteral("-o"), path(QStringLiteral("cli/tree.obj"))});
@@ -110,7 +112,9 @@ private slots:
     void turntablesAreThoseOfTheCommandLine()
     {
         SequenceTask task;
-        task.startPictures(m_document, look(m_document, {320, 200}),
+        PictureLook around = look(m_document, {320, 200});
+        around.allAround = true;
+        task.startPictures(m_document, around,
                            turntableShots(4, 0.0, path(QStringLiteral("turn/p.png")).toStdString()));
         waitFor(task);
         cli({QStringLiteral("render"), QStringLiteral("preset:TinyTree"), QStringLiteral("--turntable"),

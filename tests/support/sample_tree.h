@@ -5,6 +5,7 @@
 #include "core/random/random.h"
 #include "core/skeleton/skeleton.h"
 #include "widgets/render/render_scene.h"
+#include <QString>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>

@@ -3,6 +3,7 @@
 #include "tests/widgets/inspector_bench.h"
 #include "widgets/inspector/fact_text.h"
 #include "widgets/numbers/number_field.h"
+#include "widgets/scene/branch_names.h"
 #include <QAbstractItemModelTester>
 #include <QClipboard>
 #include <QSignalSpy>
@@ -93,7 +94,8 @@ void TestBranchInspector::showsTheFactsOfTheActiveBranch()
         QCOMPARE(bench.fact("Angle to the parent"), facttext::angle(facts.angleRad, deg));
         QCOMPARE(bench.fact("Azimuth"), facttext::angle(facts.azimuthRad, deg));
         QCOMPARE(bench.fact("Mass"), facttext::number(facts.mass, 4));
-        QVERIFY(bench.visibleTexts().contains(QStringLiteral("Branch %1").arg(branch)));
+        QVERIFY(bench.visibleTexts().contains(BranchNames().branch(BranchRows(tree.simplified), branch)));
+        QVERIFY(bench.visibleTexts().contains(QStringLiteral("Tree · branch %1 in reports").arg(branch)));
     }
     bench.trees.select(bench.tree, {1}, 1);
     QCOMPARE(bench.fact("Angle to the parent"), QStringLiteral("34.38°")); // 0.6 rad
@@ -232,7 +234,7 @@ void TestBranchInspector::hiddenItIsSilentAndCatchesUp()
     QCOMPARE(inspected.count(), 0);
     bench.inspector.show();
     QCOMPARE(inspected.takeLast(), (QVariantList{bench.tree, Index(5), Index(0)}));
-    QVERIFY(bench.visibleTexts().contains(QStringLiteral("Branch 5")));
+    QVERIFY(bench.visibleTexts().contains(QStringLiteral("Tree · branch 5 in reports")));
 }
 
 void TestBranchInspector::chosenSectionSurvivesADraft()

@@ -1,6 +1,9 @@
 #include "core/document/analysis.h"
+#include "core/document/recompute.h"
 #include "tests/support/suite.h"
 #include "tests/widgets/tree_document.h"
+#include "widgets/export/mesh_faults.h"
+#include "widgets/main_window/status_panel.h"
 #include "widgets/validation/histogram_view.h"
 #include "widgets/validation/kind_texts.h"
 #include "widgets/validation/report_text.h"
@@ -28,6 +31,7 @@ private slots:
 
     void theAnalysisTellsHowFarItIs();
     void findingsAreListedAndShown();
+    void theVerdictIsOneEverywhere();
     void whatIsSelectedIsShown();
     void defectsOfObjectsAreListed();
     void largeNumbersAreGrouped();
@@ -128,6 +132,60 @@ void TestValidationAnalysis::findingsAreListedAndShown()
     const QString text = QGuiApplication::clipboard()->text();
     QVERIFY(text.contains(QString::fromStdString(analysis.findings(tree)->hash.text())));
     QVERIFY(text.contains(kindText(FindingKind::Collision).name));
+}
+
+/// Green, amber and red are the same in the panel, in the status bar and for an export.
+void TestValidationAnalysis::theVerdictIsOneEverywhere()
+{
+    test::TreeDocument trees;
+    const NodeId tree = trees.add(test::smallForks(), "Oak");
+    SelfIntersections crossings;
+    crossings.kindsKnown = true;
+    Analysis analysis(&trees.document(), [&crossings](const BranchMesh&, const Skeleton&, const Progress&) {
+        MeshAnalysis found;
+        found.crossings = crossings;
+        return Expected<MeshAnalysis>(found);
+    });
+    analysis.setRest(0);
+    Recompute recompute(&trees.document());
+    ValidationPanel panel(&trees.document(), &analysis);
+    StatusPanel status(&trees.document(), &recompute, &analysis);
+    panel.resize(340, 500);
+    panel.show();
+    const auto* badge = panel.findChild<StatusBadge*>();
+    const auto text = [&](const char* name) { return panel.findChild<QLabel*>(QLatin1String(name))->text(); };
+    const auto faults = [&] { return meshFaults(trees.document(), &analysis, {}); };
+    // Not looked for yet: nobody claims that there are none.
+    QCOMPARE(badge->status(), StatusBadge::Status::Unknown);
+    QCOMPARE(status.badgeState(), QStringLiteral("closed"));
+    QVERIFY(analysis.waitForAll(10'000));
+    QCOMPARE(badge->status(), StatusBadge::Status::Good);
+    QTRY_COMPARE(status.badgeState(), QStringLiteral("good"));
+    QVERIFY(text("explanation").contains(cleanText().print.toHtmlEscaped()));
+    QVERIFY(faults().isEmpty());
+    crossings.counts = {0, 0, 0, 26}; // branches that collide
+    QVERIFY(edit::setParam(trees.document(), {tree}, *findParam("turtle.alpha"), 0.9));
+    QVERIFY(recompute.waitForFull(20'000));
+    QVERIFY(analysis.waitForAll(10'000));
+    QCOMPARE(badge->status(), StatusBadge::Status::Warning);
+    QTRY_COMPARE(status.badgeState(), QStringLiteral("warning"));
+    const auto* label = status.findChild<QLabel*>(QStringLiteral("badge"));
+    for (const QString& words : {text("panelTitle"), label->text(), faults().text})
+        QVERIFY2(words.contains(QStringLiteral("closed"), Qt::CaseInsensitive) &&
+                     words.contains(QStringLiteral("26")),
+                 qPrintable(words));
+    QVERIFY(text("explanation").contains(crossedText().meaning.toHtmlEscaped()));
+    QVERIFY(!text("explanation").contains(cleanText().print.toHtmlEscaped()));
+    QVERIFY(faults().verdict == MeshVerdict::Crossing && !faults().mustAsk());
+    NodeResult result = *trees.document().result(tree);
+    auto report = std::make_shared<MeshReport>(*result.tree.report);
+    report->valid = false;
+    report->boundaryEdges = 3;
+    result.tree.report = report;
+    trees.document().setResult(tree, result);
+    QCOMPARE(badge->status(), StatusBadge::Status::Bad);
+    QCOMPARE(status.badgeState(), QStringLiteral("bad"));
+    QVERIFY(faults().verdict == MeshVerdict::Broken && faults().mustAsk());
 }
 
 /// Trees, arms, terrains and objects, each under its name.

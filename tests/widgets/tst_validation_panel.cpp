@@ -46,6 +46,8 @@ struct Bench
     const MeshReport& report() { return *document().result(tree)->tree.report; }
     ReportView* view() { return panel.findChild<ReportView*>(); }
     ReportModel* model() { return panel.findChild<ReportModel*>(); }
+    /// Without an analysis nothing is known of crossings: closed is not yet green.
+    static constexpr auto closed = StatusBadge::Status::Unknown;
     StatusBadge::Status status() { return panel.findChild<StatusBadge*>()->status(); }
     QString text(const char* name) { return panel.findChild<QLabel*>(QLatin1String(name))->text(); }
     QModelIndex openKind(ReportModel::Kind kind)
@@ -153,7 +155,7 @@ private slots:
     void emptyAndInsideOutMeshesAreNotGreen();
     void disagreementIsNotGreen();
 
-    void presetsAreGreen();
+    void presetsAreClosed();
     void openMeshsOpinionComesLater();
     void everyKindOfDefectIsListed();
     void aClickShowsTheDefect();
@@ -166,6 +168,8 @@ private slots:
     void theTreeShownIsTheOneMeant();
     void hiddenItCatchesUp();
     void leavesTheHighlight();
+    void escapeAndHidingLeaveTheHighlight();
+    void someRowsAreAlwaysInSight();
     void everyTextFollowsTheLanguage();
     void nothingIsCutOff();
 };
@@ -189,7 +193,7 @@ void TestValidationPanel::noTreeNoReport()
 void TestValidationPanel::aTreeWithoutAMeshSaysWhy()
 {
     Bench bench;
-    QCOMPARE(bench.status(), StatusBadge::Status::Good);
+    QCOMPARE(bench.status(), Bench::closed);
     NodeResult result = *bench.document().result(bench.tree);
     result.error = Error{ErrorCode::Syntax, "no %1 here", {"tree"}, {}, {}, 0, 0};
     bench.document().setResult(bench.tree, result);
@@ -232,14 +236,14 @@ void TestValidationPanel::disagreementIsNotGreen()
     QCOMPARE(bench.status(), StatusBadge::Status::Bad);
 }
 
-void TestValidationPanel::presetsAreGreen()
+void TestValidationPanel::presetsAreClosed()
 {
     for (const Preset& preset : presets()) {
         NodeParams params = preset.params;
         params.grammar.iterations = std::min<std::int64_t>(params.grammar.iterations, 4);
         Bench bench(params);
-        QVERIFY2(bench.status() == StatusBadge::Status::Good, preset.name);
-        QCOMPARE(bench.text("panelTitle"), QStringLiteral("Closed, manifold, oriented"));
+        QVERIFY2(bench.status() == Bench::closed, preset.name);
+        QCOMPARE(bench.text("panelTitle"), QStringLiteral("Closed; crossings not looked for yet"));
         const QString details = bench.text("reportDetails");
         QVERIFY(details.contains(QLocale().toString(bench.report().vertices)));
         QVERIFY(details.contains(QLocale().toString(bench.report().faces)));
@@ -313,6 +317,8 @@ void TestValidationPanel::aClickShowsTheDefect()
             QCOMPARE(place.kind, kind);
             QCOMPARE(place.points.size() + place.edges.size() + place.faces.size() > 0, true);
             QVERIFY(!place.box.empty() && place.box.radius() > 0.0);
+            QCOMPARE(place.label.section(u'\n', 1),
+                     index.data().toString()); // its name, below that of the kind
             QCOMPARE(bench.document().selection().branchNode, bench.tree);
             QCOMPARE(bench.document().selection().branches, std::vector<Index>{3});
         }
@@ -389,7 +395,7 @@ void TestValidationPanel::repairsSelectTheirBranch()
     Bench bench(params);
     const auto& repairs = bench.document().result(bench.tree)->tree.branches->repairs;
     QVERIFY(!repairs.empty());
-    QCOMPARE(bench.status(), StatusBadge::Status::Good);
+    QCOMPARE(bench.status(), Bench::closed);
     const QModelIndex top = bench.openKind(repairs.front().kind);
     QVERIFY(top.isValid());
     QSignalSpy activated(&bench.panel, &ValidationPanel::defectActivated);
@@ -406,7 +412,7 @@ void TestValidationPanel::explanationsFollowTheRow()
     std::set<QString> seen;
     for (const DefectKind kind : allDefects) {
         Bench bench;
-        QVERIFY(bench.text("explanation").contains(cleanText().print.toHtmlEscaped()));
+        QVERIFY(bench.text("explanation").isEmpty());
         bench.setMesh(broken(kind));
         const QModelIndex top = bench.openKind(kind);
         bench.view()->setCurrentIndex(top);
@@ -452,15 +458,15 @@ void TestValidationPanel::theTreeShownIsTheOneMeant()
     Bench bench;
     bench.setMesh(broken(DefectKind::BoundaryEdge));
     const NodeId other = bench.trees.add(test::smallForks(), "Elm"); // becomes selected
-    QCOMPARE(bench.status(), StatusBadge::Status::Good);
+    QCOMPARE(bench.status(), Bench::closed);
     bench.trees.selectNode(bench.tree);
     QCOMPARE(bench.status(), StatusBadge::Status::Bad);
     bench.trees.selectNode(bench.trees.addGroup()); // a group has no mesh: the tree before stays
     QCOMPARE(bench.status(), StatusBadge::Status::Bad);
     bench.trees.select(other, {0}, 0);
-    QCOMPARE(bench.status(), StatusBadge::Status::Good);
+    QCOMPARE(bench.status(), Bench::closed);
     bench.document().setSelection({});
-    QCOMPARE(bench.status(), StatusBadge::Status::Good);
+    QCOMPARE(bench.status(), Bench::closed);
     QVERIFY(edit::removeNodes(bench.document(), {other}));
     QCOMPARE(bench.status(), StatusBadge::Status::Bad);
 }
@@ -489,6 +495,36 @@ void TestValidationPanel::leavesTheHighlight()
     QCOMPARE(left.count(), 1);
     bench.setMesh(broken(DefectKind::BoundaryEdge));
     QCOMPARE(left.count(), 1);
+}
+
+void TestValidationPanel::escapeAndHidingLeaveTheHighlight()
+{
+    Bench bench;
+    QSignalSpy left(&bench.panel, &ValidationPanel::defectLeft);
+    bench.setMesh(broken(DefectKind::BoundaryEdge));
+    const QModelIndex first = bench.model()->index(0, 0, bench.openKind(DefectKind::BoundaryEdge));
+    QTest::keyClick(bench.view(), Qt::Key_Escape); // nothing to leave
+    QCOMPARE(left.count(), 0);
+    bench.click(first);
+    QTest::keyClick(bench.view(), Qt::Key_Escape);
+    QCOMPARE(left.count(), 1);
+    QSignalSpy activated(&bench.panel, &ValidationPanel::defectActivated);
+    bench.click(first); // the same row shows it again
+    QCOMPARE(activated.count(), 1);
+    bench.panel.hide();
+    QCOMPARE(left.count(), 2);
+}
+
+void TestValidationPanel::someRowsAreAlwaysInSight()
+{
+    Bench bench;
+    bench.setMesh(broken(DefectKind::BoundaryEdge));
+    bench.openKind(DefectKind::BoundaryEdge);
+    bench.panel.resize(340, bench.panel.minimumSizeHint().height());
+    const int rows = 6 * bench.view()->sizeHintForRow(0);
+    // Headers and a scroll bar to the side are not rows.
+    QTRY_VERIFY2(bench.view()->viewport()->height() >= rows,
+                 qPrintable(QStringLiteral("%1 of %2").arg(bench.view()->viewport()->height()).arg(rows)));
 }
 
 void TestValidationPanel::everyTextFollowsTheLanguage()

@@ -45,6 +45,26 @@ void ActionSet::setShortcuts(const QMap<QString, QKeySequence>& changed)
     }
 }
 
+void ActionSet::setTip(QAction* action, const QString& tip)
+{
+    const auto found =
+        std::ranges::find_if(m_entries, [action](const Entry& entry) { return entry.action == action; });
+    if (found == m_entries.end() || found->tip == tip)
+        return;
+    found->tip = tip;
+    translate(*found);
+}
+
+void ActionSet::setText(QAction* action, const QString& text)
+{
+    const auto found =
+        std::ranges::find_if(m_entries, [action](const Entry& entry) { return entry.action == action; });
+    if (found == m_entries.end() || found->text == text)
+        return;
+    found->text = text;
+    translate(*found);
+}
+
 QAction* ActionSet::find(const QString& id) const
 {
     const auto found =
@@ -71,9 +91,12 @@ void ActionSet::translate(const Entry& entry)
     if (!entry.spec.text)
         return; // its maker translates it
     const auto text = [](const char* english) { return QCoreApplication::translate("Actions", english); };
-    entry.action->setText(text(entry.spec.text));
-    QString tip = text(entry.spec.tip ? entry.spec.tip : entry.spec.text);
+    const QString shown = entry.text.isEmpty() ? text(entry.spec.text) : entry.text;
+    entry.action->setText(shown);
+    QString tip = entry.spec.tip ? text(entry.spec.tip) : shown;
     tip.remove(u'&').remove(QStringLiteral("…"));
+    if (!entry.tip.isEmpty())
+        tip = entry.tip;
     entry.action->setStatusTip(entry.spec.tip ? tip : QString());
     if (const QKeySequence keys = entry.action->shortcut(); !keys.isEmpty())
         tip += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));

@@ -36,6 +36,12 @@ public:
     [[nodiscard]] QKeySequence defaultShortcut(const QAction* action) const;
     /// Gives every action its default, or what \p changed says by the action's id.
     void setShortcuts(const QMap<QString, QKeySequence>& changed);
+    /// The tip of an action of the table for now, in the present language: why it is off, say. Empty: the
+    /// table's tip again.
+    void setTip(QAction* action, const QString& tip);
+    /// What an action of the table says for now, with a mnemonic, in the present language: what it would act
+    /// on, say. Empty: the table's text again.
+    void setText(QAction* action, const QString& text);
     /// Null where there is none.
     [[nodiscard]] QAction* find(const QString& id) const;
     [[nodiscard]] QList<QAction*> actions() const;
@@ -47,6 +53,8 @@ private:
     {
         ActionSpec spec; ///< of adopted actions only the shortcut
         QAction* action;
+        QString tip = {};  ///< for now; empty: the spec's
+        QString text = {}; ///< for now; empty: the spec's
     };
     static void translate(const Entry& entry);
 

@@ -45,6 +45,16 @@ public:
                              const QString& suffix) = 0;
     /// The document would be lost: what now?
     virtual Unsaved unsavedChanges(const QString& documentName) = 0;
+    /// Something else has to come first: does the user agree? \param question one short sentence. \param why
+    /// it has to. \param yes what the button that agrees says.
+    virtual bool agrees(const QString& title, const QString& question, const QString& why, const QString& yes)
+    {
+        Q_UNUSED(title);
+        Q_UNUSED(question);
+        Q_UNUSED(why);
+        Q_UNUSED(yes);
+        return true;
+    }
     /// Documents from before a crash are there: what now? Asked again after a Discard, while there are any.
     virtual RecoveryAnswer recovery(const QList<RecoveryEntry>& entries)
     {

@@ -83,6 +83,21 @@ Chooser::Unsaved DialogChooser::unsavedChanges(const QString& documentName)
     return box.clickedButton() == discard ? Unsaved::Discard : Unsaved::Cancel;
 }
 
+bool DialogChooser::agrees(const QString& title, const QString& question, const QString& why,
+                           const QString& yes)
+{
+    QMessageBox box(m_window);
+    box.setIconPixmap(icon("info").pixmap(32, 32));
+    box.setWindowTitle(title);
+    box.setText(question);
+    box.setInformativeText(why);
+    QPushButton* agree = box.addButton(yes, QMessageBox::AcceptRole);
+    box.setDefaultButton(agree);
+    box.setEscapeButton(box.addButton(tr("Cancel"), QMessageBox::RejectRole));
+    box.exec();
+    return box.clickedButton() == agree;
+}
+
 RecoveryAnswer DialogChooser::recovery(const QList<RecoveryEntry>& entries)
 {
     RecoveryDialog dialog(entries, m_window);

@@ -22,6 +22,8 @@ public:
     QString openFolder(const QString& title, const QString& folder) override;
     QString saveFile(const QString& title, const QString& suggestion, const QString& filter,
                      const QString& suffix) override;
+    bool agrees(const QString& title, const QString& question, const QString& why,
+                const QString& yes) override;
     Unsaved unsavedChanges(const QString& documentName) override;
     RecoveryAnswer recovery(const QList<RecoveryEntry>& entries) override;
     void report(Severity severity, const QString& text) override;

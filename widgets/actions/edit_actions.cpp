@@ -1,16 +1,20 @@
 #include "widgets/actions/edit_actions.h"
 
 #include "core/document/commands.h"
+#include "core/grammar/variety.h"
 #include "core/params/presets.h"
 #include "core/scene/arm_demo.h"
+#include "core/scene/preset_scene.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/support/core_text.h"
+#include "widgets/support/node_words.h"
 #include "widgets/support/targets.h"
 #include "widgets/theme/icons.h"
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QKeyEvent>
 #include <QMenu>
+#include <algorithm>
 
 namespace ramure {
 
@@ -18,6 +22,7 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
     : QObject(parent)
     , m_document(document)
     , m_chooser(chooser)
+    , m_set(set)
     , m_undo(set->add({"edit.undo", QT_TRANSLATE_NOOP("Actions", "&Undo"), "undo", QKeySequence::Undo}))
     , m_redo(set->add({"edit.redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), "redo",
                        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)}))
@@ -35,12 +40,20 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
                              "group",
                              {},
                              QT_TRANSLATE_NOOP("Actions", "Add a terrain that gives an arm targets")}))
-    , m_duplicate(set->add({"edit.duplicate", QT_TRANSLATE_NOOP("Actions", "&Duplicate"), "duplicate",
-                            QKeySequence(Qt::CTRL | Qt::Key_D)}))
+    , m_duplicate(
+          set->add({"edit.duplicate", QT_TRANSLATE_NOOP("Actions", "&Duplicate"), "duplicate",
+                    QKeySequence(Qt::CTRL | Qt::Key_D),
+                    QT_TRANSLATE_NOOP("Actions", "Copy with everything below; the copy follows the mouse: a "
+                                                 "click puts it down, Esc leaves it in place")}))
     , m_rename(set->add(
           {"edit.rename", QT_TRANSLATE_NOOP("Actions", "Rena&me"), "rename", QKeySequence(Qt::Key_F2)}))
     , m_delete(
           set->add({"edit.delete", QT_TRANSLATE_NOOP("Actions", "De&lete"), "delete", QKeySequence::Delete}))
+    , m_straighten(set->add({"edit.straighten",
+                             QT_TRANSLATE_NOOP("Actions", "Strai&ghten branches"),
+                             nullptr,
+                             {},
+                             QT_TRANSLATE_NOOP("Actions", "Take back how the selected branches were bent")}))
     , m_visible(set->add(
           {"edit.visible", QT_TRANSLATE_NOOP("Actions", "&Hide or show"), "eye", QKeySequence(Qt::Key_H)}))
     , m_locked(set->add({"edit.locked", QT_TRANSLATE_NOOP("Actions", "Loc&k or unlock"), "lock",
@@ -60,6 +73,7 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
     connect(m_duplicate, &QAction::triggered, this, &EditActions::duplicateSelected);
     connect(m_rename, &QAction::triggered, this, &EditActions::renameRequested);
     connect(m_delete, &QAction::triggered, this, &EditActions::removeSelected);
+    connect(m_straighten, &QAction::triggered, this, &EditActions::straightenSelected);
     connect(m_visible, &QAction::triggered, this, &EditActions::toggleVisible);
     connect(m_locked, &QAction::triggered, this, &EditActions::toggleLocked);
     connect(m_document, &Document::changed, this, &EditActions::follow);
@@ -91,6 +105,7 @@ void EditActions::fillMenu(QMenu* menu)
     m_addMenu->addActions({m_addArm, m_addTerrain, m_addGroup});
     menu->addSeparator();
     menu->addActions(nodeActions());
+    menu->addAction(m_straighten);
     retranslate();
 }
 
@@ -105,22 +120,59 @@ void EditActions::retranslate()
         m_addMenu->setTitle(tr("&Add to the scene"));
     for (const auto& [action, label] : m_addPrimitives)
         action->setText(coreText(label));
+    update();
     updateUndoTexts();
 }
 
 void EditActions::follow(const Change& change)
 {
-    if (change.has(changeSelection | changeStructure | changeReset | changeNodeState))
+    const bool isVaried = change.has(changeParams) && change.firstStale <= Stage::Skeleton;
+    if (isVaried || change.has(changeSelection | changeStructure | changeReset | changeNodeState |
+                               changeBranches | changeResults))
         update();
 }
 
 void EditActions::update()
 {
     const bool any = !selected().empty();
-    for (QAction* action : {m_duplicate, m_delete, m_visible, m_locked})
+    for (QAction* action : {m_duplicate, m_visible, m_locked})
         action->setEnabled(any);
+    m_delete->setEnabled(any || !m_document->selection().branches.empty());
     m_rename->setEnabled(selected().size() == 1);
-    m_newTree->setEnabled(!targetTrees(*m_document).empty());
+    const std::vector<NodeId> trees = targetTrees(*m_document);
+    const bool canVary = std::ranges::any_of(
+        trees, [this](NodeId id) { return variesByChance(m_document->scene().find(id)->params); });
+    m_newTree->setEnabled(canVary);
+    m_set->setTip(m_newTree, trees.empty() || canVary
+                                 ? QString()
+                                 : tr("New tree: nothing can vary. No rule has chances, and the variation of "
+                                      "angles, lengths and radii is 0 %"));
+    m_straighten->setEnabled(!bentBranches().empty());
+    updateTexts();
+}
+
+/// A click on a branch selects its tree, too: what would act on the tree says so.
+void EditActions::updateTexts()
+{
+    const Scene& scene = m_document->scene();
+    const Selection& selection = m_document->selection();
+    const Node* active = scene.find(selection.activeNode());
+    const QString what = nodeWords(scene, selection.nodes);
+    const auto say = [this, &what](QAction* action, const QString& text) {
+        m_set->setText(action, what.isEmpty() ? QString() : text.arg(what));
+    };
+    say(m_duplicate, tr("&Duplicate %1"));
+    if (selection.nodes.size() == 1)
+        say(m_rename, tr("Rena&me %1"));
+    else
+        m_set->setText(m_rename, {});
+    say(m_visible, active && !active->visible ? tr("S&how %1") : tr("&Hide %1"));
+    say(m_locked, active && active->locked ? tr("Unloc&k %1") : tr("Loc&k %1"));
+    if (const auto branches = selection.branches.size(); branches > 0)
+        m_set->setText(m_delete, tr("De&lete %n branch(es): not possible yet", nullptr, int(branches)));
+    else
+        say(m_delete, tr("De&lete %1"));
+    emit targetNamed(what);
 }
 
 void EditActions::updateUndoTexts()
@@ -131,8 +183,8 @@ void EditActions::updateUndoTexts()
     const auto name = [](const QString& base, const QString& what) {
         return what.isEmpty() ? base : QStringLiteral("%1: %2").arg(base, what);
     };
-    m_undo->setText(name(tr("&Undo"), stack->undoText()));
-    m_redo->setText(name(tr("&Redo"), stack->redoText()));
+    m_set->setText(m_undo, name(tr("&Undo"), stack->undoText()));
+    m_set->setText(m_redo, name(tr("&Redo"), stack->redoText()));
 }
 
 void EditActions::report(const Error& error)
@@ -160,14 +212,10 @@ void EditActions::addNode(Node node)
 
 void EditActions::addTree(const QString& preset)
 {
-    auto params = presetParams(preset.toStdString());
-    if (!params)
-        return report(params.error());
-    Node node;
-    node.kind = NodeKind::Tree;
-    node.name = preset.toStdString();
-    node.params = std::move(*params);
-    addNode(std::move(node));
+    auto tree = presetTree(preset.toStdString());
+    if (!tree)
+        return report(tree.error());
+    addNode(std::move(*tree));
 }
 
 /// As in the demo: 0 the arm, 1 the terrain.
@@ -198,13 +246,45 @@ void EditActions::addPrimitive(const char* shape, const QString& label)
 
 void EditActions::removeSelected()
 {
+    if (!m_document->selection().branches.empty())
+        return emit messageRaised(
+            tr("Branches cannot be cut yet. Esc selects the tree alone: then Del deletes it."));
     if (const auto done = edit::removeNodes(*m_document, selected()); !done)
         report(done.error());
 }
 
 void EditActions::duplicateSelected()
 {
-    if (const auto done = edit::duplicateNodes(*m_document, selected()); !done)
+    const auto copies = edit::duplicateNodes(*m_document, selected());
+    if (!copies)
+        report(copies.error());
+    else if (!copies->empty())
+        emit duplicated();
+}
+
+/// Of the selected branches those that are bent, without their bends.
+std::map<std::uint64_t, glm::dvec3> EditActions::bentBranches() const
+{
+    const Selection& selection = m_document->selection();
+    const Node* node = m_document->scene().find(selection.branchNode);
+    const NodeResult* result = m_document->result(selection.branchNode);
+    std::map<std::uint64_t, glm::dvec3> straight;
+    if (!node || !result || !result->tree.simplified)
+        return straight;
+    const Skeleton& skeleton = result->tree.simplified->skeleton;
+    for (const Index branch : selection.branches) {
+        const auto set = branch < skeleton.size() ? node->params.branches.find(skeleton.key[branch])
+                                                  : node->params.branches.end();
+        if (set != node->params.branches.end() && set->second.bendRad != glm::dvec3(0.0))
+            straight[set->first] = glm::dvec3(0.0);
+    }
+    return straight;
+}
+
+void EditActions::straightenSelected()
+{
+    if (const auto done = edit::turnBranches(*m_document, m_document->selection().branchNode, bentBranches());
+        !done)
         report(done.error());
 }
 

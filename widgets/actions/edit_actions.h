@@ -5,6 +5,7 @@
 #include "core/document/document.h"
 #include "widgets/actions/chooser.h"
 #include <QObject>
+#include <map>
 
 class QAction;
 class QMenu;
@@ -21,6 +22,8 @@ public:
     EditActions(Document* document, Chooser* chooser, ActionSet* set, QObject* parent);
 
     void fillMenu(QMenu* menu);
+    [[nodiscard]] QMenu* addMenu() const { return m_addMenu; } ///< after fillMenu
+    [[nodiscard]] QAction* straightenAction() const { return m_straighten; }
     [[nodiscard]] QAction* undoAction() const { return m_undo; }
     [[nodiscard]] QAction* redoAction() const { return m_redo; }
     [[nodiscard]] QAction* newTreeAction() const { return m_newTree; }
@@ -37,13 +40,21 @@ public:
 
 signals:
     void renameRequested();
+    void messageRaised(const QString& text);
+    /// The copies are selected, at the places of their originals.
+    void duplicated();
+    /// The selected nodes are called so now: "tree", "3 nodes"; empty where there are none.
+    void targetNamed(const QString& words);
 
 private:
     void follow(const Change& change);
     void update();
+    void updateTexts();
     void updateUndoTexts();
     void removeSelected();
     void duplicateSelected();
+    void straightenSelected();
+    [[nodiscard]] std::map<std::uint64_t, glm::dvec3> bentBranches() const;
     void toggleVisible();
     void toggleLocked();
     void addNode(Node node);
@@ -52,6 +63,7 @@ private:
 
     Document* m_document;
     Chooser* m_chooser;
+    ActionSet* m_set;
     QAction* m_undo;
     QAction* m_redo;
     QAction* m_newTree;
@@ -60,6 +72,7 @@ private:
     QAction* m_duplicate;
     QAction* m_rename;
     QAction* m_delete;
+    QAction* m_straighten;
     QAction* m_visible;
     QAction* m_locked;
     QMenu* m_addMenu = nullptr;

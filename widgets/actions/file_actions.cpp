@@ -4,7 +4,9 @@
 #include "core/io/file_writer.h"
 #include "core/params/presets.h"
 #include "core/scene/demo_scenes.h"
+#include "core/scene/preset_scene.h"
 #include "widgets/actions/action_set.h"
+#include "widgets/actions/import_actions.h"
 #include "widgets/support/core_text.h"
 #include "widgets/support/preferences.h"
 #include "widgets/theme/icons.h"
@@ -18,23 +20,6 @@ namespace {
 
 const QString projectSuffix = QStringLiteral("ramure");
 
-/// A scene with one tree.
-Expected<Scene> presetScene(const std::string& preset)
-{
-    auto params = presetParams(preset);
-    if (!params)
-        return fail(params.error());
-    Scene scene;
-    Node tree;
-    tree.id = scene.newId();
-    tree.kind = NodeKind::Tree;
-    tree.name = preset;
-    tree.params = std::move(*params);
-    if (auto done = scene.insert({std::move(tree)}, noNode, 0); !done)
-        return fail(done.error());
-    return scene;
-}
-
 } // namespace
 
 FileActions::FileActions(Document* document, Preferences* preferences, Chooser* chooser, ActionSet* set,
@@ -43,8 +28,10 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
     , m_document(document)
     , m_preferences(preferences)
     , m_chooser(chooser)
-    , m_open(set->add({"file.open", QT_TRANSLATE_NOOP("Actions", "&Open…"), "open", QKeySequence::Open,
-                       QT_TRANSLATE_NOOP("Actions", "Open a Ramure file")}))
+    , m_open(set->add(
+          {"file.open", QT_TRANSLATE_NOOP("Actions", "&Open…"), "open", QKeySequence::Open,
+           QT_TRANSLATE_NOOP("Actions",
+                             "Open a Ramure file, or objects into a new scene: .obj, .ply, .animation")}))
     , m_save(set->add({"file.save", QT_TRANSLATE_NOOP("Actions", "&Save"), "save", QKeySequence::Save,
                        QT_TRANSLATE_NOOP("Actions", "Save the scene")}))
     , m_saveAs(set->add({"file.saveAs", QT_TRANSLATE_NOOP("Actions", "Save &as…"), "save-as",
@@ -144,9 +131,9 @@ void FileActions::fillRecentMenu()
             &Preferences::clearRecentFiles);
 }
 
-QString FileActions::fileFilter() const
+QString FileActions::projectFilter() const
 {
-    return tr("Ramure files (*.ramure);;All files (*)");
+    return tr("Ramure files (*.ramure)") + QStringLiteral(";;") + tr("All files (*)");
 }
 
 QString FileActions::documentName() const
@@ -205,18 +192,64 @@ bool FileActions::startWith(Expected<Scene> scene, const QString& why)
 
 bool FileActions::open()
 {
-    const QString path = m_chooser->openFile(tr("Open"), m_preferences->lastFolder(), fileFilter());
+    const QString filter = tr("All that can be opened (*.ramure *.obj *.ply *.animation)") +
+                           QStringLiteral(";;") + tr("Ramure files (*.ramure)") + QStringLiteral(";;") +
+                           tr("Objects and keys (*.obj *.ply *.animation)") + QStringLiteral(";;") +
+                           tr("All files (*)");
+    const QString path = m_chooser->openFile(tr("Open"), m_preferences->lastFolder(), filter);
     return !path.isEmpty() && openFile(path);
 }
 
 bool FileActions::openFile(const QString& path)
 {
+    if (isOpening()) {
+        emit openEnded(false); // its progress is shown
+        return false;
+    }
+    if (m_imports && ImportActions::canImport(path)) {
+        m_imports->openPath(
+            path, [this, path](std::optional<Scene> scene) { return takeObjects(path, std::move(scene)); });
+        return isOpening();
+    }
+    const bool opened = openProject(path);
+    emit openEnded(opened);
+    return opened;
+}
+
+bool FileActions::isOpening() const
+{
+    return m_imports && m_imports->isRunning();
+}
+
+/// Nothing: they could not be read.
+bool FileActions::takeObjects(const QString& path, std::optional<Scene> scene)
+{
+    if (!scene && !QFileInfo::exists(path))
+        m_preferences->removeRecentFile(QFileInfo(path).absoluteFilePath());
+    const bool opened = scene && startWith(std::move(*scene), QString());
+    if (opened)
+        remember(path);
+    emit openEnded(opened);
+    return opened;
+}
+
+bool FileActions::openProject(const QString& path)
+{
     // Read first: a file that cannot be read must not cost the open document a question.
     auto project = loadProjectFile(path);
     if (!project) {
-        reportError(tr("“%1” cannot be opened.").arg(QFileInfo(path).fileName()), project.error());
-        if (!QFileInfo::exists(path))
-            m_preferences->removeRecentFile(QFileInfo(path).absoluteFilePath());
+        const QFileInfo info(path);
+        Error error = project.error();
+        const QString ending = info.suffix().isEmpty() ? QString() : u'.' + info.suffix();
+        if (error.code == ErrorCode::Syntax && info.suffix().toLower() != projectSuffix)
+            error = fail(ErrorCode::Unknown,
+                         RAMURE_NOOP("unknown file ending \"%1\": .ramure, .obj, .ply and .animation can be "
+                                     "read"),
+                         {ending.toStdString()})
+                        .value();
+        reportError(tr("“%1” cannot be opened.").arg(info.fileName()), error);
+        if (!info.exists())
+            m_preferences->removeRecentFile(info.absoluteFilePath());
         return false;
     }
     if (!mayDiscard())
@@ -228,10 +261,16 @@ bool FileActions::openFile(const QString& path)
     m_document->reset(std::move(project->scene), QFileInfo(path).absoluteFilePath(),
                       std::move(project->extras));
     m_document->setSelection(selection);
+    remember(path);
+    return true;
+}
+
+/// A file was opened or saved.
+void FileActions::remember(const QString& path)
+{
     m_preferences->addRecentFile(path);
     m_preferences->setLastFolder(QFileInfo(path).absolutePath());
     emit succeeded();
-    return true;
 }
 
 bool FileActions::save()
@@ -247,7 +286,7 @@ bool FileActions::saveAs()
         const QString name = nodes.empty() ? documentName() : QString::fromStdString(nodes.front().name);
         suggestion = QDir(m_preferences->lastFolder()).filePath(name + u'.' + projectSuffix);
     }
-    const QString path = m_chooser->saveFile(tr("Save as"), suggestion, fileFilter(), projectSuffix);
+    const QString path = m_chooser->saveFile(tr("Save as"), suggestion, projectFilter(), projectSuffix);
     return !path.isEmpty() && saveTo(path);
 }
 
@@ -263,9 +302,7 @@ bool FileActions::saveTo(const QString& path)
     }
     m_document->setFilePath(QFileInfo(path).absoluteFilePath());
     m_document->undoStack()->setClean();
-    m_preferences->addRecentFile(path);
-    m_preferences->setLastFolder(QFileInfo(path).absolutePath());
-    emit succeeded();
+    remember(path);
     return true;
 }
 

@@ -6,6 +6,7 @@
 #include "widgets/actions/chooser.h"
 #include <QList>
 #include <QObject>
+#include <optional>
 
 class QAction;
 class QMenu;
@@ -13,6 +14,7 @@ class QMenu;
 namespace ramure {
 
 class ActionSet;
+class ImportActions;
 class Preferences;
 
 class FileActions : public QObject
@@ -30,6 +32,8 @@ public:
     [[nodiscard]] QAction* openAction() const { return m_open; }
     [[nodiscard]] QAction* exportAction() const { return m_export; }
     void retranslate();
+    /// What opens objects that are no projects; without it projects alone open. Not owned.
+    void setImports(ImportActions* imports) { m_imports = imports; }
 
     /// Asks about unsaved changes where there are any. True: the document may go.
     bool mayDiscard();
@@ -37,7 +41,10 @@ public:
     /// was.
     bool newFromPreset(const QString& preset);
     bool newFromDemo(const QString& demo); ///< see core/scene/demo_scenes.h
-    bool openFile(const QString& path);    ///< asks about unsaved changes first
+    /// A project, or objects into a new scene without a name; what can be read asks about unsaved changes.
+    /// Objects are read in the background: openEnded() then says later how it ended.
+    bool openFile(const QString& path);
+    [[nodiscard]] bool isOpening() const;
     bool open();
     bool save(); ///< "save as" where the document has no file yet
     bool saveAs();
@@ -46,20 +53,25 @@ public:
     [[nodiscard]] QString documentName() const;
 
 signals:
-    void succeeded(); ///< a file was opened or saved: what went wrong before it is past
+    void openEnded(bool opened); ///< once for every openFile
+    void succeeded();            ///< a file was opened or saved: what went wrong before it is past
     void exportRequested();
     void quitRequested();
 
 private:
     bool saveTo(const QString& path);
+    bool openProject(const QString& path);
+    bool takeObjects(const QString& path, std::optional<Scene> scene);
     bool startWith(Expected<Scene> scene, const QString& why);
     void reportError(const QString& what, const Error& error);
     void fillRecentMenu();
-    [[nodiscard]] QString fileFilter() const;
+    void remember(const QString& path);
+    [[nodiscard]] QString projectFilter() const;
 
     Document* m_document;
     Preferences* m_preferences;
     Chooser* m_chooser;
+    ImportActions* m_imports = nullptr;
     QAction* m_open;
     QAction* m_save;
     QAction* m_saveAs;

@@ -5,8 +5,10 @@
 #include "widgets/actions/chooser.h"
 #include "widgets/support/core_text.h"
 #include "widgets/support/preferences.h"
+#include <QFile>
 #include <QFileInfo>
 #include <QProgressDialog>
+#include <utility>
 
 namespace ramure {
 
@@ -20,9 +22,11 @@ ImportActions::ImportActions(Document* document, Preferences* preferences, Choos
     , m_chooser(chooser)
     , m_task(new ImportTask(document, this))
     , m_window(window)
-    , m_file(set->add({"file.import", QT_TRANSLATE_NOOP("Actions", "&Import…"), "open",
-                       QKeySequence(Qt::CTRL | Qt::Key_I),
-                       QT_TRANSLATE_NOOP("Actions", "Add an object from Blender: .obj and .animation")}))
+    , m_file(set->add(
+          {"file.import", QT_TRANSLATE_NOOP("Actions", "&Import…"), "open",
+           QKeySequence(Qt::CTRL | Qt::Key_I),
+           QT_TRANSLATE_NOOP("Actions", "Add an object to the scene: .obj, .ply, and .animation from "
+                                        "Blender")}))
     , m_folder(set->add(
           {"file.importFolder",
            QT_TRANSLATE_NOOP("Actions", "Import &folder…"),
@@ -33,18 +37,12 @@ ImportActions::ImportActions(Document* document, Preferences* preferences, Choos
     connect(m_file, &QAction::triggered, this, &ImportActions::chooseFile);
     connect(m_folder, &QAction::triggered, this, &ImportActions::chooseFolder);
     connect(m_task, &ImportTask::progress, this, &ImportActions::showProgress);
-    connect(m_task, &ImportTask::finished, this, [this](NodeId top, const std::optional<Error>& error) {
-        finish(error);
-        if (!error)
-            emit imported(top);
-    });
+    connect(m_task, &ImportTask::finished, this, &ImportActions::finish);
 }
 
 bool ImportActions::canImport(const QString& path)
 {
-    const QFileInfo info(path);
-    const QString ending = info.suffix().toLower();
-    return info.isDir() || ending == QLatin1String("obj") || ending == QLatin1String("animation");
+    return QFileInfo(path).isDir() || isImportEnding(QFile::encodeName(path).toStdString());
 }
 
 bool ImportActions::isRunning() const
@@ -55,7 +53,7 @@ bool ImportActions::isRunning() const
 void ImportActions::chooseFile()
 {
     const QString path = m_chooser->openFile(tr("Import"), m_preferences->lastFolder(),
-                                             tr("Objects and keys (*.obj *.animation);;All files (*)"));
+                                             tr("Objects and keys (*.obj *.ply *.animation);;All files (*)"));
     if (!path.isEmpty())
         importPath(path);
 }
@@ -71,15 +69,30 @@ void ImportActions::importPath(const QString& path)
 {
     if (m_task->isRunning())
         return;
+    begin(path, tr("Import"), tr("Importing “%1”…"));
+    m_task->start(path);
+}
+
+void ImportActions::openPath(const QString& path, std::function<bool(std::optional<Scene>)> take)
+{
+    if (m_task->isRunning()) {
+        take(std::nullopt);
+        return;
+    }
+    m_take = std::move(take);
+    begin(path, tr("Open"), tr("Opening “%1”…"));
+    m_task->startScene(path);
+}
+
+void ImportActions::begin(const QString& path, const QString& title, const QString& text)
+{
     m_path = path;
     m_preferences->setLastFolder(QFileInfo(path).absolutePath());
-    m_progress = new QProgressDialog(tr("Importing “%1”…").arg(QFileInfo(path).fileName()), tr("Cancel"), 0,
-                                     100, m_window);
-    m_progress->setWindowTitle(tr("Import"));
+    m_progress = new QProgressDialog(text.arg(QFileInfo(path).fileName()), tr("Cancel"), 0, 100, m_window);
+    m_progress->setWindowTitle(title);
     m_progress->setMinimumDuration(300);
     m_progress->setAutoClose(false);
     connect(m_progress, &QProgressDialog::canceled, m_task, &ImportTask::cancel);
-    m_task->start(path);
 }
 
 void ImportActions::showProgress(double fraction)
@@ -88,27 +101,41 @@ void ImportActions::showProgress(double fraction)
         m_progress->setValue(static_cast<int>(100.0 * fraction));
 }
 
-void ImportActions::finish(const std::optional<Error>& error)
+void ImportActions::finish(NodeId top, const std::optional<Error>& error)
 {
     delete m_progress;
     const QString name = QFileInfo(m_path).fileName();
+    const auto take = std::exchange(m_take, nullptr);
     if (error) {
+        const QString what = take ? tr("“%1” cannot be opened; the scene is as it was.")
+                                  : tr("“%1” cannot be imported; the scene is as it was.");
         if (error->code != ErrorCode::Cancelled)
-            m_chooser->report(Severity::Error,
-                              tr("“%1” cannot be imported; the scene is as it was.").arg(name) + u'\n' +
-                                  errorTextWithPlace(*error));
+            m_chooser->report(Severity::Error, what.arg(name) + u'\n' + errorTextWithPlace(*error));
+        if (take)
+            take(std::nullopt);
         return;
     }
+    if (!take) {
+        tellNotes(tr("“%1” was imported.").arg(name));
+        emit imported(top);
+    } else if (take(m_task->takeScene()) && !m_task->notes().empty()) {
+        tellNotes(tr("“%1” was opened.").arg(name));
+    }
+}
+
+/// What was guessed, below a text that says what was done.
+void ImportActions::tellNotes(const QString& text)
+{
     const std::vector<Note>& notes = m_task->notes();
-    QString text = tr("“%1” was imported.").arg(name);
+    QString told = text;
     for (std::size_t i = 0; i < notes.size() && i < mostNotes; ++i) {
         Note note = notes[i];
         note.file = QFileInfo(QString::fromStdString(note.file)).fileName().toStdString();
-        text += u'\n' + errorTextWithPlace(note);
+        told += u'\n' + errorTextWithPlace(note);
     }
     if (notes.size() > mostNotes)
-        text += u'\n' + tr("… and %n more note(s)", nullptr, static_cast<int>(notes.size() - mostNotes));
-    m_chooser->report(notes.empty() ? Severity::Info : Severity::Warning, text);
+        told += u'\n' + tr("… and %n more note(s)", nullptr, static_cast<int>(notes.size() - mostNotes));
+    m_chooser->report(notes.empty() ? Severity::Info : Severity::Warning, told);
 }
 
 } // namespace ramure

@@ -1,11 +1,13 @@
 /// \file
-/// File > Import: objects and their keys from Blender.
+/// File > Import: objects of any mesh file and their keys from Blender. They are opened as well: into a scene
+/// of their own.
 #pragma once
 
 #include "core/document/document.h"
 #include <QList>
 #include <QObject>
 #include <QPointer>
+#include <functional>
 #include <optional>
 
 class QAction;
@@ -27,10 +29,13 @@ public:
                   QWidget* window);
 
     [[nodiscard]] QList<QAction*> actions() const { return {m_file, m_folder}; }
-    /// Is this something that can be imported: .obj, .animation, a folder?
+    /// Is this something that can be imported: .obj, .ply, .animation, a folder?
     [[nodiscard]] static bool canImport(const QString& path);
     /// Reads it in the background, adds it to the scene and tells what was guessed.
     void importPath(const QString& path);
+    /// Reads it in the background and hands it on; the document is left alone. \p take says whether it was
+    /// wanted, and gets nothing where there was an error, which has been told, or the user has cancelled.
+    void openPath(const QString& path, std::function<bool(std::optional<Scene>)> take);
     [[nodiscard]] bool isRunning() const;
     /// Asks for a file, and imports it.
     void chooseFile();
@@ -40,7 +45,9 @@ signals:
 
 private:
     void chooseFolder();
-    void finish(const std::optional<Error>& error);
+    void begin(const QString& path, const QString& title, const QString& text);
+    void finish(ramure::NodeId top, const std::optional<Error>& error);
+    void tellNotes(const QString& text);
     void showProgress(double fraction);
 
     Preferences* m_preferences;
@@ -50,6 +57,7 @@ private:
     QAction* m_file;
     QAction* m_folder;
     QString m_path;
+    std::function<bool(std::optional<Scene>)> m_take; ///< of what is being opened
     QPointer<QProgressDialog> m_progress;
 };
 

@@ -30,7 +30,7 @@ ProgramActions::ProgramActions(ActionSet* set, Preferences* preferences, ViewSet
                                   "preferences", QKeySequence(Qt::CTRL | Qt::Key_Comma),
                                   QT_TRANSLATE_NOOP("Actions", "Theme, language, units, mouse, autosave")}))
     , m_shortcuts(set->add({"help.shortcuts", QT_TRANSLATE_NOOP("Actions", "&Keyboard shortcuts…"),
-                            "keyboard", QKeySequence(Qt::Key_F1),
+                            "keyboard", QKeySequence(Qt::SHIFT | Qt::Key_F1),
                             QT_TRANSLATE_NOOP("Actions", "See and change the keys of all actions")}))
     , m_about(set->add({"help.about", QT_TRANSLATE_NOOP("Actions", "&About Ramure"), "about", {}}))
 {

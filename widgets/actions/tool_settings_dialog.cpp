@@ -46,7 +46,6 @@ ToolSettingsDialog::ToolSettingsDialog(GizmoSettings* settings, QWidget* parent)
     m_step->setRange(1, GizmoSettings::mostGhostStep);
     build();
     retranslate();
-    take();
     for (QDoubleSpinBox* box : {m_move, m_turn, m_scale})
         connect(box, &QDoubleSpinBox::valueChanged, this, &ToolSettingsDialog::applySteps);
     for (QSpinBox* box : {m_before, m_after, m_step})
@@ -115,6 +114,8 @@ void ToolSettingsDialog::retranslate()
     m_labels[3]->setText(tr("&Before the playhead:"));
     m_labels[4]->setText(tr("&After the playhead:"));
     m_labels[5]->setText(tr("&Every:"));
+    for (QDoubleSpinBox* box : {m_move, m_turn, m_scale})
+        box->setLocale(QLocale()); // its own is of the language it was made in
     m_move->setSuffix(tr(" m"));
     m_turn->setSuffix(tr("°"));
     m_step->setSuffix(tr(" frames"));
@@ -127,6 +128,7 @@ void ToolSettingsDialog::retranslate()
         tr("How many copies show where the node will be, from 0 to %1").arg(GizmoSettings::mostGhosts));
     m_step->setToolTip(tr("Frames from one copy to the next"));
     m_close->setText(tr("Close"));
+    take();
 }
 
 void ToolSettingsDialog::changeEvent(QEvent* event)

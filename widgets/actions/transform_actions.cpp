@@ -16,6 +16,7 @@ TransformActions::TransformActions(ViewportHost* host, Preferences* preferences,
                                    QWidget* window)
     : QObject(window)
     , m_host(host)
+    , m_set(set)
     , m_preferences(preferences)
     , m_window(window)
     , m_settings(host->settings()->gizmo())
@@ -28,7 +29,13 @@ TransformActions::TransformActions(ViewportHost* host, Preferences* preferences,
     addGestures(set);
     addSwitches(set);
     if (Viewport* view = host->viewport()) {
-        connect(view, &Viewport::hintChanged, this, &TransformActions::hintChanged);
+        view->setGestureKeys([this] {
+            QStringList keys;
+            for (const QAction* gesture : m_gestures)
+                keys << gesture->shortcut().toString(QKeySequence::NativeText);
+            keys.removeAll(QString());
+            return keys.join(u' ');
+        });
     } else {
         for (QAction* action : m_tools->actions() + m_spaces->actions() + m_gestures + viewActions())
             action->setEnabled(false);
@@ -199,6 +206,13 @@ void TransformActions::retranslate()
     m_spaceBox->setItemText(2, tr("World"));
     m_spaceBox->setToolTip(tr("Axes along which nodes are moved, turned and scaled"));
     m_spaceBox->setAccessibleName(tr("Axes of the tools"));
+}
+
+void TransformActions::nameTarget(const QString& words)
+{
+    const QString texts[] = {tr("&Move %1"), tr("&Rotate %1"), tr("S&cale %1")}; // in the order of the table
+    for (qsizetype i = 0; i < m_gestures.size(); ++i)
+        m_set->setText(m_gestures[i], words.isEmpty() ? QString() : texts[i].arg(words));
 }
 
 void TransformActions::showSettings()

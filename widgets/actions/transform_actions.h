@@ -30,10 +30,10 @@ public:
     /// Of the View menu.
     [[nodiscard]] QList<QAction*> viewActions() const;
     void retranslate();
-
-signals:
-    /// For the status bar: empty when there is nothing to tell any more.
-    void hintChanged(const QString& text);
+    /// Move, rotate, scale with the mouse.
+    [[nodiscard]] QList<QAction*> gestures() const { return m_gestures; }
+    /// What the gestures move is called so: "tree", "3 nodes".
+    void nameTarget(const QString& words);
 
 private:
     void addTools(ActionSet* set);
@@ -43,6 +43,7 @@ private:
     void showSettings();
 
     ViewportHost* m_host;
+    ActionSet* m_set;
     Preferences* m_preferences;
     QWidget* m_window;
     GizmoSettings* m_settings;

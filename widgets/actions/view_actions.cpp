@@ -1,6 +1,7 @@
 #include "widgets/actions/view_actions.h"
 
 #include "widgets/actions/action_set.h"
+#include "widgets/actions/bookmark_actions.h"
 #include "widgets/support/language.h"
 #include "widgets/support/preferences.h"
 #include "widgets/viewport/viewport.h"
@@ -11,11 +12,14 @@
 
 namespace ramure {
 
-ViewActions::ViewActions(ViewportHost* host, Preferences* preferences, ActionSet* set, QObject* parent)
+ViewActions::ViewActions(Document* document, ViewportHost* host, Preferences* preferences, ActionSet* set,
+                         QObject* parent)
     : QObject(parent)
     , m_host(host)
     , m_preferences(preferences)
+    , m_bookmarks(new BookmarkActions(document, host, set, this))
 {
+    connect(m_bookmarks, &BookmarkActions::messageRaised, this, &ViewActions::messageRaised);
     addFraming(set);
     addAxes(set);
     addMoves(set);
@@ -62,16 +66,12 @@ void ViewActions::addAxes(ActionSet* set)
     const Axis axes[] = {
         {{"view.front", QT_TRANSLATE_NOOP("Actions", "&Front"), nullptr, QKeySequence(Qt::Key_1)},
          AxisView::Front},
-        {{"view.back", QT_TRANSLATE_NOOP("Actions", "&Back"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_1)},
-         AxisView::Back},
+        {{"view.back", QT_TRANSLATE_NOOP("Actions", "&Back"), nullptr, {}}, AxisView::Back},
         {{"view.right", QT_TRANSLATE_NOOP("Actions", "&Right"), nullptr, QKeySequence(Qt::Key_3)},
          AxisView::Right},
-        {{"view.left", QT_TRANSLATE_NOOP("Actions", "&Left"), nullptr, QKeySequence(Qt::CTRL | Qt::Key_3)},
-         AxisView::Left},
+        {{"view.left", QT_TRANSLATE_NOOP("Actions", "&Left"), nullptr, {}}, AxisView::Left},
         {{"view.top", QT_TRANSLATE_NOOP("Actions", "&Top"), nullptr, QKeySequence(Qt::Key_7)}, AxisView::Top},
-        {{"view.bottom", QT_TRANSLATE_NOOP("Actions", "B&ottom"), nullptr,
-          QKeySequence(Qt::CTRL | Qt::Key_7)},
-         AxisView::Bottom},
+        {{"view.bottom", QT_TRANSLATE_NOOP("Actions", "B&ottom"), nullptr, {}}, AxisView::Bottom},
     };
     for (const Axis& axis : axes) {
         QAction* action = set->add(axis.spec);
@@ -79,6 +79,13 @@ void ViewActions::addAxes(ActionSet* set)
         if (view)
             connect(action, &QAction::triggered, view, [view, side = axis.view] { view->setAxisView(side); });
     }
+    QAction* opposite = set->add(
+        {"view.opposite", QT_TRANSLATE_NOOP("Actions", "O&pposite side"), nullptr, QKeySequence(Qt::Key_9),
+         QT_TRANSLATE_NOOP("Actions", "Look from the other side: from the front "
+                                      "becomes from the back, from above from below")});
+    m_axes += opposite;
+    if (view)
+        connect(opposite, &QAction::triggered, view, &Viewport::turnOpposite);
 }
 
 /// The keys of Blender's number pad, which are also those above the letters.
@@ -135,24 +142,31 @@ void ViewActions::addModes(ActionSet* set)
     ViewSettings* settings = m_host->settings();
     const std::pair<ActionSpec, DisplayMode> modes[] = {
         {{"view.skeleton", QT_TRANSLATE_NOOP("Actions", "&Skeleton"), "mode-skeleton",
-          QKeySequence(Qt::ALT | Qt::Key_1)},
+          QKeySequence(Qt::ALT | Qt::Key_1),
+          QT_TRANSLATE_NOOP("Actions", "The branches as lines, as the grammar grew them")},
          DisplayMode::Skeleton},
         {{"view.simplified", QT_TRANSLATE_NOOP("Actions", "S&implified skeleton"), "mode-simplified",
-          QKeySequence(Qt::ALT | Qt::Key_2)},
+          QKeySequence(Qt::ALT | Qt::Key_2),
+          QT_TRANSLATE_NOOP("Actions",
+                            "The branches as lines, straight runs joined: what the mesh is made of")},
          DisplayMode::Simplified},
         {{"view.rough", QT_TRANSLATE_NOOP("Actions", "&Rough model"), "mode-rough",
-          QKeySequence(Qt::ALT | Qt::Key_3)},
+          QKeySequence(Qt::ALT | Qt::Key_3), QT_TRANSLATE_NOOP("Actions", "A plain tube for each branch")},
          DisplayMode::Rough},
         {{"view.sections", QT_TRANSLATE_NOOP("Actions", "&Cross-sections"), "mode-sections",
-          QKeySequence(Qt::ALT | Qt::Key_4)},
+          QKeySequence(Qt::ALT | Qt::Key_4),
+          QT_TRANSLATE_NOOP("Actions", "The cross-sections between which the mesh is stretched")},
          DisplayMode::Sections},
-        {{"view.mesh", QT_TRANSLATE_NOOP("Actions", "&Mesh"), "mode-mesh", QKeySequence(Qt::ALT | Qt::Key_5)},
+        {{"view.mesh", QT_TRANSLATE_NOOP("Actions", "&Mesh"), "mode-mesh", QKeySequence(Qt::ALT | Qt::Key_5),
+          QT_TRANSLATE_NOOP("Actions", "The surface as it is exported")},
          DisplayMode::Mesh},
         {{"view.checker", QT_TRANSLATE_NOOP("Actions", "Chec&ker of the texture"), "mode-checker",
-          QKeySequence(Qt::ALT | Qt::Key_6)},
+          QKeySequence(Qt::ALT | Qt::Key_6),
+          QT_TRANSLATE_NOOP("Actions", "A checker on the surface shows how the texture lies")},
          DisplayMode::Checker},
         {{"view.stretch", QT_TRANSLATE_NOOP("Actions", "S&tretch of the texture"), "mode-stretch",
-          QKeySequence(Qt::ALT | Qt::Key_7)},
+          QKeySequence(Qt::ALT | Qt::Key_7),
+          QT_TRANSLATE_NOOP("Actions", "Colours show where the texture is stretched")},
          DisplayMode::Stretch},
     };
     for (const auto& [spec, mode] : modes) {
@@ -212,6 +226,12 @@ void ViewActions::addSwitches(ActionSet* set)
          {},
          QT_TRANSLATE_NOOP("Actions", "Without the ground, what lies below it can be seen")},
         settings->groundVisible(), &ViewSettings::setGroundVisible, &ViewSettings::groundVisibleChanged);
+    add({"view.outline",
+         QT_TRANSLATE_NOOP("Actions", "O&utline of the selection"),
+         nullptr,
+         {},
+         QT_TRANSLATE_NOOP("Actions", "A line around what is selected, seen through leaves and branches")},
+        settings->outlineVisible(), &ViewSettings::setOutlineVisible, &ViewSettings::outlineVisibleChanged);
     add({"view.orthographic", QT_TRANSLATE_NOOP("Actions", "&Orthographic"), "orthographic",
          QKeySequence(Qt::Key_5)},
         settings->orthographic(), &ViewSettings::setOrthographic, &ViewSettings::orthographicChanged);
@@ -281,6 +301,7 @@ void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* 
     m_axisMenu->addActions(m_axes);
     m_moveMenu = menu->addMenu(QString());
     m_moveMenu->addActions(m_moves);
+    m_bookmarks->fillMenu(menu);
     menu->addSeparator();
     menu->addActions(m_modes->actions());
     menu->addSeparator();
@@ -307,6 +328,7 @@ void ViewActions::retranslate()
         return;
     m_axisMenu->setTitle(tr("&View from"));
     m_moveMenu->setTitle(tr("M&ove the view"));
+    m_bookmarks->retranslate();
     m_themeMenu->setTitle(tr("&Theme"));
     m_unitMenu->setTitle(tr("&Angles in"));
     m_languageMenu->setTitle(tr("&Language"));

@@ -12,6 +12,8 @@ class QMenu;
 namespace ramure {
 
 class ActionSet;
+class BookmarkActions;
+class Document;
 class Preferences;
 class ViewportHost;
 
@@ -20,16 +22,23 @@ class ViewActions : public QObject
     Q_OBJECT
 public:
     /// Nothing is owned; all must outlive the actions.
-    ViewActions(ViewportHost* host, Preferences* preferences, ActionSet* set, QObject* parent);
+    ViewActions(Document* document, ViewportHost* host, Preferences* preferences, ActionSet* set,
+                QObject* parent);
 
     /// \param panels actions that show and hide the docks.
     void fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* resetLayout);
     [[nodiscard]] QList<QAction*> modeActions() const;
+    /// Leaves, apples, grid, ground, orthographic.
+    [[nodiscard]] QList<QAction*> switchActions() const { return m_switches; }
     [[nodiscard]] QAction* frameAllAction() const { return m_frameAll; }
     [[nodiscard]] QAction* frameSelectionAction() const { return m_frameSelection; }
     /// The path and the ghosts of moving nodes: below the other switches. Before fillMenu.
     void setTrailActions(const QList<QAction*>& actions) { m_trail = actions; }
     void retranslate();
+
+signals:
+    /// What an action did, or why it did nothing.
+    void messageRaised(const QString& text);
 
 private:
     void addFraming(ActionSet* set);
@@ -43,6 +52,7 @@ private:
 
     ViewportHost* m_host;
     Preferences* m_preferences;
+    BookmarkActions* m_bookmarks;
     QAction* m_frameAll = nullptr;
     QAction* m_frameSelection = nullptr;
     QList<QAction*> m_axes;

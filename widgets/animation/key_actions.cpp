@@ -30,7 +30,7 @@ KeyActions::KeyActions(KeyCommands* commands, ActionSet* set, QObject* parent)
     , m_commands(commands)
     , m_insert(set->add(
           {"keys.insert", QT_TRANSLATE_NOOP("Actions", "&Insert key"), "key-insert", QKeySequence(Qt::Key_I),
-           QT_TRANSLATE_NOOP("Actions", "Keys of location, rotation and scale of the selected nodes, at the "
+           QT_TRANSLATE_NOOP("Actions", "Keys of position, rotation and scale of the selected nodes, at the "
                                         "frame on show")}))
     , m_removeHere(set->add(
           {"keys.removeHere", QT_TRANSLATE_NOOP("Actions", "&Remove key here"), nullptr,
@@ -69,7 +69,7 @@ void KeyActions::addInserts(ActionSet* set)
         m_inserts += set->add(spec);
         connect(m_inserts.back(), &QAction::triggered, this, command);
     };
-    add({"keys.insertLocation", QT_TRANSLATE_NOOP("Actions", "&Location"), nullptr, {}},
+    add({"keys.insertLocation", QT_TRANSLATE_NOOP("Actions", "&Position"), nullptr, {}},
         [c] { c->insert(KeyParts::Location); });
     add({"keys.insertRotation", QT_TRANSLATE_NOOP("Actions", "&Rotation"), nullptr, {}},
         [c] { c->insert(KeyParts::Rotation); });
@@ -79,7 +79,7 @@ void KeyActions::addInserts(ActionSet* set)
          QT_TRANSLATE_NOOP("Actions", "&Geometry alone"),
          nullptr,
          {},
-         QT_TRANSLATE_NOOP("Actions", "Location, rotation and scale that children do not follow")},
+         QT_TRANSLATE_NOOP("Actions", "Position, rotation and scale that children do not follow")},
         [c] { c->insert(KeyParts::Local); });
     add({"keys.insertAnimated",
          QT_TRANSLATE_NOOP("Actions", "&All that has keys"),

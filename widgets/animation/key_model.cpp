@@ -101,7 +101,16 @@ void KeyModel::setHidden(const TrackRef& track, bool hidden)
         m_hidden.insert(track);
     else
         m_hidden.erase(track);
+    markSelected();
     emit rowsChanged();
+    emit selectionChanged();
+}
+
+void KeyModel::setCurvesShown(bool shown)
+{
+    m_curves = shown;
+    markSelected();
+    emit selectionChanged();
 }
 
 /// The rows as they were: what has not changed is taken over.
@@ -207,7 +216,9 @@ void KeyModel::markSelected()
     m_selection = keys::existing(m_document->scene(), m_wanted);
     const std::vector<TrackRef> inSight = tracks();
     const std::set<TrackRef> shown(inSight.begin(), inSight.end());
-    std::erase_if(m_selection, [&shown](const auto& entry) { return shown.count(entry.first) == 0; });
+    std::erase_if(m_selection, [&](const auto& entry) {
+        return shown.count(entry.first) == 0 || isOutOfSight(entry.first);
+    });
     for (KeyRow& row : m_rows) {
         std::vector<const std::vector<Ticks>*> all;
         for (const TrackRef& ref : row.tracks)
@@ -226,7 +237,7 @@ void KeyModel::select(std::size_t first, std::size_t last, Ticks from, Ticks to,
     bool allSelected = true;
     for (const TrackRef& ref : tracks) {
         const auto track = keys::find(m_document->scene(), ref);
-        if (!track)
+        if (!track || isOutOfSight(ref))
             continue;
         const auto present = m_selection.find(ref);
         std::visit(

@@ -46,6 +46,8 @@ public:
     [[nodiscard]] bool isHidden(const TrackRef& track) const { return m_hidden.count(track) > 0; }
     /// Hidden channels have no curve; their keys stay.
     void setHidden(const TrackRef& track, bool hidden);
+    /// Curves are looked at: keys of hidden channels are then out of sight, and none of them is selected.
+    void setCurvesShown(bool shown);
 
     /// The selected keys that are there.
     [[nodiscard]] const KeySelection& selection() const { return m_selection; }
@@ -65,6 +67,7 @@ private:
     struct Before;
     bool addNode(const Node& node, Before& before);
     void markSelected();
+    [[nodiscard]] bool isOutOfSight(const TrackRef& track) const { return m_curves && isHidden(track); }
 
     Document* m_document;
     std::vector<KeyRow> m_rows;
@@ -73,6 +76,7 @@ private:
     std::set<NodeId> m_folded;
     std::set<TrackRef> m_hidden;
     bool m_allNodes = false;
+    bool m_curves = false;
 };
 
 } // namespace ramure

@@ -223,6 +223,7 @@ void KeyPanel::setCurvesShown(bool shown)
     m_showCurves->setChecked(shown);
     m_views->setCurrentIndex(shown ? 1 : 0);
     m_names->setEyes(shown);
+    m_model->setCurvesShown(shown);
     m_normalise->setVisible(shown);
     arrangeTools();
     if (shown)
@@ -294,7 +295,7 @@ void KeyPanel::retranslate()
     m_snap->setToolTip(tr("Where dragged keys land; hold Shift to drag freely"));
     m_snap->setAccessibleName(tr("Snapping"));
     m_empty->setText(
-        tr("No keys here. Select a node and press I to insert keys of its location, rotation and "
+        tr("No keys here. Select a node and press I to insert keys of its position, rotation and "
            "scale at the frame on show."));
     m_actions->retranslate();
     showSelection();

@@ -42,7 +42,7 @@ KeySheet::KeySheet(KeyModel* model, KeyCommands* commands, TimelineRuler* ruler,
     });
     connect(ruler, &TimelineRuler::viewChanged, this, qOverload<>(&QWidget::update));
     connect(model, &KeyModel::rowsChanged, this, [this] {
-        m_row = std::min(m_row, std::max<std::size_t>(m_model->rows().size(), 1) - 1);
+        m_row = rowOfCurrent();
         if (m_drag != Drag::None)
             giveUp(); // what was pressed may be gone
     });
@@ -69,8 +69,24 @@ void KeySheet::setCurrentRow(std::size_t row)
     if (m_model->rows().empty())
         return;
     m_row = std::min(row, m_model->rows().size() - 1);
+    m_current = nameOf(m_model->rows()[m_row]);
     scrollTo(m_row);
     update();
+}
+
+KeySheet::RowName KeySheet::nameOf(const KeyRow& row)
+{
+    return {row.kind, row.node, row.channel};
+}
+
+/// Other rows came or went: the current one is where it stands now. One that is gone leaves its place to the
+/// row that came there.
+std::size_t KeySheet::rowOfCurrent() const
+{
+    const auto& rows = m_model->rows();
+    const auto found = std::ranges::find(rows, m_current, &KeySheet::nameOf);
+    return found != rows.end() ? std::size_t(found - rows.begin())
+                               : std::min(m_row, std::max<std::size_t>(rows.size(), 1) - 1);
 }
 
 void KeySheet::fit()

@@ -10,6 +10,7 @@
 #include "widgets/animation/key_commands.h"
 #include "widgets/animation/key_rows_view.h"
 #include <QTimer>
+#include <tuple>
 
 namespace ramure {
 
@@ -57,6 +58,10 @@ private:
 
     void collect(const KeyRow& row, bool selected);
     void paintMarks(QPainter& painter, std::size_t index, bool selected);
+    /// What stays of a row where others come and go.
+    using RowName = std::tuple<KeyRow::Kind, NodeId, Channel>;
+    [[nodiscard]] static RowName nameOf(const KeyRow& row);
+    [[nodiscard]] std::size_t rowOfCurrent() const;
     void paintScaleBar(QPainter& painter) const;
     void paintGrid(QPainter& painter) const;
     void paintOver(QPainter& painter) const;
@@ -79,6 +84,7 @@ private:
     TimelineRuler* m_ruler;
     qint64 m_frame = 0;
     std::size_t m_row = 0;
+    RowName m_current{KeyRow::Kind::Summary, noNode, {}};
     Drag m_drag = Drag::None;
     bool m_moved = false;
     bool m_wasSelected = false; ///< the pressed key: a plain click then selects it alone

@@ -57,8 +57,10 @@ void KeySheet::mousePressEvent(QMouseEvent* event)
     if (m_drag != Drag::None)
         return;
     const auto row = rowAt(m_press.y());
-    if (row)
+    if (row) {
         m_row = *row;
+        m_current = nameOf(m_model->rows()[*row]);
+    }
     const auto time = row ? keyAt(*row, m_press.x()) : std::nullopt;
     if (time)
         return pressKey(*row, *time, event->modifiers());

@@ -130,9 +130,9 @@ QString extrapolationText(Extrapolation extrapolation)
 QString channelText(const Channel& channel)
 {
     static constexpr std::array<const char*, 6> transforms{
-        QT_TRANSLATE_NOOP("keys", "Location"),       QT_TRANSLATE_NOOP("keys", "Rotation"),
-        QT_TRANSLATE_NOOP("keys", "Scale"),          QT_TRANSLATE_NOOP("keys", "Local location"),
-        QT_TRANSLATE_NOOP("keys", "Local rotation"), QT_TRANSLATE_NOOP("keys", "Local scale")};
+        QT_TRANSLATE_NOOP("keys", "Position"),     QT_TRANSLATE_NOOP("keys", "Rotation"),
+        QT_TRANSLATE_NOOP("keys", "Scale"),        QT_TRANSLATE_NOOP("keys", "Own position"),
+        QT_TRANSLATE_NOOP("keys", "Own rotation"), QT_TRANSLATE_NOOP("keys", "Own scale")};
     if (const JointDef* joint = channel.jointDef())
         return text(QT_TRANSLATE_NOOP("keys", "Joint %1: %2"))
             .arg(channel.component + 1)

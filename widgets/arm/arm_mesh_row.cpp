@@ -24,6 +24,7 @@ ArmMeshRow::ArmMeshRow(Document* document, QWidget* parent)
     , m_label(new QLabel(this))
     , m_choice(new QComboBox(this))
     , m_fit(new QCheckBox(this))
+    , m_axis(new QComboBox(this))
     , m_import(new QPushButton(this))
     , m_again(new QPushButton(this))
     , m_problem(new QLabel(this))
@@ -31,6 +32,10 @@ ArmMeshRow::ArmMeshRow(Document* document, QWidget* parent)
     m_label->setBuddy(m_choice);
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_fit->setChecked(true);
+    m_axis->setObjectName(QStringLiteral("wornAxis"));
+    m_axis->addItems({QString(), QString(), QString(), QString()});
+    connect(m_fit, &QCheckBox::toggled, m_axis, &QWidget::setEnabled);
+    connect(m_axis, &QComboBox::activated, this, [this](int index) { turn(static_cast<MeshAxis>(index)); });
     m_again->setObjectName(QStringLiteral("fitAgain"));
     m_problem->setObjectName(QStringLiteral("problem"));
     m_problem->setWordWrap(true);
@@ -41,6 +46,7 @@ ArmMeshRow::ArmMeshRow(Document* document, QWidget* parent)
     grid->addWidget(m_choice, 0, 1, 1, 2);
     grid->addWidget(m_fit, 1, 1);
     grid->addWidget(m_import, 1, 2);
+    grid->addWidget(m_axis, 2, 1);
     grid->addWidget(m_again, 2, 2);
     grid->addWidget(m_problem, 3, 0, 1, 3);
     grid->setColumnStretch(1, 1);
@@ -53,7 +59,8 @@ ArmMeshRow::ArmMeshRow(Document* document, QWidget* parent)
     });
     connect(m_dresser->job(), &BackgroundJob::runningChanged, this, &ArmMeshRow::takeArm);
     connect(document, &Document::changed, this, [this](const Change& change) {
-        if (change.has(changeReset | changeStructure | changeSelection | changeNodeState | changeJoints))
+        if (change.has(changeReset | changeStructure | changeSelection | changeNodeState | changeJoints |
+                       changeParams))
             takeArm();
     });
     retranslate();
@@ -74,6 +81,7 @@ void ArmMeshRow::takeArm()
     m_arm = arm ? arm->id : noNode;
     setEnabled(arm && !scene.isLocked(m_arm) && !m_dresser->job()->isRunning());
     m_again->setEnabled(arm && arm->mesh);
+    m_axis->setCurrentIndex(static_cast<int>(arm ? arm->params.armSkin.axis : MeshAxis::Longest));
     const QSignalBlocker quiet(m_choice);
     m_choice->clear();
     m_choice->addItem(tr("Cylinder"), cylinderItem);
@@ -96,9 +104,42 @@ void ArmMeshRow::choose(int index)
         wear(item);
 }
 
-void ArmMeshRow::wear(NodeId mesh)
+void ArmMeshRow::wear(NodeId mesh, std::optional<MeshAxis> axis)
 {
-    showProblem(m_dresser->wear(m_arm, mesh, m_fit->isChecked()));
+    showProblem(m_dresser->wear(m_arm, mesh, m_fit->isChecked(), axis));
+}
+
+/// What is worn is a copy that was turned already: it is put on again from the object, where that is there.
+void ArmMeshRow::turn(MeshAxis axis)
+{
+    const Node* arm = m_document->scene().find(m_arm);
+    if (!arm || axis == arm->params.armSkin.axis)
+        return;
+    if (const NodeId worn = wornNode(); worn != noNode)
+        return wear(worn, axis);
+    NodeParams params;
+    params.armSkin.axis = axis;
+    const ParamDef& def = *findParam("armSkin.axis");
+    showProblem(edit::setParam(*m_document, {m_arm}, def, def.get(params)));
+    if (arm->mesh && m_problem->isHidden()) {
+        m_problem->setText(
+            tr("The object that the arm's mesh was copied from is not in the scene: choose one "
+               "again under “Skin”."));
+        m_problem->show();
+    }
+}
+
+/// The object that the arm's mesh is a copy of, or none.
+NodeId ArmMeshRow::wornNode() const
+{
+    const Scene& scene = m_document->scene();
+    const Node* arm = scene.find(m_arm);
+    if (!arm || !arm->mesh)
+        return noNode;
+    for (const Node& node : scene.nodes())
+        if (node.kind == NodeKind::Mesh && node.mesh && node.mesh->triangles == arm->mesh->triangles)
+            return node.id;
+    return noNode;
 }
 
 void ArmMeshRow::fitAgain()
@@ -144,9 +185,16 @@ void ArmMeshRow::retranslate()
         tr("What is bound to the arm: the cylinder, or a copy of an imported mesh, whose vertices "
            "follow the segments that are nearest to them. The object itself is hidden."));
     m_fit->setText(tr("Fit"));
-    m_fit->setToolTip(
-        tr("Makes the mesh as long as the arm and stands its longest axis on the foot; otherwise it is "
-           "bound where it stands around the straight arm"));
+    m_fit->setToolTip(tr(
+        "Makes the mesh as long as the arm and stands it on the foot; otherwise it is bound where it stands "
+        "around the straight arm"));
+    const QString along[] = {tr("The longest along"), tr("X along"), tr("Y along"), tr("Z along")};
+    for (int i = 0; i < m_axis->count(); ++i)
+        m_axis->setItemText(i, along[i]);
+    m_axis->setAccessibleName(tr("Axis along the arm"));
+    m_axis->setToolTip(
+        tr("Which axis of a fitted mesh lies along the arm: of a tree that is Y. The mesh that is "
+           "worn is put on again."));
     m_again->setText(tr("Fit again"));
     m_again->setToolTip(tr(
         "Makes the worn mesh as long as the arm is now, its foot on the arm's foot. A mesh is bound to the "

@@ -35,8 +35,10 @@ protected:
 private:
     void takeArm();
     void choose(int index);
-    void wear(NodeId mesh);
+    void wear(NodeId mesh, std::optional<MeshAxis> axis = {});
     void fitAgain();
+    void turn(MeshAxis axis);
+    [[nodiscard]] NodeId wornNode() const;
     void showProblem(const Expected<void>& done);
     void retranslate();
 
@@ -47,6 +49,7 @@ private:
     QLabel* m_label;
     QComboBox* m_choice;
     QCheckBox* m_fit;
+    QComboBox* m_axis;
     QPushButton *m_import, *m_again;
     QLabel* m_problem;
 };

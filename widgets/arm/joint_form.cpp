@@ -83,6 +83,8 @@ void JointForm::addRow(QFormLayout* form, const JointDef& def, std::size_t numbe
     made.label->setBuddy(made.field);
     made.field->setRange(def.hardMin, def.hardMax);
     made.field->setStep(def.step);
+    made.field->setScale(NumberScale(def.softMin, def.softMax, def.step, false));
+    made.field->addHandle(made.label);
     made.slider = new NumberSlider(this);
     made.slider->setSoftRange(def.softMin, def.softMax, def.step, false);
     auto* named = new QWidget(this);
@@ -258,7 +260,11 @@ void JointForm::retranslate()
                                 static_cast<QWidget*>(row->slider)})
             widget->setToolTip(tip);
         const bool speed = row->def->member == &ArmAngle::mostSpeed;
-        row->field->setFormat(formatOf(*row->def, !row->def->angle ? tr(" m") : speed ? tr("°/s") : tr("°")));
+        const NumberFormat format = formatOf(*row->def, !row->def->angle ? tr(" m")
+                                                        : speed          ? tr("°/s")
+                                                                         : tr("°"));
+        row->field->setFormat(format);
+        row->slider->setFactor(format.factor);
         showKeyState(*row);
     }
 }

@@ -7,6 +7,7 @@
 #include "widgets/export/mesh_faults.h"
 #include "widgets/export/moment_form.h"
 #include "widgets/export/picture_form.h"
+#include "widgets/export/space_form.h"
 #include "widgets/support/core_text.h"
 #include "widgets/support/preferences.h"
 #include <QCheckBox>
@@ -26,7 +27,7 @@
 namespace ramure {
 
 /// Rows of the form, from the top.
-enum Row { FormatRow, ModelRow, PartsRow, TreesRow, MomentRow, PictureRow, FileRow };
+enum Row { FormatRow, ModelRow, PartsRow, SpaceRow, TreesRow, MomentRow, PictureRow, FileRow };
 
 ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences* preferences,
                            Chooser* chooser, QWidget* parent, std::int64_t shownFrame)
@@ -47,8 +48,10 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::updateWidgets);
     connect(m_moments, &MomentForm::changed, this, &ExportDialog::updateWidgets);
     connect(m_pictures, &PictureForm::changed, this, &ExportDialog::updateSummary);
+    connect(m_space, &SpaceForm::changed, this, &ExportDialog::updateSummary);
     for (QCheckBox* box : {m_selection, m_hidden, m_texture})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::updateSummary);
+    connectMessage();
     connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::startExport);
     connect(m_cancel, &QPushButton::clicked, this, &ExportDialog::reject);
@@ -73,6 +76,20 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
 
 ExportDialog::~ExportDialog() = default;
 
+/// What was wrong with the last attempt says nothing about the next one.
+void ExportDialog::connectMessage()
+{
+    const auto forget = [this] { setMessage({}, false); };
+    for (QComboBox* box : {m_format, m_model})
+        connect(box, &QComboBox::currentIndexChanged, this, forget);
+    for (QCheckBox* box : {m_branches, m_leaves, m_apples, m_selection, m_hidden, m_texture})
+        connect(box, &QCheckBox::toggled, this, forget);
+    connect(m_path, &QLineEdit::textChanged, this, forget);
+    connect(m_space, &SpaceForm::changed, this, forget);
+    connect(m_moments, &MomentForm::changed, this, forget);
+    connect(m_pictures, &PictureForm::changed, this, forget);
+}
+
 void ExportDialog::buildForm()
 {
     auto* layout = new QVBoxLayout(this);
@@ -92,18 +109,6 @@ void ExportDialog::buildForm()
         m_model->addItem(QString());
     m_moments = new MomentForm(m_document->scene().timeline(), m_shownFrame, this);
     m_pictures = new PictureForm(this);
-    m_branches = new QCheckBox(this);
-    m_leaves = new QCheckBox(this);
-    m_apples = new QCheckBox(this);
-    auto* parts = new QHBoxLayout;
-    parts->setSpacing(16);
-    for (QCheckBox* box : {m_branches, m_leaves, m_apples}) {
-        box->setChecked(true);
-        parts->addWidget(box);
-    }
-    m_texture = new QCheckBox(this);
-    parts->addWidget(m_texture);
-    parts->addStretch(1);
     m_selection = new QCheckBox(this);
     m_selection->setEnabled(!m_document->selection().nodes.empty());
     m_hidden = new QCheckBox(this);
@@ -113,7 +118,10 @@ void ExportDialog::buildForm()
     scope->addWidget(m_hidden);
     addRow(m_format);
     addRow(m_model);
-    addRow(parts);
+    m_space = new SpaceForm(this);
+    m_space->setSpace(m_preferences->exportSpace());
+    addRow(buildParts());
+    addRow(m_space);
     addRow(scope);
     addRow(m_moments);
     addRow(m_pictures);
@@ -121,6 +129,33 @@ void ExportDialog::buildForm()
     layout->addLayout(m_form);
     buildFaults(layout);
     buildProgress(layout);
+}
+
+QLayout* ExportDialog::buildParts()
+{
+    m_branches = new QCheckBox(this);
+    m_leaves = new QCheckBox(this);
+    m_apples = new QCheckBox(this);
+    auto* boxes = new QHBoxLayout;
+    boxes->setSpacing(16);
+    for (QCheckBox* box : {m_branches, m_leaves, m_apples}) {
+        box->setChecked(true);
+        boxes->addWidget(box);
+    }
+    m_texture = new QCheckBox(this);
+    m_texture->setObjectName(QStringLiteral("exportTexture"));
+    m_texture->setChecked(true);
+    boxes->addWidget(m_texture);
+    boxes->addStretch(1);
+    m_partsNote = new QLabel(this);
+    m_partsNote->setObjectName(QStringLiteral("partsNote"));
+    m_partsNote->setTextFormat(Qt::PlainText);
+    m_partsNote->setWordWrap(true);
+    auto* parts = new QVBoxLayout;
+    parts->setSpacing(6);
+    parts->addLayout(boxes);
+    parts->addWidget(m_partsNote);
+    return parts;
 }
 
 /// The file, and below it what that will come to.
@@ -176,21 +211,25 @@ void ExportDialog::setAnalysis(const Analysis* analysis)
 
 void ExportDialog::showFaults()
 {
-    const QString text = format() == Png ? QString() : meshFaults(*m_document, m_analysis, options()).text();
+    const MeshFaults found = format() == Png ? MeshFaults() : meshFaults(*m_document, m_analysis, options());
+    const QString& text = found.text;
     m_faults->setText(text);
+    m_faults->setProperty("broken", found.mustAsk());
+    m_faults->style()->unpolish(m_faults);
+    m_faults->style()->polish(m_faults);
     m_faults->setVisible(!text.isEmpty());
     m_show->setVisible(!text.isEmpty());
     const bool accepted = !text.isEmpty() && text == m_acceptedFaults;
     m_export->setText(accepted ? tr("Export anyway") : tr("Export"));
 }
 
-/// A mesh with faults is written when the button is pressed a second time.
+/// A broken mesh is written when the button is pressed a second time.
 bool ExportDialog::mayExportFaults()
 {
     const MeshFaults found = format() == Png ? MeshFaults() : meshFaults(*m_document, m_analysis, options());
-    if (found.faults.isEmpty() || found.text() == m_acceptedFaults)
+    if (!found.mustAsk() || found.text == m_acceptedFaults)
         return true;
-    m_acceptedFaults = found.text();
+    m_acceptedFaults = found.text;
     showFaults();
     setMessage(tr("Export it all the same?"), false);
     return false;
@@ -263,6 +302,7 @@ ExportOptions ExportDialog::options() const
     options.hidden = m_hidden->isChecked();
     options.texture = options.model == ExportModel::Mesh && m_texture->isChecked();
     options.ply.ascii = format() == PlyAscii;
+    options.space = m_space->space();
     return options;
 }
 
@@ -276,7 +316,7 @@ void ExportDialog::takeFormat()
     const QString ending = info.suffix().toLower();
     if (ending == QLatin1String("obj") || ending == QLatin1String("ply") || ending == QLatin1String("png"))
         setPath(info.path() + u'/' + info.completeBaseName() + u'.' + suffix());
-    for (const Row row : {ModelRow, PartsRow, TreesRow})
+    for (const Row row : {ModelRow, PartsRow, SpaceRow, TreesRow})
         m_form->setRowVisible(row, format() != Png);
     m_form->setRowVisible(PictureRow, format() == Png);
     m_moments->setPictures(format() == Png);
@@ -297,7 +337,10 @@ void ExportDialog::updateWidgets()
         widget->setEnabled(!running);
     for (QCheckBox* box : {m_branches, m_leaves, m_apples})
         box->setEnabled(!running && !lines);
+    m_partsNote->setVisible((format() == PlyBinary || format() == PlyAscii) && !lines &&
+                            !(m_leaves->isChecked() && m_apples->isChecked()));
     m_texture->setEnabled(!running && static_cast<ExportModel>(m_model->currentIndex()) == ExportModel::Mesh);
+    m_space->setEnabled(!running);
     m_moments->setEnabled(!running);
     m_pictures->setEnabled(!running);
     m_selection->setEnabled(!running && !m_document->selection().nodes.empty());
@@ -364,9 +407,16 @@ void ExportDialog::finish(const std::optional<Error>& error)
         m_path->setFocus();
         return;
     }
-    m_preferences->setLastFolder(QFileInfo(path()).absolutePath());
+    keepChoices();
     emit exported(path());
     accept();
+}
+
+/// For the next export.
+void ExportDialog::keepChoices()
+{
+    m_preferences->setLastFolder(QFileInfo(path()).absolutePath());
+    m_preferences->setExportSpace(m_space->space());
 }
 
 void ExportDialog::setMessage(const QString& text, bool isError)
@@ -411,6 +461,8 @@ void ExportDialog::retranslate()
     m_branches->setText(tr("Branches"));
     m_leaves->setText(tr("Leaves"));
     m_apples->setText(tr("Apples"));
+    m_partsNote->setText(tr("PLY has no objects: leaves and apples would be mixed into the one closed mesh "
+                            "of the branches. Tick them to write them all the same."));
     m_selection->setText(tr("Only what is selected"));
     m_texture->setText(tr("Texture coordinates"));
     m_texture->setToolTip(
@@ -425,8 +477,8 @@ void ExportDialog::retranslate()
     m_browse->setText(tr("Browse…"));
     m_show->setText(tr("Show"));
     m_cancel->setText(tr("Cancel"));
-    const QString labels[] = {tr("Format"), tr("Model"),   tr("Parts"), tr("Nodes"),
-                              tr("Moment"), tr("Picture"), tr("File")};
+    const QString labels[] = {tr("Format"), tr("Model"),  tr("Parts"),   tr("Axes and unit"),
+                              tr("Nodes"),  tr("Moment"), tr("Picture"), tr("File")};
     for (int row = 0; row < m_form->rowCount(); ++row) {
         auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
         label->setText(labels[row]);

@@ -28,6 +28,7 @@ class MomentForm;
 class PictureForm;
 class Preferences;
 class Recompute;
+class SpaceForm;
 
 class ExportDialog : public QDialog
 {
@@ -71,6 +72,7 @@ protected:
 
 private:
     void buildForm();
+    [[nodiscard]] QLayout* buildParts();
     [[nodiscard]] QLayout* buildTarget();
     void buildProgress(QVBoxLayout* layout);
     void buildFaults(QVBoxLayout* layout);
@@ -79,6 +81,8 @@ private:
     void browse();
     void takeFormat();
     void updateWidgets();
+    void connectMessage();
+    void keepChoices();
     void run();
     // export_sequence.cpp
     void updateSummary();
@@ -109,9 +113,11 @@ private:
     QCheckBox* m_branches = nullptr;
     QCheckBox* m_leaves = nullptr;
     QCheckBox* m_apples = nullptr;
+    QLabel* m_partsNote = nullptr; ///< why a format leaves some out
     QCheckBox* m_selection = nullptr;
     QCheckBox* m_hidden = nullptr;
     QCheckBox* m_texture = nullptr;
+    SpaceForm* m_space = nullptr;
     QLineEdit* m_path = nullptr;
     QPushButton* m_browse = nullptr;
     SequenceTask* m_sequences = nullptr;

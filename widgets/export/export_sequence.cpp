@@ -5,7 +5,6 @@
 #include "widgets/export/moment_form.h"
 #include "widgets/export/picture_form.h"
 #include "widgets/support/core_text.h"
-#include "widgets/support/preferences.h"
 #include <QComboBox>
 #include <QDir>
 #include <QFile>
@@ -162,6 +161,7 @@ void ExportDialog::startSequence()
         PictureLook look = *m_look;
         look.size = m_pictures->pictureSize();
         look.options.world = !m_pictures->isTransparent();
+        look.allAround = m_moments->moment() == ExportMoment::Turntable;
         std::vector<PictureShot> shots;
         if (m_moments->moment() == ExportMoment::Sequence)
             shots = frameShots(m_moments->frames(), file);
@@ -171,7 +171,7 @@ void ExportDialog::startSequence()
             shots.push_back({m_moments->timeSeconds(), 0.0, file});
         m_sequences->startPictures(*m_document, look, std::move(shots));
     }
-    m_preferences->setLastFolder(QFileInfo(path()).absolutePath());
+    keepChoices();
     emit started();
     accept();
 }

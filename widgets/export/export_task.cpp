@@ -29,7 +29,7 @@ void ExportTask::startExport(const Document& document, const ExportOptions& aske
 {
     start([asked, timeSeconds, scene = document.scene(), source = snapshotOf(document),
            file = path.toStdString()](const Progress& progress) {
-        MovingSource moving(source);
+        MovingSource moving(source, scene.timeline());
         ExportOptions options = asked;
         options.timeSeconds = timeSeconds;
         return exportScene(scene, options, moving.at(timeSeconds), file, progress);

@@ -1,84 +1,88 @@
 #include "widgets/export/mesh_faults.h"
 
+#include "core/document/scene_counts.h"
 #include <QCoreApplication>
-#include <algorithm>
 
 namespace ramure {
 namespace {
+
+/// The trees with the worst verdict so far, and what is wrong with all of them together.
+struct Sums
+{
+    MeshVerdict verdict = MeshVerdict::Closed;
+    NodeId first = noNode;
+    QString name; ///< of the first
+    int trees = 0;
+    quint64 defects = 0, crossings = 0, collisions = 0;
+
+    void add(const Node& node, MeshVerdict found, const MeshReport& report, const MeshAnalysis* findings);
+};
+
+void Sums::add(const Node& node, MeshVerdict found, const MeshReport& report, const MeshAnalysis* findings)
+{
+    if (found < MeshVerdict::Crossing || found < verdict)
+        return;
+    if (found > verdict)
+        *this = {found, node.id, QString::fromStdString(node.name)};
+    ++trees;
+    for (int kind = 0; kind < defectKindCount; ++kind)
+        defects += report.count(static_cast<DefectKind>(kind));
+    if (findings) {
+        crossings += findings->crossings.total();
+        collisions += findings->collisions.size();
+    }
+}
 
 /// The context under which the translators find these texts.
 struct FaultTexts
 {
     Q_DECLARE_TR_FUNCTIONS(FaultTexts)
 public:
-    static QString sentence(const MeshFaults& faults);
-    static MeshFaults ofTree(const Node& node, const NodeResult& result, const MeshAnalysis* findings);
+    static QString broken(const Sums& sums);
+    static QString crossing(const Sums& sums);
 };
 
-QString FaultTexts::sentence(const MeshFaults& faults)
+QString FaultTexts::broken(const Sums& sums)
 {
-    if (faults.faults.isEmpty())
-        return tr("The mesh of “%1” is closed, but %2.")
-            .arg(faults.name, faults.notes.join(QStringLiteral(", ")));
-    return tr("The mesh of “%1” is not clean: %2.")
-        .arg(faults.name, (faults.faults + faults.notes).join(QStringLiteral(", ")));
+    const QString text = sums.defects > 0 ? tr("%Ln defect(s)", nullptr, static_cast<int>(sums.defects))
+                                          : tr("not closed and outward");
+    return sums.trees == 1 ? tr("The mesh of “%1” is broken: %2.").arg(sums.name, text)
+                           : tr("The meshes of %Ln tree(s) are broken: %1.", nullptr, sums.trees).arg(text);
 }
 
-MeshFaults FaultTexts::ofTree(const Node& node, const NodeResult& result, const MeshAnalysis* findings)
+QString FaultTexts::crossing(const Sums& sums)
 {
-    MeshFaults out{node.id, QString::fromStdString(node.name), {}, {}};
-    if (const auto& report = result.tree.report; report && !report->valid) {
-        quint64 defects = 0;
-        for (int kind = 0; kind < defectKindCount; ++kind)
-            defects += report->count(static_cast<DefectKind>(kind));
-        out.faults += defects > 0 ? tr("%Ln defect(s)", nullptr, static_cast<int>(defects))
-                                  : tr("not closed and outward");
-    }
-    if (!findings)
-        return out;
-    if (const quint64 forks = findings->crossings.aroundForks(); forks > 0)
-        out.faults += tr("%Ln pair(s) of triangles cross at forks", nullptr, static_cast<int>(forks));
-    if (!findings->collisions.empty())
-        out.notes +=
-            tr("%Ln pair(s) of branches collide", nullptr, static_cast<int>(findings->collisions.size()));
-    return out;
-}
-
-bool isChosen(const Scene& scene, const ExportOptions& options, const Node& node)
-{
-    if (node.kind != NodeKind::Tree || (!options.hidden && !scene.isShown(node.id)))
-        return false;
-    return options.nodes.empty() || std::any_of(options.nodes.begin(), options.nodes.end(), [&](NodeId id) {
-               return id == node.id || scene.isAncestor(id, node.id);
-           });
+    QString text =
+        tr("%Ln pair(s) of triangles run through each other", nullptr, static_cast<int>(sums.crossings));
+    if (sums.collisions > 0)
+        text += QStringLiteral(", ") +
+                tr("%Ln pair(s) of branches collide", nullptr, static_cast<int>(sums.collisions));
+    return sums.trees == 1
+               ? tr("The mesh of “%1” is closed, but %2.").arg(sums.name, text)
+               : tr("The meshes of %Ln tree(s) are closed, but %1.", nullptr, sums.trees).arg(text);
 }
 
 } // namespace
 
-QString MeshFaults::text() const
-{
-    return isEmpty() ? QString() : FaultTexts::sentence(*this);
-}
-
 MeshFaults meshFaults(const Document& document, const Analysis* analysis, const ExportOptions& options)
 {
-    MeshFaults first;
     if (options.model != ExportModel::Mesh || !(options.parts & exportBranches))
-        return first;
+        return {};
+    Sums sums;
     for (const Node& node : document.scene().nodes()) {
-        const NodeResult* result = document.result(node.id);
-        if (!result || !isChosen(document.scene(), options, node))
+        const NodeResult* result = node.kind == NodeKind::Tree ? document.result(node.id) : nullptr;
+        if (!result || !result->tree.report || !isExported(document.scene(), options, node))
             continue;
         const auto findings = analysis ? analysis->findings(node.id) : nullptr;
-        MeshFaults here = FaultTexts::ofTree(node, *result, findings.get());
-        if (here.isEmpty() || (!first.isEmpty() && here.faults.isEmpty()))
-            continue;
-        const bool hasFaults = !here.faults.isEmpty();
-        first = std::move(here);
-        if (hasFaults)
-            break;
+        const MeshReport& report = *result->tree.report;
+        const MeshVerdict verdict = verdictOn(report, findings ? &findings->crossings : nullptr,
+                                              result->tree.branches ? result->tree.branches->roots : 0);
+        sums.add(node, verdict, report, findings.get());
     }
-    return first;
+    if (sums.trees == 0)
+        return {};
+    return {sums.first, sums.verdict,
+            sums.verdict == MeshVerdict::Broken ? FaultTexts::broken(sums) : FaultTexts::crossing(sums)};
 }
 
 } // namespace ramure

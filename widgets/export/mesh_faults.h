@@ -4,25 +4,26 @@
 
 #include "core/document/analysis.h"
 #include "core/document/exporter.h"
-#include <QStringList>
+#include "core/mesh/verdict.h"
+#include <QString>
 
 namespace ramure {
 
-/// The first tree with something to tell.
+/// Of all trees with the worst verdict.
 struct MeshFaults
 {
-    NodeId tree = noNode;
-    QString name;       ///< of the tree
-    QStringList faults; ///< of the mesh: defects, crossings at forks
-    QStringList notes;  ///< no fault of the mesh: branches that collide
+    NodeId tree = noNode; ///< the first of them
+    MeshVerdict verdict = MeshVerdict::Clean;
+    /// Collisions are the tree's doing, and told; only a broken mesh is not written without a question.
+    [[nodiscard]] bool mustAsk() const { return verdict == MeshVerdict::Broken; }
+    [[nodiscard]] bool isEmpty() const { return text.isEmpty(); }
 
-    [[nodiscard]] bool isEmpty() const { return faults.isEmpty() && notes.isEmpty(); }
-    /// "The mesh of “Oak” is not clean: 3 defects, 2 pairs of branches collide."
-    [[nodiscard]] QString text() const;
+    QString text; ///< "The mesh of “Oak” is broken: 3 defects.", of several their number and the
+                  ///< sum; empty: nothing to tell
 };
 
-/// Of the trees that \p options choose; nothing where no continuous branch mesh is written. Trees with faults
-/// come before those with notes only. \param analysis may be null.
+/// Of the trees that \p options choose; nothing where no continuous branch mesh is written.
+/// \param analysis may be null: then nothing is known of crossings.
 MeshFaults meshFaults(const Document& document, const Analysis* analysis, const ExportOptions& options);
 
 } // namespace ramure

@@ -146,8 +146,8 @@ void MomentForm::retranslate()
     m_step->setToolTip(tr("Frames from one file to the next: 1 writes all"));
     m_rate->setText(tr("at %1 fps").arg(locale.toString(m_timeline.framesPerSecond)));
     m_turns->setSuffix(tr(" pictures"));
-    m_turns->setToolTip(
-        tr("Pictures all around, 2 to 10000; the view's camera keeps its height and its distance"));
+    m_turns->setToolTip(tr(
+        "Pictures all around, 2 to 10000, from the slope of the view and as near as the whole crown allows"));
     m_turns->setAccessibleName(tr("Pictures all around"));
 }
 

@@ -47,7 +47,7 @@ Expected<RenderScene> sceneAt(const Pictures& pictures, double timeSeconds, Movi
 
 Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, const Progress& progress)
 {
-    MovingSource moving(pictures.rest);
+    MovingSource moving(pictures.rest, pictures.scene.timeline());
     std::optional<RenderScene> scene;
     const auto count = static_cast<double>(pictures.shots.size());
     for (std::size_t i = 0; i < pictures.shots.size(); ++i) {
@@ -62,6 +62,9 @@ Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, co
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         Camera camera = pictures.look.camera;
+        if (pictures.look.allAround)
+            camera.frameAllAround(scene->framePoints(),
+                                  double(pictures.look.size.width()) / pictures.look.size.height());
         camera.yawRad += shot.turnRad;
         const auto image = renderer.draw(*scene, camera, pictures.look.size, pictures.look.options);
         if (!image)

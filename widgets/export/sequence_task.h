@@ -20,6 +20,7 @@ struct PictureLook
 {
     QSize size{1920, 1080}; ///< pixels
     Camera camera;
+    bool allAround = false; ///< the camera's place is that from which everything is seen as it turns
     RenderOptions options;
     SceneView view;
 };

@@ -4,6 +4,7 @@
 #include "widgets/theme/theme.h"
 #include <QFontDatabase>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QMimeData>
 #include <QScrollBar>
 #include <QTextBlock>
@@ -12,9 +13,10 @@
 namespace ramure {
 namespace {
 
-// Lines shown before the editor scrolls.
-constexpr int mostRuleLines = 14;
-constexpr int mostAxiomLines = 5;
+// Lines in sight until the user wants others.
+constexpr int usualRuleLines = 7;
+constexpr int usualAxiomLines = 3;
+constexpr int mostLines = 60;
 
 /// A column counted in bytes, as an index into the line's UTF-16 text.
 int characterOf(const QString& line, int byteColumn)
@@ -77,6 +79,8 @@ int matchingBracket(const QString& text, int position)
 GrammarEdit::GrammarEdit(bool rules, QWidget* parent)
     : QPlainTextEdit(parent)
     , m_rules(rules)
+    , m_lines(usualLines())
+    , m_message(new QLabel(this))
 {
     setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     setUndoRedoEnabled(false);
@@ -89,10 +93,44 @@ GrammarEdit::GrammarEdit(bool rules, QWidget* parent)
     m_highlighter->setColours(palette());
     connect(this, &QPlainTextEdit::cursorPositionChanged, this, &GrammarEdit::updateMarks);
     connect(this, &QPlainTextEdit::textChanged, this, [this] {
-        fitHeight();
         if (!m_showing)
             emit edited(toPlainText());
     });
+    m_message->setObjectName(QStringLiteral("problem"));
+    m_message->setWordWrap(true);
+    m_message->setTextFormat(Qt::PlainText);
+    m_message->setAutoFillBackground(true);
+    m_message->setBackgroundRole(QPalette::Base);
+    m_message->setMargin(4);
+    m_message->hide();
+    setFixedHeight(heightOfLines());
+}
+
+int GrammarEdit::usualLines() const
+{
+    return m_rules ? usualRuleLines : usualAxiomLines;
+}
+
+void GrammarEdit::setLines(int lines)
+{
+    m_lines = std::clamp(lines, 1, mostLines);
+    setFixedHeight(heightOfLines());
+}
+
+void GrammarEdit::showMessage(const QString& text)
+{
+    m_message->setText(text);
+    m_message->setVisible(!text.isEmpty());
+    placeMessage();
+}
+
+/// The text keeps the rest: no line of it lies below the message.
+void GrammarEdit::placeMessage()
+{
+    const QRect inside = rect().adjusted(frameWidth(), frameWidth(), -frameWidth(), -frameWidth());
+    const int height = m_message->isHidden() ? 0 : m_message->heightForWidth(inside.width());
+    setViewportMargins(0, 0, 0, height);
+    m_message->setGeometry(inside.left(), inside.bottom() + 1 - height, inside.width(), height);
 }
 
 void GrammarEdit::showText(const QString& text)
@@ -183,6 +221,8 @@ void GrammarEdit::changeEvent(QEvent* event)
     if (event->type() == QEvent::PaletteChange && m_highlighter) {
         m_highlighter->setColours(palette());
         updateMarks();
+    } else if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {
+        setFixedHeight(heightOfLines());
     }
 }
 
@@ -242,38 +282,24 @@ void GrammarEdit::wheelEvent(QWheelEvent* event)
 void GrammarEdit::resizeEvent(QResizeEvent* event)
 {
     QPlainTextEdit::resizeEvent(event);
-    if (event->size().width() != event->oldSize().width())
-        fitHeight();
+    if (event->size() != event->oldSize())
+        placeMessage();
 }
 
-int GrammarEdit::contentHeight() const
+int GrammarEdit::heightOfLines() const
 {
-    const int mostLines = m_rules ? mostRuleLines : mostAxiomLines;
-    int lines = 0;
-    for (QTextBlock block = document()->begin(); block.isValid() && lines < mostLines; block = block.next()) {
-        block.layout();
-        lines += std::max(1, block.lineCount());
-    }
-    lines = std::clamp(lines, m_rules ? 3 : 1, mostLines);
     const double margins = 2.0 * document()->documentMargin() + 2.0 * frameWidth();
-    return static_cast<int>(lines * fontMetrics().lineSpacing() + margins) + 2;
-}
-
-void GrammarEdit::fitHeight()
-{
-    const int height = contentHeight();
-    if (minimumHeight() != height || maximumHeight() != height)
-        setFixedHeight(height);
+    return static_cast<int>(m_lines * fontMetrics().lineSpacing() + margins) + 2;
 }
 
 QSize GrammarEdit::sizeHint() const
 {
-    return {200, contentHeight()};
+    return {200, heightOfLines()};
 }
 
 QSize GrammarEdit::minimumSizeHint() const
 {
-    return {60, contentHeight()};
+    return {60, heightOfLines()};
 }
 
 } // namespace ramure

@@ -1,9 +1,12 @@
 /// \file
-/// A text editor for axioms and rules: colours, matching brackets, the place of an error underlined. It grows
-/// with its text. Undo belongs to the document.
+/// A text editor for axioms and rules: colours, matching brackets, the place of an error underlined. It is as
+/// high as the user made it: neither typing nor an error moves what stands below. Undo belongs to the
+/// document.
 #pragma once
 
 #include <QPlainTextEdit>
+
+class QLabel;
 
 namespace ramure {
 
@@ -21,6 +24,12 @@ public:
     /// Underlines the place of an error. \param line 1-based, 0 = no error. \param column 1-based, counted in
     /// bytes as the core does; 0 = the whole line.
     void showProblem(int line, int column);
+    /// Says what is wrong at the lower edge, inside the frame; empty: nothing.
+    void showMessage(const QString& text);
+    /// How many lines are in sight; more are scrolled.
+    [[nodiscard]] int lines() const { return m_lines; }
+    void setLines(int lines);
+    [[nodiscard]] int usualLines() const;
     /// First and last character that are underlined, for tests and the status bar; (-1, -1) without a
     /// problem.
     [[nodiscard]] std::pair<int, int> problemRange() const { return m_problem; }
@@ -47,10 +56,12 @@ protected:
 
 private:
     void updateMarks();
-    void fitHeight();
-    [[nodiscard]] int contentHeight() const;
+    void placeMessage();
+    [[nodiscard]] int heightOfLines() const;
 
     bool m_rules;
+    int m_lines;
+    QLabel* m_message;
     bool m_showing = false;
     bool m_lastWasDeleting = false;
     std::pair<int, int> m_problem{-1, -1};

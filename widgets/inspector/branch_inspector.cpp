@@ -6,6 +6,7 @@
 #include "widgets/inspector/only_branch.h"
 #include "widgets/inspector/roll_editor.h"
 #include "widgets/inspector/section_browser.h"
+#include "widgets/scene/branch_names.h"
 #include "widgets/support/core_text.h"
 #include "widgets/support/empty_page.h"
 #include <QEvent>
@@ -16,6 +17,7 @@
 #include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <optional>
 
 namespace ramure {
 namespace {
@@ -31,6 +33,7 @@ struct SkeletonCache
 {
     std::shared_ptr<const SimplifiedSkeleton> simplified;
     std::shared_ptr<const Foliage> foliage;
+    std::optional<BranchRows> rows;
     ChildLists children;
     std::vector<double> masses;
 
@@ -38,6 +41,8 @@ struct SkeletonCache
     {
         if (tree.simplified == simplified && tree.foliage == foliage)
             return;
+        if (tree.simplified != simplified)
+            rows.emplace(tree.simplified);
         simplified = tree.simplified;
         foliage = tree.foliage;
         children = childLists(simplified->skeleton);
@@ -152,6 +157,7 @@ void BranchInspector::Private::buildContent()
     title->setObjectName(QStringLiteral("panelTitle"));
     title->setTextFormat(Qt::PlainText);
     title->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    title->setWordWrap(true);
     subtitle = new QLabel(content);
     subtitle->setTextFormat(Qt::PlainText);
     subtitle->setForegroundRole(QPalette::PlaceholderText);
@@ -231,13 +237,15 @@ void BranchInspector::Private::showTitle()
 {
     if (branch == noIndex)
         return;
-    title->setText(tr("Branch %1").arg(branch));
+    title->setText(BranchNames().branch(*cache.rows, branch));
     detailsTitle->setText(tr("Section %1").arg(sections->currentSection() + 1));
     const bool some = sections->currentSection() >= 0;
     detailsTitle->setVisible(some);
     sections->details()->setVisible(some);
     const Node* tree = document->scene().find(node);
-    const QString name = tree ? QString::fromStdString(tree->name) : QString();
+    const QString name =
+        tr("%1 · branch %2 in reports")
+            .arg(tree ? QString::fromStdString(tree->name) : QString(), QString::number(branch));
     const auto selected = static_cast<int>(document->selection().branches.size());
     subtitle->setText(selected > 1
                           ? tr("%1 · the active one of %n selected branch(es)", nullptr, selected).arg(name)

@@ -63,6 +63,8 @@ RollEditor::RollEditor(Document* document, QWidget* parent)
     m_hint->setForegroundRole(QPalette::PlaceholderText);
     m_hint->setWordWrap(true);
     m_name->setBuddy(m_field);
+    m_field->setScale(NumberScale(-pi, pi, pi / 180.0, false));
+    m_field->addHandle(m_name);
     setFocusProxy(m_field);
     grid->addWidget(m_name, 0, 0, 1, 3);
     grid->addWidget(m_slider, 1, 0);
@@ -94,6 +96,7 @@ void RollEditor::setAngleUnit(AngleUnit unit)
     const NumberFormat format = facttext::angleFormat(unit);
     const double degree = pi / 180.0;
     m_field->setFormat(format);
+    m_slider->setFactor(format.factor);
     m_field->setStep(unit == AngleUnit::Degrees ? degree : 0.01);
     m_slider->setSoftRange(-pi, pi, unit == AngleUnit::Degrees ? degree : 0.01, false);
 }

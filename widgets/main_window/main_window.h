@@ -16,6 +16,8 @@ class BranchInspector;
 class Chooser;
 class EditActions;
 class FileActions;
+class HelpActions;
+class HintLine;
 class HistoryDock;
 class Isolation;
 class IsolationButton;
@@ -62,6 +64,7 @@ public:
     [[nodiscard]] PropertiesPanel* properties() const { return m_properties; }
     [[nodiscard]] ScenePanel* scenePanel() const { return m_scene; }
     [[nodiscard]] StatusPanel* status() const { return m_status; }
+    [[nodiscard]] HintLine* hints() const { return m_hints; }
     [[nodiscard]] ProblemButton* problem() const { return m_problem; }
     [[nodiscard]] BranchInspector* inspector() const { return m_inspector; }
     [[nodiscard]] Isolation* isolation() const { return m_isolation; }
@@ -70,6 +73,7 @@ public:
     [[nodiscard]] TimelinePanel* timeline() const { return m_timeline; }
     [[nodiscard]] KeyPanel* keys() const { return m_keys; }
     [[nodiscard]] KeyModel* keyModel() const { return m_keyModel; }
+    [[nodiscard]] HelpActions* help() const { return m_help; }
     [[nodiscard]] Analysis* analysis() const { return m_analysis; }
 
     void showWelcome();
@@ -77,6 +81,8 @@ public:
     /// Of this tree; without one, of the tree that is active, or of the first.
     void showSeparateDialog(NodeId tree = noNode);
     void resetLayout();
+    /// Shows the properties with this parameter in focus, of a node that has it.
+    void showParam(const QString& key);
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -85,11 +91,18 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    static constexpr int messageMs = 6000;
+    static constexpr int layoutVersion = 3; ///< of saveState; another one means another set of docks
+
     QDockWidget* addPanel(const QString& name, QWidget* content, Qt::DockWidgetArea area);
     void buildDocks();
+    void fitKeysHeight(bool shown);
     void buildActions();
     void buildBranchActions();
-    [[nodiscard]] QList<QAction*> branchActions() const { return {m_nextSection, m_previousSection, m_roll}; }
+    [[nodiscard]] QList<QAction*> branchActions() const
+    {
+        return {m_inspect, m_nextSection, m_previousSection, m_roll};
+    }
     void buildMenus();
     void buildToolBar();
     void buildStatusBar();
@@ -98,6 +111,7 @@ private:
     void connectTimeline();
     void buildSequences();
     void showInspector();
+    void showViewMenu(const QPoint& at, NodeId node, Index branch);
     void follow(const Change& change);
     void updateTitle();
     void restoreLayout();
@@ -133,6 +147,7 @@ private:
     KeyPanel* m_keys = nullptr;
     StatusPanel* m_status = nullptr;
     ProblemButton* m_problem = nullptr;
+    HintLine* m_hints = nullptr;
     FileActions* m_files = nullptr;
     EditActions* m_edits = nullptr;
     SelectActions* m_selects = nullptr;
@@ -141,9 +156,11 @@ private:
     ImportActions* m_imports = nullptr;
     PictureActions* m_pictures = nullptr;
     ProgramActions* m_program = nullptr;
+    HelpActions* m_help = nullptr;
     WelcomePanel* m_welcome = nullptr;
     QAction* m_resetLayout = nullptr;
     QAction* m_search = nullptr;
+    QAction* m_inspect = nullptr;
     QAction* m_nextSection = nullptr;
     QAction* m_previousSection = nullptr;
     QAction* m_roll = nullptr;
@@ -165,7 +182,8 @@ private:
     QDockWidget* m_armDock = nullptr;
     QDockWidget* m_timelineDock = nullptr;
     QDockWidget* m_keysDock = nullptr;
-    bool m_keysSeen = false;
+    bool m_keysShown = false;
+    int m_keysHeight = 290, m_timelineHeight = 0; ///< while the one or the other is on top
 };
 
 } // namespace ramure

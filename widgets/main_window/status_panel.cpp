@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QMouseEvent>
 #include <QProgressBar>
 #include <QStyle>
 #include <QTimer>
@@ -50,7 +51,7 @@ void forgetRoom(QLabel* label)
 
 } // namespace
 
-SceneTotals sceneTotals(const Document& document)
+SceneTotals sceneTotals(const Document& document, const Analysis* analysis)
 {
     SceneTotals totals;
     for (const Node& node : document.scene().nodes()) {
@@ -63,15 +64,16 @@ SceneTotals sceneTotals(const Document& document)
         totals.failed = totals.failed || document.problem(node.id);
         totals.draft = totals.draft || result->draft;
         totals.seconds += result->tree.seconds;
-        if (result->tree.simplified)
+        if (result->tree.simplified && document.scene().isShown(node.id))
             totals.branches += result->tree.simplified->skeleton.size();
         if (!result->tree.report)
             continue;
         ++totals.results;
-        const MeshReport& report = *result->tree.report;
-        totals.vertices += report.vertices;
-        totals.faces += report.faces;
-        totals.valid = totals.valid && report.valid;
+        const auto findings = analysis ? analysis->findings(node.id) : nullptr;
+        totals.verdict = std::max(totals.verdict,
+                                  verdictOn(*result->tree.report, findings ? &findings->crossings : nullptr,
+                                            result->tree.branches ? result->tree.branches->roots : 0));
+        totals.crossings += findings ? findings->crossings.total() : 0;
         totals.reports.emplace_back(QString::fromStdString(node.name), result->tree.report);
     }
     return totals;
@@ -115,6 +117,8 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, Analysis* ana
     m_hash->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_badge->setObjectName(QStringLiteral("badge"));
     m_badge->setAlignment(Qt::AlignCenter);
+    m_badge->setCursor(Qt::PointingHandCursor);
+    m_badge->installEventFilter(this);
     m_counts->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     for (QWidget* widget : {static_cast<QWidget*>(m_progress), static_cast<QWidget*>(m_cancel)}) {
@@ -127,6 +131,13 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, Analysis* ana
     layout->addWidget(m_badge);
     m_patience->setSingleShot(true);
     m_patience->setInterval(patienceMs);
+    follow();
+    retranslate();
+}
+
+/// What there is to say comes from the work, the checks and the document.
+void StatusPanel::follow()
+{
     connect(m_patience, &QTimer::timeout, this, [this] { showBusy(m_recompute->isBusy()); });
     connect(m_cancel, &QToolButton::clicked, m_recompute, &Recompute::cancel);
     connect(m_recompute, &Recompute::busyChanged, this, [this](bool busy) {
@@ -142,14 +153,17 @@ StatusPanel::StatusPanel(Document* document, Recompute* recompute, Analysis* ana
     connect(m_recompute, &Recompute::progress, this,
             [this](double fraction) { m_progress->setValue(static_cast<int>(fraction * progressSteps)); });
     if (m_analysis)
-        connect(m_analysis, &Analysis::changed, this, [this] { showHash(); });
+        connect(m_analysis, &Analysis::changed, this, [this] {
+            showHash();
+            showBadge(sceneTotals(*m_document, m_analysis));
+        });
     connect(m_document, &Document::changed, this, [this](const Change& change) {
         if (change.has(changeSelection))
             showHash();
-        if (change.has(changeResults | changeReset | changeStructure | changeParams | changeBranches))
+        if (change.has(changeResults | changeReset | changeStructure | changeParams | changeBranches |
+                       changeNodeState | changeJoints))
             update();
     });
-    retranslate();
 }
 
 QString StatusPanel::countsText() const
@@ -192,7 +206,7 @@ void StatusPanel::showBusy(bool busy)
 void StatusPanel::setBadge(const QString& state, const QString& text, const QString& tip)
 {
     showText(m_badge, text);
-    m_badge->setToolTip(tip);
+    m_badge->setToolTip(tip + QStringLiteral("<p>%1</p>").arg(tr("A click opens the Validation panel.")));
     m_badge->setAccessibleName(text);
     if (badgeState() == state)
         return;
@@ -240,33 +254,90 @@ QString StatusPanel::reportTip(const SceneTotals& totals) const
 
 void StatusPanel::update()
 {
-    const SceneTotals totals = sceneTotals(*m_document);
-    const QLocale locale;
+    const SceneTotals totals = sceneTotals(*m_document, m_analysis);
     showHash();
-    if (totals.draft && totals.results < totals.trees) {
-        // A draft has no mesh to count: the numbers of before stay until there are others.
-    } else if (totals.results == 0) {
-        showText(m_counts, totals.trees == 0 ? tr("No trees") : QString());
-        showText(m_time, QString());
-    } else {
-        const QString counts[] = {tr("%Ln branch(es)", nullptr, pluralCount(totals.branches)),
-                                  tr("%Ln vertex(es)", nullptr, pluralCount(totals.vertices)),
-                                  tr("%Ln face(s)", nullptr, pluralCount(totals.faces))};
-        showText(m_counts, counts[0] + separator + counts[1] + separator + counts[2]);
-        showText(m_time, timeText(totals.seconds));
-    }
+    showCounts(totals);
+    showBadge(totals);
+}
+
+/// What an export of everything visible writes, at rest.
+void StatusPanel::showCounts(const SceneTotals& totals)
+{
+    const SceneCounts counts =
+        m_counter.count(m_document->scene(), {}, [this](const Node& node, Stage, const Progress&) {
+            const NodeResult* result = m_document->result(node.id);
+            return result ? Expected<TreeResult>(result->tree) : fail(ErrorCode::Invalid, "");
+        });
+    if (totals.draft && (totals.results < totals.trees || !counts.complete))
+        return; // a draft has no mesh to count: the numbers of before stay until there are others
+    const PartCount all = counts.total();
+    QStringList words;
+    if (totals.branches > 0)
+        words += tr("%Ln branch(es)", nullptr, pluralCount(totals.branches));
+    if (all.faces > 0)
+        words << tr("%Ln vertex(es)", nullptr, pluralCount(all.vertices))
+              << tr("%Ln face(s)", nullptr, pluralCount(all.faces));
+    if (words.isEmpty() && counts.complete)
+        words += tr("Nothing visible");
+    showText(m_counts, words.join(separator));
+    m_counts->setToolTip(countsTip(counts));
+    showText(m_time, totals.results > 0 ? timeText(totals.seconds) : QString());
+}
+
+/// Part by part.
+QString StatusPanel::countsTip(const SceneCounts& counts)
+{
+    const std::pair<ScenePart, QString> names[scenePartCount] = {
+        {ScenePart::Branches, tr("Branches")},     {ScenePart::Leaves, tr("Leaves")},
+        {ScenePart::Apples, tr("Apples")},         {ScenePart::Arms, tr("Arms")},
+        {ScenePart::Terrains, tr("Terrains")},     {ScenePart::Primitives, tr("Primitives")},
+        {ScenePart::Meshes, tr("Imported meshes")}};
+    const QLocale locale;
+    const auto line = [](const QString& name, const QString& vertices, const QString& faces) {
+        const QString cell = QStringLiteral("<td align=right>&nbsp;&nbsp;%1</td>");
+        return QStringLiteral("<tr><td>%1</td>").arg(name) + cell.arg(vertices) + cell.arg(faces) +
+               QStringLiteral("</tr>");
+    };
+    QString rows = line({}, tr("vertices"), tr("faces"));
+    for (const auto& [part, name] : names)
+        if (const PartCount& count = counts.of(part); count.vertices > 0)
+            rows += line(name, locale.toString(qulonglong(count.vertices)),
+                         locale.toString(qulonglong(count.faces)));
+    return QStringLiteral("<p>%1</p><table>%2</table>")
+        .arg(tr("What is visible, as an export writes it. Branches are counted after simplification."), rows);
+}
+
+void StatusPanel::showBadge(const SceneTotals& totals)
+{
     m_badge->setVisible(totals.trees > 0);
     if (totals.failed)
-        setBadge(QStringLiteral("bad"), tr("error"),
-                 tr("The parameters give no tree; you see the last one that worked."));
-    else if (totals.results < totals.trees || totals.draft || m_recompute->isBusy())
-        setBadge(QStringLiteral("busy"), tr("computing…"),
-                 tr("A quick draft is shown until the full result is there."));
-    else if (totals.valid)
-        setBadge(QStringLiteral("good"), tr("valid"),
-                 tr("<p>Closed, 2-manifold and outward: every edge has two faces.</p>") + reportTip(totals));
-    else
-        setBadge(QStringLiteral("bad"), tr("not valid"), reportTip(totals));
+        return setBadge(QStringLiteral("bad"), tr("error"),
+                        tr("The parameters give no tree; you see the last one that worked."));
+    if (totals.results < totals.trees || totals.draft || m_recompute->isBusy())
+        return setBadge(QStringLiteral("busy"), tr("computing…"),
+                        tr("A quick draft is shown until the full result is there."));
+    switch (totals.verdict) {
+    case MeshVerdict::Clean:
+        return setBadge(QStringLiteral("good"), tr("closed, no crossings"),
+                        tr("<p>Closed, 2-manifold and outward: every edge has two faces. No triangle runs "
+                           "through another.</p>") +
+                            reportTip(totals));
+    case MeshVerdict::Closed:
+        return setBadge(QStringLiteral("closed"), tr("closed"),
+                        tr("<p>Closed, 2-manifold and outward: every edge has two faces. Whether triangles "
+                           "run through each other has not been looked for yet.</p>") +
+                            reportTip(totals));
+    case MeshVerdict::Crossing:
+        return setBadge(QStringLiteral("warning"),
+                        tr("closed, %Ln crossing(s)", nullptr, pluralCount(totals.crossings)),
+                        tr("<p>Closed, 2-manifold and outward, but %Ln pair(s) of triangles run through each "
+                           "other.</p>",
+                           nullptr, pluralCount(totals.crossings)) +
+                            reportTip(totals));
+    case MeshVerdict::Broken:
+        break;
+    }
+    setBadge(QStringLiteral("bad"), tr("broken"), reportTip(totals));
 }
 
 void StatusPanel::changeEvent(QEvent* event)
@@ -276,6 +347,16 @@ void StatusPanel::changeEvent(QEvent* event)
     QWidget::changeEvent(event);
     if (event->type() == QEvent::StyleChange)
         measureAnew();
+}
+
+bool StatusPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched == m_badge && event->type() == QEvent::MouseButtonRelease) {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        if (mouse->button() == Qt::LeftButton && m_badge->rect().contains(mouse->position().toPoint()))
+            emit reportRequested();
+    }
+    return QWidget::eventFilter(watched, event);
 }
 
 /// A style sheet that comes later brings other margins.
@@ -294,7 +375,6 @@ void StatusPanel::retranslate()
     m_time->setToolTip(tr(
         "Time to build the trees, without drawing. “cached”: nothing had to be built, the results of before "
         "still hold."));
-    m_counts->setToolTip(tr("Branches after simplification; vertices and faces of the branch meshes"));
     measureAnew();
 }
 

@@ -1,8 +1,10 @@
 /// \file
-/// The right end of the status bar: progress with cancel, counts, build time, and whether the mesh is valid.
+/// The right end of the status bar: progress with cancel, counts, build time, and what the meshes are worth.
 #pragma once
 
 #include "core/document/document.h"
+#include "core/document/scene_counts.h"
+#include "core/mesh/verdict.h"
 #include <QWidget>
 
 class QLabel;
@@ -15,19 +17,21 @@ namespace ramure {
 class Analysis;
 class Recompute;
 
-/// What the status bar counts, over all trees of the scene.
+/// What the status bar tells of all trees of the scene.
 struct SceneTotals
 {
     Index trees = 0, results = 0;
-    quint64 branches = 0, vertices = 0, faces = 0;
+    quint64 branches = 0; ///< of those that are shown
     double seconds = 0.0;
     bool draft = false;
-    bool failed = false; ///< a tree has an error
-    bool valid = true;   ///< every report says so
+    bool failed = false;                      ///< a tree has an error
+    MeshVerdict verdict = MeshVerdict::Clean; ///< the worst
+    quint64 crossings = 0;                    ///< pairs of triangles
     /// By the tree's name; none is null.
     std::vector<std::pair<QString, std::shared_ptr<const MeshReport>>> reports;
 };
-SceneTotals sceneTotals(const Document& document);
+/// \param analysis null: crossings have not been looked for.
+SceneTotals sceneTotals(const Document& document, const Analysis* analysis);
 
 class StatusPanel : public QWidget
 {
@@ -41,14 +45,23 @@ public:
     /// How long the trees took; a word where nothing had to be computed.
     [[nodiscard]] static QString timeText(double seconds);
     [[nodiscard]] QString hashText() const;
-    /// "good", "bad", "warning" or "busy".
+    /// "good", "bad", "warning", "busy", or "closed" while crossings have not been looked for.
     [[nodiscard]] QString badgeState() const;
+
+signals:
+    /// The badge was clicked: what the meshes are worth is asked for in full.
+    void reportRequested();
 
 protected:
     void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    void follow();
     void update();
+    void showCounts(const SceneTotals& totals);
+    [[nodiscard]] static QString countsTip(const SceneCounts& counts);
+    void showBadge(const SceneTotals& totals);
     void setBadge(const QString& state, const QString& text, const QString& tip);
     void showBusy(bool busy);
     void showHash();
@@ -66,6 +79,7 @@ private:
     QLabel* m_hash;
     QLabel* m_badge;
     QTimer* m_patience; ///< short work shows no progress
+    SceneCounter m_counter;
 };
 
 } // namespace ramure

@@ -36,6 +36,7 @@ constexpr UnitName unitNames[] = {
     {u"in", ParamUnit::Metre, 0.0254},   {u"ft", ParamUnit::Metre, 0.3048},
     {u"s", ParamUnit::Second, 1.0},      {u"ms", ParamUnit::Second, 0.001},
     {u"min", ParamUnit::Second, 60.0},   {u"%", ParamUnit::None, 0.01},
+    {u"kg", ParamUnit::Kilogram, 1.0},   {u"g", ParamUnit::Kilogram, 0.001},
 };
 
 class Parser
@@ -186,7 +187,7 @@ private:
                 return;
             }
             q.value *= unit.factor;
-            q.hasUnit = unit.unit != ParamUnit::None;
+            q.hasUnit = unit.unit != ParamUnit::None || m_unit == ParamUnit::Share;
             q.unitFactor = unit.factor;
             return;
         }
@@ -319,6 +320,9 @@ private:
 
 Expected<double> evaluateExpression(QStringView text, ParamUnit unit, double plainFactor)
 {
+    // The sign behind a factor: elsewhere it multiplies.
+    if (unit == ParamUnit::Factor && text.trimmed().endsWith(u'×'))
+        text = text.first(text.lastIndexOf(u'×'));
     return Parser(text, unit, plainFactor).run();
 }
 

@@ -1,6 +1,10 @@
 #include "widgets/numbers/number_field.h"
 
+#include "widgets/numbers/number_drag.h"
+#include "widgets/numbers/wheel_guard.h"
 #include "widgets/support/core_text.h"
+#include <QApplication>
+#include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QStyle>
@@ -11,7 +15,9 @@
 namespace ramure {
 namespace {
 
-constexpr double sameText = 1e-12; ///< relative: two ways of writing one number ("18", "18 deg")
+constexpr double dragFrom = 3.0;      ///< pixels from a press to a drag
+constexpr double pixelsPerStep = 4.0; ///< without a scale
+constexpr double sameText = 1e-12;    ///< relative: two ways of writing one number ("18", "18 deg")
 
 } // namespace
 
@@ -20,10 +26,16 @@ NumberField::NumberField(QWidget* parent)
 {
     setButtonSymbols(NoButtons);
     setKeyboardTracking(false);
-    setFocusPolicy(Qt::StrongFocus); // not by the wheel: scrolling a panel must change nothing
+    setFocusPolicy(Qt::TabFocus); // by a click: see release()
+    guardFromWheel(this);
     setAlignment(Qt::AlignRight);
     lineEdit()->setPlaceholderText(QStringLiteral("—"));
+    lineEdit()->installEventFilter(this);
+    m_drag = new NumberDrag(this);
+    connect(m_drag, &NumberDrag::moved, this, &NumberField::edit);
+    connect(m_drag, &NumberDrag::ended, this, &NumberField::gestureEnded);
     showValue();
+    showCursor();
 }
 
 void NumberField::setFormat(const NumberFormat& format)
@@ -44,6 +56,13 @@ void NumberField::setStep(double step)
     m_step = step;
 }
 
+void NumberField::addHandle(QWidget* handle)
+{
+    m_handles.push_back(handle);
+    handle->installEventFilter(this);
+    showCursor();
+}
+
 void NumberField::setDefault(std::optional<double> value)
 {
     m_default = value;
@@ -54,6 +73,18 @@ void NumberField::setValue(std::optional<double> value)
     m_value = value;
     if (!lineEdit()->isModified())
         showValue();
+    showCursor();
+}
+
+/// Where a press can become a drag, the cursor says so.
+void NumberField::showCursor()
+{
+    const Qt::CursorShape onHandle = m_value ? Qt::SizeHorCursor : Qt::ArrowCursor;
+    for (QWidget* handle : m_handles)
+        handle->setCursor(onHandle);
+    const Qt::CursorShape onText = m_value && !hasFocus() ? Qt::SizeHorCursor : Qt::IBeamCursor;
+    lineEdit()->setCursor(onText);
+    setCursor(onText);
 }
 
 void NumberField::showValue()
@@ -156,8 +187,104 @@ void NumberField::enter()
     emit gestureBegan();
 }
 
+bool NumberField::eventFilter(QObject* watched, QEvent* event)
+{
+    const bool onHandle = watched != lineEdit();
+    // With the focus the mouse belongs to the text, but a drag that has begun goes on.
+    if (onHandle || !hasFocus() || m_pressedAt || m_drag->isOn()) {
+        switch (event->type()) {
+        case QEvent::MouseButtonPress:
+            return press(static_cast<QMouseEvent*>(event));
+        case QEvent::MouseMove:
+            return drag(static_cast<QMouseEvent*>(event));
+        case QEvent::MouseButtonRelease:
+            return release(static_cast<QMouseEvent*>(event));
+        default:
+            break;
+        }
+    }
+    return QAbstractSpinBox::eventFilter(watched, event);
+}
+
+bool NumberField::press(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton || !isEnabled())
+        return false;
+    // What is being typed elsewhere is entered before this number changes.
+    if (QWidget* other = QApplication::focusWidget();
+        other && other != this && other->testAttribute(Qt::WA_InputMethodEnabled))
+        other->clearFocus();
+    m_pressedAt = event->globalPosition().x();
+    return true;
+}
+
+bool NumberField::drag(QMouseEvent* event)
+{
+    const double x = event->globalPosition().x();
+    if (m_drag->isOn()) {
+        m_drag->moveTo(x, event->modifiers());
+        return true;
+    }
+    if (!m_pressedAt)
+        return false;
+    const double from = *m_pressedAt;
+    if (!m_value || std::abs(x - from) < dragFrom)
+        return true;
+    m_pressedAt.reset();
+    commit(false); // of a label whose field has the focus
+    emit gestureBegan();
+    const double reach = NumberDrag::pixels / pixelsPerStep * m_step;
+    m_drag->begin(m_scale.value_or(NumberScale(0.0, reach, reach, m_format.whole)),
+                  {*m_value, m_minimum, m_maximum, m_format.factor, from}, m_value);
+    m_drag->moveTo(x, event->modifiers()); // a quick hand has come far with the first move
+    return true;
+}
+
+bool NumberField::release(QMouseEvent* event)
+{
+    if (event->button() != Qt::LeftButton)
+        return false;
+    if (m_drag->isOn()) {
+        m_drag->end();
+    } else if (m_pressedAt) {
+        setFocus(Qt::MouseFocusReason);
+        selectAll();
+    }
+    m_pressedAt.reset();
+    return true;
+}
+
+void NumberField::mousePressEvent(QMouseEvent* event)
+{
+    if (hasFocus() || !press(event))
+        QAbstractSpinBox::mousePressEvent(event);
+}
+
+void NumberField::mouseMoveEvent(QMouseEvent* event)
+{
+    if (!drag(event))
+        QAbstractSpinBox::mouseMoveEvent(event);
+}
+
+void NumberField::mouseReleaseEvent(QMouseEvent* event)
+{
+    if (!release(event))
+        QAbstractSpinBox::mouseReleaseEvent(event);
+}
+
+/// The menu of the text while there is one being typed; else that of what lies below the field.
+void NumberField::contextMenuEvent(QContextMenuEvent* event)
+{
+    if (lineEdit()->isModified())
+        QAbstractSpinBox::contextMenuEvent(event);
+    else
+        event->ignore();
+}
+
 bool NumberField::event(QEvent* event)
 {
+    if (event->type() == QEvent::Hide || (event->type() == QEvent::EnabledChange && !isEnabled()))
+        m_drag->end();
     // Ctrl+Z belongs to the document unless a text is being typed.
     if (event->type() == QEvent::ShortcutOverride && !lineEdit()->isModified()) {
         const auto* key = static_cast<QKeyEvent*>(event);
@@ -175,6 +302,7 @@ void NumberField::focusInEvent(QFocusEvent* event)
     if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason)
         selectAll();
     setNote({});
+    showCursor();
     emit gestureBegan();
 }
 
@@ -182,6 +310,7 @@ void NumberField::focusOutEvent(QFocusEvent* event)
 {
     commit(false);
     QAbstractSpinBox::focusOutEvent(event);
+    showCursor();
     emit gestureEnded();
 }
 
@@ -220,10 +349,6 @@ void NumberField::keyPressEvent(QKeyEvent* event)
 
 void NumberField::wheelEvent(QWheelEvent* event)
 {
-    if (!hasFocus()) {
-        event->ignore(); // the panel scrolls
-        return;
-    }
     const int steps = event->angleDelta().y() / 120;
     if (steps != 0)
         stepBy(steps);

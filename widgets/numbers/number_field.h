@@ -1,13 +1,20 @@
 /// \file
-/// The program's only field for numbers: typing with arithmetic and units, arrow keys, the wheel only with
-/// the focus.
+/// The program's only field for numbers: typing with arithmetic and units, dragging, arrow keys, the wheel
+/// only with the focus.
+///
+/// A field without the focus is dragged to the left and right (widgets/numbers/number_drag.h); a click gives
+/// it the focus, and then the mouse marks text.
 #pragma once
 
 #include "widgets/numbers/number_format.h"
+#include "widgets/numbers/number_scale.h"
 #include <QAbstractSpinBox>
 #include <optional>
+#include <vector>
 
 namespace ramure {
+
+class NumberDrag;
 
 class NumberField : public QAbstractSpinBox
 {
@@ -20,6 +27,11 @@ public:
     void setRange(double minimum, double maximum);
     /// One arrow key; with Shift a tenth, with Ctrl or Page Up and Down ten times as much.
     void setStep(double step);
+    /// How far a drag goes; without one, a step is a few pixels.
+    void setScale(const NumberScale& scale) { m_scale = scale; }
+    /// Dragging \p handle, a label beside the field, drags the number; a click on it gives the field the
+    /// focus.
+    void addHandle(QWidget* handle);
     /// What a reset gives. Typing what the field shows for it means exactly this value: 18 degrees and a
     /// default of 0.3142 rad look the same, and a parameter that looks unchanged is unchanged.
     void setDefault(std::optional<double> value);
@@ -47,6 +59,11 @@ signals:
 
 protected:
     bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
@@ -54,6 +71,10 @@ protected:
     [[nodiscard]] StepEnabled stepEnabled() const override { return StepUpEnabled | StepDownEnabled; }
 
 private:
+    bool press(QMouseEvent* event);
+    bool drag(QMouseEvent* event);
+    bool release(QMouseEvent* event);
+    void showCursor();
     void showValue();
     /// \param keepBadText leaves a text that is no number in place for another try.
     void commit(bool keepBadText);
@@ -70,6 +91,10 @@ private:
     double m_stepFactor = 1.0;
     std::optional<double> m_value = 0.0;
     std::optional<double> m_default;
+    std::optional<NumberScale> m_scale;
+    NumberDrag* m_drag = nullptr;
+    std::vector<QWidget*> m_handles;
+    std::optional<double> m_pressedAt; ///< x of a press that has not become a drag
     bool m_refused = false;
     bool m_noted = false;
 };

@@ -3,6 +3,7 @@
 #include "widgets/numbers/expression.h"
 #include <QCoreApplication>
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,6 +12,9 @@ namespace ramure {
 namespace {
 
 constexpr double degreesPerRadian = 180.0 / std::numbers::pi;
+/// Decimals of small values, on top of the usual ones.
+constexpr int moreForAngles = 2;
+constexpr int moreForLengths = 4;
 constexpr double openEnd =
     1e9; ///< limits from here on are only there to keep numbers sane: not worth telling
 
@@ -18,18 +22,20 @@ constexpr double openEnd =
 
 QString NumberFormat::text(double value) const
 {
-    const double shown = value * factor;
+    double shown = value * factor;
     QLocale locale;
     locale.setNumberOptions(QLocale::OmitGroupSeparator);
     if (whole)
-        return locale.toString(std::round(shown), 'f', 0) + suffix;
+        return locale.toString(std::round(shown) + 0.0, 'f', 0) + suffix; // -0 becomes 0
     if (std::abs(shown) >= 1e9)
         return locale.toString(shown, 'g', 9) + suffix;
+    const int mostDigits = decimals + (unit == ParamUnit::Radian ? moreForAngles : moreForLengths);
+    if (std::abs(shown) <= 0.5 * std::pow(10.0, -mostDigits))
+        shown = 0.0;
     int digits = decimals;
     if (shown != 0.0 && std::abs(shown) < 1.0)
-        digits = std::max(digits, 2 - static_cast<int>(std::floor(std::log10(std::abs(shown)))));
-    if (digits > decimals + 6)
-        return locale.toString(shown, 'g', 3) + suffix;
+        digits =
+            std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(shown)))), decimals, mostDigits);
     QString result = locale.toString(shown, 'f', digits);
     // Decimals beyond the second only where they say something: 0.3142, but 0.20 and not 0.2000.
     for (; digits > std::min(decimals, 2) && result.endsWith(u'0'); --digits)
@@ -69,6 +75,17 @@ NumberFormat numberFormat(const ParamDef& def, AngleUnit angles)
         break;
     case ParamUnit::Second:
         format.suffix = QStringLiteral(" s");
+        break;
+    case ParamUnit::Share:
+        format.factor = 100.0;
+        format.suffix = QStringLiteral(" %");
+        format.decimals = std::max(0, def.decimals - 2);
+        break;
+    case ParamUnit::Kilogram:
+        format.suffix = QStringLiteral(" kg");
+        break;
+    case ParamUnit::Factor:
+        format.suffix = QStringLiteral(" ×");
         break;
     case ParamUnit::None:
     case ParamUnit::Ratio:

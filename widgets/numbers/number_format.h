@@ -19,7 +19,8 @@ struct NumberFormat
     bool whole = false;  ///< an integer
 
     /// With the locale's decimal sign and without group separators. Small values get the decimals they need
-    /// to show three digits, so that no value but zero is shown as zero.
+    /// to show three digits, but only down to where the unit has no use any more: a rest of arithmetic is
+    /// shown as 0, never as -0 nor with an exponent.
     [[nodiscard]] QString text(double value) const;
     /// Arithmetic and units (widgets/numbers/expression.h); integers are rounded.
     [[nodiscard]] Expected<double> parse(const QString& text) const;

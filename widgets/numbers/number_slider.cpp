@@ -1,5 +1,7 @@
 #include "widgets/numbers/number_slider.h"
 
+#include "widgets/numbers/number_drag.h"
+#include "widgets/numbers/wheel_guard.h"
 #include "widgets/theme/theme.h"
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -12,8 +14,7 @@ namespace ramure {
 namespace {
 
 constexpr int resolution = 10000;
-constexpr double logarithmicFrom = 1000.0; ///< maximum / minimum
-constexpr double knobMargin = 8.0;         ///< of the handle's centre from the ends
+constexpr double knobMargin = 8.0; ///< of the handle's centre from the ends
 
 } // namespace
 
@@ -22,7 +23,14 @@ NumberSlider::NumberSlider(QWidget* parent)
 {
     setRange(0, resolution);
     setFocusPolicy(Qt::StrongFocus);
+    guardFromWheel(this);
     setAttribute(Qt::WA_Hover); // the handle grows under the mouse
+    m_drag = new NumberDrag(this);
+    connect(m_drag, &NumberDrag::moved, this, [this](double number) {
+        edit(number);
+        setNumber(m_number);
+    });
+    connect(m_drag, &NumberDrag::ended, this, &NumberSlider::gestureEnded);
     connect(this, &QSlider::valueChanged, this, [this](int position) {
         if (!m_showing)
             edit(numberAt(position));
@@ -31,44 +39,25 @@ NumberSlider::NumberSlider(QWidget* parent)
 
 void NumberSlider::setSoftRange(double minimum, double maximum, double step, bool whole)
 {
-    m_minimum = minimum;
-    m_maximum = std::max(maximum, minimum);
-    m_step = step;
-    m_whole = whole;
-    m_logarithmic = minimum > 0.0 && maximum / minimum >= logarithmicFrom;
+    m_scale = NumberScale(minimum, maximum, step, whole);
     setNumber(m_number);
 }
 
 double NumberSlider::numberAt(int position) const
 {
-    const double t = static_cast<double>(position) / resolution;
-    if (m_logarithmic)
-        return m_minimum * std::pow(m_maximum / m_minimum, t);
-    const double value = m_minimum + t * (m_maximum - m_minimum);
-    if (m_whole)
-        return std::round(value);
-    // Steps of the slider that the number field can show without a rest.
-    const double grid = std::pow(10.0, std::floor(std::log10(std::max(m_maximum - m_minimum, 1e-9))) - 3.0);
-    return std::clamp(std::round(value / grid) * grid, m_minimum, m_maximum);
+    const double number = m_scale.numberAt(static_cast<double>(position) / resolution,
+                                           1.0 / std::max(NumberDrag::pixels, grooveLength()), m_factor);
+    return std::clamp(number, m_scale.minimum(), m_scale.maximum());
 }
 
 int NumberSlider::positionOf(double value) const
 {
-    if (m_maximum <= m_minimum)
-        return 0;
-    const double held = std::clamp(value, m_minimum, m_maximum);
-    const double t = m_logarithmic ? std::log(held / m_minimum) / std::log(m_maximum / m_minimum)
-                                   : (held - m_minimum) / (m_maximum - m_minimum);
-    return static_cast<int>(std::lround(t * resolution));
+    return static_cast<int>(std::lround(std::clamp(m_scale.positionOf(value), 0.0, 1.0) * resolution));
 }
 
 void NumberSlider::setNumber(std::optional<double> value)
 {
     m_number = value;
-    if (m_dragging && value) {
-        update();
-        return;
-    }
     m_showing = true;
     QSlider::setValue(value ? positionOf(*value) : 0);
     m_showing = false;
@@ -85,12 +74,12 @@ void NumberSlider::edit(double value)
 
 void NumberSlider::moveBy(double steps)
 {
-    const double from = m_number.value_or(m_minimum);
-    double to = m_logarithmic ? from * std::pow(1.1, steps) : from + steps * m_step;
-    if (m_whole)
-        to = from + (steps > 0 ? std::max(1.0, std::round(steps * m_step))
-                               : std::min(-1.0, std::round(steps * m_step)));
-    edit(std::clamp(to, std::min(m_minimum, from), std::max(m_maximum, from)));
+    const double from = m_number.value_or(m_scale.minimum());
+    const double step = steps * m_scale.step();
+    double to = m_scale.isLogarithmic() ? from * std::pow(1.1, steps) : from + step;
+    if (m_scale.isWhole())
+        to = from + (steps > 0 ? std::max(1.0, std::round(step)) : std::min(-1.0, std::round(step)));
+    edit(std::clamp(to, std::min(m_scale.minimum(), from), std::max(m_scale.maximum(), from)));
     setNumber(m_number);
 }
 
@@ -123,27 +112,31 @@ void NumberSlider::keyPressEvent(QKeyEvent* event)
     case Qt::Key_PageDown:
         return moveBy(-10.0);
     case Qt::Key_Home:
-        edit(m_minimum);
+        edit(m_scale.minimum());
         return setNumber(m_number);
     case Qt::Key_End:
-        edit(m_maximum);
+        edit(m_scale.maximum());
         return setNumber(m_number);
     default:
         QSlider::keyPressEvent(event);
     }
 }
 
+double NumberSlider::grooveLength() const
+{
+    return std::max(1.0, width() - 2.0 * knobMargin);
+}
+
 double NumberSlider::knobAt() const
 {
     const double t = static_cast<double>(QSlider::value()) / resolution;
-    return knobMargin + (layoutDirection() == Qt::RightToLeft ? 1.0 - t : t) * (width() - 2.0 * knobMargin);
+    return knobMargin + (layoutDirection() == Qt::RightToLeft ? 1.0 - t : t) * grooveLength();
 }
 
-void NumberSlider::dragTo(double x)
+int NumberSlider::positionAt(double x) const
 {
-    const double t = std::clamp((x - knobMargin) / std::max(1.0, width() - 2.0 * knobMargin), 0.0, 1.0);
-    QSlider::setValue(
-        static_cast<int>(std::lround((layoutDirection() == Qt::RightToLeft ? 1.0 - t : t) * resolution)));
+    const double t = std::clamp((x - knobMargin) / grooveLength(), 0.0, 1.0);
+    return static_cast<int>(std::lround((layoutDirection() == Qt::RightToLeft ? 1.0 - t : t) * resolution));
 }
 
 void NumberSlider::mousePressEvent(QMouseEvent* event)
@@ -152,39 +145,48 @@ void NumberSlider::mousePressEvent(QMouseEvent* event)
         event->ignore();
         return;
     }
-    m_dragging = true;
     emit gestureBegan();
-    // The handle is taken where it is; a press beside it brings it there.
-    m_grip =
-        std::abs(event->position().x() - knobAt()) <= knobMargin ? event->position().x() - knobAt() : 0.0;
-    dragTo(event->position().x() - m_grip);
+    const std::optional<double> before = m_number;
+    const double x = event->position().x();
+    if (!m_number || std::abs(x - knobAt()) > knobMargin)
+        QSlider::setValue(positionAt(x));
+    NumberDrag::Start start;
+    start.value = m_number.value_or(m_scale.minimum());
+    start.least = std::min(m_scale.minimum(), start.value);
+    start.most = std::max(m_scale.maximum(), start.value);
+    start.factor = m_factor;
+    start.x = x;
+    start.length = std::max(NumberDrag::pixels, grooveLength());
+    m_drag->begin(m_scale, start, before);
 }
 
 void NumberSlider::mouseMoveEvent(QMouseEvent* event)
 {
-    if (m_dragging)
-        dragTo(event->position().x() - m_grip);
-    else
+    if (!m_drag->isOn()) {
         event->ignore();
+        return;
+    }
+    const double x = event->position().x();
+    m_drag->moveTo(layoutDirection() == Qt::RightToLeft ? width() - x : x, event->modifiers());
 }
 
 void NumberSlider::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (event->button() != Qt::LeftButton || !m_dragging) {
+    if (event->button() != Qt::LeftButton) {
         event->ignore();
         return;
     }
-    m_dragging = false;
-    setNumber(m_number); // a whole number's own place
-    emit gestureEnded();
+    m_drag->end();
+}
+
+void NumberSlider::hideEvent(QHideEvent* event)
+{
+    m_drag->end();
+    QSlider::hideEvent(event);
 }
 
 void NumberSlider::wheelEvent(QWheelEvent* event)
 {
-    if (!hasFocus()) {
-        event->ignore();
-        return;
-    }
     const int steps = event->angleDelta().y() / 120;
     if (steps != 0)
         moveBy(steps);
@@ -194,7 +196,7 @@ void NumberSlider::wheelEvent(QWheelEvent* event)
 void NumberSlider::paintEvent(QPaintEvent*)
 {
     const QPointF knob(knobAt(), height() / 2.0);
-    const double radius = underMouse() || m_dragging ? 7.0 : 6.0;
+    const double radius = underMouse() || m_drag->isOn() ? 7.0 : 6.0;
     const bool dark = isDark(palette());
     QColor groove = palette().color(QPalette::WindowText);
     groove.setAlphaF(isEnabled() ? 0.22f : 0.12f);

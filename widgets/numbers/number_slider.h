@@ -1,11 +1,16 @@
 /// \file
-/// A slider over the soft range of a real or whole number.
+/// A slider over the soft range of a real or whole number. A press beside the handle brings it there; from
+/// then on it is dragged as the number's field is (widgets/numbers/number_drag.h), so that a short slider is
+/// as exact as a long one.
 #pragma once
 
+#include "widgets/numbers/number_scale.h"
 #include <QSlider>
 #include <optional>
 
 namespace ramure {
+
+class NumberDrag;
 
 class NumberSlider : public QSlider
 {
@@ -13,8 +18,10 @@ class NumberSlider : public QSlider
 public:
     explicit NumberSlider(QWidget* parent = nullptr);
 
-    /// \param step of the arrow keys. A range over several powers of ten is shown by its logarithm.
+    /// \param step of the arrow keys. How the range lies along the slider: widgets/numbers/number_scale.h.
     void setSoftRange(double minimum, double maximum, double step, bool whole);
+    /// What is dragged gets round as it is shown: times \p factor.
+    void setFactor(double factor) { m_factor = factor; }
     /// Never emits. Values outside the range put the handle at its end and stay as they are.
     void setNumber(std::optional<double> value);
 
@@ -32,6 +39,7 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
@@ -39,18 +47,15 @@ private:
     [[nodiscard]] double numberAt(int position) const;
     [[nodiscard]] int positionOf(double value) const;
     void moveBy(double steps);
+    [[nodiscard]] double grooveLength() const;
     [[nodiscard]] double knobAt() const;
-    void dragTo(double x);
+    [[nodiscard]] int positionAt(double x) const;
     void edit(double value);
 
-    double m_minimum = 0.0;
-    double m_maximum = 1.0;
-    double m_step = 0.01;
-    bool m_whole = false;
-    bool m_logarithmic = false;
-    bool m_showing = false;  ///< setNumber is moving the handle
-    bool m_dragging = false; ///< between press and release: the handle stays under the hand
-    double m_grip = 0.0;     ///< from the handle's centre to where it was taken
+    NumberScale m_scale;
+    double m_factor = 1.0;
+    NumberDrag* m_drag;
+    bool m_showing = false; ///< setNumber is moving the handle
     std::optional<double> m_number;
 };
 

@@ -194,6 +194,7 @@ void PreferencesDialog::retranslate()
         tr("Unsaved changes are kept aside, so that a crash costs no more than that. Your own file is "
            "written only when you save it."));
     m_memoryLabel->setText(tr("&Memory for motion:"));
+    m_memory->setLocale(QLocale()); // its own is of the language it was made in
     m_memory->setSuffix(tr(" MB"));
     m_memory->setToolTip(tr("Megabytes for computed frames, of all trees together: %L1 to %L2")
                              .arg(Preferences::leastMotionMb)

@@ -1,34 +1,15 @@
 #include "widgets/properties/choice_editor.h"
 
+#include "widgets/numbers/wheel_guard.h"
 #include "widgets/support/core_text.h"
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QWheelEvent>
 
 namespace ramure {
-namespace {
-
-/// A wheel that only passes by scrolls the panel.
-class QuietComboBox : public QComboBox
-{
-public:
-    using QComboBox::QComboBox;
-
-protected:
-    void wheelEvent(QWheelEvent* event) override
-    {
-        if (hasFocus())
-            QComboBox::wheelEvent(event);
-        else
-            event->ignore();
-    }
-};
-
-} // namespace
 
 ChoiceEditor::ChoiceEditor(const ParamDef& def, QWidget* parent)
     : ParamEditor(def, parent)
-    , m_box(new QuietComboBox(this))
+    , m_box(new QComboBox(this))
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -37,7 +18,7 @@ ChoiceEditor::ChoiceEditor(const ParamDef& def, QWidget* parent)
     for (const EnumItem& item : def.items)
         m_box->addItem(coreText(item.label), QString::fromLatin1(item.name));
     m_box->setPlaceholderText(QStringLiteral("—"));
-    m_box->setFocusPolicy(Qt::StrongFocus);
+    guardFromWheel(m_box);
     setFocusProxy(m_box);
     connect(m_box, &QComboBox::activated, this,
             [this] { emitSingleEdit(EnumValue{m_box->currentData().toString().toStdString()}); });

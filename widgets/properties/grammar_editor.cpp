@@ -1,6 +1,7 @@
 #include "widgets/properties/grammar_editor.h"
 
 #include "widgets/grammar/grammar_edit.h"
+#include "widgets/grammar/height_grip.h"
 #include <QVBoxLayout>
 
 namespace ramure {
@@ -11,7 +12,9 @@ GrammarEditor::GrammarEditor(const ParamDef& def, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     m_edit = new GrammarEdit((def.flags & paramMultiline) != 0, this);
+    layout->setSpacing(0);
     layout->addWidget(m_edit);
+    layout->addWidget(new HeightGrip(m_edit, this));
     setFocusProxy(m_edit);
     connect(m_edit, &GrammarEdit::edited, this,
             [this](const QString& text) { emitEdit(text.toStdString()); });
@@ -31,6 +34,12 @@ void GrammarEditor::showProblem(const std::optional<Error>& error)
     // The axiom is one line: its errors may come with a column alone.
     const int line = here && error->line == 0 && error->column > 0 ? 1 : here ? error->line : 0;
     m_edit->showProblem(line, here ? error->column : 0);
+}
+
+bool GrammarEditor::showMessage(const QString& text)
+{
+    m_edit->showMessage(text);
+    return true;
 }
 
 void GrammarEditor::retranslate(const QString& name)

@@ -16,6 +16,7 @@ public:
 
     void showValues(std::span<const ParamValue> values) override;
     void showProblem(const std::optional<Error>& error) override;
+    bool showMessage(const QString& text) override;
     void retranslate(const QString& name) override;
     [[nodiscard]] bool isWide() const override { return true; }
 

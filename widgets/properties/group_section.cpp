@@ -76,7 +76,7 @@ void GroupSection::buildMenu()
     m_reset = menu->addAction(icon("reset"), QString(), this, &GroupSection::resetRequested);
     connect(menu, &QMenu::aboutToShow, this, [this] {
         m_reset->setEnabled(
-            std::ranges::any_of(m_rows, [](const ParamRow* row) { return row->isChanged(); }));
+            std::ranges::any_of(rowsInReach(), [](const ParamRow* row) { return row->isChanged(); }));
     });
     m_menuButton->setMenu(menu);
 }
@@ -89,6 +89,13 @@ void GroupSection::addRow(ParamRow* row)
     const bool advanced = (row->def().flags & paramAdvanced) != 0;
     const int place = advanced ? m_contentLayout->count() : m_contentLayout->indexOf(m_advanced);
     m_contentLayout->insertWidget(place, row);
+}
+
+std::vector<ParamRow*> GroupSection::rowsInReach() const
+{
+    std::vector<ParamRow*> rows = m_rows;
+    std::erase_if(rows, [this](const ParamRow* row) { return !row->matches(m_words); });
+    return rows;
 }
 
 void GroupSection::setFolded(bool folded)
@@ -132,9 +139,8 @@ void GroupSection::updateHeading()
     const auto changed = std::ranges::count_if(m_rows, [](const ParamRow* row) { return row->isChanged(); });
     const QString name = coreText(m_group);
     m_heading->setText(changed > 0 ? QStringLiteral("%1  •").arg(name) : name);
-    m_heading->setToolTip(changed > 0
-                              ? tr("%n value(s) changed from the default", nullptr, static_cast<int>(changed))
-                              : tr("All values are the defaults"));
+    m_heading->setToolTip(changed > 0 ? tr("%n value(s) changed", nullptr, static_cast<int>(changed))
+                                      : tr("No value has been changed"));
 }
 
 void GroupSection::changeEvent(QEvent* event)
@@ -153,7 +159,7 @@ void GroupSection::retranslate()
     m_advanced->setText(m_showAdvanced ? tr("Less") : tr("More…"));
     m_copy->setText(tr("Copy values"));
     m_paste->setText(tr("Paste values"));
-    m_reset->setText(tr("Reset to defaults"));
+    m_reset->setText(tr("Reset values"));
     updateHeading();
 }
 

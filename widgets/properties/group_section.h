@@ -21,6 +21,8 @@ public:
 
     [[nodiscard]] const char* group() const { return m_group; }
     [[nodiscard]] const std::vector<ParamRow*>& rows() const { return m_rows; }
+    /// What a command on the group acts on: while searching what was found, else all rows.
+    [[nodiscard]] std::vector<ParamRow*> rowsInReach() const;
     void addRow(ParamRow* row);
 
     [[nodiscard]] bool isFolded() const { return m_folded; }

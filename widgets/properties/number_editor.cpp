@@ -33,7 +33,6 @@ NumberEditor::NumberEditor(const ParamDef& def, QWidget* parent)
     m_field = new NumberField(this);
     m_field->setRange(def.hardMin, def.hardMax);
     m_field->setStep(def.step);
-    m_field->setDefault(asNumber(defaultValue(def)));
     if (def.flags & paramSeed) {
         m_dice = new QToolButton(this);
         m_dice->setAutoRaise(true);
@@ -45,6 +44,7 @@ NumberEditor::NumberEditor(const ParamDef& def, QWidget* parent)
     } else {
         m_slider = new NumberSlider(this);
         m_slider->setSoftRange(def.softMin, def.softMax, def.step, def.type == ParamType::Int);
+        m_field->setScale(NumberScale(def.softMin, def.softMax, def.step, def.type == ParamType::Int));
         layout->addWidget(m_slider, 1);
         layout->addWidget(m_field);
         m_field->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -79,9 +79,21 @@ void NumberEditor::showValues(std::span<const ParamValue> values)
         m_slider->setNumber(number);
 }
 
+void NumberEditor::setStandard(const std::optional<ParamValue>& value)
+{
+    m_field->setDefault(asNumber(value));
+}
+
+void NumberEditor::addHandle(QWidget* label)
+{
+    m_field->addHandle(label);
+}
+
 void NumberEditor::setAngleUnit(AngleUnit unit)
 {
     m_field->setFormat(numberFormat(def(), unit));
+    if (m_slider)
+        m_slider->setFactor(numberFormat(def(), unit).factor);
     // One arrow key is a round step in what is shown.
     if (def().unit == ParamUnit::Radian && unit == AngleUnit::Degrees) {
         const NumberFormat format = numberFormat(def(), unit);

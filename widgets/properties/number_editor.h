@@ -18,6 +18,8 @@ public:
     NumberEditor(const ParamDef& def, QWidget* parent);
 
     void showValues(std::span<const ParamValue> values) override;
+    void setStandard(const std::optional<ParamValue>& value) override;
+    void addHandle(QWidget* label) override;
     void setAngleUnit(AngleUnit unit) override;
     void retranslate(const QString& name) override;
 

@@ -19,12 +19,25 @@ ParamEditor::ParamEditor(const ParamDef& def, QWidget* parent)
     setObjectName(QString::fromLatin1(def.key));
 }
 
+void ParamEditor::setStandard(const std::optional<ParamValue>&)
+{
+}
+
 void ParamEditor::showProblem(const std::optional<Error>&)
 {
 }
 
 void ParamEditor::setAngleUnit(AngleUnit)
 {
+}
+
+void ParamEditor::addHandle(QWidget*)
+{
+}
+
+bool ParamEditor::showMessage(const QString&)
+{
+    return false;
 }
 
 void ParamEditor::nextGesture()

@@ -23,9 +23,15 @@ public:
     [[nodiscard]] const ParamDef& def() const { return m_def; }
     /// Shows the values of the selected nodes, one each, and never emits.
     virtual void showValues(std::span<const ParamValue> values) = 0;
+    /// What a reset gives, where it is the same for all selected nodes.
+    virtual void setStandard(const std::optional<ParamValue>& value);
     /// Marks the place of an error of the computation inside the editor, where it can.
     virtual void showProblem(const std::optional<Error>& error);
     virtual void setAngleUnit(AngleUnit unit);
+    /// Dragging the parameter's label drags its number, where it is one.
+    virtual void addHandle(QWidget* label);
+    /// Says what is wrong inside the editor, where there is room for it; false: the row has to say it.
+    virtual bool showMessage(const QString& text);
     /// Texts of the widgets inside; \p name is the parameter's name in the interface's language.
     virtual void retranslate(const QString& name) = 0;
     /// An editor that wants the whole width, below its label.

@@ -1,9 +1,11 @@
 #include "widgets/properties/param_row.h"
 
+#include "core/params/presets.h"
 #include "widgets/properties/param_editor_factory.h"
+#include "widgets/properties/param_facts.h"
 #include "widgets/support/core_text.h"
 #include "widgets/theme/icons.h"
-#include <QEvent>
+#include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
@@ -15,69 +17,19 @@ namespace {
 constexpr int keySide = 22; ///< of the button for keys: no smaller than what a hand hits at once
 constexpr int keyIcon = 16;
 
-QString unitText(const ParamDef& def, AngleUnit unit)
-{
-    switch (def.unit) {
-    case ParamUnit::Metre:
-        return ParamRow::tr("metres; also cm, mm, km, in, ft");
-    case ParamUnit::Radian:
-        return unit == AngleUnit::Degrees ? ParamRow::tr("degrees; also rad, turn, pi")
-                                          : ParamRow::tr("radians; also deg, turn, pi");
-    case ParamUnit::Degree:
-        return ParamRow::tr("degrees");
-    case ParamUnit::Ratio:
-        return ParamRow::tr("a ratio; also %");
-    case ParamUnit::Count:
-        return ParamRow::tr("a count");
-    case ParamUnit::Second:
-        return ParamRow::tr("seconds; also ms, min");
-    case ParamUnit::None:
-        break;
-    }
-    return {};
-}
-
-QString itemLabel(const ParamDef& def, const std::string& name)
-{
-    for (const EnumItem& item : def.items)
-        if (name == item.name)
-            return coreText(item.label);
-    return {};
-}
-
-QString defaultText(const ParamDef& def, AngleUnit unit)
-{
-    const ParamValue value = defaultValue(def);
-    const NumberFormat format = numberFormat(def, unit);
-    if (const auto* flag = std::get_if<bool>(&value))
-        return *flag ? ParamRow::tr("on") : ParamRow::tr("off");
-    if (const auto* whole = std::get_if<std::int64_t>(&value))
-        return format.text(static_cast<double>(*whole));
-    if (const auto* real = std::get_if<double>(&value))
-        return format.text(*real);
-    if (const auto* vector = std::get_if<glm::dvec3>(&value))
-        return QStringLiteral("%1, %2, %3")
-            .arg(format.text(vector->x), format.text(vector->y), format.text(vector->z));
-    if (const auto* choice = std::get_if<EnumValue>(&value))
-        return itemLabel(def, choice->name);
-    return {}; // texts are too long to say here; the reset arrow shows them
-}
-
 } // namespace
 
-QString paramToolTip(const ParamDef& def, AngleUnit unit)
+QString paramToolTip(const ParamDef& def, AngleUnit unit, const std::string& preset)
 {
     QString text = QStringLiteral("<p><b>%1</b><br>%2</p>")
                        .arg(coreText(def.label).toHtmlEscaped(), coreText(def.tooltip).toHtmlEscaped());
     QStringList facts;
     const auto add = [&](const QString& name, const QString& value) {
-        if (!value.isEmpty())
-            facts += QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>")
-                         .arg(name, value.toHtmlEscaped());
+        facts +=
+            QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(name, value.toHtmlEscaped());
     };
-    add(ParamRow::tr("Unit"), unitText(def, unit));
-    add(ParamRow::tr("Range"), rangeText(def, unit));
-    add(ParamRow::tr("Default"), defaultText(def, unit));
+    for (const auto& [name, value] : paramFacts(def, unit, preset))
+        add(name, value);
     add(ParamRow::tr("Key"), QString::fromLatin1(def.key));
     return text + QStringLiteral("<table>%1</table>").arg(facts.join(QString()));
 }
@@ -120,6 +72,7 @@ ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
     }
     grid->setColumnStretch(1, 1);
     m_label->setBuddy(m_editor);
+    m_editor->addHandle(m_label);
     m_label->setWordWrap(!m_editor->isWide()); // long names in a narrow panel
     m_reset->setAutoRaise(true);
     m_reset->setIcon(icon("reset"));
@@ -140,14 +93,21 @@ ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
 
 QString ParamRow::message() const
 {
-    return m_message->isHidden() ? QString() : m_message->text();
+    return m_message->text();
 }
 
-void ParamRow::showValues(std::span<const ParamValue> values)
+void ParamRow::showValues(std::span<const ParamValue> values, std::span<const std::string> presets)
 {
+    std::vector<ParamValue> standards;
+    for (const std::string& preset : presets)
+        standards.push_back(presetValue(preset, def()));
+    const bool onePreset =
+        !presets.empty() && std::ranges::count(presets, presets.front()) == std::ssize(presets);
+    m_preset = onePreset ? presets.front() : std::string();
+    m_editor->setStandard(commonValue(standards));
     m_editor->showValues(values);
-    const ParamValue standard = defaultValue(def());
-    m_changed = std::ranges::any_of(values, [&](const ParamValue& value) { return value != standard; });
+    showToolTips();
+    m_changed = !std::ranges::equal(values, standards);
     m_reset->setVisible(m_changed);
     QFont font = m_label->font();
     font.setBold(m_changed);
@@ -179,7 +139,7 @@ void ParamRow::showMessage()
     if (!text.isEmpty())
         text[0] = text[0].toUpper();
     m_message->setText(text);
-    m_message->setVisible(!text.isEmpty());
+    m_message->setVisible(!m_editor->showMessage(text) && !text.isEmpty());
 }
 
 void ParamRow::showKeyState(KeyState state)
@@ -234,6 +194,11 @@ bool ParamRow::matches(const QStringList& words) const
     return std::ranges::all_of(words, [&](const QString& word) { return text.contains(word); });
 }
 
+void ParamRow::contextMenuEvent(QContextMenuEvent* event)
+{
+    emit menuRequested(event->globalPos());
+}
+
 void ParamRow::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)
@@ -246,12 +211,19 @@ void ParamRow::retranslate()
     const QString name = coreText(def().label);
     m_label->setText(name);
     m_editor->retranslate(name);
-    const QString tip = paramToolTip(def(), m_angleUnit);
+    showToolTips();
+    showMessage();
+}
+
+void ParamRow::showToolTips()
+{
+    const QString tip = paramToolTip(def(), m_angleUnit, m_preset);
     m_label->setToolTip(tip);
     m_editor->setToolTip(tip);
-    m_reset->setToolTip(tr("Back to the default"));
-    m_reset->setAccessibleName(tr("%1: back to the default").arg(name));
-    showMessage();
+    const bool isPresets = presetValue(m_preset, def()) != defaultValue(def());
+    m_reset->setToolTip(isPresets ? tr("Back to the value of %1").arg(QString::fromStdString(m_preset))
+                                  : tr("Back to the default"));
+    m_reset->setAccessibleName(QStringLiteral("%1: %2").arg(coreText(def().label), m_reset->toolTip()));
 }
 
 } // namespace ramure

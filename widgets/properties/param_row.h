@@ -22,7 +22,9 @@ public:
     /// The message below the editor, empty where all is well.
     [[nodiscard]] QString message() const;
 
-    void showValues(std::span<const ParamValue> values);
+    /// Of the selected nodes, one each: the values, and the presets they came from, which say what a reset
+    /// gives (core/params/presets.h).
+    void showValues(std::span<const ParamValue> values, std::span<const std::string> presets);
     /// The error of the computation that concerns this parameter.
     void showProblem(const std::optional<Error>& error);
     /// Why the last value was not taken; empty: it was.
@@ -45,12 +47,16 @@ public:
 signals:
     void resetRequested();
     void keyToggled();
+    /// A right click on the row; \p at on the screen.
+    void menuRequested(const QPoint& at);
 
 protected:
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
     void retranslate();
+    void showToolTips();
     void showMessage();
 
     QLabel* m_label = nullptr;
@@ -61,11 +67,13 @@ private:
     std::optional<Error> m_problem;
     QString m_refusal;
     AngleUnit m_angleUnit = AngleUnit::Degrees;
+    std::string m_preset; ///< of all selected nodes, or empty
     bool m_changed = false;
     bool m_relevant = true;
 };
 
-/// The tooltip of a parameter: what it does, unit, range, default, key. Rich text.
-QString paramToolTip(const ParamDef& def, AngleUnit unit);
+/// The tooltip of a parameter: what it does, unit, range, default, what \p preset has in place of it, key.
+/// Rich text.
+QString paramToolTip(const ParamDef& def, AngleUnit unit, const std::string& preset = {});
 
 } // namespace ramure

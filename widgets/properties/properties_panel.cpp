@@ -4,6 +4,7 @@
 #include "core/document/commands.h"
 #include "core/document/player.h"
 #include "core/params/param_relevance.h"
+#include "core/params/presets.h"
 #include "widgets/animation/auto_key.h"
 #include "widgets/grammar/generations_view.h"
 #include "widgets/properties/group_section.h"
@@ -17,8 +18,10 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QScrollArea>
 #include <QStyle>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <string_view>
@@ -121,8 +124,8 @@ void PropertiesPanel::buildRows()
                 [this, row](int axis, double value, GestureId gesture) {
                     setComponent(row, axis, value, gesture);
                 });
-        connect(row, &ParamRow::resetRequested, this,
-                [this, row] { setValue(row, defaultValue(row->def()), 0); });
+        connect(row, &ParamRow::resetRequested, this, [this, row] { resetRow(row); });
+        connect(row, &ParamRow::menuRequested, this, [this, row](const QPoint& at) { showMenu(row, at); });
     }
     m_generations = new GenerationsView(m_document, m_content);
     row(*findParam("grammar.rules"))->addBelow(m_generations);
@@ -162,9 +165,11 @@ void PropertiesPanel::takeTargets()
     std::vector<NodeId> nodes = targetNodes(*m_document);
     std::erase_if(nodes, [this](NodeId id) { return !m_document->scene().find(id); });
     m_kinds = 0;
+    m_presets.clear();
     bool locked = false;
     for (const NodeId id : nodes) {
         const Node* node = m_document->scene().find(id);
+        m_presets.push_back(node->preset);
         m_kinds = static_cast<std::uint8_t>(m_kinds | kindBit(node->kind));
         locked = locked || node->locked;
     }
@@ -186,6 +191,11 @@ std::vector<ParamValue> PropertiesPanel::valuesOf(const ParamDef& def) const
     return values;
 }
 
+void PropertiesPanel::showRow(ParamRow* row)
+{
+    row->showValues(valuesOf(row->def()), m_presets);
+}
+
 void PropertiesPanel::showValues(const std::vector<ParamId>& params)
 {
     if (m_nodes.empty())
@@ -193,7 +203,7 @@ void PropertiesPanel::showValues(const std::vector<ParamId>& params)
     for (const ParamDef& def : paramTable()) {
         const ParamId id = paramId(def);
         if (params.empty() || std::ranges::count(params, id) > 0)
-            m_rows[id]->showValues(valuesOf(def));
+            showRow(m_rows[id]);
         if (m_keys)
             m_rows[id]->showKeyState(m_keys->state(m_nodes, def));
     }
@@ -242,7 +252,7 @@ void PropertiesPanel::showKeys()
 {
     for (ParamRow* row : m_rows)
         if (row->keyButton() && m_keys->state(m_nodes, row->def()) != KeyState::None) {
-            row->showValues(valuesOf(row->def()));
+            showRow(row);
             row->showKeyState(m_keys->state(m_nodes, row->def()));
         }
 }
@@ -272,8 +282,6 @@ void PropertiesPanel::applyFilter()
         shown += section->filter(m_kinds, words);
     m_scroll->setVisible(m_kinds != 0 && shown > 0);
     m_empty->setVisible(m_kinds == 0 || shown == 0);
-    m_empty->setText(m_kinds == 0 ? tr("Select a tree in the scene or in the view to change it.")
-                                  : tr("No parameter is called like this."));
 }
 
 void PropertiesPanel::applyPreferences()
@@ -300,7 +308,7 @@ void PropertiesPanel::setValue(ParamRow* row, const ParamValue& value, quint64 g
                           ? m_reach->aim(m_nodes.front(), std::get<glm::dvec3>(value), gesture)
                           : edit::setParam(*m_document, m_nodes, row->def(), value, gesture);
     if (!done) {
-        row->showValues(valuesOf(row->def()));
+        showRow(row);
         row->showRefusal(errorText(done.error()));
     }
 }
@@ -320,9 +328,64 @@ void PropertiesPanel::setComponent(ParamRow* row, int axis, double value, quint6
         done = edit::setComponent(*m_document, m_nodes, row->def(), axis, value, gesture);
     }
     if (!done) {
-        row->showValues(valuesOf(row->def()));
+        showRow(row);
         row->showRefusal(errorText(done.error()));
     }
+}
+
+/// Trees of several presets may each get another value, which no one edit can say.
+void PropertiesPanel::resetRow(ParamRow* row)
+{
+    std::vector<ParamValue> standards;
+    for (const std::string& preset : m_presets)
+        standards.push_back(presetValue(preset, row->def()));
+    if (const auto common = commonValue(standards)) {
+        setValue(row, *common, 0);
+        return;
+    }
+    const QString text = tr("Reset %1").arg(coreText(row->def().label));
+    const auto done = edit::resetParams(*m_document, m_nodes, {&row->def()}, text);
+    if (!done)
+        row->showRefusal(errorText(done.error()));
+}
+
+void PropertiesPanel::showMenu(ParamRow* row, const QPoint& at)
+{
+    if (m_nodes.empty())
+        return;
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("rowMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(icon("reset"), row->resetButton()->toolTip(), row, &ParamRow::resetRequested)
+        ->setEnabled(row->isChanged());
+    menu->addSeparator();
+    menu->addAction(icon("copy"), tr("Copy value"), this, [this, row] { copyRow(row); });
+    menu->addAction(icon("paste"), tr("Paste value"), this, [this, row] { pasteRow(row); });
+    menu->addAction(tr("Copy as --set for the command line"), this, [this, row] {
+        QGuiApplication::clipboard()->setText(settingText(row->def(), valuesOf(row->def()).back()));
+    });
+    if (m_keys && row->keyButton()) {
+        menu->addSeparator();
+        const bool isHere = m_keys->state(m_nodes, row->def()) == KeyState::Here;
+        menu->addAction(row->keyButton()->icon(), isHere ? tr("Take the key away") : tr("Insert a key"), row,
+                        &ParamRow::keyToggled);
+    }
+    menu->popup(at);
+}
+
+/// Of the active node: the last one selected.
+void PropertiesPanel::copyRow(const ParamRow* row)
+{
+    copyValue(row->def(), valuesOf(row->def()).back());
+}
+
+void PropertiesPanel::pasteRow(ParamRow* row)
+{
+    const auto value = pastedValue(row->def(), m_preferences->angleUnit());
+    if (value)
+        setValue(row, *value, 0);
+    else
+        row->showRefusal(errorText(value.error()));
 }
 
 void PropertiesPanel::copyGroup(const GroupSection* section)
@@ -332,7 +395,7 @@ void PropertiesPanel::copyGroup(const GroupSection* section)
     // The active node's values: the last one selected.
     const Node* node = m_document->scene().find(m_nodes.back());
     ParamList values;
-    for (const ParamRow* row : section->rows()) {
+    for (const ParamRow* row : section->rowsInReach()) {
         if (hasParam(node->kind, row->def()))
             values.emplace_back(&row->def(), row->def().get(node->params));
     }
@@ -346,26 +409,28 @@ void PropertiesPanel::pasteGroup(const GroupSection* section)
         section->rows().front()->showRefusal(errorText(values.error()));
         return;
     }
+    const std::vector<ParamRow*> rows = section->rowsInReach();
     std::erase_if(*values, [&](const auto& entry) {
-        return std::string_view(entry.first->group) != section->group() ||
-               (entry.first->kinds & m_kinds) != m_kinds;
+        return std::ranges::count(rows, row(*entry.first)) == 0 || (entry.first->kinds & m_kinds) != m_kinds;
     });
-    setList(section, *values, tr("Paste %1").arg(coreText(section->group())));
+    report(section,
+           edit::setParams(*m_document, m_nodes, *values, tr("Paste %1").arg(coreText(section->group()))));
 }
 
 void PropertiesPanel::resetGroup(const GroupSection* section)
 {
-    ParamList values;
-    for (const ParamRow* row : section->rows()) {
+    std::vector<const ParamDef*> params;
+    for (const ParamRow* row : section->rowsInReach()) {
         if ((row->def().kinds & m_kinds) == m_kinds)
-            values.emplace_back(&row->def(), defaultValue(row->def()));
+            params.push_back(&row->def());
     }
-    setList(section, values, tr("Reset %1").arg(coreText(section->group())));
+    report(section,
+           edit::resetParams(*m_document, m_nodes, params, tr("Reset %1").arg(coreText(section->group()))));
 }
 
-void PropertiesPanel::setList(const GroupSection* section, const ParamList& values, const QString& text)
+/// Where the parameter at fault stands.
+void PropertiesPanel::report(const GroupSection* section, const Expected<void>& done)
 {
-    const auto done = edit::setParams(*m_document, m_nodes, values, text);
     if (!done) {
         const ParamDef* culprit = findParam(done.error().path);
         (culprit ? row(*culprit) : section->rows().front())->showRefusal(errorText(done.error()));
@@ -400,6 +465,8 @@ void PropertiesPanel::showParam(const QString& key)
         if (std::ranges::count(section->rows(), row(*def)) > 0)
             section->setFolded(false);
     }
+    if (row(*def)->isHidden()) // an advanced one, or without effect now: a search shows all
+        m_search->setText(key);
     m_scroll->ensureWidgetVisible(row(*def));
     row(*def)->editor()->setFocus(Qt::ShortcutFocusReason);
 }
@@ -445,6 +512,8 @@ void PropertiesPanel::retranslate()
         m_title->setText(tr("%n node(s) selected", nullptr, static_cast<int>(m_nodes.size())));
     }
     m_scroll->setAccessibleName(tr("Parameters"));
+    m_empty->setText(m_kinds == 0 ? tr("Select a tree in the scene or in the view to change it.")
+                                  : tr("No parameter is called like this."));
     alignLabels();
     updateGeometry();
 }

@@ -65,16 +65,22 @@ private:
     void copyGroup(const GroupSection* section);
     void pasteGroup(const GroupSection* section);
     void resetGroup(const GroupSection* section);
-    void setList(const GroupSection* section, const ParamList& values, const QString& text);
+    void report(const GroupSection* section, const Expected<void>& done);
     [[nodiscard]] std::vector<ParamValue> valuesOf(const ParamDef& def) const;
+    void showRow(ParamRow* row);
+    void resetRow(ParamRow* row);
+    void showMenu(ParamRow* row, const QPoint& at);
+    void copyRow(const ParamRow* row);
+    void pasteRow(ParamRow* row);
 
     Document* m_document;
     Preferences* m_preferences;
     AutoKey* m_keys = nullptr;
     ArmReach* m_reach = nullptr;
     std::vector<NodeId> m_nodes;
-    std::uint8_t m_kinds = 0;      ///< bits of the kinds of m_nodes
-    std::vector<ParamRow*> m_rows; ///< by ParamId
+    std::vector<std::string> m_presets; ///< that m_nodes came from
+    std::uint8_t m_kinds = 0;           ///< bits of the kinds of m_nodes
+    std::vector<ParamRow*> m_rows;      ///< by ParamId
     std::vector<GroupSection*> m_sections;
     QLabel* m_title = nullptr;
     QLabel* m_problem = nullptr; ///< an error that belongs to no row

@@ -23,7 +23,8 @@ VectorEditor::VectorEditor(const ParamDef& def, QWidget* parent)
         auto* field = new NumberField(this);
         field->setRange(def.hardMin, def.hardMax);
         field->setStep(def.step);
-        field->setDefault(std::get<glm::dvec3>(defaultValue(def))[axis]);
+        field->setScale(NumberScale(def.softMin, def.softMax, def.step, false));
+        field->addHandle(letter);
         field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         letter->setBuddy(field);
         m_fields[static_cast<std::size_t>(axis)] = field;
@@ -53,6 +54,13 @@ void VectorEditor::showValues(std::span<const ParamValue> values)
         m_fields[static_cast<std::size_t>(axis)]->setValue(common ? std::optional(std::get<double>(*common))
                                                                   : std::nullopt);
     }
+}
+
+void VectorEditor::setStandard(const std::optional<ParamValue>& value)
+{
+    for (int axis = 0; axis < 3; ++axis)
+        m_fields[static_cast<std::size_t>(axis)]->setDefault(
+            value ? std::optional(std::get<glm::dvec3>(*value)[axis]) : std::nullopt);
 }
 
 void VectorEditor::setAngleUnit(AngleUnit unit)

@@ -16,6 +16,7 @@ public:
     VectorEditor(const ParamDef& def, QWidget* parent);
 
     void showValues(std::span<const ParamValue> values) override;
+    void setStandard(const std::optional<ParamValue>& value) override;
     void setAngleUnit(AngleUnit unit) override;
     void retranslate(const QString& name) override;
     [[nodiscard]] bool isWide() const override { return true; }

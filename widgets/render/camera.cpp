@@ -214,6 +214,49 @@ void Camera::frame(std::span<const glm::dvec3> points, double aspect, double mar
     distance = std::clamp(needed, box.radius() > 0.0 ? minDistance : 0.1, maxDistance);
 }
 
+// What turns is a stack of rings: the widest of some hundred layers, which is little wider than the points.
+void Camera::frameAllAround(std::span<const glm::dvec3> points, double aspect, double margin)
+{
+    Box box;
+    for (const glm::dvec3& point : points)
+        box.add(point);
+    if (box.empty())
+        return;
+    constexpr std::size_t layers = 128;
+    constexpr int corners = 48; // of a ring, outside it
+    const glm::dvec3 middle = box.centre();
+    std::array<double, layers> radii;
+    radii.fill(-1.0);
+    const double height = std::max(box.size().y, 1e-12);
+    for (const glm::dvec3& point : points) {
+        const auto layer = static_cast<std::size_t>(double(layers) * (point.y - box.min.y) / height);
+        double& radius = radii[std::min(layer, layers - 1)];
+        radius = std::max(radius, std::hypot(point.x - middle.x, point.z - middle.z));
+    }
+    std::vector<glm::dvec3> rings;
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+        const double radius = radii[layer] / std::cos(pi / corners);
+        for (int i = 0; i < corners && radius >= 0.0; ++i) {
+            const double angle = yawRad + 2.0 * pi * i / corners;
+            const glm::dvec3 at(middle.x + radius * std::sin(angle), 0.0,
+                                middle.z + radius * std::cos(angle));
+            for (const double y : {double(layer), double(layer + 1)})
+                rings.emplace_back(at.x, box.min.y + height * y / layers, at.z);
+        }
+    }
+    frame(rings, aspect, margin);
+    // Onto the axis, along the line of sight: the picture stays what it is.
+    const glm::dvec3 away(middle.x - target.x, 0.0, middle.z - target.z);
+    const double level = std::cos(pitchRad);
+    const double along =
+        level > 1e-6 ? glm::dot(away, glm::dvec3(std::sin(yawRad), 0.0, std::cos(yawRad))) / level : 0.0;
+    target += along * backward();
+    target.x = middle.x;
+    target.z = middle.z;
+    if (!orthographic)
+        distance = std::max(distance - along, minDistance);
+}
+
 void Camera::setAxisView(AxisView view)
 {
     pitchRad = 0.0;

@@ -33,6 +33,8 @@ struct DepthRange
 class Camera
 {
 public:
+    static constexpr double usualMargin = 1.06; ///< the picture's size over that of what is framed
+
     glm::dvec3 target{0.0, 1.0, 0.0};
     double distance = 5.0;     ///< from the eye to the target, m
     double yawRad = 0.6;       ///< kept in (-pi, pi]
@@ -70,9 +72,12 @@ public:
     [[nodiscard]] glm::dvec3 pointAtTargetDepth(const glm::dvec2& ndc, double aspect) const;
     /// Places target and distance so that the whole box fills the picture up to the margin. Empty boxes: no
     /// change.
-    void frame(const Box& box, double aspect, double margin = 1.12);
+    void frame(const Box& box, double aspect, double margin = usualMargin);
     /// The same for points: as close as they allow, centred in the picture. No points: no change.
-    void frame(std::span<const glm::dvec3> points, double aspect, double margin = 1.12);
+    void frame(std::span<const glm::dvec3> points, double aspect, double margin = usualMargin);
+    /// The same for a camera that then turns about its target, all around: from no side does a point leave
+    /// the picture. Keeps yaw and pitch; the target comes to stand in the upright middle of the points.
+    void frameAllAround(std::span<const glm::dvec3> points, double aspect, double margin = usualMargin);
     void setAxisView(AxisView view);
 
     bool operator==(const Camera&) const = default;

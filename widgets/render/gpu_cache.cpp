@@ -157,6 +157,47 @@ void GpuCache::fillMesh(GpuBlock& block, const TriangleMesh& mesh)
               mesh.triangles.size() * sizeof(glm::uvec3));
     block.count = static_cast<GLsizei>(3 * mesh.triangles.size());
     m_gl.glBindVertexArray(0);
+    if (!mesh.colours.empty() && mesh.colours.size() == mesh.triangles.size())
+        fillColours(block, mesh.colours);
+}
+
+/// A texture: the colours of the triangles, row after row.
+void GpuCache::fillColours(GpuBlock& block, const std::vector<glm::u8vec3>& colours)
+{
+    const std::size_t rows = (colours.size() + stateWidth - 1) / stateWidth;
+    std::vector<glm::u8vec3> padded(colours);
+    padded.resize(rows * stateWidth);
+    m_gl.glGenTextures(1, &block.texture);
+    m_gl.glBindTexture(GL_TEXTURE_2D, block.texture);
+    m_gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, stateWidth, static_cast<GLsizei>(rows), 0, GL_RGB,
+                      GL_UNSIGNED_BYTE, padded.data());
+    m_gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    m_stats.bytes += padded.size() * sizeof(glm::u8vec3);
+}
+
+GLuint GpuCache::restTexture()
+{
+    if (m_restTexture == 0) {
+        const glm::vec4 none(0.0f);
+        m_gl.glGenTextures(1, &m_restTexture);
+        m_gl.glBindTexture(GL_TEXTURE_2D, m_restTexture);
+        m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 1, 1, 0, GL_RGBA, GL_FLOAT, &none);
+        m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    }
+    return m_restTexture;
+}
+
+void GpuCache::bindColours(ShaderProgram& program, const GpuBlock& mesh)
+{
+    m_gl.glActiveTexture(GL_TEXTURE0 + coloursUnit);
+    m_gl.glBindTexture(GL_TEXTURE_2D, mesh.texture != 0 ? mesh.texture : restTexture());
+    m_gl.glActiveTexture(GL_TEXTURE0);
+    program.set("uColours", int(coloursUnit));
+    program.set("uHasColours", mesh.texture != 0);
 }
 
 /// Per vertex, three bones and their weights.
@@ -299,17 +340,8 @@ const GpuBlock& GpuCache::states(const std::shared_ptr<const BranchStates>& stat
 void GpuCache::bindBones(ShaderProgram& program, const ItemMotion& motion)
 {
     const GpuBlock* block = motion.moves() ? &bones(motion.bones) : nullptr;
-    if (!block && m_restTexture == 0) {
-        // A sampler must have a texture even where the program does not read it.
-        const glm::vec4 none(0.0f);
-        m_gl.glGenTextures(1, &m_restTexture);
-        m_gl.glBindTexture(GL_TEXTURE_2D, m_restTexture);
-        m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 1, 1, 0, GL_RGBA, GL_FLOAT, &none);
-        m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    }
     m_gl.glActiveTexture(GL_TEXTURE0 + bonesUnit);
-    m_gl.glBindTexture(GL_TEXTURE_2D, block ? block->texture : m_restTexture);
+    m_gl.glBindTexture(GL_TEXTURE_2D, block ? block->texture : restTexture());
     m_gl.glActiveTexture(GL_TEXTURE0);
     program.set("uBones", int(bonesUnit));
     program.set("uBoneCount", block ? block->count : 0);

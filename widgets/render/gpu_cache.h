@@ -19,7 +19,7 @@ struct GpuBlock
     std::shared_ptr<const void> source;
     GLuint vertexArray = 0;
     std::vector<GpuBuffer> buffers;
-    GLuint texture = 0;
+    GLuint texture = 0;               ///< of a mesh: the colours of its triangles
     GLsizei count = 0;                ///< indices, instances, or entries
     std::shared_ptr<const void> skin; ///< of a mesh: whose influences its vertex array reads
     std::uint64_t usedIn = 0;
@@ -66,7 +66,9 @@ public:
     const GpuBlock& states(const std::shared_ptr<const BranchStates>& states);
     /// Hands the bones of an item, if it has any, to the program, which is bound.
     void bindBones(ShaderProgram& program, const ItemMotion& motion);
-    static constexpr GLenum bonesUnit = 3; ///< the texture unit that it uses
+    /// The same for the colours of a mesh's triangles.
+    void bindColours(ShaderProgram& program, const GpuBlock& mesh);
+    static constexpr GLenum bonesUnit = 3, coloursUnit = 4; ///< the texture units that they use
 
     /// Frees what was not asked for since beginPicture.
     void freeUnused();
@@ -77,6 +79,9 @@ public:
 
 private:
     void fillMesh(GpuBlock& block, const TriangleMesh& mesh);
+    void fillColours(GpuBlock& block, const std::vector<glm::u8vec3>& colours);
+    /// A sampler must have a texture even where the program does not read it.
+    GLuint restTexture();
     const GpuBlock& influences(const std::shared_ptr<const Skin>& skin);
     void attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& skin);
     GpuBlock& meshBlock(const std::shared_ptr<const TriangleMesh>& mesh);
@@ -95,7 +100,7 @@ private:
     std::map<const void*, GpuBlock> m_blocks;
     std::vector<glm::vec4> m_boneRows; ///< kept between pictures
     std::vector<std::shared_ptr<const void>> m_released;
-    GLuint m_restTexture = 0; ///< for what has no bones
+    GLuint m_restTexture = 0; ///< for what has no bones or colours
     UploadStats m_stats;
     std::uint64_t m_picture = 0;
 };

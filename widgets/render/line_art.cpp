@@ -17,7 +17,7 @@ constexpr Colour curveColour{74, 46, 22, 255};
 constexpr Colour tangentColour{36, 92, 232, 255};
 constexpr Colour normalColour{224, 44, 40, 255};
 constexpr Colour binormalColour{34, 158, 58, 255};
-constexpr Colour inspectColour{255, 138, 20, 255};
+constexpr Colour inspectColour{255, 138, 20, 255}, pointedColour{255, 237, 199, 255};
 
 /// From the dark trunk to the light twigs.
 Colour levelColour(Index level)
@@ -205,25 +205,12 @@ LineSet inspectedLines(const Skeleton& skeleton, const SectionSet& sections, Ind
     return set;
 }
 
-LineSet branchCurves(const Skeleton& skeleton, std::span<const Index> branches)
+LineSet branchCurves(const Skeleton& skeleton, std::span<const Index> branches, bool pointed)
 {
     LineSet set;
     for (const Index branch : branches) {
         if (branch < skeleton.size())
-            addCurve(set, skeleton, branch, 2.0f, inspectColour, noIndex);
-    }
-    return set;
-}
-
-LineSet boxCorners(const Box& box)
-{
-    LineSet set;
-    for (int i = 0; i < 8 && !box.empty(); ++i) {
-        for (int axis = 0; axis < 3; ++axis) {
-            const glm::dvec3 from = box.corner(i);
-            const glm::dvec3 to = box.corner(i ^ (1 << axis));
-            addLine(set, from, glm::mix(from, to, 0.16), 2.0f, inspectColour, noIndex);
-        }
+            addCurve(set, skeleton, branch, 2.0f, pointed ? pointedColour : inspectColour, noIndex);
     }
     return set;
 }

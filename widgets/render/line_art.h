@@ -27,8 +27,7 @@ LineSet frameArrows(const Skeleton& skeleton, const SectionSet& sections, std::s
 LineSet inspectedLines(const Skeleton& skeleton, const SectionSet& sections, Index branch, Index section,
                        int radialDivisions);
 /// The curves of these branches in the colour of the selection, to be seen through leaves and bark.
-LineSet branchCurves(const Skeleton& skeleton, std::span<const Index> branches);
-/// The corners of a box, for a selected node.
-LineSet boxCorners(const Box& box);
+/// \param pointed in the colour of what the mouse is over.
+LineSet branchCurves(const Skeleton& skeleton, std::span<const Index> branches, bool pointed = false);
 
 } // namespace ramure

@@ -77,6 +77,14 @@ struct SplitMesh
     std::shared_ptr<const std::vector<Index>> vertex; ///< per vertex the one it copies
 };
 
+/// Of one mesh what an outline goes around.
+struct OutlinedFaces
+{
+    std::vector<std::pair<Index, Index>> runs; ///< first face and count; none: all faces of a whole mesh
+    bool ofBranches = false;
+    Box box; ///< at rest, in the mesh's space
+};
+
 /// A mesh standing somewhere. The mesh needs normals; branch ids are optional. For a paint but the material
 /// it needs one texture coordinate per vertex.
 struct MeshItem
@@ -87,7 +95,9 @@ struct MeshItem
     ItemMotion motion;                        ///< drawn so; the mesh itself stays as it is
     Material material;
     Paint paint = Paint::Material;
-    float tileSize = 1.0f; ///< m, for the checker's metres
+    float tileSize = 1.0f;                         ///< m, for the checker's metres
+    float opacity = 1.0f;                          ///< under 1: its nearest surface only, over all the rest
+    std::shared_ptr<const OutlinedFaces> outlined; ///< null: nothing of it
     glm::dmat4 world{1.0};
     glm::dmat4 inNode{1.0}; ///< part of world: how it stands in its node's own geometry
     double margin = 0.0;    ///< m, of arms: how far it stands away from the bones
@@ -96,14 +106,18 @@ struct MeshItem
     bool castsShadow = true;
     bool pickable = true; ///< false for the nodes that are locked
 };
+enum class OutlinedLines : std::uint8_t { None, Selected, All };
 struct LineItem
 {
     std::shared_ptr<const LineSet> lines;
     glm::dmat4 world{1.0};
     NodeId node = noNode;
-    bool throughSurfaces = false; ///< parts behind a surface shine through it faintly
+    bool throughSurfaces = false; ///< parts behind a surface shine through it
     bool pickable = false;        ///< its segments with a branch can be picked
     ItemMotion motion{};          ///< segments with a branch follow its bone
+    float hidden = 0.42f;         ///< opacity of the parts behind a surface
+    OutlinedLines outlined = OutlinedLines::None;
+    bool pointed = false; ///< of what is pointed at: it comes and goes with the highlights
 };
 struct PointItem
 {
@@ -112,6 +126,7 @@ struct PointItem
     NodeId node = noNode;
     bool throughSurfaces = false;
     ItemMotion motion{}; ///< marks with a branch follow its bone
+    float hidden = 0.42f;
 };
 
 /// A translucent copy of a mesh: no shadow, never picked, framed or exported.
@@ -132,6 +147,7 @@ struct Highlight
 {
     NodeId node = noNode;
     std::shared_ptr<const BranchStates> states;
+    bool whole = false; ///< of meshes without branches, too: the first state is theirs
 };
 
 struct RenderScene
@@ -149,8 +165,8 @@ struct RenderScene
 
     /// Recomputes the two boxes from the items.
     void updateBoxes();
-    /// Points of the scene (world) for Camera::frame, which then comes closer than the box allows: some
-    /// thousands, spread evenly over the blocks.
+    /// Points of the scene (world) for Camera::frame, which then comes closer than the box allows: of every
+    /// block the farthest in each direction, up to some thousands.
     [[nodiscard]] std::vector<glm::dvec3> framePoints() const;
 };
 

@@ -62,6 +62,7 @@ Renderer::Renderer(Gl& gl)
     , m_cache(gl)
     , m_shadowMap(gl)
     , m_smoothing(gl)
+    , m_outline(gl)
 {
 }
 
@@ -122,6 +123,15 @@ Expected<void> Renderer::compile()
         .and_then([&] {
             return add(m_ghost, {{"ghost.vert"}, nullptr, {"ghost.frag"}, ""});
         })
+        .and_then([&] {
+            return add(m_outlineRows, {{"world.vert"}, nullptr, {"outline_spread.frag"}, "#define ROWS\n"});
+        })
+        .and_then([&] {
+            return add(m_outlineColumns, {{"world.vert"}, nullptr, {"outline_spread.frag"}, ""});
+        })
+        .and_then([&] {
+            return add(m_outlineInk, {{"world.vert"}, nullptr, {"outline_ink.frag"}, ""});
+        })
         .map([&] {
             m_gl.glGenVertexArrays(1, &m_emptyArray);
             m_gl.glGenTextures(1, &m_noStates);
@@ -161,6 +171,9 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
     drawPoints(picture, true);
     drawLines(picture, false);
     drawPoints(picture, false);
+    drawFaded(picture);
+    if (options.outline)
+        drawOutline(picture, aside != 0 ? aside : framebuffer);
     m_cache.freeUnused();
     resetState();
     if (aside != 0) {
@@ -248,12 +261,12 @@ void Renderer::setLight(ShaderProgram& program, const Picture& picture)
     program.set("uShadowDepth", int(shadowDepthUnit));
 }
 
-void Renderer::setStates(ShaderProgram& program, const RenderScene& scene, NodeId node)
+void Renderer::setStates(ShaderProgram& program, const RenderScene& scene, NodeId node, bool hasBranches)
 {
     GLuint texture = m_noStates;
     int count = 0;
     for (const Highlight& highlight : scene.highlights) {
-        if (highlight.node == node && node != noNode) {
+        if (highlight.node == node && node != noNode && (hasBranches || highlight.whole)) {
             const GpuBlock& block = m_cache.states(highlight.states);
             texture = block.texture;
             count = block.count;
@@ -296,24 +309,28 @@ void Renderer::drawWorld(const Picture& picture)
     m_gl.glDepthFunc(GL_LEQUAL);
 }
 
+void Renderer::drawMeshDepth(const Picture& picture, const MeshItem& item)
+{
+    const GpuBlock& block = m_cache.mesh(item.mesh, item.motion.skin);
+    m_cache.bindBones(*m_shadow, item.motion);
+    m_shadow->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+    m_gl.glBindVertexArray(block.vertexArray);
+    m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
+}
+
 // Leaves cover each other many times over: with the depth known, only what is seen is shaded.
 void Renderer::drawDepth(const Picture& picture)
 {
     m_shadow->bind();
     m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    for (const MeshItem& item : picture.scene.meshes) {
-        const GpuBlock& block = m_cache.mesh(item.mesh, item.motion.skin);
-        m_cache.bindBones(*m_shadow, item.motion);
-        m_shadow->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
-        m_gl.glBindVertexArray(block.vertexArray);
-        m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
-    }
+    for (const MeshItem& item : picture.scene.meshes)
+        if (item.opacity >= 1.0f)
+            drawMeshDepth(picture, item);
     m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-void Renderer::drawMeshes(const Picture& picture)
+ShaderProgram& Renderer::beginMeshes(const Picture& picture, ShadingMode shading)
 {
-    const ShadingMode shading = picture.options.shading;
     ShaderProgram& program = shading == ShadingMode::Solid ? *m_mesh : *m_meshWire;
     program.bind();
     setLight(program, picture);
@@ -322,28 +339,93 @@ void Renderer::drawMeshes(const Picture& picture)
     program.set("uLineWidth", float(1.2 * picture.options.pixelRatio));
     program.set("uBackward",
                 glm::vec4(glm::vec3(picture.camera.backward()), picture.camera.orthographic ? 1.0f : 0.0f));
-    for (const MeshItem& item : picture.scene.meshes) {
-        const GpuBlock& block = m_cache.mesh(item.mesh, item.motion.skin);
-        m_cache.bindBones(program, item.motion);
-        const glm::dmat4 relative = picture.relative(item.world);
-        setStates(program, picture.scene, item.mesh->branch.empty() ? noNode : item.node);
-        program.set("uClip", glm::mat4(picture.projectedView * relative));
-        program.set("uRelative", glm::mat4(relative));
-        program.set("uNormal", glm::mat3(glm::inverseTranspose(glm::dmat3(item.world))));
-        program.set("uColour", srgb(item.material.colour));
-        const bool isLeaf = item.material.phong && item.material.twoSided;
-        program.set("uShininess", item.material.phong ? 26.0f : 0.0f);
-        program.set("uGlint", isLeaf ? 0.05f : 0.22f);
-        program.set("uThrough", isLeaf ? 0.5f : 0.0f);
-        program.set("uVariety", isLeaf && !item.mesh->branch.empty() ? 0.45f : 0.0f);
-        program.set("uTwoSided", item.material.twoSided);
-        program.set("uPaint", int(item.paint));
-        program.set("uTileSize", item.tileSize);
-        m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
-        m_gl.glBindVertexArray(block.vertexArray);
-        m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
-    }
+    return program;
+}
+
+void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const MeshItem& item)
+{
+    const GpuBlock& block = m_cache.mesh(item.mesh, item.motion.skin);
+    m_cache.bindBones(program, item.motion);
+    m_cache.bindColours(program, block);
+    const glm::dmat4 relative = picture.relative(item.world);
+    setStates(program, picture.scene, item.node, !item.mesh->branch.empty());
+    program.set("uClip", glm::mat4(picture.projectedView * relative));
+    program.set("uRelative", glm::mat4(relative));
+    program.set("uNormal", glm::mat3(glm::inverseTranspose(glm::dmat3(item.world))));
+    program.set("uColour", srgb(item.material.colour));
+    const bool isLeaf = item.material.phong && item.material.twoSided;
+    program.set("uShininess", item.material.phong ? 26.0f : 0.0f);
+    program.set("uGlint", isLeaf ? 0.05f : 0.22f);
+    program.set("uThrough", isLeaf ? 0.5f : 0.0f);
+    program.set("uVariety", isLeaf && !item.mesh->branch.empty() ? 0.45f : 0.0f);
+    program.set("uTwoSided", item.material.twoSided);
+    program.set("uPaint", int(item.paint));
+    program.set("uTileSize", item.tileSize);
+    program.set("uOpacity", item.opacity);
+    m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
+    m_gl.glBindVertexArray(block.vertexArray);
+    m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
     m_gl.glFrontFace(GL_CCW);
+}
+
+void Renderer::drawMeshes(const Picture& picture)
+{
+    ShaderProgram& program = beginMeshes(picture, picture.options.shading);
+    for (const MeshItem& item : picture.scene.meshes)
+        if (item.opacity >= 1.0f)
+            drawMesh(program, picture, item);
+}
+
+/// Over everything else, but only what is nearest of it: a hundred leaves hide no more than one.
+void Renderer::drawFaded(const Picture& picture)
+{
+    const auto isFaded = [](const MeshItem& item) { return item.opacity < 1.0f; };
+    if (std::ranges::none_of(picture.scene.meshes, isFaded))
+        return;
+    const bool wire = picture.options.shading == ShadingMode::Wire;
+    m_gl.glDepthFunc(GL_LEQUAL);
+    m_gl.glDepthMask(GL_TRUE);
+    m_shadow->bind();
+    m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (const MeshItem& item : picture.scene.meshes)
+        if (isFaded(item) && !wire)
+            drawMeshDepth(picture, item);
+    m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    ShaderProgram& program = beginMeshes(picture, wire ? ShadingMode::Wire : ShadingMode::Solid);
+    for (const MeshItem& item : picture.scene.meshes)
+        if (isFaded(item))
+            drawMesh(program, picture, item);
+}
+
+/// What is selected is masked as if nothing stood before it, and a line is drawn around the mask.
+void Renderer::drawOutline(const Picture& picture, GLuint target)
+{
+    const auto extent = outlineExtent(picture.scene, picture.camera, picture.viewport);
+    if (!extent || !m_outline.begin(*extent, picture.viewport, picture.options.pixelRatio))
+        return;
+    m_shadow->bind();
+    for (const MeshItem& item : picture.scene.meshes) {
+        if (!item.outlined)
+            continue;
+        const GpuBlock& block = m_cache.mesh(item.mesh, item.motion.skin);
+        m_cache.bindBones(*m_shadow, item.motion);
+        m_shadow->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+        m_gl.glBindVertexArray(block.vertexArray);
+        m_outline.mask(*item.outlined, block.count);
+    }
+    m_line->bind();
+    m_line->set("uViewport", m_outline.maskSize());
+    m_line->set("uPixelRatio", 1.0f);
+    m_line->set("uLift", 0.0f);
+    for (const LineItem& item : picture.scene.lines) {
+        if (item.outlined == OutlinedLines::None)
+            continue;
+        m_line->set("uOnlySelected", item.outlined == OutlinedLines::Selected);
+        drawLineItem(picture, item);
+    }
+    m_line->set("uOnlySelected", false);
+    m_gl.glBindVertexArray(m_emptyArray);
+    m_outline.end(target, {*m_outlineRows, *m_outlineColumns, *m_outlineInk});
 }
 
 /// Each hides its own inside, but nothing else: what stands behind it shines through.
@@ -381,19 +463,24 @@ void Renderer::drawLines(const Picture& picture, bool hidden)
     m_line->set("uViewport", picture.viewport);
     m_line->set("uPixelRatio", float(picture.options.pixelRatio));
     m_line->set("uLift", hidden ? 0.0f : picture.lift());
-    m_line->set("uOpacity", hidden ? 0.42f : 1.0f);
     m_gl.glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
     m_gl.glDepthMask(hidden ? GL_FALSE : GL_TRUE);
     for (const LineItem& item : picture.scene.lines) {
         if (hidden && !item.throughSurfaces)
             continue;
-        const GpuBlock& block = m_cache.lines(item.lines);
-        setStates(*m_line, picture.scene, item.node);
-        m_cache.bindBones(*m_line, item.motion);
-        m_line->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
-        m_gl.glBindVertexArray(block.vertexArray);
-        m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
+        m_line->set("uOpacity", hidden ? item.hidden : 1.0f);
+        drawLineItem(picture, item);
     }
+}
+
+void Renderer::drawLineItem(const Picture& picture, const LineItem& item)
+{
+    const GpuBlock& block = m_cache.lines(item.lines);
+    setStates(*m_line, picture.scene, item.node);
+    m_cache.bindBones(*m_line, item.motion);
+    m_line->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+    m_gl.glBindVertexArray(block.vertexArray);
+    m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
 }
 
 void Renderer::drawPoints(const Picture& picture, bool hidden)
@@ -402,12 +489,12 @@ void Renderer::drawPoints(const Picture& picture, bool hidden)
     m_point->set("uViewport", picture.viewport);
     m_point->set("uPixelRatio", float(picture.options.pixelRatio));
     m_point->set("uLift", hidden ? 0.0f : 1.5f * picture.lift());
-    m_point->set("uOpacity", hidden ? 0.42f : 1.0f);
     m_gl.glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
     m_gl.glDepthMask(hidden ? GL_FALSE : GL_TRUE);
     for (const PointItem& item : picture.scene.points) {
         if (hidden && !item.throughSurfaces)
             continue;
+        m_point->set("uOpacity", hidden ? item.hidden : 1.0f);
         const GpuBlock& block = m_cache.points(item.points);
         setStates(*m_point, picture.scene, item.node);
         m_cache.bindBones(*m_point, item.motion);
@@ -426,7 +513,8 @@ void Renderer::resetState()
     m_gl.glDepthFunc(GL_LESS);
     m_gl.glDisable(GL_DEPTH_TEST);
     m_gl.glDisable(GL_BLEND);
-    for (const GLenum unit : {shadowUnit, shadowDepthUnit, statesUnit, GpuCache::bonesUnit}) {
+    for (const GLenum unit :
+         {shadowUnit, shadowDepthUnit, statesUnit, GpuCache::bonesUnit, GpuCache::coloursUnit}) {
         m_gl.glActiveTexture(GL_TEXTURE0 + unit);
         m_gl.glBindTexture(GL_TEXTURE_2D, 0);
         m_gl.glBindSampler(unit, 0);

@@ -5,6 +5,7 @@
 
 #include "widgets/render/camera.h"
 #include "widgets/render/gpu_cache.h"
+#include "widgets/render/outline.h"
 #include "widgets/render/renderer_options.h"
 #include "widgets/render/shadow_map.h"
 #include "widgets/render/smoothing.h"
@@ -50,13 +51,19 @@ private:
     Expected<void> compile();
     void upload(const RenderScene& scene);
     void setLight(ShaderProgram& program, const Picture& picture);
-    void setStates(ShaderProgram& program, const RenderScene& scene, NodeId node);
+    void setStates(ShaderProgram& program, const RenderScene& scene, NodeId node, bool hasBranches = true);
     Picture arrange(const RenderScene& scene, const Camera& camera, QSize size, const RenderOptions& options);
     void castShadows(Picture& picture);
     void drawWorld(const Picture& picture);
     void drawDepth(const Picture& picture);
     void drawMeshes(const Picture& picture);
+    ShaderProgram& beginMeshes(const Picture& picture, ShadingMode shading);
+    void drawMesh(ShaderProgram& program, const Picture& picture, const MeshItem& item);
+    void drawMeshDepth(const Picture& picture, const MeshItem& item);
+    void drawFaded(const Picture& picture);
+    void drawOutline(const Picture& picture, GLuint target);
     void drawLines(const Picture& picture, bool hidden);
+    void drawLineItem(const Picture& picture, const LineItem& item);
     void drawPoints(const Picture& picture, bool hidden);
     void drawGhosts(const Picture& picture);
     void beginState(QSize size);
@@ -66,7 +73,9 @@ private:
     GpuCache m_cache;
     ShadowMap m_shadowMap;
     Smoothing m_smoothing;
+    Outline m_outline;
     std::unique_ptr<ShaderProgram> m_mesh, m_meshWire, m_shadow, m_world, m_line, m_point, m_smooth, m_ghost;
+    std::unique_ptr<ShaderProgram> m_outlineRows, m_outlineColumns, m_outlineInk;
     GLuint m_emptyArray = 0;
     GLuint m_noStates = 0; ///< a texture of one plain branch
     bool m_software = false;

@@ -13,6 +13,7 @@ struct RenderOptions
     bool grid = false;  ///< metric grid on the ground
     bool ground = true; ///< without: the sky alone, and what lies below the ground is seen
     bool shadows = true;
+    bool outline = true;     ///< around what is selected
     bool world = true;       ///< sky and ground; without: a transparent background
     int samples = 4;         ///< of multisampling, where the renderer owns the target; 0 = none
     bool smoothing = false;  ///< smooth the edges of the finished picture instead of multisampling

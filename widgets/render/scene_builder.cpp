@@ -9,6 +9,7 @@
 #include "widgets/render/ground_height.h"
 #include "widgets/render/isolated_parts.h"
 #include "widgets/render/line_art.h"
+#include "widgets/render/outline.h"
 #include "widgets/render/scene_part_cache.h"
 #include <algorithm>
 #include <numeric>
@@ -220,6 +221,8 @@ struct TreeItems
                                     asNumbers(view.branches),
                                     [&] { return branchCurves(tree.simplified->skeleton, view.branches); }),
                  true, false);
+        if (!scene.lines.empty())
+            scene.lines.back().outlined = OutlinedLines::All; // the thinnest twig has its line
     }
     void frames()
     {
@@ -326,33 +329,58 @@ struct ObjectItems
     }
 };
 
-/// Corners around the selected trees, where there is more than one to tell apart.
-void markSelectedNodes(RenderScene& built, const std::vector<NodeId>& shown, const SceneView& view)
+/// Faces of a tree's meshes that its outline is found from: most of the bark stands inside the crown.
+constexpr Index mostBark = 20'000, mostLeaves = 40'000;
+
+/// The selected nodes and all below them.
+std::vector<NodeId> outlinedNodes(const Scene& scene, const std::vector<NodeId>& selected)
 {
-    if (shown.size() < 2)
-        return;
-    for (const NodeId id : view.selectedNodes) {
-        Box box; // in the node's space
-        LineItem corners;
-        corners.node = id;
-        const auto add = [&](const Box& own, const glm::dmat4& world) {
-            box.add(own);
-            corners.world = world;
+    std::vector<NodeId> nodes;
+    for (const Node& node : scene.nodes()) {
+        const auto isIn = [&node](const std::vector<NodeId>& list, NodeId id) {
+            return std::ranges::find(list, id) != list.end();
         };
-        for (const MeshItem& item : built.meshes) {
-            if (item.node == id && !item.isMark)
-                add(item.box.transformed(item.inNode), item.world * glm::inverse(item.inNode));
-        }
-        for (const LineItem& item : built.lines) {
-            if (item.node == id)
-                add(item.lines->box, item.world);
-        }
-        if (box.empty())
-            continue;
-        corners.lines = std::make_shared<const LineSet>(boxCorners(box.grown(0.02 * box.radius())));
-        if (!corners.lines->segments.empty())
-            built.lines.push_back(std::move(corners));
+        if (isIn(selected, node.id) || (node.parent != noNode && isIn(nodes, node.parent)))
+            nodes.push_back(node.id); // parents stand before their children
     }
+    return nodes;
+}
+
+/// What the outline goes around: selected branches, else selected nodes.
+void outlineSelected(RenderScene& built, ScenePartCache& cache, const Scene& scene,
+                     const SceneBuilder::ResultOf& resultOf, const SceneView& view)
+{
+    const TreeResult* tree = view.branches.empty() ? nullptr : resultOf(view.branchNode);
+    const NodeId branchNode = tree && tree->simplified ? view.branchNode : noNode;
+    std::vector<NodeId> whole = outlinedNodes(scene, view.selectedNodes);
+    std::erase(whole, branchNode);
+    const auto isWhole = [&whole](NodeId id) { return std::ranges::find(whole, id) != whole.end(); };
+    for (MeshItem& item : built.meshes) {
+        if (item.isMark || item.node == noNode)
+            continue;
+        if (isWhole(item.node)) {
+            const Node* node = scene.find(item.node);
+            const bool isTree = node && node->kind == NodeKind::Tree;
+            const Index most = !isTree                                     ? 0
+                               : item.material.name == barkMaterial().name ? mostBark
+                                                                           : mostLeaves;
+            item.outlined = cache.get<OutlinedFaces>(ScenePart::Outlined, item.mesh, item.mesh, {}, [&] {
+                return outlinedWhole(*item.mesh, item.box, most);
+            });
+        } else if (item.node == branchNode && item.material.name == barkMaterial().name &&
+                   item.mesh->branch.size() == item.mesh->positions.size()) {
+            item.outlined = cache.get<OutlinedFaces>(
+                ScenePart::Outlined, item.mesh, tree->simplified, asNumbers(view.branches), [&] {
+                    return outlinedBranches(*item.mesh,
+                                            branchFlags(tree->simplified->skeleton.size(), view.branches));
+                });
+        }
+    }
+    for (LineItem& item : built.lines)
+        if (item.pickable || scene.isLocked(item.node))
+            item.outlined = isWhole(item.node)        ? OutlinedLines::All
+                            : item.node == branchNode ? OutlinedLines::Selected
+                                                      : item.outlined;
 }
 
 } // namespace
@@ -369,39 +397,58 @@ RenderScene SceneBuilder::build(const Scene& scene, const ResultOf& resultOf, co
 {
     m_cache->beginBuild();
     RenderScene built;
-    std::vector<NodeId> shown;
     const std::vector<NodePlace> places = placesAt(scene, view.timeSeconds);
     ObjectItems objects{*m_cache, built, view.timeSeconds, {}};
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Node& node = scene.nodes()[i];
         if (node.kind == NodeKind::Group || !scene.isShown(node.id))
             continue;
-        if (addArmOrRelief(built, *m_cache, node, places[i].geometry, view)) {
-            shown.push_back(node.id);
+        if (addArmOrRelief(built, *m_cache, node, places[i].geometry, view))
             continue;
-        }
         if (isObject(node.kind)) {
-            shown.push_back(node.id);
             objects.add(node, places[i].geometry);
             continue;
         }
         const TreeResult* tree = resultOf(node.id);
         if (!tree)
             continue;
-        shown.push_back(node.id);
         TreeItems{*m_cache, built, view, node, *tree, places[i].geometry}.all();
     }
     built.ground = m_ground->of(scene, built);
-    markSelectedNodes(built, shown, view);
+    outlineSelected(built, *m_cache, scene, resultOf, view);
     updateHighlights(built, resultOf, view);
     built.updateBoxes();
     m_cache->dropUnused();
     return built;
 }
 
+/// Where the branches that are pointed at are behind the leaves.
+static void addPointedCurves(RenderScene& built, const SceneBuilder::ResultOf& resultOf,
+                             const SceneView& view)
+{
+    std::erase_if(built.lines, [](const LineItem& item) { return item.pointed; });
+    const TreeResult* tree = view.hoverThrough ? resultOf(view.hoverNode) : nullptr;
+    if (!tree || !tree->simplified || view.hoverBranches.size() > mostCurves)
+        return;
+    const auto bark = std::ranges::find_if(built.meshes, [&view](const MeshItem& item) {
+        return item.node == view.hoverNode && !item.isMark && !item.mesh->branch.empty();
+    });
+    if (bark == built.meshes.end())
+        return;
+    LineItem line;
+    line.lines =
+        std::make_shared<const LineSet>(branchCurves(tree->simplified->skeleton, view.hoverBranches, true));
+    line.world = bark->world;
+    line.node = view.hoverNode;
+    line.throughSurfaces = line.pointed = true;
+    if (!line.lines->segments.empty())
+        built.lines.push_back(std::move(line));
+}
+
 void updateHighlights(RenderScene& built, const SceneBuilder::ResultOf& resultOf, const SceneView& view)
 {
     built.highlights.clear();
+    addPointedCurves(built, resultOf, view);
     const auto statesOf = [&resultOf](NodeId node) -> BranchStates {
         const TreeResult* tree = node == noNode ? nullptr : resultOf(node);
         return BranchStates(tree && tree->simplified ? tree->simplified->skeleton.size() : 0,
@@ -416,15 +463,28 @@ void updateHighlights(RenderScene& built, const SceneBuilder::ResultOf& resultOf
         if (branch < selected.size())
             selected[branch] = branch == view.activeBranch ? BranchState::Active : BranchState::Selected;
     }
-    if (view.hoverBranch != noIndex) {
+    const auto hover = [](BranchState& state) {
+        state = state == BranchState::Plain ? BranchState::Hovered : BranchState::HoveredSelected;
+    };
+    if (!view.hoverBranches.empty()) {
         const bool same = view.hoverNode == view.branchNode && !selected.empty();
         BranchStates hovered = same ? BranchStates() : statesOf(view.hoverNode);
         BranchStates& target = same ? selected : hovered;
-        if (view.hoverBranch < target.size()) {
-            BranchState& state = target[view.hoverBranch];
-            state = state == BranchState::Plain ? BranchState::Hovered : BranchState::HoveredSelected;
-        }
+        for (const Index branch : view.hoverBranches)
+            if (branch < target.size())
+                hover(target[branch]);
         add(view.hoverNode, std::move(hovered));
+    }
+    for (const NodeId node : view.hoverNodes) {
+        if (node == view.branchNode && !selected.empty()) {
+            std::ranges::for_each(selected, hover);
+            continue;
+        }
+        BranchStates hovered = statesOf(node);
+        const bool isTree = !hovered.empty();
+        hovered.assign(isTree ? hovered.size() : mostArmJoints + 1, BranchState::Hovered);
+        add(node, std::move(hovered));
+        built.highlights.back().whole = !isTree;
     }
     add(view.branchNode, std::move(selected));
 }
@@ -436,8 +496,10 @@ RenderScene sceneOfMesh(TriangleMesh mesh)
     RenderScene scene;
     MeshItem item;
     item.box = meshBox(mesh);
-    item.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
     item.material = barkMaterial();
+    if (!mesh.colours.empty())
+        item.material.colour = glm::u8vec3(255);
+    item.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
     scene.meshes.push_back(std::move(item));
     scene.updateBoxes();
     return scene;

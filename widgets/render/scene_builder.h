@@ -30,12 +30,14 @@ struct SceneView
     bool leaves = true;
     bool apples = true;
     FrameDisplay frames = FrameDisplay::None;
-    std::vector<NodeId> selectedNodes; ///< shown with a frame around them where there is more than one tree
+    std::vector<NodeId> selectedNodes; ///< shown with an outline, with all below them
     NodeId branchNode = noNode;        ///< the tree whose branches are selected
     std::vector<Index> branches;       ///< of its simplified skeleton
     Index activeBranch = noIndex;
     NodeId hoverNode = noNode;
-    Index hoverBranch = noIndex;
+    std::vector<Index> hoverBranches;
+    bool hoverThrough = false;      ///< a line shows them through leaves
+    std::vector<NodeId> hoverNodes; ///< as a whole
     InspectedSection inspected;
     double timeSeconds = 0.0;            ///< where tracks have moved nodes and parameters of objects to
     NodeId isolatedNode = noNode;        ///< the tree of which only some branches are shown

@@ -33,6 +33,7 @@ enum class ScenePart : std::uint8_t {
     ArmTarget,
     Relief,
     Object,
+    Outlined,
 };
 
 /// What a part was made from: two blocks and some numbers.

@@ -1,60 +1,97 @@
 #include "widgets/scene/branch_rows.h"
 
+#include <numeric>
+
 namespace ramure {
 
 BranchRows::BranchRows(std::shared_ptr<const SimplifiedSkeleton> skeleton)
     : m_skeleton(std::move(skeleton))
-    , m_leadsOn(this->skeleton().size(), false)
-    , m_above(this->skeleton().size(), noIndex)
-    , m_forks(this->skeleton().size(), 0)
-    , m_row(this->skeleton().size(), 0)
 {
     findAxes();
-    placeRows();
+    listBranches();
+    listAxes();
+    measure();
 }
 
 void BranchRows::findAxes()
 {
     const Skeleton& bones = skeleton();
+    m_axisOf.resize(bones.size());
+    m_place.assign(bones.size(), 0);
+    m_forks.assign(bones.size(), 0);
     std::vector<bool> ledOn(bones.size(), false);
     for (Index branch = 0; branch < bones.size(); ++branch) {
         const Index parent = bones.parent[branch];
-        if (parent == noIndex)
-            continue;
-        ++m_forks[parent];
+        if (parent != noIndex)
+            ++m_forks[parent];
         // Only one leads on, should a skeleton have several children of its parent's level.
-        if (!ledOn[parent] && bones.level[branch] == bones.level[parent]) {
+        if (parent != noIndex && !ledOn[parent] && bones.level[branch] == bones.level[parent]) {
             ledOn[parent] = true;
-            m_leadsOn[branch] = true;
-            m_above[branch] = m_above[parent];
+            m_axisOf[branch] = m_axisOf[parent];
+            m_place[branch] = m_place[parent] + 1;
         } else {
-            m_above[branch] = parent;
+            m_axisOf[branch] = axisCount();
+            m_above.push_back(parent == noIndex ? noIndex : m_axisOf[parent]);
+            m_order.push_back(parent == noIndex ? 0 : m_order[m_above.back()] + 1);
         }
     }
 }
 
-void BranchRows::placeRows()
+void BranchRows::listBranches()
 {
-    const Index count = skeleton().size();
-    m_below.first.assign(count + std::size_t{1}, 0);
-    for (const Index above : m_above) {
-        if (above != noIndex)
-            ++m_below.first[above + std::size_t{1}];
-    }
-    for (Index branch = 0; branch < count; ++branch)
-        m_below.first[branch + std::size_t{1}] += m_below.first[branch];
-    m_below.list.resize(m_below.first.back());
-    std::vector<Index> filled(count, 0);
-    for (Index branch = 0; branch < count; ++branch) {
-        const Index above = m_above[branch];
-        if (above == noIndex) {
-            m_row[branch] = static_cast<Index>(m_tops.size());
-            m_tops.push_back(branch);
+    m_branches.first.assign(axisCount() + std::size_t{1}, 0);
+    for (const Index axis : m_axisOf)
+        ++m_branches.first[axis + std::size_t{1}];
+    std::partial_sum(m_branches.first.begin(), m_branches.first.end(), m_branches.first.begin());
+    m_branches.list.resize(m_axisOf.size());
+    for (Index branch = 0; branch < m_axisOf.size(); ++branch)
+        m_branches.list[m_branches.first[m_axisOf[branch]] + m_place[branch]] = branch;
+}
+
+/// Axes in the order of the places that they spring from: those of one axis stand together then.
+void BranchRows::listAxes()
+{
+    const Skeleton& bones = skeleton();
+    const auto springsFrom = [&](Index axis) -> std::size_t {
+        const Index parent = bones.parent[foot(axis)];
+        return m_branches.first[m_axisOf[parent]] + m_place[parent];
+    };
+    std::vector<Index> first(bones.size() + std::size_t{1}, 0);
+    m_number.assign(axisCount(), 0);
+    for (Index axis = 0; axis < axisCount(); ++axis) {
+        if (m_above[axis] != noIndex) {
+            ++first[springsFrom(axis) + 1];
         } else {
-            m_row[branch] = filled[above]++;
-            m_below.list[m_below.first[above] + m_row[branch]] = branch;
+            m_number[axis] = static_cast<Index>(m_trunks.size());
+            m_trunks.push_back(axis);
         }
     }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    for (const Index begin : m_branches.first)
+        m_below.first.push_back(first[begin]);
+    m_below.list.resize(first.back());
+    for (Index axis = 0; axis < axisCount(); ++axis) {
+        if (m_above[axis] == noIndex)
+            continue;
+        const Index at = first[springsFrom(axis)]++;
+        m_below.list[at] = axis;
+        m_number[axis] = at - m_below.first[m_above[axis]];
+    }
+}
+
+void BranchRows::measure()
+{
+    const Skeleton& bones = skeleton();
+    m_reached.resize(bones.size());
+    for (Index branch = 0; branch < bones.size(); ++branch)
+        m_reached[branch] =
+            bones.length(branch) + (m_place[branch] == 0 ? 0.0 : m_reached[bones.parent[branch]]);
+}
+
+double BranchRows::along(Index axis) const
+{
+    const Index parent = skeleton().parent[foot(axis)];
+    return parent == noIndex ? 0.0 : m_reached[parent];
 }
 
 std::optional<Index> BranchRows::find(std::uint64_t key) const
@@ -76,6 +113,7 @@ bool BranchRows::sameShape(const Skeleton& other) const
 void BranchRows::refresh(std::shared_ptr<const SimplifiedSkeleton> skeleton)
 {
     m_skeleton = std::move(skeleton);
+    measure();
 }
 
 } // namespace ramure

@@ -1,9 +1,7 @@
 /// \file
-/// The branches of one tree as rows of the scene panel: who stands below whom, and at which row.
-///
-/// A branch and those that lead it on (of the same level of brackets) stand side by side, one below the
-/// other; below each stand the side branches that spring from its end. So a trunk of a hundred pieces is a
-/// list, not a staircase a hundred steps deep, and unfolding goes from trunk to bough to twig.
+/// The branches of one tree as axes: a branch and those that lead it on, from foot to tip, are a trunk, a
+/// limb, a bough or a twig. Axes spring from the axis below them, so a trunk of a hundred branches is one row
+/// of the scene panel, and unfolding goes from trunk to limb to twig.
 #pragma once
 
 #include "core/skeleton/simplify.h"
@@ -16,21 +14,33 @@ namespace ramure {
 class BranchRows
 {
 public:
-    /// Two passes over the skeleton: a few milliseconds for 100,000 branches. \p skeleton must not be null.
+    /// A few passes over the skeleton: milliseconds for 100,000 branches. \p skeleton must not be null.
     explicit BranchRows(std::shared_ptr<const SimplifiedSkeleton> skeleton);
 
     [[nodiscard]] const Skeleton& skeleton() const { return m_skeleton->skeleton; }
-    [[nodiscard]] const std::vector<Index>& tops() const { return m_tops; }
-    /// The row it stands below, noIndex at the top: the branch its axis springs from.
-    [[nodiscard]] Index above(Index branch) const { return m_above[branch]; }
-    /// Rows below a branch: side branches with what leads them on.
-    [[nodiscard]] Index rowCount(Index branch) const { return m_below.count(branch); }
-    [[nodiscard]] Index at(Index branch, Index row) const { return m_below.of(branch)[row]; }
-    /// Position below above().
-    [[nodiscard]] Index row(Index branch) const { return m_row[branch]; }
-    /// It leads on the row before it; otherwise it begins an axis.
-    [[nodiscard]] bool leadsOn(Index branch) const { return m_leadsOn[branch]; }
-    /// Branches that begin at its end, whether side branches or not.
+
+    // Axes are counted in the order of their first branches.
+    [[nodiscard]] Index axisCount() const { return static_cast<Index>(m_above.size()); }
+    [[nodiscard]] Index axisOf(Index branch) const { return m_axisOf[branch]; }
+    /// From foot to tip; at least one.
+    [[nodiscard]] std::span<const Index> branches(Index axis) const { return m_branches.of(axis); }
+    /// Position of a branch within its axis, from 0.
+    [[nodiscard]] Index place(Index branch) const { return m_place[branch]; }
+    /// The axis it springs from; noIndex for a trunk.
+    [[nodiscard]] Index above(Index axis) const { return m_above[axis]; }
+    /// The axes that spring from it, from its foot to its tip.
+    [[nodiscard]] std::span<const Index> below(Index axis) const { return m_below.of(axis); }
+    [[nodiscard]] const std::vector<Index>& trunks() const { return m_trunks; }
+    /// Position among those that spring from the same axis, or among the trunks, from 0.
+    [[nodiscard]] Index number(Index axis) const { return m_number[axis]; }
+    /// 0 for a trunk, 1 for what springs from it, and so on.
+    [[nodiscard]] Index order(Index axis) const { return m_order[axis]; }
+    /// m from the foot of the axis it springs from to where it springs; 0 for a trunk.
+    [[nodiscard]] double along(Index axis) const;
+    /// m along its branches.
+    [[nodiscard]] double length(Index axis) const { return m_reached[m_branches.of(axis).back()]; }
+
+    /// Branches that begin at the end of one, whether they lead it on or not.
     [[nodiscard]] Index forks(Index branch) const { return m_forks[branch]; }
     /// The branch with this key (Skeleton::key), where there is one.
     [[nodiscard]] std::optional<Index> find(std::uint64_t key) const;
@@ -41,15 +51,19 @@ public:
 
 private:
     void findAxes();
-    void placeRows();
+    void listBranches();
+    void listAxes();
+    void measure();
+    [[nodiscard]] Index foot(Index axis) const { return m_branches.list[m_branches.first[axis]]; }
 
     std::shared_ptr<const SimplifiedSkeleton> m_skeleton;
-    std::vector<bool> m_leadsOn;
-    std::vector<Index> m_above;
-    std::vector<Index> m_forks;
-    ChildLists m_below;
-    std::vector<Index> m_tops;
-    std::vector<Index> m_row;
+    // By branch.
+    std::vector<Index> m_axisOf, m_place, m_forks;
+    std::vector<double> m_reached; ///< m from the foot of its axis to its end
+    // By axis.
+    std::vector<Index> m_above, m_number, m_order;
+    ChildLists m_branches, m_below;
+    std::vector<Index> m_trunks;
     mutable std::unordered_map<std::uint64_t, Index> m_byKey; ///< filled at the first find()
 };
 

@@ -7,13 +7,35 @@
 namespace ramure {
 namespace {
 
-// Internal ids: a node's id, or with the highest bit set the node's id and a branch.
+// Internal ids: what a row stands for, in 2 bits, a node in 32 and an axis or a branch in 30.
 static_assert(sizeof(quintptr) == 8, "internal ids hold a node and a branch");
-constexpr quintptr branchBit = quintptr{1} << 63;
+constexpr int nodeShift = 30, kindShift = 62;
+constexpr quintptr indexMask = (quintptr{1} << nodeShift) - 1;
 
-quintptr branchId(NodeId node, Index branch)
+constexpr quintptr inverseOf(quintptr odd)
 {
-    return branchBit | (quintptr{node} << 32) | branch;
+    quintptr inverse = odd;
+    for (int i = 0; i < 5; ++i) // each round doubles the bits that are right
+        inverse *= 2 - odd * inverse;
+    return inverse;
+}
+// Qt finds the place of a persistent index in a hash table by the last bits of its id and row. Numbers that
+// follow each other would fill the table without a gap, and to take one out would need a walk through all of
+// them: a factor scatters them, its inverse brings them back.
+constexpr quintptr scatter = 0x1E3779B1, gather = inverseOf(scatter);
+static_assert(((scatter * gather) & indexMask) == 1);
+
+quintptr idOf(const SceneRow& row)
+{
+    const quintptr number = row.kind == SceneRow::Node ? row.node : row.index;
+    return (quintptr{row.kind} << kindShift) | (quintptr{row.node} << nodeShift) |
+           ((number * scatter) & indexMask);
+}
+
+/// The row of the single branches of an axis stands first.
+std::size_t rowsBefore(const BranchRows& rows, Index axis)
+{
+    return rows.branches(axis).size() > 1 ? 1 : 0;
 }
 
 } // namespace
@@ -29,19 +51,31 @@ SceneModel::SceneModel(Document* document, QObject* parent)
 
 SceneModel::~SceneModel() = default;
 
-NodeId SceneModel::nodeAt(const QModelIndex& index) const
+SceneRow SceneModel::rowAt(const QModelIndex& index)
 {
     if (!index.isValid())
-        return noNode;
-    return static_cast<NodeId>((index.internalId() & branchBit) ? (index.internalId() & ~branchBit) >> 32
-                                                                : index.internalId());
+        return {};
+    const quintptr id = index.internalId();
+    SceneRow row{static_cast<SceneRow::Kind>(id >> kindShift), static_cast<NodeId>(id >> nodeShift), noIndex};
+    if (row.kind != SceneRow::Node)
+        row.index = static_cast<Index>((id * gather) & indexMask);
+    return row;
 }
 
-Index SceneModel::branchAt(const QModelIndex& index) const
+NodeId SceneModel::nodeAt(const QModelIndex& index) const
 {
-    if (!index.isValid() || !(index.internalId() & branchBit))
-        return noIndex;
-    return static_cast<Index>(index.internalId() & 0xFFFFFFFFu);
+    return rowAt(index).node;
+}
+
+std::span<const Index> SceneModel::branchesAt(const QModelIndex& index) const
+{
+    const SceneRow row = rowAt(index);
+    if (row.kind == SceneRow::Node)
+        return {};
+    const BranchRows& rows = *item(row.node).branches;
+    if (row.kind != SceneRow::Branch)
+        return rows.branches(row.index);
+    return rows.branches(rows.axisOf(row.index)).subspan(rows.place(row.index), 1);
 }
 
 int SceneModel::rowOf(NodeId node) const
@@ -58,7 +92,28 @@ QModelIndex SceneModel::nodeIndex(NodeId node, int column) const
 {
     if (node == noNode || !m_items.contains(node))
         return {};
-    return createIndex(rowOf(node), column, quintptr{node});
+    return createIndex(rowOf(node), column, idOf({SceneRow::Node, node, noIndex}));
+}
+
+/// \p row stands for something below a tree whose branches are there.
+QModelIndex SceneModel::rowIndex(const SceneRow& row, int column) const
+{
+    const Item& tree = item(row.node);
+    std::size_t at = 0;
+    if (row.kind == SceneRow::Branch)
+        at = tree.branches->place(row.index);
+    else if (row.kind == SceneRow::Axis) {
+        const Index above = tree.branches->above(row.index);
+        at = tree.branches->number(row.index) +
+             (above == noIndex ? tree.children.size() : rowsBefore(*tree.branches, above));
+    }
+    return createIndex(static_cast<int>(at), column, idOf(row));
+}
+
+QModelIndex SceneModel::axisIndex(NodeId node, Index axis, int column)
+{
+    const BranchRows* rows = fetchBranches(node);
+    return rows && axis < rows->axisCount() ? rowIndex({SceneRow::Axis, node, axis}, column) : QModelIndex();
 }
 
 QModelIndex SceneModel::branchIndex(NodeId node, Index branch, int column)
@@ -66,10 +121,10 @@ QModelIndex SceneModel::branchIndex(NodeId node, Index branch, int column)
     const BranchRows* rows = fetchBranches(node);
     if (!rows || branch >= rows->skeleton().size())
         return {};
-    int row = static_cast<int>(rows->row(branch));
-    if (rows->above(branch) == noIndex)
-        row += static_cast<int>(item(node).children.size());
-    return createIndex(row, column, branchId(node, branch));
+    const Index axis = rows->axisOf(branch);
+    const bool alone = rows->branches(axis).size() == 1;
+    return rowIndex(alone ? SceneRow{SceneRow::Axis, node, axis} : SceneRow{SceneRow::Branch, node, branch},
+                    column);
 }
 
 const BranchRows* SceneModel::fetchBranches(NodeId node)
@@ -92,45 +147,74 @@ QModelIndex SceneModel::index(int row, int column, const QModelIndex& parent) co
 {
     if (!hasIndex(row, column, parent))
         return {};
-    const NodeId node = nodeAt(parent);
-    const Index above = branchAt(parent);
+    const SceneRow above = rowAt(parent);
+    const Item& tree = item(above.node);
     const auto at = static_cast<std::size_t>(row);
-    if (above != noIndex)
-        return createIndex(row, column,
-                           branchId(node, item(node).branches->at(above, static_cast<Index>(row))));
-    const auto& children = item(node).children;
-    if (at < children.size())
-        return createIndex(row, column, quintptr{children[at]});
-    return createIndex(row, column, branchId(node, item(node).branches->tops()[at - children.size()]));
+    SceneRow found{SceneRow::Axis, above.node, noIndex};
+    if (above.kind == SceneRow::Node && at < tree.children.size()) {
+        found = {SceneRow::Node, tree.children[at], noIndex};
+    } else if (above.kind == SceneRow::Node) {
+        found.index = tree.branches->trunks()[at - tree.children.size()];
+    } else if (above.kind == SceneRow::Branches) {
+        found = {SceneRow::Branch, above.node, tree.branches->branches(above.index)[at]};
+    } else if (const std::size_t before = rowsBefore(*tree.branches, above.index); at < before) {
+        found = {SceneRow::Branches, above.node, above.index};
+    } else {
+        found.index = tree.branches->below(above.index)[at - before];
+    }
+    return createIndex(row, column, idOf(found));
 }
 
 QModelIndex SceneModel::parent(const QModelIndex& index) const
 {
-    const NodeId node = nodeAt(index);
-    if (node == noNode)
+    const SceneRow row = rowAt(index);
+    if (row.node == noNode)
         return {};
-    const Index branch = branchAt(index);
-    if (branch == noIndex)
-        return nodeIndex(item(node).parent);
-    const BranchRows& rows = *item(node).branches;
-    const Index above = rows.above(branch);
-    if (above == noIndex)
-        return nodeIndex(node);
-    int row = static_cast<int>(rows.row(above));
-    if (rows.above(above) == noIndex)
-        row += static_cast<int>(item(node).children.size());
-    return createIndex(row, 0, branchId(node, above));
+    const Item& tree = item(row.node);
+    switch (row.kind) {
+    case SceneRow::Node:
+        return nodeIndex(tree.parent);
+    case SceneRow::Axis:
+        if (const Index above = tree.branches->above(row.index); above != noIndex)
+            return rowIndex({SceneRow::Axis, row.node, above}, 0);
+        return nodeIndex(row.node);
+    case SceneRow::Branches:
+        return rowIndex({SceneRow::Axis, row.node, row.index}, 0);
+    case SceneRow::Branch:
+        return rowIndex({SceneRow::Branches, row.node, tree.branches->axisOf(row.index)}, 0);
+    }
+    return {};
+}
+
+std::size_t SceneModel::countBelow(const SceneRow& row) const
+{
+    const Item& tree = item(row.node);
+    switch (row.kind) {
+    case SceneRow::Node:
+        return tree.children.size() + (tree.branches ? tree.branches->trunks().size() : 0);
+    case SceneRow::Axis:
+        return rowsBefore(*tree.branches, row.index) + tree.branches->below(row.index).size();
+    case SceneRow::Branches:
+        return tree.branches->branches(row.index).size();
+    case SceneRow::Branch:
+        break;
+    }
+    return 0;
 }
 
 int SceneModel::rowCount(const QModelIndex& parent) const
 {
-    if (parent.column() > 0)
-        return 0;
-    const Item& above = item(nodeAt(parent));
-    const Index branch = branchAt(parent);
-    if (branch != noIndex)
-        return static_cast<int>(above.branches->rowCount(branch));
-    return static_cast<int>(above.children.size() + (above.branches ? above.branches->tops().size() : 0));
+    return parent.column() > 0 ? 0 : static_cast<int>(countBelow(rowAt(parent)));
+}
+
+/// Trunks count before anybody has fetched them.
+std::size_t SceneModel::countToTell(const SceneRow& row) const
+{
+    std::size_t count = countBelow(row);
+    if (row.kind == SceneRow::Node && !item(row.node).branches)
+        if (const auto skeleton = skeletonOf(row.node))
+            count += static_cast<std::size_t>(std::ranges::count(skeleton->skeleton.parent, noIndex));
+    return count;
 }
 
 int SceneModel::columnCount(const QModelIndex&) const
@@ -145,7 +229,7 @@ bool SceneModel::hasChildren(const QModelIndex& parent) const
 
 bool SceneModel::canFetchMore(const QModelIndex& parent) const
 {
-    if (!parent.isValid() || parent.column() > 0 || branchAt(parent) != noIndex)
+    if (!parent.isValid() || parent.column() > 0 || rowAt(parent).kind != SceneRow::Node)
         return false;
     const Node* node = m_document->scene().find(nodeAt(parent));
     return node && node->kind == NodeKind::Tree && !item(node->id).fetched;
@@ -191,8 +275,8 @@ void SceneModel::replaceBranches(NodeId node, const std::shared_ptr<const Simpli
     Item& tree = m_items.at(node);
     const int first = static_cast<int>(tree.children.size());
     const QModelIndex parent = nodeIndex(node);
-    if (tree.branches && !tree.branches->tops().empty()) {
-        beginRemoveRows(parent, first, first + static_cast<int>(tree.branches->tops().size()) - 1);
+    if (tree.branches && !tree.branches->trunks().empty()) {
+        beginRemoveRows(parent, first, first + static_cast<int>(tree.branches->trunks().size()) - 1);
         tree.branches.reset();
         endRemoveRows();
     }
@@ -200,7 +284,7 @@ void SceneModel::replaceBranches(NodeId node, const std::shared_ptr<const Simpli
     if (!skeleton || skeleton->skeleton.empty())
         return;
     auto rows = std::make_unique<BranchRows>(skeleton);
-    beginInsertRows(parent, first, first + static_cast<int>(rows->tops().size()) - 1);
+    beginInsertRows(parent, first, first + static_cast<int>(rows->trunks().size()) - 1);
     tree.branches = std::move(rows);
     endInsertRows();
     emit branchesReplaced(node);
@@ -212,8 +296,11 @@ void SceneModel::follow(const Change& change)
         rebuild();
         return;
     }
-    if (change.has(changeStructure))
+    if (change.has(changeStructure)) {
         syncStructure();
+        for (const Node& node : m_document->scene().nodes())
+            tellCount(node.id);
+    }
     if (change.has(changeNodeState | changeParams)) {
         for (const NodeId node : change.nodes) {
             if (m_items.contains(node) && node != noNode)
@@ -223,18 +310,17 @@ void SceneModel::follow(const Change& change)
     if (change.has(changeResults)) {
         for (const NodeId node : change.nodes) {
             syncBranches(node);
-            tellBranchCount(node);
+            tellCount(node);
         }
     }
 }
 
-void SceneModel::tellBranchCount(NodeId node)
+void SceneModel::tellCount(NodeId node)
 {
     const auto found = m_items.find(node);
     if (found == m_items.end() || node == noNode)
         return;
-    const auto skeleton = skeletonOf(node);
-    const Index count = skeleton ? skeleton->skeleton.size() : 0;
+    const std::size_t count = countToTell({SceneRow::Node, node, noIndex});
     if (std::exchange(found->second.toldCount, count) != count)
         emit dataChanged(nodeIndex(node, ChildrenColumn), nodeIndex(node, ChildrenColumn));
 }

@@ -1,19 +1,36 @@
 /// \file
-/// The scene as a tree for item views: nodes, and below a tree node its branches, fetched on demand.
+/// The scene as a tree for item views: nodes; below a tree node its trunks, fetched on demand; below each
+/// axis (trunk, limb, bough, twig: see branch_rows.h) the axes that spring from it. An axis of several
+/// branches has them in a row of its own, above the others.
 ///
-/// An index carries no pointer: its internal id names a node, or a node and a branch. The model keeps its own
-/// copy of the hierarchy, compares it with the document after each change and tells views only of the rows
-/// that differ.
+/// An index carries no pointer: its internal id names a node, or a node with an axis or a branch. The model
+/// keeps its own copy of the hierarchy, compares it with the document after each change and tells views only
+/// of the rows that differ.
 #pragma once
 
 #include "core/document/document.h"
-#include "widgets/scene/branch_rows.h"
+#include "widgets/scene/branch_names.h"
 #include <QAbstractItemModel>
 #include <functional>
 #include <map>
 #include <memory>
 
 namespace ramure {
+
+/// What a row of the scene model stands for.
+struct SceneRow
+{
+    enum Kind {
+        Node,
+        Axis,
+        Branches, ///< the row above the single branches of an axis
+        Branch,   ///< one of several of an axis
+    };
+    Kind kind = Node;
+    NodeId node = noNode;
+    Index index = noIndex; ///< of the axis or the branch
+    bool operator==(const SceneRow&) const = default;
+};
 
 class SceneModel : public QAbstractItemModel
 {
@@ -38,18 +55,19 @@ public:
 
     /// noNode for the invalid index.
     [[nodiscard]] NodeId nodeAt(const QModelIndex& index) const;
-    /// noIndex where the row is a node.
-    [[nodiscard]] Index branchAt(const QModelIndex& index) const;
+    [[nodiscard]] static SceneRow rowAt(const QModelIndex& index);
+    /// The branches that a row stands for, from foot to tip; none where it is a node.
+    [[nodiscard]] std::span<const Index> branchesAt(const QModelIndex& index) const;
     [[nodiscard]] QModelIndex nodeIndex(NodeId node, int column = NameColumn) const;
-    /// Fetches the branches of the tree where they are not there yet; invalid where there is no such branch.
+    // These fetch the branches of the tree where they are not there yet; invalid where there is no such
+    // thing.
+    [[nodiscard]] QModelIndex axisIndex(NodeId node, Index axis, int column = NameColumn);
+    /// The row of the axis where that has no other branch.
     [[nodiscard]] QModelIndex branchIndex(NodeId node, Index branch, int column = NameColumn);
     /// Null until the branches were fetched.
     [[nodiscard]] const BranchRows* branches(NodeId node) const;
     /// Fetches them where they are not there yet; null where the node has none.
     const BranchRows* fetchBranches(NodeId node);
-    /// What a branch is called.
-    [[nodiscard]] static QString branchName(Index branch);
-
     [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
     [[nodiscard]] QModelIndex parent(const QModelIndex& index) const override;
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -76,6 +94,8 @@ public:
     /// rotation and scale and so go with their new parent.
     void setDropKeepsWorld(bool keeps) { m_dropKeepsWorld = keeps; }
     void retranslate();
+    /// In the interface's language.
+    [[nodiscard]] const BranchNames& names() const { return m_names; }
 
 signals:
     /// An edit was refused; the error's text in the interface's language.
@@ -90,12 +110,12 @@ private:
         std::vector<NodeId> children;
         std::unique_ptr<BranchRows> branches;
         bool fetched = false;        ///< somebody asked for the branches
-        Index toldCount = 0;         ///< of branches, when views were told last
+        std::size_t toldCount = 0;   ///< of the rows below, when views were told last
         mutable std::size_t row = 0; ///< among its siblings, when it was asked for last
     };
 
     void follow(const Change& change);
-    void tellBranchCount(NodeId node);
+    void tellCount(NodeId node);
     void rebuild();
     void syncStructure();
     void removeGone(NodeId parent);
@@ -107,16 +127,24 @@ private:
     void replaceBranches(NodeId node, const std::shared_ptr<const SimplifiedSkeleton>& skeleton);
     [[nodiscard]] std::shared_ptr<const SimplifiedSkeleton> skeletonOf(NodeId node) const;
     [[nodiscard]] int rowOf(NodeId node) const;
+    [[nodiscard]] QModelIndex rowIndex(const SceneRow& row, int column) const;
+    [[nodiscard]] std::size_t countBelow(const SceneRow& row) const;
+    [[nodiscard]] std::size_t countToTell(const SceneRow& row) const;
     [[nodiscard]] const Item& item(NodeId node) const { return m_items.at(node); }
     /// Of the name, %1 stands for it.
     [[nodiscard]] static QString toolTipOf(NodeKind kind);
     [[nodiscard]] QVariant nodeData(const Node& node, int column, int role) const;
+    [[nodiscard]] QVariant axisData(const BranchRows& rows, Index axis, int column, int role) const;
     [[nodiscard]] QVariant branchData(const BranchRows& rows, Index branch, int column, int role) const;
+    [[nodiscard]] QVariant branchesData(const BranchRows& rows, Index axis, int column, int role) const;
+    [[nodiscard]] QString branchCount(NodeId node) const;
+    [[nodiscard]] static QString numberInReports(Index branch);
     bool report(const Expected<void>& done);
 
     Document* m_document;
     std::function<double()> m_time;
     bool m_dropKeepsWorld = true;
+    BranchNames m_names;
     std::map<NodeId, Item> m_items; ///< noNode is the invisible root
 };
 

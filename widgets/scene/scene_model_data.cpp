@@ -36,14 +36,22 @@ QVariant SceneModel::data(const QModelIndex& index, int role) const
     if (!index.isValid())
         return {};
     if (role == isSwitchRole)
-        return branchAt(index) == noIndex &&
+        return rowAt(index).kind == SceneRow::Node &&
                (index.column() == VisibleColumn || index.column() == LockedColumn);
     if (role == Qt::TextAlignmentRole && index.column() >= LengthColumn)
         return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
-    const Index branch = branchAt(index);
-    if (branch != noIndex)
-        return branchData(*item(nodeAt(index)).branches, branch, index.column(), role);
-    const Node* node = m_document->scene().find(nodeAt(index));
+    const SceneRow row = rowAt(index);
+    if (role == Qt::DisplayRole && index.column() == ChildrenColumn) {
+        const std::size_t count = countToTell(row);
+        return count == 0 ? QString() : QLocale().toString(qulonglong(count));
+    }
+    if (row.kind == SceneRow::Branch)
+        return branchData(*item(row.node).branches, row.index, index.column(), role);
+    if (row.kind == SceneRow::Branches)
+        return branchesData(*item(row.node).branches, row.index, index.column(), role);
+    if (row.kind == SceneRow::Axis)
+        return axisData(*item(row.node).branches, row.index, index.column(), role);
+    const Node* node = m_document->scene().find(row.node);
     return node ? nodeData(*node, index.column(), role) : QVariant();
 }
 
@@ -95,7 +103,7 @@ QVariant SceneModel::nodeData(const Node& node, int column, int role) const
         if (role == Qt::DecorationRole)
             return icon(iconOf(node.kind));
         if (role == Qt::ToolTipRole)
-            return toolTipOf(node.kind).arg(QString::fromStdString(node.name));
+            return toolTipOf(node.kind).arg(QString::fromStdString(node.name)) + branchCount(node.id);
         break;
     case VisibleColumn:
         if (role == Qt::DecorationRole)
@@ -113,40 +121,77 @@ QVariant SceneModel::nodeData(const Node& node, int column, int role) const
         if (role == Qt::EditRole)
             return node.locked;
         break;
-    case ChildrenColumn:
-        // Of a tree: how many branches it has in all.
-        if (role == Qt::DisplayRole && node.kind == NodeKind::Tree) {
-            if (const auto skeleton = skeletonOf(node.id))
-                return QLocale().toString(skeleton->skeleton.size());
-        }
-        break;
     default:
         break;
     }
     return {};
 }
 
-QString SceneModel::branchName(Index branch)
+/// A line for the tool tip of a tree; nothing of what has no branches.
+QString SceneModel::branchCount(NodeId node) const
 {
-    return tr("Branch %1").arg(branch);
+    const auto skeleton = skeletonOf(node);
+    return skeleton
+               ? u'\n' + tr("%Ln branch(es) in all", nullptr, static_cast<int>(skeleton->skeleton.size()))
+               : QString();
+}
+
+QString SceneModel::numberInReports(Index branch)
+{
+    return tr("Branch %1 in reports and files").arg(branch);
+}
+
+QVariant SceneModel::axisData(const BranchRows& rows, Index axis, int column, int role) const
+{
+    const Index foot = rows.branches(axis).front();
+    if (column == NameColumn && role == Qt::DecorationRole)
+        return icon("branch");
+    if (column == NameColumn && role == Qt::ToolTipRole)
+        return rows.branches(axis).size() > 1 ? m_names.way(rows, axis)
+                                              : m_names.way(rows, axis) + u'\n' + numberInReports(foot);
+    if (role != Qt::DisplayRole)
+        return {};
+    switch (column) {
+    case NameColumn:
+        return m_names.axis(rows, axis);
+    case LengthColumn:
+        return metres(rows.length(axis));
+    case RadiusColumn:
+        return metres(rows.skeleton().a0[foot]);
+    case LevelColumn:
+        return QLocale().toString(rows.skeleton().level[foot]);
+    default:
+        return {};
+    }
+}
+
+QVariant SceneModel::branchesData(const BranchRows& rows, Index axis, int column, int role) const
+{
+    if (column == NameColumn && role == Qt::DisplayRole)
+        return tr("%Ln branch(es)", nullptr, static_cast<int>(rows.branches(axis).size()));
+    if (column == NameColumn && role == Qt::ToolTipRole)
+        return tr("The branches of %1 one by one, from foot to tip").arg(m_names.axis(rows, axis));
+    if (column == NameColumn && role == Qt::DecorationRole)
+        return icon("branch-on");
+    return {};
 }
 
 QVariant SceneModel::branchData(const BranchRows& rows, Index branch, int column, int role) const
 {
     const Skeleton& bones = rows.skeleton();
     if (column == NameColumn && role == Qt::DecorationRole)
-        return icon(rows.leadsOn(branch) ? "branch-on" : "branch");
+        return icon("branch-on");
+    if (column == NameColumn && role == Qt::ToolTipRole)
+        return m_names.branch(rows, branch) + u'\n' + numberInReports(branch);
     if (role != Qt::DisplayRole)
         return {};
     switch (column) {
     case NameColumn:
-        return branchName(branch);
+        return m_names.part(rows, branch);
     case LengthColumn:
         return metres(bones.length(branch));
     case RadiusColumn:
         return metres(bones.a0[branch]);
-    case ChildrenColumn:
-        return QLocale().toString(rows.forks(branch));
     case LevelColumn:
         return QLocale().toString(bones.level[branch]);
     default:
@@ -187,7 +232,8 @@ QVariant SceneModel::headerData(int section, Qt::Orientation orientation, int ro
         case RadiusColumn:
             return tr("Radius at the lower end, in metres");
         case ChildrenColumn:
-            return tr("Branches that begin at its end; of a tree: all its branches");
+            return tr("Rows below it; of a single branch that was searched for: the branches that begin at "
+                      "its end");
         case LevelColumn:
             return tr("Depth of brackets: 0 is the trunk");
         default:
@@ -202,10 +248,9 @@ Qt::ItemFlags SceneModel::flags(const QModelIndex& index) const
     if (!index.isValid())
         return Qt::ItemIsDropEnabled; // the top level
     Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
-    if (branchAt(index) != noIndex)
-        return flags;
-    const Node* node = m_document->scene().find(nodeAt(index));
-    if (!node)
+    const SceneRow row = rowAt(index);
+    const Node* node = m_document->scene().find(row.node);
+    if (row.kind != SceneRow::Node || !node)
         return flags;
     flags |= Qt::ItemIsDropEnabled;
     if (!node->locked)
@@ -217,9 +262,9 @@ Qt::ItemFlags SceneModel::flags(const QModelIndex& index) const
 
 bool SceneModel::setData(const QModelIndex& index, const QVariant& value, int role)
 {
-    if (role != Qt::EditRole || branchAt(index) != noIndex || nodeAt(index) == noNode)
+    const auto [kind, node, none] = rowAt(index);
+    if (role != Qt::EditRole || kind != SceneRow::Node || node == noNode)
         return false;
-    const NodeId node = nodeAt(index);
     switch (index.column()) {
     case NameColumn:
         return report(edit::setNodeName(*m_document, node, value.toString().trimmed()));
@@ -242,7 +287,7 @@ QMimeData* SceneModel::mimeData(const QModelIndexList& indexes) const
     QByteArray bytes;
     QDataStream stream(&bytes, QIODevice::WriteOnly);
     for (const QModelIndex& index : indexes) {
-        if (index.column() == NameColumn && branchAt(index) == noIndex)
+        if (index.column() == NameColumn && rowAt(index).kind == SceneRow::Node)
             stream << nodeAt(index);
     }
     if (bytes.isEmpty())
@@ -255,7 +300,7 @@ QMimeData* SceneModel::mimeData(const QModelIndexList& indexes) const
 bool SceneModel::canDropMimeData(const QMimeData* data, Qt::DropAction action, int, int,
                                  const QModelIndex& parent) const
 {
-    if (action != Qt::MoveAction || !data->hasFormat(nodesMime) || branchAt(parent) != noIndex)
+    if (action != Qt::MoveAction || !data->hasFormat(nodesMime) || rowAt(parent).kind != SceneRow::Node)
         return false;
     const NodeId target = nodeAt(parent);
     return std::ranges::none_of(nodesOf(data), [&](NodeId node) {
@@ -298,6 +343,7 @@ bool SceneModel::dropMimeData(const QMimeData* data, Qt::DropAction action, int 
 
 void SceneModel::retranslate()
 {
+    m_names = BranchNames();
     emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
     if (rowCount() > 0)
         emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));

@@ -7,7 +7,6 @@
 #include "widgets/scene/scene_tree.h"
 #include "widgets/scene/select_actions.h"
 #include "widgets/support/core_text.h"
-#include "widgets/support/preferences.h"
 #include "widgets/support/targets.h"
 #include "widgets/theme/icons.h"
 #include <QEvent>
@@ -24,14 +23,6 @@ namespace {
 /// From so many ranges on the old selection is dropped before the new one comes: comparing them, which Qt
 /// does to tell what differs, takes the product of both.
 constexpr int manyRanges = 64;
-
-/// Of a column in the settings.
-QString columnKey(SceneModel::Column column)
-{
-    constexpr const char* keys[SceneModel::columns] = {"name",   "visible",  "locked", "length",
-                                                       "radius", "children", "level"};
-    return QString::fromLatin1(keys[column]);
-}
 
 } // namespace
 
@@ -94,8 +85,9 @@ ScenePanel::ScenePanel(Document* document, Preferences* preferences, QWidget* pa
         m_results->setQuery(query);
     });
     connect(m_search, &SceneSearch::selectAllRequested, this, &ScenePanel::selectResults);
-    connect(m_search, &SceneSearch::leftDownwards, this,
-            [this] { presentView()->setFocus(Qt::OtherFocusReason); });
+    connect(m_search, &SceneSearch::leftDownwards, this, &ScenePanel::enterList);
+    // What is selected and not listed goes, too.
+    connect(m_list, &SceneTree::nothingClicked, this, [this] { m_document->setSelection({}); });
     retranslate();
     showSelection();
 }
@@ -114,6 +106,11 @@ void ScenePanel::prepareView(SceneTree* view, const char* name)
             takeSelection();
     });
     connect(view, &SceneTree::stateClicked, this, &ScenePanel::toggleState);
+    connect(view, &SceneTree::pointed, this, [this](const QModelIndex& index) {
+        const QModelIndex row = toScene(index);
+        const auto branches = m_model->branchesAt(row);
+        emit pointedAt(m_model->nodeAt(row), {branches.begin(), branches.end()});
+    });
     connect(view, &SceneTree::frameRequested, this, &ScenePanel::frameRequested);
     connect(view, &QWidget::customContextMenuRequested, this, &ScenePanel::showMenu);
     connect(view->header(), &QWidget::customContextMenuRequested, this, &ScenePanel::showHeaderMenu);
@@ -150,9 +147,15 @@ QModelIndex ScenePanel::nodeRow(NodeId node) const
     return isSearching() ? m_results->nodeIndex(node) : m_model->nodeIndex(node);
 }
 
-QModelIndex ScenePanel::branchRow(NodeId node, Index branch) const
+/// \param whole all of its axis is selected: the row of the axis stands for it.
+QModelIndex ScenePanel::branchRow(NodeId node, Index branch, bool whole) const
 {
-    return isSearching() ? m_results->branchIndex(node, branch) : m_model->branchIndex(node, branch);
+    if (isSearching())
+        return whole || m_results->listsBranches() ? m_results->branchIndex(node, branch) : QModelIndex();
+    const BranchRows* rows = m_model->fetchBranches(node);
+    if (!rows || branch >= rows->skeleton().size())
+        return {};
+    return whole ? m_model->axisIndex(node, rows->axisOf(branch)) : m_model->branchIndex(node, branch);
 }
 
 Selection ScenePanel::viewSelection() const
@@ -162,18 +165,18 @@ Selection ScenePanel::viewSelection() const
     const QModelIndex current = chosen->currentIndex().siblingAtColumn(0);
     const auto note = [&](const QModelIndex& index) {
         const NodeId node = m_model->nodeAt(index);
-        const Index branch = m_model->branchAt(index);
-        if (branch == noIndex) {
+        const std::span<const Index> branches = m_model->branchesAt(index);
+        if (branches.empty()) {
             selection.nodes.push_back(node);
         } else if (selection.branchNode == noNode || selection.branchNode == node) {
             selection.branchNode = node;
-            selection.branches.push_back(branch);
+            selection.branches.insert(selection.branches.end(), branches.begin(), branches.end());
         }
     };
     // The tree of the active row first: branches of one tree only can be selected.
     const bool currentChosen = current.isValid() && chosen->isSelected(current);
     const QModelIndex active = toScene(current);
-    if (currentChosen && m_model->branchAt(active) != noIndex)
+    if (currentChosen && !m_model->branchesAt(active).empty())
         selection.branchNode = m_model->nodeAt(active);
     // Range by range: whole rows are selected, and selectedRows() would look through all ranges for each row.
     for (const QItemSelectionRange& range : chosen->selection()) {
@@ -185,10 +188,12 @@ Selection ScenePanel::viewSelection() const
     }
     if (currentChosen) {
         note(active);
-        if (m_model->branchAt(active) != noIndex)
-            selection.activeBranch = m_model->branchAt(active);
+        if (const auto branches = m_model->branchesAt(active); !branches.empty())
+            selection.activeBranch = branches.front();
     }
+    // An axis may be selected beside one of its branches.
     std::ranges::sort(selection.branches);
+    selection.branches.erase(std::ranges::unique(selection.branches).begin(), selection.branches.end());
     if (selection.activeBranch == noIndex && !selection.branches.empty())
         selection.activeBranch = selection.branches.back();
     return selection;
@@ -249,16 +254,16 @@ QItemSelection ScenePanel::documentSelection() const
         }
         add(first, last);
     }
-    std::vector<QModelIndex> rows;
-    rows.reserve(wanted.branches.size());
-    for (const Index branch : wanted.branches)
-        rows.push_back(branchRow(wanted.branchNode, branch));
+    std::vector<QModelIndex> rows = selectedBranchRows();
     // Neighbours become one range: thousands of branches are a few hundred of them.
     const auto above = [this](const QModelIndex& index) {
-        const BranchRows* tree = isSearching() ? nullptr : m_model->branches(m_model->nodeAt(index));
-        return tree ? tree->above(m_model->branchAt(index)) : noIndex;
+        const SceneRow row = SceneModel::rowAt(index);
+        const BranchRows* tree = isSearching() ? nullptr : m_model->branches(row.node);
+        if (!tree)
+            return std::pair(SceneRow::Node, noIndex);
+        return row.kind == SceneRow::Axis ? std::pair(row.kind, tree->above(row.index))
+                                          : std::pair(row.kind, tree->axisOf(row.index));
     };
-    std::erase_if(rows, [](const QModelIndex& index) { return !index.isValid(); });
     std::ranges::sort(rows, {},
                       [&](const QModelIndex& index) { return std::pair(above(index), index.row()); });
     for (std::size_t first = 0, last = 0; first < rows.size(); first = last + 1) {
@@ -271,22 +276,90 @@ QItemSelection ScenePanel::documentSelection() const
     return selection;
 }
 
+bool ScenePanel::isWhole(const BranchRows& rows, Index axis) const
+{
+    return std::ranges::all_of(rows.branches(axis), [this](Index branch) {
+        return std::ranges::binary_search(m_document->selection().branches, branch);
+    });
+}
+
+std::vector<QModelIndex> ScenePanel::selectedBranchRows() const
+{
+    const Selection& wanted = m_document->selection();
+    std::vector<QModelIndex> found;
+    const BranchRows* rows = wanted.branches.empty() ? nullptr : m_model->fetchBranches(wanted.branchNode);
+    if (!rows)
+        return found;
+    std::vector<bool> whole(rows->axisCount(), false);
+    for (const Index branch : wanted.branches) {
+        if (branch >= rows->skeleton().size())
+            break;
+        const Index axis = rows->axisOf(branch);
+        const bool first = rows->place(branch) == 0; // ascending: it comes before the others of its axis
+        if (first)
+            whole[axis] = isWhole(*rows, axis);
+        if (whole[axis] && !first && !(isSearching() && m_results->listsBranches()))
+            continue;
+        if (const QModelIndex row = branchRow(wanted.branchNode, branch, whole[axis]); row.isValid())
+            found.push_back(row);
+    }
+    return found;
+}
+
+QModelIndex ScenePanel::activeRow() const
+{
+    const Selection& wanted = m_document->selection();
+    const BranchRows* rows =
+        wanted.activeBranch == noIndex ? nullptr : m_model->fetchBranches(wanted.branchNode);
+    if (!rows || wanted.activeBranch >= rows->skeleton().size())
+        return nodeRow(wanted.activeNode());
+    return branchRow(wanted.branchNode, wanted.activeBranch,
+                     isWhole(*rows, rows->axisOf(wanted.activeBranch)));
+}
+
 /// As far as the view has rows for it.
 bool ScenePanel::isSelectionShown() const
 {
-    const Selection shown = viewSelection();
+    Selection shown = viewSelection();
     Selection wanted = m_document->selection();
+    // Any branch of an axis may be the active one.
+    const auto current = m_model->branchesAt(toScene(presentView()->selectionModel()->currentIndex()));
+    if (!current.empty() && current.front() == shown.activeBranch &&
+        std::ranges::count(current, wanted.activeBranch) > 0)
+        shown.activeBranch = wanted.activeBranch;
     if (isSearching()) {
-        std::erase_if(wanted.nodes, [this](NodeId node) { return !m_results->nodeIndex(node).isValid(); });
-        std::erase_if(wanted.branches, [&](Index branch) {
-            return !m_results->branchIndex(wanted.branchNode, branch).isValid();
-        });
-        if (wanted.branches.empty())
-            wanted.branchNode = noNode;
-        if (std::ranges::count(wanted.branches, wanted.activeBranch) == 0)
+        wanted = listed(std::move(wanted));
+        if (wanted.activeBranch == noIndex)
             wanted.activeBranch = shown.activeBranch;
     }
     return shown == wanted;
+}
+
+/// What of it the search has found.
+Selection ScenePanel::listed(Selection selection) const
+{
+    std::erase_if(selection.nodes, [this](NodeId node) { return !m_results->nodeIndex(node).isValid(); });
+    std::erase_if(selection.branches, [&](Index branch) {
+        return !m_results->branchIndex(selection.branchNode, branch).isValid();
+    });
+    if (selection.branches.empty())
+        selection.branchNode = noNode;
+    if (std::ranges::count(selection.branches, selection.activeBranch) == 0)
+        selection.activeBranch = noIndex;
+    return selection;
+}
+
+/// From the search to its results: from there on commands act on what is seen, at first on the first row.
+void ScenePanel::enterList()
+{
+    if (isSearching()) {
+        Selection seen = listed(m_document->selection());
+        const bool none = seen == Selection();
+        m_document->setSelection(std::move(seen));
+        if (none && m_results->rowCount() > 0)
+            m_list->setCurrentIndex(m_results->index(0, 0));
+    }
+    presentView()->setFocus(Qt::OtherFocusReason);
 }
 
 void ScenePanel::showSelection()
@@ -294,7 +367,6 @@ void ScenePanel::showSelection()
     if (m_syncing || isSelectionShown())
         return;
     m_syncing = true;
-    const Selection& wanted = m_document->selection();
     SceneTree* view = presentView();
     const QItemSelection ranges = documentSelection();
     if (std::max(ranges.size(), view->selectionModel()->selection().size()) > manyRanges) {
@@ -302,9 +374,7 @@ void ScenePanel::showSelection()
         view->viewport()->update();
     }
     view->selectionModel()->select(ranges, QItemSelectionModel::ClearAndSelect);
-    const QModelIndex active = wanted.activeBranch != noIndex
-                                   ? branchRow(wanted.branchNode, wanted.activeBranch)
-                                   : nodeRow(wanted.activeNode());
+    const QModelIndex active = activeRow();
     if (active.isValid()) {
         view->selectionModel()->setCurrentIndex(active, QItemSelectionModel::NoUpdate);
         view->scrollTo(active);
@@ -312,10 +382,25 @@ void ScenePanel::showSelection()
     m_syncing = false;
 }
 
+void ScenePanel::showPointed(NodeId node, Index branch)
+{
+    QModelIndex row = nodeRow(node);
+    // Nothing is fetched nor unfolded for it.
+    if (isSearching() && branch != noIndex && m_results->branchIndex(node, branch).isValid())
+        row = m_results->branchIndex(node, branch);
+    else if (!isSearching() && branch != noIndex && m_model->branches(node))
+        row = m_model->branchIndex(node, branch);
+    for (QModelIndex above = row.parent(); above.isValid(); above = above.parent()) {
+        if (!presentView()->isExpanded(above))
+            row = above;
+    }
+    presentView()->setPointed(row);
+}
+
 void ScenePanel::showResults()
 {
     m_stack->setCurrentWidget(presentView());
-    m_search->showCounts(m_results->nodeCount(), m_results->branchCount());
+    m_search->showCounts(m_results->nodeCount(), m_results->branchCount(), m_results->listsBranches());
     showSelection();
 }
 
@@ -335,8 +420,9 @@ void ScenePanel::toggleState(const QModelIndex& index)
 {
     const bool lock = index.column() == SceneModel::LockedColumn;
     const NodeId clicked = m_model->nodeAt(toScene(index));
-    // A row of the selection speaks for all of it.
-    std::vector<NodeId> nodes = m_document->selection().nodes;
+    // A row of the selection speaks for all of it that is seen.
+    std::vector<NodeId> nodes =
+        isSearching() ? listed(m_document->selection()).nodes : m_document->selection().nodes;
     if (std::ranges::count(nodes, clicked) == 0)
         nodes = {clicked};
     const bool value = !index.data(Qt::EditRole).toBool();
@@ -348,12 +434,11 @@ void ScenePanel::toggleState(const QModelIndex& index)
 
 void ScenePanel::noteExpanded(const QModelIndex& index, bool expanded)
 {
-    const Index branch = m_model->branchAt(index);
-    const NodeId node = m_model->nodeAt(index);
-    const BranchRows* rows = m_model->branches(node);
-    if (branch == noIndex || !rows)
+    const SceneRow row = SceneModel::rowAt(index);
+    const auto branches = m_model->branchesAt(index);
+    if (branches.empty())
         return;
-    const std::pair key{node, rows->skeleton().key[branch]};
+    const Unfolded key{row.node, m_model->branches(row.node)->skeleton().key[branches.front()], row.kind};
     if (expanded)
         m_expanded.insert(key);
     else
@@ -365,11 +450,17 @@ void ScenePanel::restoreExpanded(NodeId node)
     const BranchRows* rows = m_model->branches(node);
     if (!rows)
         return;
-    const auto from = m_expanded.lower_bound({node, 0});
-    const auto to = m_expanded.upper_bound({node, ~std::uint64_t{0}});
-    for (const auto& [id, key] : std::vector(from, to)) {
-        if (const auto branch = rows->find(key))
-            m_view->expand(m_model->branchIndex(id, *branch));
+    const auto from = m_expanded.lower_bound({node, 0, SceneRow::Node});
+    const auto to = m_expanded.upper_bound({node, ~std::uint64_t{0}, SceneRow::Branch});
+    for (const auto& [id, key, kind] : std::vector(from, to)) {
+        const auto foot = rows->find(key);
+        if (!foot || rows->place(*foot) > 0)
+            continue;
+        const QModelIndex axis = m_model->axisIndex(id, rows->axisOf(*foot));
+        if (kind == SceneRow::Axis)
+            m_view->expand(axis);
+        else if (rows->branches(rows->axisOf(*foot)).size() > 1)
+            m_view->expand(m_model->index(0, 0, axis));
     }
 }
 
@@ -394,6 +485,8 @@ void ScenePanel::focusSearch()
 
 void ScenePanel::showMenu(const QPoint& position)
 {
+    if (isSearching())
+        m_document->setSelection(listed(m_document->selection()));
     QMenu menu(this);
     const QIcon frameIcon = icon("frame-selection");
     QAction* frame = menu.addAction(frameIcon, tr("Frame in the view"), this, &ScenePanel::frameRequested);
@@ -416,50 +509,6 @@ void ScenePanel::showMenu(const QPoint& position)
     menu.addSeparator();
     fillColumnMenu(menu.addMenu(tr("Columns"))); // the headings are beyond the keyboard's reach
     menu.exec(presentView()->viewport()->mapToGlobal(position));
-}
-
-void ScenePanel::showColumns()
-{
-    // In a narrow panel names matter most; the rest is a right click on the header away.
-    const QStringList usual{columnKey(SceneModel::VisibleColumn), columnKey(SceneModel::LockedColumn),
-                            columnKey(SceneModel::LengthColumn), columnKey(SceneModel::ChildrenColumn)};
-    const QStringList shown = m_preferences->sceneColumns().value_or(usual);
-    for (int column = SceneModel::VisibleColumn; column < SceneModel::columns; ++column) {
-        const bool hidden = !shown.contains(columnKey(static_cast<SceneModel::Column>(column)));
-        m_view->setColumnHidden(column, hidden);
-        m_list->setColumnHidden(column, hidden);
-    }
-}
-
-void ScenePanel::chooseColumn(SceneModel::Column column, bool on)
-{
-    QStringList shown;
-    for (int each = SceneModel::VisibleColumn; each < SceneModel::columns; ++each)
-        if (each == column ? on : !m_view->isColumnHidden(each))
-            shown += columnKey(static_cast<SceneModel::Column>(each));
-    m_preferences->setSceneColumns(shown);
-    showColumns();
-}
-
-void ScenePanel::fillColumnMenu(QMenu* menu)
-{
-    for (int column = SceneModel::VisibleColumn; column < SceneModel::columns; ++column) {
-        QString name = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-        if (name.isEmpty())
-            name = m_model->headerData(column, Qt::Horizontal, Qt::AccessibleTextRole).toString();
-        QAction* action = menu->addAction(name);
-        action->setCheckable(true);
-        action->setChecked(!m_view->isColumnHidden(column));
-        connect(action, &QAction::toggled, this,
-                [this, column](bool on) { chooseColumn(static_cast<SceneModel::Column>(column), on); });
-    }
-}
-
-void ScenePanel::showHeaderMenu(const QPoint& position)
-{
-    QMenu menu(this);
-    fillColumnMenu(&menu);
-    menu.exec(presentView()->header()->mapToGlobal(position));
 }
 
 void ScenePanel::changeEvent(QEvent* event)

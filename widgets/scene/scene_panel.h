@@ -6,6 +6,7 @@
 #include "widgets/scene/scene_model.h"
 #include <QWidget>
 #include <set>
+#include <tuple>
 
 class QItemSelection;
 class QMenu;
@@ -46,8 +47,13 @@ public slots:
     /// Starts editing the name of the active node.
     void renameActive();
     void focusSearch();
+    /// Tints the row of a branch, or the one that it is folded away in; of noNode none.
+    void showPointed(ramure::NodeId node, ramure::Index branch);
 
 signals:
+    /// The row under the mouse: a node and what branches the row stands for, none of a node's; noNode where
+    /// there is no row.
+    void pointedAt(ramure::NodeId node, const std::vector<ramure::Index>& branches);
     /// For the status bar: why an edit was refused.
     void messageRaised(const QString& text);
     /// The selection should be brought into the middle of the view.
@@ -65,10 +71,15 @@ private:
     [[nodiscard]] SceneTree* presentView() const { return isSearching() ? m_list : m_view; }
     [[nodiscard]] QModelIndex toScene(const QModelIndex& index) const;
     [[nodiscard]] QModelIndex nodeRow(NodeId node) const;
-    [[nodiscard]] QModelIndex branchRow(NodeId node, Index branch) const;
+    [[nodiscard]] QModelIndex branchRow(NodeId node, Index branch, bool whole) const;
+    [[nodiscard]] bool isWhole(const BranchRows& rows, Index axis) const;
+    [[nodiscard]] std::vector<QModelIndex> selectedBranchRows() const;
+    [[nodiscard]] QModelIndex activeRow() const;
     [[nodiscard]] Selection viewSelection() const;
     [[nodiscard]] bool isSelectionShown() const;
     void addUnlisted(Selection& chosen) const;
+    [[nodiscard]] Selection listed(Selection selection) const;
+    void enterList();
     [[nodiscard]] QItemSelection documentSelection() const;
     void selectResults();
     void showResults();
@@ -93,8 +104,10 @@ private:
     const SelectActions* m_selects = nullptr;
     bool m_syncing = false;
     bool m_searching = false;
-    /// Unfolded branches by node and key: they stay unfolded when the tree is computed anew.
-    std::set<std::pair<NodeId, std::uint64_t>> m_expanded;
+    /// Of axes and the rows of their branches, by node and key of the first: they stay unfolded when the tree
+    /// is computed anew.
+    using Unfolded = std::tuple<NodeId, std::uint64_t, SceneRow::Kind>;
+    std::set<Unfolded> m_expanded;
 };
 
 } // namespace ramure

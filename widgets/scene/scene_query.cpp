@@ -20,6 +20,7 @@ constexpr QuantityWord quantityWords[] = {
     {BranchQuantity::Radius, QT_TRANSLATE_NOOP("SceneQuery", "radius")},
     {BranchQuantity::Level, QT_TRANSLATE_NOOP("SceneQuery", "level")},
     {BranchQuantity::Children, QT_TRANSLATE_NOOP("SceneQuery", "children")},
+    {BranchQuantity::Number, QT_TRANSLATE_NOOP("SceneQuery", "number")},
 };
 constexpr const char* terminalWord = QT_TRANSLATE_NOOP("SceneQuery", "terminal");
 
@@ -124,6 +125,9 @@ bool SceneQuery::Condition::holds(const BranchRows& rows, Index branch) const
     case BranchQuantity::Children:
         have = rows.forks(branch);
         break;
+    case BranchQuantity::Number:
+        have = branch;
+        break;
     }
     switch (comparison) {
     case Comparison::Less:
@@ -153,16 +157,22 @@ bool SceneQuery::matchesNode(const QString& name) const
     return !isEmpty() && m_conditions.empty() && hasWords(name);
 }
 
-std::vector<Index> SceneQuery::matches(const BranchRows& rows,
-                                       const std::function<QString(Index)>& name) const
+std::vector<Index> SceneQuery::matches(const BranchRows& rows, const BranchNames& names) const
 {
     std::vector<Index> found;
     if (isEmpty())
         return found;
+    if (!findsBranches()) {
+        for (Index axis = 0; axis < rows.axisCount(); ++axis) {
+            if (hasWords(names.axis(rows, axis)))
+                found.push_back(axis);
+        }
+        return found;
+    }
     for (Index branch = 0; branch < rows.skeleton().size(); ++branch) {
         const bool fits = std::ranges::all_of(
             m_conditions, [&](const Condition& condition) { return condition.holds(rows, branch); });
-        if (fits && (m_words.isEmpty() || hasWords(name(branch))))
+        if (fits && (m_words.isEmpty() || hasWords(names.branch(rows, branch))))
             found.push_back(branch);
     }
     return found;

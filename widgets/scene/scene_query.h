@@ -3,26 +3,31 @@
 ///
 ///     query      = { word | condition }                all must hold
 ///     condition  = quantity comparison number [ unit ] | "terminal"
-///     quantity   = "length" | "radius" | "level" | "children", or its name in the interface's language,
-///                  or the beginning of either
+///     quantity   = "length" | "radius" | "level" | "children" | "number", or its name in the interface's
+///                  language, or the beginning of either
 ///     comparison = "<" | "<=" | "=" | "!=" | ">=" | ">"
 ///
-/// Words are parts of names, in any case. A query with a condition asks about branches only: nodes have none
-/// of these quantities. Lengths are in metres where no unit stands ("5 mm"); the point and the comma are
-/// decimal signs.
+/// Words are parts of names, in any case: of nodes, and of axes (trunk, limb 3). A query with a condition
+/// asks about single branches only: nodes have none of these quantities. Lengths are in metres where no unit
+/// stands ("5 mm"); the point and the comma are decimal signs.
 #pragma once
 
 #include "core/base/error.h"
 #include "core/scene/scene.h"
-#include "widgets/scene/branch_rows.h"
+#include "widgets/scene/branch_names.h"
 #include <QString>
 #include <QStringList>
-#include <functional>
 #include <vector>
 
 namespace ramure {
 
-enum class BranchQuantity { Length, Radius, Level, Children };
+enum class BranchQuantity {
+    Length,
+    Radius,
+    Level,
+    Children, ///< branches that begin at its end
+    Number,   ///< its index, as reports and files count
+};
 
 /// The names of the quantities and of "terminal" in the interface's language, for the query and its help.
 QString quantityName(BranchQuantity quantity);
@@ -36,9 +41,10 @@ public:
 
     [[nodiscard]] bool isEmpty() const { return m_words.isEmpty() && m_conditions.empty(); }
     [[nodiscard]] bool matchesNode(const QString& name) const;
-    /// Ascending. \p name gives the name that the interface has for a branch; asked for only where words ask.
-    [[nodiscard]] std::vector<Index> matches(const BranchRows& rows,
-                                             const std::function<QString(Index)>& name) const;
+    /// With a condition it finds branches, otherwise axes.
+    [[nodiscard]] bool findsBranches() const { return !m_conditions.empty(); }
+    /// Of one tree, ascending.
+    [[nodiscard]] std::vector<Index> matches(const BranchRows& rows, const BranchNames& names) const;
 
 private:
     enum class Comparison { Less, LessEqual, Equal, NotEqual, GreaterEqual, Greater };

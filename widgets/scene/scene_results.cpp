@@ -1,6 +1,7 @@
 #include "widgets/scene/scene_results.h"
 
 #include "widgets/scene/scene_model.h"
+#include <QLocale>
 #include <algorithm>
 
 namespace ramure {
@@ -41,16 +42,17 @@ void SceneResults::search()
         const BranchRows* branches = m_query.isEmpty() ? nullptr : m_scene->fetchBranches(node.id);
         if (!branches)
             continue;
-        Found found{node.id, rows, m_query.matches(*branches, &SceneModel::branchName)};
-        if (found.branches.empty())
+        Found found{node.id, rows, m_query.matches(*branches, m_scene->names())};
+        if (found.list.empty())
             continue;
-        rows += static_cast<int>(found.branches.size());
+        rows += static_cast<int>(found.list.size());
         trees.push_back(std::move(found));
     }
     beginResetModel();
     m_nodes = std::move(nodes);
     m_trees = std::move(trees);
     m_rows = rows;
+    m_listsBranches = m_query.findsBranches();
     endResetModel();
 }
 
@@ -64,8 +66,16 @@ Selection SceneResults::everything(NodeId preferred) const
     if (tree == m_trees.end())
         tree = m_trees.begin();
     selection.branchNode = tree->node;
-    selection.branches = tree->branches;
-    selection.activeBranch = tree->branches.back();
+    selection.branches = tree->list;
+    if (!listsBranches()) {
+        const BranchRows& rows = *m_scene->branches(tree->node);
+        selection.branches.clear();
+        for (const Index axis : tree->list)
+            selection.branches.insert(selection.branches.end(), rows.branches(axis).begin(),
+                                      rows.branches(axis).end());
+        std::ranges::sort(selection.branches);
+    }
+    selection.activeBranch = selection.branches.back();
     return selection;
 }
 
@@ -75,10 +85,15 @@ QModelIndex SceneResults::toScene(const QModelIndex& index) const
         return {};
     if (index.row() < nodeCount())
         return m_scene->nodeIndex(m_nodes[static_cast<std::size_t>(index.row())], index.column());
-    const auto after = std::ranges::upper_bound(m_trees, index.row(), {}, &Found::first);
-    const Found& tree = *std::prev(after);
-    return m_scene->branchIndex(tree.node, tree.branches[static_cast<std::size_t>(index.row() - tree.first)],
-                                index.column());
+    const Found& tree = treeAt(index.row());
+    const Index found = tree.list[static_cast<std::size_t>(index.row() - tree.first)];
+    return listsBranches() ? m_scene->branchIndex(tree.node, found, index.column())
+                           : m_scene->axisIndex(tree.node, found, index.column());
+}
+
+const SceneResults::Found& SceneResults::treeAt(int row) const
+{
+    return *std::prev(std::ranges::upper_bound(m_trees, row, {}, &Found::first));
 }
 
 QModelIndex SceneResults::nodeIndex(NodeId node) const
@@ -90,12 +105,14 @@ QModelIndex SceneResults::nodeIndex(NodeId node) const
 QModelIndex SceneResults::branchIndex(NodeId node, Index branch) const
 {
     const auto tree = std::ranges::find(m_trees, node, &Found::node);
-    if (tree == m_trees.end())
+    const BranchRows* rows = tree == m_trees.end() ? nullptr : m_scene->branches(node);
+    if (!rows || branch >= rows->skeleton().size())
         return {};
-    const auto found = std::ranges::lower_bound(tree->branches, branch);
-    if (found == tree->branches.end() || *found != branch)
+    const Index wanted = listsBranches() ? branch : rows->axisOf(branch);
+    const auto found = std::ranges::lower_bound(tree->list, wanted);
+    if (found == tree->list.end() || *found != wanted)
         return {};
-    return index(tree->first + static_cast<int>(found - tree->branches.begin()), 0);
+    return index(tree->first + static_cast<int>(found - tree->list.begin()), 0);
 }
 
 int SceneResults::rowCount(const QModelIndex& parent) const
@@ -111,6 +128,15 @@ int SceneResults::columnCount(const QModelIndex& parent) const
 QVariant SceneResults::data(const QModelIndex& index, int role) const
 {
     const QModelIndex there = toScene(index);
+    // A branch stands alone here: without its axis above it, and with nothing below.
+    if (role == Qt::DisplayRole && listsBranches() && index.row() >= nodeCount() && there.isValid()) {
+        const BranchRows& rows = *m_scene->branches(m_scene->nodeAt(there));
+        const Index branch = m_scene->branchesAt(there).front();
+        if (index.column() == SceneModel::NameColumn)
+            return m_scene->names().branch(rows, branch);
+        if (index.column() == SceneModel::ChildrenColumn)
+            return QLocale().toString(rows.forks(branch));
+    }
     return there.isValid() ? m_scene->data(there, role) : QVariant();
 }
 

@@ -23,7 +23,9 @@ public:
     /// Searches, and again after each change of the scene, until the query is empty.
     void setQuery(const SceneQuery& query);
     [[nodiscard]] int nodeCount() const { return static_cast<int>(m_nodes.size()); }
+    /// Axes or branches, as the query says.
     [[nodiscard]] int branchCount() const { return rowCount() - nodeCount(); }
+    [[nodiscard]] bool listsBranches() const { return m_listsBranches; }
     /// All that was found: the nodes, and the branches of one tree (\p preferred, where it has some, else the
     /// first that has), because branches of one tree can be selected.
     [[nodiscard]] Selection everything(NodeId preferred) const;
@@ -32,6 +34,7 @@ public:
     [[nodiscard]] QModelIndex toScene(const QModelIndex& index) const;
     /// Invalid where the search did not find it.
     [[nodiscard]] QModelIndex nodeIndex(NodeId node) const;
+    /// The row that has the branch, perhaps with others of its axis.
     [[nodiscard]] QModelIndex branchIndex(NodeId node, Index branch) const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -46,12 +49,13 @@ private:
     struct Found
     {
         NodeId node = noNode;
-        int first = 0; ///< row of its first branch
-        std::vector<Index> branches;
+        int first = 0;           ///< row of the first
+        std::vector<Index> list; ///< branches or axes
     };
 
     void follow(const Change& change);
     void search();
+    [[nodiscard]] const Found& treeAt(int row) const;
 
     Document* m_document;
     SceneModel* m_scene;
@@ -59,6 +63,7 @@ private:
     std::vector<NodeId> m_nodes;
     std::vector<Found> m_trees; ///< in the scene's order; none is empty
     int m_rows = 0;
+    bool m_listsBranches = false; ///< and not axes
 };
 
 } // namespace ramure

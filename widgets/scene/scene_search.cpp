@@ -59,8 +59,9 @@ void SceneSearch::ask()
     showBelow();
 }
 
-void SceneSearch::showCounts(int nodes, int branches)
+void SceneSearch::showCounts(int nodes, int branches, bool single)
 {
+    m_single = single;
     m_nodes = nodes;
     m_branches = branches;
     showBelow();
@@ -83,7 +84,8 @@ void SceneSearch::showBelow()
     if (m_nodes > 0)
         found += tr("%n node(s)", nullptr, m_nodes);
     if (m_branches > 0)
-        found += tr("%Ln branch(es)", nullptr, m_branches);
+        found += m_single ? tr("%Ln branch(es)", nullptr, m_branches)
+                          : tr("%Ln limb(s) or twig(s)", nullptr, m_branches);
     m_label->setText(found.isEmpty() ? tr("Nothing found") : found.join(QStringLiteral(", ")));
 }
 
@@ -119,7 +121,8 @@ void SceneSearch::retranslate()
     const QLocale locale;
     const QString length = quantityName(BranchQuantity::Length),
                   radius = quantityName(BranchQuantity::Radius), level = quantityName(BranchQuantity::Level),
-                  children = quantityName(BranchQuantity::Children);
+                  children = quantityName(BranchQuantity::Children),
+                  number = quantityName(BranchQuantity::Number);
     m_field->setPlaceholderText(
         tr("Search: name, %1 > %2, %3").arg(length, locale.toString(0.3), terminalName()));
     m_field->setAccessibleName(tr("Search the scene"));
@@ -128,12 +131,14 @@ void SceneSearch::retranslate()
             .arg(text.toHtmlEscaped(), meaning.toHtmlEscaped());
     };
     m_field->setToolTip(
-        QStringLiteral("<table>") + example(tr("oak"), tr("nodes and branches whose name has this")) +
+        QStringLiteral("<table>") + example(tr("oak"), tr("nodes whose name has this")) +
+        example(tr("limb 3"), tr("limbs, boughs and twigs of that name")) +
         example(QStringLiteral("%1 > %2").arg(length, locale.toString(0.3)),
                 tr("branches longer than that, in metres")) +
         example(QStringLiteral("%1 < 5 mm").arg(radius), tr("thinner at the lower end; mm, cm, m, in, ft")) +
         example(QStringLiteral("%1 = 2").arg(level), tr("of this depth of brackets; 0 is the trunk")) +
         example(QStringLiteral("%1 >= 3").arg(children), tr("with so many branches at the end")) +
+        example(QStringLiteral("%1 = 12").arg(number), tr("the branch of that number in reports and files")) +
         example(terminalName(), tr("with none at the end")) + QStringLiteral("</table><p>") +
         tr("Several must all hold: %1. Enter selects everything found.")
             .arg(QStringLiteral("<b>%1 = 3 %2 > %3</b>").arg(level, length, locale.toString(0.1))) +

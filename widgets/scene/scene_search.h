@@ -20,7 +20,8 @@ public:
 
     [[nodiscard]] QLineEdit* field() const { return m_field; }
     void clear();
-    void showCounts(int nodes, int branches);
+    /// \param single branches one by one; otherwise axes.
+    void showCounts(int nodes, int branches, bool single);
 
 signals:
     /// Another question; an empty one ends the search. Not while what is typed is no question.
@@ -45,6 +46,7 @@ private:
     QString m_problem;
     int m_nodes = 0;
     int m_branches = 0;
+    bool m_single = false;
 };
 
 } // namespace ramure

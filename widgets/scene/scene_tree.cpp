@@ -4,6 +4,7 @@
 #include <QDropEvent>
 #include <QHeaderView>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QScrollBar>
 #include <QTimer>
 #include <algorithm>
@@ -11,6 +12,7 @@
 namespace ramure {
 namespace {
 
+constexpr float pointedTint = 0.3f;
 constexpr int shortestName = 14; ///< characters of average width that a name always has
 
 } // namespace
@@ -36,6 +38,9 @@ SceneTree::SceneTree(QWidget* parent)
     // Of the rows in sight: measuring thousands would cost more than it tells.
     header()->setResizeContentsPrecision(0);
     setContextMenuPolicy(Qt::CustomContextMenu);
+    setMouseTracking(true);
+    connect(this, &QTreeView::entered, this, &SceneTree::pointed);
+    connect(this, &QTreeView::viewportEntered, this, [this] { emit pointed({}); });
 
     // The names get what the other columns leave, and more where what is in sight stands deep; then the view
     // scrolls sideways. Measured once the view has laid out its rows.
@@ -80,6 +85,34 @@ void SceneTree::fitNames(bool mayShrink)
         width = std::max(width, present);
     if (width != present)
         header()->resizeSection(SceneModel::NameColumn, width);
+}
+
+void SceneTree::setPointed(const QModelIndex& index)
+{
+    if (m_pointed == index)
+        return;
+    for (const QModelIndex& each : {QModelIndex(m_pointed), index}) {
+        const QRect row = visualRect(each);
+        viewport()->update(0, row.top(), viewport()->width(), row.height());
+    }
+    m_pointed = index;
+}
+
+void SceneTree::leaveEvent(QEvent* event)
+{
+    emit pointed({});
+    QTreeView::leaveEvent(event);
+}
+
+void SceneTree::drawRow(QPainter* painter, const QStyleOptionViewItem& options,
+                        const QModelIndex& index) const
+{
+    if (m_pointed.isValid() && index.siblingAtColumn(0) == m_pointed) {
+        QColor tint = palette().color(QPalette::Highlight);
+        tint.setAlphaF(pointedTint);
+        painter->fillRect(options.rect, tint);
+    }
+    QTreeView::drawRow(painter, options, index);
 }
 
 void SceneTree::resizeEvent(QResizeEvent* event)
@@ -152,6 +185,9 @@ void SceneTree::mousePressEvent(QMouseEvent* event)
         emit stateClicked(index);
         return;
     }
+    if (event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier &&
+        !indexAt(event->position().toPoint()).isValid())
+        emit nothingClicked();
     m_adding = event->modifiers().testFlag(Qt::ControlModifier);
     QTreeView::mousePressEvent(event);
     m_adding = false;

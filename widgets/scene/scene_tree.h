@@ -19,9 +19,16 @@ public:
     void prepareColumns();
     /// While the selection changes by Ctrl with a click or a key: what is selected elsewhere is to stay.
     [[nodiscard]] bool isAdding() const { return m_adding; }
+    /// A row that is pointed at elsewhere is tinted, until an invalid index is given.
+    void setPointed(const QModelIndex& index);
+    [[nodiscard]] QModelIndex pointedRow() const { return m_pointed; }
 
 signals:
+    /// The row under the mouse; invalid where there is none.
+    void pointed(const QModelIndex& index);
     void stateClicked(const QModelIndex& index);
+    /// A plain click beside the rows.
+    void nothingClicked();
     /// Enter was pressed, or a branch double-clicked.
     void frameRequested();
     /// Rows hang over the view, or are about to be dropped: in their new place they stay where they are in
@@ -33,6 +40,9 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void drawRow(QPainter* painter, const QStyleOptionViewItem& options,
+                 const QModelIndex& index) const override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -45,6 +55,7 @@ private:
     void tellDragged(Qt::KeyboardModifiers modifiers, bool always);
 
     QTimer* m_fitTimer;
+    QPersistentModelIndex m_pointed;
     bool m_mayShrink = false;
     bool m_adding = false;
     bool m_keepsWorld = true; ///< as told last

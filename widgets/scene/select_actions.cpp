@@ -1,9 +1,9 @@
 #include "widgets/scene/select_actions.h"
 
 #include "widgets/actions/action_set.h"
+#include "widgets/scene/branch_names.h"
 #include "widgets/scene/isolation.h"
 #include "widgets/scene/node_edits.h"
-#include "widgets/scene/scene_model.h"
 #include "widgets/support/core_text.h"
 #include "widgets/support/targets.h"
 #include <QClipboard>
@@ -134,8 +134,14 @@ void SelectActions::copyNames()
     QStringList names;
     for (const NodeId id : selection.nodes)
         names += QString::fromStdString(m_document->scene().find(id)->name);
-    for (const Index branch : selection.branches)
-        names += SceneModel::branchName(branch);
+    const NodeResult* result =
+        selection.branches.empty() ? nullptr : m_document->result(selection.branchNode);
+    if (result && result->tree.simplified) {
+        const BranchRows rows(result->tree.simplified);
+        const BranchNames called;
+        for (const Index branch : selection.branches)
+            names += called.branch(rows, branch);
+    }
     QGuiApplication::clipboard()->setText(names.join(u'\n'));
 }
 

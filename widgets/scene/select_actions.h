@@ -26,6 +26,7 @@ public:
     /// What a right click on a row offers besides the actions on nodes.
     [[nodiscard]] QList<QAction*> stepActions() const;
     [[nodiscard]] QList<QAction*> rowActions() const;
+    [[nodiscard]] QList<QAction*> isolationActions() const { return {m_isolate, m_showAll}; }
 
 signals:
     void searchRequested();

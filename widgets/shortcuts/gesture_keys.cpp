@@ -56,6 +56,9 @@ GestureKeys viewKeys()
         Words::tr("In the 3D view"),
         {{Words::tr("Bend a limb, or set the target of an arm"),
           mouse(Words::tr("drag"), Qt::ControlModifier)},
+         {Words::tr("Bend a limb with the trunk and the root"),
+          mouse(Words::tr("drag"), Qt::ControlModifier) + QStringLiteral(", ") + held(Qt::ShiftModifier)},
+         {Words::tr("Menu of what is under the cursor"), Words::tr("right click")},
          {Words::tr("Turn around the target"), mouse(Words::tr("drag"), Qt::AltModifier)},
          {Words::tr("Add to the selection, or take away"), mouse(Words::tr("click"), Qt::ShiftModifier)}}};
 }

@@ -54,6 +54,7 @@ ShortcutsDialog::ShortcutsDialog(ActionSet* set, const QList<QMenu*>& menus, Pre
     retranslate();
     connect(m_search, &QLineEdit::textChanged, this, &ShortcutsDialog::filter);
     connect(m_tree, &QTreeWidget::currentItemChanged, this, &ShortcutsDialog::showSelected);
+    connect(m_tree, &QTreeWidget::itemDoubleClicked, m_edit, qOverload<>(&QWidget::setFocus));
     connect(m_edit, &QKeySequenceEdit::editingFinished, this, [this] {
         QAction* action = selectedAction();
         if (action && m_edit->keySequence() != action->shortcut())
@@ -121,9 +122,9 @@ void ShortcutsDialog::fill()
     addGestures();
     m_tree->expandAll();
     showKeys();
-    filter(m_search->text());
     if (!kept.isEmpty())
         select(kept);
+    filter(m_search->text());
     showSelected();
 }
 
@@ -192,6 +193,18 @@ void ShortcutsDialog::filter(const QString& text)
         }
         heading->setHidden(!any);
     }
+    selectSeen();
+}
+
+/// Keys go to the selected row: it has to be one that is seen.
+void ShortcutsDialog::selectSeen()
+{
+    if (m_tree->currentItem() && !m_tree->currentItem()->isHidden())
+        return;
+    QTreeWidgetItemIterator first(m_tree, QTreeWidgetItemIterator::NotHidden);
+    while (*first && !actionOf(*first))
+        ++first;
+    m_tree->setCurrentItem(*first);
 }
 
 QAction* ShortcutsDialog::selectedAction() const
@@ -203,10 +216,12 @@ void ShortcutsDialog::select(const QString& actionId)
 {
     for (QTreeWidgetItemIterator it(m_tree); *it; ++it) {
         const QAction* action = actionOf(*it);
-        if (action && action->objectName() == actionId) {
-            m_tree->setCurrentItem(*it);
-            return;
-        }
+        if (!action || action->objectName() != actionId)
+            continue;
+        if ((*it)->isHidden())
+            m_search->clear();
+        m_tree->setCurrentItem(*it);
+        return;
     }
 }
 
@@ -274,14 +289,10 @@ QString ShortcutsDialog::conflict() const
 void ShortcutsDialog::keyPressEvent(QKeyEvent* event)
 {
     // Enter in the search goes to what was found.
-    if ((event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) && m_search->hasFocus()) {
-        for (QTreeWidgetItemIterator it(m_tree, QTreeWidgetItemIterator::NotHidden); *it; ++it) {
-            if (actionOf(*it)) {
-                m_tree->setCurrentItem(*it);
-                m_edit->setFocus();
-                return;
-            }
-        }
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enter && m_search->hasFocus() && selectedAction()) {
+        m_edit->setFocus();
+        return;
     }
     QDialog::keyPressEvent(event);
 }

@@ -24,7 +24,7 @@ public:
     ShortcutsDialog(ActionSet* set, const QList<QMenu*>& menus, Preferences* preferences,
                     QWidget* parent = nullptr);
 
-    /// Selects the row of this action.
+    /// Selects the row of this action; a search that hides it is cleared.
     void select(const QString& actionId);
     /// Gives the selected action these keys. False, with the reason shown, where another action has them.
     bool assign(const QKeySequence& keys);
@@ -43,6 +43,7 @@ private:
     QTreeWidgetItem* addHeading(const QString& text);
     void addGestures();
     void filter(const QString& text);
+    void selectSeen();
     void showSelected();
     void showKeys();
     void store(QAction* action, const QKeySequence& keys);

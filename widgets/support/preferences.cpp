@@ -21,6 +21,9 @@ const QString welcomeKey = QStringLiteral("view/welcomeAtStart");
 const QString shortcutsKey = QStringLiteral("shortcuts");
 const QString recentKey = QStringLiteral("files/recent");
 const QString folderKey = QStringLiteral("files/folder");
+const QString exportSpaceKey = QStringLiteral("files/exportSpace");
+const QString findsKey = QStringLiteral("window/recentFinds");
+const QString tourKey = QStringLiteral("window/tourSeen");
 const QString foldedKey = QStringLiteral("properties/folded");
 const QString toolsKey = QStringLiteral("window/tools");
 const QString columnsKey = QStringLiteral("scene/columns");
@@ -226,6 +229,17 @@ void Preferences::setLastFolder(const QString& folder)
     store(folderKey, folder);
 }
 
+FileSpace Preferences::exportSpace() const
+{
+    const QString text = m_settings.value(exportSpaceKey).toString();
+    return fileSpaceIn("# " + text.toStdString()).value_or(FileSpace());
+}
+
+void Preferences::setExportSpace(const FileSpace& space)
+{
+    store(exportSpaceKey, QString::fromStdString(space.comment()));
+}
+
 QVariantMap Preferences::toolSettings() const
 {
     return m_settings.value(toolsKey).toMap();
@@ -235,6 +249,29 @@ void Preferences::setToolSettings(const QVariantMap& settings)
 {
     if (settings != toolSettings())
         store(toolsKey, settings);
+}
+
+QStringList Preferences::recentFinds() const
+{
+    return m_settings.value(findsKey).toStringList();
+}
+
+void Preferences::addRecentFind(const QString& name)
+{
+    QStringList names = recentFinds();
+    names.removeAll(name);
+    names.prepend(name);
+    m_settings.setValue(findsKey, names.mid(0, maxRecentFinds));
+}
+
+bool Preferences::tourSeen() const
+{
+    return m_settings.value(tourKey, false).toBool();
+}
+
+void Preferences::setTourSeen()
+{
+    m_settings.setValue(tourKey, true);
 }
 
 QStringList Preferences::foldedGroups() const

@@ -2,6 +2,7 @@
 /// What the user prefers, remembered between sessions. Widgets hear of changes through changed().
 #pragma once
 
+#include "core/io/file_space.h"
 #include "widgets/numbers/number_format.h"
 #include "widgets/timeline/time_text.h"
 #include "widgets/viewport/view_settings.h"
@@ -21,6 +22,7 @@ class Preferences : public QObject
     Q_OBJECT
 public:
     static constexpr int maxRecentFiles = 10;
+    static constexpr int maxRecentFinds = 12;
     static constexpr int defaultAutosaveMinutes = 1;
     static constexpr int maxAutosaveMinutes = 60;
     static constexpr int leastMotionMb = 64, mostMotionMb = 65'536, defaultMotionMb = 1024;
@@ -71,9 +73,20 @@ public:
     [[nodiscard]] QString lastFolder() const;
     void setLastFolder(const QString& folder);
 
+    /// The axes and the unit of the last mesh that was exported.
+    [[nodiscard]] FileSpace exportSpace() const;
+    void setExportSpace(const FileSpace& space);
+
     /// What the tools of the view remember, see GizmoSettings::saved.
     [[nodiscard]] QVariantMap toolSettings() const;
     void setToolSettings(const QVariantMap& settings);
+
+    /// What the palette found and was asked to do, the latest first (paletteName).
+    [[nodiscard]] QStringList recentFinds() const;
+    void addRecentFind(const QString& name);
+    /// Whether the tour has begun once.
+    [[nodiscard]] bool tourSeen() const;
+    void setTourSeen();
 
     [[nodiscard]] QStringList foldedGroups() const;
     void setFoldedGroups(const QStringList& groups);

@@ -1,5 +1,6 @@
 #include "widgets/support/targets.h"
 
+#include "core/params/param_relevance.h"
 #include <algorithm>
 
 namespace ramure {
@@ -28,6 +29,21 @@ std::vector<NodeId> targetTrees(const Document& document)
             trees.push_back(node.id);
     }
     return trees;
+}
+
+NodeId nodeWithParam(const Document& document, const ParamDef& def)
+{
+    const Scene& scene = document.scene();
+    std::vector<NodeId> nodes = targetNodes(document);
+    for (const Node& node : scene.nodes())
+        nodes.push_back(node.id);
+    std::erase_if(nodes, [&](NodeId id) {
+        const Node* node = scene.find(id);
+        return !node || !hasParam(node->kind, def);
+    });
+    const auto best = std::ranges::find_if(
+        nodes, [&](NodeId id) { return !scene.isLocked(id) && isRelevant(scene.find(id)->params, def); });
+    return best != nodes.end() ? *best : nodes.empty() ? noNode : nodes.front();
 }
 
 } // namespace ramure

@@ -1,6 +1,10 @@
 #include "widgets/theme/ramure_style.h"
 
+#include "widgets/numbers/wheel_guard.h"
+#include <QAbstractSpinBox>
+#include <QComboBox>
 #include <QPainter>
+#include <QSlider>
 #include <QStyleFactory>
 
 namespace ramure {
@@ -22,6 +26,14 @@ QPixmap RamureStyle::generatedIconPixmap(QIcon::Mode mode, const QPixmap& pixmap
     painter.setOpacity(0.35);
     painter.drawPixmap(0, 0, pixmap);
     return faint;
+}
+
+void RamureStyle::polish(QWidget* widget)
+{
+    QProxyStyle::polish(widget);
+    if (qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSpinBox*>(widget) ||
+        qobject_cast<QSlider*>(widget))
+        guardFromWheel(widget);
 }
 
 int RamureStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,

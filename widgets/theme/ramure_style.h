@@ -12,6 +12,9 @@ class RamureStyle : public QProxyStyle
 public:
     RamureStyle();
 
+    /// Nothing is changed by a wheel that passes by (widgets/numbers/wheel_guard.h).
+    using QProxyStyle::polish;
+    void polish(QWidget* widget) override;
     /// Disabled icons are the same, only fainter: Fusion's own way makes light icons lighter.
     QPixmap generatedIconPixmap(QIcon::Mode mode, const QPixmap& pixmap,
                                 const QStyleOption* option) const override;

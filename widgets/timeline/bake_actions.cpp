@@ -55,9 +55,21 @@ void BakeActions::complain(const QString& what, const Error& error)
     m_chooser->report(Severity::Warning, QStringLiteral("%1\n%2").arg(what, errorTextWithPlace(error)));
 }
 
+/// A dialog of files out of the blue would leave the user wondering what is asked of them.
+bool BakeActions::saveFirst()
+{
+    if (!m_save || !m_chooser->agrees(tr("Bake the motion"), tr("Save the project first?"),
+                                      tr("Baked motion is kept in files beside the project file, so that it "
+                                         "is there when the project is opened again. This project has no "
+                                         "file yet."),
+                                      tr("Save…")))
+        return false;
+    return m_save();
+}
+
 void BakeActions::bake()
 {
-    if (m_document->filePath().isEmpty() && !(m_save && m_save()))
+    if (m_document->filePath().isEmpty() && !saveFirst())
         return;
     if (const auto started = m_baker.start(m_player->memoryLimit()); !started)
         complain(tr("The motion cannot be baked."), started.error());

@@ -38,6 +38,7 @@ signals:
     void messageRaised(const QString& text);
 
 private:
+    [[nodiscard]] bool saveFirst();
     void bake();
     void free();
     void finish(const std::optional<Error>& error);

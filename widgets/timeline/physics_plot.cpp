@@ -1,8 +1,13 @@
 #include "widgets/timeline/physics_plot.h"
 
+#include "widgets/theme/icons.h"
 #include "widgets/viewport/arm_overlay.h"
+#include <QClipboard>
+#include <QContextMenuEvent>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QLocale>
+#include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -12,29 +17,76 @@
 namespace ramure {
 namespace {
 
+constexpr int gap = 6;                  ///< beside the names and numbers
 constexpr std::size_t shownTicks = 600; ///< of the solver that are shown: ten seconds
+constexpr double least = 1e-9;          ///< of all curves: what is below is the noise of rounding
 
-/// Three digits, and an exponent where the number would be long.
-QString shortNumber(double value)
+} // namespace
+
+QString PhysicsPlot::shortNumber(double value)
 {
     const double size = std::abs(value);
+    if (size > 0.0 && size < least)
+        return QStringLiteral("< ") + QLocale().toString(least, 'e', 0);
     const bool plain = size == 0.0 || (size >= 1e-3 && size < 1e5);
     return QLocale().toString(value, plain ? 'g' : 'e', plain ? 3 : 1);
 }
-
-} // namespace
 
 PhysicsPlot::PhysicsPlot(QWidget* parent)
     : QWidget(parent)
 {
     setObjectName(QStringLiteral("physicsPlot"));
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    buildMenu();
     updateToolTip();
 }
 
 QSize PhysicsPlot::sizeHint() const
 {
-    return {220, 3 * (fontMetrics().height() + 2) + 4};
+    return {240, 3 * (fontMetrics().height() + 2) + 4};
+}
+
+int PhysicsPlot::rowCount() const
+{
+    return m_content == Content::Arms ? 1 : std::max(1, int(shownCurves().size()));
+}
+
+/// The number stands below the name where rows are high enough, else at the other end.
+bool PhysicsPlot::isStacked() const
+{
+    return height() >= rowCount() * (2 * fontMetrics().height() + 2);
+}
+
+/// Names and numbers keep their room, however long they are just now: the curve must not jump.
+QRectF PhysicsPlot::curvesArea() const
+{
+    constexpr int leastCurve = 60;
+    int names = 0, numbers = 0;
+    if (m_content == Content::Arms)
+        names = fontMetrics().horizontalAdvance(tr("Residual"));
+    else
+        for (const Curve curve : {Energy, LengthError, StepTime})
+            names = std::max(names, fontMetrics().horizontalAdvance(nameOf(curve)));
+    for (const double value : {1.888e-8, 0.00888})
+        numbers = std::max(numbers, fontMetrics().horizontalAdvance(tr("%1 ms").arg(shortNumber(value))));
+    if (isStacked())
+        return QRectF(rect()).adjusted(std::max(names, numbers) + 2 * gap, 0.0, 0.0, 0.0);
+    const int room = width() - numbers - leastCurve - 4 * gap;
+    return QRectF(rect()).adjusted(std::clamp(room, 0, names) + 2 * gap, 0.0, -numbers - 2 * gap, 0.0);
+}
+
+QString PhysicsPlot::nameOf(Curve curve)
+{
+    return curve == Energy ? tr("Energy") : curve == LengthError ? tr("Length error") : tr("Step");
+}
+
+std::vector<PhysicsPlot::Curve> PhysicsPlot::shownCurves() const
+{
+    std::vector<Curve> shown;
+    for (const Curve curve : {Energy, LengthError, StepTime})
+        if (m_shown[curve]->isChecked())
+            shown.push_back(curve);
+    return shown;
 }
 
 void PhysicsPlot::setContent(Content content)
@@ -51,11 +103,12 @@ void PhysicsPlot::add(const MotionFrame& frame)
     if (frame.frame < m_last)
         m_frames.clear();
     m_last = frame.frame;
-    Values values{};
+    Values values;
+    values.frame = frame.frame;
     for (const auto& [node, motion] : frame.nodes) {
-        values[Energy] += motion.figures.kineticEnergy;
-        values[LengthError] = std::max(values[LengthError], motion.figures.lengthError);
-        values[StepTime] += 1e3 * motion.stepSeconds;
+        values.of[Energy] += motion.figures.kineticEnergy;
+        values.of[LengthError] = std::max(values.of[LengthError], motion.figures.lengthError);
+        values.of[StepTime] += 1e3 * motion.stepSeconds;
     }
     m_frames.push_back(values);
     if (m_frames.size() > length)
@@ -110,36 +163,49 @@ void PhysicsPlot::paintEvent(QPaintEvent*)
         painter.drawText(QRectF(rect()).adjusted(6.0, top, -6.0, -2.0),
                          Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text);
     }
-    if (arms)
-        return paintResiduals(painter);
-    const double third = double(height()) / 3.0;
-    for (const Curve curve : {Energy, LengthError, StepTime})
-        if (!m_frames.empty())
-            paintCurve(painter, QRectF(0.0, int(curve) * third, width(), third), curve);
+    if (arms) {
+        const bool drawn = m_residuals && m_residuals->way.size() > 1;
+        const double line = drawn ? height() : fontMetrics().height() + 4.0; // else the hint stands below
+        const std::vector<double> way = drawn ? m_residuals->way : std::vector<double>();
+        // The whole way fills the width.
+        return paintRow(painter, QRectF(0.0, 0.0, width(), line), tr("Residual"),
+                        m_residuals ? shortLengthText(m_residuals->now) : QString(), way,
+                        curvesArea().width() / std::max(1.0, double(way.size()) - 1.0));
+    }
+    const std::vector<Curve> shown = m_frames.empty() ? std::vector<Curve>() : shownCurves();
+    const double share = double(height()) / std::max(1.0, double(shown.size()));
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        std::vector<double> values;
+        for (const Values& frame : m_frames)
+            values.push_back(frame.of[shown[i]]);
+        const QString now = shortNumber(values.back());
+        paintRow(painter, QRectF(0.0, double(i) * share, width(), share), nameOf(shown[i]),
+                 shown[i] == StepTime ? tr("%1 ms").arg(now) : now, values,
+                 curvesArea().width() / double(length - 1));
+    }
 }
 
-void PhysicsPlot::paintCurve(QPainter& painter, const QRectF& area, Curve curve) const
+void PhysicsPlot::paintRow(QPainter& painter, const QRectF& row, const QString& name, const QString& now,
+                           const std::vector<double>& values, double step) const
 {
-    std::vector<double> values;
-    for (const Values& frame : m_frames)
-        values.push_back(frame[curve]);
-    const QString name = curve == Energy        ? tr("Energy")
-                         : curve == LengthError ? tr("Length error")
-                                                : tr("Step");
-    const QString now = shortNumber(values.back());
-    paintLine(painter, area, values, area.width() / double(length - 1));
-    paintTexts(painter, area, name, curve == StepTime ? tr("%1 ms").arg(now) : now);
-}
-
-/// The whole way fills the width, below the texts.
-void PhysicsPlot::paintResiduals(QPainter& painter) const
-{
-    if (m_residuals && m_residuals->way.size() > 1)
-        paintLine(
-            painter,
-            QRectF(rect()).adjusted(0.0, std::min(1.4 * fontMetrics().height(), 0.3 * height()), 0.0, 0.0),
-            m_residuals->way, width() / double(m_residuals->way.size() - 1));
-    paintTexts(painter, rect(), tr("Residual"), m_residuals ? shortLengthText(m_residuals->now) : QString());
+    const QRectF whole = curvesArea();
+    const QRectF area(whole.left(), row.top(), whole.width(), row.height());
+    if (values.size() > 1 && area.width() > 1.0) {
+        painter.setClipRect(area);
+        paintLine(painter, area, values, step);
+        painter.setClipping(false);
+    }
+    painter.setPen(palette().color(QPalette::Text));
+    const double line = fontMetrics().height();
+    const double top = row.center().y() - line; // of the two lines
+    const bool stacked = isStacked() && row.height() >= 2.0 * line;
+    const QRectF text =
+        stacked ? QRectF(gap, top, whole.left() - gap, line) : row.adjusted(gap, 0.0, -gap, 0.0);
+    const double room = whole.left() - 2.0 * gap;
+    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(name, Qt::ElideRight, int(room) + 1));
+    painter.drawText(stacked ? text.translated(0.0, line) : text,
+                     (stacked ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, now);
 }
 
 /// The last value stands at the right edge; the largest one is as high as there is room.
@@ -147,7 +213,7 @@ void PhysicsPlot::paintLine(QPainter& painter, const QRectF& area, const std::ve
                             double step) const
 {
     const double most = *std::max_element(values.begin(), values.end());
-    if (!(most > 0.0) || values.size() < 2)
+    if (!(most >= least) || values.size() < 2)
         return;
     QPainterPath path;
     const double start = area.right() - step * double(values.size() - 1);
@@ -163,15 +229,75 @@ void PhysicsPlot::paintLine(QPainter& painter, const QRectF& area, const std::ve
     painter.drawPath(path);
 }
 
-void PhysicsPlot::paintTexts(QPainter& painter, const QRectF& area, const QString& name,
-                             const QString& value) const
+QString PhysicsPlot::valuesText(QChar separator) const
 {
-    painter.setPen(palette().color(QPalette::Text));
-    const double line =
-        std::min(area.height(), 1.6 * fontMetrics().height()); // at the top, where there is room
-    const QRectF text(area.left() + 6.0, area.top(), area.width() - 12.0, line);
-    painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter, name);
-    painter.drawText(text, Qt::AlignRight | Qt::AlignVCenter, value);
+    const auto number = [](double value) { return QString::number(value, 'g', 9); };
+    QString text;
+    if (m_content == Content::Arms) {
+        text = QStringLiteral("tick%1residual_m\n").arg(separator);
+        for (std::size_t i = 0; m_residuals && i < m_residuals->way.size(); ++i)
+            text += QString::number(i) + separator + number(m_residuals->way[i]) + u'\n';
+        return text;
+    }
+    constexpr const char* headings[curves] = {"energy", "length_error", "step_ms"};
+    text = QStringLiteral("frame");
+    for (const Curve curve : shownCurves())
+        text += separator + QLatin1String(headings[curve]);
+    text += u'\n';
+    for (const Values& frame : m_frames) {
+        text += QString::number(frame.frame);
+        for (const Curve curve : shownCurves())
+            text += separator + number(frame.of[curve]);
+        text += u'\n';
+    }
+    return text;
+}
+
+void PhysicsPlot::buildMenu()
+{
+    m_menu = new QMenu(this);
+    const auto copy = [this](QChar separator) {
+        QGuiApplication::clipboard()->setText(valuesText(separator));
+    };
+    m_copyCsv = m_menu->addAction(icon("copy"), QString(), this, [copy] { copy(u','); });
+    m_copyTsv = m_menu->addAction(QString(), this, [copy] { copy(u'\t'); });
+    m_menu->addSeparator();
+    for (QAction*& shown : m_shown) {
+        shown = m_menu->addAction(QString());
+        shown->setCheckable(true);
+        shown->setChecked(true);
+        connect(shown, &QAction::toggled, this, qOverload<>(&QWidget::update));
+    }
+    m_menu->addSeparator();
+    m_anew = m_menu->addAction(QString(), this, &PhysicsPlot::clear);
+    fillMenu();
+}
+
+void PhysicsPlot::fillMenu()
+{
+    m_copyCsv->setText(tr("Copy the values as CSV"));
+    m_copyTsv->setText(tr("Copy the values for a spreadsheet"));
+    m_copyTsv->setToolTip(tr("As columns with tabs between them"));
+    for (const Curve curve : {Energy, LengthError, StepTime})
+        m_shown[curve]->setText(nameOf(curve));
+    m_anew->setText(tr("Start anew"));
+    m_menu->setToolTipsVisible(true);
+}
+
+void PhysicsPlot::contextMenuEvent(QContextMenuEvent* event)
+{
+    const bool trees = m_content == Content::Trees;
+    const bool any = trees ? !m_frames.empty() : m_residuals && !m_residuals->way.empty();
+    const auto shown = shownCurves().size();
+    for (QAction* action : {m_copyCsv, m_copyTsv})
+        action->setEnabled(any);
+    for (QAction* curve : m_shown) {
+        curve->setVisible(trees);
+        curve->setEnabled(shown > 1 || !curve->isChecked()); // one stays
+    }
+    m_anew->setVisible(trees);
+    m_anew->setEnabled(any);
+    m_menu->popup(event->globalPos());
 }
 
 void PhysicsPlot::updateToolTip()
@@ -192,7 +318,9 @@ void PhysicsPlot::updateToolTip()
 bool PhysicsPlot::event(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange) {
+        fillMenu();
         updateToolTip();
+        updateGeometry();
         changed();
     }
     return QWidget::event(event);

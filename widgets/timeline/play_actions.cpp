@@ -46,8 +46,8 @@ PlayActions::PlayActions(Document* document, Player* player, ActionSet* set, QOb
     , m_wind(set->add(
           {"play.wind", QT_TRANSLATE_NOOP("Actions", "&Wind arrow"), "wind",
            QKeySequence(Qt::SHIFT | Qt::Key_W),
-           QT_TRANSLATE_NOOP("Actions", "Show the wind of the active tree as an arrow; drag its head to "
-                                        "turn and strengthen the wind")}))
+           QT_TRANSLATE_NOOP("Actions", "Show the wind of the active tree, and of all that have some, as "
+                                        "arrows; drag a head to turn and strengthen the wind")}))
 {
     m_loops = {set->add({"play.once",
                          QT_TRANSLATE_NOOP("Actions", "Play &once"),
@@ -64,6 +64,19 @@ PlayActions::PlayActions(Document* document, Player* player, ActionSet* set, QOb
                          "play-ping-pong",
                          {},
                          QT_TRANSLATE_NOOP("Actions", "Play forwards and back again")})};
+    m_seamless =
+        set->add({"play.seamless",
+                  QT_TRANSLATE_NOOP("Actions", "Sea&mless loop"),
+                  "play-seamless",
+                  {},
+                  QT_TRANSLATE_NOOP("Actions", "Blend the last second of the loop into its first frame, so "
+                                               "that trees and arms go on without a jump")});
+    m_seamless->setCheckable(true);
+    connect(m_seamless, &QAction::triggered, this, [this](bool on) {
+        TimelineSettings settings = m_document->scene().timeline();
+        settings.seamless = on;
+        edit::setTimeline(*m_document, settings);
+    });
     m_everyFrame->setCheckable(true);
     m_wind->setCheckable(true);
     connect(m_shake, &QAction::triggered, this, &PlayActions::shake);
@@ -105,9 +118,15 @@ void PlayActions::fillMenu(QMenu* menu) const
     menu->addSeparator();
     menu->addActions({m_back, m_forward, m_first, m_last});
     menu->addSeparator();
-    menu->addActions(m_loops);
+    fillLoopMenu(menu);
     menu->addSeparator();
     menu->addActions({m_everyFrame, m_wind, m_shake});
+}
+
+void PlayActions::fillLoopMenu(QMenu* menu) const
+{
+    menu->addActions(m_loops);
+    menu->addAction(m_seamless);
 }
 
 void PlayActions::setView(ViewSettings* settings)
@@ -143,7 +162,10 @@ void PlayActions::update()
     m_play->setIcon(
         QIcon::fromTheme(playing ? QStringLiteral("ramure-pause") : QStringLiteral("ramure-play")));
     m_everyFrame->setChecked(m_player->pace() == PlayPace::EveryFrame);
-    m_loops[static_cast<qsizetype>(m_document->scene().timeline().loop)]->setChecked(true);
+    const TimelineSettings& timeline = m_document->scene().timeline();
+    m_loops[static_cast<qsizetype>(timeline.loop)]->setChecked(true);
+    m_seamless->setChecked(timeline.seamless);
+    m_seamless->setEnabled(timeline.loop == PlayLoop::Loop);
 }
 
 } // namespace ramure

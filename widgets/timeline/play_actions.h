@@ -30,6 +30,10 @@ public:
     [[nodiscard]] QList<QAction*> transport() const;
     /// Once, loop, ping-pong: one of them is on.
     [[nodiscard]] QList<QAction*> loops() const { return m_loops; }
+    /// Checkable: the end of the loop blends into its beginning.
+    [[nodiscard]] QAction* seamlessAction() const { return m_seamless; }
+    /// What happens at the last frame: loops, and whether the seam shows.
+    void fillLoopMenu(QMenu* menu) const;
     void fillMenu(QMenu* menu) const;
     void retranslate();
 
@@ -49,6 +53,7 @@ private:
     QAction* m_shake;
     QAction* m_wind;
     QList<QAction*> m_loops; ///< by PlayLoop
+    QAction* m_seamless;
     std::size_t m_nextApple = 0;
 };
 

@@ -6,6 +6,7 @@
 #include "widgets/timeline/bake_actions.h"
 #include "widgets/timeline/physics_plot.h"
 #include "widgets/timeline/play_actions.h"
+#include "widgets/timeline/ruler_menu.h"
 #include "widgets/timeline/time_field.h"
 #include "widgets/timeline/timeline_ruler.h"
 #include <QComboBox>
@@ -47,6 +48,7 @@ TimelinePanel::TimelinePanel(Document* document, Player* player, PlayActions* ac
     , m_player(player)
     , m_actions(actions)
     , m_ruler(new TimelineRuler(this))
+    , m_rulerMenu(new RulerMenu(document, player, actions, this))
     , m_plot(new PhysicsPlot(this))
 {
     setObjectName(QStringLiteral("timelinePanel"));
@@ -89,7 +91,7 @@ void TimelinePanel::buildTransport()
     m_loop->setIconSize({16, 16});
     m_loop->setPopupMode(QToolButton::InstantPopup);
     auto* menu = new QMenu(m_loop);
-    menu->addActions(m_actions->loops());
+    m_actions->fillLoopMenu(menu);
     m_loop->setMenu(menu);
     row->addWidget(m_loop);
     row->addWidget(toolButton(m_actions->everyFrameAction(), m_transport));
@@ -111,9 +113,9 @@ void TimelinePanel::buildTransport()
     m_cancel->setAutoRaise(true);
     m_cancel->setIcon(QIcon::fromTheme(QStringLiteral("ramure-cancel")));
     row->addSpacing(6);
-    row->addWidget(m_dropped);
     row->addWidget(m_progress);
     row->addWidget(m_cancel);
+    row->addWidget(m_dropped);
 }
 
 /// Behind "every frame": all that says how frames come about stands together.
@@ -121,6 +123,7 @@ void TimelinePanel::setBakeActions(BakeActions* actions)
 {
     auto* row = qobject_cast<QHBoxLayout*>(m_transport->layout());
     row->insertWidget(int(m_actions->transport().size()) + 2, actions->makeButton(m_transport));
+    m_rulerMenu->addBake(actions);
 }
 
 void TimelinePanel::buildSettings()
@@ -137,6 +140,8 @@ void TimelinePanel::buildSettings()
     m_rate->setObjectName(QStringLiteral("frameRateField"));
     m_rate->setRange(leastFrameRate, mostFrameRate);
     m_rate->setStep(1.0);
+    connect(m_rate, &NumberField::gestureBegan, this, [this] { m_rateGesture = newGesture(); });
+    connect(m_rate, &NumberField::gestureEnded, this, [this] { m_rateGesture = 0; });
     m_rates = new QToolButton(m_settings);
     m_rates->setAutoRaise(true);
     m_rates->setArrowType(Qt::DownArrow);
@@ -179,6 +184,9 @@ void TimelinePanel::buildSettings()
 void TimelinePanel::connectPlayer()
 {
     connect(m_ruler, &TimelineRuler::frameSought, m_player, &Player::seek);
+    connect(m_ruler, &TimelineRuler::menuRequested, this,
+            [this](const QPoint& place, qint64 frame) { m_rulerMenu->popUp(m_ruler, place, frame); });
+    connect(m_rulerMenu, &RulerMenu::displayChosen, this, &TimelinePanel::setDisplay);
     connect(m_ruler, &TimelineRuler::rangeDragged, this, [this](qint64 first, qint64 last, bool begins) {
         if (begins)
             m_rangeGesture = newGesture();
@@ -203,7 +211,7 @@ void TimelinePanel::connectPlayer()
     connect(m_rate, &NumberField::valueEdited, this, [this](double rate) {
         TimelineSettings settings = m_document->scene().timeline();
         settings.framesPerSecond = rate;
-        apply(settings);
+        apply(settings, m_rateGesture);
     });
     connect(m_rate, &NumberField::refused, this, &TimelinePanel::messageRaised);
     connect(m_speed, &NumberField::refused, this, &TimelinePanel::messageRaised);
@@ -270,6 +278,7 @@ void TimelinePanel::apply(const TimelineSettings& settings, GestureId gesture)
 void TimelinePanel::setDisplay(TimeDisplay display)
 {
     m_displays->setCurrentIndex(static_cast<int>(display));
+    m_rulerMenu->setDisplay(display);
     if (display == m_display)
         return;
     m_display = display;
@@ -298,8 +307,12 @@ void TimelinePanel::showFrame()
     m_ruler->setFrame(m_player->frame());
     m_frame->setFrame(m_player->frame());
     const bool drops = m_player->isPlaying() && m_player->droppedFrames() > 0;
-    m_dropped->setText(drops ? tr("%n frame(s) dropped", nullptr, int(m_player->droppedFrames()))
-                             : QString());
+    m_dropped->setText(drops ? droppedText(m_player->droppedFrames()) : QString());
+}
+
+QString TimelinePanel::droppedText(std::int64_t frames)
+{
+    return tr("%n frame(s) dropped", nullptr, int(frames));
 }
 
 /// Only what takes long shows that it does.
@@ -366,6 +379,9 @@ void TimelinePanel::retranslate()
     m_loop->setToolTip(tr("What happens at the last frame"));
     m_cancel->setToolTip(tr("Give up computing; the frame on show stays"));
     m_dropped->setToolTip(tr("Frames that came too late since playing began"));
+    // Its room is kept: the text must neither be cut nor move anything while it plays.
+    m_dropped->ensurePolished();
+    m_dropped->setMinimumWidth(m_dropped->fontMetrics().horizontalAdvance(droppedText(8888)) + 2);
     showSettings();
 }
 

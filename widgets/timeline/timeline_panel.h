@@ -22,6 +22,7 @@ class ArmReach;
 class PhysicsPlot;
 class PlayActions;
 class Player;
+class RulerMenu;
 class TimeField;
 class TimelineRuler;
 
@@ -37,6 +38,8 @@ public:
     void setReach(ArmReach* reach);
 
     [[nodiscard]] TimelineRuler* ruler() const { return m_ruler; }
+    /// Of a right click on this ruler or on that of the keys.
+    [[nodiscard]] RulerMenu* rulerMenu() const { return m_rulerMenu; }
     [[nodiscard]] TimeDisplay display() const { return m_display; }
     void setDisplay(TimeDisplay display);
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -55,6 +58,7 @@ private:
     void connectPlayer();
     void showSettings();
     void showFrame();
+    [[nodiscard]] static QString droppedText(std::int64_t frames);
     void showBusy(bool busy);
     void apply(const TimelineSettings& settings, GestureId gesture = 0);
     void retranslate();
@@ -66,8 +70,9 @@ private:
     Player* m_player;
     PlayActions* m_actions;
     TimeDisplay m_display = TimeDisplay::Frames;
-    GestureId m_rangeGesture = 0;
+    GestureId m_rangeGesture = 0, m_rateGesture = 0;
     TimelineRuler* m_ruler;
+    RulerMenu* m_rulerMenu;
     PhysicsPlot* m_plot;
     QPointer<ArmReach> m_reach;
     TimeField* m_frame;

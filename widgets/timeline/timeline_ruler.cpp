@@ -1,5 +1,6 @@
 #include "widgets/timeline/timeline_ruler.h"
 
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLocale>
@@ -378,6 +379,17 @@ void TimelineRuler::keyPressEvent(QKeyEvent* event)
     default:
         QWidget::keyPressEvent(event);
     }
+}
+
+/// By keyboard it is about the frame on show.
+void TimelineRuler::contextMenuEvent(QContextMenuEvent* event)
+{
+    if (m_drag != Drag::None)
+        return;
+    const bool byMouse = event->reason() == QContextMenuEvent::Mouse;
+    const QPoint atPlayhead = mapToGlobal(QPoint(int(xOf(double(m_frame))), height()));
+    emit menuRequested(byMouse ? event->globalPos() : atPlayhead,
+                       byMouse ? frameAt(event->pos().x()) : m_frame);
 }
 
 bool TimelineRuler::event(QEvent* event)

@@ -4,7 +4,7 @@
 ///
 /// Left drag scrubs; dragging a handle changes the range; the wheel zooms to the cursor, middle drag or
 /// Shift+wheel scrolls, a double click shows the whole range again. Arrow keys step (Shift: ten frames, Page
-/// Up and Down: a second, Home and End: the range's ends).
+/// Up and Down: a second, Home and End: the range's ends). A right click asks for a menu about the frame.
 #pragma once
 
 #include "core/document/motion.h"
@@ -36,6 +36,7 @@ public:
     [[nodiscard]] double to() const { return m_to; }
     /// Shows these frames, until a double click shows the range again.
     void showFrames(double from, double to);
+    void showRange() { fit(); }
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
@@ -44,6 +45,7 @@ signals:
     void viewChanged(); ///< other frames are in sight, or at other places
     /// \p begins: with the first one of a drag, so that all of it is one step of undo.
     void rangeDragged(qint64 first, qint64 last, bool begins);
+    void menuRequested(const QPoint& place, qint64 frame);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -54,6 +56,7 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     bool event(QEvent* event) override;
 
 private:

@@ -5,6 +5,7 @@
 #include "core/geometry/box.h"
 #include "core/mesh/validate.h"
 #include <QMetaType>
+#include <QString>
 #include <array>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
@@ -21,7 +22,8 @@ struct DefectPlace
     std::vector<glm::dvec3> points;
     std::vector<std::array<glm::dvec3, 2>> edges;
     std::vector<std::array<glm::dvec3, 3>> faces;
-    Box box; ///< of all of it, with room around it for the eye
+    Box box;       ///< of all of it, with room around it for the eye
+    QString label; ///< what it is called, one or two lines; may be empty
 };
 
 /// \param world from the mesh's space. Indices that the mesh does not have are left out.

@@ -17,6 +17,7 @@ public:
     static KindText crossing(PairKind kind);
     static KindText finding(FindingKind kind);
     static KindText clean();
+    static KindText crossed();
     static KindText cleanSolid();
     static KindText cleanSurface();
     static KindText crossing();
@@ -163,10 +164,19 @@ KindText KindTexts::clean()
     return {
         tr("What this means"),
         tr("The branches are one closed skin without holes or seams: every edge has exactly two faces, and "
-           "all "
-           "faces look outward. Branches may still reach into each other: that is listed above as well."),
+           "all faces look outward. No triangle runs through another."),
         tr("The mesh is a solid body; a slicer takes it as it is."),
         tr("Smooth shading, subdividing, unwrapping and physics work without repair.")};
+}
+
+KindText KindTexts::crossed()
+{
+    return {
+        tr("What this means"),
+        tr("The surface has no holes or seams, but parts of it run through each other. Each such place is "
+           "listed above."),
+        tr("Most slicers join what overlaps; some leave a hollow there."),
+        tr("A hard crease where they meet, and false edges for tools that cut the mesh.")};
 }
 
 KindText KindTexts::cleanSolid()
@@ -174,7 +184,7 @@ KindText KindTexts::cleanSolid()
     return {
         tr("What this means"),
         tr("The surface is closed, without holes or seams: every edge has exactly two faces, and all faces "
-           "look outward."),
+           "look outward. No triangle runs through another."),
         tr("The mesh is a solid body; a slicer takes it as it is."),
         tr("Smooth shading, subdividing, unwrapping and physics work without repair.")};
 }
@@ -247,6 +257,11 @@ KindText kindText(FindingKind kind)
 KindText cleanText()
 {
     return KindTexts::clean();
+}
+
+KindText crossedText()
+{
+    return KindTexts::crossed();
 }
 
 KindText cleanSolidText()

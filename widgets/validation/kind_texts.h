@@ -27,8 +27,9 @@ KindText kindText(PairKind kind);
 KindText kindText(FindingKind kind);
 /// As kindText; meshes without branches have one kind of crossing only.
 KindText crossingText(PairKind kind, const MeshAnalysis& analysis);
-/// What a mesh without defects is good for.
+/// What a mesh without defects is good for: free of crossings, and with some.
 KindText cleanText();
+KindText crossedText();
 /// The same of an arm or an object, and of an open surface without any other defect.
 KindText cleanSolidText();
 KindText cleanSurfaceText();

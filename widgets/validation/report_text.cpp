@@ -20,8 +20,9 @@ struct ReportTexts
 public:
     static QString counts(const MeshReport& report, CheckedShape shape);
     static QString openMesh(const MeshReport& report, bool draft);
-    static ReportSummary judge(const MeshReport& report, Index roots, CheckedShape shape);
-    static ReportSummary crossed(const MeshAnalysis& analysis, CheckedShape shape);
+    static QString fault(const MeshReport& report, Index roots);
+    static ReportSummary judge(const MeshReport& report, Index roots, const MeshAnalysis* analysis,
+                               CheckedShape shape);
     static ReportSummary summary(const NodeResult* result, const MeshAnalysis* analysis, CheckedShape shape);
     static QString crossings(const MeshAnalysis& analysis);
     static QString quality(const MeshQuality& quality);
@@ -64,52 +65,65 @@ QString ReportTexts::openMesh(const MeshReport& report, bool draft)
     return draft ? tr("A draft: the full mesh follows.") : tr("OpenMesh has not been asked yet.");
 }
 
-ReportSummary ReportTexts::judge(const MeshReport& report, Index roots, CheckedShape shape)
+/// Of a broken mesh.
+QString ReportTexts::fault(const MeshReport& report, Index roots)
 {
-    using Status = StatusBadge::Status;
-    const qulonglong defects = defectTotal(report);
-    if (defects > 0)
-        return {Status::Bad, tr("%Ln defect(s)", nullptr, static_cast<int>(defects)), {}};
+    if (const qulonglong defects = defectTotal(report))
+        return tr("%Ln defect(s)", nullptr, static_cast<int>(defects));
     if (report.faces == 0)
-        return {Status::Bad, tr("The mesh has no faces"), {}};
-    if (shape == CheckedShape::Open)
-        return {Status::Good, tr("An open surface, manifold and oriented"), {}};
-    if (!report.valid)
-        return {Status::Bad, tr("Closed, but inside out"), {}};
-    if (report.components != roots)
-        return {Status::Bad, tr("More or fewer pieces than roots (%1)").arg(roots), {}};
+        return tr("The mesh has no faces");
     if (report.openMeshChecked && !report.openMeshAgrees)
-        return {Status::Bad, tr("The two checks do not agree"), {}};
-    return {Status::Good, tr("Closed, manifold, oriented"), {}};
+        return tr("The two checks do not agree");
+    if (!report.valid)
+        return tr("Closed, but inside out");
+    return tr("More or fewer pieces than roots (%1)").arg(roots);
 }
 
-/// Triangles run through each other, more than branches that touch do.
-ReportSummary ReportTexts::crossed(const MeshAnalysis& analysis, CheckedShape shape)
+ReportSummary ReportTexts::judge(const MeshReport& report, Index roots, const MeshAnalysis* analysis,
+                                 CheckedShape shape)
 {
-    const int faults = static_cast<int>(analysis.crossings.aroundForks());
-    QString text;
-    if (shape == CheckedShape::Tree)
-        text = tr("Closed, but %Ln pair(s) of triangles cross at forks", nullptr, faults);
-    else if (shape == CheckedShape::Solid)
-        text = tr("Closed, but %Ln pair(s) of triangles run through each other", nullptr, faults);
-    else
-        text = tr("Oriented, but %Ln pair(s) of triangles run through each other", nullptr, faults);
-    return {StatusBadge::Status::Warning, text, {}};
+    using Status = StatusBadge::Status;
+    const bool open = shape == CheckedShape::Open;
+    const MeshVerdict verdict =
+        verdictOn(report, analysis ? &analysis->crossings : nullptr, shape == CheckedShape::Tree ? roots : 0);
+    switch (verdict) {
+    case MeshVerdict::Clean:
+        return {Status::Good,
+                open ? tr("An open surface, manifold and oriented, free of crossings")
+                     : tr("Closed and free of crossings"),
+                {},
+                verdict};
+    case MeshVerdict::Closed:
+        return {Status::Unknown,
+                open ? tr("An open surface, manifold and oriented; crossings not looked for yet")
+                     : tr("Closed; crossings not looked for yet"),
+                {},
+                verdict};
+    case MeshVerdict::Crossing: {
+        const int pairs = static_cast<int>(analysis->crossings.total());
+        return {Status::Warning,
+                open ? tr("Oriented, but %Ln pair(s) of triangles run through each other", nullptr, pairs)
+                     : tr("Closed, but %Ln pair(s) of triangles run through each other", nullptr, pairs),
+                {},
+                verdict};
+    }
+    case MeshVerdict::Broken:
+        break;
+    }
+    return {Status::Bad, fault(report, roots), {}, verdict};
 }
 
 ReportSummary ReportTexts::summary(const NodeResult* result, const MeshAnalysis* analysis, CheckedShape shape)
 {
     using Status = StatusBadge::Status;
     if (!result)
-        return {Status::Unknown, tr("Not checked yet"), tr("The mesh is being made.")};
+        return {Status::Unknown, tr("Not checked yet"), tr("The mesh is being made."), {}};
     if (result->error)
-        return {Status::Warning, tr("No mesh to check"), errorText(*result->error)};
+        return {Status::Warning, tr("No mesh to check"), errorText(*result->error), {}};
     if (!result->tree.report || !result->tree.branches)
-        return {Status::Unknown, tr("Not checked yet"), tr("The mesh is being made.")};
+        return {Status::Unknown, tr("Not checked yet"), tr("The mesh is being made."), {}};
     const MeshReport& report = *result->tree.report;
-    ReportSummary summary = judge(report, result->tree.branches->roots, shape);
-    if (analysis && analysis->crossings.aroundForks() > 0 && summary.status == Status::Good)
-        summary = crossed(*analysis, shape);
+    ReportSummary summary = judge(report, result->tree.branches->roots, analysis, shape);
     summary.details = counts(report, shape) + QLatin1Char('.');
     if (shape != CheckedShape::Open) // OpenMesh is asked for a closed mesh
         summary.details += QLatin1Char(' ') + openMesh(report, result->draft);

@@ -4,6 +4,7 @@
 
 #include "core/document/document.h"
 #include "core/mesh/mesh_analysis.h"
+#include "core/mesh/verdict.h"
 #include "widgets/validation/report_model.h"
 #include "widgets/validation/status_badge.h"
 #include <QString>
@@ -17,12 +18,13 @@ enum class CheckedShape : std::uint8_t { Tree, Solid, Open };
 struct ReportSummary
 {
     StatusBadge::Status status = StatusBadge::Status::Unknown;
-    QString headline; ///< "Closed, manifold, oriented", "12 defects" ...
+    QString headline; ///< "Closed and free of crossings", "12 defects" ...
     QString details;  ///< counts, volume, Euler characteristic, OpenMesh's opinion; or why there is no mesh
+    std::optional<MeshVerdict> verdict; ///< none where there is no mesh
 };
 
 /// \param result null where nothing was computed yet.
-/// \param analysis null where there is none yet: then nothing is said of crossings.
+/// \param analysis null where there is none yet: then freedom from crossings is not claimed.
 ReportSummary summarise(const NodeResult* result, const MeshAnalysis* analysis = nullptr,
                         CheckedShape shape = CheckedShape::Tree);
 /// What runs through what, in a sentence or two.

@@ -5,6 +5,11 @@
 #include <algorithm>
 
 namespace ramure {
+namespace {
+
+constexpr int leastRows = 6; ///< in sight, below the header
+
+} // namespace
 
 ReportView::ReportView(ReportModel* model, QWidget* parent)
     : QTreeView(parent)
@@ -37,6 +42,13 @@ ReportView::ReportView(ReportModel* model, QWidget* parent)
     reopen();
 }
 
+QSize ReportView::minimumSizeHint() const
+{
+    const int row = std::max(sizeHintForRow(0), fontMetrics().height());
+    const int height = header()->sizeHint().height() + leastRows * row + 2 * frameWidth();
+    return {QTreeView::minimumSizeHint().width(), height};
+}
+
 void ReportView::reopen()
 {
     m_reopening = true;
@@ -51,6 +63,11 @@ void ReportView::reopen()
 
 void ReportView::keyPressEvent(QKeyEvent* event)
 {
+    if (event->key() == Qt::Key_Escape) {
+        event->accept();
+        emit left();
+        return;
+    }
     const QPersistentModelIndex before = currentIndex();
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     QTreeView::keyPressEvent(event);

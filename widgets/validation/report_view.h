@@ -14,9 +14,14 @@ public:
     /// The kinds that are open stay open when another report comes.
     ReportView(ReportModel* model, QWidget* parent = nullptr);
 
+    /// Some rows are always in sight.
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
 signals:
     /// A row was clicked, reached with the arrow keys, or Enter was pressed on it.
     void chosen(const QModelIndex& index);
+    /// Escape: nothing is to be shown any more.
+    void left();
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

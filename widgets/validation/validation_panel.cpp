@@ -16,6 +16,7 @@
 #include <QEvent>
 #include <QGuiApplication>
 #include <QHeaderView>
+#include <QHideEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QSplitter>
@@ -71,8 +72,8 @@ struct ValidationPanel::Private
     void explain();
     void activate(const QModelIndex& index);
     void selectBranch(Index branch);
-    void highlight(const DefectPlace& place);
-    void showCollision(const Collision& collision);
+    void highlight(DefectPlace place, const QModelIndex& index);
+    void showCollision(const Collision& collision, const QModelIndex& index);
     /// The check of the node, wherever it comes from; null where there is none yet.
     [[nodiscard]] const NodeResult* result() const;
     [[nodiscard]] std::shared_ptr<const MeshAnalysis> findings() const;
@@ -97,7 +98,8 @@ struct ValidationPanel::Private
     ReportView* view = nullptr;
     QLabel* explanation = nullptr;
     NodeId node = noNode;
-    bool highlighted = false; ///< a defect was handed to the viewport
+    std::optional<MeshVerdict> verdict; ///< on the mesh that is shown
+    bool highlighted = false;           ///< a defect was handed to the viewport
 };
 
 ValidationPanel::ValidationPanel(Document* document, QWidget* parent)
@@ -156,11 +158,12 @@ void ValidationPanel::Private::build()
     splitter->addWidget(view);
     splitter->addWidget(buildExplanation(splitter));
     splitter->setStretchFactor(0, 1);
-    splitter->setSizes({300, 190});
+    splitter->setSizes({300, 130});
     layout->addWidget(splitter, 1);
     pages->addWidget(content);
 
     QObject::connect(view, &ReportView::chosen, q, [this](const QModelIndex& index) { activate(index); });
+    QObject::connect(view, &ReportView::left, q, [this] { leave(); });
     QObject::connect(view->selectionModel(), &QItemSelectionModel::currentChanged, q, [this] { explain(); });
     QObject::connect(model, &QAbstractItemModel::modelReset, q, [this] {
         leave();
@@ -209,7 +212,7 @@ QWidget* ValidationPanel::Private::buildExplanation(QWidget* parent)
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setWidgetResizable(true);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumHeight(80);
+    scroll->setMinimumHeight(48);
     explanation = new QLabel(scroll);
     explanation->setObjectName(QStringLiteral("explanation"));
     explanation->setTextFormat(Qt::RichText);
@@ -284,6 +287,7 @@ void ValidationPanel::Private::showSummary()
 {
     const Node* shown = document->scene().find(node);
     const ReportSummary state = summarise(result(), findings().get(), shape());
+    verdict = state.verdict;
     badge->setStatus(state.status);
     badge->setAccessibleName(state.headline);
     headline->setText(state.headline);
@@ -298,7 +302,9 @@ void ValidationPanel::Private::explain()
     QString text;
     if (current.isValid())
         text = richText(model->textOf(model->kind(current)));
-    else if (badge->status() == StatusBadge::Status::Good)
+    else if (verdict == MeshVerdict::Crossing)
+        text = richText(crossedText());
+    else if (verdict == MeshVerdict::Clean)
         text = richText(shape() == CheckedShape::Tree    ? cleanText()
                         : shape() == CheckedShape::Solid ? cleanSolidText()
                                                          : cleanSurfaceText());
@@ -322,22 +328,22 @@ void ValidationPanel::Private::activate(const QModelIndex& index)
     if (const Defect* defect = model->defect(index)) {
         const DefectPlace place = defectPlace(mesh, *defect, world);
         selectBranch(defectBranch(mesh, *defect));
-        highlight(place);
+        highlight(place, index);
     } else if (const FacePair* pair = model->crossing(index)) {
         const DefectPlace place = facesPlace(mesh, {pair->first, pair->second}, world);
         selectBranch(faceBranch(mesh, pair->first));
-        highlight(place);
+        highlight(place, index);
     } else if (const WorstFace* face = model->thinTriangle(index)) {
         const DefectPlace place = facesPlace(mesh, {face->face, noIndex}, world);
         selectBranch(faceBranch(mesh, face->face));
-        highlight(place);
+        highlight(place, index);
     } else if (const Collision* collision = model->collision(index)) {
-        showCollision(*collision);
+        showCollision(*collision, index);
     }
 }
 
 /// Both branches are selected; the point where they cross is framed with the thicker one around it.
-void ValidationPanel::Private::showCollision(const Collision& collision)
+void ValidationPanel::Private::showCollision(const Collision& collision, const QModelIndex& index)
 {
     const auto simplified = model->source().simplified;
     if (!simplified || std::max(collision.first, collision.second) >= simplified->skeleton.size())
@@ -347,11 +353,14 @@ void ValidationPanel::Private::showCollision(const Collision& collision)
     const DefectPlace place = pointPlace(collision.place, std::max(6.0 * thick, 4.0 * collision.depth),
                                          placeAt(document->scene(), node, 0.0).geometry);
     document->setSelection({{node}, node, {collision.first, collision.second}, collision.first});
-    highlight(place);
+    highlight(place, index);
 }
 
-void ValidationPanel::Private::highlight(const DefectPlace& place)
+/// \param index of its row, which names it.
+void ValidationPanel::Private::highlight(DefectPlace place, const QModelIndex& index)
 {
+    place.label = model->textOf(model->kind(index)).name + u'\n' +
+                  index.siblingAtColumn(0).data(Qt::DisplayRole).toString();
     highlighted = true;
     emit q->defectActivated(node, place);
 }
@@ -411,11 +420,13 @@ void ValidationPanel::showEvent(QShowEvent* event)
     d->refresh();
 }
 
-/// Nobody looks at the shape any more.
+/// Nobody looks at the shape any more. A window that is only minimised comes back as it was.
 void ValidationPanel::hideEvent(QHideEvent* event)
 {
     QWidget::hideEvent(event);
     d->shapes.lookAt(noNode);
+    if (!event->spontaneous())
+        d->leave();
 }
 
 } // namespace ramure

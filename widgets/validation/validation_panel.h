@@ -33,7 +33,8 @@ public slots:
 signals:
     /// A defect was clicked; its branch is selected by now. Frame place.box, draw the rest.
     void defectActivated(ramure::NodeId node, const ramure::DefectPlace& place);
-    /// Another node, another mesh or a repair note: what was highlighted is out of date.
+    /// Another node, another mesh or a repair note: what was highlighted is out of date. Or nobody wants to
+    /// see it any more: Escape in the list, or the panel was hidden.
     void defectLeft();
     /// The colliding branches of the tree are to be moved apart.
     void separateRequested(ramure::NodeId tree);

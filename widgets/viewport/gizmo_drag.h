@@ -50,6 +50,7 @@ public:
     void cancel();
 
     [[nodiscard]] TransformTool tool() const { return m_tool; }
+    [[nodiscard]] GestureId gesture() const { return m_gesture; }                       ///< of its edits
     [[nodiscard]] const std::optional<GizmoHandle>& handle() const { return m_handle; } ///< or locked axes
     [[nodiscard]] TransformSpace space() const { return m_space; }
     /// Where the gizmo is now: it goes along.

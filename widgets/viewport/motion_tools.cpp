@@ -124,44 +124,114 @@ std::optional<AppleUnder> appleUnder(const PickView& view, const glm::dvec2& pix
     return found;
 }
 
-std::optional<WindArrow> windArrow(const Scene& scene, NodeId node, const Box& box)
+namespace {
+
+constexpr double halfReachAt = 3.0; ///< the strength whose arrow is half as long as any can be
+constexpr double reachShare = 0.42; ///< of the picture's smaller side
+constexpr double margin = 26.0;     ///< logical pixels between an arrow and the picture's edge
+constexpr double edgeOn = 0.12;     ///< sine of the angle under which a plane is too flat to point into
+constexpr double leastStrength = 0.02;
+constexpr double tooNear = 0.3; ///< of the camera's distance: an arrow there has no room before the eye
+
+/// A direction of the tree's own horizontal plane, in the world, unit.
+glm::dvec3 windWay(const glm::dmat4& world, double directionRad)
+{
+    return glm::normalize(glm::dmat3(world) *
+                          glm::dvec3(std::cos(directionRad), 0.0, -std::sin(directionRad)));
+}
+
+/// How far a span of the picture must move to lie between two edges; in the middle where it cannot.
+double shiftInto(double low, double high, double least, double most)
+{
+    if (high - low > most - least)
+        return 0.5 * (least + most - low - high);
+    return std::max(least - low, 0.0) - std::max(high - most, 0.0);
+}
+
+} // namespace
+
+std::optional<WindArrow> windArrow(const Scene& scene, NodeId node, const glm::dvec3& foot, double reach)
 {
     const Node* tree = scene.find(node);
-    if (!tree || tree->kind != NodeKind::Tree || box.empty())
+    if (!tree || tree->kind != NodeKind::Tree)
         return std::nullopt;
     const PhysicsParams& physics = tree->params.physics;
-    const glm::dmat4 world = placeAt(scene, node, 0.0).geometry;
-    const double size = std::max(box.radius(), 1e-3);
-    const glm::dvec3 along(std::cos(physics.windDirection), 0.0, -std::sin(physics.windDirection));
-    const glm::dvec3 foot(box.min.x, box.min.y + 0.85 * box.size().y, box.centre().z);
-    const double perStrength = 0.35 * size;
-    WindArrow arrow;
-    arrow.foot = placed(world, foot);
-    arrow.head = placed(world, foot + along * perStrength * physics.windStrength);
-    arrow.metresPerStrength = perStrength;
+    const double share = physics.windStrength / (physics.windStrength + halfReachAt);
+    const glm::dvec3 way = windWay(placeAt(scene, node, 0.0).geometry, physics.windDirection);
+    return WindArrow{node, foot, foot + share * reach * way, reach};
+}
+
+std::optional<WindArrow> windArrowOver(const Scene& scene, NodeId node, const Box& box, const PickView& view,
+                                       bool stay)
+{
+    if (box.empty())
+        return std::nullopt;
+    const glm::dvec3 top(box.centre().x, box.max.y + 0.03 * box.size().y, box.centre().z);
+    glm::dvec3 foot = placed(placeAt(scene, node, 0.0).geometry, top);
+    if (depthOf(view, foot) <= tooNear * view.camera.distance && !view.camera.orthographic) {
+        if (!stay)
+            return std::nullopt;
+        foot = view.camera.target;
+    }
+    const double pixel = view.camera.metresPerPixel(foot, view.size.y);
+    auto arrow = windArrow(scene, node, foot, reachShare * std::min(view.size.x, view.size.y) * pixel);
+    if (!arrow || !stay)
+        return arrow;
+    for (int round = 0; round < 3; ++round) { // what moves across the picture also changes its size a little
+        const auto a = onScreen(view, arrow->foot), b = onScreen(view, arrow->head);
+        if (!a || !b)
+            break;
+        const glm::dvec2 low = glm::min(*a, *b), high = glm::max(*a, *b);
+        const glm::dvec2 shift(shiftInto(low.x, high.x, margin, view.size.x - margin),
+                               shiftInto(low.y, high.y, margin, view.size.y - margin));
+        const glm::dvec3 way = pixel * (shift.x * view.camera.right() - shift.y * view.camera.up());
+        arrow->foot += way;
+        arrow->head += way;
+    }
     return arrow;
 }
 
 std::optional<WindValues> windAt(const PickView& view, const glm::dvec2& pixel, const WindArrow& arrow,
-                                 const Scene& scene, NodeId node)
+                                 const Scene& scene)
 {
     const ViewRay ray = view.camera.ray(view.ndc(pixel), view.aspect());
-    const glm::dmat4 inverse = glm::inverse(placeAt(scene, node, 0.0).geometry);
-    const glm::dvec3 origin = placed(inverse, ray.origin);
-    const glm::dvec3 direction = glm::dmat3(inverse) * ray.direction;
-    const glm::dvec3 foot = placed(inverse, arrow.foot);
-    if (std::abs(direction.y) < 1e-9)
+    const glm::dmat4 world = placeAt(scene, arrow.node, 0.0).geometry;
+    const glm::dvec3 up =
+        glm::normalize(glm::cross(windWay(world, 0.5 * std::numbers::pi), windWay(world, 0.0)));
+    const bool flat = std::abs(glm::dot(ray.direction, up)) < edgeOn;
+    const glm::dvec3 normal = flat ? view.camera.backward() : up;
+    const double slope = glm::dot(ray.direction, normal);
+    if (std::abs(slope) < 1e-9)
         return std::nullopt;
-    const double t = (foot.y - origin.y) / direction.y;
+    const double t = glm::dot(arrow.foot - ray.origin, normal) / slope;
     if (t <= 0.0 && !view.camera.orthographic)
         return std::nullopt;
-    const glm::dvec3 way = origin + t * direction - foot;
-    const double most = findParam("physics.windStrength")->hardMax;
-    const double strength = std::hypot(way.x, way.z) / arrow.metresPerStrength;
+    glm::dvec3 way = ray.origin + t * ray.direction - arrow.foot;
+    way -= glm::dot(way, up) * up;
+    const double share = std::min(glm::length(way) / arrow.reach, 0.999);
+    const double strength = halfReachAt * share / (1.0 - share);
+    const glm::dvec3 own = glm::inverse(glm::dmat3(world)) * way;
     WindValues values;
-    values.strength = strength < 0.02 ? 0.0 : std::min(strength, most);
-    values.directionRad = std::hypot(way.x, way.z) > 0.0 ? std::atan2(-way.z, way.x) : 0.0;
+    values.strength =
+        strength < leastStrength ? 0.0 : std::min(strength, findParam("physics.windStrength")->hardMax);
+    values.directionRad = std::hypot(own.x, own.z) > 0.0 ? std::atan2(-own.z, own.x) : 0.0;
     return values;
+}
+
+std::variant<std::vector<NodeId>, NoWind> windyTrees(const Scene& scene, NodeId active, std::size_t most)
+{
+    std::vector<NodeId> trees;
+    bool any = false;
+    for (const Node& node : scene.nodes()) {
+        if (node.kind != NodeKind::Tree || !scene.isShown(node.id))
+            continue;
+        any = true;
+        if ((node.id == active || node.params.physics.windStrength > 0.0) && trees.size() < most)
+            trees.push_back(node.id);
+    }
+    if (trees.empty())
+        return any ? NoWind::NoneChosen : NoWind::NoTree;
+    return trees;
 }
 
 } // namespace ramure

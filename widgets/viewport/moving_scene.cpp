@@ -134,6 +134,9 @@ static void placeItems(RenderScene& scene, const MotionFrame& frame)
         if (found->second.mesh) {
             item.mesh = found->second.mesh;
             item.box = meshBox(*item.mesh);
+            if (item.outlined)
+                item.outlined = std::make_shared<const OutlinedFaces>(
+                    OutlinedFaces{.runs = {}, .ofBranches = false, .box = item.box});
         }
     }
 }

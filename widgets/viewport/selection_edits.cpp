@@ -56,6 +56,13 @@ Selection afterClick(const Selection& selection, const std::optional<PickHit>& h
     return next;
 }
 
+bool isSelected(const Selection& selection, const PickHit& hit)
+{
+    if (hit.branch != noIndex)
+        return hit.node == selection.branchNode && std::ranges::binary_search(selection.branches, hit.branch);
+    return std::ranges::find(selection.nodes, hit.node) != selection.nodes.end();
+}
+
 Selection afterBox(const Selection& selection, const std::vector<PickedBranches>& picked, bool extend)
 {
     Selection next = selection;

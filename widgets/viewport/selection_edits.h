@@ -12,6 +12,9 @@ namespace ramure {
 /// beside everything leaves the nodes selected and clears the branches, unless it extends.
 Selection afterClick(const Selection& selection, const std::optional<PickHit>& hit, bool extend);
 
+/// The branch, or where there is none the node.
+[[nodiscard]] bool isSelected(const Selection& selection, const PickHit& hit);
+
 /// A box around \p picked. Branches of one tree are selected: of the one whose branches were, else of the one
 /// with most of them in the box.
 Selection afterBox(const Selection& selection, const std::vector<PickedBranches>& picked, bool extend);

@@ -64,6 +64,11 @@ void ViewSettings::setOrthographic(bool on)
     set(m_orthographic, on, &ViewSettings::orthographicChanged);
 }
 
+void ViewSettings::setOutlineVisible(bool on)
+{
+    set(m_outlineVisible, on, &ViewSettings::outlineVisibleChanged);
+}
+
 void ViewSettings::setWindVisible(bool on)
 {
     set(m_windVisible, on, &ViewSettings::windVisibleChanged);

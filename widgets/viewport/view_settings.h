@@ -33,6 +33,7 @@ public:
     [[nodiscard]] bool groundVisible() const { return m_groundVisible; }
     [[nodiscard]] bool orthographic() const { return m_orthographic; }
     [[nodiscard]] bool windVisible() const { return m_windVisible; }
+    [[nodiscard]] bool outlineVisible() const { return m_outlineVisible; }
 
 public slots:
     void setDisplayMode(ramure::DisplayMode mode);
@@ -45,6 +46,7 @@ public slots:
     void setGroundVisible(bool on);
     void setOrthographic(bool on);
     void setWindVisible(bool on);
+    void setOutlineVisible(bool on);
 
 signals:
     void displayModeChanged(ramure::DisplayMode mode);
@@ -57,6 +59,7 @@ signals:
     void groundVisibleChanged(bool on);
     void orthographicChanged(bool on);
     void windVisibleChanged(bool on);
+    void outlineVisibleChanged(bool on);
     /// After any of the above.
     void changed();
 
@@ -74,6 +77,7 @@ private:
     bool m_groundVisible = true;
     bool m_orthographic = false;
     bool m_windVisible = false;
+    bool m_outlineVisible = true; ///< around what is selected
 };
 
 } // namespace ramure

@@ -7,6 +7,7 @@
 #include "widgets/viewport/viewport_private.h"
 #include <QOpenGLContext>
 #include <QPainter>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -55,6 +56,7 @@ RenderOptions Viewport::Private::options(double pixelRatio) const
     options.shading = settings->shadingMode();
     options.grid = settings->gridVisible();
     options.ground = settings->groundVisible();
+    options.outline = settings->outlineVisible();
     options.pixelRatio = pixelRatio;
     options.smoothing = software;
     return options;
@@ -80,6 +82,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
 
     connect(document, &Document::changed, this, &Viewport::onDocumentChanged);
     connect(settings, &ViewSettings::changed, this, &Viewport::onSettingsChanged);
+    connect(settings, &ViewSettings::windVisibleChanged, this, &Viewport::explainWind);
     d->picker.setDisposal([this](std::shared_ptr<const void> last) { d->builder.dispose(std::move(last)); });
     connect(&d->builder, &BackgroundBuilder::built, this, &Viewport::takeScene);
     d->uploading.setSingleShot(true);
@@ -104,6 +107,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     connect(&d->hoverRest, &QTimer::timeout, this, [this] { hoverAt(d->hoverPosition); });
     beginReaching();
     connectGizmo();
+    connectLimb();
     wishScene();
 }
 
@@ -205,6 +209,7 @@ void Viewport::paintOverlay()
     QPainter painter(this);
     NavigationCube::paint(painter, d->camera, size(), d->hoverSide);
     paintTextureLegend(painter, size(), d->settings->displayMode(), d->scene->texture);
+    d->defect.paintLabel(painter, {d->camera, glm::dvec2(std::max(1, width()), std::max(1, height()))});
     paintMotion(painter);
     paintGizmoOverlay(painter);
     if (d->gesture == Gesture::Select && d->dragging) {
@@ -280,6 +285,21 @@ void Viewport::setAxisView(AxisView view)
     moveCamera(to);
 }
 
+void Viewport::turnOpposite()
+{
+    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    // Straight above and straight below, left stays left.
+    const bool straight = std::abs(to.pitchRad) > 0.5 * std::numbers::pi - 1e-6;
+    to.orbit(straight ? 0.0 : std::numbers::pi, -2.0 * to.pitchRad);
+    moveCamera(to);
+}
+
+void Viewport::flyTo(const Camera& camera)
+{
+    d->settings->setOrthographic(camera.orthographic);
+    moveCamera(camera);
+}
+
 void Viewport::orbitBy(double yawRad, double pitchRad)
 {
     Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
@@ -298,6 +318,7 @@ void Viewport::zoomBy(double factor)
 
 void Viewport::clearSelection()
 {
+    clearDefect();
     Selection next = d->document->selection();
     if (next.branches.empty())
         next.nodes.clear();

@@ -5,7 +5,8 @@
 /// Left click selects (Shift adds or removes), left drag over the scene selects by box, Esc (an action)
 /// clears; Ctrl+drag on a branch of a tree at rest bends the limb after the hand (the wheel sets how many
 /// branches follow), on a terrain or another surface it sets and drags the target of the arm; the wheel zooms
-/// to the cursor; Alt+left drag orbits in both navigation styles; the arrow keys orbit.
+/// to the cursor; Alt+left drag orbits in both navigation styles; the arrow keys orbit; a right click asks
+/// for a menu.
 #pragma once
 
 #include "core/base/error.h"
@@ -26,8 +27,10 @@ namespace ramure {
 class ArmReach;
 class AutoKey;
 class Document;
+class HintSource;
 class Player;
 class PickScene;
+struct PickHit;
 struct PickView;
 struct Change;
 struct DefectPlace;
@@ -62,6 +65,10 @@ public:
     /// Asked when the hand begins to move nodes: those with keys get keys then, see GizmoDrag. Without it
     /// their placement changes.
     void setAutoKey(std::function<bool()> isOn);
+    /// What the keys of beginTransform are called, for the hint: "G R S".
+    void setGestureKeys(std::function<QString()> keys);
+    /// What mouse and keys do right now.
+    [[nodiscard]] HintSource* hints() const;
     /// Nodes are being moved, by the mouse or by keys.
     [[nodiscard]] bool isTransforming() const;
 
@@ -91,6 +98,8 @@ public slots:
     void frameSelection();                        ///< F: branches, else nodes, else all, as they stand now
     void frameBox(const ramure::Box& box);        ///< world
     void setAxisView(ramure::AxisView view);
+    void turnOpposite();                      ///< to the other side, from above to below
+    void flyTo(const ramure::Camera& camera); ///< as setCamera, on the way there
     /// For keys: steps of the camera without the mouse.
     void orbitBy(double yawRad, double pitchRad);
     void zoomBy(double factor);
@@ -99,12 +108,17 @@ public slots:
     /// Moves, turns or scales the selected nodes with mouse and keys until Enter or a click; Esc takes it
     /// back.
     void beginTransform(ramure::TransformTool tool);
+    /// Moves the selected nodes, which are copies just made: one step of undo together with making them. Esc
+    /// leaves them where their originals are.
+    void beginMovingCopies();
     void copyScreenshot();
     /// The section's plane, circle and frame are shown until cleared.
     void setInspectedSection(ramure::NodeId node, ramure::Index branch, ramure::Index section);
     void clearInspectedSection();
     /// Of this tree only these branches are shown, until noNode or no branch is given.
     void setIsolated(ramure::NodeId node, const std::vector<ramure::Index>& branches);
+    /// Shown as if the mouse were over them, until noNode is given: of a row that it is over elsewhere.
+    void pointAt(ramure::NodeId node, const std::vector<ramure::Index>& branches);
     /// Frames the place and marks it until cleared.
     void showDefect(ramure::NodeId node, const ramure::DefectPlace& place);
     void clearDefect();
@@ -113,8 +127,9 @@ signals:
     void cameraChanged();
     /// noNode, noIndex where nothing is under the cursor.
     void hovered(ramure::NodeId node, ramure::Index branch);
-    /// What keys and mouse do in the gesture that goes on; empty when it has ended.
-    void hintChanged(const QString& text);
+    /// A right click, or the menu key: on a branch, a node (noIndex), or nothing (noNode). What was clicked
+    /// is selected.
+    void menuRequested(const QPoint& globalPosition, ramure::NodeId node, ramure::Index branch);
     /// What the hand wanted and could not have, and why.
     void messageRaised(const QString& text);
     /// After every picture.
@@ -130,6 +145,7 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
@@ -150,13 +166,25 @@ private:
     void finishBox();
     void hoverAt(QPointF position);
     void paintOverlay();
+    void requestMenu(QPointF position);
+    void noteInput(QEvent* event);
+    void updateHint();
     bool beginMotionGesture(const PickView& view, const glm::dvec2& pixel);
     bool beginPull(const PickView& view, const glm::dvec2& pixel);
     void dragMotion(const PickView& view, const glm::dvec2& pixel);
     void letGo();
     bool shakeOffAt(const PickView& view, const glm::dvec2& pixel);
     void paintMotion(QPainter& painter);
+    void explainWind(bool visible);
     bool beginReach(const PickView& view, const glm::dvec2& pixel);
+    void connectLimb();
+    bool beginLimb(const PickHit& hit);
+    void showLimb();
+    void applyLimb();
+    void finishLimb(bool keep);
+    void forgetLimbAtRest();
+    bool isPosedDraft(const Change& change) const;
+    bool limbKey(QKeyEvent* event, bool pressed);
     void lengthenLimb(int branches);
     void paintReach(QPainter& painter, QPointF hand);
     void beginReaching();

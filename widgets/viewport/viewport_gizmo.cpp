@@ -1,4 +1,5 @@
 // The selected nodes are moved, turned and scaled: by the handles of the gizmo, or by keys.
+#include "core/document/joined_steps.h"
 #include "core/document/player.h"
 #include "core/geometry/drag_maths.h"
 #include "widgets/viewport/viewport_private.h"
@@ -140,7 +141,7 @@ void Viewport::followGizmo(const Change& change)
             d->gizmo.reset();
             d->gesture = Gesture::None;
             d->button = Qt::NoButton;
-            emit hintChanged({});
+            updateHint();
         }
     if (change.has(~quint32(changeFile | changeResults)))
         updateTrail();
@@ -198,7 +199,10 @@ void Viewport::beginTransform(TransformTool tool)
                                 d->player ? d->player->timeSeconds() : 0.0, d->autoKey && d->autoKey(), view,
                                 {at.x(), at.y()});
     if (!d->gizmo) {
-        emit messageRaised(tr("Select a node that is shown and not locked: then it can be moved"));
+        emit messageRaised(
+            d->document->selection().nodes.empty() && !d->document->selection().branches.empty()
+                ? tr("Branches are bent by a drag with Ctrl; what is moved is the tree: select it")
+                : tr("Select a node that is shown and not locked: then it can be moved"));
         return;
     }
     d->settings->gizmo()->setTool(tool);
@@ -206,6 +210,13 @@ void Viewport::beginTransform(TransformTool tool)
     d->last = d->hoverPosition = at;
     startedGizmo();
     setFocus(Qt::OtherFocusReason);
+}
+
+void Viewport::beginMovingCopies()
+{
+    beginTransform(TransformTool::Move);
+    if (d->gizmo)
+        joinToLastStep(*d->document, d->gizmo->gesture());
 }
 
 void Viewport::startedGizmo()
@@ -216,12 +227,7 @@ void Viewport::startedGizmo()
         d->button = Qt::NoButton;
     d->pending.reset();
     d->hoverRest.stop();
-    emit hintChanged(
-        d->gizmoByKeys
-            ? tr("X Y Z: axis (with Shift: plane) · digits: value · Tab: next · Ctrl: steps · Shift: "
-                 "fine · Enter or click: done · Esc or right click: back")
-            : tr("X Y Z: axis · digits: value · Ctrl: steps · Shift: fine · release or Enter: done · "
-                 "Esc or right click: back"));
+    updateHint();
     update();
 }
 
@@ -247,7 +253,7 @@ void Viewport::finishGizmo(bool keep)
     d->button = Qt::NoButton;
     d->dragging = false;
     d->gizmoStale = true;
-    emit hintChanged({});
+    updateHint();
     update();
 }
 
@@ -283,7 +289,7 @@ bool Viewport::gizmoKey(QKeyEvent* event, bool pressed)
 
 void Viewport::keyReleaseEvent(QKeyEvent* event)
 {
-    if (!gizmoKey(event, false))
+    if (!gizmoKey(event, false) && !limbKey(event, false))
         QOpenGLWidget::keyReleaseEvent(event);
 }
 

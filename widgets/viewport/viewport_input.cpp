@@ -50,8 +50,10 @@ void Viewport::mousePressEvent(QMouseEvent* event)
         d->hoverRest.stop();
     else if (d->gesture == Gesture::Select && event->modifiers() == Qt::NoModifier)
         beginMotionGesture(pickView(d->camera, size()), asVector(event->position()));
-    else if (d->gesture == Gesture::Select && event->modifiers() == Qt::ControlModifier)
-        beginReach(pickView(d->camera, size()), asVector(event->position()));
+    else if (d->gesture == Gesture::Select && event->modifiers().testFlag(Qt::ControlModifier)) {
+        if (beginReach(pickView(d->camera, size()), asVector(event->position())) && d->limb)
+            d->limb->setWhole(event->modifiers().testFlag(Qt::ShiftModifier));
+    }
     if (d->gesture != Gesture::None && d->gesture != Gesture::Select)
         d->flight.stop();
     d->hoverRest.stop();
@@ -66,6 +68,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
         return dragGizmo(event->position(), event->modifiers());
     if (d->gesture == Gesture::None && hoverGizmo(event->position()))
         return;
+    if (d->limb)
+        d->limb->setWhole(event->modifiers().testFlag(Qt::ShiftModifier));
     if (d->gesture != Gesture::None) {
         dragTo(event->position());
         return;
@@ -102,7 +106,7 @@ void Viewport::dragTo(QPointF position)
     if (d->gesture == Gesture::Limb) {
         d->limb->dragTo(pickView(d->camera, size()), asVector(position));
         d->last = position;
-        return update();
+        return showLimb();
     }
     applyDrag(d->camera, d->gesture, position - d->last, size());
     d->last = position;
@@ -115,8 +119,16 @@ void Viewport::dragTo(QPointF position)
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event)
 {
-    if (event->button() != d->button || d->gesture == Gesture::None)
+    if (event->button() != d->button)
         return;
+    if (d->gesture == Gesture::None) {
+        d->button = Qt::NoButton;
+        const QPointF way = event->position() - d->pressed;
+        if (event->button() == Qt::RightButton &&
+            way.manhattanLength() < QGuiApplication::styleHints()->startDragDistance())
+            requestMenu(event->position());
+        return;
+    }
     if (d->gizmo)
         return finishGizmo(true);
     // A branch that was clicked, not dragged, is selected.
@@ -125,7 +137,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
     if (gesture == Gesture::Pull || gesture == Gesture::Wind || gesture == Gesture::Limb ||
         gesture == Gesture::Aim || gesture == Gesture::Ring)
         return letGo();
-    d->limb.reset();
+    finishLimb(true); // nothing was bent
     d->gesture = Gesture::None;
     d->button = Qt::NoButton;
     d->onCube = false;
@@ -134,7 +146,7 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
             setAxisView(*side);
     } else if (gesture == Gesture::Select) {
         d->pending = {d->pressed, event->position(), d->dragging,
-                      event->modifiers().testFlag(Qt::ShiftModifier)};
+                      event->modifiers().testFlag(Qt::ShiftModifier), false};
         finishSelecting();
     }
     d->dragging = false;
@@ -159,8 +171,15 @@ void Viewport::finishSelecting()
         return finishBox();
     const Private::Pending pick = *std::exchange(d->pending, std::nullopt);
     const PickView view = pickView(d->camera, size());
-    d->document->setSelection(
-        afterClick(d->document->selection(), scene->pick(view, asVector(pick.to)), pick.extend));
+    const Selection& selection = d->document->selection();
+    const auto hit = scene->pick(view, asVector(pick.to));
+    if (!hit && !pick.asksMenu)
+        clearDefect();
+    if (!pick.asksMenu || (hit && !isSelected(selection, *hit)))
+        d->document->setSelection(afterClick(selection, hit, pick.extend));
+    const PickHit at = hit.value_or(PickHit());
+    if (pick.asksMenu)
+        emit menuRequested(mapToGlobal(pick.to.toPoint()), at.node, at.branch);
 }
 
 void Viewport::finishBox()
@@ -180,6 +199,7 @@ void Viewport::hoverAt(QPointF position)
     const auto side = NavigationCube::sideAt(d->camera, size(), position);
     if (side != d->hoverSide) {
         d->hoverSide = side;
+        updateHint();
         update();
     }
     std::optional<PickHit> hit;
@@ -196,6 +216,7 @@ void Viewport::hoverAt(QPointF position)
     d->hoverBranch = now.branch;
     d->highlightsStale = true;
     emit hovered(now.node, now.branch);
+    updateHint();
     update();
 }
 
@@ -244,7 +265,7 @@ void Viewport::leaveEvent(QEvent* event)
 
 void Viewport::keyPressEvent(QKeyEvent* event)
 {
-    if (gizmoKey(event, true))
+    if (gizmoKey(event, true) || limbKey(event, true))
         return;
     const auto isKey = [event](Qt::Key key) { return event->key() == key ? 1.0 : 0.0; };
     const double yaw = isKey(Qt::Key_Right) - isKey(Qt::Key_Left);
@@ -257,8 +278,8 @@ void Viewport::keyPressEvent(QKeyEvent* event)
 
 bool Viewport::event(QEvent* event)
 {
-    // While nodes are moved, keys are numbers and axes, not shortcuts; Tab is the next number.
-    if (d->gizmo && event->type() == QEvent::ShortcutOverride) {
+    // While nodes are moved, or a limb, keys are numbers and axes, not shortcuts; Tab is the next number.
+    if ((d->gizmo || d->limb) && event->type() == QEvent::ShortcutOverride) {
         event->accept();
         return true;
     }
@@ -279,9 +300,12 @@ bool Viewport::event(QEvent* event)
     }
     if (event->type() == QEvent::LanguageChange) {
         setAccessibleName(tr("3D view"));
+        updateHint();
         update(); // the labels of the cube
     }
-    return QOpenGLWidget::event(event);
+    const bool taken = QOpenGLWidget::event(event);
+    noteInput(event);
+    return taken;
 }
 
 } // namespace ramure

@@ -13,6 +13,29 @@ namespace {
 constexpr double pullStrength = 8.0; ///< of the hand, see Pull
 constexpr double headReach = 12.0;   ///< logical pixels around the arrow's head
 constexpr double headLength = 13.0;  ///< logical pixels
+constexpr std::size_t mostArrows = 64;
+
+void paintWind(QPainter& painter, const std::optional<QPointF>& foot, const std::optional<QPointF>& head,
+               bool held)
+{
+    if (!foot || !head)
+        return;
+    const QColor colour = held ? QColor(255, 200, 80) : QColor(120, 205, 255);
+    QPointF way = *head - *foot;
+    const double length = std::hypot(way.x(), way.y());
+    way = length > 1e-6 ? way / length : QPointF(1.0, 0.0);
+    const QPointF across(-way.y(), way.x());
+    for (const auto& [width, ink] : {std::pair{6.0, QColor(20, 40, 60, 150)}, std::pair{3.0, colour}}) {
+        painter.setPen(QPen(ink, width, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(*foot, *head);
+        painter.drawLine(*head, *head - headLength * way + 0.5 * headLength * across);
+        painter.drawLine(*head, *head - headLength * way - 0.5 * headLength * across);
+    }
+    painter.setPen(QPen(QColor(20, 40, 60, 190), 1.0));
+    painter.setBrush(colour);
+    painter.drawEllipse(*foot, 4.0, 4.0);
+    painter.drawEllipse(*head, 5.0, 5.0);
+}
 
 } // namespace
 
@@ -41,6 +64,7 @@ void Viewport::setPlayer(Player* player)
     });
     connect(player, &Player::playingChanged, this, [this](bool playing) {
         updateTrail();
+        updateHint();
         if (!playing)
             letGo();
     });
@@ -50,39 +74,79 @@ void Viewport::setPlayer(Player* player)
 /// The scene as it is now, from the scene at rest and the player's frame.
 void Viewport::Private::updateShown()
 {
-    const auto motion = motionOfNow();
-    if (shown && shownOf == scene && shownMotion == motion && shownTrail == trail.revision())
+    auto motion = motionOfNow();
+    if (limbPose)
+        motion = limbPose->motion(motion);
+    if (shown && shownOf == scene && shownMotion == motion && shownTrail == trail.revision() &&
+        shownDefect == defect.revision())
         return;
     const bool moves = motion && MovingScene::moves(*scene, *motion);
     shown = moves ? std::make_shared<const RenderScene>(moving.moved(*scene, *motion)) : scene;
     shownOf = scene;
     shownMotion = motion;
     shownTrail = trail.revision();
-    picker.setScene(shown);
+    shownDefect = defect.revision();
+    if (defect.isShown()) {
+        auto marked = std::make_shared<RenderScene>(*shown); // of shared blocks: quickly copied
+        defect.addTo(*marked);
+        shown = std::move(marked);
+    }
+    if (!limb) // under the hand nothing is picked
+        picker.setScene(shown);
     if (trail.isEmpty())
         return;
-    auto more = std::make_shared<RenderScene>(*shown); // of shared blocks: quickly copied
+    auto more = std::make_shared<RenderScene>(*shown);
     trail.addTo(*more, [this](NodeId id) { return resultOf(id); });
     shown = std::move(more);
 }
 
-/// The box of the active tree at rest, its own space: what stands beside a tree that sways must not sway with
-/// it.
-Box Viewport::Private::activeTreeBox() const
+/// The box of a tree at rest, its own space: what stands on a tree that sways must not sway with it.
+Box Viewport::Private::treeBox(NodeId node) const
 {
-    const NodeId node = document->selection().activeNode();
     Box box;
     for (const MeshItem& item : scene->meshes)
         if (item.node == node)
             box.add(item.box);
+    for (const LineItem& item : scene->lines)
+        if (item.node == node)
+            box.add(item.lines->box);
     return box;
 }
 
-std::optional<WindArrow> Viewport::Private::arrow() const
+std::vector<WindArrow> Viewport::Private::windArrows(QSize size) const
 {
     if (!settings->windVisible())
-        return std::nullopt;
-    return windArrow(document->scene(), document->selection().activeNode(), activeTreeBox());
+        return {};
+    if (wind) { // it grows and turns under the hand, but stays where it was taken
+        const auto now = windArrow(document->scene(), wind->node, wind->foot, wind->reach);
+        return now ? std::vector{*now} : std::vector<WindArrow>();
+    }
+    const NodeId active = document->selection().activeNode();
+    const auto trees = windyTrees(document->scene(), active, mostArrows);
+    const auto* shownTrees = std::get_if<std::vector<NodeId>>(&trees);
+    if (!shownTrees)
+        return {};
+    const PickView view{camera, glm::dvec2(std::max(1, size.width()), std::max(1, size.height()))};
+    std::vector<WindArrow> arrows;
+    for (const NodeId tree : *shownTrees) {
+        const bool stays = tree == active || shownTrees->size() == 1;
+        if (const auto arrow = windArrowOver(document->scene(), tree, treeBox(tree), view, stays))
+            arrows.push_back(*arrow);
+    }
+    return arrows;
+}
+
+/// Where there is nothing to see, it is said why.
+void Viewport::explainWind(bool visible)
+{
+    const auto trees = windyTrees(d->document->scene(), d->document->selection().activeNode(), 1);
+    const auto* none = std::get_if<NoWind>(&trees);
+    if (!visible || !none)
+        return;
+    emit messageRaised(
+        *none == NoWind::NoTree
+            ? tr("There is no tree for a wind to blow on.")
+            : tr("No wind blows in this scene: select a tree to set its wind with the arrow."));
 }
 
 /// A press that the hand takes: the wind's head, or, while trees move, a branch.
@@ -90,11 +154,12 @@ bool Viewport::beginMotionGesture(const PickView& view, const glm::dvec2& pixel)
 {
     if (beginRing(view, pixel))
         return true;
-    if (const auto arrow = d->arrow()) {
-        const auto ndc = d->camera.project(arrow->head, view.aspect());
+    for (const WindArrow& arrow : d->windArrows(size())) {
+        const auto ndc = d->camera.project(arrow.head, view.aspect());
         const glm::dvec2 head =
             ndc ? 0.5 * glm::dvec2(ndc->x + 1.0, 1.0 - ndc->y) * view.size : glm::dvec2(-1e9);
-        if (glm::length(head - pixel) <= headReach) {
+        if (glm::length(head - pixel) <= headReach && !d->document->scene().isLocked(arrow.node)) {
+            d->wind = arrow;
             d->windGesture = newGesture();
             d->gesture = Gesture::Wind;
             return true;
@@ -120,11 +185,9 @@ bool Viewport::beginPull(const PickView& view, const glm::dvec2& pixel)
 void Viewport::dragMotion(const PickView& view, const glm::dvec2& pixel)
 {
     if (d->gesture == Gesture::Wind) {
-        const NodeId node = d->document->selection().activeNode();
-        const auto arrow = d->arrow();
-        const auto values = arrow ? windAt(view, pixel, *arrow, d->document->scene(), node) : std::nullopt;
+        const auto values = d->wind ? windAt(view, pixel, *d->wind, d->document->scene()) : std::nullopt;
         if (values)
-            edit::setParams(*d->document, {node},
+            edit::setParams(*d->document, {d->wind->node},
                             {{findParam("physics.windStrength"), values->strength},
                              {findParam("physics.windDirection"), values->directionRad}},
                             tr("Change the wind"), d->windGesture);
@@ -142,11 +205,12 @@ void Viewport::letGo()
     if (d->player && d->grabbed.node != noNode)
         d->player->setPull(d->grabbed.node, {});
     d->grabbed = {};
-    d->limb.reset();
+    finishLimb(true);
     d->ring.reset();
+    d->wind.reset();
     d->builder.dispose(std::exchange(d->aimedScene, nullptr));
-    if (d->gesture == Gesture::Pull || d->gesture == Gesture::Wind || d->gesture == Gesture::Limb ||
-        d->gesture == Gesture::Aim || d->gesture == Gesture::Ring) {
+    if (d->gesture == Gesture::Pull || d->gesture == Gesture::Wind || d->gesture == Gesture::Aim ||
+        d->gesture == Gesture::Ring) {
         d->gesture = Gesture::None;
         d->button = Qt::NoButton;
         update();
@@ -186,27 +250,8 @@ void Viewport::paintMotion(QPainter& painter)
     if (d->gesture == Gesture::Limb)
         if (const auto hand = point(d->limb->hand()))
             paintReach(painter, *hand);
-    const auto arrow = d->arrow();
-    if (!arrow)
-        return;
-    const auto foot = point(arrow->foot), head = point(arrow->head);
-    if (!foot || !head)
-        return;
-    const QColor colour = d->gesture == Gesture::Wind ? QColor(255, 200, 80) : QColor(120, 205, 255);
-    QPointF way = *head - *foot;
-    const double length = std::hypot(way.x(), way.y());
-    way = length > 1e-6 ? way / length : QPointF(1.0, 0.0);
-    const QPointF across(-way.y(), way.x());
-    for (const auto& [width, ink] : {std::pair{6.0, QColor(20, 40, 60, 150)}, std::pair{3.0, colour}}) {
-        painter.setPen(QPen(ink, width, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLine(*foot, *head);
-        painter.drawLine(*head, *head - headLength * way + 0.5 * headLength * across);
-        painter.drawLine(*head, *head - headLength * way - 0.5 * headLength * across);
-    }
-    painter.setPen(QPen(QColor(20, 40, 60, 190), 1.0));
-    painter.setBrush(colour);
-    painter.drawEllipse(*foot, 4.0, 4.0);
-    painter.drawEllipse(*head, 5.0, 5.0);
+    for (const WindArrow& arrow : d->windArrows(size()))
+        paintWind(painter, point(arrow.foot), point(arrow.head), d->gesture == Gesture::Wind);
 }
 
 } // namespace ramure

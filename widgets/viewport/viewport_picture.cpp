@@ -15,6 +15,7 @@ QImage Viewport::screenshot()
     RenderOptions options = d->options(devicePixelRatioF());
     options.shadowTaps = 24;
     options.smoothing = false;
+    options.outline = false;
     d->updateShown();
     auto image = renderImage(*d->shown, d->camera, pixels, options);
     return image ? *image : QImage();

@@ -8,16 +8,20 @@
 #include "core/document/player.h"
 #include "core/geometry/mesh_rays.h"
 #include "widgets/render/renderer.h"
+#include "widgets/support/hint_source.h"
 #include "widgets/viewport/arm_rings.h"
 #include "widgets/viewport/background_builder.h"
 #include "widgets/viewport/background_picker.h"
+#include "widgets/viewport/defect_mark.h"
 #include "widgets/viewport/gizmo_drag.h"
 #include "widgets/viewport/gizmo_trail.h"
+#include "widgets/viewport/limb_pose.h"
 #include "widgets/viewport/limb_tool.h"
 #include "widgets/viewport/motion_tools.h"
 #include "widgets/viewport/moving_scene.h"
 #include "widgets/viewport/navigation.h"
 #include "widgets/viewport/viewport.h"
+#include "widgets/viewport/viewport_hint.h"
 #include <QTimer>
 #include <QVariantAnimation>
 
@@ -50,8 +54,7 @@ struct Viewport::Private
     InspectedSection inspected;
     NodeId isolatedNode = noNode;
     std::vector<Index> isolatedBranches;
-    std::shared_ptr<const LineSet> defectLines;
-    std::shared_ptr<const PointSet> defectPoints;
+    DefectMark defect;
 
     std::unique_ptr<Renderer> renderer;
     bool software = false;
@@ -65,12 +68,15 @@ struct Viewport::Private
     std::shared_ptr<const RenderScene> shown; ///< what is drawn: the scene with all in its place of now
     std::shared_ptr<const RenderScene> shownOf;
     std::shared_ptr<const MotionFrame> shownMotion;
-    quint64 shownTrail = 0;
+    quint64 shownTrail = 0, shownDefect = 0;
     std::shared_ptr<const MotionFrame> wishedMotion; ///< whose trees the scene is made of, where it has any
     GrabbedBranch grabbed;
-    glm::dvec3 handAt{0.0}; ///< world
+    glm::dvec3 handAt{0.0};        ///< world
+    std::optional<WindArrow> wind; ///< while its head is dragged
     quint64 windGesture = 0;
-    std::unique_ptr<LimbTool> limb; ///< while a limb follows the hand
+    std::unique_ptr<LimbTool> limb;     ///< while a limb follows the hand
+    std::unique_ptr<LimbPose> limbPose; ///< from then on until its mesh is shown
+    QTimer limbRest;
     std::size_t limbBranches = LimbTool::usualBranches;
     std::unique_ptr<ArmReach> reach;
     AutoKey* keys = nullptr;                                ///< null: no edit becomes a key
@@ -95,6 +101,12 @@ struct Viewport::Private
     /// Nothing where no tool is chosen, nothing can be moved, or everything moves by itself.
     [[nodiscard]] std::optional<GizmoPlace> gizmoPlace();
 
+    // What is said in the status bar, see viewport_hints.cpp.
+    HintSource hints;
+    Qt::KeyboardModifiers held;
+    std::function<QString()> gestureKeys;
+    [[nodiscard]] ViewportSituation situation(QSize size) const;
+
     // Paths and ghosts, see viewport_trail.cpp.
     GizmoTrail trail;
 
@@ -103,6 +115,8 @@ struct Viewport::Private
     QPointF hoverPosition;
     NodeId hoverNode = noNode;
     Index hoverBranch = noIndex;
+    NodeId pointedNode = noNode; ///< by a row of the scene panel
+    std::vector<Index> pointedBranches;
     std::optional<AxisView> hoverSide; ///< of the navigation cube
 
     Gesture gesture = Gesture::None;
@@ -114,6 +128,7 @@ struct Viewport::Private
         QPointF from, to;
         bool isBox = false;
         bool extend = false;
+        bool asksMenu = false; ///< of what is clicked; it selects only what is not selected yet
     };
     std::optional<Pending> pending;
     bool boxRuns = false;  ///< the pending box is being looked at
@@ -144,8 +159,8 @@ struct Viewport::Private
     /// Of the active arm at rest; empty while it moves.
     [[nodiscard]] std::vector<ArmRing> rings() const;
     [[nodiscard]] std::vector<glm::dvec3> targets() const;
-    [[nodiscard]] Box activeTreeBox() const;
-    [[nodiscard]] std::optional<WindArrow> arrow() const;
+    [[nodiscard]] Box treeBox(NodeId node) const;
+    [[nodiscard]] std::vector<WindArrow> windArrows(QSize size) const;
     [[nodiscard]] SceneView sceneView() const;
     [[nodiscard]] SceneWish wish();
     [[nodiscard]] RenderOptions options(double pixelRatio) const;

@@ -33,6 +33,15 @@ std::vector<const void*> blocksOf(const Document& document)
     return blocks;
 }
 
+std::vector<NodeId> withAllBelow(const Scene& scene, NodeId top)
+{
+    std::vector<NodeId> nodes;
+    for (const Node& node : scene.nodes())
+        if (node.id == top || scene.isAncestor(top, node.id))
+            nodes.push_back(node.id);
+    return nodes;
+}
+
 } // namespace
 
 SceneView Viewport::Private::sceneView() const
@@ -47,8 +56,15 @@ SceneView Viewport::Private::sceneView() const
     view.branchNode = selection.branchNode;
     view.branches = selection.branches;
     view.activeBranch = selection.activeBranch;
-    view.hoverNode = hoverNode;
-    view.hoverBranch = hoverBranch;
+    // What is pointed at elsewhere goes before what the mouse left behind here.
+    view.hoverNode = pointedNode != noNode ? pointedNode : hoverNode;
+    if (pointedNode != noNode)
+        view.hoverBranches = pointedBranches;
+    else if (hoverBranch != noIndex)
+        view.hoverBranches = {hoverBranch};
+    view.hoverThrough = pointedNode != noNode && !pointedBranches.empty();
+    if (pointedNode != noNode && pointedBranches.empty())
+        view.hoverNodes = withAllBelow(document->scene(), pointedNode);
     view.inspected = inspected;
     view.isolatedNode = isolatedNode;
     view.isolatedBranches = isolatedBranches;
@@ -70,19 +86,31 @@ SceneWish Viewport::Private::wish()
         }
     }
     wishedBlocks = blocksOf(*document);
+    if (const NodeResult* bent = limbPose ? document->result(limbPose->node()) : nullptr)
+        limbPose->noteWish(wish.serial, bent->revision);
     return wish;
 }
 
 void Viewport::onDocumentChanged(const Change& change)
 {
     followGizmo(change);
+    if (change.has(changeSelection | changeStructure | changeReset))
+        updateHint();
     if (change.has(changeReset)) {
+        d->flight.stop();
+        // From where the last document was looked at means nothing for this one.
+        d->camera = Camera();
+        d->camera.orthographic = d->settings->orthographic();
+        emit cameraChanged();
         d->frameNext = true;
         d->frameAfter = d->wishes;
         d->framing = Private::Framing::None;
         d->hoverNode = noNode;
         d->hoverBranch = noIndex;
+        d->pointedNode = noNode;
         d->inspected = {};
+        finishLimb(false);
+        d->limbPose.reset();
         clearDefect();
     }
     // A new shape comes with its result: before it, the same picture would be drawn again.
@@ -92,7 +120,7 @@ void Viewport::onDocumentChanged(const Change& change)
     });
     const bool waitsForResult = trees && change.firstStale < Stage::Placement &&
                                 !change.has(~quint32(changeFile | changeParams | changeBranches));
-    if (change.kinds == changeFile || waitsForResult)
+    if (change.kinds == changeFile || waitsForResult || isPosedDraft(change))
         return;
     // A second opinion on a mesh changes no picture.
     if (change.kinds == changeResults && blocksOf(*d->document) == d->wishedBlocks)
@@ -167,15 +195,16 @@ void Viewport::showScene()
         return;
     BuiltScene built = *std::exchange(d->next, std::nullopt);
     const SceneView now = d->sceneView();
-    d->highlightsStale = now.hoverNode != built.view.hoverNode || now.hoverBranch != built.view.hoverBranch;
-    if (d->defectLines)
-        built.scene->lines.push_back({d->defectLines, glm::dmat4(1.0), noNode, true, false});
-    if (d->defectPoints)
-        built.scene->points.push_back({d->defectPoints, glm::dmat4(1.0), noNode, true});
+    d->highlightsStale = now.hoverNode != built.view.hoverNode ||
+                         now.hoverBranches != built.view.hoverBranches ||
+                         now.hoverNodes != built.view.hoverNodes;
     d->builder.dispose(std::exchange(d->scene, std::move(built.scene)));
     d->sceneIsNew = true;
     d->times.buildMs = built.buildMs;
     d->times.revision = built.revision;
+    if (d->limbPose)
+        d->limbPose->noteShown(built.serial);
+    forgetLimbAtRest();
     d->updateShown();
     if (d->frameNext && built.serial > d->frameAfter && !d->scene->box.empty()) {
         d->frameNext = false;
@@ -194,6 +223,16 @@ void Viewport::showScene()
         if (d->pending)
             finishSelecting();
     }
+    update();
+}
+
+void Viewport::pointAt(NodeId node, const std::vector<Index>& branches)
+{
+    if (d->pointedNode == node && d->pointedBranches == branches)
+        return;
+    d->pointedNode = node;
+    d->pointedBranches = branches;
+    d->highlightsStale = true;
     update();
 }
 

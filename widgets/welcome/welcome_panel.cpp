@@ -28,8 +28,8 @@ constexpr int sideMargin = 20;
 constexpr int shownText = 340; ///< pixels of a file's name, before it is cut
 
 /// What to try first, by the ids of actions.
-constexpr const char* firstKeys[] = {"edit.newTree", "view.frameAll", "view.search", "file.export",
-                                     "help.shortcuts"};
+constexpr const char* firstKeys[] = {"edit.newTree", "view.frameAll", "help.find", "file.export",
+                                     "help.handbook"};
 
 } // namespace
 
@@ -53,8 +53,9 @@ WelcomePanel::WelcomePanel(FileActions* files, ActionSet* set, Preferences* pref
     setObjectName(QStringLiteral("welcome"));
     build();
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
-    connect(m_open, &QPushButton::clicked, this, [this] {
-        if (m_files->open())
+    connect(m_open, &QPushButton::clicked, m_files, &FileActions::open);
+    connect(m_files, &FileActions::openEnded, this, [this](bool opened) {
+        if (opened)
             hide();
     });
     connect(m_atStart, &QCheckBox::toggled, m_preferences, &Preferences::setWelcomeAtStart);
@@ -129,10 +130,8 @@ QGridLayout* WelcomePanel::gallery()
         auto* button = new PictureButton(QStringLiteral(":/welcome/%1.png").arg(name), m_page);
         button->setText(name);
         button->setObjectName(QStringLiteral("preset.") + name);
-        connect(button, &QAbstractButton::clicked, this, [this, name] {
-            if (m_files->newFromPreset(name))
-                hide();
-        });
+        // The page stays: one may look at several.
+        connect(button, &QAbstractButton::clicked, m_files, [this, name] { m_files->newFromPreset(name); });
         grid->addWidget(button, at / columns, at % columns, Qt::AlignLeft);
         m_pictures += button;
         ++at;
@@ -175,10 +174,7 @@ void WelcomePanel::fillRecent()
             button->fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, shownText);
         button->setText(QString(name).replace(u'&', QStringLiteral("&&")));
         button->setToolTip(QDir::toNativeSeparators(path));
-        connect(button, &QToolButton::clicked, this, [this, path] {
-            if (m_files->openFile(path))
-                hide();
-        });
+        connect(button, &QToolButton::clicked, m_files, [this, path] { m_files->openFile(path); });
         m_recent->addWidget(button, 0, Qt::AlignLeft);
     }
     if (m_shownRecent.isEmpty()) {

@@ -11,6 +11,7 @@
 #include <QElapsedTimer>
 #include <QEventLoop>
 #include <QFile>
+#include <QMouseEvent>
 #include <QTest>
 #include <QTimer>
 #include <algorithm>
@@ -212,6 +213,53 @@ EditorBench::DragTimes EditorBench::drag(const QString& key, double from, double
     times.longest.block = block.wallMs;
     times.longest.blockCpu = block.cpuMs;
     times.longest.blockName = name;
+    settle();
+    std::sort(latencies.begin(), latencies.end());
+    times.latency = latencies.empty() ? 0.0 : latencies[latencies.size() / 2];
+    return times;
+}
+
+EditorBench::DragTimes EditorBench::bend(int moves)
+{
+    DragTimes times;
+    const NodeResult* result = m_document.result(m_document.scene().nodes().front().id);
+    if (!result || !result->tree.simplified)
+        return times;
+    const Skeleton& skeleton = result->tree.simplified->skeleton;
+    const Index twig = skeleton.size() - 1;
+    const auto ndc = view()->camera().project(0.5 * (skeleton.p0[twig] + skeleton.p1[twig]),
+                                              double(view()->width()) / view()->height());
+    const QPointF at(0.5 * (ndc->x + 1.0) * view()->width(), 0.5 * (1.0 - ndc->y) * view()->height());
+    const auto send = [this](QEvent::Type type, QPointF to, Qt::MouseButtons buttons) {
+        const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+        QMouseEvent event(type, to, view()->mapToGlobal(to), button, buttons, Qt::ControlModifier);
+        QCoreApplication::sendEvent(view(), &event);
+    };
+    std::vector<double> waiting, latencies; // times of moves
+    int pictures = 0;
+    QElapsedTimer clock;
+    QObject context;
+    QObject::connect(view(), &Viewport::frameDrawn, &context, [&] {
+        const double now = 1e-6 * double(clock.nsecsElapsed());
+        pictures += waiting.empty() ? 0 : 1;
+        for (const double moved : std::exchange(waiting, {}))
+            latencies.push_back(now - moved);
+    });
+    m_application->takeLongestBlock();
+    clock.start();
+    send(QEvent::MouseButtonPress, at, Qt::LeftButton);
+    for (int i = 1; i <= moves; ++i) {
+        waiting.push_back(1e-6 * double(clock.nsecsElapsed()));
+        send(QEvent::MouseMove,
+             at + 60.0 * QPointF(std::sin(6.0 * i / moves), 1.0 - std::cos(6.0 * i / moves)), Qt::LeftButton);
+        waitMs(16);
+    }
+    times.picturesPerSecond = 1e3 * pictures / (1e-6 * double(clock.nsecsElapsed()));
+    send(QEvent::MouseButtonRelease, at, Qt::NoButton);
+    times.longest.blockName = m_application->longestName();
+    const Elapsed block = m_application->takeLongestBlock();
+    times.longest.block = block.wallMs;
+    times.longest.blockCpu = block.cpuMs;
     settle();
     std::sort(latencies.begin(), latencies.end());
     times.latency = latencies.empty() ? 0.0 : latencies[latencies.size() / 2];

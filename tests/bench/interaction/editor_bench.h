@@ -47,6 +47,8 @@ public:
         ChangeTimes longest;  ///< only block, blockCpu
     };
     DragTimes drag(const QString& key, double from, double to, int moves);
+    /// Ctrl+drag of a twig, 60 moves a second. The latency is from a move to its picture.
+    DragTimes bend(int moves);
     /// Plays every frame as fast as it goes. Without the software rasteriser, whose threads do not count.
     struct PlayTimes
     {

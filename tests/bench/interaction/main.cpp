@@ -89,6 +89,17 @@ void measureDrag(EditorBench& editor, int iterations)
                 times.longest.blockCpu, qPrintable(times.longest.blockName));
 }
 
+void measureBend(EditorBench& editor, int iterations)
+{
+    editor.setMode(DisplayMode::Mesh);
+    const auto times = editor.bend(120);
+    std::printf("bending a twig, %d iterations: %.1f pictures/s, latency %.0f ms (rasteriser included), "
+                "longest block %.1f ms, %.1f ms cpu (%s)\n",
+                iterations, times.picturesPerSecond, times.latency, times.longest.block,
+                times.longest.blockCpu, qPrintable(times.longest.blockName));
+    std::fflush(stdout);
+}
+
 void measurePlay(EditorBench& editor, int iterations)
 {
     editor.setMode(DisplayMode::Mesh);
@@ -176,6 +187,7 @@ int main(int argc, char** argv)
                                           parser.value(changes).toInt()));
         }
         measureDrag(editor, size.toInt());
+        measureBend(editor, size.toInt());
         measurePlay(editor, size.toInt());
     }
     return 0;

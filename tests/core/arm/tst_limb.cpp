@@ -21,6 +21,8 @@ private slots:
     void onlyTheChainTurns();
     void outOfReachItStretches();
     void theWayThereDoesNotCount();
+    void noBranchTurnsBeyondItsStop();
+    void theRootAndWhatIsThickAreNoLimb();
 };
 
 namespace {
@@ -70,7 +72,11 @@ void TestLimb::targetsThatAreNoNumbersChangeNothing()
     const glm::dvec3 before = limb.tip();
     QCOMPARE(limb.pullTo({0.0, std::numeric_limits<double>::quiet_NaN(), 0.0}), 0.0);
     QCOMPARE(limb.tip(), before);
-    QCOMPARE(Limb(tree, {}, 0, {0, 2.0}).branchCount(), std::size_t(1));
+    Limb none(tree, {}, 0, {0, 2.0});
+    QCOMPARE(none.branchCount(), std::size_t(0));
+    QCOMPARE(none.tip(), tree.p1[0]);
+    QCOMPARE(none.pullTo(tree.p1[0] + glm::dvec3(0.0, 2.0, 0.0)), 2.0);
+    QVERIFY(none.bends().empty());
     QCOMPARE(Limb(tree, {}, 0, {1000, 2.0}).branchCount(), std::size_t(1));
 }
 
@@ -166,6 +172,50 @@ void TestLimb::theWayThereDoesNotCount()
     direct.pullTo(target);
     round.pullTo(target);
     QVERIFY(direct.bends() == round.bends());
+}
+
+void TestLimb::noBranchTurnsBeyondItsStop()
+{
+    const Skeleton& rest = smallTree();
+    const Index branch = twig(rest);
+    Limb::Bends before;
+    for (Index b = branch; b != noIndex; b = rest.parent[b])
+        before[rest.key[b]] = {0.2, -0.1, 0.3};
+    const Skeleton tree = bent(rest, before);
+    const double most = LimbOptions().mostTurnRad;
+    Random random(3, RandomStream::Test);
+    for (int i = 0; i < 40; ++i) {
+        Limb limb(tree, before, branch, {5, 2.0});
+        const double reach = random.range(0.0, 3.0);
+        limb.pullTo(tree.p1[branch] + reach * glm::dvec3(random.range(-1.0, 1.0), random.range(-1.0, 1.0),
+                                                         random.range(-1.0, 1.0)));
+        for (const auto& [key, bend] : limb.bends()) {
+            const glm::dquat turn = bendRotation(bend) * glm::conjugate(bendRotation(before.at(key)));
+            QVERIFY(glm::length(bendVector(turn)) < most + 1e-6);
+        }
+    }
+    // At their stops the others go on: a fold that needs more than two links.
+    Skeleton rod;
+    Index last = noIndex;
+    for (int i = 0; i < 6; ++i)
+        last = rod.add(last, {0.0, i, 0.0}, {0.0, i + 1, 0.0}, 0.1, 0.1);
+    for (Index b = 0; b < rod.size(); ++b)
+        rod.key[b] = b + 1;
+    Limb limb(rod, {}, last, {6, 2.0});
+    const double missing = limb.pullTo({2.0, 0.5, 0.0});
+    QVERIFY2(missing < 1e-4, qPrintable(QString::number(missing)));
+}
+
+void TestLimb::theRootAndWhatIsThickAreNoLimb()
+{
+    Skeleton tree;
+    Index last = noIndex;
+    for (const double radius : {0.5, 0.5, 0.19, 0.15, 0.1})
+        last = tree.add(last, {0.0, tree.size(), 0.0}, {0.0, tree.size() + 1, 0.0}, radius, radius);
+    QCOMPARE(limbLength(tree, 4), std::size_t(3)); // up to the thick trunk
+    QCOMPARE(limbLength(tree, 2), std::size_t(1));
+    QCOMPARE(limbLength(tree, 1), std::size_t(1)); // of the trunk itself all but the root
+    QCOMPARE(limbLength(tree, 0), std::size_t(0));
 }
 
 QTEST_GUILESS_MAIN(TestLimb)

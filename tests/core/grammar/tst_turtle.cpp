@@ -58,6 +58,10 @@ private slots:
     void randomStrings();
     void randomBytesNeverCrash();
     void longRunsStayOrthonormal();
+    void chanceWithoutVariationChangesNothing();
+    void chanceStaysWithinItsShares();
+    void branchesDrawByTheirKey();
+    void badSharesAreRefused();
 };
 
 void TestTurtle::unbalancedBrackets_data()
@@ -263,6 +267,75 @@ void TestTurtle::longRunsStayOrthonormal()
         symbols += "+/^";
     const auto s = runTurtle(symbols + "F", {0.3142, 1.0, 1.0});
     QVERIFY(std::abs(s->length(0) - 1.0) < 1e-9);
+}
+
+void TestTurtle::chanceWithoutVariationChangesNothing()
+{
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+        const std::string symbols = randomBalanced(seed, 300);
+        QVERIFY(*runTurtle(symbols, {0.3, 0.2, 0.9}, {{0, 0, 0}, seed}) ==
+                *runTurtle(symbols, {0.3, 0.2, 0.9}));
+    }
+}
+
+void TestTurtle::chanceStaysWithinItsShares()
+{
+    const TurtleParams params{0.3, 0.2, 0.98};
+    std::string symbols = "F";
+    for (int i = 0; i < 500; ++i)
+        symbols += "[+F]F";
+    std::set<double> lengths, tapers, angles;
+    const auto s = runTurtle(symbols, params, {{0.1, 0.2, 0.05}, 7});
+    for (Index i = 0; i < s->size(); ++i) {
+        const Index parent = s->parent[i];
+        const double length = s->length(i), taper = s->a1[i] / s->a0[i];
+        QVERIFY(std::abs(length - 0.2) <= 0.2 * 0.2 + 1e-12);
+        QVERIFY(taper >= 0.98 * 0.95 - 1e-12 && taper <= 1.0); // no branch gets thicker towards its tip
+        QVERIFY(parent == noIndex || (s->p0[i] == s->p1[parent] && s->a0[i] == s->a1[parent]));
+        lengths.insert(length);
+        tapers.insert(taper);
+        if (s->level[i] == 0)
+            continue;
+        const glm::dvec3 along = (s->p1[i] - s->p0[i]) / length;
+        const double angle = std::acos(along.y); // the trunk goes straight up: it makes no turn
+        QVERIFY(std::abs(angle - 0.3) <= 0.3 * 0.1 + 1e-9);
+        angles.insert(angle);
+    }
+    QVERIFY(lengths.size() > 900 && tapers.size() > 500 && angles.size() > 450);
+    QVERIFY(*runTurtle(symbols, params, {{0.1, 0.2, 0.05}, 7}) == *s);
+    QVERIFY(!(*runTurtle(symbols, params, {{0.1, 0.2, 0.05}, 8}) == *s));
+}
+
+void TestTurtle::branchesDrawByTheirKey()
+{
+    // More branches elsewhere, and more turns, leave the others as they are.
+    const TurtleParams params{0.3, 0.2, 0.9};
+    const TurtleChance chance{{0.2, 0.2, 0.2}, 3};
+    const auto few = runTurtle("F[+F][-F]^F", params, chance);
+    const auto many = runTurtle("F[+F[+F/F]F][-F]^F++F", params, chance);
+    const auto sameKey = [&](Index i) {
+        return Index(std::ranges::find(many->key, few->key[i]) - many->key.begin());
+    };
+    for (Index i = 0; i < few->size(); ++i) {
+        const Index j = sameKey(i);
+        QVERIFY(j < many->size());
+        QVERIFY(few->p1[i] == many->p1[j] && few->a1[i] == many->a1[j]);
+    }
+    // Two turns in a row, and the same turn of two branches, are drawn apart.
+    const auto turns = runTurtle("F[+F][+F]++F", params, chance);
+    const auto tip = [&](Index i) { return turns->p1[i] - turns->p0[i]; };
+    QVERIFY(!near(glm::normalize(tip(1)), glm::normalize(tip(2)), 1e-3));
+}
+
+void TestTurtle::badSharesAreRefused()
+{
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    for (const VariationParams& shares :
+         {VariationParams{-0.1, 0, 0}, VariationParams{0, 1.1, 0}, VariationParams{0, 0, nan}}) {
+        const auto s = runTurtle("F", quarter, {shares, 1});
+        QVERIFY(!s);
+        QCOMPARE(s.error().code, ErrorCode::Invalid);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestTurtle)

@@ -73,6 +73,7 @@ private slots:
     void escapesInTexts();
     void checkParamsNamesTheKey();
     void checkParamsSeesBranches();
+    void seedsSayOfWhat();
     void kindsOfNodes();
 };
 
@@ -92,6 +93,9 @@ void TestParamTable::keysAreThePublicInterface()
                                             "turtle.theta",
                                             "turtle.alpha",
                                             "turtle.decay",
+                                            "variation.angle",
+                                            "variation.length",
+                                            "variation.radius",
                                             "simplify.enabled",
                                             "simplify.rotationThreshold",
                                             "sections.lengthDivisions",
@@ -381,6 +385,17 @@ void TestParamTable::checkParamsSeesBranches()
     const auto checked = checkParams(params);
     QVERIFY(!checked);
     QCOMPARE(checked.error().path, std::string("branches.7.rollRad"));
+}
+
+void TestParamTable::seedsSayOfWhat()
+{
+    std::set<std::string_view> labels;
+    for (const ParamDef& def : paramTable())
+        if (def.flags & paramSeed) {
+            QVERIFY2(std::string_view(def.label).starts_with("Seed of "), def.key);
+            QVERIFY2(labels.insert(def.label).second, def.key);
+        }
+    QVERIFY(labels.size() >= 4);
 }
 
 void TestParamTable::kindsOfNodes()

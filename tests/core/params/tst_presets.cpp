@@ -31,6 +31,7 @@ private slots:
     void valuesAreValidAndDeterministic();
     void valuesAreThoseOfTheReference();
     void rulesAreThoseOfTheReference();
+    void unchangedNodesHaveTheValuesOfTheirPreset();
 };
 
 void TestPresets::unknownNameListsTheNames()
@@ -54,6 +55,17 @@ void TestPresets::valuesAreValidAndDeterministic()
         QVERIFY(*preset.description);
         QVERIFY(*presetParams(preset.name) == preset.params);
     }
+}
+
+void TestPresets::unchangedNodesHaveTheValuesOfTheirPreset()
+{
+    for (const ParamDef& def : paramTable()) {
+        for (const Preset& preset : presets())
+            QVERIFY2(presetValue(preset.name, def) == def.get(preset.params), def.key);
+        for (const char* none : {"", "Oak"}) // made from nothing, or by a newer version
+            QVERIFY2(presetValue(none, def) == defaultValue(def), def.key);
+    }
+    QVERIFY(presetValue("FanTree", *findParam("turtle.theta")) == ParamValue(0.15));
 }
 
 void TestPresets::valuesAreThoseOfTheReference()

@@ -86,6 +86,8 @@ inline PhysicsParams randomPhysics(Random& random)
             def.assign(node, number);
         else if (def.type == ParamType::Int)
             def.assign(node, static_cast<std::int64_t>(number));
+        else if (def.type == ParamType::Bool)
+            def.assign(node, random.below(2) == 1);
         else
             def.assign(node,
                        EnumValue{def.items[random.below(static_cast<std::uint32_t>(def.items.size()))].name});

@@ -81,6 +81,8 @@ private slots:
                 def.assign(node, 0.5 * std::get<double>(defaultValue(def)) + 0.01);
             else if (def.type == ParamType::Int)
                 def.assign(node, std::get<std::int64_t>(defaultValue(def)) + 1);
+            else if (def.type == ParamType::Bool)
+                def.assign(node, !std::get<bool>(defaultValue(def)));
             else
                 def.assign(
                     node,

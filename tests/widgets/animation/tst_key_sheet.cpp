@@ -35,6 +35,7 @@ private slots:
     void modesOfManyKeys();
     void keysAreInsertedAndFound();
     void rowsFollowTheSelection();
+    void theCurrentRowStaysTheSame();
     void everythingByKeys();
     void randomGesturesAreUndone();
     void everythingHasAToolTip();
@@ -345,6 +346,22 @@ void TestKeySheet::rowsFollowTheSelection()
     QCOMPARE(dock.selected(), 30u); // folded, not gone
     dock.panel.findChild<QAbstractButton*>(QStringLiteral("allNodesButton"))->click();
     QCOMPARE(dock.model.rows().size(), std::size_t(1 + 3 + 20));
+}
+
+/// Other rows come and go above it: its number changes, the row does not.
+void TestKeySheet::theCurrentRowStaysTheSame()
+{
+    KeyDock dock(test::keyScene(15, 3, 10));
+    const auto last = dock.model.rows().size() - 1;
+    const Channel channel = dock.model.rows()[last].channel;
+    dock.sheet()->setCurrentRow(last);
+    dock.model.setFolded(dock.document.scene().nodes().front().id, true);
+    QVERIFY(dock.model.rows().size() <= last);
+    QTest::keyClick(dock.sheet(), Qt::Key_Right);
+    QCOMPARE(dock.selected(), std::size_t(1));
+    const TrackRef& chosen = dock.model.selection().begin()->first;
+    QCOMPARE(chosen.node, dock.document.scene().nodes().back().id);
+    QVERIFY(chosen.channel == channel);
 }
 
 void TestKeySheet::everythingByKeys()

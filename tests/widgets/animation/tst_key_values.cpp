@@ -383,6 +383,25 @@ private slots:
             }
     }
 
+    /// What is done to "all keys" of the curves is done to those whose curves are seen.
+    void keysOfHiddenCurvesAreNotTouched()
+    {
+        KeyDock dock(test::keyScene(2, 3, 10));
+        dock.panel.setCurvesShown(true);
+        const TrackRef hidden = dock.model.tracks()[0];
+        dock.commands.selectAll();
+        dock.model.setHidden(hidden, true);
+        QCOMPARE(dock.model.selection().count(hidden), std::size_t(0));
+        dock.commands.selectAll();
+        dock.commands.remove();
+        QVERIFY(keys::find(dock.document.scene(), hidden));
+        QCOMPARE(dock.model.tracks().size(), std::size_t(1));
+        // In the dope sheet its row is there like any other.
+        dock.panel.setCurvesShown(false);
+        dock.commands.selectAll();
+        QCOMPARE(dock.selected(), std::size_t(3));
+    }
+
     void hiddenAndEmptyCurvesAreLeftAlone()
     {
         KeyDock dock(test::keyScene(5, 3, 10));

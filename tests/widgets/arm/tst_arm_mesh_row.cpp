@@ -99,6 +99,35 @@ private slots:
         QVERIFY(!desk.document.scene().find(3)->visible);
     }
 
+    void theAxisTurnsWhatIsWorn()
+    {
+        Desk desk;
+        auto* axis = desk.row.findChild<QComboBox*>(QStringLiteral("wornAxis"));
+        QCOMPARE(axis->currentIndex(), 0);
+        emit desk.choice->activated(1);
+        const auto width = [&desk] {
+            float most = 0.0F;
+            for (const glm::vec3& p : desk.arm().mesh->positions)
+                most = std::max(most, p.x);
+            return 2.0F * most;
+        };
+        QVERIFY(std::abs(width() - 0.88F) < 1e-4F); // 0.2 of 1, 4.4 long
+        emit axis->activated(1);
+        QVERIFY(width() > 4.0F); // 0.2 long became 4.4
+        QCOMPARE(axis->currentIndex(), 1);
+        QVERIFY(desk.arm().params.armSkin.axis == MeshAxis::X);
+        desk.document.undoStack()->undo();
+        QCOMPARE(axis->currentIndex(), 0);
+        QVERIFY(std::abs(width() - 0.88F) < 1e-4F);
+        // Without the object only the choice is kept, and that is said.
+        QVERIFY(edit::removeNodes(desk.document, {3}));
+        emit axis->activated(2);
+        QVERIFY(desk.arm().params.armSkin.axis == MeshAxis::Y);
+        QVERIFY(desk.problem()->isVisibleTo(&desk.row));
+        desk.row.findChild<QCheckBox*>()->setChecked(false);
+        QVERIFY(!axis->isEnabled());
+    }
+
     void everythingHasATooltip()
     {
         Desk desk;

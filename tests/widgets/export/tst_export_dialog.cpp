@@ -4,6 +4,7 @@
 #include "widgets/export/export_dialog.h"
 #include "widgets/export/export_task.h"
 #include "widgets/support/preferences.h"
+#include <QAbstractSpinBox>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
@@ -109,6 +110,8 @@ private slots:
     {
         Analysis analysis(&m_document, [](const BranchMesh&, const Skeleton&, const Progress&) {
             MeshAnalysis found;
+            found.crossings.kindsKnown = true;
+            found.crossings.counts = {0, 0, 0, 5};
             found.collisions.push_back({3, 9, 5, {}, 0.01});
             return Expected<MeshAnalysis>(found);
         });
@@ -139,9 +142,6 @@ private slots:
         QVERIFY(analysis.waitForAll(10'000));
         QVERIFY(faults->isVisible());
         QVERIFY(faults->text().contains(QStringLiteral("“T”")));
-        dialog.startExport(); // asks first
-        QCOMPARE(exported.count(), 0);
-        QVERIFY(!QFileInfo::exists(path("faulty.obj")));
         // Nothing to say of a model that is no continuous mesh, nor without the branches.
         auto* model = dialog.findChildren<QComboBox*>().at(1);
         model->setCurrentIndex(static_cast<int>(ExportModel::Rough));
@@ -153,9 +153,48 @@ private slots:
         QCOMPARE(shown[0][0].value<NodeId>(), NodeId(1));
         QVERIFY(!dialog.isVisible());
         dialog.show();
-        dialog.startExport();
+        dialog.startExport(); // crossings are no reason to ask
         QTRY_COMPARE(exported.count(), 1);
         QVERIFY(QFileInfo(path("faulty.obj")).size() > 1000);
+    }
+
+    void brokenMeshesAreAskedAboutOnce()
+    {
+        NodeResult result = *m_document.result(1);
+        auto report = std::make_shared<MeshReport>(*result.tree.report);
+        report->valid = false;
+        report->boundaryEdges = 3;
+        result.tree.report = report;
+        m_document.setResult(1, result);
+        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        QSignalSpy exported(&dialog, &ExportDialog::exported);
+        dialog.setPath(path("broken.obj"));
+        dialog.show();
+        auto* faults = dialog.findChild<QLabel*>(QStringLiteral("meshFaults"));
+        QVERIFY(faults->property("broken").toBool());
+        dialog.startExport(); // asks first
+        QCOMPARE(exported.count(), 0);
+        QVERIFY(!QFileInfo::exists(path("broken.obj")));
+        dialog.startExport();
+        QTRY_COMPARE(exported.count(), 1);
+    }
+
+    void faultsOfSeveralTreesAreAddedUp()
+    {
+        test::openNodes(m_document, {test::treeNode(1, "T"), test::treeNode(2, "U")});
+        QVERIFY(m_recompute.waitForFull(20'000));
+        Analysis analysis(&m_document, [](const BranchMesh&, const Skeleton&, const Progress&) {
+            MeshAnalysis found;
+            found.crossings.kindsKnown = true;
+            found.crossings.counts = {0, 2, 0, 51};
+            return Expected<MeshAnalysis>(found);
+        });
+        QVERIFY(analysis.waitForAll(10'000));
+        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        dialog.setAnalysis(&analysis);
+        const QString text = dialog.findChild<QLabel*>(QStringLiteral("meshFaults"))->text();
+        QVERIFY2(text.contains(QStringLiteral("2 tree")) && text.contains(QStringLiteral("106")),
+                 qPrintable(text));
     }
 
     void collisionsAloneDoNotStopAnExport()
@@ -198,12 +237,68 @@ private slots:
         dialog.setFormat(ExportDialog::PlyBinary);
         QCOMPARE(dialog.options().parts, std::uint8_t(exportBranches));
         QVERIFY(dialog.path().endsWith(QStringLiteral("tree.ply")));
+        // Why, is said beside the boxes, for as long as something is left out.
+        const auto* note = dialog.findChild<QLabel*>(QStringLiteral("partsNote"));
+        QVERIFY(!note->isHidden() && note->text().contains(QStringLiteral("PLY")));
+        dialog.setFormat(ExportDialog::Obj);
+        QVERIFY(note->isHidden());
+        dialog.setFormat(ExportDialog::PlyAscii);
+        QVERIFY(!note->isHidden());
         m_chooser.answer = path("chosen.ply");
         for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
             if (button->text().startsWith(QStringLiteral("Browse")))
                 button->click();
         }
         QCOMPARE(dialog.path(), path("chosen.ply"));
+    }
+
+    void oldMessagesGoWithTheNextChoice()
+    {
+        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        dialog.show();
+        const auto failed = [&] {
+            dialog.setFormat(ExportDialog::Obj);
+            dialog.setPath(path("no/folder/tree.obj"));
+            dialog.startExport();
+            return QTest::qWaitFor([&] { return dialog.findChild<QLabel*>(QStringLiteral("problem")); });
+        };
+        QVERIFY(failed());
+        auto* message = dialog.findChild<QLabel*>(QStringLiteral("problem"));
+        QVERIFY(message->isVisible());
+        dialog.setFormat(ExportDialog::PlyBinary);
+        QVERIFY(!message->isVisible() && message->text().isEmpty());
+        QVERIFY(failed() && message->isVisible());
+        dialog.setPath(path("tree.obj"));
+        QVERIFY(!message->isVisible());
+        QVERIFY(failed() && message->isVisible());
+        dialog.findChild<QCheckBox*>(QStringLiteral("exportTexture"))->click();
+        QVERIFY(!message->isVisible());
+    }
+
+    void axesAndUnitAreKeptForTheNextExport()
+    {
+        m_preferences.setExportSpace({});
+        const FileSpace chosen{UpAxis::Z, 2, 0.5};
+        {
+            ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+            QVERIFY(dialog.options().texture); // by default
+            QVERIFY(dialog.options().space.isOwn());
+            dialog.findChild<QComboBox*>(QStringLiteral("exportUp"))->setCurrentIndex(1);
+            dialog.findChild<QComboBox*>(QStringLiteral("exportUnit"))->setCurrentIndex(2);
+            auto* scale = dialog.findChild<QAbstractSpinBox*>(QStringLiteral("exportScale"));
+            scale->selectAll();
+            QTest::keyClicks(scale, QStringLiteral("0.5"));
+            QTest::keyClick(scale, Qt::Key_Return);
+            QVERIFY(dialog.options().space == chosen);
+            QSignalSpy exported(&dialog, &ExportDialog::exported);
+            dialog.setPath(path("turned.obj"));
+            dialog.startExport();
+            QTRY_COMPARE(exported.count(), 1);
+        }
+        QVERIFY(*fileSpaceOf(path("turned.obj").toStdString()) == chosen);
+        ExportDialog next(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        QVERIFY(next.options().space == chosen);
+        m_preferences.setExportSpace({});
     }
 
     void aTaskCanBeCancelled()

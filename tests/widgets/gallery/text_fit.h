@@ -1,6 +1,6 @@
 /// \file
-/// Does every text of a window have the room it needs? Texts that are shortened with an ellipsis on purpose
-/// say so in their tool tip and are left out.
+/// Does every text of a window, and every arrow of its spin boxes, have the room it needs? Texts that are
+/// shortened with an ellipsis on purpose say so in their tool tip and are left out.
 #pragma once
 
 #include <QAbstractButton>
@@ -13,8 +13,10 @@
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QStyleOptionComboBox>
+#include <QStyleOptionSpinBox>
 #include <QTabBar>
 #include <QToolButton>
+#include <algorithm>
 
 namespace ramure::test {
 
@@ -99,6 +101,21 @@ inline QString misfit(const QWidget* widget)
         const int margins = field->textMargins().left() + field->textMargins().right() + 4;
         const int needed = field->fontMetrics().horizontalAdvance(text) + margins;
         return needed > field->width() ? say(text, needed, field->width()) : cut(text);
+    }
+    if (const auto* spin = qobject_cast<const QAbstractSpinBox*>(widget);
+        spin && spin->buttonSymbols() != QAbstractSpinBox::NoButtons) {
+        constexpr int arrow = 10; // as in the style sheet
+        QStyleOptionSpinBox option;
+        option.initFrom(spin);
+        option.frame = spin->hasFrame();
+        option.buttonSymbols = spin->buttonSymbols();
+        option.subControls = QStyle::SC_All;
+        for (const QStyle::SubControl part : {QStyle::SC_SpinBoxUp, QStyle::SC_SpinBoxDown}) {
+            const QRect there = spin->style()->subControlRect(QStyle::CC_SpinBox, &option, part, spin);
+            if (const int least = std::min(there.width(), there.height()); least < arrow)
+                return say(QStringLiteral("arrow"), arrow, least);
+        }
+        return cut(spin->objectName());
     }
     if (const auto* tabs = qobject_cast<const QTabBar*>(widget)) {
         for (int i = 0; i < tabs->count(); ++i) {

@@ -1,5 +1,7 @@
 #include "tests/widgets/support/fixture.h"
 #include "widgets/grammar/grammar_edit.h"
+#include "widgets/grammar/height_grip.h"
+#include <QLabel>
 
 using namespace ramure;
 
@@ -113,17 +115,41 @@ private slots:
         QVERIFY(!edit.isUndoRedoEnabled());
     }
 
-    void itGrowsWithItsText()
+    void neitherTextNorErrorsChangeItsHeight()
     {
         GrammarEdit edit(true, nullptr);
-        edit.resize(300, 60);
+        edit.resize(300, edit.height());
         edit.show();
-        const int small = edit.sizeHint().height();
-        edit.showText(QStringLiteral("A -> B\n").repeated(8));
-        const int large = edit.sizeHint().height();
-        QVERIFY(large > small);
-        edit.showText(QStringLiteral("A -> B\n").repeated(1000));
-        QVERIFY(edit.sizeHint().height() < 4 * large);
+        const int height = edit.height();
+        for (const int lines : {1, 8, 1000}) {
+            edit.showText(QStringLiteral("A -> B\n").repeated(lines));
+            QCOMPARE(edit.height(), height);
+        }
+        const int text = edit.viewport()->height();
+        edit.showMessage(
+            QStringLiteral("Line 2, column 3: a closing bracket is missing here, or one too many is there"));
+        QCOMPARE(edit.height(), height);
+        const auto* message = edit.findChild<QLabel*>(QStringLiteral("problem"));
+        QVERIFY(message->isVisible() && edit.rect().contains(message->geometry()));
+        QCOMPARE(edit.viewport()->geometry().bottom() + 1, message->y()); // no line lies below it
+        edit.showMessage({});
+        QCOMPARE(edit.viewport()->height(), text);
+    }
+
+    void theGripMakesItHigher()
+    {
+        QWidget page;
+        GrammarEdit edit(true, &page);
+        HeightGrip grip(&edit, &page);
+        page.show();
+        const int lines = edit.lines(), height = edit.height();
+        test::drag(&grip, {20, 3}, {20, 3 + 4 * edit.fontMetrics().lineSpacing()});
+        QCOMPARE(edit.lines(), lines + 4);
+        QVERIFY(edit.height() > height);
+        QTest::mouseDClick(&grip, Qt::LeftButton);
+        QCOMPARE(edit.height(), height);
+        test::drag(&grip, {20, 3}, {20, -5000});
+        QCOMPARE(edit.lines(), 1);
     }
 };
 

@@ -15,8 +15,11 @@
 #include "widgets/support/language.h"
 #include "widgets/support/preferences.h"
 #include "widgets/theme/theme.h"
+#include <QDockWidget>
 #include <QDropEvent>
+#include <QLabel>
 #include <QProgressBar>
+#include <QToolBar>
 #include <QToolButton>
 
 using namespace ramure;
@@ -33,6 +36,12 @@ private:
     std::unique_ptr<MainWindow> m_window;
 
     QAction* action(const char* id) { return m_window->actionSet()->find(QString::fromLatin1(id)); }
+    /// Whether branches cross is another question.
+    bool isClosed()
+    {
+        const QStringList closed{QStringLiteral("closed"), QStringLiteral("warning"), QStringLiteral("good")};
+        return closed.contains(m_window->status()->badgeState());
+    }
     NodeId tree() { return m_document->scene().nodes().front().id; }
 
 private slots:
@@ -76,7 +85,7 @@ private slots:
         QTRY_VERIFY(m_window->properties()->row(rules)->isAncestorOf(QApplication::focusWidget()));
         action("edit.undo")->trigger();
         QTRY_VERIFY(m_window->problem()->message().isEmpty());
-        QTRY_COMPARE(m_window->status()->badgeState(), QStringLiteral("good"));
+        QTRY_VERIFY(isClosed());
     }
 
     void errorsOfBeforeAreNoErrorsOfNow()
@@ -88,7 +97,7 @@ private slots:
         QVERIFY(edit::setParam(*m_document, {tree()}, rules, std::string("A -> [B]")));
         QCOMPARE(m_window->status()->badgeState(), QStringLiteral("busy")); // before any result
         QVERIFY(m_window->problem()->message().isEmpty());
-        QTRY_COMPARE(m_window->status()->badgeState(), QStringLiteral("good"));
+        QTRY_VERIFY(isClosed());
     }
 
     void rulesThatExplodeStopWithAMessage()
@@ -99,6 +108,28 @@ private slots:
                                  {findParam("grammar.iterations"), std::int64_t{30}}},
                                 QStringLiteral("explode")));
         QTRY_VERIFY(!m_window->problem()->message().isEmpty());
+    }
+
+    /// The room that rows of keys need is the view's again when the timeline comes back.
+    void leavingTheKeysGivesTheirHeightBack()
+    {
+        auto* keys = m_window->findChild<QDockWidget*>(QStringLiteral("keysDock"));
+        auto* timeline = m_window->findChild<QDockWidget*>(QStringLiteral("timelineDock"));
+        const auto room = [this] { return m_window->centralWidget()->height(); };
+        timeline->raise();
+        QTRY_VERIFY(timeline->height() < 220);
+        const int before = room();
+        for (int i = 0; i < 2; ++i) {
+            keys->raise();
+            QTRY_VERIFY(keys->height() >= 220);
+            QVERIFY(room() < before);
+            timeline->raise();
+            QTRY_COMPARE(room(), before);
+        }
+        keys->raise();
+        QTRY_VERIFY(keys->height() >= 220);
+        keys->close();
+        QTRY_VERIFY(room() >= before);
     }
 
     void spaceGrowsAnotherTreeAndUndoBringsItBack()
@@ -113,6 +144,27 @@ private slots:
         QVERIFY(m_document->scene().nodes().front().params == before);
         QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(!(m_document->scene().nodes().front().params == before));
+    }
+
+    void newTreeIsOffWhereNothingCanVary()
+    {
+        QVERIFY(m_window->files()->newFromPreset(QStringLiteral("Fern2D")));
+        const QAction* action = m_window->edits()->newTreeAction();
+        QVERIFY(action->isEnabled());
+        const QString usual = action->toolTip();
+        for (const char* key : {"variation.angle", "variation.length", "variation.radius"}) {
+            QVERIFY(action->isEnabled());
+            QVERIFY(edit::setParam(*m_document, {1}, *findParam(key), 0.0));
+        }
+        QVERIFY(!action->isEnabled());
+        QVERIFY(action->toolTip().contains(QStringLiteral("nothing can vary")));
+        const int steps = m_document->undoStack()->count();
+        m_window->setFocus();
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QCOMPARE(m_document->undoStack()->count(), steps);
+        m_document->undoStack()->undo();
+        QVERIFY(action->isEnabled());
+        QCOMPARE(action->toolTip(), usual);
     }
 
     void spaceStillTicksBoxesAndTypes()
@@ -227,6 +279,30 @@ private slots:
         QTRY_COMPARE(m_document->filePath(), m_chooser.answer);
     }
 
+    void droppedObjectsOpenOrAreAdded()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("rock.obj"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n") > 0);
+        file.close();
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        const auto drop = [&](Qt::KeyboardModifiers keys) {
+            QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, keys);
+            QCoreApplication::sendEvent(m_window.get(), &enter);
+            QDropEvent event({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, keys);
+            QCoreApplication::sendEvent(m_window.get(), &event);
+        };
+        drop(Qt::ShiftModifier); // into this scene
+        QTRY_COMPARE(m_document->scene().nodes().size(), std::size_t(2));
+        m_chooser.unsaved = Chooser::Unsaved::Discard;
+        drop(Qt::NoModifier);
+        QTRY_COMPARE(m_document->scene().nodes().size(), std::size_t(1));
+        QCOMPARE(m_document->scene().nodes()[0].name, std::string("rock"));
+        QVERIFY(m_window->windowTitle().contains(QStringLiteral("Untitled")));
+    }
+
     void sectionsAreSteppedThroughByKeys()
     {
         QVERIFY(!action("inspect.nextSection")->isEnabled());
@@ -292,6 +368,20 @@ private slots:
         }
     }
 
+    void toolTipsSayWhatFor()
+    {
+        const auto* bar = m_window->findChild<QToolBar*>(QStringLiteral("mainToolBar"));
+        for (const QAction* each : bar->actions()) {
+            const QString id = each->objectName();
+            if (id.isEmpty() || id == QLatin1String("edit.undo") || id == QLatin1String("edit.redo"))
+                continue; // no action; or its text names what is undone
+            QVERIFY2(!each->statusTip().isEmpty(), qPrintable(id));
+            QVERIFY2(each->toolTip().startsWith(each->statusTip()), qPrintable(id));
+            const QString keys = each->shortcut().toString(QKeySequence::NativeText);
+            QVERIFY2(keys.isEmpty() || each->toolTip().endsWith(u'(' + keys + u')'), qPrintable(id));
+        }
+    }
+
     void textsChangeWithTheLanguage()
     {
         m_preferences->setLanguage(QStringLiteral("en"));
@@ -303,6 +393,18 @@ private slots:
         QCOMPARE(label->text(), QStringLiteral("Effilement"));
         m_preferences->setLanguage(QStringLiteral("en"));
         QTRY_COMPARE(action("file.open")->text(), QStringLiteral("&Open…"));
+    }
+
+    void theBadgeOpensTheValidationPanel()
+    {
+        auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("validationDock"));
+        auto* badge = m_window->status()->findChild<QLabel*>(QStringLiteral("badge"));
+        QVERIFY(dock && badge);
+        QTRY_VERIFY(isClosed());
+        QVERIFY(badge->toolTip().contains(QStringLiteral("Validation")));
+        dock->close();
+        QTest::mouseClick(badge, Qt::LeftButton);
+        QTRY_VERIFY(dock->isVisible() && !dock->visibleRegion().isEmpty());
     }
 
     void themesSwitchWhileRunning()

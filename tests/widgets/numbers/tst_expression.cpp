@@ -102,6 +102,8 @@ private slots:
         QTest::newRow("metres") << "20cm" << metre << 1.0 << 0.2;
         QTest::newRow("sum of lengths") << "20 cm + 5mm + 1" << metre << 1.0 << 1.205;
         QTest::newRow("feet") << "1ft" << metre << 1.0 << 0.3048;
+        QTest::newRow("grams") << "75 g" << int(ParamUnit::Kilogram) << 1.0 << 0.075;
+        QTest::newRow("factor") << "2 × 0.75 ×" << int(ParamUnit::Factor) << 1.0 << 1.5;
         QTest::newRow("degrees") << "18 deg" << angle << inDegrees << 18.0 * inDegrees;
         QTest::newRow("degree sign") << "18°" << angle << inDegrees << 18.0 * inDegrees;
         QTest::newRow("plain is what is shown") << "18" << angle << inDegrees << 18.0 * inDegrees;

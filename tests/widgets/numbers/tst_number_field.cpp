@@ -37,7 +37,11 @@ private slots:
         QTest::newRow("usual") << 0.2 << "0.20 m";
         QTest::newRow("three digits at least") << 0.0001234 << "0.000123 m";
         QTest::newRow("no rest") << 0.0035 << "0.0035 m";
-        QTest::newRow("tiny") << 1.5e-12 << "1.5e-12 m";
+        QTest::newRow("least") << 1.5e-6 << "0.000002 m";
+        QTest::newRow("rest of arithmetic") << 1.5e-12 << "0.00 m";
+        QTest::newRow("rest below zero") << -1.94e-15 << "0.00 m";
+        QTest::newRow("minus zero") << -0.0 << "0.00 m";
+        QTest::newRow("rounds up") << 0.99996 << "1.00 m";
         QTest::newRow("large") << 12345.678 << "12345.68 m";
         QTest::newRow("huge") << 1e12 << "1e+12 m";
         QTest::newRow("negative") << -1.5 << "-1.50 m";
@@ -49,6 +53,37 @@ private slots:
         QCOMPARE(lengthFormat().text(value), text);
         const auto back = lengthFormat().parse(text);
         QVERIFY2(back, test::why(back).constData());
+    }
+
+    /// Rotations come from matrices, which leave rests.
+    void restsOfRotationsAreZeroAndStay()
+    {
+        const ParamDef& def = *findParam("tree.rotation");
+        const NumberFormat degrees = numberFormat(def, AngleUnit::Degrees);
+        const double rest = 3.386e-17; // 1.94e-15 degrees
+        QCOMPARE(degrees.text(rest), QStringLiteral("0.00°"));
+        QCOMPARE(degrees.text(-rest), QStringLiteral("0.00°"));
+        QCOMPARE(numberFormat(def, AngleUnit::Radians).text(-rest), QStringLiteral("0.00 rad"));
+        QCOMPARE(degrees.text(1e-3 / degrees.factor), QStringLiteral("0.001°"));
+        NumberField field;
+        field.setFormat(degrees);
+        field.setValue(-rest);
+        QSignalSpy edited(&field, &NumberField::valueEdited);
+        for (const char* same : {"0", "0.00", "-0", "0.00 deg"}) {
+            field.selectAll();
+            QTest::keyClicks(&field, QLatin1String(same));
+            QTest::keyClick(&field, Qt::Key_Return);
+        }
+        QCOMPARE(edited.count(), 0);
+        QCOMPARE(field.value(), std::optional(-rest)); // exact all the same
+    }
+
+    void sharesAreShownInPerCent()
+    {
+        const NumberFormat format = numberFormat(*findParam("variation.angle"), AngleUnit::Degrees);
+        QCOMPARE(format.text(0.05), QStringLiteral("5.0 %"));
+        for (const char* text : {"5", "5 %", "2 % + 3", "10/2"})
+            QCOMPARE(format.parse(QLatin1String(text)).value_or(-1.0), 0.05);
     }
 
     void badTextStaysUntilTheFocusGoes()

@@ -2,6 +2,13 @@
 #include "widgets/preferences/preferences_dialog.h"
 #include "widgets/support/language.h"
 #include "widgets/support/preferences.h"
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
 
 using namespace ramure;
 
@@ -121,6 +128,11 @@ private slots:
         box->setCurrentIndex(box->findData(QStringLiteral("fr")));
         QTRY_COMPARE(dialog.windowTitle(), QStringLiteral("Préférences"));
         QCOMPARE(box->currentData().toString(), QStringLiteral("fr"));
+        // Numbers, too, are written as in the new language.
+        const auto* memory = dialog.findChild<QSpinBox*>(QStringLiteral("motionMemory"));
+        QVERIFY(memory->value() >= 1000);
+        QVERIFY2(memory->text().startsWith(QLocale(QStringLiteral("fr")).toString(memory->value())),
+                 qPrintable(memory->text()));
     }
 
     void nothingIsCutOffInEitherLanguage()

@@ -74,12 +74,13 @@ private:
     }
 
     /// Types something else into the first editor of the row.
-    void typeAnother(ParamRow* row)
+    /// \param part of the range, for numbers
+    void typeAnother(ParamRow* row, double part = 0.25)
     {
         if (auto* field = row->findChild<NumberField*>()) {
             const ParamDef& def = row->def();
             const double wish =
-                def.hardMin + 0.25 * (std::min(def.hardMax, def.hardMin + 100.0) - def.hardMin);
+                def.hardMin + part * (std::min(def.hardMax, def.hardMin + 100.0) - def.hardMin);
             field->setFocus();
             field->selectAll();
             QTest::keyClicks(field,
@@ -385,7 +386,7 @@ private slots:
         QVERIFY(row->resetButton()->isHidden() == !row->isChanged());
         typeAnother(row);
         if (!row->isChanged())
-            QSKIP("the value typed happens to be the default");
+            typeAnother(row, 0.75);
         row->resetButton()->click();
         QVERIFY(valueOf(*m_document, 1, def) == defaultValue(def));
         QVERIFY(!row->isChanged());
@@ -411,7 +412,7 @@ private slots:
         ParamRow* row = m_panel->row(def);
         typeAnother(row); // of the first node only
         if (valueOf(*m_document, 1, def) == valueOf(*m_document, 2, def))
-            QSKIP("the value typed happens to be the other node's");
+            typeAnother(row, 0.75);
         const ParamValue first = valueOf(*m_document, 1, def), second = valueOf(*m_document, 2, def);
         Selection both;
         both.nodes = {1, 2};
@@ -529,41 +530,6 @@ private slots:
         emit turtle->pasteRequested();
         QCOMPARE(m_document->undoStack()->count(), 4);
         QVERIFY(!turtle->rows().front()->message().isEmpty());
-    }
-
-    void searchFindsByNameGroupAndKey()
-    {
-        auto* search = m_panel->findChild<QLineEdit*>();
-        const auto shown = [&](const char* key) {
-            return m_panel->row(param(key))->isVisibleTo(m_panel.get());
-        };
-        search->setText(QStringLiteral("radialDiv"));
-        QVERIFY(shown("sections.radialDivisions"));
-        QVERIFY(!shown("turtle.alpha"));
-        search->setText(QStringLiteral("foliage seed"));
-        QVERIFY(shown("foliage.seed"));
-        QVERIFY(!shown("grammar.seed"));
-        search->setText(QStringLiteral("no such thing"));
-        QVERIFY(!shown("foliage.seed"));
-        search->clear();
-        QVERIFY(shown("turtle.alpha"));
-    }
-
-    void enterGoesFromTheSearchToWhatItFound()
-    {
-        auto* search = m_panel->findChild<QLineEdit*>();
-        search->setFocus();
-        QTest::keyClicks(search, "no such thing");
-        QTest::keyClick(search, Qt::Key_Return);
-        QVERIFY(search->hasFocus());
-        search->selectAll();
-        QTest::keyClicks(search, "lengthDiv");
-        QTest::keyClick(search, Qt::Key_Return);
-        QWidget* field = QApplication::focusWidget();
-        QVERIFY(m_panel->row(param("sections.lengthDivisions"))->isAncestorOf(field));
-        QTest::keyClicks(field, "7"); // in the place of what was there
-        QTest::keyClick(field, Qt::Key_Return);
-        QVERIFY(valueOf(*m_document, 1, param("sections.lengthDivisions")) == ParamValue(std::int64_t{7}));
     }
 
     void foldsAreRemembered()

@@ -139,6 +139,33 @@ private slots:
             QVERIFY(glm::length(*camera.project(held, 1.4) - delta) < 1e-9);
         }
     }
+    void allAroundNothingLeavesThePicture()
+    {
+        Random random(7, RandomStream::Test);
+        for (int round = 0; round < 40; ++round) {
+            std::vector<glm::dvec3> points; // a crown to one side of its trunk
+            for (int i = 0; i < 300; ++i)
+                points.emplace_back(random.range(-1.0, 3.0), random.range(0.0, 5.0), random.range(-0.4, 0.9));
+            Camera camera = randomCamera(random);
+            camera.pitchRad = random.range(-0.4, 0.9);
+            const Camera before = camera;
+            const double aspect = random.range(0.6, 2.0);
+            camera.frameAllAround(points, aspect);
+            QCOMPARE(camera.yawRad, before.yawRad);
+            QCOMPARE(camera.pitchRad, before.pitchRad);
+            double widest = 0.0;
+            for (int turn = 0; turn < 90; ++turn) {
+                Camera turned = camera;
+                turned.yawRad += 2.0 * pi * turn / 90.0;
+                for (const glm::dvec3& point : points) {
+                    const auto at = turned.project(point, aspect);
+                    QVERIFY(at);
+                    widest = std::max({widest, std::abs(at->x), std::abs(at->y)});
+                }
+            }
+            QVERIFY2(widest <= 1.0 && widest > 0.75, qPrintable(QString::number(widest)));
+        }
+    }
     void orbitKeepsTargetAndStopsAtThePoles()
     {
         Camera camera;

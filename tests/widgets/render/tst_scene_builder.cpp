@@ -2,7 +2,9 @@
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "tests/support/suite.h"
+#include "widgets/render/outline.h"
 #include "widgets/render/scene_builder.h"
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <utility>
@@ -412,7 +414,7 @@ private slots:
         view.branches = {1, 2, 9999};
         view.activeBranch = 2;
         view.hoverNode = first;
-        view.hoverBranch = 1;
+        view.hoverBranches = {1};
         RenderScene built = trees.build(view);
         QCOMPARE(built.highlights.size(), std::size_t(1));
         const BranchStates& states = *built.highlights[0].states;
@@ -420,26 +422,114 @@ private slots:
         QVERIFY(states[0] == BranchState::Plain && states[1] == BranchState::HoveredSelected);
         QVERIFY(states[2] == BranchState::Active);
         view.hoverNode = second;
-        view.hoverBranch = 5;
+        view.hoverBranches = {5};
         updateHighlights(built, trees.of(), view);
         QCOMPARE(built.highlights.size(), std::size_t(2));
         QVERIFY((*built.highlights[0].states)[5] == BranchState::Hovered ||
                 built.highlights[0].node == first);
-        view.hoverBranch = 9999;
+        view.hoverBranches.clear();
+        view.hoverNodes = {second};
+        updateHighlights(built, trees.of(), view);
+        for (const Highlight& of : built.highlights)
+            QVERIFY(of.node == first ||
+                    std::ranges::all_of(*of.states, [](BranchState s) { return s == BranchState::Hovered; }));
+        // A line through the leaves that goes with the highlight.
+        const std::size_t lines = built.lines.size();
+        view.hoverThrough = true;
+        view.hoverBranches = {1};
+        for (int i = 0; i < 2; ++i) {
+            updateHighlights(built, trees.of(), view);
+            QCOMPARE(built.lines.size(), lines + 1);
+            QVERIFY(built.lines.back().throughSurfaces && !built.lines.back().pickable);
+        }
+        view.hoverThrough = false;
+        view.hoverBranches.clear();
+        updateHighlights(built, trees.of(), view);
+        QCOMPARE(built.lines.size(), lines);
+        view.hoverNodes = {first, 77}; // what is selected stays so, and an object has no branches
+        updateHighlights(built, trees.of(), view);
+        QVERIFY(built.highlights[0].node == 77 && built.highlights[0].whole);
+        QVERIFY(built.highlights[1].node == first && !built.highlights[1].whole);
+        QVERIFY((*built.highlights[1].states)[2] == BranchState::HoveredSelected);
+        view.hoverNodes.clear();
+        view.hoverBranches = {9999};
         view.branches.clear();
         updateHighlights(built, trees.of(), view);
         for (const Highlight& of : built.highlights)
             QVERIFY(std::ranges::all_of(*of.states, [](BranchState s) { return s == BranchState::Plain; }));
     }
-    void selectedTreesAreFramedAmongOthers()
+    void selectedNodesAreOutlinedWithAllBelow()
     {
         Trees trees;
-        const NodeId first = trees.add();
+        Node group;
+        group.id = trees.scene.newId();
+        QVERIFY(trees.scene.insert({group}, noNode, 0));
+        const NodeId tree = trees.add();
+        QVERIFY(trees.scene.move(tree, group.id, 0));
+        const NodeId other = trees.add();
+        for (const NodeId selected : {group.id, tree}) {
+            SceneView view;
+            view.selectedNodes = {selected};
+            for (const MeshItem& item : trees.build(view).meshes) {
+                QCOMPARE(item.outlined != nullptr, item.node == tree);
+                QVERIFY(item.node == other || (!item.outlined->ofBranches && !item.outlined->box.empty()));
+            }
+            view.mode = DisplayMode::Skeleton;
+            for (const LineItem& item : trees.build(view).lines)
+                QVERIFY(item.outlined == (item.node == tree ? OutlinedLines::All : OutlinedLines::None));
+        }
+    }
+    void selectedBranchesAreOutlined()
+    {
+        Trees trees;
         SceneView view;
-        view.selectedNodes = {first};
-        QVERIFY(trees.build(view).lines.empty());
-        trees.add();
-        QCOMPARE(trees.build(view).lines.size(), std::size_t(1));
+        view.branchNode = trees.add();
+        view.selectedNodes = {view.branchNode};
+        view.branches = {2, 5, 9999};
+        const RenderScene built = trees.build(view);
+        for (const MeshItem& item : built.meshes) {
+            QCOMPARE(item.outlined != nullptr, item.material.name == "bark");
+            if (!item.outlined)
+                continue;
+            QVERIFY(item.outlined->ofBranches);
+            std::vector<bool> inside(item.mesh->faceCount(), false);
+            for (const auto& [first, count] : item.outlined->runs)
+                std::fill_n(inside.begin() + first, count, true);
+            for (Index f = 0; f < item.mesh->faceCount(); ++f) {
+                bool wanted = false;
+                for (int corner = 0; corner < 3; ++corner) {
+                    const Index branch = item.mesh->branch[item.mesh->triangles[f][corner]];
+                    wanted = wanted || branch == 2 || branch == 5;
+                }
+                QCOMPARE(bool(inside[f]), wanted);
+            }
+        }
+        QVERIFY(built.lines[0].outlined == OutlinedLines::All); // their curves
+        view.mode = DisplayMode::Skeleton;
+        QVERIFY(trees.build(view).lines[0].outlined == OutlinedLines::Selected);
+    }
+    /// The large faces, wherever they stand, and some of all the others.
+    void outlinesOfLargeMeshesAreSampled()
+    {
+        constexpr Index count = 200'000, large = 77'000;
+        TriangleMesh mesh;
+        for (Index f = 0; f < count; ++f) {
+            const auto first = static_cast<Index>(mesh.positions.size());
+            const float size = f >= large && f < large + 1000 ? 1.0f : 0.01f;
+            for (const glm::vec3& corner : {glm::vec3(0, 0, 0), glm::vec3(1, 0, 0), glm::vec3(0, 1, 0)})
+                mesh.positions.push_back(size * corner);
+            mesh.triangles.emplace_back(first, first + 1, first + 2);
+        }
+        QVERIFY(outlinedWhole(mesh, Box(), 0).runs.empty());
+        QVERIFY(outlinedWhole(mesh, Box(), count).runs.empty());
+        std::vector<bool> kept(count, false);
+        for (const auto& [first, run] : outlinedWhole(mesh, Box(), 40'000).runs)
+            std::fill_n(kept.begin() + first, run, true);
+        const auto faces = std::ranges::count(kept, true);
+        QVERIFY(faces > 30'000 && faces <= 41'000);
+        QVERIFY(std::all_of(kept.begin() + large, kept.begin() + large + 1000, [](bool is) { return is; }));
+        for (Index from = 0; from < count; from += 2000)
+            QVERIFY(std::count(kept.begin() + from, kept.begin() + from + 2000, true) > 0);
     }
     void foreignMeshGetsNormals()
     {

@@ -35,35 +35,82 @@ QStringList shownRows(const SceneModel& model, const QModelIndex& parent = {}, i
     return rows;
 }
 
-/// Where a branch stands, said in another way than the model does it: a branch that leads its parent on (the
-/// first of its children of the same level) stands where its parent does, a side branch below its parent.
-Index standsBelow(const Skeleton& bones, Index branch)
+/// The first child of the branch's own level, which leads it on.
+Index leadingOn(const Skeleton& bones, Index branch)
 {
-    Index parent = bones.parent[branch];
-    while (parent != noIndex) {
-        Index first = 0;
-        while (bones.parent[first] != parent || bones.level[first] != bones.level[parent]) {
-            if (++first == bones.size())
-                return parent;
-        }
-        if (first != branch)
-            return parent;
-        branch = parent;
-        parent = bones.parent[branch];
-    }
+    for (Index child = branch + 1; child < bones.size(); ++child)
+        if (bones.parent[child] == branch && bones.level[child] == bones.level[branch])
+            return child;
     return noIndex;
 }
 
-QStringList expectedBranches(const Skeleton& bones, Index below, int depth)
+/// An axis and what springs from it, said in another way than the model does it.
+struct ExpectedAxis
+{
+    const Skeleton& bones;
+    int order = 0, number = 1, aboveNumber = 0;
+    double along = 0.0;
+
+    [[nodiscard]] QString name() const
+    {
+        const QString metres = QLocale().toString(along, 'f', along < 0.995 ? 2 : 1) + QStringLiteral(" m ");
+        switch (order) {
+        case 0:
+            return QStringLiteral("Trunk");
+        case 1:
+            return QStringLiteral("Limb %1 of the trunk, ").arg(number) + metres + QStringLiteral("up");
+        default:
+            const QString words = order == 2   ? QStringLiteral("Bough %1 of limb %2, ")
+                                  : order == 3 ? QStringLiteral("Twig %1 of bough %2, ")
+                                               : QStringLiteral("Twig %1 of twig %2, ");
+            return words.arg(number).arg(aboveNumber) + metres + QStringLiteral("along");
+        }
+    }
+    [[nodiscard]] QStringList rows(Index foot, int depth) const
+    {
+        std::vector<Index> chain;
+        for (Index branch = foot; branch != noIndex; branch = leadingOn(bones, branch))
+            chain.push_back(branch);
+        QStringList rows{QString(depth, u'.') + name()};
+        if (chain.size() > 1)
+            rows += QString(depth + 1, u'.') + QStringLiteral("%1 branch(es)").arg(chain.size());
+        for (std::size_t i = 0; i < chain.size() && chain.size() > 1; ++i)
+            rows += QString(depth + 2, u'.') + QStringLiteral("Branch %1 of %2").arg(i + 1).arg(chain.size());
+        ExpectedAxis below{bones, order + 1, 1, number, 0.0};
+        for (const Index branch : chain) {
+            below.along += bones.length(branch);
+            for (Index child = branch + 1; child < bones.size(); ++child) {
+                if (bones.parent[child] != branch || child == leadingOn(bones, branch))
+                    continue;
+                rows += below.rows(child, depth + 1);
+                ++below.number;
+            }
+        }
+        return rows;
+    }
+};
+
+QStringList expectedTrunks(const Skeleton& bones, int depth)
 {
     QStringList rows;
-    for (Index branch = 0; branch < bones.size(); ++branch) {
-        if (standsBelow(bones, branch) != below)
-            continue;
-        rows += QString(depth, u'.') + QStringLiteral("Branch %1").arg(branch);
-        rows += expectedBranches(bones, branch, depth + 1);
-    }
+    for (Index branch = 0; branch < bones.size(); ++branch)
+        if (bones.parent[branch] == noIndex)
+            rows += ExpectedAxis{bones}.rows(branch, depth);
     return rows;
+}
+
+/// The first row whose count is not that of the rows below it.
+QString wrongCount(const SceneModel& model, const QModelIndex& parent = {})
+{
+    for (int row = 0; row < model.rowCount(parent); ++row) {
+        const QModelIndex index = model.index(row, 0, parent);
+        const QString told = index.siblingAtColumn(SceneModel::ChildrenColumn).data().toString();
+        if (told != (model.rowCount(index) == 0 ? QString() : QLocale().toString(model.rowCount(index))))
+            return index.data().toString() + u':' + told;
+        if (const QString below = wrongCount(model, index); !below.isEmpty())
+            return below;
+    }
+    return {};
 }
 
 /// The same, from the document.
@@ -75,7 +122,7 @@ QStringList expectedRows(const Document& document, NodeId parent = noNode, int d
         rows += expectedRows(document, id, depth + 1);
         const NodeResult* result = document.result(id);
         if (result && result->tree.simplified)
-            rows += expectedBranches(result->tree.simplified->skeleton, noIndex, depth + 1);
+            rows += expectedTrunks(result->tree.simplified->skeleton, depth + 1);
     }
     return rows;
 }
@@ -114,6 +161,8 @@ public:
     {
         reset();
         connect(model, &QAbstractItemModel::modelReset, this, &Shadow::reset);
+        connect(model, &QAbstractItemModel::layoutChanged, this,
+                &Shadow::reset); // other lengths, other names
         connect(model, &QAbstractItemModel::rowsInserted, this,
                 [this](const QModelIndex& parent, int from, int to) {
                     for (int row = from; row <= to; ++row)
@@ -218,7 +267,7 @@ private slots:
         QVERIFY(!model.nodeIndex(7).isValid());
         QVERIFY(!model.branchIndex(7, 0).isValid());
         QCOMPARE(model.nodeAt({}), noNode);
-        QCOMPARE(model.branchAt({}), noIndex);
+        QVERIFY(model.branchesAt({}).empty());
     }
 
     void rowsAreNodesInTheirOrder()
@@ -249,19 +298,55 @@ private slots:
         QVERIFY(!model.canFetchMore(tree));
         // Not before: the tester fetches what it can.
         const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
-        const QModelIndex root = model.index(1, 0, tree);
-        QCOMPARE(model.branchAt(root), Index(0));
-        QCOMPARE(model.nodeAt(root), NodeId(1));
-        QCOMPARE(root.siblingAtColumn(SceneModel::LengthColumn).data().toString(),
-                 QLocale().toString(1.0, 'f', 3));
+        const QModelIndex trunk = model.index(1, 0, tree);
+        QCOMPARE(model.branchesAt(trunk).front(), Index(0));
+        QCOMPARE(model.nodeAt(trunk), NodeId(1));
         for (Index branch = 0; branch < 10; ++branch) {
             const QModelIndex index = model.branchIndex(1, branch);
-            QCOMPARE(model.branchAt(index), branch);
-            QCOMPARE(model.branchAt(index.parent()),
-                     standsBelow(document.result(1)->tree.simplified->skeleton, branch));
+            QCOMPARE(model.branchesAt(index).size(), std::size_t(1));
+            QCOMPARE(model.branchesAt(index).front(), branch);
             QCOMPARE(model.index(index.row(), 0, index.parent()), index);
         }
         QVERIFY(!model.branchIndex(1, 10).isValid());
+        QVERIFY(!model.axisIndex(1, model.branches(1)->axisCount()).isValid());
+    }
+
+    /// A trunk of three with two limbs, the lower of two branches with a bough at each: whoever leads on is
+    /// no child, and whoever springs from it is one.
+    void axesHaveTheirAxesBelow()
+    {
+        auto simplified = std::make_shared<SimplifiedSkeleton>();
+        Skeleton& bones = simplified->skeleton;
+        const Index parents[] = {noIndex, 0, 1, 0, 3, 3, 4, 1}, levels[] = {0, 0, 0, 1, 1, 2, 2, 1};
+        for (Index i = 0; i < 8; ++i) {
+            const glm::dvec3 from = parents[i] == noIndex ? glm::dvec3(0.0) : bones.p1[parents[i]];
+            bones.add(parents[i], from, from + glm::dvec3(0.0, 0.6, 0.0), 0.1, 0.09, levels[i]);
+            bones.key[i] = i + 1;
+        }
+        NodeResult result;
+        result.tree.simplified = std::move(simplified);
+        Document document;
+        test::openNodes(document, {test::treeNode(1, "T")});
+        document.setResult(1, std::move(result));
+        SceneModel model(&document);
+        const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::QtTest);
+        model.fetchMore(model.nodeIndex(1));
+        QCOMPARE(shownRows(model),
+                 QStringList({"T", ".Trunk", "..3 branch(es)", "...Branch 1 of 3", "...Branch 2 of 3",
+                              "...Branch 3 of 3", "..Limb 1 of the trunk, 0.60 m up", "...2 branch(es)",
+                              "....Branch 1 of 2", "....Branch 2 of 2", "...Bough 1 of limb 1, 0.60 m along",
+                              "...Bough 2 of limb 1, 1.2 m along", "..Limb 2 of the trunk, 1.2 m up"}));
+        QCOMPARE(wrongCount(model), QString());
+        const QModelIndex limb = model.axisIndex(1, model.branches(1)->axisOf(4));
+        QCOMPARE(std::vector<Index>(model.branchesAt(limb).begin(), model.branchesAt(limb).end()),
+                 (std::vector<Index>{3, 4}));
+        QCOMPARE(limb.siblingAtColumn(SceneModel::LengthColumn).data().toString(),
+                 QLocale().toString(1.2, 'f', 3));
+        QCOMPARE(limb.siblingAtColumn(SceneModel::ChildrenColumn).data().toString(), QStringLiteral("3"));
+        QCOMPARE(model.names().branch(*model.branches(1), 4),
+                 QStringLiteral("Limb 1 of the trunk, 0.60 m up, branch 2 of 2"));
+        QVERIFY(limb.data(Qt::ToolTipRole).toString().endsWith(QStringLiteral("\nTrunk")));
+        QVERIFY(model.nodeIndex(1).data(Qt::ToolTipRole).toString().contains(QStringLiteral("8 branch(es)")));
     }
 
     void anotherTreeReplacesTheBranches()
@@ -287,28 +372,29 @@ private slots:
         QCOMPARE(shadow.rows(), shownRows(model));
     }
 
-    void theCountOfBranchesIsToldWhenItChanges()
+    void countsAreToldWhenTheyChange()
     {
         // Without a change of rows, too: of a tree that nobody has unfolded.
         for (const bool unfolded : {false, true}) {
             Document document;
             test::openNodes(document, {test::treeNode(1, "T"), test::groupNode(2, "G")});
-            document.setResult(1, resultWith(10));
             SceneModel model(&document);
             if (unfolded)
                 model.fetchMore(model.nodeIndex(1));
+            const QModelIndex cell = model.nodeIndex(1, SceneModel::ChildrenColumn);
+            QCOMPARE(cell.data().toString(), QString());
             QSignalSpy told(&model, &QAbstractItemModel::dataChanged);
-            for (const Index count : {25u, 7u, 0u, 10u}) {
-                told.clear();
-                document.setResult(1, count == 0 ? NodeResult() : resultWith(count));
-                QCOMPARE(told.count(), 1);
-                const QModelIndex cell = model.nodeIndex(1, SceneModel::ChildrenColumn);
-                QCOMPARE(told.front().front().toModelIndex(), cell);
-                QCOMPARE(cell.data().toString(), count == 0 ? QString() : QLocale().toString(count));
-            }
-            told.clear();
-            document.setResult(1, resultWith(10, 2.0)); // as many, of another length
-            QCOMPARE(told.count(), 0);
+            document.setResult(1, resultWith(10));
+            QCOMPARE(told.count(), 1);
+            QCOMPARE(told.front().front().toModelIndex(), cell);
+            QCOMPARE(cell.data().toString(), QStringLiteral("1"));
+            document.setResult(1, resultWith(25)); // another tree, with one trunk again
+            QCOMPARE(told.count(), 1);
+            QVERIFY(edit::moveNode(document, 2, 1, 0, false));
+            QCOMPARE(cell.data().toString(), QStringLiteral("2"));
+            QVERIFY(told.count() > 1);
+            document.setResult(1, NodeResult());
+            QCOMPARE(cell.data().toString(), QStringLiteral("1"));
         }
     }
 
@@ -319,7 +405,7 @@ private slots:
         document.setResult(1, resultWith(100'000));
         SceneModel model(&document);
         const QModelIndex last = model.branchIndex(1, 99'999);
-        QCOMPARE(model.branchAt(last), Index(99'999));
+        QCOMPARE(model.branchesAt(last).back(), Index(99'999));
         QCOMPARE(model.branches(1)->find(100 + 4711), std::optional<Index>(4711));
         QVERIFY(!model.branches(1)->find(5));
     }
@@ -432,6 +518,7 @@ private slots:
             const QStringList expected = expectedRows(document);
             QCOMPARE(shownRows(model), expected);
             QCOMPARE(shadow.rows(), expected);
+            QCOMPARE(wrongCount(model), QString());
         }
         QVERIFY(document.scene().nodes().size() > 5);
         QVERIFY(replaced.count() > 50);

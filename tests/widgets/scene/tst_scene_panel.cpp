@@ -7,6 +7,7 @@
 #include "widgets/support/preferences.h"
 #include <QAbstractItemModelTester>
 #include <QHeaderView>
+#include <QMouseEvent>
 
 using namespace ramure;
 
@@ -22,6 +23,30 @@ NodeResult twoForks(std::uint64_t firstKey)
         bones.add(parents[i], from, from + glm::dvec3(0.1 * i, 1.0, 0.0), 0.1, 0.09,
                   i == 0 ? 0 : 1 + (i - 1) / 2);
         bones.key[i] = firstKey + i;
+    }
+    NodeResult result;
+    result.tree.simplified = std::move(simplified);
+    return result;
+}
+
+/// Without the cursor of the screen, which other windows may have.
+void moveTo(const SceneTree* view, QPoint at)
+{
+    QMouseEvent move(QEvent::MouseMove, at, view->viewport()->mapToGlobal(at), Qt::NoButton, Qt::NoButton,
+                     {});
+    QCoreApplication::sendEvent(view->viewport(), &move);
+}
+
+/// A trunk of one branch with a limb of three.
+NodeResult limbOfThree()
+{
+    auto simplified = std::make_shared<SimplifiedSkeleton>();
+    Skeleton& bones = simplified->skeleton;
+    for (Index i = 0; i < 4; ++i) {
+        const double foot = i;
+        bones.add(i == 0 ? noIndex : i - 1, {0.0, foot, 0.0}, {0.0, foot + 1.0, 0.0}, 0.1, 0.09,
+                  i == 0 ? 0 : 1);
+        bones.key[i] = 500 + i;
     }
     NodeResult result;
     result.tree.simplified = std::move(simplified);
@@ -81,10 +106,111 @@ private slots:
         branches.activeBranch = 3;
         m_document->setSelection(branches);
         QCOMPARE(view->selectionModel()->selectedRows().size(), 2);
-        QCOMPARE(m_panel->model()->branchAt(view->currentIndex()), Index(3));
+        QCOMPARE(m_panel->model()->branchesAt(view->currentIndex()).front(), Index(3));
         QVERIFY(view->isExpanded(m_panel->model()->branchIndex(1, 1)));
         m_document->setSelection({});
         QVERIFY(view->selectionModel()->selectedRows().isEmpty());
+    }
+
+    /// Its row stands for all branches of a limb; one of them has a row below that.
+    void axesStandForTheirBranches()
+    {
+        m_document->setResult(2, limbOfThree());
+        SceneTree* view = m_panel->view();
+        SceneModel* model = m_panel->model();
+        const QModelIndex limb = model->axisIndex(2, 1);
+        const auto choose = [&](const QModelIndex& index, QItemSelectionModel::SelectionFlags how) {
+            view->selectionModel()->setCurrentIndex(index, how | QItemSelectionModel::Rows);
+        };
+        choose(limb, QItemSelectionModel::ClearAndSelect);
+        QCOMPARE(m_document->selection().branchNode, NodeId(2));
+        QCOMPARE(m_document->selection().branches, (std::vector<Index>{1, 2, 3}));
+        QCOMPARE(m_document->selection().activeBranch, Index(1));
+        choose(model->branchIndex(2, 2), QItemSelectionModel::Select); // with one of its own
+        QCOMPARE(m_document->selection().branches, (std::vector<Index>{1, 2, 3}));
+        choose(model->index(0, 0, limb), QItemSelectionModel::ClearAndSelect); // "3 branches"
+        QCOMPARE(m_document->selection().branches, (std::vector<Index>{1, 2, 3}));
+        Selection wanted;
+        wanted.branchNode = 2;
+        wanted.branches = {2};
+        wanted.activeBranch = 2;
+        m_document->setSelection(wanted);
+        QCOMPARE(view->currentIndex(), model->branchIndex(2, 2));
+        QCOMPARE(view->selectionModel()->selectedRows(), QModelIndexList{model->branchIndex(2, 2)});
+        QVERIFY(view->isExpanded(limb) && view->isExpanded(model->index(0, 0, limb)));
+        wanted.branches = {0, 1, 2, 3};
+        wanted.activeBranch = 3;
+        m_document->setSelection(wanted);
+        QCOMPARE(view->currentIndex(), limb);
+        QCOMPARE(view->selectionModel()->selectedRows().size(), 2); // the trunk and the limb
+        QCOMPARE(m_document->selection().activeBranch, Index(3));
+        // Unfolded they stay unfolded, the single branches, too.
+        m_document->setResult(2, NodeResult());
+        m_document->setResult(2, limbOfThree());
+        const QModelIndex again = model->axisIndex(2, 1);
+        QVERIFY(view->isExpanded(again) && view->isExpanded(model->index(0, 0, again)));
+    }
+
+    void wordsFindAxes()
+    {
+        m_document->setResult(2, limbOfThree());
+        m_panel->search()->field()->setText(QStringLiteral("limb trunk"));
+        const SceneResults* results = m_panel->results();
+        QCOMPARE(results->rowCount(), 3); // two of the one tree, one of the other
+        QCOMPARE(results->index(2, 0).data().toString(), m_panel->model()->axisIndex(2, 1).data().toString());
+        SceneTree* list = m_panel->resultView();
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                          list->visualRect(results->index(2, 0)).center());
+        QCOMPARE(m_document->selection().branches, (std::vector<Index>{1, 2, 3}));
+        QCOMPARE(list->selectionModel()->selectedRows(), QModelIndexList{results->index(2, 0)});
+        // With a condition single branches, each by its whole name.
+        m_panel->search()->field()->setText(QStringLiteral("limb trunk number = 2"));
+        QCOMPARE(results->rowCount(), 2);
+        QCOMPARE(results->index(1, 0).data().toString(),
+                 QStringLiteral("Limb 1 of the trunk, 1.0 m up, branch 2 of 3"));
+        QCOMPARE(results->index(1, SceneModel::ChildrenColumn).data().toString(), QStringLiteral("1"));
+    }
+
+    void pointingGoesBothWays()
+    {
+        m_document->setResult(2, limbOfThree());
+        SceneTree* view = m_panel->view();
+        SceneModel* model = m_panel->model();
+        std::vector<Index> pointed{noIndex};
+        NodeId node = noNode;
+        const QObject here; // the panel lives longer than the two
+        connect(m_panel.get(), &ScenePanel::pointedAt, &here,
+                [&](NodeId of, const std::vector<Index>& branches) {
+                    node = of;
+                    pointed = branches;
+                });
+        const auto hover = [view](const QModelIndex& index) {
+            moveTo(view, view->visualRect(index).center());
+        };
+        model->fetchBranches(2); // unfolding fetches nothing
+        view->expandRecursively(model->nodeIndex(2));
+        QTRY_VERIFY(view->visualRect(model->axisIndex(2, 1)).isValid()); // the rows are laid out
+        hover(model->axisIndex(2, 1));
+        QCOMPARE(pointed, (std::vector<Index>{1, 2, 3}));
+        QCOMPARE(node, NodeId(2));
+        hover(model->branchIndex(2, 3));
+        QCOMPARE(pointed, std::vector<Index>{3});
+        hover(model->nodeIndex(1));
+        QCOMPARE(node, NodeId(1));
+        QVERIFY(pointed.empty());
+        moveTo(view, view->viewport()->rect().bottomRight() - QPoint(3, 3));
+        QCOMPARE(node, noNode);
+        // From the view: the row, or the one that hides it. Nothing unfolds.
+        m_panel->showPointed(2, 3);
+        QCOMPARE(view->pointedRow(), model->branchIndex(2, 3));
+        view->collapse(model->axisIndex(2, 1));
+        m_panel->showPointed(2, 3);
+        QCOMPARE(view->pointedRow(), model->axisIndex(2, 1));
+        view->collapseAll();
+        m_panel->showPointed(2, 3);
+        QCOMPARE(view->pointedRow(), model->nodeIndex(2));
+        m_panel->showPointed(noNode, noIndex);
+        QVERIFY(!view->pointedRow().isValid());
     }
 
     void keysWalkThroughBranches()
@@ -206,6 +332,38 @@ private slots:
         QVERIFY(std::ranges::count(m_document->selection().branches, Index(0)) == 1);
     }
 
+    /// What a search does not list is not touched by a command given in its list.
+    void commandsInResultsActOnWhatIsListed()
+    {
+        Selection both;
+        both.nodes = {1, 2};
+        const auto selectFirst = [this] {
+            Selection one;
+            one.nodes = {1};
+            m_document->setSelection(one);
+        };
+        QLineEdit* field = m_panel->search()->field();
+        SceneTree* list = m_panel->resultView();
+        field->setText(QStringLiteral("two"));
+        m_document->setSelection(both);
+        const QModelIndex eye = m_panel->results()->nodeIndex(2).siblingAtColumn(SceneModel::VisibleColumn);
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualRect(eye).center());
+        QVERIFY(!m_document->scene().find(2)->visible);
+        QVERIFY(m_document->scene().find(1)->visible);
+        // Down from the field: the selection is what is seen.
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_Down);
+        QCOMPARE(m_document->selection().nodes, std::vector<NodeId>{2});
+        selectFirst();
+        field->setFocus();
+        QTest::keyClick(field, Qt::Key_Down);
+        QCOMPARE(m_document->selection().nodes, std::vector<NodeId>{2});
+        // A click beside the rows selects nothing, also nothing that is not listed.
+        selectFirst();
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->viewport()->rect().bottomLeft());
+        QVERIFY(m_document->selection().nodes.empty());
+    }
+
     void chosenColumnsAreRemembered()
     {
         const auto shown = [](const SceneTree* view) {
@@ -249,9 +407,11 @@ private slots:
         result.tree.simplified = std::move(simplified);
         m_document->setResult(2, std::move(result));
         const auto rows = [this] {
-            int count = 0;
+            std::size_t count = 0; // of branches: rows may stand for several
+            const SceneModel* model = m_panel->model();
             for (const QItemSelectionRange& range : m_panel->view()->selectionModel()->selection())
-                count += range.height();
+                for (int row = range.top(); row <= range.bottom(); ++row)
+                    count += model->branchesAt(model->index(row, 0, range.parent())).size();
             return count;
         };
         Selection all;
@@ -260,11 +420,11 @@ private slots:
             all.branches.push_back(i);
         all.activeBranch = 7;
         m_document->setSelection(all);
-        QCOMPARE(rows(), 20'000);
+        QCOMPARE(rows(), std::size_t{20'000});
         QCOMPARE(m_document->selection().branches.size(), std::size_t{20'000});
         all.branches.resize(10'000);
         m_document->setSelection(all);
-        QCOMPARE(rows(), 10'000);
+        QCOMPARE(rows(), std::size_t{10'000});
     }
 
     void namesAreNeverSqueezedAway()

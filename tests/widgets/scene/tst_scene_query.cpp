@@ -4,15 +4,6 @@
 
 using namespace ramure;
 
-namespace {
-
-QString numberName(Index branch)
-{
-    return QStringLiteral("Branch %1").arg(branch);
-}
-
-} // namespace
-
 class TestSceneQuery : public QObject
 {
     Q_OBJECT
@@ -23,7 +14,7 @@ private:
     std::vector<Index> found(const QString& text)
     {
         const auto query = SceneQuery::parse(text);
-        return query ? query->matches(*m_rows, numberName) : std::vector<Index>{noIndex};
+        return query ? query->matches(*m_rows, BranchNames()) : std::vector<Index>{noIndex};
     }
     template <class Holds> std::vector<Index> those(Holds holds)
     {
@@ -70,7 +61,7 @@ private slots:
             const auto query = SceneQuery::parse(QString::fromLatin1(text));
             QVERIFY(query && query->isEmpty());
             QVERIFY(!query->matchesNode(QStringLiteral("Oak")));
-            QVERIFY(query->matches(*m_rows, numberName).empty());
+            QVERIFY(query->matches(*m_rows, BranchNames()).empty());
         }
     }
 
@@ -80,7 +71,21 @@ private slots:
         QVERIFY(query);
         QVERIFY(query->matchesNode(QStringLiteral("Old oak 12")));
         QVERIFY(!query->matchesNode(QStringLiteral("Old oak")));
-        QCOMPARE(found(QStringLiteral("branch 12")), std::vector<Index>{12});
+        QCOMPARE(found(QStringLiteral("number = 12")), std::vector<Index>{12});
+        // Words alone ask for axes, with a condition for branches.
+        const BranchNames names;
+        const auto fits = [](const QString& name) {
+            return name.contains(QStringLiteral("limb"), Qt::CaseInsensitive) && name.contains(u'2');
+        };
+        std::vector<Index> axes;
+        for (Index axis = 0; axis < m_rows->axisCount(); ++axis) {
+            if (fits(names.axis(*m_rows, axis)))
+                axes.push_back(axis);
+        }
+        QVERIFY(!axes.empty() && axes.size() < m_rows->axisCount());
+        QCOMPARE(found(QStringLiteral("2 LIMB")), axes);
+        QCOMPARE(found(QStringLiteral("Limb 2 length > 0")),
+                 those([&](Index b) { return fits(names.branch(*m_rows, b)); }));
     }
 
     void comparisonsFilterBranches()

@@ -221,6 +221,40 @@ private slots:
         search->clear();
         QCOMPARE(visible().size(), all);
     }
+
+    /// Keys go to a row that is seen, or to none.
+    void hiddenRowsGetNoKeys()
+    {
+        auto shown = dialog();
+        shown->show();
+        QVERIFY(QTest::qWaitForWindowActive(shown.get()));
+        auto* tree = shown->findChild<QTreeWidget*>(QStringLiteral("shortcutList"));
+        auto* search = shown->findChild<QLineEdit*>();
+        auto* edit = shown->findChild<QKeySequenceEdit*>(QStringLiteral("keys"));
+        shown->select(QStringLiteral("file.save"));
+        QTest::keyClicks(search, "grid");
+        QVERIFY(tree->currentItem() && !tree->currentItem()->isHidden());
+        const auto* seen = tree->currentItem()->data(0, Qt::UserRole).value<QAction*>();
+        QVERIFY(seen && seen != action("file.save"));
+        const QKeySequence save = action("file.save")->shortcut();
+        const QPoint place = tree->visualItemRect(tree->currentItem()).center();
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, {}, place);
+        QTest::mouseDClick(tree->viewport(), Qt::LeftButton, {}, place);
+        QVERIFY(edit->hasFocus());
+        QTest::keyClick(edit, Qt::Key_J, Qt::ControlModifier);
+        QTRY_COMPARE(seen->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_J));
+        QCOMPARE(action("file.save")->shortcut(), save);
+        // Gestures alone: nothing can be changed.
+        search->setText(gestureKeys().front().keys.front().text);
+        QVERIFY(!edit->isEnabled());
+        QVERIFY(!shown->assign(QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_J)));
+        shown->resetSelected();
+        QCOMPARE(seen->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_J));
+        // Asked for by name, a row comes into sight.
+        shown->select(QStringLiteral("file.save"));
+        QVERIFY(search->text().isEmpty());
+        QVERIFY(!tree->currentItem()->isHidden());
+    }
 };
 
 QTEST_MAIN(TestShortcutsDialog)

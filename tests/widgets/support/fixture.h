@@ -74,13 +74,19 @@ public:
         ++questions;
         return unsaved;
     }
+    bool agrees(const QString&, const QString&, const QString& why, const QString&) override
+    {
+        reasons += why;
+        return agreed;
+    }
     void report(Severity, const QString& text) override { reports += text; }
 
     QString answer;
     Unsaved unsaved = Unsaved::Cancel;
     int opens = 0, saves = 0, questions = 0;
     QString lastSuggestion;
-    QStringList reports;
+    QStringList reports, reasons;
+    bool agreed = true;
 };
 
 inline Node treeNode(NodeId id, const std::string& name, NodeId parent = noNode)

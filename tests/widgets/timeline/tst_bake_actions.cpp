@@ -74,6 +74,11 @@ private slots:
     {
         QVERIFY(m_window->files()->newFromPreset(QStringLiteral("TinyTree")));
         QVERIFY(m_recompute->waitForFull(patienceMs));
+        m_chooser.agreed = false;
+        action("play.bake")->trigger(); // says why it has to be saved first; no
+        QCOMPARE(m_chooser.saves, 0);
+        QCOMPARE(m_chooser.reasons.size(), 1);
+        m_chooser.agreed = true;
         action("play.bake")->trigger(); // asks where to save, and gets no answer
         QCOMPARE(m_chooser.saves, 1);
         QVERIFY(m_chooser.reports.isEmpty());

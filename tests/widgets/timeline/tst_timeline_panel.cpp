@@ -1,7 +1,7 @@
 #include "core/document/arm_reach.h"
 #include "core/document/player.h"
 #include "core/scene/arm_demo.h"
-#include "tests/support/suite.h"
+#include "tests/widgets/support/fixture.h"
 #include "widgets/actions/action_set.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/timeline/arm_residuals.h"
@@ -12,8 +12,13 @@
 #include "widgets/timeline/timeline_ruler.h"
 #include <QAbstractButton>
 #include <QAction>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QGuiApplication>
+#include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QWheelEvent>
 
@@ -43,6 +48,11 @@ private slots:
     void plotShowsWhatTheSceneHas();
     void plotSaysHowToGetACurve();
     void plotFollowsAnArmThatReaches();
+    void curvesLeaveTheirNumbersAlone();
+    void droppedFramesHaveTheirRoom();
+    void plotKeepsNoiseOut();
+    void plotValuesAreCopied();
+    void theRulersMenuIsAboutTheFrameClicked();
     void everythingHasAToolTip();
 
 private:
@@ -60,7 +70,7 @@ private:
 
 void TestTimelinePanel::init()
 {
-    test::failOnAnyWarning();
+    test::failOnWidgetWarning();
     QLocale::setDefault(QLocale::c());
     m_document = std::make_unique<Document>();
     m_player = std::make_unique<Player>(m_document.get());
@@ -238,6 +248,129 @@ void TestTimelinePanel::loopActionsAreUndoable()
     m_document->undoStack()->undo();
     QCOMPARE(timeline().loop, PlayLoop::Loop);
     QVERIFY(m_set->find("play.loop")->isChecked());
+}
+
+/// Whatever the curves do, beside them nothing changes but the numbers of the last frame.
+void TestTimelinePanel::curvesLeaveTheirNumbersAlone()
+{
+    const auto drawn = [](PhysicsPlot::Content content, int height, bool steep) {
+        PhysicsPlot plot;
+        plot.setContent(content);
+        plot.resize(plot.sizeHint().width(), height);
+        const auto value = [steep](std::size_t i) { return steep && i % 2 == 0 ? 0.0 : 1.0; };
+        for (std::size_t i = 0; i < PhysicsPlot::length; ++i) {
+            MotionFrame frame;
+            frame.frame = std::int64_t(i);
+            frame.nodes[1].figures.kineticEnergy = frame.nodes[1].figures.lengthError = value(i);
+            frame.nodes[1].stepSeconds = value(i);
+            plot.add(frame);
+        }
+        ArmResiduals residuals{1.0, {}};
+        for (std::size_t i = 0; i < 100; ++i)
+            residuals.way.push_back(value(i));
+        if (content == PhysicsPlot::Content::Arms)
+            plot.setResiduals(residuals);
+        const QRect curves = plot.curvesArea().toAlignedRect();
+        const QImage image = plot.grab().toImage();
+        return std::tuple(image.copy(0, 0, curves.left(), image.height()), image.copy(curves),
+                          image.copy(curves.right() + 1, 0, image.width(), image.height()));
+    };
+    for (const auto content : {PhysicsPlot::Content::Trees, PhysicsPlot::Content::Arms})
+        for (const int height : {PhysicsPlot().sizeHint().height(), 160}) {
+            const auto [names, curve, numbers] = drawn(content, height, true);
+            const auto [sameNames, otherCurve, sameNumbers] = drawn(content, height, false);
+            QCOMPARE(names, sameNames);
+            QCOMPARE(numbers, sameNumbers);
+            QVERIFY(curve != otherCurve);
+            QVERIFY(curve.width() >= 60);
+        }
+}
+
+void TestTimelinePanel::droppedFramesHaveTheirRoom()
+{
+    auto* dropped = child<QLabel>("droppedFrames");
+    for (const int width : {700, 1200, 1900}) {
+        m_panel->resize(width, 150);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        QVERIFY(dropped->width() >=
+                dropped->fontMetrics().horizontalAdvance(QStringLiteral("8888 frames dropped")));
+        QVERIFY(dropped->parentWidget()->rect().contains(dropped->geometry()));
+    }
+}
+
+void TestTimelinePanel::plotKeepsNoiseOut()
+{
+    QCOMPARE(PhysicsPlot::shortNumber(0.0), QStringLiteral("0"));
+    QCOMPARE(PhysicsPlot::shortNumber(0.25), QLocale().toString(0.25));
+    const QString tiny = PhysicsPlot::shortNumber(4.7e-15);
+    QVERIFY2(tiny.startsWith(u'<') && tiny == PhysicsPlot::shortNumber(-1e-18), qPrintable(tiny));
+    QVERIFY(!PhysicsPlot::shortNumber(2e-9).startsWith(u'<'));
+}
+
+void TestTimelinePanel::plotValuesAreCopied()
+{
+    PhysicsPlot plot;
+    plot.resize(plot.sizeHint());
+    MotionFrame frame;
+    frame.nodes[1].figures.kineticEnergy = 0.5;
+    frame.nodes[1].stepSeconds = 0.002;
+    for (frame.frame = 3; frame.frame < 5; ++frame.frame)
+        plot.add(frame);
+    QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5}, plot.mapToGlobal(QPoint(5, 5)));
+    QCoreApplication::sendEvent(&plot, &event);
+    auto* menu = plot.findChild<QMenu*>();
+    QVERIFY(menu->isVisible());
+    const QList<QAction*> actions = menu->actions();
+    actions[0]->trigger();
+    QCOMPARE(QGuiApplication::clipboard()->text(),
+             QStringLiteral("frame,energy,length_error,step_ms\n3,0.5,0,2\n4,0.5,0,2\n"));
+    const auto shown = std::find_if(actions.begin(), actions.end(),
+                                    [](const QAction* action) { return action->isCheckable(); });
+    (*shown)->setChecked(false); // the energy
+    actions[1]->trigger();
+    QCOMPARE(QGuiApplication::clipboard()->text(),
+             QStringLiteral("frame\tlength_error\tstep_ms\n3\t0\t2\n4\t0\t2\n"));
+    plot.setContent(PhysicsPlot::Content::Arms);
+    plot.setResiduals(ArmResiduals{0.25, {1.0, 0.25}});
+    QCOMPARE(plot.valuesText(u','), QStringLiteral("tick,residual_m\n0,1\n1,0.25\n"));
+}
+
+void TestTimelinePanel::theRulersMenuIsAboutTheFrameClicked()
+{
+    auto* menu = child<QMenu>("rulerMenu");
+    const auto clickAt = [&](double frame) {
+        QContextMenuEvent event(QContextMenuEvent::Mouse, at(frame), ruler()->mapToGlobal(at(frame)));
+        QCoreApplication::sendEvent(ruler(), &event);
+        QVERIFY(menu->isVisible());
+    };
+    const auto choose = [&](const QString& words) {
+        for (QAction* action : menu->actions())
+            if (action->text().remove(u'&').startsWith(words)) {
+                QVERIFY(action->isEnabled());
+                action->trigger();
+                return menu->close(), void();
+            }
+        QFAIL(qPrintable(words));
+    };
+    clickAt(40.0);
+    choose(QStringLiteral("Go to frame 40"));
+    QCOMPARE(m_player->frame(), 40);
+    clickAt(30.0);
+    choose(QStringLiteral("First frame of the range: 30"));
+    QCOMPARE(timeline().firstFrame, 30);
+    clickAt(90.0);
+    choose(QStringLiteral("Last frame of the range: 90"));
+    QCOMPARE(timeline().lastFrame, 90);
+    QCOMPARE(m_document->undoStack()->count(), 2);
+    m_document->undoStack()->undo();
+    m_document->undoStack()->undo();
+    QVERIFY(timeline() == TimelineSettings());
+    clickAt(50.0);
+    QMenu* displays = menu->actions().back()->menu();
+    QVERIFY(displays);
+    displays->actions()[1]->trigger();
+    QVERIFY(m_panel->display() == TimeDisplay::Seconds);
+    menu->close();
 }
 
 void TestTimelinePanel::pageTurnsWhilePlaying()

@@ -25,6 +25,8 @@ private slots:
     void pullsStayAtTheirDepth();
     void applesAreFoundWhereTheyAre();
     void windArrowsGoThereAndBack();
+    void windArrowsStayInThePicture();
+    void windIsShownWhereItBlows();
     void restNeedsNoMotion();
     void movedScenesShareTheirMeshes();
     void posedScenesAreTheDeformedMeshes();
@@ -35,6 +37,7 @@ private:
     PickView viewOf() const;
     glm::dvec2 pixelOf(const PickView& view, const glm::dvec3& world) const;
     RenderScene restScene() const;
+    void setWind(double strength, double direction);
 
     std::unique_ptr<Document> m_document = std::make_unique<Document>();
     std::unique_ptr<Recompute> m_recompute;
@@ -91,8 +94,8 @@ void TestMotionTools::nothingIsUnderAnEmptyView()
     QVERIFY(!branchUnder(view, {-500.0, -500.0}, *m_document, *m_frame));
     QVERIFY(!branchUnder(view, {400.0, 300.0}, *m_document, MotionFrame{}));
     QVERIFY(!appleUnder(view, {400.0, 300.0}, *m_document, MotionFrame{}));
-    QVERIFY(!windArrow(m_document->scene(), noNode, {}));
-    QVERIFY(!windArrow(m_document->scene(), m_tree, {})); // no box: nothing to stand beside
+    QVERIFY(!windArrow(m_document->scene(), noNode, {}, 1.0));
+    QVERIFY(!windArrowOver(m_document->scene(), m_tree, {}, viewOf(), true)); // no box: nothing to stand on
 }
 
 /// Whatever is found lies under the cursor, and the ends of branches find a branch.
@@ -163,22 +166,62 @@ void TestMotionTools::applesAreFoundWhereTheyAre()
 
 void TestMotionTools::windArrowsGoThereAndBack()
 {
-    const PickView view = viewOf();
+    PickView view = viewOf();
+    view.camera.pitchRad = 0.5; // the plane of the arrow is not seen from its edge
     const Box box = m_frame->of(m_tree)->box;
     Random random(3, RandomStream::Leaves, 0);
     for (int i = 0; i < 50; ++i) {
-        const double strength = random.range(0.1, 2.0), direction = random.range(-3.0, 3.0);
-        QVERIFY(edit::setParam(*m_document, {m_tree}, *findParam("physics.windStrength"), strength));
-        QVERIFY(edit::setParam(*m_document, {m_tree}, *findParam("physics.windDirection"), direction));
-        const auto arrow = windArrow(m_document->scene(), m_tree, box);
+        const double strength = random.range(0.1, 20.0), direction = random.range(-3.0, 3.0);
+        setWind(strength, direction);
+        const auto arrow = windArrowOver(m_document->scene(), m_tree, box, view, false);
         QVERIFY(arrow);
-        const auto back = windAt(view, pixelOf(view, arrow->head), *arrow, m_document->scene(), m_tree);
+        const auto back = windAt(view, pixelOf(view, arrow->head), *arrow, m_document->scene());
         QVERIFY(back);
-        QVERIFY(std::abs(back->strength - strength) < 1e-6);
+        QVERIFY(std::abs(back->strength - strength) < 1e-6 * strength);
         QVERIFY(std::abs(std::remainder(back->directionRad - direction, 6.283185307179586)) < 1e-6);
-        const auto none = windAt(view, pixelOf(view, arrow->foot), *arrow, m_document->scene(), m_tree);
+        const auto none = windAt(view, pixelOf(view, arrow->foot), *arrow, m_document->scene());
         QVERIFY(none && none->strength == 0.0);
     }
+}
+
+/// Also where the tree fills the picture, or is half outside.
+void TestMotionTools::windArrowsStayInThePicture()
+{
+    const Box box = m_frame->of(m_tree)->box;
+    for (const double strength : {0.0, 1.0, 8.0, 100.0})
+        for (const double direction : {-2.0, 0.0, 1.5, 3.1})
+            for (const double zoom : {0.2, 1.0, 4.0})
+                for (const double pitch : {-0.3, 0.1, 0.8, 1.5}) {
+                    setWind(strength, direction);
+                    PickView view = viewOf();
+                    view.camera.pitchRad = pitch;
+                    view.camera.distance *= zoom;
+                    view.camera.pan({0.4, -0.3}, view.aspect());
+                    const auto arrow = windArrowOver(m_document->scene(), m_tree, box, view, true);
+                    QVERIFY(arrow);
+                    for (const glm::dvec3& end : {arrow->foot, arrow->head}) {
+                        const glm::dvec2 at = pixelOf(view, end);
+                        QVERIFY(at.x > 0.0 && at.y > 0.0 && at.x < view.size.x && at.y < view.size.y);
+                    }
+                }
+}
+
+void TestMotionTools::windIsShownWhereItBlows()
+{
+    const Scene& scene = m_document->scene();
+    const auto trees = [&](NodeId active) { return windyTrees(scene, active, 10); };
+    setWind(0.0, 0.0);
+    QVERIFY(std::get<NoWind>(trees(noNode)) == NoWind::NoneChosen);
+    QCOMPARE(std::get<0>(trees(m_tree)), std::vector{m_tree}); // to be pulled out of nothing
+    setWind(2.0, 0.0);
+    QCOMPARE(std::get<0>(trees(noNode)), std::vector{m_tree}); // nothing is selected
+    QVERIFY(std::get<NoWind>(windyTrees(Scene(), noNode, 10)) == NoWind::NoTree);
+}
+
+void TestMotionTools::setWind(double strength, double direction)
+{
+    (void)edit::setParam(*m_document, {m_tree}, *findParam("physics.windStrength"), strength);
+    (void)edit::setParam(*m_document, {m_tree}, *findParam("physics.windDirection"), direction);
 }
 
 void TestMotionTools::restNeedsNoMotion()

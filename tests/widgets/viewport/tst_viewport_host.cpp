@@ -1,4 +1,5 @@
 #include "core/document/document.h"
+#include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "widgets/render/gl_setup.h"
 #include "widgets/viewport/viewport_host.h"
@@ -18,7 +19,7 @@ private slots:
     void withoutOpenGlThereIsAMessage()
     {
         if (QGuiApplication::platformName() != QLatin1String("offscreen"))
-            QSKIP("the offscreen platform is the one without OpenGL windows");
+            RAMURE_CANNOT_RUN("the offscreen platform is the one without OpenGL windows");
         QString reason;
         QVERIFY(!openGlAvailable(&reason));
         QVERIFY(!reason.isEmpty());

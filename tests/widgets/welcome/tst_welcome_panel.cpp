@@ -72,8 +72,37 @@ private slots:
             QVERIFY(!button->toolTip().isEmpty());
             button->click();
             QCOMPARE(QString::fromStdString(m_document->scene().nodes().front().name), name);
-            QVERIFY(!m_panel->isVisible());
+            QVERIFY(m_panel->isVisible()); // to try the next one
         }
+        QCOMPARE(m_chooser.questions, 0);
+    }
+
+    void savedAndUndoneTreesAreNotAskedAbout()
+    {
+        QTemporaryDir folder;
+        m_panel->open();
+        const auto pick = [this](const char* name) {
+            m_panel->findChild<QAbstractButton*>(QStringLiteral("preset.") + QLatin1String(name))->click();
+        };
+        const auto change = [this] {
+            const NodeId tree = m_document->scene().nodes().front().id;
+            QVERIFY(edit::setParam(*m_document, {tree}, *findParam("turtle.alpha"), 0.11));
+        };
+        pick("TinyTree");
+        change();
+        m_document->undoStack()->undo();
+        pick("FanTree");
+        change();
+        m_chooser.answer = folder.filePath(QStringLiteral("fan.ramure"));
+        QVERIFY(m_files->save());
+        pick("Fern2D");
+        QCOMPARE(m_chooser.questions, 0);
+        QVERIFY(m_document->filePath().isEmpty()); // the file is that of the tree before
+        change();
+        pick("TinyTree");
+        QCOMPARE(m_chooser.questions, 1);
+        QCOMPARE(m_document->scene().nodes().front().name, std::string("Fern2D"));
+        QVERIFY(m_panel->isVisible());
     }
 
     void unsavedChangesKeepThePage()

@@ -1,0 +1,13 @@
+/// \file
+/// Whether chance has a say in how a tree grows.
+#pragma once
+
+#include "core/params/node_params.h"
+
+namespace ramure {
+
+/// True where two seeds of a tree grown by chance can give two trees: a share of the variation is above 0, or
+/// a rule chooses among several outcomes. A grammar that cannot be read gives no tree, hence no other one.
+bool variesByChance(const NodeParams& params);
+
+} // namespace ramure

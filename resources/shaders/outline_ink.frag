@@ -1,0 +1,22 @@
+// A line at a fixed distance from what is masked, darker towards the outside: seen on leaves and on the sky.
+uniform sampler2D uDistance; // see outline_spread.frag
+uniform vec2 uTexel;         // of the distances, per pixel of the picture
+uniform float uScale;        // pixels per texel
+uniform float uOffset;       // pixels from the mask to the line's middle
+uniform float uWidth;        // pixels
+out vec4 fragment;
+
+const float reach = 4.0;
+const vec3 ink = vec3(1.0, 0.50, 0.06);
+const vec3 shade = vec3(0.16, 0.07, 0.0);
+
+void main()
+{
+    float away = texture(uDistance, gl_FragCoord.xy * uTexel).r * (reach + 1.0) * uScale;
+    float line = 1.0 - smoothstep(0.5 * uWidth - 0.5, 0.5 * uWidth + 0.5, abs(away - uOffset));
+    float rim = 0.55 * (1.0 - smoothstep(0.5 * uWidth + 0.5, 0.5 * uWidth + 1.5, abs(away - uOffset)));
+    float alpha = max(line, rim);
+    if (alpha <= 0.0)
+        discard;
+    fragment = vec4(mix(shade, ink, line), alpha);
+}

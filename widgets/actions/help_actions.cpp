@@ -1,0 +1,103 @@
+#include "widgets/actions/help_actions.h"
+
+#include "widgets/actions/action_set.h"
+#include "widgets/handbook/handbook_window.h"
+#include "widgets/handbook/help_places.h"
+#include "widgets/palette/palette.h"
+#include "widgets/palette/palette_sources.h"
+#include "widgets/support/preferences.h"
+#include "widgets/tour/tour.h"
+#include <QApplication>
+#include <QKeyEvent>
+#include <QMainWindow>
+#include <iterator>
+
+namespace ramure {
+
+HelpActions::HelpActions(ActionSet* set, Document* document, Preferences* preferences, QMainWindow* window)
+    : QObject(window)
+    , m_set(set)
+    , m_document(document)
+    , m_preferences(preferences)
+    , m_window(window)
+    , m_find(set->add(
+          {"help.find", QT_TRANSLATE_NOOP("Actions", "&Find anything…"), "search", QKeySequence(Qt::Key_F3),
+           QT_TRANSLATE_NOOP("Actions", "Finds every command, parameter and page of the handbook")}))
+    , m_handbookAction(set->add(
+          {"help.handbook", QT_TRANSLATE_NOOP("Actions", "&Handbook"), "handbook", QKeySequence(Qt::Key_F1),
+           QT_TRANSLATE_NOOP("Actions", "Explains the parameter or panel under the mouse")}))
+    , m_tourAction(set->add({"help.tour",
+                             QT_TRANSLATE_NOOP("Actions", "&Tour"),
+                             "tour",
+                             {},
+                             QT_TRANSLATE_NOOP("Actions", "Five steps through the window")}))
+    , m_palette(new Palette(window))
+    , m_tour(new Tour(window, set, document))
+{
+    connect(m_find, &QAction::triggered, this, &HelpActions::showPalette);
+    connect(m_handbookAction, &QAction::triggered, this, [this] { showHandbook(helpPlaceHere()); });
+    connect(m_tourAction, &QAction::triggered, m_tour, &Tour::start);
+    connect(m_palette, &Palette::chosen, this, &HelpActions::take, Qt::QueuedConnection);
+    qApp->installEventFilter(this);
+}
+
+HelpActions::~HelpActions() = default;
+
+void HelpActions::showPalette()
+{
+    std::vector<PaletteItem> items = commandItems(*m_set, m_menus);
+    for (std::vector<PaletteItem> more : {paramItems(*m_document), pageItems()})
+        std::ranges::move(more, std::back_inserter(items));
+    m_palette->open(std::move(items), m_preferences->recentFinds());
+}
+
+void HelpActions::take(const PaletteItem& item)
+{
+    m_preferences->addRecentFind(paletteName(item));
+    switch (item.kind) {
+    case PaletteItem::Command:
+        if (QAction* action = m_set->find(item.id))
+            action->trigger();
+        break;
+    case PaletteItem::Parameter:
+        emit paramRequested(item.id);
+        break;
+    case PaletteItem::Page:
+        showHandbook(item.id);
+        break;
+    }
+}
+
+void HelpActions::showHandbook(const QString& place)
+{
+    if (!m_handbook)
+        m_handbook = std::make_unique<HandbookWindow>();
+    m_handbook->showPlace(place);
+}
+
+bool HelpActions::startTourOnce()
+{
+    if (m_preferences->tourSeen())
+        return false;
+    m_preferences->setTourSeen();
+    m_tour->start();
+    return true;
+}
+
+/// In dialogs, which the window's shortcuts do not reach.
+bool HelpActions::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() != QEvent::KeyPress)
+        return false;
+    const auto* widget = qobject_cast<QWidget*>(watched);
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool isElsewhere = widget && widget->window() != m_window && widget->window() != m_handbook.get();
+    if (!isElsewhere || QKeySequence(key->keyCombination()) != m_handbookAction->shortcut())
+        return false;
+    const QString place = helpPlace(widget);
+    if (!place.isEmpty())
+        showHandbook(place);
+    return !place.isEmpty();
+}
+
+} // namespace ramure

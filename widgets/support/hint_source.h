@@ -1,0 +1,32 @@
+/// \file
+/// What mouse and keys do right now over one widget: each widget that has something to say owns such a
+/// source, one line of the status bar shows the one under the cursor.
+#pragma once
+
+#include <QObject>
+
+namespace ramure {
+
+class HintSource : public QObject
+{
+    Q_OBJECT
+public:
+    using QObject::QObject;
+
+    /// In the present language; empty: nothing to say.
+    void say(const QString& hint);
+    /// While a gesture goes on the hint is shown wherever the cursor is.
+    void setGesture(bool goesOn);
+    [[nodiscard]] const QString& hint() const { return m_hint; }
+    [[nodiscard]] bool isGesture() const { return m_gesture; }
+
+signals:
+    void changed();
+    void gestureBegan();
+
+private:
+    QString m_hint;
+    bool m_gesture = false;
+};
+
+} // namespace ramure
