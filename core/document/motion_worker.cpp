@@ -312,10 +312,13 @@ struct MotionWorker::ArmActor
 
     Expected<ArmMoment> momentAt(double seconds, const LoopBlend& blend, const Progress& progress)
     {
-        auto earlier = blend.weight > 0.0 ? driver.momentAt(blend.earlierSeconds, progress)
-                                          : Expected<ArmMoment>(ArmMoment());
-        auto moment = earlier ? driver.momentAt(seconds, progress) : std::move(earlier);
-        if (!moment || blend.weight == 0.0)
+        if (blend.weight == 0.0)
+            return driver.momentAt(seconds, progress);
+        const auto earlier = driver.momentAt(blend.earlierSeconds, progress);
+        if (!earlier)
+            return earlier;
+        auto moment = driver.momentAt(seconds, progress);
+        if (!moment)
             return moment;
         blendJoints(earlier->joints, blend.weight, moment->joints);
         for (std::size_t i = 0; i < moment->joints.size(); ++i) {

@@ -337,7 +337,7 @@ std::vector<NodeId> outlinedNodes(const Scene& scene, const std::vector<NodeId>&
 {
     std::vector<NodeId> nodes;
     for (const Node& node : scene.nodes()) {
-        const auto isIn = [&node](const std::vector<NodeId>& list, NodeId id) {
+        const auto isIn = [](const std::vector<NodeId>& list, NodeId id) {
             return std::ranges::find(list, id) != list.end();
         };
         if (isIn(selected, node.id) || (node.parent != noNode && isIn(nodes, node.parent)))

@@ -193,7 +193,8 @@ Selection ScenePanel::viewSelection() const
     }
     // An axis may be selected beside one of its branches.
     std::ranges::sort(selection.branches);
-    selection.branches.erase(std::ranges::unique(selection.branches).begin(), selection.branches.end());
+    selection.branches.erase(std::unique(selection.branches.begin(), selection.branches.end()),
+                             selection.branches.end());
     if (selection.activeBranch == noIndex && !selection.branches.empty())
         selection.activeBranch = selection.branches.back();
     return selection;

@@ -205,7 +205,7 @@ void PhysicsPlot::paintRow(QPainter& painter, const QRectF& row, const QString& 
     painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(name, Qt::ElideRight, int(room) + 1));
     painter.drawText(stacked ? text.translated(0.0, line) : text,
-                     (stacked ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, now);
+                     int((stacked ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter), now);
 }
 
 /// The last value stands at the right edge; the largest one is as high as there is room.
