@@ -3,10 +3,10 @@
 #include "app/cli/mesh_check.h"
 #include "app/cli/moments.h"
 #include "app/cli/work.h"
-#include "core/document/exporter.h"
+#include "core/base/file_writer.h"
 #include "core/document/mesh_report_json.h"
-#include "core/document/moving_source.h"
-#include "core/io/file_writer.h"
+#include "core/session/exporter.h"
+#include "core/session/moving_source.h"
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>

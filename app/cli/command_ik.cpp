@@ -1,6 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
-#include "core/arm/arm_solver.h"
+#include "core/rig/arm/arm_solver.h"
 #include <QJsonArray>
 #include <QJsonObject>
 #include <cmath>

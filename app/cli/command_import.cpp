@@ -3,7 +3,7 @@
 #include "app/cli/input.h"
 #include "app/cli/work.h"
 #include "core/document/project_file.h"
-#include "core/io/blender_scene.h"
+#include "core/io/formats/blender_scene.h"
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonObject>

@@ -2,12 +2,12 @@
 #include "app/cli/input.h"
 #include "app/cli/mesh_check.h"
 #include "app/cli/moments.h"
-#include "core/arm/arm_chain.h"
-#include "core/document/moving_arms.h"
 #include "core/document/project_json.h"
-#include "core/geometry/box.h"
+#include "core/math/box.h"
+#include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
 #include "core/scene/places.h"
+#include "core/session/moving_arms.h"
 #include <QJsonArray>
 #include <QJsonObject>
 #include <algorithm>

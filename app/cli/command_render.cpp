@@ -3,9 +3,9 @@
 #include "app/cli/moments.h"
 #include "app/cli/virtual_display.h"
 #include "app/cli/work.h"
-#include "core/document/moving_source.h"
-#include "widgets/render/offscreen_renderer.h"
-#include "widgets/render/scene_builder.h"
+#include "core/session/moving_source.h"
+#include "widgets/view/render/offscreen_renderer.h"
+#include "widgets/view/render/scene_builder.h"
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <map>

@@ -1,9 +1,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/work.h"
+#include "core/base/file_writer.h"
 #include "core/base/number_text.h"
-#include "core/io/file_writer.h"
-#include "core/physics/physics_cache.h"
+#include "core/rig/physics/physics_cache.h"
 #include <QJsonArray>
 #include <QJsonObject>
 #include <chrono>

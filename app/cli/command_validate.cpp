@@ -2,7 +2,7 @@
 #include "app/cli/mesh_check.h"
 #include "app/cli/moments.h"
 #include "app/cli/work.h"
-#include "core/document/moving_source.h"
+#include "core/session/moving_source.h"
 #include <numbers>
 
 namespace ramure::cli {

@@ -1,7 +1,7 @@
 #include "app/cli/input.h"
-#include "core/arm/arm_chain.h"
 #include "core/document/project_file.h"
 #include "core/params/param_def.h"
+#include "core/rig/arm/arm_chain.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/object_mesh.h"
 #include "core/scene/preset_scene.h"

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "app/cli/command_line.h"
-#include "core/document/exporter.h"
 #include "core/io/mesh_file.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/scene/scene.h"
+#include "core/session/exporter.h"
 #include <variant>
 
 namespace ramure::cli {

@@ -1,7 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/reference.h"
+#include "core/base/file_writer.h"
 #include "core/base/kept_memory.h"
-#include "core/io/file_writer.h"
 #include <QCoreApplication>
 #include <algorithm>
 #include <new>

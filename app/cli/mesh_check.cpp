@@ -1,12 +1,12 @@
 #include "app/cli/mesh_check.h"
 
-#include "core/document/exporter.h"
 #include "core/document/mesh_report_json.h"
 #include "core/document/project_json.h"
 #include "core/pipeline/separate_branches.h"
 #include "core/scene/object_mesh.h"
 #include "core/scene/places.h"
 #include "core/scene/shape_check.h"
+#include "core/session/exporter.h"
 #include <QJsonArray>
 #include <algorithm>
 

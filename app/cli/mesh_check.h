@@ -3,10 +3,10 @@
 #pragma once
 
 #include "app/cli/input.h"
-#include "core/document/moving_source.h"
-#include "core/mesh/mesh_analysis.h"
-#include "core/mesh/texture_report.h"
-#include "core/mesh/verdict.h"
+#include "core/session/moving_source.h"
+#include "core/surface/check/mesh_analysis.h"
+#include "core/surface/check/texture_report.h"
+#include "core/surface/check/verdict.h"
 #include <QJsonObject>
 #include <optional>
 #include <vector>

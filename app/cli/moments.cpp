@@ -1,6 +1,6 @@
 #include "app/cli/moments.h"
 
-#include "core/document/sequence.h"
+#include "core/session/sequence.h"
 #include <cmath>
 
 namespace ramure::cli {

@@ -1,8 +1,7 @@
 // The joints of arms, and the meshes that they wear.
-#include "core/arm/arm_chain.h"
-#include "core/arm/arm_shape.h"
 #include "core/document/document_command.h"
-#include "core/document/exporter.h"
+#include "core/rig/arm/arm_chain.h"
+#include "core/rig/arm/arm_shape.h"
 #include "core/scene/places.h"
 #include <glm/matrix.hpp>
 

@@ -3,8 +3,8 @@
 /// and for whoever reads them. Keys are sorted; angles in radians, lengths in metres, tree space.
 #pragma once
 
-#include "core/mesh/mesh_analysis.h"
-#include "core/mesh/validate.h"
+#include "core/surface/check/mesh_analysis.h"
+#include "core/surface/proof/validate.h"
 #include <QJsonObject>
 #include <optional>
 

@@ -1,7 +1,7 @@
 #include "core/document/project_arm.h"
 
-#include "core/arm/arm_chain.h"
 #include "core/document/project_json.h"
+#include "core/rig/arm/arm_chain.h"
 
 namespace ramure::json {
 namespace {

@@ -1,10 +1,10 @@
 #include "core/document/project_file.h"
 
+#include "core/base/file_writer.h"
 #include "core/document/project_bookmarks.h"
 #include "core/document/project_json.h"
 #include "core/document/project_migrations.h"
 #include "core/document/project_timeline.h"
-#include "core/io/file_writer.h"
 
 #include <QCoreApplication>
 #include <QFile>

@@ -13,7 +13,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/mesh/triangle_mesh.h"
+#include "core/surface/mesh/triangle_mesh.h"
 #include <QJsonObject>
 
 namespace ramure::json {

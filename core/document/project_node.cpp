@@ -1,9 +1,9 @@
 #include "core/document/project_json.h"
 
-#include "core/arm/arm_shape.h"
 #include "core/document/project_arm.h"
 #include "core/document/project_mesh.h"
 #include "core/document/project_tracks.h"
+#include "core/rig/arm/arm_shape.h"
 
 #include <QJsonArray>
 #include <limits>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/scene/timeline_settings.h"
+#include "core/rig/tracks/timeline_settings.h"
 #include <QJsonObject>
 
 namespace ramure::json {

@@ -19,7 +19,7 @@
 /// handles; the others follow from the keys.
 #pragma once
 
-#include "core/animation/node_animation.h"
+#include "core/rig/tracks/node_animation.h"
 #include <QJsonObject>
 
 namespace ramure::json {

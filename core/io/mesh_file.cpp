@@ -2,7 +2,7 @@
 #include "core/io/file_space.h"
 #include "core/io/read_parts.h"
 #include "core/io/write_parts.h"
-#include "core/mesh/transformed.h"
+#include "core/surface/mesh/transformed.h"
 #include <algorithm>
 #include <filesystem>
 #include <glm/matrix.hpp>

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
-#include "core/mesh/triangle_mesh.h"
+#include "core/surface/mesh/triangle_mesh.h"
 #include <functional>
 #include <glm/mat4x4.hpp>
 #include <span>

@@ -2,7 +2,7 @@
 /// What the OBJ and the PLY writer share. Internal to core/io.
 #pragma once
 
-#include "core/io/file_writer.h"
+#include "core/base/file_writer.h"
 #include "core/io/float_rows.h"
 #include "core/io/mesh_file.h"
 

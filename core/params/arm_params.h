@@ -3,10 +3,12 @@
 /// target. The member initialisers are the defaults; distances in metres, angles in radians.
 #pragma once
 
+#include "core/base/error.h"
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <numbers>
+#include <span>
 #include <vector>
 
 namespace ramure {
@@ -36,6 +38,10 @@ inline constexpr std::size_t leastArmJoints = 1, mostArmJoints = 64;
 
 /// SPEC C1: lengths 1.7, 1.5, 1.2; phi 45, 0, -30 degrees; theta 30, 20, -20 degrees. Without limits.
 std::vector<ArmJoint> defaultArmJoints();
+
+/// Errors: Invalid (no joints or over 64, lengths not above 0, numbers that are not finite, limits the wrong
+/// way round, negative speeds), path "joints[2].theta.minRad".
+Expected<void> checkArm(std::span<const ArmJoint> joints);
 
 /// The values are positions in the table's list of items; files have the names.
 enum class ArmSolverKind : std::uint8_t {

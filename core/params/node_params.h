@@ -19,7 +19,8 @@ namespace ramure {
 struct GrammarParams
 {
     std::string axiom = "BBBBBA";
-    /// One rule a line; the syntax is documented in core/grammar/grammar.h. The default is the SmallTree.
+    /// One rule a line; the syntax is documented in core/generators/grammar/grammar.h. The default is the
+    /// SmallTree.
     std::string rules = "A -> [++BB[--C][++C][__C][^^C]A]/////+BBB[--C][++C][__C][^^C]A\n"
                         "B -> 0.5: B | 0.5: \\\\B | default: \\B\n"
                         "C ->\n";

@@ -2,7 +2,7 @@
 #include "core/base/number_text.h"
 #include "core/params/param_def.h"
 
-#include "core/arm/arm_chain.h"
+#include "core/params/arm_params.h"
 
 #include <algorithm>
 #include <charconv>

@@ -3,7 +3,7 @@
 /// a model of the mesh that is quick to move. Internal to separate_branches.cpp.
 #pragma once
 
-#include "core/mesh/collisions.h"
+#include "core/surface/check/collisions.h"
 #include <glm/gtc/quaternion.hpp>
 #include <optional>
 #include <vector>

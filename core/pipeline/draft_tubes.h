@@ -3,9 +3,9 @@
 /// to check.
 #pragma once
 
-#include "core/geometry/sections.h"
-#include "core/mesh/triangle_mesh.h"
 #include "core/params/node_params.h"
+#include "core/skeleton/sections.h"
+#include "core/surface/mesh/triangle_mesh.h"
 
 namespace ramure {
 

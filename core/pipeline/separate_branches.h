@@ -3,8 +3,8 @@
 /// about its start, as little as it takes; what grows on it follows, and lengths stay.
 #pragma once
 
-#include "core/mesh/mesh_analysis.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/surface/check/mesh_analysis.h"
 #include <map>
 
 namespace ramure {

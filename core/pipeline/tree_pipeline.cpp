@@ -1,14 +1,14 @@
 #include "core/pipeline/tree_pipeline.h"
 
-#include "core/grammar/rewrite.h"
-#include "core/grammar/turtle.h"
-#include "core/mesh/mesh_divisions.h"
-#include "core/mesh/mesh_scratch.h"
+#include "core/generators/grammar/rewrite.h"
+#include "core/generators/grammar/turtle.h"
+#include "core/math/stage_hash.h"
 #include "core/params/param_def.h"
 #include "core/pipeline/draft_tubes.h"
 #include "core/pipeline/stage_cache.h"
-#include "core/pipeline/stage_hash.h"
 #include "core/skeleton/bend.h"
+#include "core/surface/mesher/mesh_divisions.h"
+#include "core/surface/mesher/mesh_scratch.h"
 #include <algorithm>
 #include <chrono>
 #include <numeric>

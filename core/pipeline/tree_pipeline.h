@@ -5,13 +5,13 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
-#include "core/geometry/sections.h"
-#include "core/mesh/branch_mesh.h"
-#include "core/mesh/foliage.h"
-#include "core/mesh/validate.h"
 #include "core/params/node_params.h"
 #include "core/params/stage.h"
+#include "core/skeleton/sections.h"
 #include "core/skeleton/simplify.h"
+#include "core/surface/foliage/foliage.h"
+#include "core/surface/mesher/branch_mesh.h"
+#include "core/surface/proof/validate.h"
 #include <memory>
 #include <string>
 

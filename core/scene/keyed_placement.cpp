@@ -1,7 +1,7 @@
 #include "core/scene/keyed_placement.h"
 
-#include "core/animation/euler.h"
-#include "core/animation/keyed_track.h"
+#include "core/rig/tracks/euler.h"
+#include "core/rig/tracks/keyed_track.h"
 #include <algorithm>
 #include <cmath>
 

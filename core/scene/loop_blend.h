@@ -2,7 +2,7 @@
 /// Loops without a seam: towards its end the motion goes over into that of one round earlier.
 #pragma once
 
-#include "core/scene/timeline_settings.h"
+#include "core/rig/tracks/timeline_settings.h"
 
 namespace ramure {
 

@@ -1,8 +1,8 @@
 #include "core/scene/node_transform.h"
 
-#include "core/animation/euler.h"
-#include "core/animation/keyed_track.h"
-#include "core/geometry/drag_maths.h"
+#include "core/math/drag_maths.h"
+#include "core/rig/tracks/euler.h"
+#include "core/rig/tracks/keyed_track.h"
 #include "core/scene/places.h"
 #include <algorithm>
 #include <cmath>

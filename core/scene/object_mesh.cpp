@@ -1,9 +1,9 @@
 #include "core/scene/object_mesh.h"
 
-#include "core/arm/arm_shape.h"
-#include "core/mesh/normals.h"
-#include "core/mesh/primitive_mesh.h"
-#include "core/mesh/relief.h"
+#include "core/rig/arm/arm_shape.h"
+#include "core/surface/mesh/normals.h"
+#include "core/surface/primitives/primitive_mesh.h"
+#include "core/surface/primitives/relief.h"
 
 namespace ramure {
 

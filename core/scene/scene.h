@@ -3,14 +3,14 @@
 /// document change the scene of an open document.
 #pragma once
 
-#include "core/animation/node_animation.h"
 #include "core/base/error.h"
 #include "core/base/shared_value.h"
-#include "core/mesh/triangle_mesh.h"
 #include "core/params/node_kind.h"
 #include "core/params/node_params.h"
-#include "core/scene/timeline_settings.h"
+#include "core/rig/tracks/node_animation.h"
+#include "core/rig/tracks/timeline_settings.h"
 #include "core/scene/view_bookmarks.h"
+#include "core/surface/mesh/triangle_mesh.h"
 #include <glm/mat4x4.hpp>
 #include <string>
 #include <vector>

@@ -4,9 +4,9 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/mesh/mesh_analysis.h"
-#include "core/mesh/validate.h"
 #include "core/scene/scene.h"
+#include "core/surface/check/mesh_analysis.h"
+#include "core/surface/proof/validate.h"
 #include <memory>
 
 namespace ramure {

@@ -10,7 +10,7 @@
 
 namespace ramure {
 
-/// A camera that turns about a target, as in widgets/render/camera.h.
+/// A camera that turns about a target, as in widgets/view/render/camera.h.
 struct ViewBookmark
 {
     glm::dvec3 target{0.0, 1.0, 0.0}; ///< world, m

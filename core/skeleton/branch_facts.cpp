@@ -151,21 +151,6 @@ void appendVector(std::string& text, const glm::dvec3& v)
 
 } // namespace
 
-std::vector<double> branchMasses(const Skeleton& skeleton, const Foliage& foliage)
-{
-    std::vector<double> masses = skeleton.a1;
-    std::vector<bool> carriesApple(masses.size(), false);
-    for (const FoliageItem& apple : foliage.apples)
-        if (apple.branch < masses.size())
-            carriesApple[apple.branch] = true;
-    for (std::size_t i = masses.size(); i-- > 0;) {
-        masses[i] += carriesApple[i] ? appleMass : 0.0;
-        if (skeleton.parent[i] != noIndex)
-            masses[skeleton.parent[i]] += masses[i];
-    }
-    return masses;
-}
-
 BranchFacts branchFacts(const Skeleton& skeleton, const ChildLists& children, const SectionSet& sections,
                         std::span<const double> masses, Index branch)
 {

@@ -3,8 +3,7 @@
 /// here fails: a branch of no length and a curve of one point have facts too, and every "none" is stated.
 #pragma once
 
-#include "core/geometry/sections.h"
-#include "core/mesh/foliage.h"
+#include "core/skeleton/sections.h"
 #include "core/skeleton/skeleton.h"
 #include <span>
 #include <string>
@@ -31,10 +30,6 @@ struct BranchFacts
     Index level = 0;
     double mass = 0.0; ///< SPEC A7, no unit
 };
-
-/// SPEC A7 for all branches in one backward pass: a1, 0.075 more where the branch carries an apple, and the
-/// masses of the children. Apples on branches that the skeleton does not have are passed over.
-std::vector<double> branchMasses(const Skeleton& skeleton, const Foliage& foliage);
 
 /// \param children of \p skeleton.
 /// \param sections of the same skeleton; an empty set gives the azimuth in frameFromTangent of the parent's

@@ -1,6 +1,6 @@
 #include "core/skeleton/skeleton.h"
 
-#include "core/random/random.h"
+#include "core/math/random.h"
 #include <algorithm>
 #include <glm/common.hpp>
 

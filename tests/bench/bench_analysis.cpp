@@ -1,6 +1,6 @@
 // The analysis of a finished mesh, per triangle: pairs that run through each other (one thread and two),
 // triangle quality, hash.
-#include "core/mesh/mesh_analysis.h"
+#include "core/surface/check/mesh_analysis.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 

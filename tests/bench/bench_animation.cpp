@@ -1,6 +1,6 @@
 // Tracks and the places of nodes.
-#include "core/animation/track.h"
-#include "core/random/random.h"
+#include "core/math/random.h"
+#include "core/rig/tracks/track.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/places.h"
 

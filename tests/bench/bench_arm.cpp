@@ -1,10 +1,10 @@
 // The arm. Inverse kinematics: one target of an arm with limits, from a pose near straight (the promise:
 // under 50 microseconds with 10 joints). Targets by forward kinematics, so all can be reached.
-#include "core/arm/arm_skin.h"
-#include "core/arm/arm_solver.h"
-#include "core/geometry/mesh_rays.h"
-#include "core/mesh/relief.h"
-#include "core/random/random.h"
+#include "core/math/random.h"
+#include "core/rig/arm/arm_skin.h"
+#include "core/rig/arm/arm_solver.h"
+#include "core/surface/mesh/mesh_rays.h"
+#include "core/surface/primitives/relief.h"
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <numbers>

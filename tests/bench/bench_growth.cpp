@@ -1,14 +1,14 @@
 // Every stage, and all of them in a row, from a thousand to ten million triangles: what one triangle costs
 // must not grow with their number. And ten million vertices written, read and compared.
 #include "core/base/parallel.h"
-#include "core/geometry/sections.h"
 #include "core/io/mesh_file.h"
-#include "core/mesh/branch_mesh.h"
-#include "core/mesh/mesh_scratch.h"
-#include "core/mesh/normals.h"
-#include "core/mesh/rough_model.h"
-#include "core/mesh/validate.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/skeleton/sections.h"
+#include "core/surface/mesh/normals.h"
+#include "core/surface/mesher/branch_mesh.h"
+#include "core/surface/mesher/mesh_scratch.h"
+#include "core/surface/mesher/rough_model.h"
+#include "core/surface/proof/validate.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 #include <cmath>

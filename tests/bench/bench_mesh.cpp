@@ -2,10 +2,10 @@
 /// The branch mesh and its check on the SmallTree (iterations of its grammar). Items are triangles.
 
 #include "core/base/parallel.h"
-#include "core/mesh/branch_mesh.h"
-#include "core/mesh/mesh_scratch.h"
-#include "core/mesh/normals.h"
-#include "core/mesh/validate.h"
+#include "core/surface/mesh/normals.h"
+#include "core/surface/mesher/branch_mesh.h"
+#include "core/surface/mesher/mesh_scratch.h"
+#include "core/surface/proof/validate.h"
 #include "tests/support/preset_trees.h"
 #include <benchmark/benchmark.h>
 

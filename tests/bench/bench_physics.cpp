@@ -1,6 +1,6 @@
 // Tree physics: per branch and step; poses and figures; seeks in a cached run.
-#include "core/physics/physics_cache.h"
-#include "core/random/random.h"
+#include "core/math/random.h"
+#include "core/rig/physics/physics_cache.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 

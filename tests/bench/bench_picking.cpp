@@ -1,8 +1,8 @@
 // Picking: building the hierarchy (per triangle) and one ray through it, on the surface of a tree of 114,687
 // branches (the promise: within 5 ms on 100,000).
-#include "core/geometry/bvh.h"
-#include "core/mesh/rough_model.h"
-#include "core/random/random.h"
+#include "core/math/bvh.h"
+#include "core/math/random.h"
+#include "core/surface/mesher/rough_model.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 

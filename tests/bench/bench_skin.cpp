@@ -1,6 +1,6 @@
 // Binding (per vertex, once per tree) and deforming (per vertex, every frame): positions alone, and with
 // normals.
-#include "core/pose/skin.h"
+#include "core/rig/pose/skin.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Sections (per ring vertex), rough model and branch mesh (per triangle), normals (per triangle), foliage
 // (per leaf).
-#include "core/geometry/sections.h"
-#include "core/mesh/foliage.h"
-#include "core/mesh/rough_model.h"
+#include "core/skeleton/sections.h"
+#include "core/surface/foliage/foliage.h"
+#include "core/surface/mesher/rough_model.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 

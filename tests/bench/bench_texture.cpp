@@ -1,7 +1,7 @@
 /// \file
 /// Texture coordinates of the presets' branch meshes. Items are triangles.
 
-#include "core/mesh/texture_report.h"
+#include "core/surface/check/texture_report.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 

@@ -2,8 +2,8 @@
 /// What several benchmarks work on, made once.
 #pragma once
 
-#include "core/grammar/rewrite.h"
-#include "core/grammar/turtle.h"
+#include "core/generators/grammar/rewrite.h"
+#include "core/generators/grammar/turtle.h"
 #include "core/params/presets.h"
 #include "core/skeleton/simplify.h"
 #include <cstdio>

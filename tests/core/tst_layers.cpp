@@ -15,6 +15,9 @@ private slots:
     void init() { ramure::test::failOnAnyWarning(); }
     void initTestCase();
     void stripsCommentsAndTexts();
+    void everyFolderHasItsFloor();
+    void arrowsPointDown();
+    void arrowsUpwardsAreSeen();
     void includesKeepTheFence_data();
     void includesKeepTheFence();
     void theFenceWouldHold_data();
@@ -137,23 +140,90 @@ constexpr const char* widgetClasses =
     R"(Q\w*Layout|Q\w*SpinBox|Q\w*Slider|QComboBox|QLineEdit|QMessageBox|QFileDialog|QScroll\w*|QOpenGLWidget|QStyle\w*)>)";
 
 constexpr Fence fences[] = {
-    {"the core knows no Qt", "core/.*", "core/document/.*", R"(<Q\w*(/.*)?>|"core/document/.*")"},
-    {"OpenMesh only in the validation", "(core|widgets|app)/.*", R"(core/mesh/validate\w*\.cpp)",
+    {"the core knows no Qt", "core/.*", "core/(document|session)/.*", R"(<Q\w*(/.*)?>)"},
+    {"OpenMesh only in the proof", "(core|widgets|app)/.*", R"(core/surface/proof/validate\w*\.cpp)",
      "<OpenMesh/.*>"},
     {"CGAL only behind one header of the tests", ".*", R"(tests/support/self_intersections\.cpp)",
      "<CGAL/.*>"},
     {"the core uses nothing above it", "core/.*", "", R"("(widgets|app|tests)/.*")"},
-    {"the document has no widgets", "core/document/.*", "", widgetClasses},
-    {"the renderer has no widgets and no document", "widgets/render/.*", "",
-     R"("widgets/(?!render/).*"|"core/document/.*")"},
-    {"the renderer uses no widget class", "widgets/render/.*", "", widgetClasses},
+    {"the document has no widgets", "core/(document|session)/.*", "", widgetClasses},
+    {"the renderer has no document", "widgets/view/render/.*", "", R"("core/(document|session)/.*")"},
+    {"the renderer uses no widget class", "widgets/view/render/.*", "", widgetClasses},
     {"widgets do not use the programs", "widgets/.*", "", R"("(app|tests)/.*")"},
-    {"the command line opens no window", "app/cli/.*", "", R"("widgets/(?!render/).*")"},
+    {"the command line opens no window", "app/cli/.*", "", R"("widgets/(?!view/render/).*")"},
     {"programs do not use the tests", "app/.*", "", R"("tests/.*")"},
     {"no header takes in a whole Qt module", R"(.*\.h)", "",
      R"(<Qt(Core|Gui|Widgets|OpenGL|OpenGLWidgets|Svg|Test)>)"},
     {"tests of the core know no widgets", "tests/core/.*", "", R"("(widgets|app)/.*")"},
 };
+
+/// The rooms from the ground up: a folder uses those that stand before it, and itself.
+constexpr const char* floors[] = {
+    "core/base",
+    "core/math",
+    "core/params",
+    "core/skeleton",
+    "core/surface/mesh",
+    "core/surface/proof",
+    "core/surface/mesher",
+    "core/surface/texture",
+    "core/surface/foliage",
+    "core/surface/primitives",
+    "core/surface/check",
+    "core/generators/grammar",
+    "core/pipeline",
+    "core/rig/pose",
+    "core/rig/tracks",
+    "core/rig/physics",
+    "core/rig/arm",
+    "core/scene",
+    "core/io",
+    "core/io/formats",
+    "core/document",
+    "core/session",
+    "widgets/view/render",
+    "widgets/base",
+    "widgets/view",
+    "widgets/panels/", // all of them: no panel knows another
+    "widgets/help",
+    "widgets/dialogs",
+    "widgets/actions",
+    "widgets/window",
+    "app",
+    "app/cli",
+};
+
+/// The number of the floor that a path stands on, or -1.
+int floorOf(const std::string& path)
+{
+    const std::string folder = path.substr(0, path.rfind('/') + 1);
+    for (int i = 0; i < static_cast<int>(std::size(floors)); ++i) {
+        const std::string floor = floors[i];
+        if (floor.back() == '/' ? folder.starts_with(floor) : folder == floor + "/")
+            return i;
+    }
+    return -1;
+}
+
+/// widgets/panels/scene/x.h -> scene; empty elsewhere.
+std::string panelOf(const std::string& path)
+{
+    static const std::string panels = "widgets/panels/";
+    return path.starts_with(panels)
+               ? path.substr(panels.size(), path.find('/', panels.size()) - panels.size())
+               : std::string();
+}
+
+/// \param include with its quotes or brackets
+bool pointsUp(const std::string& path, const std::string& include)
+{
+    if (include.front() != '"' || include.starts_with("\"moc_"))
+        return false;
+    const std::string used = include.substr(1, include.size() - 2);
+    const int from = floorOf(path), to = floorOf(used);
+    return from >= 0 &&
+           (to < 0 || to > from || panelOf(path) != (to == from ? panelOf(used) : panelOf(path)));
+}
 
 bool breaks(const Fence& fence, const std::string& path, const std::string& include)
 {
@@ -209,6 +279,39 @@ void TestLayers::stripsCommentsAndTexts()
     QVERIFY(stripped("c = '\"'; rand();").find("rand()") != std::string::npos);
 }
 
+void TestLayers::everyFolderHasItsFloor()
+{
+    std::string without;
+    for (const Source& source : sources)
+        if (!source.path.starts_with("tests/") && floorOf(source.path) < 0)
+            without += "\n  " + source.path;
+    QVERIFY2(without.empty(), without.c_str());
+}
+
+void TestLayers::arrowsPointDown()
+{
+    std::string broken;
+    for (const Source& source : sources)
+        for (const std::string& include : source.includes)
+            if (pointsUp(source.path, include))
+                broken += "\n  " + source.path + " includes " + include;
+    QVERIFY2(broken.empty(), broken.c_str());
+}
+
+void TestLayers::arrowsUpwardsAreSeen()
+{
+    QVERIFY(pointsUp("core/skeleton/bend.h", "\"core/surface/foliage/foliage.h\""));
+    QVERIFY(pointsUp("core/document/commands.cpp", "\"core/session/player.h\""));
+    QVERIFY(pointsUp("widgets/view/render/renderer.h", "\"widgets/view/viewport.h\""));
+    QVERIFY(pointsUp("widgets/panels/scene/scene_panel.h", "\"widgets/panels/timeline/play_actions.h\""));
+    QVERIFY(pointsUp("widgets/panels/scene/scene_panel.h", "\"widgets/window/main_window.h\""));
+    QVERIFY(pointsUp("core/base/error.h", "\"nowhere/error.h\""));
+    QVERIFY(!pointsUp("core/base/error.h", "<vector>"));
+    QVERIFY(!pointsUp("widgets/panels/scene/scene_panel.h", "\"widgets/panels/scene/isolation.h\""));
+    QVERIFY(!pointsUp("widgets/panels/scene/scene_panel.h", "\"widgets/base/action_set.h\""));
+    QVERIFY(!pointsUp("core/surface/mesher/branch_mesh.h", "\"core/surface/proof/validate.h\""));
+}
+
 void TestLayers::includesKeepTheFence_data()
 {
     QTest::addColumn<int>("number");
@@ -235,13 +338,12 @@ void TestLayers::theFenceWouldHold_data()
     const auto row = [](const char* path, const char* include, bool allowed) {
         QTest::addRow("%s %s", path, include) << path << include << allowed;
     };
-    row("core/mesh/normals.cpp", "<QString>", false);
-    row("core/mesh/normals.cpp", "<QtCore/QString>", false);
-    row("core/mesh/normals.cpp", "<vector>", true);
-    row("core/mesh/normals.cpp", "\"core/document/document.h\"", false);
-    row("core/mesh/normals.cpp", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", false);
-    row("core/mesh/validate.cpp", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", true);
-    row("core/mesh/validate.h", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", false);
+    row("core/surface/mesh/normals.cpp", "<QString>", false);
+    row("core/surface/mesh/normals.cpp", "<QtCore/QString>", false);
+    row("core/surface/mesh/normals.cpp", "<vector>", true);
+    row("core/surface/mesh/normals.cpp", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", false);
+    row("core/surface/proof/validate.cpp", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", true);
+    row("core/surface/proof/validate.h", "<OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>", false);
     row("core/document/document.h", "<QObject>", true);
     row("core/document/document.h", "<QUndoStack>", true);
     row("core/document/document.h", "<QWidget>", false);
@@ -251,13 +353,12 @@ void TestLayers::theFenceWouldHold_data()
     row("widgets/viewport.cpp", "<QtWidgets>", true);
     row("widgets/viewport.h", "<QOpenGLWidget>", true);
     row("widgets/viewport.cpp", "\"app/main_window.h\"", false);
-    row("widgets/render/renderer.h", "\"widgets/render/shader.h\"", true);
-    row("widgets/render/renderer.h", "\"widgets/viewport.h\"", false);
-    row("widgets/render/renderer.h", "<QOpenGLWidget>", false);
-    row("widgets/render/renderer.h", "<QOpenGLFunctions_3_3_Core>", true);
-    row("app/cli/main.cpp", "\"widgets/render/renderer.h\"", true);
+    row("widgets/view/render/renderer.h", "\"core/session/player.h\"", false);
+    row("widgets/view/render/renderer.h", "<QOpenGLWidget>", false);
+    row("widgets/view/render/renderer.h", "<QOpenGLFunctions_3_3_Core>", true);
+    row("app/cli/main.cpp", "\"widgets/view/render/renderer.h\"", true);
     row("app/cli/main.cpp", "\"widgets/viewport.h\"", false);
-    row("tests/core/mesh/tst_x.cpp", "<CGAL/Epick.h>", false);
+    row("tests/core/surface/tst_x.cpp", "<CGAL/Epick.h>", false);
 }
 
 void TestLayers::theFenceWouldHold()

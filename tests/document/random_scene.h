@@ -2,8 +2,8 @@
 /// Random values, nodes and scenes, made from the parameter table.
 #pragma once
 
+#include "core/math/random.h"
 #include "core/params/param_def.h"
-#include "core/random/random.h"
 #include "core/scene/scene.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Headless Blender says what it makes of a scene; the exported files must give the same. Skipped where there
 // is no Blender.
-#include "core/io/blender_scene.h"
+#include "core/io/formats/blender_scene.h"
 #include "core/scene/places.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"

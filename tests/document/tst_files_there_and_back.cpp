@@ -1,8 +1,8 @@
-#include "core/document/exporter.h"
 #include "core/document/project_file.h"
-#include "core/io/blender_scene.h"
-#include "core/mesh/validate.h"
+#include "core/io/formats/blender_scene.h"
 #include "core/params/presets.h"
+#include "core/session/exporter.h"
+#include "core/surface/proof/validate.h"
 #include "tests/support/suite.h"
 
 #include <QFile>

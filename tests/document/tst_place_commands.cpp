@@ -1,6 +1,6 @@
 #include "core/document/commands.h"
 #include "core/document/project_file.h"
-#include "core/random/random.h"
+#include "core/math/random.h"
 #include "core/scene/places.h"
 #include "tests/support/suite.h"
 

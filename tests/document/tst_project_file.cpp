@@ -1,6 +1,6 @@
+#include "core/base/file_writer.h"
 #include "core/document/project_file.h"
 #include "core/document/project_migrations.h"
-#include "core/io/file_writer.h"
 #include "tests/document/random_scene.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/kind_with.h"

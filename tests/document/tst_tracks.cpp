@@ -1,10 +1,10 @@
 // Tracks in the document: commands, project file, the player's frames, import.
 #include "core/document/commands.h"
-#include "core/document/import_task.h"
-#include "core/document/player.h"
 #include "core/document/project_file.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/places.h"
+#include "core/session/import_task.h"
+#include "core/session/player.h"
 #include "tests/support/suite.h"
 
 #include <QDir>

@@ -1,7 +1,7 @@
-#include "core/document/arm_dresser.h"
 #include "core/document/project_file.h"
-#include "core/mesh/validate.h"
 #include "core/scene/arm_demo.h"
+#include "core/session/arm_dresser.h"
+#include "core/surface/proof/validate.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"
 #include <glm/common.hpp>

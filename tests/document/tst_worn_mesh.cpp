@@ -1,9 +1,9 @@
-#include "core/arm/arm_chain.h"
 #include "core/document/commands.h"
-#include "core/document/exporter.h"
 #include "core/document/project_file.h"
+#include "core/rig/arm/arm_chain.h"
 #include "core/scene/arm_demo.h"
 #include "core/scene/places.h"
+#include "core/session/exporter.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"
 

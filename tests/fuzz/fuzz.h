@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/io/mesh_file.h"
-#include "core/mesh/validate.h"
+#include "core/surface/proof/validate.h"
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 // Grammar text: the first line is the axiom, the rest are the rules.
-#include "core/grammar/rewrite.h"
-#include "core/grammar/turtle.h"
+#include "core/generators/grammar/rewrite.h"
+#include "core/generators/grammar/turtle.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace ramure;

@@ -1,11 +1,11 @@
-#include "core/document/arm_reach.h"
-#include "core/document/player.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/scene/arm_demo.h"
+#include "core/session/arm_reach.h"
+#include "core/session/player.h"
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"
-#include "widgets/viewport/arm_rings.h"
+#include "widgets/view/arm_rings.h"
 #include <algorithm>
 
 using namespace ramure;

@@ -1,16 +1,16 @@
 // A mesh of a million triangles is looked at in the background while the view goes on turning in the real
 // window. Times are printed, not judged: the machine of a test may be any.
-#include "core/document/analysis.h"
-#include "core/document/recompute.h"
 #include "core/params/presets.h"
+#include "core/session/analysis.h"
+#include "core/session/recompute.h"
 #include "tests/bench/interaction/watched_application.h"
 #include "tests/support/cannot_run.h"
-#include "tests/widgets/support/fixture.h"
-#include "widgets/main_window/main_window.h"
-#include "widgets/render/gl_setup.h"
-#include "widgets/support/preferences.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
+#include "tests/widgets/base/fixture.h"
+#include "widgets/base/preferences.h"
+#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
+#include "widgets/window/main_window.h"
 #include <QElapsedTimer>
 #include <algorithm>
 

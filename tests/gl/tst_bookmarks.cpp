@@ -2,9 +2,9 @@
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"
-#include "widgets/actions/action_set.h"
 #include "widgets/actions/bookmark_actions.h"
-#include "widgets/render/gl_setup.h"
+#include "widgets/base/action_set.h"
+#include "widgets/view/render/gl_setup.h"
 #include <QApplication>
 #include <QMenu>
 

@@ -3,9 +3,9 @@
 #include "core/pipeline/tree_pipeline.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
-#include "widgets/render/gl_setup.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
+#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
 #include <QApplication>
 #include <QDockWidget>
 #include <QMainWindow>

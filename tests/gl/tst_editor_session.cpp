@@ -1,16 +1,16 @@
 // The real window under a virtual X server: it opens, paints, follows keys, undoes; and the program itself,
 // from its command line.
-#include "core/document/recompute.h"
+#include "core/session/recompute.h"
 #include "tests/support/cannot_run.h"
-#include "tests/widgets/support/fixture.h"
-#include "widgets/actions/action_set.h"
+#include "tests/widgets/base/fixture.h"
 #include "widgets/actions/file_actions.h"
-#include "widgets/main_window/main_window.h"
-#include "widgets/main_window/status_panel.h"
-#include "widgets/render/gl_setup.h"
-#include "widgets/support/preferences.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/preferences.h"
+#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
+#include "widgets/window/main_window.h"
+#include "widgets/window/status_panel.h"
 #include <QProcess>
 #include <set>
 

@@ -1,13 +1,13 @@
 // Home and the first picture: what is visible fills the view.
-#include "core/document/recompute.h"
 #include "core/params/presets.h"
 #include "core/scene/demo_scenes.h"
+#include "core/session/recompute.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"
-#include "widgets/render/gl_setup.h"
-#include "widgets/render/scene_builder.h"
-#include "widgets/viewport/moving_scene.h"
+#include "widgets/view/moving_scene.h"
+#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/scene_builder.h"
 #include <QApplication>
 
 using namespace ramure;

@@ -6,7 +6,7 @@
 #include "core/pipeline/tree_pipeline.h"
 #include "tests/gl/desk.h"
 #include "tests/support/cannot_run.h"
-#include "widgets/scene/branch_names.h"
+#include "widgets/base/branch_names.h"
 #include <QClipboard>
 #include <QDir>
 #include <QFile>

@@ -1,12 +1,12 @@
 #include "core/document/commands.h"
-#include "core/document/player.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/places.h"
+#include "core/session/player.h"
 #include "tests/support/suite.h"
-#include "widgets/support/hint_source.h"
-#include "widgets/viewport/gizmo_handles.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
+#include "widgets/base/hint_source.h"
+#include "widgets/view/gizmo_handles.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
 #include <QApplication>
 #include <QMouseEvent>
 #include <QSignalSpy>

@@ -1,22 +1,22 @@
 // The pictures of the handbook, taken from the real window in both languages. With RAMURE_HANDBOOK set to the
 // handbook's folder (./dev pictures) they are written there; without, they only have to be possible and small
 // enough.
-#include "core/document/recompute.h"
+#include "core/session/recompute.h"
 #include "tests/support/cannot_run.h"
-#include "tests/widgets/support/fixture.h"
-#include "widgets/actions/action_set.h"
+#include "tests/widgets/base/fixture.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/actions/help_actions.h"
-#include "widgets/animation/key_model.h"
-#include "widgets/main_window/main_window.h"
-#include "widgets/main_window/status_panel.h"
-#include "widgets/palette/palette.h"
-#include "widgets/render/gl_setup.h"
-#include "widgets/support/language.h"
-#include "widgets/support/preferences.h"
-#include "widgets/theme/theme.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/language.h"
+#include "widgets/base/preferences.h"
+#include "widgets/base/theme.h"
+#include "widgets/dialogs/palette.h"
+#include "widgets/panels/animation/key_model.h"
+#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
+#include "widgets/window/main_window.h"
+#include "widgets/window/status_panel.h"
 #include <QBuffer>
 #include <QDockWidget>
 #include <QLineEdit>

@@ -1,9 +1,9 @@
 // kill -9 of the real window in the middle of edits and of saving: the project always opens, what was kept
 // aside is offered at the next start and comes back, and nothing stays lying about. RAMURE_KILLS says how
 // many times.
-#include "core/document/autosave.h"
+#include "core/math/random.h"
 #include "core/params/presets.h"
-#include "core/random/random.h"
+#include "core/session/autosave.h"
 #include "tests/gl/desk.h"
 #include "tests/support/cannot_run.h"
 #include <QDateTime>

@@ -1,12 +1,12 @@
-#include "core/document/recompute.h"
+#include "core/session/recompute.h"
 #include "tests/support/cannot_run.h"
-#include "tests/widgets/support/fixture.h"
-#include "widgets/actions/action_set.h"
+#include "tests/widgets/base/fixture.h"
 #include "widgets/actions/picture_actions.h"
-#include "widgets/render/gl_setup.h"
-#include "widgets/support/preferences.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/preferences.h"
+#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
 #include <QClipboard>
 
 using namespace ramure;

@@ -1,10 +1,10 @@
 #include "tests/support/cannot_run.h"
 #include "tests/support/sample_tree.h"
 #include "tests/support/suite.h"
-#include "widgets/render/gl_setup.h"
-#include "widgets/render/offscreen_renderer.h"
-#include "widgets/render/outline.h"
-#include "widgets/render/renderer.h"
+#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/offscreen_renderer.h"
+#include "widgets/view/render/outline.h"
+#include "widgets/view/render/renderer.h"
 #include <QApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>

@@ -1,8 +1,8 @@
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
-#include "widgets/render/gl_setup.h"
-#include "widgets/render/offscreen_renderer.h"
-#include "widgets/render/scene_builder.h"
+#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/offscreen_renderer.h"
+#include "widgets/view/render/scene_builder.h"
 #include <QApplication>
 
 using namespace ramure;

@@ -5,10 +5,10 @@
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"
-#include "widgets/render/gl_setup.h"
-#include "widgets/render/scene_builder.h"
-#include "widgets/validation/defect_place.h"
-#include "widgets/viewport/navigation_cube.h"
+#include "widgets/base/defect_place.h"
+#include "widgets/view/navigation_cube.h"
+#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/scene_builder.h"
 #include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>

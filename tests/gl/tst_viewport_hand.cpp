@@ -1,11 +1,11 @@
 #include "core/document/commands.h"
-#include "core/document/recompute.h"
 #include "core/params/presets.h"
+#include "core/session/recompute.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"
-#include "widgets/render/gl_setup.h"
-#include "widgets/support/hint_source.h"
+#include "widgets/base/hint_source.h"
+#include "widgets/view/render/gl_setup.h"
 #include <QContextMenuEvent>
 
 using namespace ramure;

@@ -1,12 +1,12 @@
-#include "core/arm/arm_chain.h"
-#include "core/document/arm_reach.h"
-#include "core/document/player.h"
+#include "core/rig/arm/arm_chain.h"
 #include "core/scene/arm_demo.h"
 #include "core/scene/places.h"
+#include "core/session/arm_reach.h"
+#include "core/session/player.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
 #include <QSignalSpy>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "tests/support/fork_judge.h"
 
-#include "core/mesh/validate.h"
+#include "core/surface/proof/validate.h"
 #include "tests/support/mesh_checker.h"
 #include <algorithm>
 #include <sstream>

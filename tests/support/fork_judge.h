@@ -2,7 +2,7 @@
 /// Builds the branch mesh of a skeleton and lets both judges, the program's and the tests' own, look at it.
 #pragma once
 
-#include "core/mesh/branch_mesh.h"
+#include "core/surface/mesher/branch_mesh.h"
 #include <string>
 
 namespace ramure::test {

@@ -1,10 +1,10 @@
 /// \file
 /// An independent judge of triangle meshes for the tests. It shares no code with the mesher and none with
-/// core/mesh/validate: definitions are spelled out again, in the plainest way, so that one slip cannot hide
-/// another.
+/// core/surface/proof/validate: definitions are spelled out again, in the plainest way, so that one slip
+/// cannot hide another.
 #pragma once
 
-#include "core/mesh/triangle_mesh.h"
+#include "core/surface/mesh/triangle_mesh.h"
 #include <cstdint>
 #include <string>
 #include <vector>

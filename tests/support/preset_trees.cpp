@@ -1,8 +1,8 @@
 #include "tests/support/preset_trees.h"
 
-#include "core/grammar/grammar.h"
-#include "core/grammar/rewrite.h"
-#include "core/grammar/turtle.h"
+#include "core/generators/grammar/grammar.h"
+#include "core/generators/grammar/rewrite.h"
+#include "core/generators/grammar/turtle.h"
 #include "core/params/presets.h"
 #include "core/skeleton/simplify.h"
 

@@ -2,9 +2,9 @@
 /// A small hand-made tree for the tests of the renderer: no grammar, no mesher, only cones and triangles.
 #pragma once
 
-#include "core/random/random.h"
+#include "core/math/random.h"
 #include "core/skeleton/skeleton.h"
-#include "widgets/render/render_scene.h"
+#include "widgets/view/render/render_scene.h"
 #include <QString>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>

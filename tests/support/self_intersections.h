@@ -18,9 +18,9 @@
 /// Triangles whose corners lie on one line are left out (the topology suites refuse them).
 #pragma once
 
-#include "core/mesh/branch_mesh.h"
-#include "core/mesh/triangle_mesh.h"
 #include "core/skeleton/skeleton.h"
+#include "core/surface/mesh/triangle_mesh.h"
+#include "core/surface/mesher/branch_mesh.h"
 #include <array>
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 /// What the families of the skeleton zoo are made with: a skeleton in the making and the draws they share.
 #pragma once
 
-#include "core/random/random.h"
+#include "core/math/random.h"
 #include "core/skeleton/skeleton.h"
 #include <algorithm>
 #include <cmath>

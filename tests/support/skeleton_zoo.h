@@ -5,8 +5,8 @@
 /// of the family).
 #pragma once
 
-#include "core/mesh/branch_mesh.h"
 #include "core/skeleton/skeleton.h"
+#include "core/surface/mesher/branch_mesh.h"
 #include <cstdint>
 #include <string>
 #include <vector>

@@ -2,7 +2,7 @@
 /// Small closed meshes made by hand, to test the tests' own judges.
 #pragma once
 
-#include "core/mesh/triangle_mesh.h"
+#include "core/surface/mesh/triangle_mesh.h"
 
 namespace ramure::test {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
 #include <QApplication>
 #include <QMouseEvent>
 #include <QSignalSpy>

@@ -4,9 +4,9 @@
 
 #include "core/skeleton/branch_facts.h"
 #include "tests/widgets/tree_document.h"
-#include "widgets/inspector/branch_inspector.h"
-#include "widgets/inspector/fact_form.h"
-#include "widgets/inspector/section_browser.h"
+#include "widgets/panels/inspector/branch_inspector.h"
+#include "widgets/panels/inspector/fact_form.h"
+#include "widgets/panels/inspector/section_browser.h"
 #include <QLabel>
 
 namespace ramure::test {

@@ -1,9 +1,9 @@
 #include "widgets/actions/bookmark_actions.h"
 
 #include "core/document/commands.h"
-#include "widgets/actions/action_set.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
+#include "widgets/base/action_set.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
 #include <QLocale>
 #include <QMenu>
 #include <algorithm>

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/scene/view_bookmarks.h"
-#include "widgets/render/camera.h"
+#include "widgets/view/render/camera.h"
 #include <QList>
 #include <QObject>
 

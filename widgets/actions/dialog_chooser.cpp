@@ -1,8 +1,8 @@
 #include "widgets/actions/dialog_chooser.h"
 
-#include "widgets/main_window/message_banner.h"
-#include "widgets/recovery/recovery_dialog.h"
-#include "widgets/theme/icons.h"
+#include "widgets/base/icons.h"
+#include "widgets/base/message_banner.h"
+#include "widgets/dialogs/recovery_dialog.h"
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHeaderView>

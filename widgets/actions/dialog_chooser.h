@@ -2,7 +2,7 @@
 /// The chooser of the program: file dialogs, message boxes, and the banner of the main window.
 #pragma once
 
-#include "widgets/actions/chooser.h"
+#include "widgets/base/chooser.h"
 #include <QCoreApplication>
 #include <QPointer>
 #include <QWidget>

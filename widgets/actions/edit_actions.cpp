@@ -1,15 +1,15 @@
 #include "widgets/actions/edit_actions.h"
 
 #include "core/document/commands.h"
-#include "core/grammar/variety.h"
+#include "core/generators/grammar/variety.h"
 #include "core/params/presets.h"
 #include "core/scene/arm_demo.h"
 #include "core/scene/preset_scene.h"
-#include "widgets/actions/action_set.h"
-#include "widgets/support/core_text.h"
-#include "widgets/support/node_words.h"
-#include "widgets/support/targets.h"
-#include "widgets/theme/icons.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/icons.h"
+#include "widgets/base/node_words.h"
+#include "widgets/base/targets.h"
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QKeyEvent>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "widgets/actions/chooser.h"
+#include "widgets/base/chooser.h"
 #include <QObject>
 #include <map>
 

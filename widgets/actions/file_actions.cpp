@@ -1,15 +1,15 @@
 #include "widgets/actions/file_actions.h"
 
+#include "core/base/file_writer.h"
 #include "core/document/project_file.h"
-#include "core/io/file_writer.h"
 #include "core/params/presets.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/preset_scene.h"
-#include "widgets/actions/action_set.h"
 #include "widgets/actions/import_actions.h"
-#include "widgets/support/core_text.h"
-#include "widgets/support/preferences.h"
-#include "widgets/theme/icons.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/icons.h"
+#include "widgets/base/preferences.h"
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>

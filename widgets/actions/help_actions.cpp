@@ -1,12 +1,12 @@
 #include "widgets/actions/help_actions.h"
 
-#include "widgets/actions/action_set.h"
-#include "widgets/handbook/handbook_window.h"
-#include "widgets/handbook/help_places.h"
-#include "widgets/palette/palette.h"
-#include "widgets/palette/palette_sources.h"
-#include "widgets/support/preferences.h"
-#include "widgets/tour/tour.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/preferences.h"
+#include "widgets/dialogs/palette.h"
+#include "widgets/dialogs/palette_sources.h"
+#include "widgets/help/handbook_window.h"
+#include "widgets/help/help_places.h"
+#include "widgets/help/tour.h"
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMainWindow>

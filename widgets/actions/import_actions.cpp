@@ -1,10 +1,10 @@
 #include "widgets/actions/import_actions.h"
 
-#include "core/document/import_task.h"
-#include "widgets/actions/action_set.h"
-#include "widgets/actions/chooser.h"
-#include "widgets/support/core_text.h"
-#include "widgets/support/preferences.h"
+#include "core/session/import_task.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/chooser.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/preferences.h"
 #include <QFile>
 #include <QFileInfo>
 #include <QProgressDialog>

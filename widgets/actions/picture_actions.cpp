@@ -1,11 +1,11 @@
 #include "widgets/actions/picture_actions.h"
 
-#include "widgets/actions/action_set.h"
-#include "widgets/actions/chooser.h"
-#include "widgets/support/core_text.h"
-#include "widgets/support/preferences.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/chooser.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/preferences.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
 #include <QDir>
 #include <QFileInfo>
 

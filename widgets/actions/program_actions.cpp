@@ -1,10 +1,10 @@
 #include "widgets/actions/program_actions.h"
 
-#include "widgets/actions/action_set.h"
-#include "widgets/main_window/about_dialog.h"
-#include "widgets/preferences/preferences_dialog.h"
-#include "widgets/shortcuts/shortcuts_dialog.h"
-#include "widgets/support/preferences.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/preferences.h"
+#include "widgets/dialogs/about_dialog.h"
+#include "widgets/dialogs/preferences_dialog.h"
+#include "widgets/dialogs/shortcuts_dialog.h"
 
 namespace ramure {
 namespace {

@@ -1,10 +1,10 @@
 #include "widgets/actions/transform_actions.h"
 
-#include "widgets/actions/action_set.h"
 #include "widgets/actions/tool_settings_dialog.h"
-#include "widgets/support/preferences.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/preferences.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
 #include <QActionGroup>
 #include <QComboBox>
 #include <QMenu>

@@ -1,11 +1,11 @@
 #include "widgets/actions/view_actions.h"
 
-#include "widgets/actions/action_set.h"
 #include "widgets/actions/bookmark_actions.h"
-#include "widgets/support/language.h"
-#include "widgets/support/preferences.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/language.h"
+#include "widgets/base/preferences.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
 #include <QActionGroup>
 #include <QMenu>
 #include <cmath>

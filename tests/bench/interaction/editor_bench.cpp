@@ -1,12 +1,12 @@
 #include "tests/bench/interaction/editor_bench.h"
 
-#include "core/document/analysis.h"
 #include "core/document/commands.h"
-#include "core/document/player.h"
+#include "core/session/analysis.h"
+#include "core/session/player.h"
 #include "tests/bench/interaction/slider_hand.h"
 #include "widgets/actions/file_actions.h"
-#include "widgets/viewport/viewport.h"
-#include "widgets/viewport/viewport_host.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
 #include <QDir>
 #include <QElapsedTimer>
 #include <QEventLoop>

@@ -2,12 +2,12 @@
 /// The editor as the program makes it, in a real window, with what is needed to measure it.
 #pragma once
 
-#include "core/document/recompute.h"
+#include "core/session/recompute.h"
 #include "tests/bench/interaction/watched_application.h"
 #include "widgets/actions/dialog_chooser.h"
-#include "widgets/main_window/main_window.h"
-#include "widgets/support/preferences.h"
-#include "widgets/viewport/view_settings.h"
+#include "widgets/base/preferences.h"
+#include "widgets/view/view_settings.h"
+#include "widgets/window/main_window.h"
 #include <vector>
 
 namespace ramure::bench {

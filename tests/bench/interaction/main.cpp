@@ -2,7 +2,7 @@
 // is held up. Needs a display with OpenGL, a virtual one will do (./dev bench-window). Asserts nothing.
 #include "core/base/kept_memory.h"
 #include "tests/bench/interaction/editor_bench.h"
-#include "widgets/render/gl_setup.h"
+#include "widgets/view/render/gl_setup.h"
 #include <QCommandLineParser>
 #include <QProcess>
 #include <QTemporaryDir>

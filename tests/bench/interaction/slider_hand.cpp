@@ -1,7 +1,7 @@
 #include "tests/bench/interaction/slider_hand.h"
 
-#include "widgets/numbers/number_slider.h"
-#include "widgets/properties/param_editor.h"
+#include "widgets/base/number_slider.h"
+#include "widgets/panels/properties/param_editor.h"
 #include <QMouseEvent>
 #include <QScrollArea>
 #include <QTest>

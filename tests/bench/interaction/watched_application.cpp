@@ -1,6 +1,6 @@
 #include "tests/bench/interaction/watched_application.h"
 
-#include "widgets/viewport/viewport.h"
+#include "widgets/view/viewport.h"
 #include <QEvent>
 #include <QMetaEnum>
 #include <algorithm>

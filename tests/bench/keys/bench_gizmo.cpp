@@ -1,13 +1,13 @@
 // One move of the mouse while nodes are dragged by the gizmo, with all of the window following: what the
 // interface's thread does for it, the picture's drawing apart.
-#include "core/document/recompute.h"
 #include "core/params/presets.h"
 #include "core/scene/demo_scenes.h"
-#include "tests/widgets/support/fixture.h"
-#include "widgets/main_window/main_window.h"
-#include "widgets/render/scene_builder.h"
-#include "widgets/support/preferences.h"
-#include "widgets/viewport/gizmo_drag.h"
+#include "core/session/recompute.h"
+#include "tests/widgets/base/fixture.h"
+#include "widgets/base/preferences.h"
+#include "widgets/view/gizmo_drag.h"
+#include "widgets/view/render/scene_builder.h"
+#include "widgets/window/main_window.h"
 #include <benchmark/benchmark.h>
 
 using namespace ramure;

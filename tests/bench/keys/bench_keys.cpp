@@ -1,7 +1,7 @@
 // The dope sheet with 100,000 keys on 500 tracks: what a picture and a gesture take. Run with
 // QT_QPA_PLATFORM=offscreen. Asserts nothing.
-#include "tests/widgets/animation/key_fixture.h"
-#include "widgets/animation/key_curves.h"
+#include "tests/widgets/panels/animation/key_fixture.h"
+#include "widgets/panels/animation/key_curves.h"
 #include <QApplication>
 #include <benchmark/benchmark.h>
 #include <cmath>

@@ -1,5 +1,5 @@
-#include "core/mesh/primitive_mesh.h"
 #include "core/params/param_relevance.h"
+#include "core/surface/primitives/primitive_mesh.h"
 #include "tests/support/suite.h"
 
 using namespace ramure;

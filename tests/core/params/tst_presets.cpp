@@ -1,4 +1,4 @@
-#include "core/grammar/grammar.h"
+#include "core/generators/grammar/grammar.h"
 #include "core/params/param_def.h"
 #include "core/params/presets.h"
 #include "tests/support/suite.h"

@@ -1,7 +1,7 @@
-#include "core/mesh/mesh_divisions.h"
 #include "core/params/param_def.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/surface/mesher/mesh_divisions.h"
 #include "tests/support/suite.h"
 
 using namespace ramure;

@@ -1,4 +1,4 @@
-#include "core/random/random.h"
+#include "core/math/random.h"
 #include "core/scene/keyed_placement.h"
 #include "core/scene/places.h"
 #include "tests/support/suite.h"

@@ -1,5 +1,5 @@
-#include "core/geometry/drag_maths.h"
-#include "core/random/random.h"
+#include "core/math/drag_maths.h"
+#include "core/math/random.h"
 #include "core/scene/node_transform.h"
 #include "core/scene/places.h"
 #include "tests/support/suite.h"

@@ -1,4 +1,4 @@
-#include "core/random/random.h"
+#include "core/math/random.h"
 #include "core/scene/scene.h"
 #include "tests/support/suite.h"
 

@@ -1,5 +1,6 @@
-#include "core/random/random.h"
+#include "core/math/random.h"
 #include "core/skeleton/branch_facts.h"
+#include "core/surface/foliage/branch_masses.h"
 #include "tests/support/suite.h"
 #include <charconv>
 #include <clocale>

@@ -1,8 +1,8 @@
-#include "core/grammar/grammar.h"
-#include "core/grammar/rewrite.h"
-#include "core/grammar/turtle.h"
+#include "core/generators/grammar/grammar.h"
+#include "core/generators/grammar/rewrite.h"
+#include "core/generators/grammar/turtle.h"
+#include "core/math/random.h"
 #include "core/params/presets.h"
-#include "core/random/random.h"
 #include "core/skeleton/simplify.h"
 #include "tests/support/suite.h"
 

@@ -1,5 +1,5 @@
-#include "core/mesh/validate.h"
-#include "core/random/random.h"
+#include "core/math/random.h"
+#include "core/surface/proof/validate.h"
 #include "tests/support/mesh_checker.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"

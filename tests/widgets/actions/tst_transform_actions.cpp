@@ -1,10 +1,10 @@
-#include "tests/widgets/support/fixture.h"
-#include "widgets/actions/action_set.h"
+#include "tests/widgets/base/fixture.h"
 #include "widgets/actions/tool_settings_dialog.h"
 #include "widgets/actions/transform_actions.h"
-#include "widgets/support/preferences.h"
-#include "widgets/viewport/gizmo_settings.h"
-#include "widgets/viewport/viewport_host.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/preferences.h"
+#include "widgets/view/gizmo_settings.h"
+#include "widgets/view/viewport_host.h"
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QMainWindow>

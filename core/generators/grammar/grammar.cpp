@@ -1,0 +1,416 @@
+#include "core/generators/grammar/grammar.h"
+
+#include "core/base/number_text.h"
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <span>
+#include <utility>
+
+namespace ramure {
+namespace {
+
+constexpr const char* axiomPath = "grammar.axiom";
+constexpr const char* rulesPath = "grammar.rules";
+constexpr char escapeSign = '`';
+
+/// One symbol as it stands in the user's text.
+struct Glyph
+{
+    char symbol;
+    bool escaped;
+    int line, column;
+
+    [[nodiscard]] bool isMark(char mark) const { return !escaped && symbol == mark; }
+};
+using Glyphs = std::span<const Glyph>;
+
+struct Place
+{
+    int line, column;
+};
+
+tl::unexpected<Error> failAt(const Place& place, ErrorCode code, const char* text,
+                             std::vector<std::string> args = {})
+{
+    auto error = fail(code, text, std::move(args));
+    error.value().line = place.line;
+    error.value().column = place.column;
+    return error;
+}
+
+bool isBlank(char c)
+{
+    return c == ' ' || c == '\t' || c == '\r';
+}
+
+/// For messages: the symbol itself, or its code where it cannot be seen.
+std::string nameOf(char symbol)
+{
+    if (symbol > ' ' && symbol < '\x7f')
+        return std::string(1, symbol);
+    constexpr const char* digits = "0123456789ABCDEF";
+    const auto byte = static_cast<unsigned char>(symbol);
+    return std::string("0x") + digits[byte >> 4] + digits[byte & 15];
+}
+
+std::string textOf(Glyphs glyphs)
+{
+    std::string text(glyphs.size(), '\0');
+    std::ranges::transform(glyphs, text.begin(), &Glyph::symbol);
+    return text;
+}
+
+/// The line without its blanks, escapes resolved.
+Expected<void> appendLine(std::string_view line, int number, std::vector<Glyph>& glyphs)
+{
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const int column = static_cast<int>(i) + 1;
+        if (isBlank(line[i]))
+            continue;
+        if (line[i] != escapeSign) {
+            glyphs.push_back({line[i], false, number, column});
+            continue;
+        }
+        if (++i == line.size())
+            return failAt(
+                {number, column}, ErrorCode::Syntax,
+                RAMURE_NOOP("the backquote takes the next character as it is, but the line ends here"));
+        glyphs.push_back({line[i], true, number, column});
+    }
+    return {};
+}
+
+/// Calls \p visit(line, number) for every line of the text until one fails.
+template <class Visit> Expected<void> forEachLine(std::string_view text, Visit&& visit)
+{
+    for (int number = 1;; ++number) {
+        const std::size_t end = text.find('\n');
+        if (Expected<void> done = visit(text.substr(0, end), number); !done)
+            return done;
+        if (end == std::string_view::npos)
+            return {};
+        text.remove_prefix(end + 1);
+    }
+}
+
+/// \param symbolAt, placeAt give the symbol and the place of each of \p count symbols.
+template <class SymbolAt, class PlaceAt>
+Expected<void> checkBrackets(std::size_t count, SymbolAt&& symbolAt, PlaceAt&& placeAt)
+{
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (symbolAt(i) == '[')
+            open.push_back(i);
+        if (symbolAt(i) != ']')
+            continue;
+        if (open.empty())
+            return failAt(placeAt(i), ErrorCode::Invalid, RAMURE_NOOP("this \"]\" has no \"[\" before it"));
+        open.pop_back();
+    }
+    if (!open.empty())
+        return failAt(placeAt(open.back()), ErrorCode::Invalid, RAMURE_NOOP("this \"[\" is never closed"));
+    return {};
+}
+
+Expected<void> checkBrackets(Glyphs glyphs)
+{
+    return checkBrackets(
+        glyphs.size(), [&](std::size_t i) { return glyphs[i].symbol; },
+        [&](std::size_t i) {
+            return Place{glyphs[i].line, glyphs[i].column};
+        });
+}
+
+Expected<void> checkProbability(double probability, const Place& place)
+{
+    if (!std::isfinite(probability))
+        return failAt(place, ErrorCode::Invalid, RAMURE_NOOP("a probability must be a finite number"));
+    if (probability < 0.0)
+        return failAt(place, ErrorCode::Invalid, RAMURE_NOOP("a probability cannot be negative"));
+    return {};
+}
+
+Expected<void> checkSum(const std::vector<double>& probabilities, const Place& place)
+{
+    double sum = 0.0;
+    for (const double probability : probabilities)
+        sum += probability;
+    if (!probabilities.empty() && sum <= 0.0)
+        return failAt(place, ErrorCode::Invalid, RAMURE_NOOP("all probabilities of the rule are zero"));
+    if (!std::isfinite(sum))
+        return failAt(place, ErrorCode::Invalid,
+                      RAMURE_NOOP("the probabilities add up to more than a number holds"));
+    return {};
+}
+
+/// Parses one line that is neither blank nor a comment.
+class RuleParser
+{
+public:
+    /// \param endColumn where a missing part is reported; \param brackets check them
+    RuleParser(Glyphs line, int endColumn, bool brackets)
+        : m_line(line)
+        , m_endColumn(endColumn)
+        , m_brackets(brackets)
+    {
+    }
+
+    Expected<Rule> parse()
+    {
+        const bool startsWithArrow = arrowAt(0) && !arrowAt(1);
+        if (startsWithArrow)
+            return failAt(placeAt(0), ErrorCode::Syntax, RAMURE_NOOP("there is no symbol before \"->\""));
+        if (!arrowAt(1))
+            return failAt(placeAt(1), ErrorCode::Syntax, RAMURE_NOOP("\"->\" must follow the symbol %1"),
+                          {nameOf(m_line[0].symbol)});
+        m_rule.symbol = m_line[0].symbol;
+        const Glyphs right = m_line.subspan(3);
+        const bool hasChoices =
+            std::ranges::any_of(right, [](const Glyph& g) { return g.isMark('|') || g.isMark(':'); });
+        const Expected<void> done = hasChoices ? parseChoices() : takeText(right, m_rule.defaultText);
+        if (!done)
+            return fail(done.error());
+        return std::move(m_rule);
+    }
+
+private:
+    [[nodiscard]] bool arrowAt(std::size_t i) const
+    {
+        return i + 1 < m_line.size() && m_line[i].isMark('-') && m_line[i + 1].isMark('>');
+    }
+    [[nodiscard]] Place placeAt(std::size_t i) const
+    {
+        return {m_line[0].line, i < m_line.size() ? m_line[i].column : m_endColumn};
+    }
+
+    Expected<void> takeText(Glyphs glyphs, std::string& text)
+    {
+        text = textOf(glyphs);
+        return m_brackets ? checkBrackets(glyphs) : Expected<void>();
+    }
+
+    Expected<void> parseChoices()
+    {
+        for (std::size_t from = 3; from <= m_line.size();) {
+            std::size_t to = from;
+            while (to < m_line.size() && !m_line[to].isMark('|'))
+                ++to;
+            if (auto done = parseChoice(from, to); !done)
+                return done;
+            from = to + 1;
+        }
+        if (!m_hasDefault && !m_rule.replacements.empty())
+            m_rule.defaultText = m_rule.replacements.front();
+        return checkSum(m_rule.probabilities, placeAt(3));
+    }
+
+    Expected<void> parseChoice(std::size_t from, std::size_t to)
+    {
+        const auto isColon = [](const Glyph& glyph) { return glyph.isMark(':'); };
+        const Glyphs choice = m_line.subspan(from, to - from);
+        const auto colon = std::ranges::find_if(choice, isColon);
+        if (colon == choice.end())
+            return failAt(placeAt(from), ErrorCode::Syntax,
+                          RAMURE_NOOP("each choice needs a probability and a colon: \"0.5: text\""));
+        const auto second = std::find_if(colon + 1, choice.end(), isColon);
+        if (second != choice.end())
+            return failAt({second->line, second->column}, ErrorCode::Syntax,
+                          RAMURE_NOOP("a second colon; write `: for the symbol"));
+        const std::string head = textOf({choice.begin(), colon});
+        const Glyphs text(colon + 1, choice.end());
+        return head == "default" ? takeDefault(text, placeAt(from)) : takeChoice(head, text, placeAt(from));
+    }
+
+    Expected<void> takeDefault(Glyphs text, const Place& place)
+    {
+        if (std::exchange(m_hasDefault, true))
+            return failAt(place, ErrorCode::Syntax, RAMURE_NOOP("the rule has two defaults"));
+        return takeText(text, m_rule.defaultText);
+    }
+
+    Expected<void> takeChoice(const std::string& head, Glyphs text, const Place& place)
+    {
+        double probability = 0.0;
+        const auto [end, status] = std::from_chars(head.data(), head.data() + head.size(), probability);
+        if (status == std::errc::result_out_of_range)
+            return failAt(place, ErrorCode::Invalid, RAMURE_NOOP("the number %1 is out of all range"),
+                          {head});
+        if (status != std::errc() || end != head.data() + head.size())
+            return failAt(place, ErrorCode::Syntax,
+                          RAMURE_NOOP("\"%1\" is neither a probability nor \"default\""), {head});
+        if (auto ok = checkProbability(probability, place); !ok)
+            return ok;
+        m_rule.probabilities.push_back(probability);
+        return takeText(text, m_rule.replacements.emplace_back());
+    }
+
+    Glyphs m_line;
+    int m_endColumn;
+    bool m_brackets;
+    bool m_hasDefault = false;
+    Rule m_rule;
+};
+
+/// In which line each symbol got its rule, 0 = none.
+using RuleLines = std::array<int, 256>;
+
+Expected<void> claimSymbol(RuleLines& lines, char symbol, const Place& place)
+{
+    int& line = lines[static_cast<unsigned char>(symbol)];
+    if (line != 0)
+        return failAt(place, ErrorCode::Invalid, RAMURE_NOOP("the symbol %1 already has a rule, in line %2"),
+                      {nameOf(symbol), std::to_string(line)});
+    line = place.line;
+    return {};
+}
+
+Expected<std::vector<Rule>> readRules(std::string_view text, bool brackets)
+{
+    std::vector<Rule> rules;
+    std::vector<Glyph> glyphs;
+    RuleLines ruleLines{};
+    const auto done = forEachLine(text, [&](std::string_view line, int number) -> Expected<void> {
+        const std::size_t first = line.find_first_not_of(" \t\r");
+        if (first == std::string_view::npos || line[first] == '#')
+            return {};
+        glyphs.clear();
+        if (auto read = appendLine(line, number, glyphs); !read)
+            return read;
+        auto rule = RuleParser(glyphs, static_cast<int>(line.size()) + 1, brackets).parse();
+        if (!rule)
+            return fail(rule.error());
+        rules.push_back(std::move(*rule));
+        return claimSymbol(ruleLines, rules.back().symbol, {number, glyphs.front().column});
+    });
+    if (!done)
+        return fail(done.error());
+    return rules;
+}
+
+Expected<std::string> readAxiom(std::string_view text, bool brackets)
+{
+    std::vector<Glyph> glyphs;
+    auto done = forEachLine(
+        text, [&](std::string_view line, int number) { return appendLine(line, number, glyphs); });
+    if (done && brackets)
+        done = checkBrackets(glyphs);
+    if (!done)
+        return fail(done.error());
+    return textOf(glyphs);
+}
+
+tl::unexpected<Error> withPath(Error error, const char* path)
+{
+    error.path = path;
+    return fail(std::move(error));
+}
+
+/// A text of a grammar that was built in code.
+Expected<void> checkText(const std::string& text, int line)
+{
+    const auto placeAt = [line](std::size_t i) { return Place{line, static_cast<int>(i) + 1}; };
+    if (const std::size_t at = text.find('\n'); at != std::string::npos)
+        return failAt(placeAt(at), ErrorCode::Invalid, RAMURE_NOOP("a line feed cannot be a symbol"));
+    return checkBrackets(
+        text.size(), [&](std::size_t i) { return text[i]; }, placeAt);
+}
+
+Expected<void> checkRule(const Rule& rule, int line)
+{
+    if (rule.symbol == '\n')
+        return failAt({line, 0}, ErrorCode::Invalid, RAMURE_NOOP("a line feed cannot be a symbol"));
+    if (rule.probabilities.size() != rule.replacements.size())
+        return failAt({line, 0}, ErrorCode::Invalid,
+                      RAMURE_NOOP("the rule for %1 has %2 probabilities for %3 replacements"),
+                      {nameOf(rule.symbol), std::to_string(rule.probabilities.size()),
+                       std::to_string(rule.replacements.size())});
+    for (const double probability : rule.probabilities)
+        if (auto ok = checkProbability(probability, {line, 0}); !ok)
+            return ok;
+    if (auto ok = checkSum(rule.probabilities, {line, 0}); !ok)
+        return ok;
+    for (const std::string& text : rule.replacements)
+        if (auto ok = checkText(text, line); !ok)
+            return ok;
+    return checkText(rule.defaultText, line);
+}
+
+void appendSymbol(std::string& out, char symbol, std::string_view special)
+{
+    if (isBlank(symbol) || symbol == escapeSign || special.find(symbol) != std::string_view::npos)
+        out += escapeSign;
+    out += symbol;
+}
+
+void appendText(std::string& out, const std::string& text)
+{
+    if (!text.empty())
+        out += ' ';
+    for (const char symbol : text)
+        appendSymbol(out, symbol, "|:");
+}
+
+} // namespace
+
+Expected<std::vector<Rule>> parseRules(std::string_view text)
+{
+    return readRules(text, false);
+}
+
+Expected<std::string> parseAxiom(std::string_view text)
+{
+    return readAxiom(text, false);
+}
+
+Expected<Grammar> parseGrammar(std::string_view axiom, std::string_view rules)
+{
+    auto readAxiomText = readAxiom(axiom, true);
+    if (!readAxiomText)
+        return withPath(std::move(readAxiomText.error()), axiomPath);
+    auto readRuleList = readRules(rules, true);
+    if (!readRuleList)
+        return withPath(std::move(readRuleList.error()), rulesPath);
+    return Grammar{std::move(*readAxiomText), std::move(*readRuleList)};
+}
+
+Expected<void> checkGrammar(const Grammar& grammar)
+{
+    if (auto ok = checkText(grammar.axiom, 0); !ok)
+        return withPath(std::move(ok.error()), axiomPath);
+    RuleLines ruleLines{};
+    int line = 0;
+    for (const Rule& rule : grammar.rules) {
+        auto ok = checkRule(rule, ++line);
+        if (ok)
+            ok = claimSymbol(ruleLines, rule.symbol, {line, 0});
+        if (!ok)
+            return withPath(std::move(ok.error()), rulesPath);
+    }
+    return {};
+}
+
+std::string formatRules(const std::vector<Rule>& rules)
+{
+    std::string out;
+    for (const Rule& rule : rules) {
+        appendSymbol(out, rule.symbol, "#");
+        out += " ->";
+        for (std::size_t i = 0; i < rule.probabilities.size(); ++i) {
+            out += i == 0 ? " " : " | ";
+            out += numberText(rule.probabilities[i]);
+            out += ':';
+            appendText(out, rule.replacements[i]);
+        }
+        const bool hasChoices = !rule.probabilities.empty();
+        if (hasChoices && rule.defaultText != rule.replacements.front())
+            out += " | default:";
+        if (!hasChoices || rule.defaultText != rule.replacements.front())
+            appendText(out, rule.defaultText);
+        out += '\n';
+    }
+    return out;
+}
+
+} // namespace ramure

@@ -1,0 +1,300 @@
+#include "core/io/formats/material_file.h"
+#include "core/io/write_parts.h"
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <set>
+
+namespace ramure {
+
+namespace {
+
+using writing::appendText;
+using writing::forEach;
+using writing::oneLine;
+using writing::Ticker;
+using writing::writeVectors;
+
+/// PATH with the ending .mtl instead of its own.
+std::string materialPath(const std::string& path)
+{
+    std::filesystem::path out(path);
+    if (out.extension() == ".mtl")
+        out += ".mtl";
+    else
+        out.replace_extension(".mtl");
+    return out.string();
+}
+
+std::string head(const std::string& comment)
+{
+    return "# Ramure " RAMURE_VERSION "\n" + (comment.empty() ? "" : "# " + oneLine(comment) + "\n");
+}
+
+/// Number of \p v in the object's own vertices, counted through the file from 1.
+char* appendCorner(char* to, Index v, bool hasNormals, Index normalShift)
+{
+    char* end = appendIndex(to, v);
+    if (!hasNormals)
+        return end;
+    const std::ptrdiff_t length = end - to;
+    *end++ = '/';
+    *end++ = '/';
+    if (normalShift != 0)
+        return appendIndex(end, v - normalShift);
+    char copy[16]; // the same number, and what lies behind it
+    std::memcpy(copy, to, sizeof copy);
+    std::memcpy(end, copy, sizeof copy);
+    return end + length;
+}
+
+/// The texts of corners, each with a space before it: faces that follow each other share vertices, and most
+/// corners were written just before.
+class CornerTexts
+{
+public:
+    CornerTexts(bool hasNormals, Index normalShift)
+        : m_hasNormals(hasNormals)
+        , m_normalShift(normalShift)
+        , m_kept(keptCorners)
+    {
+    }
+    /// \p v counts from 1. Overwrites up to `room` bytes.
+    char* append(char* to, Index v)
+    {
+        Kept& kept = m_kept[v % keptCorners];
+        if (kept.vertex != v) {
+            kept.vertex = v;
+            kept.text[0] = ' ';
+            char text[room + 16];
+            const char* const end = appendCorner(text, v, m_hasNormals, m_normalShift);
+            kept.length = static_cast<Index>(end - text) + 1u;
+            std::memcpy(kept.text + 1, text, sizeof kept.text - 1);
+        }
+        std::memcpy(to, kept.text, sizeof kept.text);
+        return to + kept.length;
+    }
+    static constexpr std::size_t room = 24; ///< a space, two numbers, two slashes
+    static_assert(room >= 3 + 2 * maxIndexText);
+
+private:
+    static constexpr std::size_t keptCorners = 512;
+    struct Kept
+    {
+        Index vertex = 0;
+        Index length = 0;
+        char text[room] = {};
+    };
+    bool m_hasNormals;
+    Index m_normalShift;
+    std::vector<Kept> m_kept;
+};
+
+/// How many stand in the file before.
+struct Before
+{
+    Index vertices = 0, normals = 0, texture = 0;
+};
+
+/// Triangles of one mesh that follow each other.
+struct Run
+{
+    std::size_t begin, end;
+};
+
+/// Those of one colour together; all of them where there are no colours.
+std::vector<Run> runsOf(const TriangleMesh& mesh)
+{
+    const std::size_t count = mesh.triangles.size();
+    if (!writing::hasColours(mesh))
+        return {{0, count}};
+    std::vector<Run> runs;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (runs.empty() || mesh.colours[i] != mesh.colours[runs.back().begin])
+            runs.push_back({i, i});
+        runs.back().end = i + 1;
+    }
+    return runs;
+}
+
+/// Faces v/vt/vn or v/vt.
+bool writeTexturedFaces(FileWriter& out, const TriangleMesh& mesh, const Run& run, const Before& before,
+                        bool hasNormals, Ticker& ticker)
+{
+    const std::vector<glm::uvec3>& texture = writing::textureTriangles(mesh);
+    constexpr std::size_t faceRoom = 32 + 9 * (maxIndexText + 2);
+    return forEach(run.end - run.begin, faceRoom, ticker, out, [&](char* to, std::size_t number) {
+        const std::size_t i = run.begin + number;
+        *to++ = 'f';
+        for (int k = 0; k < 3; ++k) {
+            *to++ = ' ';
+            to = appendIndex(to, mesh.triangles[i][k] + before.vertices + 1u);
+            *to++ = '/';
+            to = appendIndex(to, texture[i][k] + before.texture + 1u);
+            if (!hasNormals)
+                continue;
+            *to++ = '/';
+            to = appendIndex(to, mesh.triangles[i][k] + before.normals + 1u);
+        }
+        *to++ = '\n';
+        return to;
+    });
+}
+
+/// Faces v//vn or v.
+bool writePlainFaces(FileWriter& out, const TriangleMesh& mesh, const Run& run, const Before& before,
+                     CornerTexts& corners, Ticker& ticker)
+{
+    constexpr std::size_t faceRoom = 8 + 4 * CornerTexts::room;
+    return forEach(run.end - run.begin, faceRoom, ticker, out, [&](char* to, std::size_t i) {
+        const glm::uvec3 t = mesh.triangles[run.begin + i] + (before.vertices + 1u);
+        *to++ = 'f';
+        to = corners.append(to, t.x);
+        to = corners.append(to, t.y);
+        to = corners.append(to, t.z);
+        *to++ = '\n';
+        return to;
+    });
+}
+
+/// Of a triangle.
+Material materialOf(const MeshPart& part, std::size_t triangle)
+{
+    return writing::hasColours(*part.mesh) ? surfaceMaterial(part.mesh->colours[triangle]) : part.material;
+}
+
+/// One object.
+bool writePart(FileWriter& out, const MeshPart& part, const Before& before, bool hasMaterials, Ticker& ticker)
+{
+    const TriangleMesh& mesh = *part.mesh;
+    const bool hasNormals = writing::hasNormals(mesh);
+    out.append("o " + oneLine(part.name) + "\n");
+    const bool hasTexture = writing::hasTexture(mesh);
+    if (!writeVectors("v ", mesh.positions, ticker, out) ||
+        (hasTexture && !writeVectors("vt ", mesh.uv, ticker, out)) ||
+        (hasNormals && !writeVectors("vn ", mesh.normals, ticker, out)))
+        return false;
+    const std::vector<Run> runs = runsOf(mesh);
+    CornerTexts corners(hasNormals, before.vertices - before.normals);
+    for (const Run& run : runs) {
+        if (hasMaterials)
+            out.append("usemtl " + oneLine(materialOf(part, run.begin).name) + "\n");
+        if (hasNormals && &run == &runs.front())
+            out.append("s 1\n"); // smooth: some programs look at this alone and not at the normals
+        if (!(hasTexture ? writeTexturedFaces(out, mesh, run, before, hasNormals, ticker)
+                         : writePlainFaces(out, mesh, run, before, corners, ticker)))
+            return false;
+    }
+    return true;
+}
+
+/// Colours in an .mtl have no stated space. Programs show Kd as it is, so that it holds the sRGB value that
+/// the user chose, divided by 255, and not a linear one.
+void writeMaterial(FileWriter& out, const Material& material)
+{
+    char buffer[16 + 3 * maxFloatText];
+    char* end = appendText(buffer, "Kd ");
+    end = writing::appendVector(end, glm::vec3(material.colour) / 255.0f);
+    out.append("\nnewmtl " + oneLine(material.name) + "\n");
+    if (material.twoSided)
+        out.append("# seen from both sides\n");
+    out.append({buffer, static_cast<std::size_t>(end - buffer)});
+    out.append(material.phong ? "\nKs 0.2 0.2 0.2\nNs 30\nillum 2\n" : "\nKs 0 0 0\nillum 1\n");
+}
+
+Expected<void> writeMaterials(FileWriter& out, std::span<const MeshPart> parts)
+{
+    out.append("# Ramure " RAMURE_VERSION "\n# Kd in sRGB\n");
+    std::set<std::string> written;
+    for (const MeshPart& part : parts)
+        for (const Run& run : runsOf(*part.mesh)) {
+            const Material material = materialOf(part, run.begin);
+            if (written.insert(material.name).second)
+                writeMaterial(out, material);
+        }
+    return out.finish();
+}
+
+std::size_t elementCount(std::span<const MeshPart> parts)
+{
+    std::size_t sum = 0;
+    for (const MeshPart& part : parts)
+        sum += part.mesh->positions.size() + part.mesh->normals.size() + part.mesh->triangles.size() +
+               part.mesh->uv.size();
+    return sum;
+}
+
+tl::unexpected<Error> cancelled(const std::string& path)
+{
+    auto out = fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+    out.value().file = path;
+    return out;
+}
+
+} // namespace
+
+Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts, const Progress& progress,
+                        const std::string& comment)
+{
+    if (const auto finite = writing::checkFinite(parts, path); !finite)
+        return finite;
+    auto out = FileWriter::open(path);
+    if (!out)
+        return fail(out.error());
+    const std::string library = materialPath(path);
+    out->append(head(comment));
+    if (out->isRegular()) // a device has nothing beside it
+        out->append("mtllib " + oneLine(std::filesystem::path(library).filename().string()) + "\n");
+    Ticker ticker(progress, elementCount(parts));
+    Before before;
+    for (const MeshPart& part : parts) {
+        if (!writePart(*out, part, before, out->isRegular(), ticker))
+            break;
+        before.vertices += part.mesh->vertexCount();
+        before.normals += writing::hasNormals(*part.mesh) ? part.mesh->vertexCount() : 0;
+        before.texture += writing::hasTexture(*part.mesh) ? static_cast<Index>(part.mesh->uv.size()) : 0;
+    }
+    if (ticker.cancelled())
+        return cancelled(path);
+    const bool hasMaterials = out->isRegular();
+    if (const auto finished = out->finish(); !finished)
+        return finished;
+    if (!hasMaterials)
+        return {};
+    auto materials = FileWriter::open(library);
+    if (!materials)
+        return fail(materials.error());
+    if (const auto finished = writeMaterials(*materials, parts); !finished)
+        return finished;
+    if (const auto committed = materials->commit(); !committed)
+        return committed;
+    return out->commit();
+}
+
+Expected<void> writeObjLines(const std::string& path, const LinePart& lines, const Progress& progress,
+                             const std::string& comment)
+{
+    if (const auto finite = writing::checkFinite(lines, path); !finite)
+        return finite;
+    auto out = FileWriter::open(path);
+    if (!out)
+        return fail(out.error());
+    out->append(head(comment) + "o " + oneLine(lines.name) + "\n");
+    Ticker ticker(progress, lines.positions.size() + lines.lines.size());
+    if (writeVectors("v ", lines.positions, ticker, *out))
+        forEach(lines.lines.size(), 8 + 2 * maxIndexText, ticker, *out, [&](char* to, std::size_t i) {
+            to = appendText(to, "l ");
+            to = appendIndex(to, lines.lines[i].x + 1u);
+            *to++ = ' ';
+            to = appendIndex(to, lines.lines[i].y + 1u);
+            *to++ = '\n';
+            return to;
+        });
+    if (ticker.cancelled())
+        return cancelled(path);
+    if (const auto finished = out->finish(); !finished)
+        return finished;
+    return out->commit();
+}
+
+} // namespace ramure

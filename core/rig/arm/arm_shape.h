@@ -1,0 +1,46 @@
+/// \file
+/// What is seen of an arm: a mesh around the straight arm, and which segments its vertices follow.
+#pragma once
+
+#include "core/params/node_params.h"
+#include "core/rig/pose/skin.h"
+#include "core/surface/mesh/triangle_mesh.h"
+#include <span>
+
+namespace ramure {
+
+struct ArmShape
+{
+    TriangleMesh mesh; ///< the arm's own space, straight along Z, the foot at 0
+    Skin skin;
+};
+
+enum class ArmPart : std::uint8_t {
+    Skin, ///< the bound mesh, or the cylinder of SPEC C3
+    Rods, ///< joints and rods
+};
+/// What the arm's parameters show.
+inline ArmPart shownArmPart(const NodeParams& params)
+{
+    return params.armSkin.shown ? ArmPart::Skin : ArmPart::Rods;
+}
+
+/// Can an arm wear this mesh? Errors: Invalid (no triangles, a triangle of vertices that there are not,
+/// positions that are not finite, over ten million vertices), path "mesh".
+Expected<void> checkArmMesh(const TriangleMesh& mesh);
+
+/// The mesh as large as the arm: one of its axes turned along Z, on the foot, in the middle, as high as the
+/// straight arm; the same scale all around. Flat ones of no height are only moved.
+TriangleMesh fittedToArm(TriangleMesh mesh, std::span<const ArmJoint> joints,
+                         MeshAxis axis = MeshAxis::Longest);
+
+/// To look at, with normals. \param bound null: the cylinder. Errors: those of armCylinder and checkArmMesh.
+Expected<ArmShape> armShape(const NodeParams& params, const TriangleMesh* bound, ArmPart part);
+/// For files and checks: cylinder and rods closed, every position once, without normals; a bound mesh as it
+/// was read. Errors as above.
+Expected<ArmShape> armSolid(const NodeParams& params, const TriangleMesh* bound, ArmPart part);
+
+/// The shape in the pose of the arm's joints, skinned as its parameters say, upright in its node (Y up).
+TriangleMesh posedArm(const ArmShape& shape, const NodeParams& params);
+
+} // namespace ramure

@@ -1,0 +1,49 @@
+/// \file
+/// What does not change while a tree moves: its branches at rest as flat arrays in an order made for
+/// stepping.
+///
+/// Slots, not branches, are what the physics counts: slots are sorted by depth (all roots, then all their
+/// children,
+/// ...), so that parents stand first and the slots of one depth can be computed side by side.
+#pragma once
+
+#include "core/base/index.h"
+#include "core/skeleton/skeleton.h"
+#include "core/surface/foliage/foliage.h"
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace ramure {
+
+struct TreeBody
+{
+    std::vector<Index> branchOf; ///< by slot: the branch of the skeleton
+    std::vector<Index> slotOf;   ///< by branch
+    std::vector<Index> parent;   ///< by slot: the parent's slot, noIndex for roots
+    std::vector<Index> depthEnd; ///< per depth: one past its last slot
+
+    // By slot, at rest, tree space, metres.
+    std::vector<glm::dvec3> p0, p1;
+    std::vector<double> dirX, dirY, dirZ; ///< unit(p1 - p0); +Y where a branch has no length
+    std::vector<double> length;
+    std::vector<double> a0, a1;
+    std::vector<double> reach; ///< from p0 to the farthest tip that the branch carries, along the branches
+
+    /// Apples in the order of Foliage::apples.
+    std::vector<Index> appleSlot;
+    std::vector<glm::dvec3> applePosition;
+    std::vector<glm::dquat> appleOrientation;
+    double appleRadius = 0.0; ///< m
+
+    Index firstTerminal = 0; ///< slot of the first branch (in the skeleton's order) without children
+    std::uint64_t key = 0;   ///< hash of all of the above: one part of the key of a physics cache
+
+    [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
+};
+
+/// \param skeleton the one that the mesh is made of (simplified). \param foliage may be null: no apples.
+/// \param alpha the grammar's length (TurtleParams::alpha): apples have the radius alpha / 2.
+std::shared_ptr<const TreeBody> makeTreeBody(const Skeleton& skeleton, const Foliage* foliage, double alpha);
+
+} // namespace ramure

@@ -1,0 +1,218 @@
+#include "core/session/arm_reach.h"
+
+#include "core/session/player.h"
+
+#include <QElapsedTimer>
+#include <QScopedValueRollback>
+#include <QTimer>
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace ramure {
+
+namespace {
+
+constexpr int mostTicksAtOnce = 6; ///< after a stall the arm does not leap
+constexpr int longestWay = 20'000;
+constexpr std::size_t mostResiduals = 4096;
+
+/// Keys say where the arm is, or where it is to go.
+bool isHeld(const NodeAnimation& animation)
+{
+    const ParamId target = paramId(*findParam("arm.target"));
+    return std::ranges::any_of(animation.tracks(), [target](const auto& entry) {
+        const Channel& channel = entry.first;
+        return channel.part == ChannelPart::Joint ||
+               (channel.part == ChannelPart::Parameter && channel.param == target);
+    });
+}
+
+} // namespace
+
+struct ArmReach::Way
+{
+    Way(const Node& arm, std::vector<ArmJoint> from)
+        : joints(std::move(from))
+        , motion(joints, arm.params.ik)
+        , ik(arm.params.ik)
+    {
+        progress.node = arm.id;
+        target = arm.params.arm.target;
+        motion.setTarget(target);
+    }
+
+    std::vector<ArmJoint> joints; ///< as the document has them, with the angles at the start
+    ArmMotion motion;
+    ArmSolverParams ik;
+    GestureId gesture = 0; ///< of the last wish: landing belongs to it
+    glm::dvec3 target;
+    ArmProgress progress;
+    QTimer timer;
+    QElapsedTimer clock;
+    double waiting = 0.0; ///< s that have gone by since the last tick
+};
+
+ArmReach::ArmReach(Document* document, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+{
+    connect(document, &Document::changed, this, [this](const Change& change) { documentChanged(change); });
+}
+
+ArmReach::~ArmReach() = default;
+
+const ArmProgress* ArmReach::progress() const
+{
+    return m_way ? &m_way->progress : nullptr;
+}
+
+Expected<void> ArmReach::reachFor(NodeId arm, const glm::dvec3& target, GestureId gesture)
+{
+    const Node* node = m_document->scene().find(arm);
+    const GestureId own = gesture == 0 ? newGesture() : gesture;
+    {
+        const QScopedValueRollback editing(m_editing, true);
+        ArmState state = node && node->kind == NodeKind::Arm ? armState(*node) : ArmState();
+        state.target = target;
+        state.follows = true;
+        if (auto done = edit::setArm(*m_document, arm, std::move(state), tr("Reach for the target"), own);
+            !done)
+            return done;
+    }
+    start(arm);
+    if (m_way)
+        m_way->gesture = own;
+    return {};
+}
+
+Expected<void> ArmReach::aim(NodeId arm, const glm::dvec3& target, GestureId gesture)
+{
+    const Node* node = m_document->scene().find(arm);
+    const bool plays = m_player && (m_player->frame() > 0 || m_player->isPlaying());
+    if (plays || !node || isHeld(node->animation))
+        return edit::setParam(*m_document, {arm}, *findParam("arm.target"), target, gesture);
+    return reachFor(arm, target, gesture);
+}
+
+/// An arm that is on its way already goes on from where it is.
+void ArmReach::start(NodeId arm)
+{
+    const Node* node = m_document->scene().find(arm);
+    if (!node || node->kind != NodeKind::Arm)
+        return;
+    std::vector<ArmJoint> joints = node->params.joints;
+    const bool goesOn = m_way && m_way->progress.node == arm && m_way->progress.moves;
+    if (goesOn && m_way->ik == node->params.ik) {
+        m_way->target = node->params.arm.target;
+        m_way->motion.setTarget(m_way->target);
+    } else {
+        if (goesOn)
+            setArmAngles(joints, m_way->motion.angles());
+        auto way = std::make_unique<Way>(*node, std::move(joints));
+        way->timer.setInterval(16);
+        connect(&way->timer, &QTimer::timeout, this, [this] {
+            const double seconds = double(m_way->clock.nsecsElapsed()) * 1e-9;
+            m_way->clock.restart();
+            m_way->waiting += seconds;
+            const int ticks = static_cast<int>(m_way->waiting / armTickSeconds);
+            m_way->waiting -= ticks * armTickSeconds;
+            advance(std::min(ticks, mostTicksAtOnce));
+        });
+        m_way = std::move(way);
+    }
+    m_way->progress.moves = true;
+    if (!m_paused && !m_way->timer.isActive()) {
+        m_way->clock.start();
+        m_way->timer.start();
+    }
+    report();
+    emit moved(); // also while it is held: then the first step is still to be made
+}
+
+void ArmReach::advance(int ticks)
+{
+    if (ticks <= 0 || !m_way || !m_way->progress.moves)
+        return;
+    for (int i = 0; i < ticks && !m_way->motion.isStill(); ++i) {
+        m_way->motion.tick();
+        report();
+    }
+    if (m_way->motion.isStill())
+        land();
+    emit moved();
+}
+
+void ArmReach::report()
+{
+    ArmProgress& progress = m_way->progress;
+    ArmChain chain(m_way->joints);
+    const std::span<const double> angles = m_way->motion.angles();
+    chain.setAngles(angles);
+    progress.angles.assign(angles.begin(), angles.end());
+    progress.limits = armLimits(m_way->joints, angles);
+    progress.figures = m_way->motion.solver().figures();
+    progress.residual = glm::distance(chain.tip(), m_way->target);
+    if (progress.residuals.size() < mostResiduals)
+        progress.residuals.push_back(static_cast<float>(progress.residual));
+}
+
+/// The joints of the document are where the arm is; one step together with the target, unless something else
+/// was done meanwhile.
+void ArmReach::land()
+{
+    m_way->timer.stop();
+    m_way->progress.moves = false;
+    setArmAngles(m_way->joints, m_way->motion.angles());
+    const QScopedValueRollback own(m_editing, true);
+    const Node* node = m_document->scene().find(m_way->progress.node);
+    ArmState state = node ? armState(*node) : ArmState();
+    state.joints = m_way->joints;
+    // Errors (locked meanwhile) leave the joints as they are: the arm is shown there then.
+    if (!edit::setArm(*m_document, m_way->progress.node, std::move(state), tr("Reach for the target"),
+                      m_way->gesture))
+        m_way.reset();
+}
+
+void ArmReach::setPaused(bool paused)
+{
+    m_paused = paused;
+    if (!m_way || !m_way->progress.moves)
+        return;
+    if (paused)
+        m_way->timer.stop();
+    else {
+        m_way->clock.start();
+        m_way->timer.start();
+    }
+    emit moved();
+}
+
+void ArmReach::step()
+{
+    advance(1);
+}
+
+void ArmReach::finish()
+{
+    advance(longestWay);
+}
+
+/// Whatever else happens to the arm ends its way, where it is not one that it can follow.
+void ArmReach::documentChanged(const Change& change)
+{
+    if (!m_way || m_editing)
+        return;
+    const Node* node = m_document->scene().find(m_way->progress.node);
+    const bool concerns =
+        std::find(change.nodes.begin(), change.nodes.end(), m_way->progress.node) != change.nodes.end();
+    const bool other = change.has(changeReset) || !node ||
+                       (concerns && change.has(changeJoints | changeParams | changeTracks | changeStructure));
+    if (!other)
+        return;
+    m_way.reset();
+    emit moved();
+}
+
+} // namespace ramure
+
+#include "moc_arm_reach.cpp"

@@ -1,0 +1,90 @@
+/// \file
+/// What the editor's export and the command line share: from a scene and the results of its trees to named
+/// meshes in world space, and on to files. Arms, terrains, primitives and imported meshes are part of it.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/io/file_space.h"
+#include "core/io/mesh_file.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "core/scene/scene.h"
+#include "core/surface/mesh/transformed.h"
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ramure {
+
+class Document;
+class MovingArms;
+
+enum class ExportModel : std::uint8_t {
+    Mesh,     ///< the one continuous mesh, triangle leaves, round apples
+    Rough,    ///< SPEC A3: open cylinders, square leaves, cubes
+    Skeleton, ///< one line segment per branch of the simplified skeleton; parts do not matter
+};
+
+enum ExportPart : std::uint8_t { exportBranches = 1, exportLeaves = 2, exportApples = 4, exportAll = 7 };
+
+struct ExportOptions
+{
+    ExportModel model = ExportModel::Mesh;
+    std::uint8_t parts = exportAll; ///< bits of ExportPart
+    std::vector<NodeId> nodes;      ///< these and the trees below them; empty = the whole scene
+    bool hidden = false;            ///< also nodes that are not shown
+    double timeSeconds =
+        0.0; ///< where tracks have moved the nodes to; trees come from the source as they are
+    /// Runs of the arms, for sequences: no frame is computed twice. Not owned; null: none are kept.
+    MovingArms* arms = nullptr;
+    bool texture = false; ///< trees with texture coordinates; the rough model and the skeleton have none
+    PlyOptions ply;
+    FileSpace space; ///< the axes and the unit of the file
+};
+
+/// Named meshes in the space of the file. Owns, or shares with the results, what parts() points to.
+struct ExportSet
+{
+    struct Entry
+    {
+        std::string name; ///< "branches", "leaves", "apples"; of several trees "branches_1", "branches_2"
+                          ///< ...; of another node its name, where that is taken with a number: "Box_2"
+        std::shared_ptr<const TriangleMesh> mesh;
+        Material material;
+    };
+    std::vector<Entry> meshes; ///< none is empty; branches, leaves, apples of the first tree, then the next,
+                               ///< then all other nodes that have a shape
+    std::optional<LinePart> lines; ///< of ExportModel::Skeleton: all trees and arms in one
+
+    [[nodiscard]] std::vector<MeshPart> parts() const; ///< valid as long as this set
+};
+
+/// Gives the result of a tree node, with all stages up to \p last.
+using TreeSource =
+    std::function<Expected<TreeResult>(const Node& node, Stage last, const Progress& progress)>;
+/// Evaluates what is asked for; \p pipeline must outlive the source.
+TreeSource pipelineSource(TreePipeline& pipeline);
+/// The results the document has. Error Invalid: a tree's result is missing, a draft, older than its
+/// parameters, or its parameters gave an error (that error).
+TreeSource documentSource(const Document& document);
+
+/// Errors: those of \p source (path = name of the tree and the parameter key, where there are several trees);
+/// those of objectSolid and MovingArms (path = name of the node and what it is about); Unknown (a node of the
+/// options); Invalid (nothing to export, a node flattened by a zero scale); Cancelled.
+Expected<ExportSet> collectExport(const Scene& scene, const ExportOptions& options, const TreeSource& source,
+                                  const Progress& progress = {});
+
+/// Writes .obj (with its .mtl) or .ply, by the ending of \p path; OBJ has the comment of \p options alone.
+/// Errors: Unknown (another ending), and those
+/// of core/io; the old file is intact then.
+Expected<void> writeExport(const ExportSet& set, const std::string& path, const PlyOptions& options = {},
+                           const Progress& progress = {});
+/// collectExport and writeExport; the ending is checked before anything is computed.
+Expected<void> exportScene(const Scene& scene, const ExportOptions& options, const TreeSource& source,
+                           const std::string& path, const Progress& progress = {});
+/// Is this the ending of a format that writeExport knows? Error: Unknown, with the endings there are.
+Expected<void> checkExportEnding(const std::string& path);
+
+} // namespace ramure

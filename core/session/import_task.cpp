@@ -1,0 +1,118 @@
+#include "core/session/import_task.h"
+
+#include "core/document/commands.h"
+#include "core/scene/places.h"
+
+#include <QFile>
+#include <algorithm>
+#include <new>
+
+namespace ramure {
+
+ImportTask::ImportTask(Document* document, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+{
+}
+
+ImportTask::~ImportTask()
+{
+    cancel();
+}
+
+void ImportTask::start(const QString& path)
+{
+    if (m_running)
+        return;
+    m_isScene = false;
+    read(path);
+}
+
+void ImportTask::startScene(const QString& path)
+{
+    if (m_running)
+        return;
+    m_isScene = true;
+    read(path);
+}
+
+void ImportTask::read(const QString& path)
+{
+    m_running = true;
+    m_thread =
+        std::jthread([this, file = QFile::encodeName(path).toStdString()](const std::stop_token& stop) {
+            const Progress report{stop, [this](double fraction) {
+                                      QMetaObject::invokeMethod(
+                                          this, [this, fraction] { emit progress(fraction); },
+                                          Qt::QueuedConnection);
+                                  }};
+            Expected<BlenderImport> result = fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+            try {
+                result = importBlender(file, {}, report);
+            } catch (const std::bad_alloc&) {
+                result = fail(ErrorCode::Limit, RAMURE_NOOP("there is not enough memory for these objects"));
+            }
+            QMetaObject::invokeMethod(
+                this, [this, kept = std::move(result)] { finish(kept); }, Qt::QueuedConnection);
+        });
+}
+
+void ImportTask::cancel()
+{
+    m_thread.request_stop();
+}
+
+void ImportTask::finish(const Expected<BlenderImport>& result)
+{
+    m_running = false;
+    Expected<NodeId> top = noNode;
+    if (!result)
+        top = fail(result.error());
+    else
+        top = m_isScene ? keep(*result) : apply(*result);
+    if (top)
+        m_notes = result->notes;
+    emit finished(top ? *top : noNode, top ? std::nullopt : std::optional(top.error()));
+}
+
+/// The frames grow so that all keys can be played; the rate becomes that of the keys where nothing else has
+/// any.
+static TimelineSettings timelineFor(const Scene& scene, const TimelineSettings& wanted)
+{
+    TimelineSettings timeline = scene.timeline();
+    const double seconds = wanted.timeOf(wanted.lastFrame);
+    if (!hasTracks(scene))
+        timeline.framesPerSecond = wanted.framesPerSecond;
+    timeline.firstFrame = std::min(timeline.firstFrame, wanted.firstFrame);
+    timeline.lastFrame = std::max(timeline.lastFrame, timeline.frameAt(seconds));
+    return timeline;
+}
+
+Expected<NodeId> ImportTask::apply(const BlenderImport& result)
+{
+    const TimelineSettings timeline = timelineFor(m_document->scene(), result.timeline);
+    QUndoStack* stack = m_document->undoStack();
+    stack->beginMacro(tr("Import %1").arg(QString::fromStdString(result.nodes.front().name)));
+    auto top = edit::insertNodes(*m_document, result.nodes, noNode,
+                                 static_cast<int>(m_document->scene().children(noNode).size()));
+    if (top && result.keyCount > 0)
+        if (auto set = edit::setTimeline(*m_document, timeline); !set)
+            top = fail(std::move(set.error()));
+    stack->endMacro();
+    return top;
+}
+
+Expected<NodeId> ImportTask::keep(const BlenderImport& result)
+{
+    auto scene = Scene::fromNodes(result.nodes);
+    if (!scene)
+        return fail(std::move(scene.error()));
+    if (result.keyCount > 0)
+        scene->setTimeline(result.timeline);
+    m_scene = std::move(*scene);
+    return m_scene.nodes().front().id;
+}
+
+} // namespace ramure
+
+#include "moc_import_task.cpp"

@@ -1,0 +1,51 @@
+/// \file
+/// Reads objects, and scenes from Blender, on a thread of its own, and puts them into the document as one
+/// undo step, or into a scene of their own. On an error the document is unchanged.
+#pragma once
+
+#include "core/document/document.h"
+#include "core/io/formats/blender_scene.h"
+#include <QObject>
+#include <thread>
+
+namespace ramure {
+
+class ImportTask : public QObject
+{
+    Q_OBJECT
+public:
+    /// \param document must outlive this object.
+    explicit ImportTask(Document* document, QObject* parent = nullptr);
+    ~ImportTask() override; ///< stops the thread and waits for it
+
+    /// A file or a folder, see importBlender. Returns at once; nothing happens while another one is running.
+    void start(const QString& path);
+    /// The same, but the document stays as it is: takeScene() has what was read.
+    void startScene(const QString& path);
+    [[nodiscard]] Scene takeScene() { return std::move(m_scene); }
+    void cancel();
+    [[nodiscard]] bool isRunning() const { return m_running; }
+    /// What was guessed or mended in the last one that came to its end.
+    [[nodiscard]] const std::vector<Note>& notes() const { return m_notes; }
+
+signals:
+    void progress(double fraction);
+    /// \param top the node that was added, or the first of the scene; noNode on an error (those of
+    /// importBlender and edit::insertNodes).
+    void finished(ramure::NodeId top, const std::optional<ramure::Error>& error);
+
+private:
+    void read(const QString& path);
+    void finish(const Expected<BlenderImport>& result);
+    [[nodiscard]] Expected<NodeId> apply(const BlenderImport& result);
+    [[nodiscard]] Expected<NodeId> keep(const BlenderImport& result);
+
+    Document* m_document;
+    bool m_running = false;
+    bool m_isScene = false; ///< what is read stays out of the document
+    Scene m_scene;
+    std::vector<Note> m_notes;
+    std::jthread m_thread;
+};
+
+} // namespace ramure

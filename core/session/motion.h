@@ -1,0 +1,112 @@
+/// \file
+/// The moving state of a scene at one frame: immutable, shared, made on the player's thread. Views hold it as
+/// long as they draw it.
+#pragma once
+
+#include "core/math/box.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "core/rig/arm/arm_solver.h"
+#include "core/rig/physics/physics_state.h"
+#include "core/rig/pose/skin.h"
+#include "core/scene/places.h"
+#include <map>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+namespace ramure {
+
+/// What views show of an arm on its way.
+struct ArmProgress
+{
+    NodeId node = noNode;
+    std::vector<double> angles;
+    std::vector<ArmLimit> limits; ///< by angle
+    ArmFigures figures;           ///< of the solver
+    double residual = 0.0;        ///< m, from the arm's own tip to the target
+    std::vector<float> residuals; ///< of the arm, by ticks; at most 4096
+    bool moves = false;
+};
+/// Which of \p angles lie on a limit of their joints.
+std::vector<ArmLimit> armLimits(std::span<const ArmJoint> joints, std::span<const double> angles);
+
+/// One tree or arm. Skins belong to exactly the meshes named here: a view that shows others shows them at
+/// rest.
+struct NodeMotion
+{
+    std::shared_ptr<const BranchMesh> mesh;
+    std::shared_ptr<const TriangleMesh> leavesMesh, applesMesh;
+    std::shared_ptr<const Skin> branches, leaves, apples;
+    SkinMethod method = SkinMethod::DualQuaternion;
+    /// One per branch of the simplified skeleton, then one per apple; tree space.
+    std::shared_ptr<const std::vector<RigidTransform>> bones;
+    Box box; ///< of the moved tree, tree space; a little generous
+    PhysicsFigures figures;
+    std::shared_ptr<const ArmProgress> arm; ///< of arms only
+    bool reshapes = false;                  ///< of arms only: tracks change the mesh that follows the bones
+    std::int64_t step = 0;                  ///< of the physics
+    double stepSeconds = 0.0; ///< what one step took, mean over those computed for this frame; 0 = none was
+
+    /// At rest there is nothing to deform.
+    [[nodiscard]] bool moves() const { return step > 0; }
+};
+
+/// An arm with these joints.
+NodeMotion armMotion(const NodeParams& params, std::span<const ArmJoint> joints);
+
+/// An object, a terrain or an arm whose parameters have tracks, as it is now.
+struct ObjectNow
+{
+    std::shared_ptr<const TriangleMesh> mesh; ///< null where it has its usual one
+    SurfaceParams surface;
+    std::optional<glm::dvec3> target; ///< of arms: m, their own space
+};
+
+struct MotionFrame
+{
+    std::int64_t frame = 0;
+    double timeSeconds = 0.0;
+    int document = 0; ///< which one of those that the player has seen
+    std::map<NodeId, NodeMotion> nodes;
+    /// Where every node is now; empty where nothing in the scene has a track.
+    std::unordered_map<NodeId, NodePlace> places;
+    std::map<NodeId, ObjectNow> objects;
+    /// Trees whose shape has tracks, as they are now: in the place of the document's results.
+    std::map<NodeId, TreeResult> trees;
+
+    [[nodiscard]] const NodeMotion* of(NodeId node) const
+    {
+        const auto found = nodes.find(node);
+        return found == nodes.end() ? nullptr : &found->second;
+    }
+    /// Where a node's own geometry is.
+    [[nodiscard]] glm::dmat4 geometryOf(const Scene& scene, NodeId node) const
+    {
+        const auto found = places.find(node);
+        return found == places.end() ? placeAt(scene, node, timeSeconds).geometry : found->second.geometry;
+    }
+};
+
+enum class FrameState : std::uint8_t {
+    Missing, ///< must be computed
+    Stale,   ///< was computed for other parameters
+    Cached,  ///< comes at once
+};
+
+/// What lies beside the project.
+enum class BakeState : std::uint8_t {
+    None,  ///< no baked motion
+    Good,  ///< of the present trees and parameters: frames of its range come at once
+    Stale, ///< at least one file is of another tree or other parameters, or cannot be used: it is not
+};
+
+/// Frames first .. last of one state, for the band under the timeline's ruler.
+struct FrameRange
+{
+    std::int64_t first = 0, last = 0;
+    FrameState state = FrameState::Missing;
+    bool operator==(const FrameRange&) const = default;
+};
+
+} // namespace ramure

@@ -1,0 +1,118 @@
+#include "core/session/scene_counts.h"
+
+#include "core/scene/object_mesh.h"
+#include <algorithm>
+#include <utility>
+
+namespace ramure {
+namespace {
+
+void add(PartCount& count, const PartCount& more)
+{
+    count.vertices += more.vertices;
+    count.faces += more.faces;
+}
+
+PartCount countOf(const TriangleMesh* mesh)
+{
+    return mesh ? PartCount{mesh->vertexCount(), mesh->faceCount()} : PartCount();
+}
+
+ScenePart partOf(NodeKind kind)
+{
+    switch (kind) {
+    case NodeKind::Arm:
+        return ScenePart::Arms;
+    case NodeKind::Relief:
+        return ScenePart::Terrains;
+    case NodeKind::Primitive:
+        return ScenePart::Primitives;
+    case NodeKind::Group:
+    case NodeKind::Tree:
+    case NodeKind::Mesh:
+        break;
+    }
+    return ScenePart::Meshes;
+}
+
+/// An arm has as many faces in every pose, and a shape wherever it stands: what follows the mouse is not
+/// built again for its numbers.
+Node counted(const Node& node)
+{
+    Node out = node;
+    out.params = paramsAt(node.params, node.animation, 0.0);
+    out.animation = {};
+    out.params.tree = {};
+    out.params.local = {};
+    out.params.surface = {};
+    out.params.arm = {};
+    for (ArmJoint& joint : out.params.joints)
+        joint.phi.angleRad = joint.theta.angleRad = 0.0;
+    return out;
+}
+
+bool sameShape(const Node& a, const Node& b)
+{
+    return a.kind == b.kind && a.params == b.params && a.mesh.pointer() == b.mesh.pointer();
+}
+
+} // namespace
+
+bool isExported(const Scene& scene, const ExportOptions& options, const Node& node)
+{
+    const bool hasShape = node.kind == NodeKind::Tree || isShape(node.kind);
+    if (!hasShape || (!options.hidden && !scene.isShown(node.id)))
+        return false;
+    if (options.nodes.empty())
+        return true;
+    return std::any_of(options.nodes.begin(), options.nodes.end(),
+                       [&](NodeId id) { return id == node.id || scene.isAncestor(id, node.id); });
+}
+
+PartCount SceneCounts::total() const
+{
+    PartCount sum;
+    for (const PartCount& part : parts)
+        add(sum, part);
+    return sum;
+}
+
+SceneCounts SceneCounter::count(const Scene& scene, const ExportOptions& options, const TreeSource& trees)
+{
+    SceneCounts counts;
+    const auto addTo = [&](ScenePart part, const PartCount& more) {
+        add(counts.parts[static_cast<std::size_t>(part)], more);
+    };
+    std::map<NodeId, Known> before = std::exchange(m_shapes, {});
+    for (const Node& node : scene.nodes()) {
+        if (!isExported(scene, options, node))
+            continue;
+        if (isShape(node.kind)) {
+            Node shape = counted(node);
+            const auto known = before.find(node.id);
+            if (known == before.end() || !sameShape(known->second.node, shape)) {
+                const auto mesh = objectSolid(shape, shape.params);
+                const PartCount made = mesh ? countOf(mesh->get()) : PartCount();
+                m_shapes[node.id] = {std::move(shape), made};
+            } else {
+                m_shapes.insert(before.extract(known));
+            }
+            addTo(partOf(node.kind), m_shapes[node.id].count);
+            continue;
+        }
+        const auto tree = trees(node, Stage::Foliage, {});
+        if (!tree || !tree->branches) {
+            counts.complete = false;
+            continue;
+        }
+        if (options.parts & exportBranches)
+            addTo(ScenePart::Branches, countOf(&tree->branches->mesh));
+        if (options.parts & exportLeaves)
+            addTo(ScenePart::Leaves, countOf(tree->leaves.get()));
+        if (options.parts & exportApples)
+            addTo(ScenePart::Apples, countOf(tree->apples.get()));
+    }
+    return counts;
+}
+
+} // namespace ramure

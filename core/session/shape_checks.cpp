@@ -1,0 +1,224 @@
+#include "core/session/shape_checks.h"
+
+#include "core/scene/object_mesh.h"
+#include "core/session/background_job.h"
+#include <QTimer>
+#include <optional>
+
+namespace ramure {
+namespace {
+
+Expected<ShapeCheck> checkAtRest(const Node& node, const Progress& progress)
+{
+    return checkShape(node, paramsAt(node.params, node.animation, 0.0), true, progress);
+}
+
+/// Does the check of one hold for the other too? Where a node stands and what it is called does not count.
+bool sameShape(const Node& a, const Node& b)
+{
+    NodeParams placed = a.params;
+    placed.tree = b.params.tree;
+    placed.local = b.params.local;
+    placed.surface = b.params.surface;
+    return a.id == b.id && a.kind == b.kind && placed == b.params && a.animation == b.animation &&
+           a.mesh.pointer() == b.mesh.pointer();
+}
+
+/// As the panels know meshes. A boundary is no defect of an open surface.
+std::shared_ptr<const ShapeChecks::Outcome> outcomeOf(ShapeCheck&& check)
+{
+    auto outcome = std::make_shared<ShapeChecks::Outcome>();
+    auto branches = std::make_shared<BranchMesh>();
+    branches->mesh.positions = check.mesh->positions;
+    branches->mesh.triangles = check.mesh->triangles;
+    branches->roots = check.report.components;
+    auto report = std::make_shared<MeshReport>(std::move(check.report));
+    outcome->isOpen = check.isOpen;
+    if (check.isOpen) {
+        report->boundaryEdges = 0;
+        std::erase_if(report->defects,
+                      [](const Defect& defect) { return defect.kind == DefectKind::BoundaryEdge; });
+        // OpenMesh is asked for a closed mesh: its refusal says nothing here.
+        report->openMeshChecked = report->openMeshAgrees = false;
+    }
+    outcome->result.tree.report = std::move(report);
+    outcome->result.tree.branches = std::move(branches);
+    outcome->analysis = std::make_shared<const MeshAnalysis>(std::move(check.analysis));
+    return outcome;
+}
+
+} // namespace
+
+struct ShapeChecks::Private
+{
+    explicit Private(ShapeChecks* checks, Document* doc, Function work)
+        : q(checks)
+        , document(doc)
+        , function(std::move(work))
+    {
+    }
+
+    void look();
+    void launch();
+    void take(const std::optional<Error>& error);
+    void set(State next);
+
+    ShapeChecks* q;
+    Document* document;
+    Function function;
+    NodeId node = noNode;
+    State state = State::None;
+    double fraction = 0.0;
+    std::optional<Node> looked; ///< the node as it was when its check began
+    std::shared_ptr<const Outcome> outcome;
+    std::shared_ptr<std::shared_ptr<const Outcome>> made; ///< by the job
+    quint64 wanted = 0, started = 0; ///< shapes, counted: is what was made of the latest?
+    QTimer rest;
+    BackgroundJob job; ///< last: its work uses what stands above
+};
+
+ShapeChecks::ShapeChecks(Document* document, QObject* parent)
+    : ShapeChecks(document, &checkAtRest, parent)
+{
+}
+
+ShapeChecks::ShapeChecks(Document* document, Function function, QObject* parent)
+    : QObject(parent)
+    , d(std::make_unique<Private>(this, document, std::move(function)))
+{
+    d->rest.setSingleShot(true);
+    d->rest.setInterval(150);
+    connect(&d->rest, &QTimer::timeout, this, [this] { d->launch(); });
+    connect(&d->job, &BackgroundJob::finished, this,
+            [this](const std::optional<Error>& error) { d->take(error); });
+    connect(&d->job, &BackgroundJob::progress, this, [this](double fraction) {
+        d->fraction = fraction;
+        emit progress(d->node, fraction);
+    });
+    connect(document, &Document::changed, this, [this](const Change& change) {
+        if (change.has(changeReset))
+            d->looked.reset();
+        d->look();
+    });
+}
+
+ShapeChecks::~ShapeChecks() = default;
+
+NodeId ShapeChecks::node() const
+{
+    return d->node;
+}
+
+ShapeChecks::State ShapeChecks::state() const
+{
+    return d->state;
+}
+
+std::shared_ptr<const ShapeChecks::Outcome> ShapeChecks::outcome() const
+{
+    return d->outcome;
+}
+
+double ShapeChecks::fraction() const
+{
+    return d->fraction;
+}
+
+void ShapeChecks::setRest(int milliseconds)
+{
+    d->rest.setInterval(std::max(0, milliseconds));
+}
+
+void ShapeChecks::lookAt(NodeId node)
+{
+    if (node != d->node) {
+        d->node = node;
+        d->outcome.reset();
+        d->looked.reset();
+    }
+    d->look();
+}
+
+void ShapeChecks::cancel()
+{
+    d->rest.stop();
+    d->job.cancel();
+    if (d->state == State::Waiting || d->state == State::Running)
+        d->set(State::Cancelled);
+}
+
+void ShapeChecks::start()
+{
+    if (d->state != State::Cancelled && d->state != State::Waiting)
+        return;
+    d->rest.stop();
+    d->launch();
+}
+
+/// Waits for a check where the shape is another one than the one that was looked at.
+void ShapeChecks::Private::look()
+{
+    const Node* now = document->scene().find(node);
+    if (!now || !isShape(now->kind)) {
+        rest.stop();
+        job.cancel();
+        outcome.reset();
+        looked.reset();
+        if (state != State::None)
+            set(State::None);
+        return;
+    }
+    if (looked && sameShape(*looked, *now))
+        return;
+    looked = *now;
+    ++wanted;
+    job.cancel();
+    rest.start();
+    set(State::Waiting);
+}
+
+void ShapeChecks::Private::launch()
+{
+    if (!looked)
+        return;
+    set(State::Running);
+    if (job.isRunning())
+        return; // it was told to stop; take() begins anew
+    started = wanted;
+    made = std::make_shared<std::shared_ptr<const Outcome>>();
+    job.start([work = function, node = *looked, into = made](const Progress& progress) -> Expected<void> {
+        auto check = work(node, progress);
+        if (!check)
+            return fail(std::move(check.error()));
+        *into = outcomeOf(std::move(*check));
+        return {};
+    });
+}
+
+void ShapeChecks::Private::take(const std::optional<Error>& error)
+{
+    if (state != State::Running)
+        return; // stopped, or of a shape that has changed meanwhile
+    if (started != wanted || (error && error->code == ErrorCode::Cancelled))
+        return launch();
+    if (error) {
+        auto failed = std::make_shared<Outcome>();
+        failed->result.error = *error;
+        outcome = std::move(failed);
+    } else {
+        outcome = std::move(*made);
+    }
+    made.reset();
+    set(State::Done);
+}
+
+void ShapeChecks::Private::set(State next)
+{
+    state = next;
+    fraction = 0.0;
+    emit q->changed(node);
+}
+
+} // namespace ramure
+
+#include "moc_shape_checks.cpp"

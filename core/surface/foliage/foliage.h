@@ -1,0 +1,55 @@
+/// \file
+/// Leaves and apples (SPEC A3, A6). Which branches carry them depends on radii only; where exactly on the
+/// branch's key and the foliage seed, so that no change elsewhere re-rolls them.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/params/node_params.h"
+#include "core/skeleton/skeleton.h"
+#include "core/surface/mesh/triangle_mesh.h"
+#include <glm/gtc/quaternion.hpp>
+
+namespace ramure {
+
+/// Most leaves and apples of one tree.
+inline constexpr std::size_t maxLeaves = 4'000'000;
+inline constexpr std::size_t maxApples = 100'000;
+
+/// One leaf or apple: a rigid frame in tree space.
+struct FoliageItem
+{
+    Index branch = noIndex;
+    glm::dvec3 position{0.0};
+    glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
+};
+
+struct Foliage
+{
+    std::vector<FoliageItem> leaves;
+    std::vector<FoliageItem> apples;
+};
+
+/// The rule of SPEC A3: a branch with a0 < alpha * leavesCutoff carries leavesDensity leaves, at random
+/// positions within alpha / 2 around it (evenly along it and over the disc across it), at random
+/// orientations; on a terminal branch they stand up to alpha past its end; and, with applesProbability, one
+/// apple, placed likewise. Lengths are those of the branch.
+///
+/// Branch b draws from Random(seed, RandomStream::Leaves, key of b) for its leaves, one after the other, and
+/// from RandomStream::Apples first whether, then where. Errors: Limit (more than maxLeaves or maxApples; path
+/// = the parameter to lower), Cancelled.
+Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& params, double alpha,
+                               const Progress& progress = {});
+
+enum class FoliageModel : std::uint8_t {
+    Rough, ///< squares of side alpha, cubes of edge alpha
+    Fine,  ///< equilateral triangles of side alpha, spheres of radius alpha / 2
+};
+
+/// A leaf is one flat face about its position, to be drawn on both sides; its normal is its own +Z.
+TriangleMesh buildLeaves(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model);
+/// Fine apples are one closed manifold each; the cubes have flat faces, so their corners stand there three
+/// times.
+TriangleMesh buildApples(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model);
+
+} // namespace ramure

@@ -1,0 +1,13 @@
+/// \file
+/// Which vertices faces reach: whether they exist, and whether what lies behind them can be read.
+#pragma once
+
+#include "core/surface/mesh/triangle_mesh.h"
+#include <span>
+
+namespace ramure {
+
+/// The largest vertex in \p triangles; 0 of none.
+Index largestIndex(std::span<const glm::uvec3> triangles);
+
+} // namespace ramure

@@ -1,0 +1,258 @@
+#include "core/surface/mesher/branch_mesh.h"
+
+#include "core/base/large_buffer.h"
+#include "core/base/parallel.h"
+#include "core/surface/mesh/mesh_cleanup.h"
+#include "core/surface/mesh/normals.h"
+#include "core/surface/mesher/branch_mesher.h"
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+namespace ramure {
+
+namespace {
+
+/// A mesh for a budget is built again with what the last one taught, at most so often.
+constexpr int mostTrials = 4;
+constexpr double goodEnough = 0.035; ///< of the triangles wanted: no further trial
+constexpr std::size_t grain = 65536; ///< vertices
+
+Expected<void> checkOptions(const Skeleton& skeleton, const BranchMeshOptions& options)
+{
+    if (options.lengthDivisions < 2 || options.lengthDivisions > 64)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("Length divisions must be between 2 and 64"));
+    if (options.radialDivisions < 3 || options.radialDivisions > 128)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("Radial divisions must be between 3 and 128"));
+    if (!options.rollRad.empty() && options.rollRad.size() != skeleton.size())
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("There must be one roll per branch"));
+    const bool finite = std::all_of(options.rollRad.begin(), options.rollRad.end(),
+                                    [](double roll) { return std::isfinite(roll); });
+    if (!finite || !std::isfinite(options.nearTwinRatio) || options.nearTwinRatio < 0.0)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("A roll or the near-twin ratio is not a usable number"));
+    if (!(options.forkReach >= 0.0 && options.forkReach <= 4.0))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("The reach of forks must be between 0 and 4"));
+    if (!(options.forkSoftness >= 0.0 && options.forkSoftness <= 1.0))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("The softness of forks must be between 0 and 1"));
+    const bool hasBudget = options.targetTriangles > 0;
+    const double along = hasBudget ? leastSections : options.lengthDivisions;
+    const double around = hasBudget ? leastSides : options.radialDivisions;
+    const double faces = 2.0 * skeleton.size() * (along + 2.0) * (around + 8.0);
+    if (std::max(faces, 1.1 * options.targetTriangles) > 2147483648.0)
+        return fail(ErrorCode::Limit, RAMURE_NOOP("The mesh would have more than 2^31 faces"));
+    return {};
+}
+
+/// A mesh, its skeleton, and the triangles the clean-up should look at.
+struct Built
+{
+    NormalSkeleton skeleton;
+    BranchMesh mesh;
+    std::vector<Index> small;
+};
+
+class Builder
+{
+public:
+    Builder(const NormalSkeleton& normal, const BranchMeshOptions& options, MeshScratch& scratch)
+        : m_normal(normal)
+        , m_options(options)
+        , m_scratch(scratch)
+    {
+    }
+    Expected<Built> byDivisions(const Progress& progress)
+    {
+        return build({m_options.lengthDivisions, m_options.radialDivisions}, progress);
+    }
+    Expected<Built> byBudget(const Progress& progress);
+
+private:
+    Expected<Built> build(const MeshDivisions& divisions, const Progress& progress);
+
+    const NormalSkeleton& m_normal;
+    const BranchMeshOptions& m_options;
+    MeshScratch& m_scratch;
+};
+
+Expected<Built> Builder::build(const MeshDivisions& divisions, const Progress& progress)
+{
+    Built built{m_normal, {}, {}};
+    BranchMesher mesher(built.skeleton, m_options, divisions, m_scratch);
+    if (auto done = mesher.run(progress); !done)
+        return fail(done.error());
+    built.small = mesher.assemble(built.mesh);
+    return built;
+}
+
+BudgetFit fitOf(double triangles, double wanted, double fineness, double finest)
+{
+    if (std::abs(triangles - wanted) <= budgetSlack * wanted)
+        return BudgetFit::Within;
+    if (fineness <= 0.0)
+        return BudgetFit::Smallest;
+    return fineness >= finest ? BudgetFit::Largest : BudgetFit::Nearest;
+}
+
+/// How many triangles forks take is known only once they are built: the estimate is corrected by what came
+/// out, until it fits. The nearest trial is taken.
+Expected<Built> Builder::byBudget(const Progress& progress)
+{
+    const MeshBudget budget(m_normal);
+    const double wanted = m_options.targetTriangles;
+    std::optional<Built> best;
+    double correction = 1.0, bestMiss = 0.0;
+    for (int trial = 0; trial < mostTrials; ++trial) {
+        const double fineness = budget.finenessFor(wanted * correction);
+        const double from = 1.0 - std::pow(0.4, trial), to = 1.0 - std::pow(0.4, trial + 1);
+        auto built = build({budget.shapes(), fineness}, progress.part(from, to));
+        if (!built)
+            return built;
+        const auto triangles = static_cast<double>(built->mesh.mesh.triangles.size());
+        const double miss = std::abs(triangles - wanted);
+        built->mesh.budget = fitOf(triangles, wanted, fineness, budget.finest());
+        const double estimate = budget.triangles(fineness);
+        if (!best || miss < bestMiss) {
+            best = std::move(*built);
+            bestMiss = miss;
+        } else {
+            m_scratch.keepArrays(std::move(built->mesh.mesh));
+        }
+        const double next = estimate / triangles;
+        if (bestMiss <= goodEnough * wanted || budget.finenessFor(wanted * next) == fineness)
+            break;
+        correction = next;
+    }
+    return std::move(*best);
+}
+
+/// Parts vertices in one place and opens triangles without area. Mostly there is nothing to part: normals are
+/// computed beside the search, and again if there was.
+void polish(TriangleMesh& mesh, const std::vector<Index>* suspects, bool withNormals,
+            const Progress& progress)
+{
+    const bool beside = withNormals && parallelThreads() > 1;
+    bool separate = false;
+    parallelFor(beside ? 2 : 1, 1, [&](std::size_t part, std::size_t) {
+        if (part == 0)
+            separate = areSeparate(mesh.positions, mesh.triangles, suspects);
+        else
+            computeNormals(mesh);
+    });
+    if (!separate)
+        separateVertices(mesh.positions, mesh.triangles, progress, suspects);
+    if (withNormals && !(separate && beside))
+        computeNormals(mesh);
+}
+
+/// What is known once all vertices stand in their order.
+void finish(Built& built, const Skeleton& skeleton)
+{
+    BranchMesh& result = built.mesh;
+    TriangleMesh& mesh = result.mesh;
+    const glm::dvec3 origin = built.skeleton.origin;
+    mesh.level.resize(mesh.branch.size());
+    parallelFor(mesh.branch.size(), grain, [&](std::size_t from, std::size_t to) {
+        for (std::size_t v = from; v < to; ++v)
+            mesh.level[v] = skeleton.level[mesh.branch[v]];
+        if (origin != glm::dvec3(0.0))
+            for (std::size_t v = from; v < to; ++v)
+                mesh.positions[v] = glm::vec3(glm::dvec3(mesh.positions[v]) + origin);
+    });
+    if (origin != glm::dvec3(0.0))
+        for (TubeAxis& axis : result.axes) {
+            axis.curve.h0 += origin;
+            axis.curve.h1 += origin;
+        }
+    result.repairs = std::move(built.skeleton.repairs);
+    result.roots = built.skeleton.roots;
+}
+
+} // namespace
+
+const char* budgetText(BudgetFit fit)
+{
+    switch (fit) {
+    case BudgetFit::NotAsked:
+    case BudgetFit::Within:
+        return "";
+    case BudgetFit::Smallest:
+        return RAMURE_NOOP(
+            "So many branches cannot be drawn with the triangle budget: this is their smallest mesh");
+    case BudgetFit::Largest:
+        return RAMURE_NOOP(
+            "The triangle budget is more than these branches can take: this is their finest mesh");
+    case BudgetFit::Nearest:
+        return RAMURE_NOOP("No mesh fits the triangle budget: this is the nearest");
+    }
+    return "";
+}
+
+namespace {
+
+/// What is built, and the triangles that may have no area; null: any of them may.
+struct Shaped
+{
+    Built built;
+    bool anyIsSuspect = false;
+
+    [[nodiscard]] const std::vector<Index>* suspects() const { return anyIsSuspect ? nullptr : &built.small; }
+};
+
+Expected<Shaped> shape(const Skeleton& skeleton, const BranchMeshOptions& options, const Progress& progress,
+                       MeshScratch* scratch)
+{
+    if (auto checked = checkOptions(skeleton, options); !checked)
+        return fail(checked.error());
+    const auto normal = normaliseSkeleton(skeleton, options, progress);
+    if (!normal)
+        return fail(normal.error());
+    MeshScratch own;
+    Builder builder(*normal, options, scratch ? *scratch : own);
+    auto built = options.targetTriangles > 0 ? builder.byBudget(progress) : builder.byDivisions(progress);
+    if (!built)
+        return fail(built.error());
+    finish(*built, skeleton);
+    // Moved away from the origin, positions were rounded again: then every triangle is looked at.
+    return Shaped{std::move(*built), normal->origin != glm::dvec3(0.0)};
+}
+
+} // namespace
+
+Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
+                                     const Progress& progress, MeshScratch* scratch)
+{
+    auto shaped = shape(skeleton, options, progress.part(0.0, 0.85), scratch);
+    if (!shaped)
+        return fail(std::move(shaped.error()));
+    TriangleMesh& mesh = shaped->built.mesh.mesh;
+    mesh.normals.resize(options.withNormals ? mesh.normals.size() : 0);
+    polish(mesh, shaped->suspects(), options.withNormals, progress);
+    if (progress.cancelled())
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
+    progress.report(1.0);
+    return std::move(shaped->built.mesh);
+}
+
+Expected<CheckedBranchMesh> buildCheckedBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
+                                                   const Progress& progress, MeshScratch* scratch)
+{
+    auto shaped = shape(skeleton, options, progress.part(0.0, 0.8), scratch);
+    if (!shaped)
+        return fail(std::move(shaped.error()));
+    TriangleMesh& mesh = shaped->built.mesh.mesh;
+    const auto check = [&] {
+        return validateMesh(mesh, progress.part(0.8, 1.0), [&] { computeNormals(mesh); });
+    };
+    const bool haveAreas = !hasFlat(mesh.positions, mesh.triangles, shaped->suspects());
+    auto report = haveAreas ? check() : MeshReport();
+    if (report && (!haveAreas || report->duplicateVertices > 0)) {
+        separateVertices(mesh.positions, mesh.triangles, progress, shaped->suspects());
+        report = check();
+    }
+    if (!report)
+        return fail(std::move(report.error()));
+    return CheckedBranchMesh{std::move(shaped->built.mesh), std::move(*report)};
+}
+
+} // namespace ramure

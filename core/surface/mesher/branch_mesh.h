@@ -1,0 +1,133 @@
+/// \file
+/// The one continuous mesh of a skeleton (SPEC A6): generalised cylinders joined at real forks, closed at
+/// every root and tip. Whatever the skeleton: closed, 2-manifold, one fan per vertex, Euler characteristic 2
+/// per root, outward, no duplicate and no degenerate element.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/skeleton/sections.h"
+#include "core/skeleton/skeleton.h"
+#include "core/surface/mesh/triangle_mesh.h"
+#include "core/surface/proof/validate.h"
+#include <array>
+#include <span>
+#include <vector>
+
+namespace ramure {
+
+class MeshScratch;
+
+struct BranchMeshOptions
+{
+    int lengthDivisions = 4; ///< cross-sections per branch, both ends included; 2..64
+    int radialDivisions = 8; ///< points per cross-section; 3..128
+    /// About how many triangles the mesh shall have, 0 = as the divisions say. Where it is set, the divisions
+    /// have no say: each branch is divided by its thickness along it and its bend, so that all depart about
+    /// equally from a smooth surface, within their limits above.
+    Index targetTriangles = 0;
+    /// Siblings closer than this share of their added radii at the shorter one's end become one (0 = exact
+    /// ones only).
+    double nearTwinRatio = 0.25;
+    /// Clamp the curve's start tangent to 1.5 times the branch's length (off: SPEC A4 as written).
+    bool clampOvershoot = false;
+    /// How far a fork reaches: up to this distance from each other, as a share of the thinner one's radius,
+    /// tubes of a fork grow towards each other; 0..4.
+    double forkReach = 0.9;
+    /// How soft a fork is: 0 leaves the crease where tubes meet, 1 rounds it fully.
+    double forkSoftness = 0.7;
+    /// Without, mesh.normals stays empty.
+    bool withNormals = true;
+    /// An extra turn of each branch's frames about its tangent, radians, one per branch; empty = none.
+    std::span<const double> rollRad;
+};
+
+/// What was changed on the mesher's copy of the skeleton so that a mesh exists; the skeleton itself stays as
+/// it is.
+enum class SkeletonRepair : std::uint8_t {
+    ZeroLengthContracted, ///< the branch has no length: its children start at its parent's end
+    RootStub,             ///< a root without length was replaced by a short stub
+    SiblingsMerged,       ///< two siblings coincide: one tube serves both
+    SiblingChained,       ///< a sibling lies inside a longer one: the longer one continues from its end
+    /// The radius was too small for the scene. On a root: the tree turned itself inside out, being much
+    /// thicker than long or its curves overshooting their branches; the curves were tamed and, if need be,
+    /// all radii made smaller.
+    RadiusClamped,
+};
+struct RepairNote
+{
+    SkeletonRepair kind;
+    Index branch; ///< the branch that was changed
+    Index other;  ///< the branch it now belongs to, or noIndex
+};
+
+/// How a mesh came out against BranchMeshOptions::targetTriangles.
+enum class BudgetFit : std::uint8_t {
+    NotAsked,
+    Within,   ///< within budgetSlack of it
+    Smallest, ///< every branch has 3 sides and 2 cross-sections, and still the mesh is larger
+    Largest,  ///< every branch has 128 sides and 64 cross-sections, and still the mesh is smaller
+    Nearest,  ///< no number of triangles nearer to it could be found
+};
+inline constexpr double budgetSlack = 0.05; ///< of the triangles wanted
+/// What to tell the user about it, English, context "core"; empty where all is well.
+const char* budgetText(BudgetFit fit);
+
+/// The triangles of one branch's tube follow each other, from its start to its end; with a root or a tip, the
+/// cap too. Every triangle belongs to one tube.
+struct TubeRange
+{
+    Index branch;        ///< of the input skeleton: the one whose curve the tube follows
+    Index parent;        ///< the branch whose last cross-section it starts from, or noIndex
+    Index firstTriangle; ///< its triangles end where the next tube's begin
+    bool operator==(const TubeRange&) const = default;
+};
+
+/// The axis of a tube, after all repairs: what its cross-sections stand on.
+struct TubeAxis
+{
+    BranchCurve curve;
+    double a0, a1; ///< radii at its ends, linear in the curve's parameter
+};
+
+/// A vertex in the valley between the tubes of a fork: what else it follows but its own branch.
+struct ForkVertex
+{
+    Index vertex;
+    Index parent;                ///< the branch that forks
+    std::array<Index, 3> branch; ///< the tubes it lies between; noIndex where there are but two
+    std::array<float, 3> weight; ///< of those, their sum is 1
+    float along;                 ///< m, from the fork along their axes
+    bool operator==(const ForkVertex&) const = default;
+};
+
+struct BranchMesh
+{
+    TriangleMesh mesh; ///< with normals, branch and level
+    std::vector<TubeRange> tubes;
+    std::vector<TubeAxis> axes;           ///< one per tube
+    std::vector<ForkVertex> forkVertices; ///< by ascending vertex
+    std::vector<RepairNote> repairs;
+    Index roots = 0; ///< number of components the mesh has by construction
+    BudgetFit budget = BudgetFit::NotAsked;
+};
+
+/// \param skeleton any skeleton with finite numbers; radii >= 0; may be empty only as an error.
+/// \param scratch memory to use again, from one mesh to the next; may be null.
+/// Works on as many threads as parallelThreads() says; the result is the same on any number of them.
+/// Errors: Invalid (empty, non-finite, more than 2^31 faces), Cancelled.
+Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
+                                     const Progress& progress = {}, MeshScratch* scratch = nullptr);
+
+struct CheckedBranchMesh
+{
+    BranchMesh mesh;
+    MeshReport report;
+};
+/// The same mesh, with normals whatever the options say, and what validateMesh() says of it, sooner than one
+/// after the other: vertices at one place are looked for once, and normals are computed beside the check.
+Expected<CheckedBranchMesh> buildCheckedBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
+                                                   const Progress& progress = {},
+                                                   MeshScratch* scratch = nullptr);
+
+} // namespace ramure

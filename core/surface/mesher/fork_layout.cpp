@@ -1,0 +1,138 @@
+#include "core/surface/mesher/fork_layout.h"
+
+#include "core/math/ring.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace ramure {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double farthest = 12.7; ///< a child straight back has no stereographic place
+constexpr int spreadRounds = 60;
+constexpr double flatCosine = -0.94; ///< of the angle at a child that stands between two others
+
+/// A direction's place in the plane of the fork: stereographic, so that circles of directions stay circles.
+glm::dvec2 stereographic(const Frame& frame, const glm::dvec3& direction)
+{
+    const glm::dvec2 lateral(glm::dot(direction, frame.normal), glm::dot(direction, frame.binormal));
+    const double across = glm::length(lateral);
+    // The tangent of half the angle to the parent's direction.
+    const double ahead = glm::dot(direction, frame.tangent);
+    const double far = ahead > 0.0 ? across / (1.0 + ahead)
+                                   : (1.0 - ahead < farthest * across ? (1.0 - ahead) / across : farthest);
+    return across > 1e-12 ? lateral * (far / across) : glm::dvec2(far, 0.0);
+}
+
+double wrapped(double angle)
+{
+    return angle - turn * std::floor(angle / turn);
+}
+
+} // namespace
+
+/// Pushes the split points apart until neighbours are at least \p gap from each other; where that does not
+/// come about, they are spaced evenly.
+void ForkPlanner::spread(double gap)
+{
+    const std::size_t count = m_splits.size();
+    const auto gapAfter = [&](std::size_t i) {
+        return i + 1 < count ? m_splits[i + 1] - m_splits[i] : m_splits[0] + turn - m_splits[i];
+    };
+    const auto narrowest = [&] {
+        double least = turn;
+        for (std::size_t i = 0; i < count; ++i)
+            least = std::min(least, gapAfter(i));
+        return least;
+    };
+    for (int round = 0; round < spreadRounds && narrowest() < 0.999 * gap; ++round)
+        for (std::size_t i = 0; i < count; ++i) {
+            const double lack = gap - gapAfter(i);
+            if (lack <= 0.0)
+                continue;
+            m_splits[i] -= 0.5 * lack;
+            m_splits[i + 1 < count ? i + 1 : 0] += 0.5 * lack;
+        }
+    if (narrowest() >= 0.3 * gap)
+        return;
+    double shift = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+        shift += m_splits[i] - turn * static_cast<double>(i) / static_cast<double>(count);
+    shift /= static_cast<double>(count);
+    for (std::size_t i = 0; i < count; ++i)
+        m_splits[i] = shift + turn * static_cast<double>(i) / static_cast<double>(count);
+}
+
+/// Adds the regular points of the ring that are not too near to a split point.
+void ForkPlanner::fillRing(std::span<const RingPoint> regular, ForkLayout& layout)
+{
+    const double pitch = turn / static_cast<double>(regular.size());
+    const double keepOff = 0.42 * pitch;
+    const std::size_t count = m_splits.size();
+    const auto add = [&](double azimuth) {
+        layout.ring.push_back({azimuth, {std::cos(azimuth), std::sin(azimuth)}});
+    };
+    layout.ring.clear();
+    layout.splitPoint.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+        const double from = m_splits[i];
+        const double to = i + 1 < count ? m_splits[i + 1] : m_splits[0] + turn;
+        layout.splitPoint.push_back(static_cast<Index>(layout.ring.size()));
+        add(from);
+        const auto last = static_cast<std::int64_t>(regular.size());
+        for (auto k = static_cast<std::int64_t>(std::ceil((from + keepOff) / pitch));
+             static_cast<double>(k) * pitch < to - keepOff; ++k)
+            layout.ring.push_back({static_cast<double>(k) * pitch,
+                                   regular[static_cast<std::size_t>((k % last + last) % last)].direction});
+    }
+    while (layout.ring.size() < 3) { // two split points and no room beside them: halve the wider side
+        const double first = layout.ring[0].azimuth, second = layout.ring[1].azimuth;
+        if (second - first >= pi) {
+            add(second);
+            const double middle = 0.5 * (first + second);
+            layout.ring[1] = {middle, {std::cos(middle), std::sin(middle)}};
+            layout.splitPoint[1] = 2;
+        } else {
+            add(0.5 * (second + first + turn));
+        }
+    }
+}
+
+void ForkPlanner::addChild(const Frame& frame, const glm::dvec3& direction)
+{
+    m_sites.push_back(stereographic(frame, direction));
+}
+
+void ForkPlanner::plan(std::span<const RingPoint> regular, ForkLayout& layout)
+{
+    layout.triangulation.build(m_sites);
+    layout.triangulation.openFlatSides(flatCosine);
+    const auto& hull = layout.triangulation.hull();
+    m_splits.clear();
+    for (const ForkTriangulation::HullEdge& edge : hull) {
+        const glm::dvec2 along = layout.triangulation.place(edge.to) - layout.triangulation.place(edge.from);
+        double azimuth = wrapped(std::atan2(-along.x, along.y)); // of the outward normal (y, -x)
+        // The hull is nearly convex: its normals turn one way, once around, but for small steps back.
+        if (!m_splits.empty()) {
+            const double step = wrapped(azimuth - m_splits.back());
+            azimuth = m_splits.back() + (step > 1.3 * pi ? step - turn : step);
+        }
+        m_splits.push_back(azimuth);
+    }
+    spread(std::min(pi / static_cast<double>(regular.size()), 0.8 * turn / static_cast<double>(hull.size())));
+    fillRing(regular, layout);
+}
+
+std::vector<RingPoint> regularRing(int count)
+{
+    std::vector<RingPoint> ring;
+    for (int k = 0; k < count; ++k)
+        ring.push_back({turn * k / count, ringDirection(k, count)});
+    return ring;
+}
+
+} // namespace ramure

@@ -1,0 +1,376 @@
+#include "core/surface/mesher/skeleton_normalise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <string>
+
+namespace ramure {
+
+namespace {
+
+constexpr double tinyLengthOfScene = 1e-6;
+constexpr double tinyLengthOfRadius = 1e-3;
+constexpr double tinyRadiusOfScene = 1e-4;
+constexpr double twinAngle = 1e-3;
+/// Coordinates beyond these are refused: their squares and areas must stay inside the range of floats.
+constexpr double largestCoordinate = 1e12;
+constexpr double smallestScene = 1e-12;
+
+bool finite(const glm::dvec3& v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+Expected<void> checkNumbers(const Skeleton& skeleton)
+{
+    for (Index i = 0; i < skeleton.size(); ++i) {
+        if (!finite(skeleton.p0[i]) || !finite(skeleton.p1[i]) || !std::isfinite(skeleton.a0[i]) ||
+            !std::isfinite(skeleton.a1[i]))
+            return fail(ErrorCode::Invalid,
+                        RAMURE_NOOP("Branch %1 has a coordinate or a radius that is not finite"),
+                        {std::to_string(i)});
+        if (skeleton.a0[i] < 0.0 || skeleton.a1[i] < 0.0)
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("Branch %1 has a negative radius"),
+                        {std::to_string(i)});
+        if (skeleton.parent[i] != noIndex && skeleton.parent[i] >= i)
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("Branch %1 comes before its parent"),
+                        {std::to_string(i)});
+        const glm::dvec3 reach = glm::max(glm::abs(skeleton.p0[i]), glm::abs(skeleton.p1[i]));
+        if (std::max({reach.x, reach.y, reach.z, skeleton.a0[i], skeleton.a1[i]}) > largestCoordinate)
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("Branch %1 is too large for a mesh"),
+                        {std::to_string(i)});
+    }
+    return {};
+}
+
+/// A sibling during the clean-up of one fork.
+struct Sibling
+{
+    Index id;
+    glm::dvec3 direction; ///< unit, from the fork
+    double length;
+};
+
+class Normaliser
+{
+public:
+    Normaliser(const Skeleton& skeleton, const BranchMeshOptions& options, NormalSkeleton& result)
+        : m_in(skeleton)
+        , m_options(options)
+        , m_out(result)
+    {
+    }
+
+    Expected<void> run(const Progress& progress);
+
+private:
+    void measure();
+    void prepare();
+    void emit(Index branch, Index parentOut, const glm::dvec3& start);
+    void settleChildren(Index branch);
+    bool contract(Index branch);
+    bool joinTwins();
+    bool joinPair(std::size_t first, std::size_t second);
+    void appendChildren(Index from, Index to);
+    void makeStub(Index root);
+    void linkChildren();
+    Sibling sibling(Index id, const glm::dvec3& start) const;
+    glm::dvec3 local(const glm::dvec3& p) const { return p - m_out.origin; }
+    double radiusAt(Index id, double fraction) const { return m_a0[id] + (m_a1[id] - m_a0[id]) * fraction; }
+
+    const Skeleton& m_in;
+    const BranchMeshOptions& m_options;
+    NormalSkeleton& m_out;
+    double m_tinyLength = 0.0, m_tinyRadius = 0.0;
+    std::vector<double> m_a0, m_a1, m_roll;
+    std::vector<Index> m_firstChild, m_lastChild, m_nextSibling; ///< linked lists over the input's branches
+    struct Pending
+    {
+        Index id, parentOut;
+    };
+    std::vector<Pending> m_stack;
+    std::vector<Sibling> m_siblings;
+    std::vector<Index> m_unsettled;
+    glm::dvec3 m_fork{0.0}; ///< where the siblings at hand start
+};
+
+void Normaliser::measure()
+{
+    glm::dvec3 low = m_in.p0[0], high = low;
+    double radius = 0.0;
+    for (Index i = 0; i < m_in.size(); ++i) {
+        low = glm::min(low, glm::min(m_in.p0[i], m_in.p1[i]));
+        high = glm::max(high, glm::max(m_in.p0[i], m_in.p1[i]));
+        radius = std::max({radius, m_in.a0[i], m_in.a1[i]});
+    }
+    const double box = glm::length(high - low);
+    const glm::dvec3 reach = glm::max(glm::abs(low), glm::abs(high));
+    const double farthest = std::max({reach.x, reach.y, reach.z});
+    m_out.scene = box + radius;
+    // Far from the origin floats are coarse: nothing may be finer than a few of their steps.
+    const double floatStep = farthest * 0x1.0p-23;
+    m_tinyLength = std::max(tinyLengthOfScene * m_out.scene, 16.0 * floatStep);
+    m_tinyRadius = std::max(tinyRadiusOfScene * m_out.scene, 4.0 * floatStep * m_options.radialDivisions);
+    if (farthest > 4.0 * m_out.scene)
+        m_out.origin = 0.5 * (low + high);
+}
+
+void Normaliser::prepare()
+{
+    const Index count = m_in.size();
+    m_a0 = m_in.a0;
+    m_a1 = m_in.a1;
+    if (!m_options.rollRad.empty())
+        m_roll.assign(m_options.rollRad.begin(), m_options.rollRad.end());
+    m_firstChild.assign(count, noIndex);
+    m_lastChild.assign(count, noIndex);
+    m_nextSibling.assign(count, noIndex);
+    for (Index i = 0; i < count; ++i) {
+        if (m_a0[i] < m_tinyRadius || m_a1[i] < m_tinyRadius) {
+            m_a0[i] = std::max(m_a0[i], m_tinyRadius);
+            m_a1[i] = std::max(m_a1[i], m_tinyRadius);
+            m_out.repairs.push_back({SkeletonRepair::RadiusClamped, i, noIndex});
+        }
+        const Index parent = m_in.parent[i];
+        if (parent == noIndex)
+            continue;
+        if (m_firstChild[parent] == noIndex)
+            m_firstChild[parent] = i;
+        else
+            m_nextSibling[m_lastChild[parent]] = i;
+        m_lastChild[parent] = i;
+    }
+}
+
+Sibling Normaliser::sibling(Index id, const glm::dvec3& start) const
+{
+    const glm::dvec3 way = local(m_in.p1[id]) - start;
+    const double length = glm::length(way);
+    return {id, length > 0.0 ? way / length : glm::dvec3(0.0, 1.0, 0.0), length};
+}
+
+/// Hands the children of a branch that goes away to the end of another one's list.
+void Normaliser::appendChildren(Index from, Index to)
+{
+    if (m_firstChild[from] == noIndex)
+        return;
+    if (m_firstChild[to] == noIndex)
+        m_firstChild[to] = m_firstChild[from];
+    else
+        m_nextSibling[m_lastChild[to]] = m_firstChild[from];
+    m_lastChild[to] = m_lastChild[from];
+    m_firstChild[from] = m_lastChild[from] = noIndex;
+}
+
+bool Normaliser::contract(Index branch)
+{
+    const auto tooShort = [this](const Sibling& s) {
+        return s.length <= std::max(m_tinyLength, tinyLengthOfRadius * m_a0[s.id]);
+    };
+    if (std::none_of(m_siblings.begin(), m_siblings.end(), tooShort))
+        return false;
+    m_unsettled.clear();
+    for (auto it = m_siblings.rbegin(); it != m_siblings.rend(); ++it)
+        m_unsettled.push_back(it->id);
+    m_siblings.clear();
+    bool changed = false;
+    while (!m_unsettled.empty()) {
+        const Index id = m_unsettled.back();
+        m_unsettled.pop_back();
+        const Sibling candidate = sibling(id, m_fork);
+        if (!tooShort(candidate)) {
+            m_siblings.push_back(candidate);
+            continue;
+        }
+        changed = true;
+        m_out.repairs.push_back({SkeletonRepair::ZeroLengthContracted, id, branch});
+        const std::size_t insertAt = m_unsettled.size();
+        for (Index child = m_firstChild[id]; child != noIndex; child = m_nextSibling[child]) {
+            m_unsettled.push_back(child);
+            if (!m_roll.empty())
+                m_roll[child] += m_roll[id];
+        }
+        std::reverse(m_unsettled.begin() + static_cast<std::ptrdiff_t>(insertAt), m_unsettled.end());
+        m_firstChild[id] = m_lastChild[id] = noIndex;
+    }
+    return changed;
+}
+
+/// Joins two siblings if they are too close. Afterwards the second of them is no sibling any more, or the
+/// first.
+bool Normaliser::joinPair(std::size_t first, std::size_t second)
+{
+    const bool firstIsShorter = m_siblings[first].length <= m_siblings[second].length;
+    const Sibling& shorter = m_siblings[firstIsShorter ? first : second];
+    const Sibling& longer = m_siblings[firstIsShorter ? second : first];
+    const double apart = glm::length(shorter.direction - longer.direction); // 2 sin(angle / 2)
+    const double longerRadius = radiusAt(longer.id, shorter.length / longer.length);
+    const double shorterRadius = m_a1[shorter.id];
+    if (apart >= twinAngle &&
+        shorter.length * apart >= m_options.nearTwinRatio * (shorterRadius + longerRadius))
+        return false;
+
+    const double difference = longer.length - shorter.length;
+    const double slack = std::max({0.5 * shorterRadius, 0.02 * longer.length, m_tinyLength});
+    if (difference <= slack) {
+        const Index kept = m_siblings[first].id;
+        const Index gone = m_siblings[second].id;
+        m_a0[kept] = std::max(m_a0[kept], m_a0[gone]);
+        m_a1[kept] = std::max(m_a1[kept], m_a1[gone]);
+        appendChildren(gone, kept);
+        m_out.repairs.push_back({SkeletonRepair::SiblingsMerged, gone, kept});
+        m_siblings.erase(m_siblings.begin() + static_cast<std::ptrdiff_t>(second));
+        return true;
+    }
+    const Index head = shorter.id;
+    const Index tail = longer.id;
+    m_a0[head] = std::max(m_a0[head], m_a0[tail]);
+    m_a1[head] = std::max(m_a1[head], longerRadius);
+    m_a0[tail] = longerRadius;
+    if (m_firstChild[head] == noIndex)
+        m_firstChild[head] = tail;
+    else
+        m_nextSibling[m_lastChild[head]] = tail;
+    m_lastChild[head] = tail;
+    m_nextSibling[tail] = noIndex;
+    m_out.repairs.push_back({SkeletonRepair::SiblingChained, tail, head});
+    m_siblings.erase(m_siblings.begin() + static_cast<std::ptrdiff_t>(firstIsShorter ? second : first));
+    return true;
+}
+
+bool Normaliser::joinTwins()
+{
+    bool changed = false;
+    for (std::size_t i = 0; i < m_siblings.size(); ++i)
+        for (std::size_t j = i + 1; j < m_siblings.size();) {
+            const std::size_t before = m_siblings.size();
+            const Index firstId = m_siblings[i].id;
+            if (!joinPair(i, j)) {
+                ++j;
+                continue;
+            }
+            changed = true;
+            // Its radius grew, or another one took its place: compare it with everybody again.
+            if (m_siblings.size() < before && i < m_siblings.size() && m_siblings[i].id != firstId)
+                j = i + 1;
+        }
+    return changed;
+}
+
+/// Leaves in m_siblings the children the branch shall have, which all start at m_fork.
+void Normaliser::settleChildren(Index branch)
+{
+    m_siblings.clear();
+    for (Index child = m_firstChild[branch]; child != noIndex; child = m_nextSibling[child])
+        m_siblings.push_back(sibling(child, m_fork));
+    bool again = true;
+    while (again) {
+        again = contract(branch);
+        again = joinTwins() || again;
+    }
+}
+
+void Normaliser::makeStub(Index root)
+{
+    m_fork = local(m_in.p1[root]);
+    settleChildren(root);
+    glm::dvec3 direction(0.0, 1.0, 0.0);
+    if (!m_siblings.empty())
+        direction = m_siblings.front().direction;
+    const double length = std::max(0.5 * m_a0[root], 2.0 * m_tinyLength);
+    m_out.branches.back().p0 = m_fork - length * direction;
+    m_out.repairs.push_back({SkeletonRepair::RootStub, root, noIndex});
+}
+
+void Normaliser::emit(Index branch, Index parentOut, const glm::dvec3& start)
+{
+    MeshBranch out;
+    out.p0 = start;
+    out.p1 = local(m_in.p1[branch]);
+    out.a0 = m_a0[branch];
+    out.a1 = m_a1[branch];
+    out.rollRad = m_roll.empty() ? 0.0 : m_roll[branch];
+    out.parent = parentOut;
+    out.source = branch;
+    m_out.branches.push_back(out);
+    m_fork = out.p1;
+    const bool rootWithoutLength =
+        parentOut == noIndex &&
+        glm::length(out.p1 - out.p0) <= std::max(m_tinyLength, tinyLengthOfRadius * m_a0[branch]);
+    if (rootWithoutLength)
+        makeStub(branch);
+    else
+        settleChildren(branch);
+}
+
+/// Depth-first order gives every branch a higher index than its parent; the lists follow from the parents.
+void Normaliser::linkChildren()
+{
+    std::vector<MeshBranch>& branches = m_out.branches;
+    for (const MeshBranch& branch : branches)
+        if (branch.parent != noIndex)
+            ++branches[branch.parent].childCount;
+    Index next = 0;
+    for (MeshBranch& branch : branches) {
+        branch.firstChild = next;
+        next += branch.childCount;
+        branch.childCount = 0;
+    }
+    m_out.children.resize(next);
+    for (Index i = 0; i < branches.size(); ++i) {
+        if (branches[i].parent == noIndex)
+            continue;
+        MeshBranch& parent = branches[branches[i].parent];
+        m_out.children[parent.firstChild + parent.childCount++] = i;
+    }
+}
+
+Expected<void> Normaliser::run(const Progress& progress)
+{
+    measure();
+    if (!(m_out.scene > 0.0))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("No branch of the skeleton has a length or a radius"));
+    if (m_out.scene < smallestScene)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("The skeleton is too small for a mesh"));
+    prepare();
+    m_out.branches.reserve(m_in.size());
+    for (Index i = m_in.size(); i-- > 0;)
+        if (m_in.parent[i] == noIndex) {
+            m_stack.push_back({i, noIndex});
+            ++m_out.roots;
+        }
+    std::size_t steps = 0;
+    while (!m_stack.empty()) {
+        if ((++steps & 0xFFF) == 0 && progress.cancelled())
+            return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
+        const Pending pending = m_stack.back();
+        m_stack.pop_back();
+        const Index index = static_cast<Index>(m_out.branches.size());
+        const glm::dvec3 start =
+            pending.parentOut == noIndex ? local(m_in.p0[pending.id]) : m_out.branches[pending.parentOut].p1;
+        emit(pending.id, pending.parentOut, start);
+        for (auto it = m_siblings.rbegin(); it != m_siblings.rend(); ++it)
+            m_stack.push_back({it->id, index});
+    }
+    linkChildren();
+    return {};
+}
+
+} // namespace
+
+Expected<NormalSkeleton> normaliseSkeleton(const Skeleton& skeleton, const BranchMeshOptions& options,
+                                           const Progress& progress)
+{
+    if (skeleton.empty())
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("The skeleton has no branch"));
+    if (auto checked = checkNumbers(skeleton); !checked)
+        return fail(checked.error());
+    NormalSkeleton result;
+    Normaliser normaliser(skeleton, options, result);
+    if (auto done = normaliser.run(progress); !done)
+        return fail(done.error());
+    return result;
+}
+
+} // namespace ramure

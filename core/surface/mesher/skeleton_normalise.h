@@ -1,0 +1,54 @@
+/// \file
+/// The mesher's own copy of a skeleton, brought into a state from which a mesh can be built: no branch
+/// without length, no two siblings in one place, no radius too small for the scene. Every change is noted.
+#pragma once
+
+#include "core/surface/mesher/branch_mesh.h"
+#include <vector>
+
+namespace ramure {
+
+/// A branch as the mesher sees it, in coordinates relative to NormalSkeleton::origin.
+struct MeshBranch
+{
+    glm::dvec3 p0{0.0}, p1{0.0};
+    double a0 = 0.0, a1 = 0.0;
+    double rollRad = 0.0;   ///< extra turn of this branch's frames
+    Index parent = noIndex; ///< in NormalSkeleton::branches
+    Index source = noIndex; ///< branch of the skeleton it was made from
+    Index firstChild = 0;   ///< its children are children[firstChild .. firstChild + childCount)
+    Index childCount = 0;
+};
+
+/// Branches in depth-first order, parents before children.
+struct NormalSkeleton
+{
+    std::vector<MeshBranch> branches;
+    std::vector<Index> children;
+    std::vector<RepairNote> repairs;
+    glm::dvec3 origin{
+        0.0}; ///< what was subtracted from all positions; zero unless the tree is far from the origin
+    double scene = 0.0; ///< diagonal of the box of all ends, with the largest radius
+    Index roots = 0;
+
+    [[nodiscard]] std::span<const Index> childrenOf(Index branch) const
+    {
+        return {children.data() + branches[branch].firstChild, branches[branch].childCount};
+    }
+};
+
+/// In this order, parents first and per branch until nothing changes:
+/// - a branch shorter than 1e-6 of the scene or 1e-3 of its own radius is contracted, its children move to
+/// its parent;
+/// - siblings within 1e-3 rad of each other, or closer at the shorter one's end than options.nearTwinRatio
+/// times their
+///   added radii, become one branch (about equal lengths) or a chain (the longer goes on from the shorter
+///   one's end);
+/// - a root without length becomes a stub of half its radius behind its first child.
+/// Radii are at least 1e-4 of the scene.
+/// Errors: Invalid (empty, non-finite or negative numbers, nothing with a length or a radius, beyond what
+/// floats hold), Cancelled.
+Expected<NormalSkeleton> normaliseSkeleton(const Skeleton& skeleton, const BranchMeshOptions& options,
+                                           const Progress& progress);
+
+} // namespace ramure

@@ -1,0 +1,197 @@
+#include "core/surface/mesher/tube_builder.h"
+
+#include "core/math/hermite.h"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace ramure {
+
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double tipHeight = 0.35; ///< of the radius: how far a tip is rounded beyond the branch's end
+constexpr double siteShare =
+    0.4; ///< of the shortest child: where the children's neighbourhoods are looked at
+constexpr double roomBeforeEnd = 0.25; ///< of the radius, between a section and the end
+constexpr double roomBetween = 0.02;   ///< of the radius, between two sections
+
+/// Would the rings of two sections, the second further on, cut through each other?
+bool ringsCross(const AxisSection& first, const AxisSection& second)
+{
+    const glm::dvec3 way = second.centre - first.centre;
+    const glm::dvec3 axis = glm::cross(first.frame.tangent, second.frame.tangent);
+    const double bend = std::sqrt(glm::dot(axis, axis));
+    return glm::dot(way, first.frame.tangent) < second.radius * bend ||
+           glm::dot(way, second.frame.tangent) < first.radius * bend;
+}
+
+} // namespace
+
+glm::dvec3 ringPosition(const AxisSection& section, const RingPoint& point)
+{
+    return section.centre + (section.radius * point.direction.x) * section.frame.normal +
+           (section.radius * point.direction.y) * section.frame.binormal;
+}
+
+Index addRing(const AxisSection& section, std::span<const RingPoint> points, Index owner, MeshSink& sink)
+{
+    const Index first = sink.nextVertex();
+    glm::vec3* out = sink.addVertices(points.size(), owner);
+    const glm::dvec3 u = section.radius * section.frame.normal, v = section.radius * section.frame.binormal;
+    for (const RingPoint& point : points)
+        *out++ = glm::vec3(section.centre + point.direction.x * u + point.direction.y * v);
+    return first;
+}
+
+bool keepsSection(const std::vector<AxisSection>& sections, std::size_t last, std::size_t k)
+{
+    if (k + 1 >= sections.size())
+        return true;
+    const AxisSection &section = sections[k], &end = sections.back();
+    return end.along - section.along >= roomBeforeEnd * section.radius &&
+           section.along - sections[last].along >= roomBetween * section.radius &&
+           !ringsCross(sections[last], section) && !ringsCross(section, end);
+}
+
+double twistBetween(const AxisSection& first, const AxisSection& second)
+{
+    const Frame carried = transported(first.frame, second.frame.tangent);
+    return std::atan2(glm::dot(second.frame.normal, carried.binormal),
+                      glm::dot(second.frame.normal, carried.normal));
+}
+
+/// The tubes' neighbourhoods are those they have part of the way up the shortest of them: a long child bends
+/// away from its parent's direction later than a short one.
+void planFork(const MesherContext& context, Index branch, const AxisSection& end, ForkPlanner& planner,
+              ForkLayout& layout)
+{
+    planner.begin();
+    double shortest = std::numeric_limits<double>::max();
+    for (const Index child : context.skeleton.childrenOf(branch)) {
+        const MeshBranch& c = context.skeleton.branches[child];
+        shortest = std::min(shortest, glm::length(c.p1 - c.p0));
+    }
+    for (const Index child : context.skeleton.childrenOf(branch)) {
+        const MeshBranch& c = context.skeleton.branches[child];
+        const BranchCurve curve = meshCurve(context.skeleton, child, context.clampOvershoot);
+        const double t = siteShare * shortest / glm::length(c.p1 - c.p0);
+        const glm::dvec3 way = hermite(curve.h0, curve.h1, curve.v0, curve.v1, t).point - c.p0;
+        const double length = glm::length(way);
+        planner.addChild(end.frame, length > 1e-6 * shortest ? way / length : glm::normalize(c.p1 - c.p0));
+    }
+    planner.plan(context.divisions.ring(branch, end.radius), layout);
+}
+
+std::span<const RingPoint> TubeBuilder::endRing(Index branch, const AxisSection& end)
+{
+    if (m_context.skeleton.branches[branch].childCount < 2)
+        return m_context.divisions.ring(branch, end.radius);
+    planFork(m_context, branch, end, m_planner, m_layout);
+    return m_layout.ring;
+}
+
+/// Two regular rings whose points face each other.
+void TubeBuilder::evenStrip(Index lower, Index upper, Index n)
+{
+    glm::uvec3* out = m_context.sink.addTriangles(2 * std::size_t(n));
+    for (Index k = 0; k + 1 < n; ++k) {
+        *out++ = {lower + k, lower + k + 1, upper + k};
+        *out++ = {lower + k + 1, upper + k + 1, upper + k};
+    }
+    *out++ = {lower + n - 1, lower, upper + n - 1};
+    *out = {lower, upper, upper + n - 1};
+}
+
+/// A regular ring, turned, and any other: the next triangle takes the row whose diagonal spans less of the
+/// azimuth. No row can advance all around in one go, which would make edges twice: neither has a gap of more
+/// than half a turn that the other's points could all lie in.
+void TubeBuilder::looseStrip(const TubeStart& lower, std::span<const RingPoint> upperPoints, Index upper)
+{
+    const auto n = static_cast<Index>(lower.points.size()), m = static_cast<Index>(upperPoints.size());
+    const double first = lower.points[0].azimuth + lower.turned;
+    const auto away = [&](Index j) {
+        const double d = upperPoints[j].azimuth - first;
+        return d - turn * std::round(d / turn);
+    };
+    Index start = 0;
+    for (Index j = 1; j < m; ++j)
+        if (std::abs(away(j)) < std::abs(away(start)))
+            start = j;
+    glm::uvec3* out = m_context.sink.addTriangles(std::size_t(n) + m);
+    Index i = 0, j = start, taken = 0;
+    double a = 0.0, u = away(start), shift = u - upperPoints[start].azimuth;
+    while (i < n || taken < m) {
+        const Index nextI = i + 1 < n ? i + 1 : 0, nextJ = j + 1 < m ? j + 1 : 0;
+        const double b = i + 1 < n ? lower.points[nextI].azimuth : turn;
+        const double v = upperPoints[nextJ].azimuth + shift + (nextJ == 0 ? turn : 0.0);
+        const bool advanceLower = i < n && (taken == m || std::abs(b - u) < std::abs(v - a));
+        const Index l = lower.ring + (i < n ? i : 0);
+        if (advanceLower) {
+            *out++ = {l, lower.ring + nextI, upper + j};
+            a = b;
+            ++i;
+        } else {
+            *out++ = {l, upper + nextJ, upper + j};
+            u = v;
+            if (nextJ == 0)
+                shift += turn;
+            j = nextJ;
+            ++taken;
+        }
+    }
+}
+
+Index TubeBuilder::startRoot(const AxisSection& section, std::span<const RingPoint> points,
+                             const glm::dvec3& pole, Index owner)
+{
+    MeshSink& sink = m_context.sink;
+    const Index centre = sink.addVertex(pole, owner);
+    const Index ring = addRing(section, points, owner, sink);
+    const auto count = static_cast<Index>(points.size());
+    for (Index k = 0; k < count; ++k)
+        sink.addTriangle(ring + (k + 1 < count ? k + 1 : 0), ring + k, centre);
+    return ring;
+}
+
+void TubeBuilder::end(Index branch, const AxisSection& section, Index ring, std::size_t points,
+                      std::vector<TubeEnd>& ends)
+{
+    const MeshBranch& own = m_context.skeleton.branches[branch];
+    const auto count = static_cast<Index>(points);
+    if (own.childCount > 0) {
+        ends.push_back({branch, ring, count, section});
+        return;
+    }
+    MeshSink& sink = m_context.sink;
+    const Index pole =
+        sink.addVertex(section.centre + tipHeight * section.radius * section.frame.tangent, own.source);
+    for (Index k = 0; k < count; ++k)
+        sink.addTriangle(ring + k, ring + (k + 1 < count ? k + 1 : 0), pole);
+}
+
+void TubeBuilder::finish(Index branch, const std::vector<AxisSection>& sections, std::size_t from,
+                         const TubeStart& start, std::vector<TubeEnd>& ends)
+{
+    const MeshBranch& own = m_context.skeleton.branches[branch];
+    const std::size_t last = sections.size() - 1;
+    std::size_t below = from;
+    TubeStart at = start;
+    for (std::size_t k = from + 1; k <= last; ++k) {
+        if (!keepsSection(sections, below, k))
+            continue;
+        below = k;
+        const std::span<const RingPoint> regular = m_context.divisions.ring(branch, sections[k].radius);
+        const std::span<const RingPoint> points = k == last ? endRing(branch, sections[k]) : regular;
+        const Index next = addRing(sections[k], points, own.source, m_context.sink);
+        if (at.turned != 0.0 || points.data() != at.points.data())
+            looseStrip(at, points, next);
+        else
+            evenStrip(at.ring, next, static_cast<Index>(points.size()));
+        at = {next, points};
+    }
+    end(branch, sections[last], at.ring, at.points.size(), ends);
+}
+
+} // namespace ramure

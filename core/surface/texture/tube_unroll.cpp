@@ -1,0 +1,78 @@
+#include "core/surface/texture/tube_unroll.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ramure {
+
+namespace {
+
+/// The part of a vector across a unit direction, as a unit vector; any such where nothing is left.
+glm::dvec3 across(const glm::dvec3& vector, const glm::dvec3& direction)
+{
+    const glm::dvec3 rest = vector - direction * glm::dot(vector, direction);
+    const double square = glm::dot(rest, rest);
+    if (square > 1e-12 * glm::dot(vector, vector))
+        return rest * (1.0 / std::sqrt(square));
+    return frameFromTangent(direction).normal;
+}
+
+} // namespace
+
+void UnrollAxis::build(const TubeAxis& axis, const glm::dvec3& normal)
+{
+    const BranchCurve& curve = axis.curve;
+    const glm::dvec3 way = curve.h1 - curve.h0;
+    const glm::dvec3 c1 = curve.v0, c2 = 3.0 * way - 2.0 * curve.v0 - curve.v1,
+                     c3 = curve.v0 + curve.v1 - 2.0 * way;
+    const double least = 1e-12 * (glm::dot(way, way) + glm::dot(c1, c1) + 1e-300);
+    glm::dvec3 tangent = hermite(curve.h0, curve.h1, curve.v0, curve.v1, 0.0).tangent, carried = normal;
+    for (std::size_t i = 0; i <= steps; ++i) {
+        const double t = double(i) / double(steps);
+        Node& node = m_nodes[i];
+        node.point = i == steps ? curve.h1 : curve.h0 + t * (c1 + t * (c2 + t * c3));
+        const glm::dvec3 derivative = c1 + t * (2.0 * c2 + 3.0 * t * c3);
+        const double square = glm::dot(derivative, derivative);
+        if (square > least)
+            tangent = derivative * (1.0 / std::sqrt(square));
+        carried = across(carried, tangent);
+        node.frame = {tangent, carried, glm::cross(tangent, carried)};
+        node.along = i == 0 ? 0.0 : m_nodes[i - 1].along + glm::length(node.point - m_nodes[i - 1].point);
+        node.radius = axis.a0 + (axis.a1 - axis.a0) * t;
+    }
+    m_last = 0;
+}
+
+UnrollAxis::Place UnrollAxis::place(const glm::dvec3& point)
+{
+    const auto ahead = [&](std::size_t i) {
+        return glm::dot(point - m_nodes[i].point, m_nodes[i].frame.tangent);
+    };
+    std::size_t cell = std::min(m_last, steps - 1);
+    double first = ahead(cell), second = ahead(cell + 1);
+    while (second > 0.0 && cell + 1 < steps) {
+        first = second;
+        second = ahead(++cell + 1);
+    }
+    while (first < 0.0 && cell > 0) {
+        second = first;
+        first = ahead(--cell);
+    }
+    m_last = cell;
+    const Node &a = m_nodes[cell], &b = m_nodes[cell + 1];
+    const double span = first - second;
+    const double part = span > 0.0 ? std::clamp(first / span, 0.0, 1.0) : 0.0;
+    const auto between = [part](const auto& from, const auto& to) { return from + (to - from) * part; };
+    const glm::dvec3 away = point - between(a.point, b.point);
+    const double x = glm::dot(away, between(a.frame.normal, b.frame.normal));
+    const double y = glm::dot(away, between(a.frame.binormal, b.frame.binormal));
+    const double radius = between(a.radius, b.radius);
+    Place place{between(a.along, b.along), std::atan2(y, x), std::sqrt(x * x + y * y) / radius, 0.0};
+    if (second > 0.0)
+        place.beyond = second / radius;
+    else if (first < 0.0)
+        place.beyond = -first / radius;
+    return place;
+}
+
+} // namespace ramure

@@ -1,0 +1,161 @@
+#include "core/math/random.h"
+#include "core/surface/mesh/mesh_rays.h"
+#include "core/surface/primitives/relief.h"
+#include "core/surface/proof/validate.h"
+#include "tests/support/suite.h"
+#include <cmath>
+
+using namespace ramure;
+using namespace ramure::test;
+
+class TestRelief : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { failOnAnyWarning(); }
+    void wrongParametersAreErrors();
+    void isAGridWithItsMiddleAtTheGround();
+    void theSeedDecides();
+    void roughnessMakesItRougher();
+    void finerGridsAreTheSameTerrain();
+    void raysThatMissMeetNothing();
+    void raysMeetTheNearestTriangle();
+};
+
+namespace {
+
+std::shared_ptr<const TriangleMesh> terrain(const ReliefParams& params)
+{
+    return std::make_shared<const TriangleMesh>(buildRelief(params).value_or(TriangleMesh{}));
+}
+
+/// Mean absolute change of slope between neighbours.
+double unrest(const TriangleMesh& mesh, std::size_t columns)
+{
+    double sum = 0.0;
+    for (std::size_t i = 1; i + 1 < columns; ++i)
+        sum +=
+            std::abs(double(mesh.positions[i - 1].y - 2.0F * mesh.positions[i].y + mesh.positions[i + 1].y));
+    return sum;
+}
+
+std::optional<double> byForce(const TriangleMesh& mesh, const Ray& ray)
+{
+    std::optional<double> best;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const auto hit = intersect(ray, glm::dvec3(mesh.positions[t.x]), glm::dvec3(mesh.positions[t.y]),
+                                   glm::dvec3(mesh.positions[t.z]));
+        if (hit && (!best || hit->t < *best))
+            best = hit->t;
+    }
+    return best;
+}
+
+} // namespace
+
+void TestRelief::wrongParametersAreErrors()
+{
+    const auto refused = [](const char* path, auto change) {
+        ReliefParams params;
+        change(params);
+        const auto made = buildRelief(params);
+        return !made && made.error().code == ErrorCode::Invalid && made.error().path == path;
+    };
+    QVERIFY(refused("relief.size", [](ReliefParams& p) { p.size = 0.0; }));
+    QVERIFY(refused("relief.height", [](ReliefParams& p) { p.height = std::nan(""); }));
+    QVERIFY(refused("relief.roughness", [](ReliefParams& p) { p.roughness = 1.5; }));
+    QVERIFY(refused("relief.divisions", [](ReliefParams& p) { p.divisions = 0; }));
+    QVERIFY(refused("relief.divisions", [](ReliefParams& p) { p.divisions = 1025; }));
+}
+
+void TestRelief::isAGridWithItsMiddleAtTheGround()
+{
+    ReliefParams params;
+    params.divisions = 10;
+    params.size = 4.0;
+    const auto mesh = terrain(params);
+    QCOMPARE(mesh->vertexCount(), Index(121));
+    QCOMPARE(mesh->faceCount(), Index(200));
+    QCOMPARE(mesh->positions[60], glm::vec3(0.0F));
+    QCOMPARE(mesh->positions[0].x, -2.0F);
+    QCOMPARE(mesh->positions[120].z, 2.0F);
+    for (const glm::vec3& normal : mesh->normals)
+        QVERIFY(normal.y > 0.0F);
+}
+
+void TestRelief::theSeedDecides()
+{
+    ReliefParams params, other;
+    other.seed = 2;
+    QVERIFY(*terrain(params) == *terrain(params));
+    QVERIFY(terrain(params)->positions != terrain(other)->positions);
+    params.height = 0.0;
+    const auto flat = terrain(params);
+    for (const glm::vec3& at : flat->positions)
+        QCOMPARE(at.y, 0.0F);
+}
+
+void TestRelief::roughnessMakesItRougher()
+{
+    ReliefParams params;
+    double last = -1.0;
+    for (const double roughness : {0.0, 0.3, 0.6, 1.0}) {
+        params.roughness = roughness;
+        const auto mesh = terrain(params);
+        const double now = unrest(*mesh, 129);
+        QVERIFY(now > last);
+        last = now;
+        for (const glm::vec3& at : mesh->positions)
+            QVERIFY(std::isfinite(at.y) && std::abs(at.y) < 20.0F);
+    }
+}
+
+void TestRelief::finerGridsAreTheSameTerrain()
+{
+    ReliefParams coarse, fine;
+    coarse.divisions = 20;
+    fine.divisions = 40;
+    const auto a = terrain(coarse), b = terrain(fine);
+    for (std::size_t row = 0; row <= 20; ++row)
+        for (std::size_t column = 0; column <= 20; ++column)
+            QCOMPARE(a->positions[row * 21 + column], b->positions[2 * row * 41 + 2 * column]);
+}
+
+void TestRelief::raysThatMissMeetNothing()
+{
+    QVERIFY(!MeshRays().nearest({}));
+    QVERIFY(!MeshRays(nullptr).nearest({}));
+    const MeshRays rays(terrain({}));
+    QVERIFY(!rays.nearest({{0.0, 50.0, 0.0}, {0.0, 1.0, 0.0}}));
+    QVERIFY(!rays.nearest({{100.0, 50.0, 0.0}, {0.0, -1.0, 0.0}}));
+    QVERIFY(rays.nearest({{0.01, 50.0, 0.02}, {0.0, -1.0, 0.0}}));
+}
+
+void TestRelief::raysMeetTheNearestTriangle()
+{
+    ReliefParams params;
+    params.height = 4.0;
+    params.divisions = 64;
+    const auto mesh = terrain(params);
+    const MeshRays rays(mesh);
+    Random random(1, RandomStream::Test);
+    int hits = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const glm::dvec3 from(random.range(-9.0, 9.0), random.range(-3.0, 6.0), random.range(-9.0, 9.0));
+        const glm::dvec3 to(random.range(-6.0, 6.0), random.range(-2.0, 2.0), random.range(-6.0, 6.0));
+        const Ray ray{from, glm::normalize(to - from)};
+        const auto hit = rays.nearest(ray);
+        const auto expected = byForce(*mesh, ray);
+        QCOMPARE(hit.has_value(), expected.has_value());
+        if (!hit)
+            continue;
+        ++hits;
+        QVERIFY(std::abs(hit->t - *expected) <= 1e-5);
+        QVERIFY(glm::distance(hit->point, ray.at(*expected)) <= 1e-5);
+    }
+    QVERIFY(hits > 500);
+}
+
+QTEST_GUILESS_MAIN(TestRelief)
+#include "tst_relief.moc"

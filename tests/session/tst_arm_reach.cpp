@@ -1,0 +1,177 @@
+#include "core/scene/arm_demo.h"
+#include "core/session/arm_reach.h"
+#include "core/session/player.h"
+#include "tests/support/suite.h"
+#include <QSignalSpy>
+#include <glm/geometric.hpp>
+#include <limits>
+
+using namespace ramure;
+
+/// An arm on its way while nothing plays.
+class TestArmReach : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnAnyWarning(); }
+    void badTargetsAreErrors();
+    void theWayEndsInOneStep();
+    void canBeGoneThroughStepByStep();
+    void runsByItself();
+    void aMovedTargetIsFollowed();
+    void otherEditsEndIt();
+    void outOfReachIsTold();
+    void aimingAsksTheTimeline();
+};
+
+namespace {
+
+struct Desk
+{
+    Document document;
+    ArmReach reach{&document};
+
+    Desk() { document.reset(armDemo(), {}); }
+    [[nodiscard]] const NodeParams& params() const { return document.scene().find(1)->params; }
+    [[nodiscard]] glm::dvec3 tip() const { return ArmChain(params().joints).tip(); }
+};
+
+} // namespace
+
+void TestArmReach::badTargetsAreErrors()
+{
+    Desk desk;
+    QVERIFY(!desk.reach.reachFor(99, {1.0, 1.0, 1.0}, 0));
+    QVERIFY(!desk.reach.reachFor(2, {1.0, 1.0, 1.0}, 0)); // a terrain
+    QVERIFY(!desk.reach.reachFor(1, {1.0, std::numeric_limits<double>::quiet_NaN(), 1.0}, 0));
+    QVERIFY(edit::setNodeLocked(desk.document, {1}, true));
+    QVERIFY(!desk.reach.reachFor(1, {1.0, 1.0, 1.0}, 0));
+    QVERIFY(!desk.reach.progress());
+    desk.reach.step(); // nothing to do
+}
+
+void TestArmReach::theWayEndsInOneStep()
+{
+    Desk desk;
+    const Scene before = desk.document.scene();
+    const glm::dvec3 target(1.0, 2.0, 1.0);
+    QVERIFY(desk.reach.reachFor(1, target, newGesture()));
+    QVERIFY(desk.params().arm.target == target);
+    QVERIFY(desk.reach.progress()->moves);
+    desk.reach.finish();
+    QVERIFY(!desk.reach.progress()->moves);
+    QVERIFY(desk.reach.progress()->figures.status == ArmStatus::Reached);
+    QVERIFY(desk.reach.progress()->residual <= 1e-4);
+    QVERIFY(glm::distance(desk.tip(), target) <= 1e-4);
+    QCOMPARE(desk.document.undoStack()->count(), 1); // the target and the joints
+    desk.document.undoStack()->undo();
+    QVERIFY(desk.document.scene() == before);
+}
+
+void TestArmReach::canBeGoneThroughStepByStep()
+{
+    Desk desk;
+    desk.reach.setPaused(true);
+    QVERIFY(desk.reach.reachFor(1, {-2.0, 0.5, 1.0}, 0));
+    QSignalSpy moved(&desk.reach, &ArmReach::moved);
+    double last = desk.reach.progress()->residual;
+    int steps = 0;
+    while (desk.reach.progress()->moves && steps < 2000) {
+        const std::vector<double> angles = desk.reach.progress()->angles;
+        desk.reach.step();
+        QCOMPARE(moved.count(), ++steps);
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+            const double most = (i % 2 == 0 ? 3.0 : 1.5) * armTickSeconds;
+            QVERIFY(std::abs(wrappedAngle(desk.reach.progress()->angles[i] - angles[i])) <= most * 1.000001);
+        }
+        last = desk.reach.progress()->residual;
+    }
+    QVERIFY(steps > 20 && last <= 1e-4);
+    QCOMPARE(desk.reach.progress()->residuals.size(), std::size_t(steps + 1));
+}
+
+void TestArmReach::runsByItself()
+{
+    Desk desk;
+    QVERIFY(desk.reach.reachFor(1, desk.tip() + glm::dvec3(0.1, 0.0, -0.1), 0));
+    QTRY_VERIFY(!desk.reach.progress()->moves);
+    QVERIFY(desk.reach.progress()->residual <= 1e-4);
+}
+
+void TestArmReach::aMovedTargetIsFollowed()
+{
+    Desk desk;
+    desk.reach.setPaused(true);
+    const GestureId drag = newGesture();
+    for (int i = 0; i < 20; ++i) {
+        QVERIFY(desk.reach.reachFor(1, {1.5, 0.1 * i, 1.0}, drag));
+        desk.reach.step();
+    }
+    QVERIFY(desk.reach.progress()->residuals.size() > 20); // one way
+    QCOMPARE(desk.document.undoStack()->count(), 1);
+    desk.reach.finish();
+    QVERIFY(glm::distance(desk.tip(), glm::dvec3(1.5, 1.9, 1.0)) <= 1e-4);
+    QCOMPARE(desk.document.undoStack()->count(), 1);
+    const std::vector<ArmJoint> after = desk.params().joints;
+    desk.document.undoStack()->undo();
+    desk.document.undoStack()->redo();
+    QVERIFY(desk.params().joints == after);
+}
+
+void TestArmReach::otherEditsEndIt()
+{
+    for (int way = 0; way < 4; ++way) {
+        Desk desk;
+        desk.reach.setPaused(true);
+        QVERIFY(desk.reach.reachFor(1, {-2.0, 0.5, 1.0}, 0));
+        desk.reach.step();
+        std::vector<ArmJoint> joints(2);
+        if (way == 0)
+            QVERIFY(edit::setJoints(desk.document, 1, joints, QStringLiteral("x")));
+        else if (way == 1)
+            QVERIFY(edit::removeNodes(desk.document, {1}));
+        else if (way == 2)
+            desk.document.reset({}, {});
+        else
+            desk.document.undoStack()->undo();
+        QVERIFY(!desk.reach.progress());
+    }
+}
+
+void TestArmReach::outOfReachIsTold()
+{
+    Desk desk;
+    QVERIFY(desk.reach.reachFor(1, {10.0, 0.0, 0.0}, 0));
+    desk.reach.finish();
+    QVERIFY(desk.reach.progress()->figures.status == ArmStatus::Settled);
+    QVERIFY(std::abs(desk.reach.progress()->figures.shortBy() - 5.6) < 0.01);
+}
+
+/// At rest the arm is sent; elsewhere, or held by keys, it follows the timeline.
+void TestArmReach::aimingAsksTheTimeline()
+{
+    Desk desk;
+    Player player(&desk.document);
+    desk.reach.setPlayer(&player);
+    desk.reach.setPaused(true);
+    QVERIFY(!desk.reach.aim(99, glm::dvec3(1.0), 0));
+    QVERIFY(!desk.reach.aim(2, glm::dvec3(1.0), 0)); // a terrain
+    player.seek(10);
+    QVERIFY(desk.reach.aim(1, {1.0, 1.0, 1.0}, 0));
+    QVERIFY(!desk.reach.progress());
+    player.seek(0);
+    const Channel size{ChannelPart::Parameter, 0, paramId(*findParam("surface.color"))};
+    QVERIFY(edit::insertKeys(desk.document, {1}, {size}, 0)); // keeps the arm from nothing
+    QVERIFY(desk.reach.aim(1, {1.0, 1.5, 1.0}, 0));
+    QVERIFY(desk.reach.progress() && desk.reach.progress()->moves);
+    QVERIFY(edit::insertKeys(desk.document, {1}, jointChannels(0), 0));
+    QVERIFY(!desk.reach.progress());
+    QVERIFY(desk.reach.aim(1, {1.0, 1.0, 1.5}, 0));
+    QVERIFY(!desk.reach.progress());
+    QVERIFY(desk.params().arm.target == glm::dvec3(1.0, 1.0, 1.5));
+    QVERIFY(player.waitForIdle(20'000));
+}
+
+QTEST_GUILESS_MAIN(TestArmReach)
+#include "tst_arm_reach.moc"

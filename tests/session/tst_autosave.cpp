@@ -1,0 +1,289 @@
+#include "core/document/commands.h"
+#include "core/math/random.h"
+#include "core/session/autosave.h"
+#include "tests/support/suite.h"
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTimer>
+#include <cstdio>
+
+using namespace ramure;
+
+static Scene oneTree()
+{
+    Node node;
+    node.id = 1;
+    node.kind = NodeKind::Tree;
+    node.name = "Oak";
+    return *Scene::fromNodes({node});
+}
+static void setSeed(Document& document, std::int64_t seed)
+{
+    edit::setParam(document, {1}, *findParam("grammar.seed"), seed);
+}
+static std::int64_t seedOf(const Project& project)
+{
+    return project.scene.find(1)->params.grammar.seed;
+}
+static int filesIn(const QString& folder)
+{
+    return static_cast<int>(QDir(folder).entryList(QDir::Files | QDir::Hidden).size());
+}
+
+class TestAutosave : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void unwritableFoldersAreTold();
+    void brokenFilesAreNotOffered();
+    void whatAKillLeavesWithoutARecoveryFileGoes();
+    void nothingUnsavedNoFile();
+    void runningProgramsAreNotOffered();
+    void timerSavesInTheBackground();
+    void savingAndClosingRemoveTheFile();
+    void crashedProgramsAreOffered();
+    void killedHundredTimes();
+};
+
+void TestAutosave::unwritableFoldersAreTold()
+{
+    QTemporaryDir folder;
+    QFile file(folder.filePath("file"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    Document document;
+    document.reset(oneTree(), {});
+    Autosave autosave(&document, folder.filePath("file/below"));
+    QSignalSpy failures(&autosave, &Autosave::failed);
+    setSeed(document, 5);
+    QCOMPARE(autosave.saveNow().error().code, ErrorCode::Io);
+    autosave.setInterval(1);
+    QTRY_COMPARE(failures.count(), 1);
+    QTest::qWait(20);
+    QCOMPARE(failures.count(), 1); // said once
+    QVERIFY(recoverableProjects(folder.filePath("none")).empty());
+    QVERIFY(recoverableProjects(folder.filePath("file")).empty());
+}
+
+void TestAutosave::brokenFilesAreNotOffered()
+{
+    QTemporaryDir folder;
+    QFile file(folder.filePath("broken.ramure"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("{\"format\":");
+    file.close();
+    QVERIFY(recoverableProjects(folder.path()).empty());
+    QVERIFY(file.exists()); // somebody may still make sense of it
+    QVERIFY(!loadRecoverable({file.fileName(), {}, {}, {}}));
+}
+
+void TestAutosave::whatAKillLeavesWithoutARecoveryFileGoes()
+{
+    QTemporaryDir folder;
+    const auto make = [&folder](const char* name, const QByteArray& bytes) {
+        QFile file(folder.filePath(QLatin1String(name)));
+        return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+    };
+    // As QLockFile writes it: process, program, machine.
+    const QByteArray dead = "2147483646\nramure\n" + QSysInfo::machineHostName().toLocal8Bit() + "\n";
+    QVERIFY(make("one.ramure.lock", dead));
+    QVERIFY(make("one.ramure.new-2147483646-0", "{\"format\":"));
+    QVERIFY(make("notes.txt", "mine"));
+    Document document;
+    document.reset(oneTree(), {});
+    Autosave autosave(&document, folder.path()); // a program that runs and has saved nothing yet
+    QVERIFY(recoverableProjects(folder.path()).empty());
+    const QStringList left = QDir(folder.path()).entryList(QDir::Files);
+    QVERIFY2(left.size() == 2 && left.contains("notes.txt"), qPrintable(left.join(u' ')));
+    QVERIFY(left.contains(QFileInfo(autosave.recoveryPath()).fileName() + ".lock"));
+}
+
+void TestAutosave::nothingUnsavedNoFile()
+{
+    QTemporaryDir folder;
+    Document document;
+    document.reset(oneTree(), {});
+    Autosave autosave(&document, folder.filePath("deep/folder"));
+    QVERIFY(autosave.saveNow());
+    QVERIFY(!QFile::exists(autosave.recoveryPath()));
+    QVERIFY(Autosave::defaultFolder().startsWith(
+        QStandardPaths::writableLocation(QStandardPaths::AppDataLocation)));
+}
+
+void TestAutosave::runningProgramsAreNotOffered()
+{
+    QTemporaryDir folder;
+    Document document;
+    document.reset(oneTree(), {});
+    Autosave autosave(&document, folder.path());
+    setSeed(document, 5);
+    QVERIFY(autosave.saveNow());
+    QVERIFY(QFile::exists(autosave.recoveryPath()));
+    QVERIFY(recoverableProjects(folder.path()).empty());
+}
+
+void TestAutosave::timerSavesInTheBackground()
+{
+    QTemporaryDir folder;
+    Document document;
+    document.reset(oneTree(), {});
+    Autosave autosave(&document, folder.path());
+    QSignalSpy saved(&autosave, &Autosave::saved);
+    autosave.setInterval(1);
+    setSeed(document, 5);
+    QTRY_COMPARE(saved.count(), 1);
+    QTest::qWait(20);
+    QCOMPARE(saved.count(), 1); // nothing new, nothing written
+    setSeed(document, 6);
+    QTRY_COMPARE(saved.count(), 2);
+    const auto project = loadProjectFile(autosave.recoveryPath());
+    QVERIFY2(project, test::why(project));
+    QCOMPARE(seedOf(*project), 6);
+    autosave.setInterval(0);
+    setSeed(document, 7);
+    QTest::qWait(20);
+    QCOMPARE(saved.count(), 2);
+}
+
+void TestAutosave::savingAndClosingRemoveTheFile()
+{
+    QTemporaryDir folder;
+    Document document;
+    document.reset(oneTree(), {});
+    {
+        Autosave autosave(&document, folder.path());
+        setSeed(document, 5);
+        QVERIFY(autosave.saveNow());
+        QVERIFY(QFile::exists(autosave.recoveryPath()));
+        document.undoStack()->setClean(); // saved
+        QVERIFY(!QFile::exists(autosave.recoveryPath()));
+        setSeed(document, 6);
+        QVERIFY(autosave.saveNow());
+        document.reset(oneTree(), {});
+        QVERIFY(!QFile::exists(autosave.recoveryPath()));
+        document.markModified(); // as after a recovery
+        QVERIFY(autosave.saveNow());
+        QVERIFY(QFile::exists(autosave.recoveryPath()));
+    }
+    QCOMPARE(filesIn(folder.path()), 0);
+}
+
+/// The other program: edits without end, saves now and then, says what is safe. Ends by being killed.
+static int runVictim(const QString& folder)
+{
+    const QString path = folder + QStringLiteral("/work.ramure");
+    Document document;
+    if (auto project = loadProjectFile(path))
+        document.reset(std::move(project->scene), path, std::move(project->extras));
+    else
+        document.reset(oneTree(), path);
+    Autosave autosave(&document, folder + QStringLiteral("/recovery"));
+    autosave.setInterval(3);
+    std::int64_t seed = document.scene().find(1)->params.grammar.seed;
+    const auto say = [](std::int64_t safe) {
+        std::printf("%lld\n", static_cast<long long>(safe));
+        std::fflush(stdout);
+    };
+    std::int64_t noted = seed;
+    QObject::connect(&autosave, &Autosave::saved, &autosave, [&] { say(noted); });
+    QTimer edits;
+    QObject::connect(&edits, &QTimer::timeout, &edits, [&] {
+        setSeed(document, ++seed);
+        if (seed % 10 == 0 && saveProjectFile(document.project(), path)) {
+            document.undoStack()->setClean();
+            say(seed);
+        }
+        if (auto kept = seed % 7 == 0 ? autosave.saveNow() : Expected<void>{}; seed % 7 == 0 && kept)
+            say(noted = seed);
+    });
+    edits.start(0);
+    return QCoreApplication::exec();
+}
+
+/// Lets it work for a while and kills it. Returns the last number that it called safe, 0 where there was
+/// none.
+static std::int64_t killAfter(const QString& folder, int milliseconds)
+{
+    QProcess victim;
+    victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--victim"), folder});
+    if (!victim.waitForStarted(20000) || !victim.waitForReadyRead(20000))
+        return 0;
+    QTest::qSleep(milliseconds);
+    victim.kill();
+    victim.waitForFinished(20000);
+    const QList<QByteArray> lines = victim.readAllStandardOutput().split('\n');
+    return lines.size() < 2
+               ? 0
+               : lines[lines.size() - 2].toLongLong(); // behind the last line end may be half a line
+}
+
+void TestAutosave::crashedProgramsAreOffered()
+{
+    QTemporaryDir folder;
+    QVERIFY(killAfter(folder.path(), 5) > 0);
+    QString path;
+    for (int i = 0; i < 50 && path.isEmpty(); ++i) { // it may have died just when all was saved
+        std::vector<Recoverable> found = recoverableProjects(folder.filePath("recovery"));
+        if (found.empty()) {
+            killAfter(folder.path(), i);
+            continue;
+        }
+        QCOMPARE(found.front().originalPath, folder.filePath("work.ramure"));
+        QVERIFY(found.front().time.isValid());
+        QVERIFY(recoverableProjects(folder.filePath("recovery")).empty()); // claimed
+        const auto project = loadRecoverable(found.front());
+        QVERIFY2(project, test::why(project));
+        QVERIFY(project->extras.empty()); // the note is gone
+        path = found.front().recoveryPath;
+        discardRecoverable(found.front());
+        QVERIFY(!QFile::exists(path));
+    }
+    QVERIFY(!path.isEmpty());
+}
+
+void TestAutosave::killedHundredTimes()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath("work.ramure");
+    Random random(1, RandomStream::Test);
+    int offered = 0;
+    for (int i = 0; i < 100; ++i) {
+        const std::int64_t safe = killAfter(folder.path(), static_cast<int>(random.below(12)));
+        QVERIFY(safe > 0);
+        std::int64_t best = 0;
+        if (QFile::exists(path)) {
+            const auto project = loadProjectFile(path);
+            QVERIFY2(project, test::why(project));
+            best = seedOf(*project);
+        }
+        std::vector<Recoverable> found = recoverableProjects(folder.filePath("recovery"));
+        QVERIFY(found.size() <= 1);
+        for (Recoverable& entry : found) {
+            const auto project = loadRecoverable(entry);
+            QVERIFY2(project, test::why(project));
+            best = std::max(best, seedOf(*project));
+            ++offered;
+            discardRecoverable(entry);
+        }
+        QVERIFY2(best >= safe, qPrintable(QStringLiteral("%1 was safe, %2 is there").arg(safe).arg(best)));
+    }
+    qInfo("killed 100 times: the project always opened, %d recoveries were offered", offered);
+    QVERIFY(offered > 0);
+}
+
+int main(int argc, char** argv)
+{
+    QCoreApplication application(argc, argv);
+    if (argc == 3 && qstrcmp(argv[1], "--victim") == 0)
+        return runVictim(QString::fromLocal8Bit(argv[2]));
+    TestAutosave suite;
+    return QTest::qExec(&suite, argc, argv);
+}
+
+#include "tst_autosave.moc"

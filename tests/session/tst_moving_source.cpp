@@ -1,0 +1,215 @@
+#include "core/document/commands.h"
+#include "core/params/presets.h"
+#include "core/rig/pose/skin.h"
+#include "core/session/moving_source.h"
+#include "core/session/player.h"
+#include "core/session/recompute.h"
+#include "tests/support/suite.h"
+#include <cmath>
+#include <limits>
+
+using namespace ramure;
+
+/// Trees at a time, for files: the same as what the player shows.
+class TestMovingSource : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { test::failOnAnyWarning(); }
+    void badTimesAreErrors();
+    void errorsOfTheRestAreHandedOn();
+    void zeroIsRest();
+    void partsMoveTogether();
+    void itIsWhatThePlayerShows();
+    void anyOrderOfTimes();
+    void movedMeshesAreValid_data();
+    void movedMeshesAreValid();
+    void exportTakesIt();
+    void textureStaysThatOfTheRest();
+};
+
+static Node treeNode(const char* preset)
+{
+    Node node;
+    node.id = 1;
+    node.kind = NodeKind::Tree;
+    node.name = preset;
+    node.params = presetParams(preset).value_or(NodeParams{});
+    return node;
+}
+
+void TestMovingSource::badTimesAreErrors()
+{
+    TreePipeline pipeline;
+    MovingSource source(pipelineSource(pipeline));
+    const Node node = treeNode("TinyTree");
+    for (const double time : {std::nan(""), std::numeric_limits<double>::infinity(), 1e12}) {
+        const auto tree = source.at(time)(node, Stage::Foliage, {});
+        QVERIFY(!tree);
+        QCOMPARE(tree.error().code, ErrorCode::Invalid);
+    }
+}
+
+void TestMovingSource::errorsOfTheRestAreHandedOn()
+{
+    TreePipeline pipeline;
+    MovingSource source(pipelineSource(pipeline));
+    Node node = treeNode("TinyTree");
+    node.params.grammar.axiom.assign(1, '[');
+    const auto tree = source.at(1.0)(node, Stage::Foliage, {});
+    QVERIFY(!tree);
+    std::stop_source stop;
+    stop.request_stop();
+    const auto stopped = source.at(1.0)(treeNode("TinyTree"), Stage::Foliage, {stop.get_token(), {}});
+    QVERIFY(!stopped);
+    QCOMPARE(stopped.error().code, ErrorCode::Cancelled);
+}
+
+void TestMovingSource::zeroIsRest()
+{
+    TreePipeline pipeline;
+    MovingSource source(pipelineSource(pipeline));
+    const Node node = treeNode("TinyTree");
+    const auto rest = pipelineSource(pipeline)(node, Stage::Foliage, {});
+    const auto now = source.at(0.0)(node, Stage::Foliage, {});
+    QVERIFY(rest && now);
+    QCOMPARE(now->branches, rest->branches);
+    const auto before = source.at(-3.0)(node, Stage::Foliage, {});
+    QCOMPARE(before->branches, rest->branches);
+}
+
+/// Lengths stay; every end of a branch is where its parent's end is, in both skeletons.
+void TestMovingSource::partsMoveTogether()
+{
+    TreePipeline pipeline;
+    MovingSource source(pipelineSource(pipeline));
+    const Node node = treeNode("SmallTree");
+    const auto rest = pipelineSource(pipeline)(node, Stage::Foliage, {});
+    const auto now = source.at(1.5)(node, Stage::Foliage, {});
+    QVERIFY(rest && now);
+    const Skeleton& skeleton = now->simplified->skeleton;
+    double moved = 0.0;
+    for (Index b = 0; b < skeleton.size(); ++b) {
+        const double length = rest->simplified->skeleton.length(b);
+        QVERIFY(std::abs(skeleton.length(b) - length) < 1e-6 * length);
+        if (skeleton.parent[b] != noIndex)
+            QVERIFY(glm::length(skeleton.p0[b] - skeleton.p1[skeleton.parent[b]]) < 1e-9);
+        moved = std::max(moved, glm::length(skeleton.p1[b] - rest->simplified->skeleton.p1[b]));
+    }
+    QVERIFY(moved > 0.05);
+    QCOMPARE(now->skeleton->size(), rest->skeleton->size());
+    for (Index b = 0; b < now->skeleton->size(); ++b)
+        if (now->skeleton->parent[b] != noIndex)
+            QVERIFY(glm::length(now->skeleton->p0[b] - now->skeleton->p1[now->skeleton->parent[b]]) < 1e-6);
+    for (Index b = 0; b < skeleton.size(); ++b)
+        QVERIFY(glm::length(now->sections->of(b).back().centre - skeleton.p1[b]) < 1e-9);
+    QCOMPARE(now->leaves->triangles, rest->leaves->triangles);
+}
+
+void TestMovingSource::itIsWhatThePlayerShows()
+{
+    Document document;
+    Recompute recompute(&document);
+    recompute.setRest(0);
+    Player player(&document);
+    const Node node = treeNode("TinyTree");
+    const auto id = edit::insertNodes(document, {node}, noNode, 0);
+    QVERIFY(recompute.waitForFull(20000));
+    player.seek(31);
+    QVERIFY(player.waitForIdle(20000));
+    const NodeMotion& shown = *player.motion()->of(*id);
+
+    TreePipeline pipeline;
+    MovingSource source(pipelineSource(pipeline));
+    const auto now = source.at(player.timeSeconds())(node, Stage::Foliage, {});
+    QVERIFY(now);
+    const TriangleMesh meant = deformed(shown.mesh->mesh, *shown.branches, *shown.bones, shown.method);
+    QVERIFY(now->branches->mesh == meant);
+    QVERIFY(*now->leaves == deformed(*shown.leavesMesh, *shown.leaves, *shown.bones, shown.method));
+}
+
+void TestMovingSource::anyOrderOfTimes()
+{
+    TreePipeline pipeline;
+    const Node node = treeNode("TinyTree");
+    MovingSource ahead(pipelineSource(pipeline)), back(pipelineSource(pipeline));
+    std::map<double, std::shared_ptr<const BranchMesh>> meshes;
+    for (const double time : {0.3, 0.6, 0.9})
+        meshes[time] = ahead.at(time)(node, Stage::Mesh, {})->branches;
+    for (const double time : {0.9, 0.3, 0.6})
+        QVERIFY(back.at(time)(node, Stage::Mesh, {})->branches->mesh == meshes[time]->mesh);
+}
+
+void TestMovingSource::movedMeshesAreValid_data()
+{
+    QTest::addColumn<QString>("preset");
+    for (const char* preset : {"SmallTree", "FanTree", "TinyTree", "Fern2D"})
+        QTest::newRow(preset) << preset;
+}
+
+void TestMovingSource::movedMeshesAreValid()
+{
+    QFETCH(QString, preset);
+    TreePipeline pipeline;
+    MovingSource source(pipelineSource(pipeline));
+    const Node node = treeNode(qPrintable(preset));
+    for (const double time : {0.5, 2.0}) {
+        const auto now = source.at(time)(node, Stage::Mesh, {});
+        QVERIFY(now);
+        const MeshReport& report = *now->report;
+        QCOMPARE(report.boundaryEdges + report.nonManifoldEdges + report.nonManifoldVertices +
+                     report.inconsistentEdges + report.duplicateVertices + report.duplicateFaces,
+                 Index(0));
+        QVERIFY(report.valid);
+    }
+}
+
+void TestMovingSource::exportTakesIt()
+{
+    Scene scene;
+    QVERIFY(scene.insert({treeNode("TinyTree")}, noNode, 0));
+    TreePipeline pipeline;
+    MovingSource source(pipelineSource(pipeline));
+    for (const ExportModel model : {ExportModel::Mesh, ExportModel::Rough, ExportModel::Skeleton}) {
+        ExportOptions options;
+        options.model = model;
+        const auto rest = collectExport(scene, options, source.at(0.0));
+        const auto now = collectExport(scene, options, source.at(1.0));
+        QVERIFY(rest && now);
+        QCOMPARE(now->meshes.size(), rest->meshes.size());
+        for (std::size_t i = 0; i < now->meshes.size(); ++i) {
+            QCOMPARE(now->meshes[i].mesh->triangles, rest->meshes[i].mesh->triangles);
+            QVERIFY(now->meshes[i].mesh->positions != rest->meshes[i].mesh->positions);
+        }
+    }
+}
+
+void TestMovingSource::textureStaysThatOfTheRest()
+{
+    Scene scene;
+    QVERIFY(scene.insert({treeNode("TinyTree")}, noNode, 0));
+    TreePipeline pipeline;
+    MovingSource source(pipelineSource(pipeline));
+    ExportOptions options;
+    options.texture = true;
+    const auto rest = collectExport(scene, options, source.at(0.0));
+    const auto now = collectExport(scene, options, source.at(1.0));
+    QVERIFY(rest && now);
+    QCOMPARE(now->meshes.size(), rest->meshes.size());
+    for (std::size_t i = 0; i < now->meshes.size(); ++i) {
+        const TriangleMesh &moved = *now->meshes[i].mesh, &still = *rest->meshes[i].mesh;
+        QVERIFY(moved.positions != still.positions);
+        QVERIFY(!moved.uv.empty());
+        QVERIFY(moved.uv == still.uv && moved.uvTriangles == still.uvTriangles);
+    }
+    const Node& node = scene.nodes().front();
+    QVERIFY(!source.at(0.0)(node, Stage::Mesh, {})->restBranches);
+    const auto tree = source.at(1.0)(node, Stage::Mesh, {});
+    QVERIFY(tree && tree->restBranches);
+    QVERIFY(tree->restBranches->mesh.positions != tree->branches->mesh.positions);
+}
+
+QTEST_GUILESS_MAIN(TestMovingSource)
+
+#include "tst_moving_source.moc"

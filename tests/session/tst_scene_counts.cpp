@@ -1,0 +1,79 @@
+#include "core/params/presets.h"
+#include "core/session/scene_counts.h"
+#include "tests/support/solids.h"
+#include "tests/support/suite.h"
+
+using namespace ramure;
+
+/// What the status bar counts is what an export writes.
+class TestSceneCounts : public QObject
+{
+    Q_OBJECT
+
+private:
+    static Node nodeOf(NodeKind kind, NodeId id)
+    {
+        Node node;
+        node.id = id;
+        node.kind = kind;
+        node.name = "Node " + std::to_string(id);
+        if (kind == NodeKind::Mesh)
+            node.mesh = SharedValue<TriangleMesh>(test::box({-1, 0, -1}, {1, 2, 1}));
+        if (kind == NodeKind::Tree)
+            node.params = *presetParams("TinyTree");
+        return node;
+    }
+    static PartCount exported(const Scene& scene, TreePipeline& pipeline)
+    {
+        PartCount count;
+        const auto set = collectExport(scene, {}, pipelineSource(pipeline));
+        for (const ExportSet::Entry& entry : set->meshes) {
+            count.vertices += entry.mesh->vertexCount();
+            count.faces += entry.mesh->faceCount();
+        }
+        return count;
+    }
+
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void everyPartCountsAsItIsExported()
+    {
+        Scene scene = *Scene::fromNodes({nodeOf(NodeKind::Tree, 1), nodeOf(NodeKind::Arm, 2),
+                                         nodeOf(NodeKind::Relief, 3), nodeOf(NodeKind::Primitive, 4),
+                                         nodeOf(NodeKind::Mesh, 5), nodeOf(NodeKind::Tree, 6)});
+        TreePipeline pipeline;
+        SceneCounter counter;
+        const auto count = [&] { return counter.count(scene, {}, pipelineSource(pipeline)); };
+        SceneCounts counts = count();
+        QVERIFY(counts.complete);
+        QVERIFY(counts.total() == exported(scene, pipeline));
+        for (const ScenePart part : {ScenePart::Branches, ScenePart::Arms, ScenePart::Terrains,
+                                     ScenePart::Primitives, ScenePart::Meshes})
+            QVERIFY(counts.of(part).faces > 0);
+        // What is hidden is not written; what hangs below it neither.
+        scene.find(6)->visible = scene.find(2)->visible = false;
+        const SceneCounts fewer = count();
+        QVERIFY(fewer.total() == exported(scene, pipeline));
+        QCOMPARE(2 * fewer.of(ScenePart::Branches).faces, counts.of(ScenePart::Branches).faces);
+        QCOMPARE(fewer.of(ScenePart::Arms).faces, std::uint64_t(0));
+        // A shape that changes is counted anew, one that moves as before.
+        scene.find(3)->params.relief.divisions /= 2;
+        scene.find(4)->params.tree.translation = {1.0, 2.0, 3.0};
+        counts = count();
+        QVERIFY(counts.total() == exported(scene, pipeline));
+        QVERIFY(counts.of(ScenePart::Terrains).faces < fewer.of(ScenePart::Terrains).faces);
+    }
+
+    void treesWithoutAResultAreSaid()
+    {
+        const Scene scene = *Scene::fromNodes({nodeOf(NodeKind::Tree, 1), nodeOf(NodeKind::Mesh, 2)});
+        const SceneCounts counts = SceneCounter().count(
+            scene, {}, [](const Node&, Stage, const Progress&) { return fail(ErrorCode::Invalid, "later"); });
+        QVERIFY(!counts.complete);
+        QCOMPARE(counts.total().faces, std::uint64_t(12));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSceneCounts)
+#include "tst_scene_counts.moc"

@@ -1,0 +1,145 @@
+#include "core/params/presets.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "core/session/moving_source.h"
+#include "core/session/sequence.h"
+#include "tests/support/suite.h"
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QTemporaryDir>
+
+using namespace ramure;
+
+/// Files of many frames: their names, their bytes, how large they get, and what a cancelled one leaves.
+class TestSequence : public QObject
+{
+    Q_OBJECT
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+    Scene m_scene;
+    TreePipeline m_pipeline;
+
+    [[nodiscard]] QString name(const QString& file) const { return m_folder->filePath(file); }
+    [[nodiscard]] std::string path(const char* file) const { return name(QLatin1String(file)).toStdString(); }
+    [[nodiscard]] QByteArray bytes(const QString& file) const
+    {
+        QFile in(name(file));
+        return in.open(QIODevice::ReadOnly) ? in.readAll() : QByteArray();
+    }
+    [[nodiscard]] QStringList files() const
+    {
+        return QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden, QDir::Name);
+    }
+
+private slots:
+    void initTestCase()
+    {
+        Node node;
+        node.id = m_scene.newId();
+        node.kind = NodeKind::Tree;
+        node.name = std::string(1, 'T');
+        node.params = presetParams("TinyTree").value();
+        QVERIFY(m_scene.insert({node}, noNode, 0));
+    }
+    void init()
+    {
+        test::failOnAnyWarning();
+        m_folder = std::make_unique<QTemporaryDir>();
+    }
+
+    void badSequencesAreRefused()
+    {
+        const std::pair<FrameSequence, const char*> cases[] = {
+            {{-1, 5, 1, 24.0}, "first"},
+            {{5, 4, 1, 24.0}, "last"},
+            {{0, 5, 0, 24.0}, "step"},
+            {{0, 5, -3, 24.0}, "step"},
+            {{0, mostFrame + 1, 1, 24.0}, "last"},
+            {{0, mostFrame, 1, 24.0}, "last"},
+        };
+        for (const auto& [frames, where] : cases) {
+            const auto done = exportSequence(m_scene, {}, frames, pipelineSource(m_pipeline), path("a.obj"));
+            QVERIFY(!done);
+            QCOMPARE(done.error().path, std::string(where));
+        }
+        QCOMPARE(exportSequence(m_scene, {}, {0, 1, 1, 24.0}, pipelineSource(m_pipeline), path("a.stl"))
+                     .error()
+                     .code,
+                 ErrorCode::Unknown);
+        QVERIFY(files().isEmpty());
+    }
+
+    void namesHaveNumbers()
+    {
+        QCOMPARE(numberedFile("a/tree.obj", 7), std::string("a/tree_0007.obj"));
+        QCOMPARE(numberedFile("tree.v2.obj", 0), std::string("tree.v2_0000.obj"));
+        QCOMPARE(numberedFile("tree.obj", 123456), std::string("tree_123456.obj"));
+        QCOMPARE(numberedFile("folder.d/tree", 1), std::string("folder.d/tree_0001"));
+    }
+
+    void everyFileIsThatOfItsMoment()
+    {
+        const FrameSequence frames{10, 50, 20, 30.0};
+        QVERIFY(exportSequence(m_scene, {}, frames, pipelineSource(m_pipeline), path("tree.obj")));
+        QCOMPARE(files(), (QStringList{QStringLiteral("tree_0010.mtl"), QStringLiteral("tree_0010.obj"),
+                                       QStringLiteral("tree_0030.mtl"), QStringLiteral("tree_0030.obj"),
+                                       QStringLiteral("tree_0050.mtl"), QStringLiteral("tree_0050.obj")}));
+        QVERIFY(bytes(QStringLiteral("tree_0010.obj")) != bytes(QStringLiteral("tree_0050.obj")));
+        for (const int frame : {50, 10, 30}) {
+            MovingSource moving(pipelineSource(m_pipeline));
+            QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("one")));
+            const QString file = QStringLiteral("tree_%1.obj").arg(frame, 4, 10, QLatin1Char('0'));
+            QVERIFY(exportScene(m_scene, {}, moving.at(frame / 30.0),
+                                name(QStringLiteral("one/") + file).toStdString()));
+            QVERIFY(bytes(QStringLiteral("one/") + file) == bytes(file));
+        }
+    }
+
+    void sizesAreKnownBefore()
+    {
+        for (const bool texture : {false, true})
+            for (const char* file : {"size.obj", "size.ply"})
+                for (const bool ascii : {false, true}) {
+                    ExportOptions options;
+                    options.texture = texture;
+                    options.ply.ascii = ascii;
+                    const TreeSource rest = pipelineSource(m_pipeline);
+                    QVERIFY(exportScene(m_scene, options, rest, path(file)));
+                    const auto real = double(QFileInfo(name(QLatin1String(file))).size());
+                    const auto said = double(estimatedFileBytes(m_scene, options, rest, path(file)));
+                    QVERIFY2(said > 0.75 * real && said < 1.3 * real,
+                             qPrintable(QStringLiteral("%1 %2 %3: %4 for %5")
+                                            .arg(QLatin1String(file))
+                                            .arg(texture)
+                                            .arg(ascii)
+                                            .arg(said)
+                                            .arg(real)));
+                }
+        ExportOptions hidden;
+        hidden.nodes = {77};
+        QCOMPARE(estimatedFileBytes(m_scene, hidden, pipelineSource(m_pipeline), path("a.obj")), 0U);
+    }
+
+    void cancellingLeavesWholeFilesOnly()
+    {
+        const FrameSequence frames{0, 1000, 1, 24.0};
+        QVERIFY(exportSequence(m_scene, {}, {0, 0, 1, 24.0}, pipelineSource(m_pipeline), path("w.ply")));
+        const qint64 whole = QFileInfo(name(QStringLiteral("w_0000.ply"))).size();
+        for (const double until : {0.0, 0.0016, 0.0031, 0.0052}) {
+            std::stop_source stop;
+            const Progress progress{stop.get_token(), [&](double fraction) {
+                                        if (fraction > until)
+                                            stop.request_stop();
+                                    }};
+            const auto done =
+                exportSequence(m_scene, {}, frames, pipelineSource(m_pipeline), path("tree.ply"), progress);
+            QVERIFY(!done);
+            QCOMPARE(done.error().code, ErrorCode::Cancelled);
+            for (const QString& file : files())
+                QCOMPARE(QFileInfo(name(file)).size(), whole);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSequence)
+#include "tst_sequence.moc"

@@ -1,0 +1,128 @@
+#include "tests/widgets/base/fixture.h"
+#include "widgets/base/language.h"
+#include "widgets/base/preferences.h"
+#include "widgets/panels/properties/group_clipboard.h"
+#include "widgets/panels/properties/group_section.h"
+#include "widgets/panels/properties/param_row.h"
+#include "widgets/panels/properties/properties_panel.h"
+#include <QClipboard>
+#include <QLabel>
+#include <QLineEdit>
+
+using namespace ramure;
+
+namespace {
+
+const ParamDef& param(const char* key)
+{
+    return *findParam(key);
+}
+
+ParamValue valueOf(const Document& document, NodeId id, const ParamDef& def)
+{
+    return def.get(document.scene().find(id)->params);
+}
+
+} // namespace
+
+class TestParameterSearch : public QObject
+{
+    Q_OBJECT
+private:
+    test::OwnSettings m_settings;
+    std::unique_ptr<Preferences> m_preferences;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<PropertiesPanel> m_panel;
+
+private slots:
+    void init()
+    {
+        test::failOnWidgetWarning();
+        QSettings().clear();
+        m_preferences = std::make_unique<Preferences>();
+        m_document = std::make_unique<Document>();
+        test::openNodes(*m_document, {test::treeNode(1, "One"), test::treeNode(2, "Two")});
+        m_panel = std::make_unique<PropertiesPanel>(m_document.get(), m_preferences.get());
+        m_panel->show();
+        QVERIFY(QTest::qWaitForWindowActive(m_panel.get()));
+    }
+    void cleanup()
+    {
+        m_panel.reset();
+        m_document.reset();
+    }
+
+    void theEmptyPageFollowsTheLanguage()
+    {
+        m_preferences->setLanguage(QStringLiteral("en"));
+        const Language language(m_preferences.get());
+        m_document->setSelection({});
+        const auto* empty = m_panel->findChild<QLabel*>(QStringLiteral("hint"), Qt::FindDirectChildrenOnly);
+        QTRY_VERIFY(empty && empty->isVisible());
+        const QString english = empty->text();
+        m_preferences->setLanguage(QStringLiteral("fr"));
+        QTRY_VERIFY2(empty->text() != english && !empty->text().isEmpty(), qPrintable(empty->text()));
+        m_preferences->setLanguage(QStringLiteral("en"));
+        QTRY_COMPARE(empty->text(), english);
+    }
+
+    void searchFindsByNameGroupAndKey()
+    {
+        auto* search = m_panel->findChild<QLineEdit*>();
+        const auto shown = [&](const char* key) {
+            return m_panel->row(param(key))->isVisibleTo(m_panel.get());
+        };
+        search->setText(QStringLiteral("radialDiv"));
+        QVERIFY(shown("sections.radialDivisions"));
+        QVERIFY(!shown("turtle.alpha"));
+        search->setText(QStringLiteral("foliage seed"));
+        QVERIFY(shown("foliage.seed"));
+        QVERIFY(!shown("grammar.seed"));
+        search->setText(QStringLiteral("no such thing"));
+        QVERIFY(!shown("foliage.seed"));
+        search->clear();
+        QVERIFY(shown("turtle.alpha"));
+    }
+
+    void enterGoesFromTheSearchToWhatItFound()
+    {
+        auto* search = m_panel->findChild<QLineEdit*>();
+        search->setFocus();
+        QTest::keyClicks(search, "no such thing");
+        QTest::keyClick(search, Qt::Key_Return);
+        QVERIFY(search->hasFocus());
+        search->selectAll();
+        QTest::keyClicks(search, "lengthDiv");
+        QTest::keyClick(search, Qt::Key_Return);
+        QWidget* field = QApplication::focusWidget();
+        QVERIFY(m_panel->row(param("sections.lengthDivisions"))->isAncestorOf(field));
+        QTest::keyClicks(field, "7"); // in the place of what was there
+        QTest::keyClick(field, Qt::Key_Return);
+        QVERIFY(valueOf(*m_document, 1, param("sections.lengthDivisions")) == ParamValue(std::int64_t{7}));
+    }
+
+    /// Reset, copy and paste of a group leave rows alone that a search hides.
+    void commandsOnAGroupActOnWhatIsFound()
+    {
+        const ParamDef &seen = param("turtle.alpha"), &hidden = param("turtle.decay");
+        QVERIFY(edit::setParam(*m_document, {1}, seen, ParamValue(0.3)));
+        QVERIFY(edit::setParam(*m_document, {1}, hidden, ParamValue(0.7)));
+        auto* turtle = m_panel->findChild<GroupSection*>(QStringLiteral("group/Turtle"));
+        m_panel->findChild<QLineEdit*>()->setText(QStringLiteral("turtle.alpha"));
+        QVERIFY(!m_panel->row(hidden)->isVisibleTo(m_panel.get()));
+        emit turtle->copyRequested();
+        const auto copied = readParamList(QGuiApplication::clipboard()->text());
+        QVERIFY(copied && copied->size() == 1 && copied->front().first == &seen);
+        emit turtle->resetRequested();
+        QVERIFY(valueOf(*m_document, 1, seen) == defaultValue(seen));
+        QVERIFY(valueOf(*m_document, 1, hidden) == ParamValue(0.7));
+        QGuiApplication::clipboard()->setText(
+            writeParamList({{&seen, ParamValue(0.4)}, {&hidden, ParamValue(0.9)}}));
+        emit turtle->pasteRequested();
+        QVERIFY(valueOf(*m_document, 1, seen) == ParamValue(0.4));
+        QVERIFY(valueOf(*m_document, 1, hidden) == ParamValue(0.7));
+    }
+};
+
+QTEST_MAIN(TestParameterSearch)
+#include "tst_parameter_search.moc"

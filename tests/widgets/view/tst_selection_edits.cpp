@@ -1,0 +1,85 @@
+#include "tests/support/suite.h"
+#include "widgets/view/selection_edits.h"
+
+using namespace ramure;
+
+namespace {
+
+PickHit hitOf(NodeId node, Index branch)
+{
+    return {node, branch, {}};
+}
+
+Selection selectionOf(std::vector<NodeId> nodes, NodeId branchNode, std::vector<Index> branches, Index active)
+{
+    return {std::move(nodes), branchNode, std::move(branches), active};
+}
+
+} // namespace
+
+class TestSelectionEdits : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void clickOnNothing()
+    {
+        QCOMPARE(afterClick({}, std::nullopt, false), Selection());
+        const Selection some = selectionOf({4}, 4, {1, 2}, 2);
+        QCOMPARE(afterClick(some, std::nullopt, false), selectionOf({4}, noNode, {}, noIndex));
+        QCOMPARE(afterClick(some, std::nullopt, true), some);
+    }
+    void clickReplaces()
+    {
+        const Selection some = selectionOf({4, 5}, 4, {1, 2}, 2);
+        QCOMPARE(afterClick(some, hitOf(5, 7), false), selectionOf({5}, 5, {7}, 7));
+        QCOMPARE(afterClick(some, hitOf(4, 1), false), selectionOf({4}, 4, {1}, 1));
+    }
+    void shiftTogglesAndKeepsTheOrder()
+    {
+        Selection selection;
+        for (const Index branch : {5u, 2u, 9u})
+            selection = afterClick(selection, hitOf(4, branch), true);
+        QCOMPARE(selection, selectionOf({4}, 4, {2, 5, 9}, 9));
+        selection = afterClick(selection, hitOf(4, 9), true);
+        QCOMPARE(selection, selectionOf({4}, 4, {2, 5}, 5));
+        selection = afterClick(selection, hitOf(4, 2), true);
+        QCOMPARE(selection, selectionOf({4}, 4, {5}, 5));
+        selection = afterClick(selection, hitOf(4, 5), true);
+        QCOMPARE(selection, selectionOf({4}, noNode, {}, noIndex));
+    }
+    void anotherTreeTakesTheBranchesOver()
+    {
+        const Selection some = selectionOf({4}, 4, {1, 2}, 2);
+        QCOMPARE(afterClick(some, hitOf(6, 3), true), selectionOf({4, 6}, 6, {3}, 3));
+    }
+    void meshesWithoutBranches()
+    {
+        QCOMPARE(afterClick(selectionOf({4}, 4, {1}, 1), hitOf(6, noIndex), false),
+                 selectionOf({6}, noNode, {}, noIndex));
+    }
+    void emptyBox()
+    {
+        const Selection some = selectionOf({4}, 4, {1, 2}, 2);
+        QCOMPARE(afterBox(some, {}, false), selectionOf({4}, noNode, {}, noIndex));
+        QCOMPARE(afterBox(some, {}, true), some);
+    }
+    void boxReplacesOrAdds()
+    {
+        const Selection some = selectionOf({4}, 4, {1, 5}, 5);
+        QCOMPARE(afterBox(some, {{4, {2, 3}}}, false), selectionOf({4}, 4, {2, 3}, 2));
+        QCOMPARE(afterBox(some, {{4, {2, 5, 8}}}, true), selectionOf({4}, 4, {1, 2, 5, 8}, 5));
+    }
+    void boxOverSeveralTrees()
+    {
+        const std::vector<PickedBranches> picked{{4, {1}}, {6, {1, 2, 3}}, {7, {1, 2}}};
+        QCOMPARE(afterBox({}, picked, false), selectionOf({4, 7, 6}, 6, {1, 2, 3}, 1));
+        QCOMPARE(afterBox(selectionOf({7}, 7, {0}, 0), picked, false), selectionOf({4, 6, 7}, 7, {1, 2}, 1));
+        QCOMPARE(afterBox(selectionOf({7}, 7, {0}, 0), picked, true),
+                 selectionOf({4, 6, 7}, 7, {0, 1, 2}, 0));
+    }
+};
+
+QTEST_MAIN(TestSelectionEdits)
+#include "tst_selection_edits.moc"

@@ -1,0 +1,79 @@
+#include "core/document/document.h"
+#include "tests/support/cannot_run.h"
+#include "tests/support/suite.h"
+#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/viewport_host.h"
+#include <QLabel>
+#include <QMainWindow>
+#include <QSignalSpy>
+#include <QStackedWidget>
+
+using namespace ramure;
+
+class TestViewportHost : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void withoutOpenGlThereIsAMessage()
+    {
+        if (QGuiApplication::platformName() != QLatin1String("offscreen"))
+            RAMURE_CANNOT_RUN("the offscreen platform is the one without OpenGL windows");
+        QString reason;
+        QVERIFY(!openGlAvailable(&reason));
+        QVERIFY(!reason.isEmpty());
+        Document document;
+        QMainWindow window;
+        auto* stack = new QStackedWidget(&window);
+        auto* host = new ViewportHost(&document, stack);
+        stack->addWidget(host);
+        window.setCentralWidget(stack);
+        window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&window));
+        QVERIFY(!host->viewport());
+        QVERIFY(host->settings());
+        const auto* label = host->findChild<QLabel*>(QStringLiteral("viewportPlaceholder"));
+        QVERIFY(label && label->isVisible() && label->text().contains(reason));
+        QEvent change(QEvent::LanguageChange);
+        QCoreApplication::sendEvent(host, &change);
+        QVERIFY(label->text().contains(reason));
+    }
+    void softwareRenderersAreKnown()
+    {
+        QVERIFY(isSoftwareRenderer("llvmpipe (LLVM 15.0.6, 256 bits)"));
+        QVERIFY(isSoftwareRenderer("softpipe"));
+        QVERIFY(!isSoftwareRenderer("Mesa Intel(R) UHD Graphics 620"));
+        QVERIFY(!isSoftwareRenderer({}));
+    }
+    void settingsTellOnce()
+    {
+        ViewSettings settings;
+        QSignalSpy changed(&settings, &ViewSettings::changed);
+        QSignalSpy mode(&settings, &ViewSettings::displayModeChanged);
+        settings.setDisplayMode(settings.displayMode());
+        QCOMPARE(changed.count(), 0);
+        settings.setDisplayMode(DisplayMode::Sections);
+        QCOMPARE(mode.count(), 1);
+        QCOMPARE(settings.displayMode(), DisplayMode::Sections);
+        settings.setShadingMode(ShadingMode::Wire);
+        settings.setFrameDisplay(FrameDisplay::All);
+        settings.setNavigationStyle(NavigationStyle::Maya);
+        settings.setLeavesVisible(false);
+        settings.setApplesVisible(false);
+        settings.setGridVisible(false);
+        settings.setOrthographic(true);
+        QCOMPARE(changed.count(), 8);
+        QCOMPARE(mode.count(), 1);
+    }
+    void displayModesHaveNames()
+    {
+        for (const char* name : displayModeNames())
+            QCOMPARE(displayModeName(*displayModeFromName(name)), name);
+        QVERIFY(!displayModeFromName("Mesh"));
+        QVERIFY(!displayModeFromName(""));
+    }
+};
+
+QTEST_MAIN(TestViewportHost)
+#include "tst_viewport_host.moc"

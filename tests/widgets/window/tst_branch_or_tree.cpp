@@ -1,0 +1,163 @@
+#include "core/session/recompute.h"
+#include "tests/widgets/base/fixture.h"
+#include "widgets/actions/edit_actions.h"
+#include "widgets/actions/file_actions.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/language.h"
+#include "widgets/base/preferences.h"
+#include "widgets/panels/scene/scene_panel.h"
+#include "widgets/window/main_window.h"
+#include "widgets/window/view_menu.h"
+#include <QStatusBar>
+
+using namespace ramure;
+
+/// A click in the view selects a branch and its tree: whatever acts on the tree says so before it does.
+class TestBranchOrTree : public QObject
+{
+    Q_OBJECT
+private:
+    test::OwnSettings m_settings;
+    std::unique_ptr<Preferences> m_preferences;
+    std::unique_ptr<Language> m_language; ///< English, too, has numbers
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<Recompute> m_recompute;
+    test::FakeChooser m_chooser;
+    std::unique_ptr<MainWindow> m_window;
+
+    QAction* action(const char* id) { return m_window->actionSet()->find(QString::fromLatin1(id)); }
+    QString text(const char* id) { return action(id)->text().remove(u'&'); }
+    NodeId tree() { return m_document->scene().nodes().front().id; }
+    void select(std::vector<NodeId> nodes, std::vector<Index> branches)
+    {
+        const Index active = branches.empty() ? noIndex : branches.back();
+        m_document->setSelection(
+            {std::move(nodes), branches.empty() ? noNode : tree(), std::move(branches), active});
+    }
+
+private slots:
+    void init()
+    {
+        test::failOnWidgetWarning();
+        m_preferences = std::make_unique<Preferences>();
+        m_preferences->setLanguage(QStringLiteral("en"));
+        m_language = std::make_unique<Language>(m_preferences.get());
+        m_document = std::make_unique<Document>();
+        m_recompute = std::make_unique<Recompute>(m_document.get());
+        m_recompute->setRest(0);
+        m_window = std::make_unique<MainWindow>(m_document.get(), m_recompute.get(), m_preferences.get(),
+                                                &m_chooser);
+        QVERIFY(m_window->files()->newFromPreset(QStringLiteral("TinyTree")));
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(m_recompute->waitForFull(20'000));
+    }
+    void cleanup()
+    {
+        m_chooser.unsaved = Chooser::Unsaved::Discard;
+        m_window.reset();
+        m_recompute.reset();
+        m_document.reset();
+        m_language.reset();
+    }
+
+    void deleteOnABranchSaysSoAndDoesNothing()
+    {
+        // As a click in the view selects, and as a row of the Scene panel does.
+        for (const auto& nodes : {std::vector{tree()}, std::vector<NodeId>()}) {
+            m_window->statusBar()->clearMessage();
+            select(nodes, {1});
+            QVERIFY(action("edit.delete")->isEnabled()); // else the key would be silent
+            QVERIFY2(text("edit.delete").startsWith(QStringLiteral("Delete 1 branch: not")),
+                     qPrintable(text("edit.delete")));
+            m_window->setFocus();
+            QTest::keyClick(m_window.get(), Qt::Key_Delete);
+            QCOMPARE(m_document->scene().nodes().size(), std::size_t(1));
+            QVERIFY(m_window->statusBar()->currentMessage().contains(QStringLiteral("cannot be cut yet")));
+            QCOMPARE(m_document->undoStack()->count(), 0);
+        }
+        select({tree()}, {});
+        QCOMPARE(text("edit.delete"), QStringLiteral("Delete tree"));
+        QTest::keyClick(m_window.get(), Qt::Key_Delete);
+        QVERIFY(m_document->scene().nodes().empty());
+    }
+
+    void whatActsOnTheTreeSaysTree()
+    {
+        select({tree()}, {1});
+        const std::pair<const char*, const char*> texts[] = {
+            {"edit.duplicate", "Duplicate tree"}, {"edit.rename", "Rename tree"},
+            {"edit.visible", "Hide tree"},        {"edit.locked", "Lock tree"},
+            {"transform.move", "Move tree"},      {"transform.rotate", "Rotate tree"},
+            {"transform.scale", "Scale tree"}};
+        for (const auto& [id, expected] : texts)
+            QCOMPARE(text(id), QLatin1String(expected));
+        action("edit.visible")->trigger();
+        QCOMPARE(text("edit.visible"), QStringLiteral("Show tree"));
+        // New keys and another language keep it.
+        m_window->actionSet()->setShortcuts({});
+        QCOMPARE(text("transform.move"), QStringLiteral("Move tree"));
+        m_preferences->setLanguage(QStringLiteral("fr"));
+        QTRY_COMPARE(text("transform.move"), QStringLiteral("Déplacer l’arbre"));
+        m_preferences->setLanguage(QStringLiteral("en"));
+        QTRY_COMPARE(text("transform.move"), QStringLiteral("Move tree"));
+    }
+
+    void theMenuOfTheViewHasWhatIsUnderTheCursor()
+    {
+        ViewMenuActions actions;
+        for (const char* id : {"inspect.show", "inspect.roll", "edit.straighten"})
+            actions.branches += action(id);
+        actions.gestures += action("transform.move");
+        actions.nodes = m_window->edits()->nodeActions();
+        actions.steps += action("select.parent");
+        actions.isolation += action("select.isolate");
+        actions.frameSelection = action("view.frameSelection");
+        actions.view += action("view.frameAll");
+        actions.add = m_window->edits()->addMenu();
+        actions.modes += action("view.mesh");
+        actions.switches += action("view.leaves");
+        select({tree()}, {1});
+        const auto has = [&](const QMenu& menu, const char* id) {
+            return menu.actions().contains(action(id));
+        };
+        const ViewMenu branch(actions, *m_document, tree(), 1, nullptr);
+        QVERIFY(has(branch, "inspect.roll") && has(branch, "edit.delete") && has(branch, "transform.move"));
+        QVERIFY(!has(branch, "view.leaves"));
+        const ViewMenu node(actions, *m_document, tree(), noIndex, nullptr);
+        QVERIFY(!has(node, "inspect.roll") && has(node, "edit.rename") && has(node, "view.frameSelection"));
+        const ViewMenu nothing(actions, *m_document, noNode, noIndex, nullptr);
+        QVERIFY(!has(nothing, "edit.delete") && has(nothing, "view.frameAll") && has(nothing, "view.leaves"));
+        QVERIFY(nothing.actions().contains(m_window->edits()->addMenu()->menuAction()));
+    }
+
+    void bentBranchesAreStraightenedInOneStep()
+    {
+        const Skeleton& skeleton = m_document->result(tree())->tree.simplified->skeleton;
+        QVERIFY(edit::turnBranches(*m_document, tree(),
+                                   {{skeleton.key[1], {0.2, 0.0, 0.0}}, {skeleton.key[2], {0.0, 0.1, 0.0}}}));
+        select({tree()}, {0});
+        QVERIFY(!action("edit.straighten")->isEnabled());
+        select({tree()}, {0, 1, 2});
+        QVERIFY(action("edit.straighten")->isEnabled());
+        action("edit.straighten")->trigger();
+        QVERIFY(m_document->scene().nodes().front().params.branches.empty());
+        QCOMPARE(m_document->undoStack()->count(), 2);
+        QVERIFY(!action("edit.straighten")->isEnabled());
+    }
+
+    void otherNodesAreNamedToo()
+    {
+        m_window->edits()->addGroup();
+        QCOMPARE(text("edit.delete"), QStringLiteral("Delete group"));
+        select({tree(), m_document->scene().nodes().back().id}, {});
+        QCOMPARE(text("edit.delete"), QStringLiteral("Delete 2 nodes"));
+        QCOMPARE(text("edit.rename"), QStringLiteral("Rename")); // only one has a name to edit
+        select({}, {});
+        QCOMPARE(text("edit.delete"), QStringLiteral("Delete"));
+        QVERIFY(!action("edit.delete")->isEnabled());
+    }
+};
+
+QTEST_MAIN(TestBranchOrTree)
+#include "tst_branch_or_tree.moc"

@@ -1,0 +1,425 @@
+#include "core/session/recompute.h"
+#include "tests/widgets/base/fixture.h"
+#include "widgets/actions/edit_actions.h"
+#include "widgets/actions/file_actions.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/language.h"
+#include "widgets/base/message_banner.h"
+#include "widgets/base/preferences.h"
+#include "widgets/base/theme.h"
+#include "widgets/panels/inspector/branch_inspector.h"
+#include "widgets/panels/properties/grammar/grammar_edit.h"
+#include "widgets/panels/properties/param_row.h"
+#include "widgets/panels/properties/properties_panel.h"
+#include "widgets/panels/scene/scene_panel.h"
+#include "widgets/window/main_window.h"
+#include "widgets/window/problem_button.h"
+#include "widgets/window/status_panel.h"
+#include <QDockWidget>
+#include <QDropEvent>
+#include <QLabel>
+#include <QProgressBar>
+#include <QToolBar>
+#include <QToolButton>
+
+using namespace ramure;
+
+class TestMainWindow : public QObject
+{
+    Q_OBJECT
+private:
+    test::OwnSettings m_settings;
+    std::unique_ptr<Preferences> m_preferences;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<Recompute> m_recompute;
+    test::FakeChooser m_chooser;
+    std::unique_ptr<MainWindow> m_window;
+
+    QAction* action(const char* id) { return m_window->actionSet()->find(QString::fromLatin1(id)); }
+    /// Whether branches cross is another question.
+    bool isClosed()
+    {
+        const QStringList closed{QStringLiteral("closed"), QStringLiteral("warning"), QStringLiteral("good")};
+        return closed.contains(m_window->status()->badgeState());
+    }
+    NodeId tree() { return m_document->scene().nodes().front().id; }
+
+private slots:
+    void init()
+    {
+        test::failOnWidgetWarning();
+        m_chooser = {};
+        m_preferences = std::make_unique<Preferences>();
+        m_document = std::make_unique<Document>();
+        m_recompute = std::make_unique<Recompute>(m_document.get());
+        m_recompute->setRest(0);
+        m_window = std::make_unique<MainWindow>(m_document.get(), m_recompute.get(), m_preferences.get(),
+                                                &m_chooser);
+        QVERIFY(m_window->files()->newFromPreset(QStringLiteral("TinyTree")));
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(m_recompute->waitForFull(20'000));
+    }
+    void cleanup()
+    {
+        m_chooser.unsaved = Chooser::Unsaved::Discard;
+        m_window.reset();
+        m_recompute.reset();
+        m_document.reset();
+    }
+
+    void wrongGrammarsShowWhereAndKeepTheTree()
+    {
+        const QString counts = m_window->status()->countsText();
+        QVERIFY(!counts.isEmpty());
+        QVERIFY(m_window->problem()->message().isEmpty());
+        const ParamDef& rules = *findParam("grammar.rules");
+        QVERIFY(edit::setParam(*m_document, {tree()}, rules, std::string("B -> B\nA -> [[B]")));
+        QTRY_VERIFY(!m_window->problem()->message().isEmpty());
+        QVERIFY2(m_window->problem()->message().contains(QStringLiteral("line 2, column 6")),
+                 qPrintable(m_window->problem()->message()));
+        QVERIFY(m_window->properties()->row(rules)->message().contains(QStringLiteral("ine 2, column 6")));
+        QCOMPARE(m_window->status()->badgeState(), QStringLiteral("bad"));
+        QCOMPARE(m_window->status()->countsText(), counts); // the last good tree
+        m_window->problem()->click();
+        QTRY_VERIFY(m_window->properties()->row(rules)->isAncestorOf(QApplication::focusWidget()));
+        action("edit.undo")->trigger();
+        QTRY_VERIFY(m_window->problem()->message().isEmpty());
+        QTRY_VERIFY(isClosed());
+    }
+
+    void errorsOfBeforeAreNoErrorsOfNow()
+    {
+        const ParamDef& rules = *findParam("grammar.rules");
+        QVERIFY(edit::setParam(*m_document, {tree()}, rules, std::string("A -> [[B]")));
+        QTRY_COMPARE(m_window->status()->badgeState(), QStringLiteral("bad"));
+        QVERIFY(!m_window->problem()->message().isEmpty());
+        QVERIFY(edit::setParam(*m_document, {tree()}, rules, std::string("A -> [B]")));
+        QCOMPARE(m_window->status()->badgeState(), QStringLiteral("busy")); // before any result
+        QVERIFY(m_window->problem()->message().isEmpty());
+        QTRY_VERIFY(isClosed());
+    }
+
+    void rulesThatExplodeStopWithAMessage()
+    {
+        QVERIFY(edit::setParams(*m_document, {tree()},
+                                {{findParam("grammar.axiom"), std::string("A")},
+                                 {findParam("grammar.rules"), std::string("A -> AAAAAAAA")},
+                                 {findParam("grammar.iterations"), std::int64_t{30}}},
+                                QStringLiteral("explode")));
+        QTRY_VERIFY(!m_window->problem()->message().isEmpty());
+    }
+
+    /// The room that rows of keys need is the view's again when the timeline comes back.
+    void leavingTheKeysGivesTheirHeightBack()
+    {
+        auto* keys = m_window->findChild<QDockWidget*>(QStringLiteral("keysDock"));
+        auto* timeline = m_window->findChild<QDockWidget*>(QStringLiteral("timelineDock"));
+        const auto room = [this] { return m_window->centralWidget()->height(); };
+        timeline->raise();
+        QTRY_VERIFY(timeline->height() < 220);
+        const int before = room();
+        for (int i = 0; i < 2; ++i) {
+            keys->raise();
+            QTRY_VERIFY(keys->height() >= 220);
+            QVERIFY(room() < before);
+            timeline->raise();
+            QTRY_COMPARE(room(), before);
+        }
+        keys->raise();
+        QTRY_VERIFY(keys->height() >= 220);
+        keys->close();
+        QTRY_VERIFY(room() >= before);
+    }
+
+    void spaceGrowsAnotherTreeAndUndoBringsItBack()
+    {
+        QVERIFY(m_window->files()->newFromPreset(QStringLiteral("SmallTree")));
+        const NodeParams before = m_document->scene().nodes().front().params;
+        m_window->setFocus();
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QVERIFY(m_document->scene().nodes().front().params.grammar.stochastic);
+        QCOMPARE(m_document->undoStack()->count(), 1);
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(m_document->scene().nodes().front().params == before);
+        QTest::keyClick(m_window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QVERIFY(!(m_document->scene().nodes().front().params == before));
+    }
+
+    void newTreeIsOffWhereNothingCanVary()
+    {
+        QVERIFY(m_window->files()->newFromPreset(QStringLiteral("Fern2D")));
+        const QAction* action = m_window->edits()->newTreeAction();
+        QVERIFY(action->isEnabled());
+        const QString usual = action->toolTip();
+        for (const char* key : {"variation.angle", "variation.length", "variation.radius"}) {
+            QVERIFY(action->isEnabled());
+            QVERIFY(edit::setParam(*m_document, {1}, *findParam(key), 0.0));
+        }
+        QVERIFY(!action->isEnabled());
+        QVERIFY(action->toolTip().contains(QStringLiteral("nothing can vary")));
+        const int steps = m_document->undoStack()->count();
+        m_window->setFocus();
+        QTest::keyClick(m_window.get(), Qt::Key_Space);
+        QCOMPARE(m_document->undoStack()->count(), steps);
+        m_document->undoStack()->undo();
+        QVERIFY(action->isEnabled());
+        QCOMPARE(action->toolTip(), usual);
+    }
+
+    void spaceStillTicksBoxesAndTypes()
+    {
+        auto* box = m_window->properties()->row(*findParam("simplify.enabled"))->findChild<QCheckBox*>();
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Space);
+        QVERIFY(!m_document->scene().nodes().front().params.simplify.enabled);
+        QVERIFY(!m_document->scene().nodes().front().params.grammar.stochastic);
+        auto* text = m_window->properties()->row(*findParam("grammar.rules"))->findChild<GrammarEdit*>();
+        text->setFocus();
+        QTest::keyClicks(text, "A -> B");
+        QVERIFY(text->toPlainText().contains(QStringLiteral("A -> B")));
+        QTest::keyClick(text, Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(!text->toPlainText().contains(QStringLiteral("A -> B")));
+    }
+
+    void nodesAreAddedDuplicatedHiddenAndDeleted()
+    {
+        m_window->edits()->addTree(QStringLiteral("Fern2D"));
+        QCOMPARE(m_document->scene().nodes().size(), std::size_t(2));
+        action("edit.duplicate")->trigger();
+        QCOMPARE(m_document->scene().nodes().size(), std::size_t(3));
+        action("edit.visible")->trigger();
+        QVERIFY(!m_document->scene().find(m_document->selection().activeNode())->visible);
+        action("edit.locked")->trigger();
+        action("edit.delete")->trigger(); // locked: refused
+        QCOMPARE(m_document->scene().nodes().size(), std::size_t(3));
+        QCOMPARE(m_chooser.reports.size(), 1);
+        action("edit.locked")->trigger();
+        action("edit.delete")->trigger();
+        QCOMPARE(m_document->scene().nodes().size(), std::size_t(2));
+        action("edit.addGroup")->trigger();
+        QCOMPARE(m_document->scene().nodes().size(), std::size_t(3));
+        while (m_document->undoStack()->canUndo())
+            action("edit.undo")->trigger();
+        QCOMPARE(m_document->scene().nodes().size(), std::size_t(1));
+    }
+
+    void theTitleNamesTheFileAndMarksChanges()
+    {
+        QVERIFY(m_window->windowTitle().contains(QStringLiteral("[*]")));
+        QVERIFY(!m_window->isWindowModified());
+        m_window->edits()->addGroup();
+        QVERIFY(m_window->isWindowModified());
+        QTemporaryDir folder;
+        m_chooser.answer = folder.filePath(QStringLiteral("oak.ramure"));
+        action("file.save")->trigger();
+        QVERIFY(!m_window->isWindowModified());
+        QVERIFY(m_window->windowTitle().startsWith(QStringLiteral("oak.ramure")));
+    }
+
+    void messagesGoWhenWhatFailedSucceeds()
+    {
+        QTemporaryDir folder;
+        m_window->banner()->showMessage(Severity::Error, QStringLiteral("could not be saved"));
+        m_chooser.answer = folder.filePath(QStringLiteral("missing/oak.ramure"));
+        action("file.saveAs")->trigger();
+        QCOMPARE(m_chooser.reports.size(), 1);
+        QVERIFY(!m_window->banner()->text().isEmpty()); // it failed again
+        m_chooser.answer = folder.filePath(QStringLiteral("oak.ramure"));
+        action("file.saveAs")->trigger();
+        QVERIFY(m_window->banner()->text().isEmpty());
+        m_window->banner()->showMessage(Severity::Error, QStringLiteral("cannot be opened"));
+        QVERIFY(m_window->files()->openFile(m_chooser.answer));
+        QVERIFY(m_window->banner()->text().isEmpty());
+        // A file given at the start that cannot be opened: the preset shown instead must not hide why.
+        m_window->banner()->showMessage(Severity::Error, QStringLiteral("cannot be opened"));
+        QVERIFY(m_window->files()->newFromPreset(QStringLiteral("Fern2D")));
+        QVERIFY(!m_window->banner()->text().isEmpty());
+    }
+
+    void theStatusBarKeepsItsHeightWhileComputing()
+    {
+        StatusPanel* status = m_window->status();
+        const int height = status->sizeHint().height();
+        for (auto* widget : status->findChildren<QToolButton*>())
+            widget->show();
+        for (auto* widget : status->findChildren<QProgressBar*>())
+            widget->show();
+        QCOMPARE(status->sizeHint().height(), height);
+    }
+
+    void closingAsksAboutUnsavedChanges()
+    {
+        m_window->edits()->addGroup();
+        m_chooser.unsaved = Chooser::Unsaved::Cancel;
+        QVERIFY(!m_window->close());
+        QCOMPARE(m_chooser.questions, 1);
+        m_chooser.unsaved = Chooser::Unsaved::Discard;
+        QVERIFY(m_window->close());
+    }
+
+    void droppedFilesOpen()
+    {
+        QTemporaryDir folder;
+        m_chooser.answer = folder.filePath(QStringLiteral("oak.ramure"));
+        action("file.saveAs")->trigger();
+        QVERIFY(m_window->files()->newFromPreset(QStringLiteral("Fern2D")));
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(folder.filePath(QStringLiteral("picture.png")))});
+        QDragEnterEvent wrong({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        wrong.setAccepted(false);
+        QCoreApplication::sendEvent(m_window.get(), &wrong);
+        QVERIFY(!wrong.isAccepted());
+        data.setUrls({QUrl::fromLocalFile(m_chooser.answer)});
+        QDragEnterEvent right({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &right);
+        QVERIFY(right.isAccepted());
+        QDropEvent drop({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(m_window.get(), &drop);
+        QTRY_COMPARE(m_document->filePath(), m_chooser.answer);
+    }
+
+    void droppedObjectsOpenOrAreAdded()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("rock.obj"));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n") > 0);
+        file.close();
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(path)});
+        const auto drop = [&](Qt::KeyboardModifiers keys) {
+            QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, keys);
+            QCoreApplication::sendEvent(m_window.get(), &enter);
+            QDropEvent event({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, keys);
+            QCoreApplication::sendEvent(m_window.get(), &event);
+        };
+        drop(Qt::ShiftModifier); // into this scene
+        QTRY_COMPARE(m_document->scene().nodes().size(), std::size_t(2));
+        m_chooser.unsaved = Chooser::Unsaved::Discard;
+        drop(Qt::NoModifier);
+        QTRY_COMPARE(m_document->scene().nodes().size(), std::size_t(1));
+        QCOMPARE(m_document->scene().nodes()[0].name, std::string("rock"));
+        QVERIFY(m_window->windowTitle().contains(QStringLiteral("Untitled")));
+    }
+
+    void sectionsAreSteppedThroughByKeys()
+    {
+        QVERIFY(!action("inspect.nextSection")->isEnabled());
+        Selection one;
+        one.branchNode = tree();
+        one.branches = {0};
+        one.activeBranch = 0;
+        m_document->setSelection(one);
+        QVERIFY(action("inspect.nextSection")->isEnabled());
+        QSignalSpy inspected(m_window->inspector(), &BranchInspector::sectionInspected);
+        m_window->setFocus();
+        QTest::keyClick(m_window.get(), Qt::Key_Right, Qt::ControlModifier); // brings the inspector up
+        QTRY_VERIFY(m_window->inspector()->isVisible());
+        QTest::keyClick(m_window.get(), Qt::Key_Right, Qt::ControlModifier);
+        const Index far = inspected.back()[2].value<Index>();
+        QVERIFY(far >= 1);
+        QTest::keyClick(m_window.get(), Qt::Key_Left, Qt::ControlModifier);
+        QCOMPARE(inspected.back()[2].value<Index>(), far - 1);
+        QTest::keyClick(m_window.get(), Qt::Key_R, Qt::ShiftModifier);
+        QWidget* field = QApplication::focusWidget();
+        QCOMPARE(field->objectName(), QStringLiteral("rollField"));
+        QTest::keyClicks(field, "30");
+        QTest::keyClick(field, Qt::Key_Return);
+        QCOMPARE(m_document->scene().nodes().front().params.branches.size(), std::size_t{1});
+        // In a field the same keys go from word to word.
+        auto* search = m_window->properties()->findChild<QLineEdit*>();
+        action("view.search")->trigger();
+        search->setText(QStringLiteral("two words"));
+        search->setFocus();
+        const auto before = inspected.count();
+        QTest::keyClick(search, Qt::Key_Left, Qt::ControlModifier);
+        QCOMPARE(inspected.count(), before);
+    }
+
+    void countsAreInTheRightNumber()
+    {
+        QVERIFY(edit::setParam(*m_document, {tree()}, *findParam("grammar.axiom"), std::string("F")));
+        QVERIFY(edit::setParam(*m_document, {tree()}, *findParam("grammar.iterations"), std::int64_t{0}));
+        m_preferences->setLanguage(QStringLiteral("en"));
+        const Language language(m_preferences.get());
+        QVERIFY(m_recompute->waitForFull(20'000));
+        QTRY_VERIFY2(m_window->status()->countsText().startsWith(QStringLiteral("1 branch  ·")),
+                     qPrintable(m_window->status()->countsText()));
+        m_preferences->setLanguage(QStringLiteral("fr"));
+        QTRY_VERIFY2(m_window->status()->countsText().startsWith(QStringLiteral("1 branche  ·")),
+                     qPrintable(m_window->status()->countsText()));
+        m_preferences->setLanguage(QStringLiteral("en"));
+        QVERIFY(!StatusPanel::timeText(0.0).contains(u'0'));
+        QCOMPARE(StatusPanel::timeText(0.0042), QStringLiteral("4.2 ms"));
+    }
+
+    void everyActionHasTextAndNoShortcutTwice()
+    {
+        QMap<QString, QString> shortcuts;
+        for (const QAction* each : m_window->actionSet()->actions()) {
+            QVERIFY2(!each->text().isEmpty() && !each->toolTip().isEmpty(), qPrintable(each->objectName()));
+            const QString keys = each->shortcut().toString();
+            if (keys.isEmpty())
+                continue;
+            QVERIFY2(!shortcuts.contains(keys),
+                     qPrintable(keys + u' ' + each->objectName() + u' ' + shortcuts[keys]));
+            shortcuts[keys] = each->objectName();
+        }
+    }
+
+    void toolTipsSayWhatFor()
+    {
+        const auto* bar = m_window->findChild<QToolBar*>(QStringLiteral("mainToolBar"));
+        for (const QAction* each : bar->actions()) {
+            const QString id = each->objectName();
+            if (id.isEmpty() || id == QLatin1String("edit.undo") || id == QLatin1String("edit.redo"))
+                continue; // no action; or its text names what is undone
+            QVERIFY2(!each->statusTip().isEmpty(), qPrintable(id));
+            QVERIFY2(each->toolTip().startsWith(each->statusTip()), qPrintable(id));
+            const QString keys = each->shortcut().toString(QKeySequence::NativeText);
+            QVERIFY2(keys.isEmpty() || each->toolTip().endsWith(u'(' + keys + u')'), qPrintable(id));
+        }
+    }
+
+    void textsChangeWithTheLanguage()
+    {
+        m_preferences->setLanguage(QStringLiteral("en"));
+        const Language language(m_preferences.get());
+        m_preferences->setLanguage(QStringLiteral("fr"));
+        QTRY_COMPARE(action("file.open")->text(), QStringLiteral("&Ouvrir…"));
+        QVERIFY(m_window->menuBar()->actions().constFirst()->text().contains(QStringLiteral("Fichier")));
+        const auto* label = m_window->properties()->row(*findParam("turtle.decay"))->findChild<QLabel*>();
+        QCOMPARE(label->text(), QStringLiteral("Effilement"));
+        m_preferences->setLanguage(QStringLiteral("en"));
+        QTRY_COMPARE(action("file.open")->text(), QStringLiteral("&Open…"));
+    }
+
+    void theBadgeOpensTheValidationPanel()
+    {
+        auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("validationDock"));
+        auto* badge = m_window->status()->findChild<QLabel*>(QStringLiteral("badge"));
+        QVERIFY(dock && badge);
+        QTRY_VERIFY(isClosed());
+        QVERIFY(badge->toolTip().contains(QStringLiteral("Validation")));
+        dock->close();
+        QTest::mouseClick(badge, Qt::LeftButton);
+        QTRY_VERIFY(dock->isVisible() && !dock->visibleRegion().isEmpty());
+    }
+
+    void themesSwitchWhileRunning()
+    {
+        Theme theme(qApp, m_preferences.get());
+        m_preferences->setTheme(ThemeChoice::Dark);
+        QVERIFY(isDark(m_window->palette()));
+        QVERIFY(!action("file.open")->icon().isNull());
+        const QImage dark = action("file.open")->icon().pixmap(16, 16).toImage();
+        m_preferences->setTheme(ThemeChoice::Light);
+        QVERIFY(!isDark(m_window->palette()));
+        QVERIFY(dark != action("file.open")->icon().pixmap(16, 16).toImage());
+        m_preferences->setTheme(ThemeChoice::System);
+    }
+};
+
+QTEST_MAIN(TestMainWindow)
+#include "tst_main_window.moc"

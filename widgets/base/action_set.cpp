@@ -1,0 +1,106 @@
+#include "widgets/base/action_set.h"
+
+#include "widgets/base/icons.h"
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace ramure {
+
+ActionSet::ActionSet(QObject* parent)
+    : QObject(parent)
+{
+}
+
+QAction* ActionSet::add(const ActionSpec& spec)
+{
+    auto* action = new QAction(this);
+    action->setObjectName(QString::fromLatin1(spec.id));
+    action->setShortcut(spec.shortcut);
+    if (spec.icon)
+        action->setIcon(icon(spec.icon));
+    m_entries.push_back({spec, action});
+    translate(m_entries.back());
+    return action;
+}
+
+void ActionSet::adopt(QAction* action)
+{
+    if (action->objectName().isEmpty() || find(action->objectName()))
+        return;
+    m_entries.push_back({{nullptr, nullptr, nullptr, action->shortcut()}, action});
+}
+
+QKeySequence ActionSet::defaultShortcut(const QAction* action) const
+{
+    const auto found =
+        std::ranges::find_if(m_entries, [action](const Entry& entry) { return entry.action == action; });
+    return found == m_entries.end() ? QKeySequence() : found->spec.shortcut;
+}
+
+void ActionSet::setShortcuts(const QMap<QString, QKeySequence>& changed)
+{
+    for (const Entry& entry : m_entries) {
+        entry.action->setShortcut(changed.value(entry.action->objectName(), entry.spec.shortcut));
+        translate(entry);
+    }
+}
+
+void ActionSet::setTip(QAction* action, const QString& tip)
+{
+    const auto found =
+        std::ranges::find_if(m_entries, [action](const Entry& entry) { return entry.action == action; });
+    if (found == m_entries.end() || found->tip == tip)
+        return;
+    found->tip = tip;
+    translate(*found);
+}
+
+void ActionSet::setText(QAction* action, const QString& text)
+{
+    const auto found =
+        std::ranges::find_if(m_entries, [action](const Entry& entry) { return entry.action == action; });
+    if (found == m_entries.end() || found->text == text)
+        return;
+    found->text = text;
+    translate(*found);
+}
+
+QAction* ActionSet::find(const QString& id) const
+{
+    const auto found =
+        std::ranges::find_if(m_entries, [&](const Entry& entry) { return entry.action->objectName() == id; });
+    return found == m_entries.end() ? nullptr : found->action;
+}
+
+QList<QAction*> ActionSet::actions() const
+{
+    QList<QAction*> all;
+    for (const Entry& entry : m_entries)
+        all += entry.action;
+    return all;
+}
+
+void ActionSet::retranslate()
+{
+    for (const Entry& entry : m_entries)
+        translate(entry);
+}
+
+void ActionSet::translate(const Entry& entry)
+{
+    if (!entry.spec.text)
+        return; // its maker translates it
+    const auto text = [](const char* english) { return QCoreApplication::translate("Actions", english); };
+    const QString shown = entry.text.isEmpty() ? text(entry.spec.text) : entry.text;
+    entry.action->setText(shown);
+    QString tip = entry.spec.tip ? text(entry.spec.tip) : shown;
+    tip.remove(u'&').remove(QStringLiteral("…"));
+    if (!entry.tip.isEmpty())
+        tip = entry.tip;
+    entry.action->setStatusTip(entry.spec.tip ? tip : QString());
+    if (const QKeySequence keys = entry.action->shortcut(); !keys.isEmpty())
+        tip += QStringLiteral(" (%1)").arg(keys.toString(QKeySequence::NativeText));
+    entry.action->setToolTip(tip);
+}
+
+} // namespace ramure

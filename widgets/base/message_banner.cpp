@@ -1,0 +1,93 @@
+#include "widgets/base/message_banner.h"
+
+#include "widgets/base/icons.h"
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QStyle>
+#include <QToolButton>
+
+namespace ramure {
+namespace {
+
+const char* iconName(Severity severity)
+{
+    switch (severity) {
+    case Severity::Error:
+        return "error";
+    case Severity::Warning:
+        return "warning";
+    case Severity::Info:
+        break;
+    }
+    return "info";
+}
+
+} // namespace
+
+MessageBanner::MessageBanner(QWidget* parent)
+    : QFrame(parent)
+    , m_icon(new QLabel(this))
+    , m_text(new QLabel(this))
+    , m_close(new QToolButton(this))
+{
+    setObjectName(QStringLiteral("banner"));
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(10, 6, 6, 6);
+    layout->setSpacing(8);
+    m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_close->setAutoRaise(true);
+    m_close->setIcon(icon("close"));
+    m_close->setIconSize({14, 14});
+    layout->addWidget(m_icon);
+    layout->addWidget(m_text, 1);
+    layout->addWidget(m_close, 0, Qt::AlignTop);
+    connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
+    retranslate();
+    hide();
+}
+
+void MessageBanner::showMessage(Severity severity, const QString& text)
+{
+    m_severity = severity;
+    m_text->setText(text);
+    m_icon->setPixmap(icon(iconName(severity)).pixmap(18, 18));
+    setProperty("severity", QString::fromLatin1(iconName(severity)));
+    style()->unpolish(this);
+    style()->polish(this);
+    setAccessibleName(text);
+    show();
+}
+
+QString MessageBanner::text() const
+{
+    return isHidden() ? QString() : m_text->text();
+}
+
+void MessageBanner::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::PaletteChange)
+        m_icon->setPixmap(icon(iconName(m_severity)).pixmap(18, 18));
+    QFrame::changeEvent(event);
+}
+
+void MessageBanner::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape)
+        hide();
+    else
+        QFrame::keyPressEvent(event);
+}
+
+void MessageBanner::retranslate()
+{
+    m_close->setToolTip(tr("Close this message"));
+    m_close->setAccessibleName(tr("Close this message"));
+}
+
+} // namespace ramure

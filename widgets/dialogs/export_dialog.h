@@ -1,0 +1,135 @@
+/// \file
+/// What to export, how and where to.
+#pragma once
+
+#include "core/session/exporter.h"
+#include "widgets/dialogs/sequence_task.h"
+#include <QDialog>
+#include <optional>
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QFormLayout;
+class QLabel;
+class QLayout;
+class QLineEdit;
+class QProgressBar;
+class QPushButton;
+class QVBoxLayout;
+
+namespace ramure {
+
+class Analysis;
+class Chooser;
+class Document;
+class ExportTask;
+class MomentForm;
+class PictureForm;
+class Preferences;
+class Recompute;
+class SpaceForm;
+
+class ExportDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    enum Format { Obj, PlyBinary, PlyAscii, Png };
+
+    /// Nothing is owned; all must outlive the dialog. \param shownFrame of the timeline.
+    ExportDialog(Document* document, Recompute* recompute, Preferences* preferences, Chooser* chooser,
+                 QWidget* parent = nullptr, std::int64_t shownFrame = 0);
+    ~ExportDialog() override;
+
+    /// What it found is told before a mesh that is not clean is written; without it only defects are.
+    void setAnalysis(const Analysis* analysis);
+    /// What writes sequences while the work goes on; without it there are none. Not owned.
+    void setSequenceTask(SequenceTask* task);
+    /// How pictures look; without it there are none.
+    void setPictureLook(const PictureLook& look);
+    void setFormat(Format format);
+    [[nodiscard]] MomentForm* moments() const { return m_moments; }
+    [[nodiscard]] PictureForm* pictures() const { return m_pictures; }
+    void setPath(const QString& path);
+    [[nodiscard]] QString path() const;
+    [[nodiscard]] ExportOptions options() const;
+    /// Waits for the full result where it is being computed, then writes on a thread.
+    void startExport();
+
+signals:
+    /// The file was written, and the dialog has closed itself.
+    void exported(const QString& path);
+    /// A sequence, or a picture, is being written by the task; the dialog has closed itself.
+    void started();
+    /// What is wrong with the mesh of this tree is to be shown; the dialog has closed itself.
+    void showRequested(ramure::NodeId tree);
+
+public slots:
+    void reject() override; ///< cancels what is running first
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void buildForm();
+    [[nodiscard]] QLayout* buildParts();
+    [[nodiscard]] QLayout* buildTarget();
+    void buildProgress(QVBoxLayout* layout);
+    void buildFaults(QVBoxLayout* layout);
+    void showFaults();
+    [[nodiscard]] bool mayExportFaults();
+    void browse();
+    void takeFormat();
+    void updateWidgets();
+    void connectMessage();
+    void keepChoices();
+    void run();
+    // export_sequence.cpp
+    void updateSummary();
+    [[nodiscard]] bool isInBackground() const;
+    [[nodiscard]] bool mayStart();
+    [[nodiscard]] bool mayReplaceFiles();
+    void startSequence();
+    void finish(const std::optional<Error>& error);
+    void setMessage(const QString& text, bool isError);
+    void retranslate();
+    [[nodiscard]] Format format() const;
+    [[nodiscard]] QString suffix() const;
+
+    Document* m_document;
+    Recompute* m_recompute;
+    Preferences* m_preferences;
+    Chooser* m_chooser;
+    ExportTask* m_task;
+    const Analysis* m_analysis = nullptr;
+    bool m_waiting = false;
+    QString m_acceptedFaults; ///< the text about a mesh that is not clean which the user has read
+    QLabel* m_faults = nullptr;
+    QPushButton* m_show = nullptr;
+    QString m_mayReplace; ///< the path (and frames) whose existing files the user has agreed to overwrite
+    QFormLayout* m_form = nullptr;
+    QComboBox* m_format = nullptr;
+    QComboBox* m_model = nullptr;
+    QCheckBox* m_branches = nullptr;
+    QCheckBox* m_leaves = nullptr;
+    QCheckBox* m_apples = nullptr;
+    QLabel* m_partsNote = nullptr; ///< why a format leaves some out
+    QCheckBox* m_selection = nullptr;
+    QCheckBox* m_hidden = nullptr;
+    QCheckBox* m_texture = nullptr;
+    SpaceForm* m_space = nullptr;
+    QLineEdit* m_path = nullptr;
+    QPushButton* m_browse = nullptr;
+    SequenceTask* m_sequences = nullptr;
+    std::optional<PictureLook> m_look;
+    MomentForm* m_moments = nullptr;
+    PictureForm* m_pictures = nullptr;
+    QLabel* m_summary = nullptr;
+    std::int64_t m_shownFrame;
+    QProgressBar* m_progress = nullptr;
+    QLabel* m_message = nullptr;
+    QPushButton* m_export = nullptr;
+    QPushButton* m_cancel = nullptr;
+};
+
+} // namespace ramure

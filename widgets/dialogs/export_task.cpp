@@ -1,0 +1,39 @@
+#include "widgets/dialogs/export_task.h"
+
+#include "core/document/document.h"
+#include "core/session/animated_physics.h"
+#include "core/session/moving_source.h"
+#include <map>
+
+namespace ramure {
+
+using TreeSnapshot = std::map<NodeId, Expected<TreeResult>>;
+
+TreeSource snapshotOf(const Document& document)
+{
+    auto trees = std::make_shared<TreeSnapshot>();
+    const TreeSource source = documentSource(document);
+    for (const Node& node : document.scene().nodes()) {
+        if (node.kind == NodeKind::Tree)
+            trees->emplace(node.id, source(node, Stage::Foliage, {}));
+    }
+    return [trees](const Node& node, Stage last, const Progress& progress) {
+        // A shape that has tracks is another one at every time than the document's.
+        return movesShape(node.animation) ? TreePipeline().evaluate(node.params, last, progress)
+                                          : trees->at(node.id);
+    };
+}
+
+void ExportTask::startExport(const Document& document, const ExportOptions& asked, const QString& path,
+                             double timeSeconds)
+{
+    start([asked, timeSeconds, scene = document.scene(), source = snapshotOf(document),
+           file = path.toStdString()](const Progress& progress) {
+        MovingSource moving(source, scene.timeline());
+        ExportOptions options = asked;
+        options.timeSeconds = timeSeconds;
+        return exportScene(scene, options, moving.at(timeSeconds), file, progress);
+    });
+}
+
+} // namespace ramure

@@ -1,0 +1,26 @@
+/// \file
+/// One export on a thread of its own.
+#pragma once
+
+#include "core/session/background_job.h"
+#include "core/session/exporter.h"
+#include <QString>
+
+namespace ramure {
+
+/// The document's results, shared with a thread: the document itself stays where it is.
+TreeSource snapshotOf(const Document& document);
+
+class ExportTask : public BackgroundJob
+{
+    Q_OBJECT
+public:
+    using BackgroundJob::BackgroundJob;
+
+    /// Takes what it needs from the document and returns at once; nothing happens while another export is
+    /// running. The trees are as their physics has moved them at \p timeSeconds.
+    void startExport(const Document& document, const ExportOptions& options, const QString& path,
+                     double timeSeconds = 0.0);
+};
+
+} // namespace ramure

@@ -1,0 +1,96 @@
+#include "widgets/dialogs/picture_form.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSpinBox>
+
+namespace ramure {
+
+static constexpr int leastSide = 16, mostSide = 8192;
+static constexpr QSize usualSizes[] = {{1280, 720}, {1920, 1080}, {2560, 1440}, {3840, 2160}, {1080, 1080}};
+
+PictureForm::PictureForm(QWidget* parent)
+    : QWidget(parent)
+    , m_width(new QSpinBox(this))
+    , m_times(new QLabel(QStringLiteral("×"), this))
+    , m_height(new QSpinBox(this))
+    , m_sizes(new QComboBox(this))
+    , m_transparent(new QCheckBox(this))
+{
+    m_width->setObjectName(QStringLiteral("pictureWidth"));
+    m_height->setObjectName(QStringLiteral("pictureHeight"));
+    m_transparent->setObjectName(QStringLiteral("pictureTransparent"));
+    for (QSpinBox* box : {m_width, m_height}) {
+        box->setRange(leastSide, mostSide);
+        connect(box, &QSpinBox::valueChanged, this, &PictureForm::changed);
+    }
+    m_height->setSuffix(QStringLiteral(" px"));
+    m_sizes->addItem(QString());
+    for (const QSize& size : usualSizes)
+        m_sizes->addItem(QStringLiteral("%1 × %2").arg(size.width()).arg(size.height()), size);
+    setPictureSize({1920, 1080});
+    auto* row = new QHBoxLayout;
+    row->setSpacing(6);
+    row->addWidget(m_width);
+    row->addWidget(m_times);
+    row->addWidget(m_height);
+    row->addSpacing(8);
+    row->addWidget(m_sizes);
+    row->addStretch(1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    column->addLayout(row);
+    column->addWidget(m_transparent);
+    connect(m_sizes, &QComboBox::activated, this, [this](int index) {
+        if (const QSize size = m_sizes->itemData(index).toSize(); size.isValid())
+            setPictureSize(size);
+    });
+    connect(this, &PictureForm::changed, this,
+            [this] { m_sizes->setCurrentIndex(std::max(0, m_sizes->findData(pictureSize()))); });
+    connect(m_transparent, &QCheckBox::toggled, this, &PictureForm::changed);
+    setFocusProxy(m_width);
+    retranslate();
+    emit changed();
+}
+
+void PictureForm::setPictureSize(QSize pixels)
+{
+    m_width->setValue(pixels.width());
+    m_height->setValue(pixels.height());
+}
+
+QSize PictureForm::pictureSize() const
+{
+    return {m_width->value(), m_height->value()};
+}
+
+bool PictureForm::isTransparent() const
+{
+    return m_transparent->isChecked();
+}
+
+void PictureForm::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+void PictureForm::retranslate()
+{
+    m_width->setToolTip(tr("Width of the pictures in pixels, 16 to 8192"));
+    m_height->setToolTip(tr("Height of the pictures in pixels, 16 to 8192"));
+    m_width->setAccessibleName(tr("Width"));
+    m_height->setAccessibleName(tr("Height"));
+    m_sizes->setItemText(0, tr("Own size"));
+    m_sizes->setToolTip(tr("Common sizes"));
+    m_sizes->setAccessibleName(tr("Common sizes"));
+    m_transparent->setText(tr("Transparent background"));
+    m_transparent->setToolTip(tr("Without sky and ground, to put the trees in front of something else"));
+}
+
+} // namespace ramure

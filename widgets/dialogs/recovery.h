@@ -1,0 +1,40 @@
+/// \file
+/// Keeps unsaved changes aside while the program runs, and offers what a crash left behind.
+#pragma once
+
+#include "core/session/autosave.h"
+#include <QObject>
+
+namespace ramure {
+
+class Chooser;
+class Preferences;
+
+class Recovery : public QObject
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the object. From now on recovery files are written at the interval
+    /// of the preferences; writing is done by another thread.
+    /// \param folder of the recovery files.
+    Recovery(Document* document, Preferences* preferences, Chooser* chooser,
+             const QString& folder = Autosave::defaultFolder(), QObject* parent = nullptr);
+
+    /// Asks about what was left behind, if anything. True: a document has been recovered; it replaced what
+    /// was open, belongs to the file it came from, and is not saved.
+    bool offer();
+    [[nodiscard]] Autosave* autosave() { return &m_autosave; }
+
+private:
+    void takePreferences();
+    bool recover(Recoverable& lost);
+
+    Document* m_document;
+    Preferences* m_preferences;
+    Chooser* m_chooser;
+    QString m_folder;
+    int m_intervalMs = -1;
+    Autosave m_autosave;
+};
+
+} // namespace ramure

@@ -1,0 +1,140 @@
+#include "widgets/dialogs/sequence_task.h"
+
+#include "core/document/document.h"
+#include "core/session/moving_source.h"
+#include "widgets/dialogs/export_task.h"
+#include "widgets/view/render/offscreen_renderer.h"
+#include <QFile>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace ramure {
+namespace {
+
+struct Pictures
+{
+    Scene scene;
+    TreeSource rest;
+    PictureLook look;
+    std::vector<PictureShot> shots;
+};
+
+Expected<RenderScene> sceneAt(const Pictures& pictures, double timeSeconds, MovingSource& moving,
+                              const Progress& progress)
+{
+    const auto turned = moving.arms().at(pictures.scene, timeSeconds, progress);
+    if (!turned)
+        return fail(turned.error());
+    const TreeSource source = moving.at(timeSeconds);
+    std::map<NodeId, TreeResult> results;
+    for (const Node& node : pictures.scene.nodes()) {
+        if (node.kind != NodeKind::Tree || !pictures.scene.isShown(node.id))
+            continue;
+        auto result = source(node, Stage::Foliage, progress);
+        if (!result)
+            return fail(std::move(result.error()));
+        results.emplace(node.id, std::move(*result));
+    }
+    const auto resultOf = [&](NodeId id) {
+        const auto found = results.find(id);
+        return found == results.end() ? nullptr : &found->second;
+    };
+    SceneView view = pictures.look.view;
+    view.timeSeconds = timeSeconds;
+    return SceneBuilder().build(*turned, resultOf, view);
+}
+
+Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, const Progress& progress)
+{
+    MovingSource moving(pictures.rest, pictures.scene.timeline());
+    std::optional<RenderScene> scene;
+    const auto count = static_cast<double>(pictures.shots.size());
+    for (std::size_t i = 0; i < pictures.shots.size(); ++i) {
+        const PictureShot& shot = pictures.shots[i];
+        const double from = static_cast<double>(i) / count;
+        if (!scene || shot.timeSeconds != pictures.shots[i - 1].timeSeconds) {
+            auto built = sceneAt(pictures, shot.timeSeconds, moving, progress.part(from, from + 0.5 / count));
+            if (!built)
+                return fail(std::move(built.error()));
+            scene = std::move(*built);
+        }
+        if (progress.cancelled())
+            return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+        Camera camera = pictures.look.camera;
+        if (pictures.look.allAround)
+            camera.frameAllAround(scene->framePoints(),
+                                  double(pictures.look.size.width()) / pictures.look.size.height());
+        camera.yawRad += shot.turnRad;
+        const auto image = renderer.draw(*scene, camera, pictures.look.size, pictures.look.options);
+        if (!image)
+            return fail(image.error());
+        if (auto saved = savePng(*image, shot.file); !saved)
+            return saved;
+        progress.report(static_cast<double>(i + 1) / count);
+    }
+    return {};
+}
+
+} // namespace
+
+std::vector<PictureShot> frameShots(const FrameSequence& frames, const std::string& path)
+{
+    std::vector<PictureShot> shots;
+    for (std::int64_t i = 0; i < frames.count(); ++i) {
+        const std::int64_t frame = frames.frame(i);
+        shots.push_back({frames.timeOf(frame), 0.0, numberedFile(path, frame)});
+    }
+    return shots;
+}
+
+std::vector<PictureShot> turntableShots(int count, double timeSeconds, const std::string& path)
+{
+    std::vector<PictureShot> shots;
+    for (int i = 0; i < count; ++i)
+        shots.push_back({timeSeconds, 2.0 * std::numbers::pi * i / count, numberedFile(path, i)});
+    return shots;
+}
+
+SequenceTask::SequenceTask(QObject* parent)
+    : BackgroundJob(parent)
+{
+}
+
+SequenceTask::~SequenceTask()
+{
+    stopAndWait(); // the thread draws with what belongs to this object
+}
+
+void SequenceTask::startMeshes(const Document& document, const ExportOptions& options,
+                               const FrameSequence& frames, const QString& path)
+{
+    if (isRunning())
+        return;
+    m_files = frames.count();
+    m_path = path;
+    start([options, frames, scene = document.scene(), rest = snapshotOf(document),
+           file = QFile::encodeName(path).toStdString()](const Progress& progress) {
+        return exportSequence(scene, options, frames, rest, file, progress);
+    });
+}
+
+void SequenceTask::startPictures(const Document& document, const PictureLook& look,
+                                 std::vector<PictureShot> shots)
+{
+    if (isRunning() || shots.empty())
+        return;
+    m_files = static_cast<std::int64_t>(shots.size());
+    m_path = QFile::decodeName(shots.front().file.c_str());
+    m_renderer = std::make_unique<OffscreenRenderer>();
+    const Pictures pictures{document.scene(), snapshotOf(document), look, std::move(shots)};
+    start([pictures, renderer = m_renderer.get()](const Progress& progress) {
+        if (auto begun = renderer->begin(); !begun)
+            return begun;
+        auto drawn = drawAll(pictures, *renderer, progress);
+        renderer->end();
+        return drawn;
+    });
+}
+
+} // namespace ramure

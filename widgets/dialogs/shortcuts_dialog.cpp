@@ -1,0 +1,321 @@
+#include "widgets/dialogs/shortcuts_dialog.h"
+
+#include "widgets/base/action_set.h"
+#include "widgets/base/icons.h"
+#include "widgets/base/preferences.h"
+#include "widgets/dialogs/gesture_keys.h"
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace ramure {
+namespace {
+
+enum Column { TextColumn, KeysColumn, ColumnCount };
+constexpr int actionRole = Qt::UserRole;
+constexpr QSize startSize(640, 620);
+
+QAction* actionOf(const QTreeWidgetItem* item)
+{
+    return item ? item->data(TextColumn, actionRole).value<QAction*>() : nullptr;
+}
+
+/// One begins with the other: Qt would find the keys ambiguous.
+bool overlap(const QKeySequence& a, const QKeySequence& b)
+{
+    return !a.isEmpty() && !b.isEmpty() &&
+           (a.matches(b) != QKeySequence::NoMatch || b.matches(a) != QKeySequence::NoMatch);
+}
+
+} // namespace
+
+ShortcutsDialog::ShortcutsDialog(ActionSet* set, const QList<QMenu*>& menus, Preferences* preferences,
+                                 QWidget* parent)
+    : QDialog(parent)
+    , m_set(set)
+    , m_menus(menus)
+    , m_preferences(preferences)
+    , m_search(new QLineEdit(this))
+    , m_tree(new QTreeWidget(this))
+    , m_editLabel(new QLabel(this))
+    , m_edit(new QKeySequenceEdit(this))
+    , m_conflict(new QLabel(this))
+    , m_remove(new QPushButton(this))
+    , m_reset(new QPushButton(this))
+{
+    build();
+    retranslate();
+    connect(m_search, &QLineEdit::textChanged, this, &ShortcutsDialog::filter);
+    connect(m_tree, &QTreeWidget::currentItemChanged, this, &ShortcutsDialog::showSelected);
+    connect(m_tree, &QTreeWidget::itemDoubleClicked, m_edit, qOverload<>(&QWidget::setFocus));
+    connect(m_edit, &QKeySequenceEdit::editingFinished, this, [this] {
+        QAction* action = selectedAction();
+        if (action && m_edit->keySequence() != action->shortcut())
+            assign(m_edit->keySequence());
+    });
+    connect(m_remove, &QPushButton::clicked, this, [this] { assign({}); });
+    connect(m_reset, &QPushButton::clicked, this, &ShortcutsDialog::resetSelected);
+    connect(m_resetAll, &QPushButton::clicked, this, &ShortcutsDialog::resetAll);
+    if (!m_listed.isEmpty())
+        select(m_listed.front().action->objectName());
+    m_search->setFocus();
+    resize(startSize);
+}
+
+void ShortcutsDialog::build()
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setSpacing(10);
+    m_search->setClearButtonEnabled(true);
+    m_search->addAction(icon("search"), QLineEdit::LeadingPosition);
+    m_tree->setObjectName(QStringLiteral("shortcutList"));
+    m_tree->setColumnCount(ColumnCount);
+    m_tree->setUniformRowHeights(true);
+    m_tree->header()->setStretchLastSection(false);
+    m_tree->header()->setSectionResizeMode(TextColumn, QHeaderView::Stretch);
+    m_tree->header()->setSectionResizeMode(KeysColumn, QHeaderView::ResizeToContents);
+    layout->addWidget(m_search);
+    layout->addWidget(m_tree, 1);
+    auto* line = new QHBoxLayout;
+    line->setSpacing(8);
+    m_editLabel->setBuddy(m_edit);
+    m_edit->setObjectName(QStringLiteral("keys"));
+    line->addWidget(m_editLabel);
+    line->addWidget(m_edit, 1);
+    line->addWidget(m_remove);
+    line->addWidget(m_reset);
+    layout->addLayout(line);
+    m_conflict->setObjectName(QStringLiteral("problem"));
+    m_conflict->setWordWrap(true);
+    layout->addWidget(m_conflict);
+    auto* buttons = new QDialogButtonBox(this);
+    m_resetAll = buttons->addButton(QString(), QDialogButtonBox::ResetRole);
+    m_close = buttons->addButton(QString(), QDialogButtonBox::RejectRole);
+    layout->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    for (QPushButton* button : {m_remove, m_reset, m_resetAll, m_close})
+        button->setAutoDefault(false); // Enter belongs to the fields
+}
+
+void ShortcutsDialog::fill()
+{
+    const QString kept = selectedAction() ? selectedAction()->objectName() : QString();
+    m_listed = listedActions(*m_set, m_menus);
+    m_tree->clear();
+    QTreeWidgetItem* heading = nullptr;
+    for (const ListedAction& listed : m_listed) {
+        if (!heading || heading->text(TextColumn) != listed.menu)
+            heading = addHeading(listed.menu);
+        auto* item = new QTreeWidgetItem(heading, {listed.text});
+        item->setIcon(TextColumn, listed.action->icon());
+        item->setData(TextColumn, actionRole, QVariant::fromValue(listed.action));
+        item->setToolTip(TextColumn, listed.action->statusTip());
+    }
+    addGestures();
+    m_tree->expandAll();
+    showKeys();
+    if (!kept.isEmpty())
+        select(kept);
+    filter(m_search->text());
+    showSelected();
+}
+
+QTreeWidgetItem* ShortcutsDialog::addHeading(const QString& text)
+{
+    auto* heading = new QTreeWidgetItem(m_tree, {text});
+    heading->setFlags(Qt::ItemIsEnabled);
+    QFont bold = heading->font(TextColumn);
+    bold.setBold(true);
+    heading->setFont(TextColumn, bold);
+    return heading;
+}
+
+/// Below the actions: to be read and found, not to be changed.
+void ShortcutsDialog::addGestures()
+{
+    for (const GestureKeys& group : gestureKeys()) {
+        QTreeWidgetItem* heading = addHeading(group.title);
+        for (const GestureKey& key : group.keys) {
+            auto* item = new QTreeWidgetItem(heading, {key.text, key.keys});
+            for (const int column : {TextColumn, KeysColumn})
+                item->setToolTip(column, key.text + QLatin1Char('\n') + tr("These keys cannot be changed."));
+        }
+    }
+}
+
+void ShortcutsDialog::showKeys()
+{
+    for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* heading = m_tree->topLevelItem(i);
+        for (int j = 0; j < heading->childCount(); ++j) {
+            QTreeWidgetItem* item = heading->child(j);
+            const QAction* action = actionOf(item);
+            if (!action)
+                continue;
+            const bool own = action->shortcut() != m_set->defaultShortcut(action);
+            item->setText(KeysColumn, action->shortcut().toString(QKeySequence::NativeText));
+            QFont font = m_tree->font();
+            font.setBold(own); // as changed parameters are
+            item->setFont(KeysColumn, font);
+            item->setToolTip(KeysColumn, own ? tr("Changed; as supplied: %1")
+                                                   .arg(m_set->defaultShortcut(action).isEmpty()
+                                                            ? tr("no keys")
+                                                            : m_set->defaultShortcut(action).toString(
+                                                                  QKeySequence::NativeText))
+                                             : QString());
+        }
+    }
+}
+
+void ShortcutsDialog::filter(const QString& text)
+{
+    const QStringList words = text.split(u' ', Qt::SkipEmptyParts);
+    for (int i = 0; i < m_tree->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* heading = m_tree->topLevelItem(i);
+        bool any = false;
+        for (int j = 0; j < heading->childCount(); ++j) {
+            QTreeWidgetItem* item = heading->child(j);
+            const QString all =
+                heading->text(TextColumn) + u' ' + item->text(TextColumn) + u' ' + item->text(KeysColumn);
+            const bool fits = std::all_of(words.begin(), words.end(), [&](const QString& word) {
+                return all.contains(word, Qt::CaseInsensitive);
+            });
+            item->setHidden(!fits);
+            any = any || fits;
+        }
+        heading->setHidden(!any);
+    }
+    selectSeen();
+}
+
+/// Keys go to the selected row: it has to be one that is seen.
+void ShortcutsDialog::selectSeen()
+{
+    if (m_tree->currentItem() && !m_tree->currentItem()->isHidden())
+        return;
+    QTreeWidgetItemIterator first(m_tree, QTreeWidgetItemIterator::NotHidden);
+    while (*first && !actionOf(*first))
+        ++first;
+    m_tree->setCurrentItem(*first);
+}
+
+QAction* ShortcutsDialog::selectedAction() const
+{
+    return actionOf(m_tree->currentItem());
+}
+
+void ShortcutsDialog::select(const QString& actionId)
+{
+    for (QTreeWidgetItemIterator it(m_tree); *it; ++it) {
+        const QAction* action = actionOf(*it);
+        if (!action || action->objectName() != actionId)
+            continue;
+        if ((*it)->isHidden())
+            m_search->clear();
+        m_tree->setCurrentItem(*it);
+        return;
+    }
+}
+
+void ShortcutsDialog::showSelected()
+{
+    const QAction* action = selectedAction();
+    m_edit->setEnabled(action);
+    m_edit->setKeySequence(action ? action->shortcut() : QKeySequence());
+    m_remove->setEnabled(action && !action->shortcut().isEmpty());
+    m_reset->setEnabled(action && action->shortcut() != m_set->defaultShortcut(action));
+    m_conflict->clear();
+}
+
+QString ShortcutsDialog::ownerOf(const QKeySequence& keys, const QAction* except) const
+{
+    for (const ListedAction& listed : m_listed)
+        if (listed.action != except && overlap(listed.action->shortcut(), keys))
+            return listed.menu + QStringLiteral(" › ") + listed.text;
+    return {};
+}
+
+bool ShortcutsDialog::assign(const QKeySequence& keys)
+{
+    QAction* action = selectedAction();
+    if (!action)
+        return false;
+    const QString owner = ownerOf(keys, action);
+    if (!owner.isEmpty()) {
+        m_conflict->setText(tr("%1 already belongs to “%2”. Take it away there first, or choose other keys.")
+                                .arg(keys.toString(QKeySequence::NativeText), owner));
+        return false;
+    }
+    store(action, keys);
+    showSelected();
+    return true;
+}
+
+void ShortcutsDialog::store(QAction* action, const QKeySequence& keys)
+{
+    const bool own = keys != m_set->defaultShortcut(action);
+    m_preferences->setShortcut(action->objectName(), own ? std::optional(keys) : std::nullopt);
+    m_set->setShortcuts(m_preferences->shortcuts());
+    showKeys();
+}
+
+void ShortcutsDialog::resetSelected()
+{
+    if (const QAction* action = selectedAction())
+        assign(m_set->defaultShortcut(action));
+}
+
+void ShortcutsDialog::resetAll()
+{
+    m_preferences->clearShortcuts();
+    m_set->setShortcuts({});
+    showKeys();
+    showSelected();
+}
+
+QString ShortcutsDialog::conflict() const
+{
+    return m_conflict->text();
+}
+
+void ShortcutsDialog::keyPressEvent(QKeyEvent* event)
+{
+    // Enter in the search goes to what was found.
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (enter && m_search->hasFocus() && selectedAction()) {
+        m_edit->setFocus();
+        return;
+    }
+    QDialog::keyPressEvent(event);
+}
+
+void ShortcutsDialog::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QDialog::changeEvent(event);
+}
+
+void ShortcutsDialog::retranslate()
+{
+    setWindowTitle(tr("Keyboard shortcuts"));
+    m_search->setPlaceholderText(tr("Search actions or keys"));
+    m_search->setAccessibleName(m_search->placeholderText());
+    m_tree->setHeaderLabels({tr("Action"), tr("Keys")});
+    m_editLabel->setText(tr("&Keys:"));
+    m_remove->setText(tr("No keys"));
+    m_reset->setText(tr("Reset"));
+    m_resetAll->setText(tr("Reset all"));
+    m_close->setText(tr("Close"));
+    fill();
+}
+
+} // namespace ramure

@@ -1,0 +1,57 @@
+/// \file
+/// What the arm wears: the cylinder, or the mesh of an imported object.
+#pragma once
+
+#include "core/session/arm_dresser.h"
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+
+namespace ramure {
+
+class ArmMeshRow : public QWidget
+{
+    Q_OBJECT
+public:
+    /// Follows the active arm, else the first one. \p document is not owned and must outlive this object.
+    explicit ArmMeshRow(Document* document, QWidget* parent = nullptr);
+
+    /// The arm puts on the next object that is imported; false: it does not.
+    void setWaiting(bool waiting) { m_waiting = waiting; }
+    /// An import has added this node and those below it.
+    void takeImported(ramure::NodeId top);
+    /// Of putting on a large mesh.
+    [[nodiscard]] BackgroundJob* job() { return m_dresser->job(); }
+
+signals:
+    void importRequested();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void takeArm();
+    void choose(int index);
+    void wear(NodeId mesh, std::optional<MeshAxis> axis = {});
+    void fitAgain();
+    void turn(MeshAxis axis);
+    [[nodiscard]] NodeId wornNode() const;
+    void showProblem(const Expected<void>& done);
+    void retranslate();
+
+    Document* m_document;
+    ArmDresser* m_dresser;
+    NodeId m_arm = noNode;
+    bool m_waiting = false;
+    QLabel* m_label;
+    QComboBox* m_choice;
+    QCheckBox* m_fit;
+    QComboBox* m_axis;
+    QPushButton *m_import, *m_again;
+    QLabel* m_problem;
+};
+
+} // namespace ramure

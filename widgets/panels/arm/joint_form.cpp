@@ -1,0 +1,272 @@
+#include "widgets/panels/arm/joint_form.h"
+
+#include "core/session/auto_key.h"
+#include "core/session/player.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/icons.h"
+#include "widgets/base/number_field.h"
+#include "widgets/base/number_slider.h"
+#include <QCheckBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <numbers>
+
+namespace ramure {
+namespace {
+
+constexpr int keySide = 22, keyIcon = 16; ///< of the button for keys, as in the properties
+
+NumberFormat formatOf(const JointDef& def, const QString& suffix)
+{
+    NumberFormat format;
+    format.unit = def.unit;
+    format.factor = def.unit == ParamUnit::Radian ? 180.0 / std::numbers::pi : 1.0;
+    format.suffix = suffix;
+    format.decimals = def.decimals;
+    return format;
+}
+
+} // namespace
+
+/// One number of the joint.
+struct JointForm::Row
+{
+    const JointDef* def = nullptr;
+    std::size_t number = 0; ///< of the table
+    QToolButton* key = nullptr;
+    QLabel* label = nullptr;
+    NumberField* field = nullptr;
+    NumberSlider* slider = nullptr;
+    GestureId gesture = 0;
+};
+
+JointForm::JointForm(Document* document, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_message(new QLabel(this))
+{
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(0, 0, 0, 0);
+    const auto table = jointTable();
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        addRow(form, table[i], i);
+        if (table[i].member == &ArmAngle::angleRad)
+            addLimited(form, table[i].angle == &ArmJoint::phi);
+    }
+    m_message->setObjectName(QStringLiteral("problem"));
+    m_message->setWordWrap(true);
+    m_message->hide();
+    form->addRow(m_message);
+    retranslate();
+}
+
+JointForm::~JointForm() = default;
+
+void JointForm::addRow(QFormLayout* form, const JointDef& def, std::size_t number)
+{
+    auto row = std::make_unique<Row>();
+    Row& made = *row;
+    made.def = &def;
+    made.number = number;
+    made.key = new QToolButton(this);
+    made.key->setAutoRaise(true);
+    made.key->setFixedSize(keySide, keySide);
+    made.key->setIconSize({keyIcon, keyIcon});
+    made.key->setFocusPolicy(Qt::TabFocus);
+    made.key->setObjectName(QStringLiteral("keyButton"));
+    made.key->hide();
+    made.label = new QLabel(this);
+    made.field = new NumberField(this);
+    made.label->setBuddy(made.field);
+    made.field->setRange(def.hardMin, def.hardMax);
+    made.field->setStep(def.step);
+    made.field->setScale(NumberScale(def.softMin, def.softMax, def.step, false));
+    made.field->addHandle(made.label);
+    made.slider = new NumberSlider(this);
+    made.slider->setSoftRange(def.softMin, def.softMax, def.step, false);
+    auto* named = new QWidget(this);
+    auto* name = new QHBoxLayout(named);
+    name->setContentsMargins(0, 0, 0, 0);
+    name->setSpacing(2);
+    name->addWidget(made.key);
+    name->addWidget(made.label, 1);
+    auto* line = new QHBoxLayout;
+    line->addWidget(made.slider, 1);
+    line->addWidget(made.field);
+    form->addRow(named, line);
+    const auto begin = [&made] { made.gesture = newGesture(); };
+    const auto end = [&made] { made.gesture = 0; };
+    connect(made.field, &NumberField::gestureBegan, this, begin);
+    connect(made.field, &NumberField::gestureEnded, this, end);
+    connect(made.slider, &NumberSlider::gestureBegan, this, begin);
+    connect(made.slider, &NumberSlider::gestureEnded, this, end);
+    const auto edited = [this, &made](double value) { set(made, value, made.gesture); };
+    connect(made.field, &NumberField::valueEdited, this, edited);
+    connect(made.slider, &NumberSlider::numberEdited, this, edited);
+    connect(made.key, &QToolButton::clicked, this, [this, &made] {
+        if (m_keys && joints())
+            take(m_keys->toggle(m_arm, channelOf(made)));
+    });
+    m_rows.push_back(std::move(row));
+}
+
+void JointForm::addLimited(QFormLayout* form, bool phi)
+{
+    QCheckBox*& box = phi ? m_limitPhi : m_limitTheta;
+    box = new QCheckBox(this);
+    form->addRow(QString(), box);
+    connect(box, &QCheckBox::clicked, this, [this, phi](bool on) { setLimited(phi, on); });
+}
+
+void JointForm::setKeys(AutoKey* keys)
+{
+    m_keys = keys;
+    connect(keys->player(), &Player::frameChanged, this, &JointForm::showValues);
+    connect(keys, &AutoKey::changed, this, &JointForm::showValues);
+    showValues();
+}
+
+void JointForm::setJoint(NodeId arm, int joint)
+{
+    if (arm != m_arm || joint != m_joint)
+        m_message->hide();
+    m_arm = arm;
+    m_joint = joint;
+    showValues();
+}
+
+const std::vector<ArmJoint>* JointForm::joints() const
+{
+    const Node* node = m_document->scene().find(m_arm);
+    return node && m_joint >= 0 && m_joint < static_cast<int>(node->params.joints.size())
+               ? &node->params.joints
+               : nullptr;
+}
+
+Channel JointForm::channelOf(const Row& row) const
+{
+    return {ChannelPart::Joint, static_cast<std::uint8_t>(m_joint), static_cast<ParamId>(row.number)};
+}
+
+void JointForm::showValues()
+{
+    const std::vector<ArmJoint>* all = joints();
+    if (!all)
+        return;
+    const ArmJoint& joint = (*all)[static_cast<std::size_t>(m_joint)];
+    for (const auto& row : m_rows) {
+        const double value = m_keys ? m_keys->value(m_arm, channelOf(*row)) : row->def->of(joint);
+        row->field->setValue(value);
+        row->slider->setNumber(value);
+        const bool ofLimit = row->def->member == &ArmAngle::minRad || row->def->member == &ArmAngle::maxRad;
+        const bool counts = !ofLimit || (joint.*row->def->angle).limited;
+        row->field->setEnabled(counts);
+        row->slider->setEnabled(counts);
+        showKeyState(*row);
+    }
+    m_limitPhi->setChecked(joint.phi.limited);
+    m_limitTheta->setChecked(joint.theta.limited);
+}
+
+void JointForm::showKeyState(const Row& row)
+{
+    row.key->setVisible(m_keys != nullptr);
+    if (!m_keys || !joints())
+        return;
+    const KeyState state = m_keys->state(m_arm, channelOf(row));
+    row.key->setIcon(icon(state == KeyState::Here       ? "key-here"
+                          : state == KeyState::Animated ? "key-animated"
+                                                        : "key-none"));
+    const QString name = coreText(row.def->label);
+    row.key->setToolTip(state == KeyState::Here       ? tr("%1: take the key at this frame away").arg(name)
+                        : state == KeyState::Animated ? tr("%1 has keys: insert one at this frame").arg(name)
+                                                      : tr("%1: insert a key at this frame").arg(name));
+    row.key->setAccessibleName(row.key->toolTip());
+}
+
+void JointForm::set(Row& row, double value, GestureId gesture)
+{
+    const std::vector<ArmJoint>* all = joints();
+    if (!all)
+        return;
+    if (m_keys && m_keys->takes(m_arm, channelOf(row)))
+        return take(m_keys->set(m_arm, channelOf(row), value, gesture));
+    std::vector<ArmJoint> changed = *all;
+    ArmJoint& joint = changed[static_cast<std::size_t>(m_joint)];
+    row.def->of(joint) = value;
+    if (row.def->angle) { // a limit takes the other one along, and the angle stays between them
+        ArmAngle& angle = joint.*row.def->angle;
+        if (row.def->member == &ArmAngle::maxRad)
+            angle.minRad = std::min(angle.minRad, value);
+        settleAngle(angle);
+    }
+    push(std::move(changed), tr("Change joint %1").arg(m_joint + 1), gesture);
+}
+
+void JointForm::setLimited(bool phi, bool limited)
+{
+    const std::vector<ArmJoint>* all = joints();
+    if (!all)
+        return;
+    std::vector<ArmJoint> changed = *all;
+    ArmJoint& joint = changed[static_cast<std::size_t>(m_joint)];
+    ArmAngle& angle = phi ? joint.phi : joint.theta;
+    angle.limited = limited;
+    settleAngle(angle);
+    push(std::move(changed), tr("Limit joint %1").arg(m_joint + 1));
+}
+
+void JointForm::push(std::vector<ArmJoint> joints, const QString& text, GestureId gesture)
+{
+    take(edit::setJoints(*m_document, m_arm, std::move(joints), text, gesture));
+}
+
+/// What is refused (locked meanwhile, no key here) is shown as it was, and why.
+void JointForm::take(const Expected<void>& done)
+{
+    m_message->setVisible(!done);
+    if (done)
+        return;
+    QString text = errorText(done.error());
+    text[0] = text[0].toUpper();
+    m_message->setText(text);
+    showValues();
+}
+
+void JointForm::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+void JointForm::retranslate()
+{
+    for (QCheckBox* box : {m_limitPhi, m_limitTheta}) {
+        box->setText(tr("Limited"));
+        box->setToolTip(
+            tr("The angle stays between its limits; otherwise it may turn for ever. Has no keys: key "
+               "the limits instead, which do"));
+    }
+    for (const auto& row : m_rows) {
+        const QString name = coreText(row->def->label), tip = coreText(row->def->tooltip);
+        row->label->setText(name);
+        row->field->setAccessibleName(name);
+        row->slider->setAccessibleName(name);
+        for (QWidget* widget : {static_cast<QWidget*>(row->label), static_cast<QWidget*>(row->field),
+                                static_cast<QWidget*>(row->slider)})
+            widget->setToolTip(tip);
+        const bool speed = row->def->member == &ArmAngle::mostSpeed;
+        const NumberFormat format = formatOf(*row->def, !row->def->angle ? tr(" m")
+                                                        : speed          ? tr("°/s")
+                                                                         : tr("°"));
+        row->field->setFormat(format);
+        row->slider->setFactor(format.factor);
+        showKeyState(*row);
+    }
+}
+
+} // namespace ramure

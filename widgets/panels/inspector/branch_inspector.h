@@ -1,0 +1,56 @@
+/// \file
+/// Content of the inspector dock: the facts of the active branch, its cross-sections one by one, and the roll
+/// of its frames by hand.
+#pragma once
+
+#include "core/base/index.h"
+#include "core/scene/scene.h"
+#include "widgets/base/number_format.h"
+#include <QWidget>
+#include <memory>
+
+namespace ramure {
+
+class Document;
+
+class BranchInspector : public QWidget
+{
+    Q_OBJECT
+public:
+    /// \param document is not owned and must outlive the inspector.
+    explicit BranchInspector(Document* document, QWidget* parent = nullptr);
+    ~BranchInspector() override;
+
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+public slots:
+    /// Degrees (as at first) or radians.
+    void setAngleUnit(ramure::AngleUnit unit);
+    void nextSection();
+    void previousSection();
+    /// To the field of the roll, its value marked: the next key replaces it.
+    void focusRoll();
+    /// The sections of the active branch, comma-separated, on the clipboard.
+    void copyCsv();
+
+signals:
+    /// The section to show in the viewport: Viewport::setInspectedSection. Sent anew whenever its place may
+    /// have moved, only while the inspector is visible.
+    void sectionInspected(ramure::NodeId node, ramure::Index branch, ramure::Index section);
+    /// Nothing to show any more: Viewport::clearInspectedSection.
+    void sectionLeft();
+    /// For the status bar: what was copied, why an edit was refused.
+    void messageRaised(const QString& text);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace ramure

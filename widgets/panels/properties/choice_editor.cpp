@@ -1,0 +1,41 @@
+#include "widgets/panels/properties/choice_editor.h"
+
+#include "widgets/base/core_text.h"
+#include "widgets/base/wheel_guard.h"
+#include <QComboBox>
+#include <QHBoxLayout>
+
+namespace ramure {
+
+ChoiceEditor::ChoiceEditor(const ParamDef& def, QWidget* parent)
+    : ParamEditor(def, parent)
+    , m_box(new QComboBox(this))
+{
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_box);
+    layout->addStretch(1);
+    for (const EnumItem& item : def.items)
+        m_box->addItem(coreText(item.label), QString::fromLatin1(item.name));
+    m_box->setPlaceholderText(QStringLiteral("—"));
+    guardFromWheel(m_box);
+    setFocusProxy(m_box);
+    connect(m_box, &QComboBox::activated, this,
+            [this] { emitSingleEdit(EnumValue{m_box->currentData().toString().toStdString()}); });
+}
+
+void ChoiceEditor::showValues(std::span<const ParamValue> values)
+{
+    const auto value = commonValue(values);
+    m_box->setCurrentIndex(value ? m_box->findData(QString::fromStdString(std::get<EnumValue>(*value).name))
+                                 : -1);
+}
+
+void ChoiceEditor::retranslate(const QString& name)
+{
+    m_box->setAccessibleName(name);
+    for (int i = 0; i < m_box->count(); ++i)
+        m_box->setItemText(i, coreText(def().items[static_cast<std::size_t>(i)].label));
+}
+
+} // namespace ramure

@@ -1,0 +1,189 @@
+#include "widgets/panels/properties/grammar/generations_view.h"
+
+#include "widgets/base/core_text.h"
+#include "widgets/base/icons.h"
+#include "widgets/panels/properties/grammar/grammar_growth.h"
+#include "widgets/panels/properties/grammar/grammar_highlighter.h"
+#include <QEvent>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QScrollBar>
+#include <QTimer>
+#include <QToolButton>
+#include <algorithm>
+
+namespace ramure {
+namespace {
+
+constexpr int pauseMs = 60;           ///< the strings follow typing, but not every key
+constexpr qsizetype headLength = 220; ///< of a long string these are shown,
+constexpr qsizetype tailLength = 60;  ///< and these
+constexpr int textLines = 14;
+
+/// The beginning and the end.
+QString elided(const std::string& text)
+{
+    const QString all = QString::fromUtf8(text);
+    if (all.size() <= headLength + tailLength + 3)
+        return all;
+    return all.left(headLength) + QStringLiteral(" … ") + all.right(tailLength);
+}
+
+} // namespace
+
+GenerationsView::GenerationsView(Document* document, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_fold(new QToolButton(this))
+    , m_summary(new QLabel(this))
+    , m_text(new QPlainTextEdit(this))
+    , m_highlighter(new GrammarHighlighter(m_text->document(), GrammarText::Generations))
+    , m_timer(new QTimer(this))
+{
+    setObjectName(QStringLiteral("generations"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(6);
+    m_fold->setObjectName(QStringLiteral("generationsFold"));
+    m_fold->setAutoRaise(true);
+    m_fold->setIconSize({12, 12});
+    m_fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_summary->setObjectName(QStringLiteral("generationsSummary"));
+    m_summary->setTextFormat(Qt::PlainText);
+    m_summary->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_summary->setWordWrap(true);
+    row->addWidget(m_fold);
+    row->addWidget(m_summary, 1);
+    layout->addLayout(row);
+    m_text->setObjectName(QStringLiteral("generationsText"));
+    m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+    m_text->setReadOnly(true);
+    m_text->setTabChangesFocus(true);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_text->setWordWrapMode(QTextOption::WrapAnywhere);
+    m_text->setFixedHeight(m_text->fontMetrics().lineSpacing() * textLines);
+    m_text->hide();
+    layout->addWidget(m_text);
+    m_highlighter->setColours(palette());
+    m_timer->setSingleShot(true);
+    m_timer->setInterval(pauseMs);
+    connect(m_timer, &QTimer::timeout, this, &GenerationsView::showGenerations);
+    connect(m_fold, &QToolButton::clicked, this, [this] { setUnfolded(!m_unfolded); });
+    connect(m_document, &Document::changed, this, &GenerationsView::follow);
+    retranslate();
+}
+
+void GenerationsView::setTree(NodeId tree)
+{
+    m_tree = tree;
+    m_stale = true;
+    showSummary();
+    if (m_unfolded)
+        m_timer->start();
+}
+
+void GenerationsView::setUnfolded(bool unfolded)
+{
+    m_unfolded = unfolded;
+    m_text->setVisible(unfolded);
+    if (unfolded && m_stale)
+        showGenerations();
+    retranslate();
+}
+
+void GenerationsView::follow(const Change& change)
+{
+    const bool mine = std::ranges::count(change.nodes, m_tree) > 0;
+    if (mine && change.has(changeResults))
+        showSummary();
+    if (mine && change.has(changeParams) && change.firstStale == Stage::Symbols) {
+        m_stale = true;
+        if (m_unfolded)
+            m_timer->start();
+    }
+}
+
+void GenerationsView::showSummary()
+{
+    const NodeResult* result = m_document->result(m_tree);
+    const bool known = result && !result->error && result->tree.symbols && result->tree.skeleton;
+    m_summary->setText(
+        known
+            ? tr("%1, %2").arg(tr("%Ln symbol(s)", nullptr, static_cast<int>(result->tree.symbols->size())),
+                               tr("%Ln branch(es)", nullptr, static_cast<int>(result->tree.skeleton->size())))
+            : QString());
+}
+
+void GenerationsView::showGenerations()
+{
+    m_timer->stop();
+    // Out of sight nothing is computed; showEvent catches up.
+    if (!m_unfolded || !isVisible())
+        return;
+    m_stale = false;
+    const Node* node = m_document->scene().find(m_tree);
+    if (!node) {
+        m_text->clear();
+        return;
+    }
+    const auto generations = generationsOf(node->params.grammar);
+    if (!generations) {
+        m_text->setPlainText(tr("The rules give no string yet."));
+        return;
+    }
+    const QLocale locale;
+    QStringList lines;
+    double before = 0.0;
+    for (std::size_t i = 0; i < generations->size(); ++i) {
+        const Generation& generation = (*generations)[i];
+        const int shown = static_cast<int>(std::min(generation.symbols, 2e9));
+        QString heading = i == 0 ? tr("Axiom") : tr("Generation %1").arg(i);
+        heading += QStringLiteral(" · ") + (generation.atLeast ? tr("more than %Ln symbol(s)", nullptr, shown)
+                                                               : tr("%Ln symbol(s)", nullptr, shown));
+        if (i > 0 && before > 0.0 && !generation.atLeast)
+            heading += QStringLiteral(" · ×") + locale.toString(generation.symbols / before, 'f', 2);
+        before = generation.symbols;
+        lines += heading;
+        lines += generation.text ? elided(*generation.text) : QStringLiteral("…");
+    }
+    const auto rest = node->params.grammar.iterations - static_cast<std::int64_t>(generations->size()) + 1;
+    if (rest > 0)
+        lines += tr("… and %Ln more generation(s)", nullptr, static_cast<int>(rest));
+    const int place = m_text->verticalScrollBar()->value();
+    m_text->setPlainText(lines.join(u'\n'));
+    m_text->verticalScrollBar()->setValue(place);
+}
+
+void GenerationsView::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    if (m_stale && m_unfolded)
+        m_timer->start();
+}
+
+void GenerationsView::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    } else if (event->type() == QEvent::PaletteChange) {
+        m_highlighter->setColours(palette());
+    }
+    QWidget::changeEvent(event);
+}
+
+void GenerationsView::retranslate()
+{
+    m_fold->setText(tr("Generations"));
+    m_fold->setIcon(icon(m_unfolded ? "fold-open" : "fold-closed"));
+    m_fold->setToolTip(m_unfolded ? tr("Hide the strings") : tr("Show the string of each generation"));
+    m_text->setAccessibleName(tr("Strings of the generations"));
+    showSummary();
+    if (m_unfolded)
+        m_timer->start();
+}
+
+} // namespace ramure

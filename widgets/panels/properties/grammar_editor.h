@@ -1,0 +1,27 @@
+/// \file
+/// The editor for parameters in the grammar's language, and for other long texts.
+#pragma once
+
+#include "widgets/panels/properties/param_editor.h"
+
+namespace ramure {
+
+class GrammarEdit;
+
+class GrammarEditor : public ParamEditor
+{
+    Q_OBJECT
+public:
+    GrammarEditor(const ParamDef& def, QWidget* parent);
+
+    void showValues(std::span<const ParamValue> values) override;
+    void showProblem(const std::optional<Error>& error) override;
+    bool showMessage(const QString& text) override;
+    void retranslate(const QString& name) override;
+    [[nodiscard]] bool isWide() const override { return true; }
+
+private:
+    GrammarEdit* m_edit = nullptr;
+};
+
+} // namespace ramure

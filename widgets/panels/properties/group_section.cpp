@@ -1,0 +1,166 @@
+#include "widgets/panels/properties/group_section.h"
+
+#include "widgets/base/core_text.h"
+#include "widgets/base/icons.h"
+#include "widgets/panels/properties/param_row.h"
+#include <QAction>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace ramure {
+
+GroupSection::GroupSection(const char* group, QWidget* parent)
+    : QWidget(parent)
+    , m_group(group)
+{
+    setObjectName(QStringLiteral("group/%1").arg(QString::fromLatin1(group)));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+
+    auto* bar = new QWidget(this);
+    bar->setObjectName(QStringLiteral("groupBar"));
+    auto* barLayout = new QHBoxLayout(bar);
+    barLayout->setContentsMargins(0, 0, 0, 0);
+    barLayout->setSpacing(0);
+    m_heading = new QToolButton(bar);
+    m_heading->setObjectName(QStringLiteral("groupHeading"));
+    m_heading->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_heading->setIconSize({12, 12});
+    m_heading->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_menuButton = new QToolButton(bar);
+    m_menuButton->setObjectName(QStringLiteral("groupMenu"));
+    m_menuButton->setAutoRaise(true);
+    m_menuButton->setIcon(icon("more"));
+    m_menuButton->setIconSize({14, 14});
+    m_menuButton->setFocusPolicy(Qt::TabFocus);
+    m_menuButton->setPopupMode(QToolButton::InstantPopup);
+    barLayout->addWidget(m_heading, 1);
+    barLayout->addWidget(m_menuButton);
+    layout->addWidget(bar);
+
+    m_content = new QWidget(this);
+    m_contentLayout = new QVBoxLayout(m_content);
+    m_contentLayout->setContentsMargins(12, 6, 8, 10);
+    m_contentLayout->setSpacing(6);
+    m_advanced = new QToolButton(m_content);
+    m_advanced->setObjectName(QStringLiteral("advanced"));
+    m_advanced->setAutoRaise(true);
+    m_advanced->hide();
+    m_contentLayout->addWidget(m_advanced, 0, Qt::AlignLeft);
+    layout->addWidget(m_content);
+
+    buildMenu();
+    connect(m_heading, &QToolButton::clicked, this, [this] {
+        setFolded(!m_folded);
+        emit foldedChanged();
+    });
+    connect(m_advanced, &QToolButton::clicked, this, [this] {
+        m_showAdvanced = !m_showAdvanced;
+        applyVisibility();
+        retranslate();
+    });
+    retranslate();
+}
+
+void GroupSection::buildMenu()
+{
+    auto* menu = new QMenu(m_menuButton);
+    m_copy = menu->addAction(icon("copy"), QString(), this, &GroupSection::copyRequested);
+    m_paste = menu->addAction(icon("paste"), QString(), this, &GroupSection::pasteRequested);
+    menu->addSeparator();
+    m_reset = menu->addAction(icon("reset"), QString(), this, &GroupSection::resetRequested);
+    connect(menu, &QMenu::aboutToShow, this, [this] {
+        m_reset->setEnabled(
+            std::ranges::any_of(rowsInReach(), [](const ParamRow* row) { return row->isChanged(); }));
+    });
+    m_menuButton->setMenu(menu);
+}
+
+void GroupSection::addRow(ParamRow* row)
+{
+    m_rows.push_back(row);
+    row->setParent(m_content);
+    // Advanced rows stand below the button that shows them.
+    const bool advanced = (row->def().flags & paramAdvanced) != 0;
+    const int place = advanced ? m_contentLayout->count() : m_contentLayout->indexOf(m_advanced);
+    m_contentLayout->insertWidget(place, row);
+}
+
+std::vector<ParamRow*> GroupSection::rowsInReach() const
+{
+    std::vector<ParamRow*> rows = m_rows;
+    std::erase_if(rows, [this](const ParamRow* row) { return !row->matches(m_words); });
+    return rows;
+}
+
+void GroupSection::setFolded(bool folded)
+{
+    m_folded = folded;
+    applyVisibility();
+}
+
+int GroupSection::filter(std::uint8_t kinds, const QStringList& words)
+{
+    m_kinds = kinds;
+    m_words = words;
+    applyVisibility();
+    return static_cast<int>(std::ranges::count_if(m_rows, [&](const ParamRow* row) {
+        return (row->def().kinds & kinds) == kinds && row->matches(words);
+    }));
+}
+
+void GroupSection::applyVisibility()
+{
+    const bool searching = !m_words.isEmpty();
+    bool any = false;
+    bool anyAdvanced = false;
+    for (ParamRow* row : m_rows) {
+        const bool fits = (row->def().kinds & m_kinds) == m_kinds && row->matches(m_words) &&
+                          (row->isRelevant() || searching);
+        const bool advanced = (row->def().flags & paramAdvanced) != 0;
+        any = any || fits;
+        anyAdvanced = anyAdvanced || (fits && advanced);
+        row->setVisible(fits && (!advanced || m_showAdvanced || searching));
+    }
+    setVisible(any && m_kinds != 0);
+    m_advanced->setVisible(anyAdvanced && !searching);
+    const bool open = !m_folded || searching;
+    m_content->setVisible(open);
+    m_heading->setIcon(icon(open ? "fold-open" : "fold-closed"));
+}
+
+void GroupSection::updateHeading()
+{
+    const auto changed = std::ranges::count_if(m_rows, [](const ParamRow* row) { return row->isChanged(); });
+    const QString name = coreText(m_group);
+    m_heading->setText(changed > 0 ? QStringLiteral("%1  •").arg(name) : name);
+    m_heading->setToolTip(changed > 0 ? tr("%n value(s) changed", nullptr, static_cast<int>(changed))
+                                      : tr("No value has been changed"));
+}
+
+void GroupSection::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+void GroupSection::retranslate()
+{
+    const QString name = coreText(m_group);
+    m_heading->setAccessibleName(name);
+    m_menuButton->setToolTip(tr("Copy, paste or reset this group"));
+    m_menuButton->setAccessibleName(tr("%1: menu").arg(name));
+    m_advanced->setText(m_showAdvanced ? tr("Less") : tr("More…"));
+    m_copy->setText(tr("Copy values"));
+    m_paste->setText(tr("Paste values"));
+    m_reset->setText(tr("Reset values"));
+    updateHeading();
+}
+
+} // namespace ramure

@@ -1,0 +1,82 @@
+#include "widgets/panels/properties/param_facts.h"
+
+#include "core/params/presets.h"
+#include "widgets/base/core_text.h"
+#include <QCoreApplication>
+
+namespace ramure {
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(ParamFacts)
+};
+
+QString unitText(const ParamDef& def, AngleUnit unit)
+{
+    switch (def.unit) {
+    case ParamUnit::Metre:
+        return Words::tr("metres; also cm, mm, km, in, ft");
+    case ParamUnit::Radian:
+        return unit == AngleUnit::Degrees ? Words::tr("degrees; also rad, turn, pi")
+                                          : Words::tr("radians; also deg, turn, pi");
+    case ParamUnit::Degree:
+        return Words::tr("degrees");
+    case ParamUnit::Ratio:
+        return Words::tr("a ratio; also %");
+    case ParamUnit::Share:
+        return Words::tr("per cent");
+    case ParamUnit::Count:
+        return Words::tr("a count");
+    case ParamUnit::Second:
+        return Words::tr("seconds; also ms, min");
+    case ParamUnit::Kilogram:
+        return Words::tr("kilograms; also g");
+    case ParamUnit::Factor:
+        return Words::tr("a factor");
+    case ParamUnit::None:
+        break;
+    }
+    return {};
+}
+
+QString itemLabel(const ParamDef& def, const std::string& name)
+{
+    for (const EnumItem& item : def.items)
+        if (name == item.name)
+            return coreText(item.label);
+    return {};
+}
+
+QString valueText(const ParamDef& def, const ParamValue& value, AngleUnit unit)
+{
+    const NumberFormat format = numberFormat(def, unit);
+    if (const auto* flag = std::get_if<bool>(&value))
+        return *flag ? Words::tr("on") : Words::tr("off");
+    if (const auto* whole = std::get_if<std::int64_t>(&value))
+        return format.text(static_cast<double>(*whole));
+    if (const auto* real = std::get_if<double>(&value))
+        return format.text(*real);
+    if (const auto* vector = std::get_if<glm::dvec3>(&value))
+        return QStringLiteral("%1, %2, %3")
+            .arg(format.text(vector->x), format.text(vector->y), format.text(vector->z));
+    if (const auto* choice = std::get_if<EnumValue>(&value))
+        return itemLabel(def, choice->name);
+    return {}; // texts are too long to say here; the reset arrow shows them
+}
+
+} // namespace
+
+QList<std::pair<QString, QString>> paramFacts(const ParamDef& def, AngleUnit unit, const std::string& preset)
+{
+    const ParamValue standard = defaultValue(def), begun = presetValue(preset, def);
+    QList<std::pair<QString, QString>> facts{{Words::tr("Unit"), unitText(def, unit)},
+                                             {Words::tr("Range"), rangeText(def, unit)},
+                                             {Words::tr("Default"), valueText(def, standard, unit)}};
+    if (begun != standard)
+        facts.append({Words::tr("In %1").arg(QString::fromStdString(preset)), valueText(def, begun, unit)});
+    facts.removeIf([](const auto& fact) { return fact.second.isEmpty(); });
+    return facts;
+}
+
+} // namespace ramure

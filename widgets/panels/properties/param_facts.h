@@ -1,0 +1,18 @@
+/// \file
+/// What there is to know of a parameter besides its name and description, in words: for tool tips and the
+/// handbook.
+#pragma once
+
+#include "widgets/base/number_format.h"
+#include <QList>
+#include <string>
+#include <utility>
+
+namespace ramure {
+
+/// Unit, range, default and, where it is another one, the value in \p preset as (name, value), those that it
+/// has.
+QList<std::pair<QString, QString>> paramFacts(const ParamDef& def, AngleUnit unit,
+                                              const std::string& preset = {});
+
+} // namespace ramure

@@ -1,0 +1,229 @@
+#include "widgets/panels/properties/param_row.h"
+
+#include "core/params/presets.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/icons.h"
+#include "widgets/panels/properties/param_editor_factory.h"
+#include "widgets/panels/properties/param_facts.h"
+#include <QContextMenuEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QToolButton>
+
+namespace ramure {
+namespace {
+
+constexpr int keySide = 22; ///< of the button for keys: no smaller than what a hand hits at once
+constexpr int keyIcon = 16;
+
+} // namespace
+
+QString paramToolTip(const ParamDef& def, AngleUnit unit, const std::string& preset)
+{
+    QString text = QStringLiteral("<p><b>%1</b><br>%2</p>")
+                       .arg(coreText(def.label).toHtmlEscaped(), coreText(def.tooltip).toHtmlEscaped());
+    QStringList facts;
+    const auto add = [&](const QString& name, const QString& value) {
+        facts +=
+            QStringLiteral("<tr><td>%1&nbsp;&nbsp;</td><td>%2</td></tr>").arg(name, value.toHtmlEscaped());
+    };
+    for (const auto& [name, value] : paramFacts(def, unit, preset))
+        add(name, value);
+    add(ParamRow::tr("Key"), QString::fromLatin1(def.key));
+    return text + QStringLiteral("<table>%1</table>").arg(facts.join(QString()));
+}
+
+ParamRow::ParamRow(const ParamDef& def, QWidget* parent)
+    : QWidget(parent)
+    , m_label(new QLabel(this))
+    , m_editor(makeParamEditor(def, this))
+    , m_reset(new QToolButton(this))
+    , m_message(new QLabel(this))
+{
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(3);
+    auto* name = new QHBoxLayout;
+    name->setSpacing(2);
+    if (isKeyable(def)) {
+        m_key = new QToolButton(this);
+        m_key->setAutoRaise(true);
+        m_key->setFixedSize(keySide, keySide);
+        m_key->setIconSize({keyIcon, keyIcon});
+        m_key->setFocusPolicy(Qt::TabFocus);
+        m_key->setObjectName(QStringLiteral("keyButton"));
+        m_key->hide();
+        name->addWidget(m_key);
+        connect(m_key, &QToolButton::clicked, this, &ParamRow::keyToggled);
+    }
+    name->addWidget(m_label, 1);
+    if (m_editor->isWide()) {
+        grid->addLayout(name, 0, 0, 1, 2);
+        grid->addWidget(m_reset, 0, 2);
+        grid->addWidget(m_editor, 1, 0, 1, 3);
+        grid->addWidget(m_message, 2, 0, 1, 3);
+    } else {
+        grid->addLayout(name, 0, 0);
+        grid->addWidget(m_editor, 0, 1);
+        grid->addWidget(m_reset, 0, 2);
+        grid->addWidget(m_message, 1, 0, 1, 3);
+    }
+    grid->setColumnStretch(1, 1);
+    m_label->setBuddy(m_editor);
+    m_editor->addHandle(m_label);
+    m_label->setWordWrap(!m_editor->isWide()); // long names in a narrow panel
+    m_reset->setAutoRaise(true);
+    m_reset->setIcon(icon("reset"));
+    m_reset->setIconSize({14, 14});
+    m_reset->setFocusPolicy(Qt::TabFocus);
+    QSizePolicy keepsPlace = m_reset->sizePolicy();
+    keepsPlace.setRetainSizeWhenHidden(true);
+    m_reset->setSizePolicy(keepsPlace);
+    m_reset->hide();
+    m_message->setObjectName(QStringLiteral("problem"));
+    m_message->setWordWrap(true);
+    m_message->hide();
+    connect(m_reset, &QToolButton::clicked, this, &ParamRow::resetRequested);
+    connect(m_editor, &ParamEditor::refused, this, &ParamRow::showRefusal);
+    connect(m_editor, &ParamEditor::held, this, &ParamRow::showRefusal);
+    retranslate();
+}
+
+QString ParamRow::message() const
+{
+    return m_message->text();
+}
+
+void ParamRow::showValues(std::span<const ParamValue> values, std::span<const std::string> presets)
+{
+    std::vector<ParamValue> standards;
+    for (const std::string& preset : presets)
+        standards.push_back(presetValue(preset, def()));
+    const bool onePreset =
+        !presets.empty() && std::ranges::count(presets, presets.front()) == std::ssize(presets);
+    m_preset = onePreset ? presets.front() : std::string();
+    m_editor->setStandard(commonValue(standards));
+    m_editor->showValues(values);
+    showToolTips();
+    m_changed = !std::ranges::equal(values, standards);
+    m_reset->setVisible(m_changed);
+    QFont font = m_label->font();
+    font.setBold(m_changed);
+    m_label->setFont(font);
+    showRefusal({});
+}
+
+void ParamRow::showProblem(const std::optional<Error>& error)
+{
+    m_problem = error;
+    m_editor->showProblem(error);
+    showMessage();
+}
+
+void ParamRow::showRefusal(const QString& reason)
+{
+    m_refusal = reason;
+    showMessage();
+}
+
+void ParamRow::showMessage()
+{
+    QString text = m_refusal;
+    if (text.isEmpty() && m_problem) {
+        Error error = *m_problem;
+        error.path.clear(); // the row itself is the place
+        text = errorTextWithPlace(error);
+    }
+    if (!text.isEmpty())
+        text[0] = text[0].toUpper();
+    m_message->setText(text);
+    m_message->setVisible(!m_editor->showMessage(text) && !text.isEmpty());
+}
+
+void ParamRow::showKeyState(KeyState state)
+{
+    if (!m_key)
+        return;
+    m_key->show();
+    m_key->setIcon(icon(state == KeyState::Here       ? "key-here"
+                        : state == KeyState::Animated ? "key-animated"
+                                                      : "key-none"));
+    const QString name = coreText(def().label);
+    m_key->setToolTip(state == KeyState::Here       ? tr("%1: take the key at this frame away").arg(name)
+                      : state == KeyState::Animated ? tr("%1 has keys: insert one at this frame").arg(name)
+                                                    : tr("%1: insert a key at this frame").arg(name));
+    m_key->setAccessibleName(m_key->toolTip());
+}
+
+void ParamRow::setAngleUnit(AngleUnit unit)
+{
+    m_angleUnit = unit;
+    m_editor->setAngleUnit(unit);
+    retranslate();
+}
+
+int ParamRow::labelWidth() const
+{
+    if (m_editor->isWide())
+        return 0;
+    QFont bold = m_label->font();
+    bold.setBold(true); // a changed value must not move its neighbours
+    const int key = m_key && !m_key->isHidden() ? keySide + 2 : 0;
+    return QFontMetrics(bold).horizontalAdvance(coreText(def().label)) + 2 + key;
+}
+
+void ParamRow::addBelow(QWidget* widget)
+{
+    auto* grid = static_cast<QGridLayout*>(layout());
+    grid->addWidget(widget, grid->rowCount(), 0, 1, 3);
+}
+
+void ParamRow::setLabelWidth(int width)
+{
+    if (!m_editor->isWide())
+        m_label->setFixedWidth(width - (m_key && !m_key->isHidden() ? keySide + 2 : 0));
+}
+
+bool ParamRow::matches(const QStringList& words) const
+{
+    const QString text = (coreText(def().label) + u' ' + coreText(def().group) + u' ' +
+                          coreText(def().tooltip) + u' ' + QString::fromLatin1(def().key))
+                             .toLower();
+    return std::ranges::all_of(words, [&](const QString& word) { return text.contains(word); });
+}
+
+void ParamRow::contextMenuEvent(QContextMenuEvent* event)
+{
+    emit menuRequested(event->globalPos());
+}
+
+void ParamRow::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+void ParamRow::retranslate()
+{
+    const QString name = coreText(def().label);
+    m_label->setText(name);
+    m_editor->retranslate(name);
+    showToolTips();
+    showMessage();
+}
+
+void ParamRow::showToolTips()
+{
+    const QString tip = paramToolTip(def(), m_angleUnit, m_preset);
+    m_label->setToolTip(tip);
+    m_editor->setToolTip(tip);
+    const bool isPresets = presetValue(m_preset, def()) != defaultValue(def());
+    m_reset->setToolTip(isPresets ? tr("Back to the value of %1").arg(QString::fromStdString(m_preset))
+                                  : tr("Back to the default"));
+    m_reset->setAccessibleName(QStringLiteral("%1: %2").arg(coreText(def().label), m_reset->toolTip()));
+}
+
+} // namespace ramure

@@ -1,0 +1,79 @@
+/// \file
+/// One parameter in the panel: label, editor, reset arrow, and a line for what is wrong.
+#pragma once
+
+#include "core/document/key_state.h"
+#include "widgets/panels/properties/param_editor.h"
+
+class QLabel;
+class QToolButton;
+
+namespace ramure {
+
+class ParamRow : public QWidget
+{
+    Q_OBJECT
+public:
+    ParamRow(const ParamDef& def, QWidget* parent);
+
+    [[nodiscard]] const ParamDef& def() const { return m_editor->def(); }
+    [[nodiscard]] ParamEditor* editor() const { return m_editor; }
+    [[nodiscard]] QToolButton* resetButton() const { return m_reset; }
+    /// The message below the editor, empty where all is well.
+    [[nodiscard]] QString message() const;
+
+    /// Of the selected nodes, one each: the values, and the presets they came from, which say what a reset
+    /// gives (core/params/presets.h).
+    void showValues(std::span<const ParamValue> values, std::span<const std::string> presets);
+    /// The error of the computation that concerns this parameter.
+    void showProblem(const std::optional<Error>& error);
+    /// Why the last value was not taken; empty: it was.
+    void showRefusal(const QString& reason);
+    /// The button for keys; null where the parameter cannot have any. Hidden until a state is shown.
+    [[nodiscard]] QToolButton* keyButton() const { return m_key; }
+    void showKeyState(KeyState state);
+    void setAngleUnit(AngleUnit unit);
+    void setLabelWidth(int width);
+    /// Something more about this parameter, below its editor and message; the row owns it.
+    void addBelow(QWidget* widget);
+    [[nodiscard]] int labelWidth() const;
+    /// \param words lower case; true where label, tooltip, group and key together hold all of them.
+    [[nodiscard]] bool matches(const QStringList& words) const;
+    [[nodiscard]] bool isChanged() const { return m_changed; }
+    /// Whether it has an effect on any of the nodes; one that has none is hidden unless searched for.
+    [[nodiscard]] bool isRelevant() const { return m_relevant; }
+    void setRelevant(bool relevant) { m_relevant = relevant; }
+
+signals:
+    void resetRequested();
+    void keyToggled();
+    /// A right click on the row; \p at on the screen.
+    void menuRequested(const QPoint& at);
+
+protected:
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void showToolTips();
+    void showMessage();
+
+    QLabel* m_label = nullptr;
+    ParamEditor* m_editor = nullptr;
+    QToolButton* m_reset = nullptr;
+    QToolButton* m_key = nullptr;
+    QLabel* m_message = nullptr;
+    std::optional<Error> m_problem;
+    QString m_refusal;
+    AngleUnit m_angleUnit = AngleUnit::Degrees;
+    std::string m_preset; ///< of all selected nodes, or empty
+    bool m_changed = false;
+    bool m_relevant = true;
+};
+
+/// The tooltip of a parameter: what it does, unit, range, default, what \p preset has in place of it, key.
+/// Rich text.
+QString paramToolTip(const ParamDef& def, AngleUnit unit, const std::string& preset = {});
+
+} // namespace ramure

@@ -1,0 +1,521 @@
+#include "widgets/panels/properties/properties_panel.h"
+
+#include "core/document/commands.h"
+#include "core/params/param_relevance.h"
+#include "core/params/presets.h"
+#include "core/session/arm_reach.h"
+#include "core/session/auto_key.h"
+#include "core/session/player.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/icons.h"
+#include "widgets/base/preferences.h"
+#include "widgets/base/targets.h"
+#include "widgets/panels/properties/grammar/generations_view.h"
+#include "widgets/panels/properties/group_section.h"
+#include "widgets/panels/properties/param_row.h"
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QScrollArea>
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <string_view>
+
+namespace ramure {
+namespace {
+
+constexpr int longestLabel = 20; ///< characters of average width
+
+} // namespace
+
+PropertiesPanel::PropertiesPanel(Document* document, Preferences* preferences, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_preferences(preferences)
+{
+    setObjectName(QStringLiteral("propertiesPanel"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+
+    auto* head = new QWidget(this);
+    auto* headLayout = new QVBoxLayout(head);
+    headLayout->setContentsMargins(12, 8, 8, 8);
+    headLayout->setSpacing(6);
+    m_title = new QLabel(head);
+    m_title->setObjectName(QStringLiteral("panelTitle"));
+    m_title->setTextFormat(Qt::PlainText);
+    m_search = new QLineEdit(head);
+    m_search->setClearButtonEnabled(true);
+    m_search->addAction(icon("search"), QLineEdit::LeadingPosition);
+    m_problem = new QLabel(head);
+    m_problem->setObjectName(QStringLiteral("problem"));
+    m_problem->setWordWrap(true);
+    m_problem->hide();
+    headLayout->addWidget(m_title);
+    headLayout->addWidget(m_search);
+    headLayout->addWidget(m_problem);
+    layout->addWidget(head);
+
+    m_scroll = new QScrollArea(this);
+    m_scroll->setFrameShape(QFrame::NoFrame);
+    m_scroll->setWidgetResizable(true);
+    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scroll->setFocusPolicy(Qt::NoFocus);
+    m_content = new QWidget(m_scroll);
+    m_content->setObjectName(QStringLiteral("propertiesContent"));
+    m_scroll->setWidget(m_content);
+    m_empty = new QLabel(this);
+    m_empty->setObjectName(QStringLiteral("hint"));
+    m_empty->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    m_empty->setWordWrap(true);
+    m_empty->setContentsMargins(24, 32, 24, 24);
+    layout->addWidget(m_empty, 1);
+    layout->addWidget(m_scroll, 1);
+
+    buildRows();
+    connect(m_search, &QLineEdit::textChanged, this, &PropertiesPanel::applyFilter);
+    connect(m_search, &QLineEdit::returnPressed, this, &PropertiesPanel::focusFirstFound);
+    connect(m_document, &Document::changed, this, &PropertiesPanel::follow);
+    connect(m_preferences, &Preferences::changed, this, &PropertiesPanel::applyPreferences);
+    applyPreferences();
+    retranslate();
+    takeTargets();
+}
+
+void PropertiesPanel::buildRows()
+{
+    auto* layout = new QVBoxLayout(m_content);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    for (const ParamDef& def : paramTable()) {
+        const auto sameGroup = [&](const GroupSection* s) {
+            return std::string_view(s->group()) == def.group;
+        };
+        auto found = std::ranges::find_if(m_sections, sameGroup);
+        if (found == m_sections.end()) {
+            auto* section = new GroupSection(def.group, m_content);
+            layout->addWidget(section);
+            connect(section, &GroupSection::copyRequested, this, [this, section] { copyGroup(section); });
+            connect(section, &GroupSection::pasteRequested, this, [this, section] { pasteGroup(section); });
+            connect(section, &GroupSection::resetRequested, this, [this, section] { resetGroup(section); });
+            connect(section, &GroupSection::foldedChanged, this, [this] {
+                QStringList folded;
+                for (const GroupSection* each : m_sections) {
+                    if (each->isFolded())
+                        folded += QString::fromLatin1(each->group());
+                }
+                m_preferences->setFoldedGroups(folded);
+                updateGeometry();
+            });
+            found = m_sections.insert(m_sections.end(), section);
+        }
+        auto* row = new ParamRow(def, m_content);
+        (*found)->addRow(row);
+        m_rows.push_back(row);
+        connect(row->editor(), &ParamEditor::valueEdited, this,
+                [this, row](const ParamValue& value, GestureId gesture) { setValue(row, value, gesture); });
+        connect(row->editor(), &ParamEditor::componentEdited, this,
+                [this, row](int axis, double value, GestureId gesture) {
+                    setComponent(row, axis, value, gesture);
+                });
+        connect(row, &ParamRow::resetRequested, this, [this, row] { resetRow(row); });
+        connect(row, &ParamRow::menuRequested, this, [this, row](const QPoint& at) { showMenu(row, at); });
+    }
+    m_generations = new GenerationsView(m_document, m_content);
+    row(*findParam("grammar.rules"))->addBelow(m_generations);
+    layout->addStretch(1);
+}
+
+ParamRow* PropertiesPanel::row(const ParamDef& def) const
+{
+    return m_rows[paramId(def)];
+}
+
+void PropertiesPanel::follow(const Change& change)
+{
+    if (change.has(changeReset | changeSelection | changeStructure | changeNodeState)) {
+        takeTargets();
+        return;
+    }
+    const bool mine = change.nodes.empty() || std::ranges::any_of(change.nodes, [this](NodeId id) {
+                          return std::ranges::count(m_nodes, id) > 0;
+                      });
+    if (!mine)
+        return;
+    if (change.has(changeParams))
+        showValues(change.params);
+    if (change.has(changeTracks)) { // of parameters, and of the placement
+        std::vector<ParamId> params = change.params;
+        for (const char* key : {"tree.translation", "tree.rotation", "tree.scale"})
+            params.push_back(paramId(*findParam(key)));
+        showValues(params);
+    }
+    if (change.has(changeResults))
+        showProblem();
+}
+
+void PropertiesPanel::takeTargets()
+{
+    std::vector<NodeId> nodes = targetNodes(*m_document);
+    std::erase_if(nodes, [this](NodeId id) { return !m_document->scene().find(id); });
+    m_kinds = 0;
+    m_presets.clear();
+    bool locked = false;
+    for (const NodeId id : nodes) {
+        const Node* node = m_document->scene().find(id);
+        m_presets.push_back(node->preset);
+        m_kinds = static_cast<std::uint8_t>(m_kinds | kindBit(node->kind));
+        locked = locked || node->locked;
+    }
+    m_nodes = std::move(nodes);
+    m_content->setEnabled(!locked);
+    m_generations->setTree(m_nodes.size() == 1 ? m_nodes.front() : noNode);
+    showValues({});
+    showProblem();
+    applyFilter();
+    retranslate();
+}
+
+std::vector<ParamValue> PropertiesPanel::valuesOf(const ParamDef& def) const
+{
+    std::vector<ParamValue> values;
+    values.reserve(m_nodes.size());
+    for (const NodeId id : m_nodes)
+        values.push_back(m_keys ? m_keys->value(id, def) : def.get(m_document->scene().find(id)->params));
+    return values;
+}
+
+void PropertiesPanel::showRow(ParamRow* row)
+{
+    row->showValues(valuesOf(row->def()), m_presets);
+}
+
+void PropertiesPanel::showValues(const std::vector<ParamId>& params)
+{
+    if (m_nodes.empty())
+        return;
+    for (const ParamDef& def : paramTable()) {
+        const ParamId id = paramId(def);
+        if (params.empty() || std::ranges::count(params, id) > 0)
+            showRow(m_rows[id]);
+        if (m_keys)
+            m_rows[id]->showKeyState(m_keys->state(m_nodes, def));
+    }
+    for (GroupSection* section : m_sections)
+        section->updateHeading();
+    showRelevance();
+}
+
+/// A box shows no radius: what has no effect on any of the nodes only takes room.
+void PropertiesPanel::showRelevance()
+{
+    for (GroupSection* section : m_sections) {
+        bool changed = false;
+        for (ParamRow* row : section->rows()) {
+            const bool relevant = !relevanceOf(row->def()) || std::ranges::any_of(m_nodes, [&](NodeId id) {
+                return isRelevant(m_document->scene().find(id)->params, row->def());
+            });
+            changed = changed || relevant != row->isRelevant();
+            row->setRelevant(relevant);
+        }
+        if (changed)
+            section->applyVisibility();
+    }
+}
+
+void PropertiesPanel::setKeys(AutoKey* keys)
+{
+    m_keys = keys;
+    connect(keys, &AutoKey::changed, this, [this] { showValues({}); });
+    connect(keys->player(), &Player::frameChanged, this, &PropertiesPanel::showKeys);
+    for (ParamRow* row : m_rows)
+        connect(row, &ParamRow::keyToggled, this, [this, row] {
+            const auto done = m_keys->toggle(m_nodes, row->def());
+            if (!done)
+                row->showRefusal(errorText(done.error()));
+        });
+    showValues({});
+    for (ParamRow* row : m_rows)
+        row->showKeyState(KeyState::None); // also while nothing is selected: the labels' width counts
+    showValues({});
+    alignLabels();
+}
+
+/// At another frame only what has keys looks different.
+void PropertiesPanel::showKeys()
+{
+    for (ParamRow* row : m_rows)
+        if (row->keyButton() && m_keys->state(m_nodes, row->def()) != KeyState::None) {
+            showRow(row);
+            row->showKeyState(m_keys->state(m_nodes, row->def()));
+        }
+}
+
+void PropertiesPanel::showProblem()
+{
+    std::optional<Error> error;
+    for (const NodeId id : m_nodes) {
+        if (const Error* problem = m_document->problem(id)) {
+            error = *problem;
+            break;
+        }
+    }
+    const ParamDef* culprit = error ? findParam(error->path) : nullptr;
+    for (ParamRow* row : m_rows)
+        row->showProblem(culprit == &row->def() ? error : std::nullopt);
+    m_problem->setVisible(error && !culprit);
+    if (error && !culprit)
+        m_problem->setText(errorTextWithPlace(*error));
+}
+
+void PropertiesPanel::applyFilter()
+{
+    const QStringList words = m_search->text().toLower().split(u' ', Qt::SkipEmptyParts);
+    int shown = 0;
+    for (GroupSection* section : m_sections)
+        shown += section->filter(m_kinds, words);
+    m_scroll->setVisible(m_kinds != 0 && shown > 0);
+    m_empty->setVisible(m_kinds == 0 || shown == 0);
+}
+
+void PropertiesPanel::applyPreferences()
+{
+    for (ParamRow* row : m_rows)
+        row->setAngleUnit(m_preferences->angleUnit());
+    const QStringList folded = m_preferences->foldedGroups();
+    for (GroupSection* section : m_sections)
+        section->setFolded(folded.contains(QString::fromLatin1(section->group())));
+}
+
+/// The target of one arm that follows it: the arm is seen on its way there.
+bool PropertiesPanel::isReached(const ParamDef& def) const
+{
+    return m_reach && m_nodes.size() == 1 && &def == findParam("arm.target") &&
+           m_document->scene().find(m_nodes.front())->params.arm.follows;
+}
+
+void PropertiesPanel::setValue(ParamRow* row, const ParamValue& value, quint64 gesture)
+{
+    const bool keyed = m_keys && m_keys->takes(m_nodes, row->def());
+    const auto done = keyed ? m_keys->set(m_nodes, row->def(), value, std::nullopt, gesture)
+                      : isReached(row->def())
+                          ? m_reach->aim(m_nodes.front(), std::get<glm::dvec3>(value), gesture)
+                          : edit::setParam(*m_document, m_nodes, row->def(), value, gesture);
+    if (!done) {
+        showRow(row);
+        row->showRefusal(errorText(done.error()));
+    }
+}
+
+void PropertiesPanel::setComponent(ParamRow* row, int axis, double value, quint64 gesture)
+{
+    Expected<void> done;
+    if (m_keys && m_keys->takes(m_nodes, row->def())) {
+        ParamValue whole = m_keys->value(m_nodes.front(), row->def());
+        std::get<glm::dvec3>(whole)[axis] = value;
+        done = m_keys->set(m_nodes, row->def(), whole, axis, gesture);
+    } else if (isReached(row->def())) {
+        glm::dvec3 target = m_document->scene().find(m_nodes.front())->params.arm.target;
+        target[axis] = value;
+        done = m_reach->aim(m_nodes.front(), target, gesture);
+    } else {
+        done = edit::setComponent(*m_document, m_nodes, row->def(), axis, value, gesture);
+    }
+    if (!done) {
+        showRow(row);
+        row->showRefusal(errorText(done.error()));
+    }
+}
+
+/// Trees of several presets may each get another value, which no one edit can say.
+void PropertiesPanel::resetRow(ParamRow* row)
+{
+    std::vector<ParamValue> standards;
+    for (const std::string& preset : m_presets)
+        standards.push_back(presetValue(preset, row->def()));
+    if (const auto common = commonValue(standards)) {
+        setValue(row, *common, 0);
+        return;
+    }
+    const QString text = tr("Reset %1").arg(coreText(row->def().label));
+    const auto done = edit::resetParams(*m_document, m_nodes, {&row->def()}, text);
+    if (!done)
+        row->showRefusal(errorText(done.error()));
+}
+
+void PropertiesPanel::showMenu(ParamRow* row, const QPoint& at)
+{
+    if (m_nodes.empty())
+        return;
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("rowMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(icon("reset"), row->resetButton()->toolTip(), row, &ParamRow::resetRequested)
+        ->setEnabled(row->isChanged());
+    menu->addSeparator();
+    menu->addAction(icon("copy"), tr("Copy value"), this, [this, row] { copyRow(row); });
+    menu->addAction(icon("paste"), tr("Paste value"), this, [this, row] { pasteRow(row); });
+    menu->addAction(tr("Copy as --set for the command line"), this, [this, row] {
+        QGuiApplication::clipboard()->setText(settingText(row->def(), valuesOf(row->def()).back()));
+    });
+    if (m_keys && row->keyButton()) {
+        menu->addSeparator();
+        const bool isHere = m_keys->state(m_nodes, row->def()) == KeyState::Here;
+        menu->addAction(row->keyButton()->icon(), isHere ? tr("Take the key away") : tr("Insert a key"), row,
+                        &ParamRow::keyToggled);
+    }
+    menu->popup(at);
+}
+
+/// Of the active node: the last one selected.
+void PropertiesPanel::copyRow(const ParamRow* row)
+{
+    copyValue(row->def(), valuesOf(row->def()).back());
+}
+
+void PropertiesPanel::pasteRow(ParamRow* row)
+{
+    const auto value = pastedValue(row->def(), m_preferences->angleUnit());
+    if (value)
+        setValue(row, *value, 0);
+    else
+        row->showRefusal(errorText(value.error()));
+}
+
+void PropertiesPanel::copyGroup(const GroupSection* section)
+{
+    if (m_nodes.empty())
+        return;
+    // The active node's values: the last one selected.
+    const Node* node = m_document->scene().find(m_nodes.back());
+    ParamList values;
+    for (const ParamRow* row : section->rowsInReach()) {
+        if (hasParam(node->kind, row->def()))
+            values.emplace_back(&row->def(), row->def().get(node->params));
+    }
+    QGuiApplication::clipboard()->setText(writeParamList(values));
+}
+
+void PropertiesPanel::pasteGroup(const GroupSection* section)
+{
+    auto values = readParamList(QGuiApplication::clipboard()->text());
+    if (!values) {
+        section->rows().front()->showRefusal(errorText(values.error()));
+        return;
+    }
+    const std::vector<ParamRow*> rows = section->rowsInReach();
+    std::erase_if(*values, [&](const auto& entry) {
+        return std::ranges::count(rows, row(*entry.first)) == 0 || (entry.first->kinds & m_kinds) != m_kinds;
+    });
+    report(section,
+           edit::setParams(*m_document, m_nodes, *values, tr("Paste %1").arg(coreText(section->group()))));
+}
+
+void PropertiesPanel::resetGroup(const GroupSection* section)
+{
+    std::vector<const ParamDef*> params;
+    for (const ParamRow* row : section->rowsInReach()) {
+        if ((row->def().kinds & m_kinds) == m_kinds)
+            params.push_back(&row->def());
+    }
+    report(section,
+           edit::resetParams(*m_document, m_nodes, params, tr("Reset %1").arg(coreText(section->group()))));
+}
+
+/// Where the parameter at fault stands.
+void PropertiesPanel::report(const GroupSection* section, const Expected<void>& done)
+{
+    if (!done) {
+        const ParamDef* culprit = findParam(done.error().path);
+        (culprit ? row(*culprit) : section->rows().front())->showRefusal(errorText(done.error()));
+    }
+}
+
+void PropertiesPanel::focusSearch()
+{
+    m_search->setFocus(Qt::ShortcutFocusReason);
+    m_search->selectAll();
+}
+
+/// To the first parameter in sight, its value marked: the next key replaces it.
+void PropertiesPanel::focusFirstFound()
+{
+    for (const ParamRow* row : m_rows) {
+        if (!row->isVisibleTo(this) || !row->editor()->isEnabled())
+            continue;
+        m_scroll->ensureWidgetVisible(row->editor());
+        row->editor()->setFocus(Qt::TabFocusReason);
+        return;
+    }
+}
+
+void PropertiesPanel::showParam(const QString& key)
+{
+    const ParamDef* def = findParam(key.toStdString());
+    if (!def)
+        return;
+    m_search->clear();
+    for (GroupSection* section : m_sections) {
+        if (std::ranges::count(section->rows(), row(*def)) > 0)
+            section->setFolded(false);
+    }
+    if (row(*def)->isHidden()) // an advanced one, or without effect now: a search shows all
+        m_search->setText(key);
+    m_scroll->ensureWidgetVisible(row(*def));
+    row(*def)->editor()->setFocus(Qt::ShortcutFocusReason);
+}
+
+QSize PropertiesPanel::minimumSizeHint() const
+{
+    // What scrolls only up and down must not be cut at the side.
+    constexpr int leastHeight = 160;
+    const int bar = style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this);
+    return {std::max(m_content->minimumSizeHint().width() + bar, QWidget::minimumSizeHint().width()),
+            leastHeight};
+}
+
+void PropertiesPanel::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+void PropertiesPanel::alignLabels()
+{
+    // The longest names are broken into two lines rather than starving the sliders.
+    int width = 0;
+    for (const ParamRow* row : m_rows)
+        width = std::max(width, row->labelWidth());
+    width = std::min(width, fontMetrics().averageCharWidth() * longestLabel);
+    for (ParamRow* row : m_rows)
+        row->setLabelWidth(width);
+}
+
+void PropertiesPanel::retranslate()
+{
+    m_search->setPlaceholderText(tr("Search parameters"));
+    m_search->setAccessibleName(tr("Search parameters"));
+    if (m_nodes.empty()) {
+        m_title->setText(tr("Nothing selected"));
+    } else if (m_nodes.size() == 1) {
+        const Node* node = m_document->scene().find(m_nodes.front());
+        const QString name = QString::fromStdString(node->name);
+        m_title->setText(node->locked ? tr("%1 (locked)").arg(name) : name);
+    } else {
+        m_title->setText(tr("%n node(s) selected", nullptr, static_cast<int>(m_nodes.size())));
+    }
+    m_scroll->setAccessibleName(tr("Parameters"));
+    m_empty->setText(m_kinds == 0 ? tr("Select a tree in the scene or in the view to change it.")
+                                  : tr("No parameter is called like this."));
+    alignLabels();
+    updateGeometry();
+}
+
+} // namespace ramure

@@ -1,0 +1,94 @@
+/// \file
+/// The parameters of the selected nodes, made from the parameter table: grouped, foldable, searchable.
+#pragma once
+
+#include "core/document/document.h"
+#include "widgets/base/number_format.h"
+#include "widgets/panels/properties/group_clipboard.h"
+#include <QWidget>
+
+class QLabel;
+class QLineEdit;
+class QScrollArea;
+
+namespace ramure {
+
+class ArmReach;
+class AutoKey;
+class GenerationsView;
+class GroupSection;
+class ParamRow;
+class Preferences;
+
+class PropertiesPanel : public QWidget
+{
+    Q_OBJECT
+public:
+    /// Neither is owned; both must outlive the panel.
+    PropertiesPanel(Document* document, Preferences* preferences, QWidget* parent = nullptr);
+
+    /// The row of a parameter; every row of the table has one.
+    [[nodiscard]] ParamRow* row(const ParamDef& def) const;
+    [[nodiscard]] const std::vector<NodeId>& nodes() const { return m_nodes; }
+    /// Parameters that may have keys get buttons, and show what they are at the frame on show. Not owned.
+    void setKeys(AutoKey* keys);
+    /// Sends an arm to the target that is typed; may be null. Not owned.
+    void setReach(ArmReach* reach) { m_reach = reach; }
+    [[nodiscard]] QSize sizeHint() const override { return {360, 640}; }
+    /// As wide as the widest row in sight needs.
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+public slots:
+    void focusSearch();
+    /// Unfolds what hides a parameter, scrolls to it and gives it the focus.
+    void showParam(const QString& key);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void buildRows();
+    void follow(const Change& change);
+    void takeTargets();
+    void showValues(const std::vector<ParamId>& params);
+    void showRelevance();
+    void showKeys();
+    void showProblem();
+    void applyFilter();
+    void applyPreferences();
+    void retranslate();
+    void alignLabels();
+    void focusFirstFound();
+    void setValue(ParamRow* row, const ParamValue& value, quint64 gesture);
+    void setComponent(ParamRow* row, int axis, double value, quint64 gesture);
+    [[nodiscard]] bool isReached(const ParamDef& def) const;
+    void copyGroup(const GroupSection* section);
+    void pasteGroup(const GroupSection* section);
+    void resetGroup(const GroupSection* section);
+    void report(const GroupSection* section, const Expected<void>& done);
+    [[nodiscard]] std::vector<ParamValue> valuesOf(const ParamDef& def) const;
+    void showRow(ParamRow* row);
+    void resetRow(ParamRow* row);
+    void showMenu(ParamRow* row, const QPoint& at);
+    void copyRow(const ParamRow* row);
+    void pasteRow(ParamRow* row);
+
+    Document* m_document;
+    Preferences* m_preferences;
+    AutoKey* m_keys = nullptr;
+    ArmReach* m_reach = nullptr;
+    std::vector<NodeId> m_nodes;
+    std::vector<std::string> m_presets; ///< that m_nodes came from
+    std::uint8_t m_kinds = 0;           ///< bits of the kinds of m_nodes
+    std::vector<ParamRow*> m_rows;      ///< by ParamId
+    std::vector<GroupSection*> m_sections;
+    QLabel* m_title = nullptr;
+    QLabel* m_problem = nullptr; ///< an error that belongs to no row
+    GenerationsView* m_generations = nullptr;
+    QLabel* m_empty = nullptr;
+    QLineEdit* m_search = nullptr;
+    QScrollArea* m_scroll = nullptr;
+    QWidget* m_content = nullptr;
+};
+
+} // namespace ramure

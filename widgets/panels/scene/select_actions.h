@@ -1,0 +1,59 @@
+/// \file
+/// The Select menu: steps through branches and nodes, isolating, order, copying names.
+#pragma once
+
+#include "core/document/document.h"
+#include "widgets/panels/scene/selection_steps.h"
+#include <QList>
+#include <QObject>
+
+class QAction;
+class QMenu;
+
+namespace ramure {
+
+class ActionSet;
+class Isolation;
+
+class SelectActions : public QObject
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the actions.
+    SelectActions(Document* document, Isolation* isolation, ActionSet* set, QObject* parent);
+
+    void fillMenu(QMenu* menu);
+    /// What a right click on a row offers besides the actions on nodes.
+    [[nodiscard]] QList<QAction*> stepActions() const;
+    [[nodiscard]] QList<QAction*> rowActions() const;
+    [[nodiscard]] QList<QAction*> isolationActions() const { return {m_isolate, m_showAll}; }
+
+signals:
+    void searchRequested();
+    void messageRaised(const QString& text);
+
+private:
+    void follow(const Change& change);
+    void update();
+    void step(SelectionStep step);
+    void copyNames();
+    void isolate();
+    void showAll();
+    void report(const Expected<void>& done);
+
+    Document* m_document;
+    Isolation* m_isolation;
+    QAction* m_parent;
+    QAction* m_children;
+    QAction* m_siblings;
+    QAction* m_subtree;
+    QAction* m_level;
+    QAction* m_search;
+    QAction* m_isolate;
+    QAction* m_showAll;
+    QAction* m_up;
+    QAction* m_down;
+    QAction* m_copyNames;
+};
+
+} // namespace ramure

@@ -1,0 +1,58 @@
+/// \file
+/// Baking the motion and freeing it again: actions, messages, and a button for the timeline.
+#pragma once
+
+#include "core/session/baker.h"
+#include "core/session/motion.h"
+#include <QObject>
+#include <functional>
+
+class QAction;
+class QMenu;
+class QToolButton;
+class QWidget;
+
+namespace ramure {
+
+class ActionSet;
+class Chooser;
+class Player;
+
+class BakeActions : public QObject
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the object. \param chooser hears of what went wrong.
+    BakeActions(Document* document, Player* player, Chooser* chooser, ActionSet* set,
+                QObject* parent = nullptr);
+
+    /// Called where the project has no file yet: true where it has one afterwards.
+    void setSave(std::function<bool()> save) { m_save = std::move(save); }
+    [[nodiscard]] BackgroundJob* job() { return m_baker.job(); }
+    void fillMenu(QMenu* menu) const;
+    /// Its menu bakes and frees. Its picture and tooltip tell how the bake stands.
+    QToolButton* makeButton(QWidget* parent);
+    void retranslate();
+
+signals:
+    void messageRaised(const QString& text);
+
+private:
+    [[nodiscard]] bool saveFirst();
+    void bake();
+    void free();
+    void finish(const std::optional<Error>& error);
+    void update();
+    void complain(const QString& what, const Error& error);
+
+    Document* m_document;
+    Player* m_player;
+    Chooser* m_chooser;
+    Baker m_baker;
+    std::function<bool()> m_save;
+    QAction* m_bake;
+    QAction* m_free;
+    QToolButton* m_button = nullptr;
+};
+
+} // namespace ramure

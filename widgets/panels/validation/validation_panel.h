@@ -1,0 +1,54 @@
+/// \file
+/// Content of the validation dock: is the mesh of the selected node (a tree, an arm, a terrain, an object)
+/// closed, manifold and oriented, what runs through what, how well shaped are its triangles? Green, or every
+/// defect by kind; below it what the mesher had to repair, and what each kind means for a print or a game.
+#pragma once
+
+#include "core/scene/scene.h"
+#include "widgets/base/defect_place.h"
+#include <QWidget>
+#include <memory>
+
+namespace ramure {
+
+class Analysis;
+class Document;
+
+class ValidationPanel : public QWidget
+{
+    Q_OBJECT
+public:
+    /// \param document,analysis are not owned and must outlive the panel. Without an analysis only the
+    /// topology of trees is shown. What is no tree is checked here, as long as the panel is seen.
+    explicit ValidationPanel(Document* document, QWidget* parent = nullptr);
+    ValidationPanel(Document* document, Analysis* analysis, QWidget* parent = nullptr);
+    ~ValidationPanel() override;
+
+    [[nodiscard]] QSize sizeHint() const override;
+
+public slots:
+    /// The whole report as plain text on the clipboard.
+    void copyReport();
+
+signals:
+    /// A defect was clicked; its branch is selected by now. Frame place.box, draw the rest.
+    void defectActivated(ramure::NodeId node, const ramure::DefectPlace& place);
+    /// Another node, another mesh or a repair note: what was highlighted is out of date. Or nobody wants to
+    /// see it any more: Escape in the list, or the panel was hidden.
+    void defectLeft();
+    /// The colliding branches of the tree are to be moved apart.
+    void separateRequested(ramure::NodeId tree);
+    /// For the status bar.
+    void messageRaised(const QString& text);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace ramure

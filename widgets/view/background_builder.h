@@ -1,0 +1,72 @@
+/// \file
+/// Makes render scenes on a thread of its own: the lines of a large tree take longer than the interface may
+/// wait. The newest wish is served; every one that was begun is finished, so that pictures keep coming while
+/// wishes do.
+#pragma once
+
+#include "widgets/view/render/scene_builder.h"
+#include <QObject>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace ramure {
+
+/// Everything that a scene is made of, as it was in one moment.
+struct SceneWish
+{
+    Scene scene;
+    std::map<NodeId, TreeResult> results;
+    SceneView view;
+    quint64 revision = 0; ///< of the document, of the oldest result
+    quint64 serial = 0;   ///< counts wishes
+};
+
+struct BuiltScene
+{
+    std::shared_ptr<RenderScene> scene; ///< nobody else has it
+    SceneView view;                     ///< as it was wished
+    quint64 revision = 0;               ///< as it was wished
+    quint64 serial = 0;                 ///< of the wish
+    double buildMs = 0.0;
+};
+
+class BackgroundBuilder : public QObject
+{
+    Q_OBJECT
+public:
+    explicit BackgroundBuilder(QObject* parent = nullptr);
+    ~BackgroundBuilder() override; ///< waits for the scene in progress
+
+    /// Replaces a wish that still waits.
+    void wish(SceneWish wish);
+    /// Wishes that were not taken yet.
+    [[nodiscard]] bool isBusy() const;
+    /// The newest finished scene, once.
+    [[nodiscard]] std::optional<BuiltScene> take();
+    /// Waits until everything wished for is built, and takes it: for pictures that must be of now.
+    [[nodiscard]] std::optional<BuiltScene> finish();
+    /// Lets go of something large on the thread: giving back its memory can take longer than a frame.
+    void dispose(std::shared_ptr<const void> last);
+
+signals:
+    /// take() has something.
+    void built();
+
+private:
+    void loop(const std::stop_token& quit);
+
+    SceneBuilder m_builder; ///< only the thread uses it
+    mutable std::mutex m_mutex;
+    std::condition_variable_any m_wake;
+    std::condition_variable_any m_done;
+    std::optional<SceneWish> m_waiting;
+    bool m_building = false;
+    std::optional<BuiltScene> m_built;
+    std::vector<std::shared_ptr<const void>> m_disposed;
+    std::jthread m_thread; ///< last: it needs all of the above
+};
+
+} // namespace ramure

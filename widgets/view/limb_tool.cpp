@@ -1,0 +1,145 @@
+#include "widgets/view/limb_tool.h"
+#include "core/scene/places.h"
+
+#include "widgets/view/motion_tools.h"
+#include <algorithm>
+
+namespace ramure {
+namespace {
+
+Limb::Bends bendsOf(const Node& node)
+{
+    Limb::Bends bends;
+    for (const auto& [key, branch] : node.params.branches)
+        if (branch.bendRad != glm::dvec3(0.0))
+            bends[key] = branch.bendRad;
+    return bends;
+}
+
+std::vector<glm::dvec3> byBranch(const Skeleton& skeleton, const Limb::Bends& bends)
+{
+    std::vector<glm::dvec3> all(skeleton.size(), glm::dvec3(0.0));
+    for (Index b = 0; b < skeleton.size() && !bends.empty(); ++b)
+        if (const auto found = bends.find(skeleton.key[b]); found != bends.end())
+            all[b] = found->second;
+    return all;
+}
+
+} // namespace
+
+std::unique_ptr<LimbTool> LimbTool::grab(Document& document, const PickHit& hit, std::size_t branches)
+{
+    const Node* node = document.scene().find(hit.node);
+    const NodeResult* result = document.result(hit.node);
+    if (!node || node->kind != NodeKind::Tree || document.scene().isLocked(hit.node) || !result ||
+        !result->tree.simplified || !document.isCurrent(hit.node) || result->error)
+        return nullptr;
+    if (hit.branch >= result->tree.simplified->skeleton.size())
+        return nullptr;
+    return std::unique_ptr<LimbTool>(new LimbTool(document, hit, *node, result->tree.simplified, branches));
+}
+
+LimbTool::LimbTool(Document& document, const PickHit& hit, const Node& node,
+                   std::shared_ptr<const SimplifiedSkeleton> skeleton, std::size_t branches)
+    : m_document(document)
+    , m_node(hit.node)
+    , m_branch(hit.branch)
+    , m_wanted(std::clamp<std::size_t>(branches, 1, mostBranches))
+    , m_skeleton(std::move(skeleton))
+    , m_atGrab(byBranch(m_skeleton->skeleton, bendsOf(node)))
+    , m_bends(bendsOf(node))
+    , m_limb(limb())
+    , m_world(placeAt(document.scene(), hit.node, 0.0).geometry)
+    , m_inverse(glm::inverse(m_world))
+    , m_grabbed(hit.point)
+    , m_hand(hit.point)
+{
+}
+
+LimbTool::~LimbTool()
+{
+    keep();
+}
+
+Limb LimbTool::limb() const
+{
+    const Skeleton& skeleton = m_skeleton->skeleton;
+    const std::size_t most = m_whole || m_counted ? m_wanted : limbLength(skeleton, m_branch);
+    return Limb(skeleton, m_bends, m_branch, {std::min(m_wanted, most)});
+}
+
+void LimbTool::dragTo(const PickView& view, const glm::dvec2& pixel)
+{
+    m_hand = pulledTo(view, pixel, m_grabbed);
+    pull();
+}
+
+void LimbTool::setWhole(bool whole)
+{
+    if (std::exchange(m_whole, whole) != whole)
+        takeLimb();
+}
+
+void LimbTool::setBranches(std::size_t branches)
+{
+    m_wanted = std::clamp<std::size_t>(branches, 1, mostBranches);
+    m_counted = true;
+    takeLimb();
+    m_wanted = std::max<std::size_t>(m_limb.branchCount(), 1); // the root is the last that can follow
+}
+
+void LimbTool::takeLimb()
+{
+    m_limb = limb();
+    pull();
+}
+
+void LimbTool::pull()
+{
+    const glm::dvec3 by =
+        glm::dvec3(m_inverse * glm::dvec4(m_hand, 1.0)) - glm::dvec3(m_inverse * glm::dvec4(m_grabbed, 1.0));
+    m_shortBy = m_limb.pullTo(m_skeleton->skeleton.p1[m_branch] + by);
+}
+
+std::vector<glm::dvec3> LimbTool::bends() const
+{
+    std::vector<glm::dvec3> all = m_atGrab;
+    const Limb::Bends turned = m_limb.bends();
+    const Skeleton& skeleton = m_skeleton->skeleton;
+    Index b = m_branch;
+    for (std::size_t i = 0; i < m_limb.branchCount(); ++i, b = skeleton.parent[b])
+        all[b] = turned.at(skeleton.key[b]);
+    return all;
+}
+
+bool LimbTool::apply()
+{
+    const Limb::Bends wanted = m_limb.bends();
+    if (m_gesture == 0 ? m_hand == m_grabbed : wanted == m_applied)
+        return false; // nothing was dragged yet, or no further
+    const auto sameBranches = [](const auto& a, const auto& b) { return a.first == b.first; };
+    // Others turn than those before: these go back, as if they never had.
+    if (m_gesture != 0 && !std::ranges::equal(wanted, m_applied, sameBranches)) {
+        m_document.giveUpGesture(m_gesture);
+        m_gesture = 0;
+    }
+    if (m_gesture == 0) {
+        m_gesture = newGesture();
+        m_document.holdGesture(m_gesture);
+    }
+    m_applied = wanted;
+    return edit::turnBranches(m_document, m_node, wanted, m_gesture).has_value();
+}
+
+void LimbTool::keep()
+{
+    m_document.keepGesture(m_gesture);
+}
+
+void LimbTool::cancel()
+{
+    m_document.giveUpGesture(m_gesture);
+    m_gesture = 0;
+}
+
+} // namespace ramure

@@ -1,0 +1,22 @@
+/// \file
+/// Pictures of arms (SPEC C1, C3): spheres at the joints and rods between them, the skin around them (a
+/// cylinder or a bound mesh), and a green sphere at the target.
+#pragma once
+
+#include "widgets/view/render/render_scene.h"
+#include "widgets/view/render/scene_builder.h"
+
+namespace ramure {
+
+class ScenePartCache;
+
+/// Where the mark of a target stands in the arm's node.
+glm::dmat4 armTargetPlace(const glm::dvec3& target);
+
+/// Appends an arm in the pose of its joints, upright in its node, or a terrain. False for other nodes.
+/// What cannot be made (a mesh that no arm can wear) is left out.
+/// \param world of the node's own geometry
+bool addArmOrRelief(RenderScene& scene, ScenePartCache& cache, const Node& node, const glm::dmat4& world,
+                    const SceneView& view);
+
+} // namespace ramure

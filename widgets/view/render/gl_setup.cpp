@@ -1,0 +1,74 @@
+#include "widgets/view/render/gl_setup.h"
+
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
+#include <QSurfaceFormat>
+
+namespace ramure {
+
+void prepareOpenGl()
+{
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QSurfaceFormat format;
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    format.setSamples(4);
+    QSurfaceFormat::setDefaultFormat(format);
+}
+
+bool isSoftwareRenderer(const QByteArray& renderer)
+{
+    const QByteArray name = renderer.toLower();
+    return name.contains("llvmpipe") || name.contains("softpipe") || name.contains("swrast") ||
+           name.contains("software");
+}
+
+OpenGlProbe probeOpenGl()
+{
+    OpenGlProbe probe;
+    const auto refuse = [&probe](const char* text) {
+        probe.reason = QCoreApplication::translate("render", text);
+        return probe;
+    };
+    const QString platform = QGuiApplication::platformName();
+    // These platforms crash when a window merely contains an OpenGL widget.
+    for (const char* without : {"offscreen", "minimal", "minimalegl", "linuxfb", "vnc"}) {
+        if (platform == QLatin1String(without))
+            return refuse(QT_TRANSLATE_NOOP("render", "This display cannot show OpenGL."));
+    }
+    QSurfaceFormat format = QSurfaceFormat::defaultFormat();
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    QOpenGLContext context;
+    context.setFormat(format);
+    if (!context.create())
+        return refuse(QT_TRANSLATE_NOOP("render", "The graphics driver gives no OpenGL."));
+    if (context.isOpenGLES() || context.format().version() < std::pair(3, 3))
+        return refuse(QT_TRANSLATE_NOOP("render", "The graphics driver's OpenGL is older than 3.3."));
+    QOffscreenSurface surface;
+    surface.setFormat(context.format());
+    surface.create();
+    if (!surface.isValid() || !context.makeCurrent(&surface))
+        return refuse(QT_TRANSLATE_NOOP("render", "The graphics driver gives no OpenGL."));
+    const QByteArray renderer(reinterpret_cast<const char*>(context.functions()->glGetString(GL_RENDERER)));
+    context.doneCurrent();
+    probe.available = true;
+    probe.software = isSoftwareRenderer(renderer);
+    probe.renderer = QString::fromLatin1(renderer);
+    return probe;
+}
+
+bool openGlAvailable(QString* reason)
+{
+    const OpenGlProbe probe = probeOpenGl();
+    if (reason)
+        *reason = probe.reason;
+    return probe.available;
+}
+
+} // namespace ramure

@@ -1,0 +1,387 @@
+#include "widgets/view/render/gpu_cache.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+namespace ramure {
+namespace {
+
+const void* offset(std::size_t bytes)
+{
+    return reinterpret_cast<const void*>(bytes);
+}
+
+constexpr int stateWidth = 2048; ///< of the textures of branch states and bones; every OpenGL 3.3 has it
+
+} // namespace
+
+GpuCache::GpuCache(Gl& gl)
+    : m_gl(gl)
+    , m_pool(gl)
+{
+}
+
+GpuCache::~GpuCache()
+{
+    for (auto& [key, block] : m_blocks)
+        free(block);
+    if (m_restTexture != 0)
+        m_gl.glDeleteTextures(1, &m_restTexture);
+}
+
+std::pair<GpuBlock&, bool> GpuCache::slot(const std::shared_ptr<const void>& source)
+{
+    const auto [it, isNew] = m_blocks.try_emplace(source.get());
+    GpuBlock& block = it->second;
+    block.usedIn = m_picture;
+    if (isNew) {
+        block.source = source;
+        ++m_stats.uploads;
+    }
+    return {block, isNew};
+}
+
+void GpuCache::addBuffer(GpuBlock& block, GLenum target, const void* data, std::size_t bytes)
+{
+    const GpuBuffer buffer = m_pool.take(bytes);
+    m_gl.glBindBuffer(target, buffer.name);
+    block.waiting.push_back({block.buffers.size(), static_cast<const char*>(data), bytes, 0});
+    block.buffers.push_back(buffer);
+}
+
+std::size_t GpuCache::fill(GpuBlock& block, std::size_t most)
+{
+    while (!block.waiting.empty() && most > 0) {
+        GpuBlock::Piece& piece = block.waiting.back();
+        GpuBuffer& buffer = block.buffers[piece.buffer];
+        // Getting memory may take as long as filling it.
+        if (m_pool.allocate(buffer, piece.bytes)) {
+            most -= std::min(most, piece.bytes);
+            continue;
+        }
+        const std::size_t bytes = std::min(most, piece.bytes - piece.done);
+        // A target that belongs to no vertex array.
+        m_gl.glBindBuffer(GL_COPY_WRITE_BUFFER, buffer.name);
+        m_gl.glBufferSubData(GL_COPY_WRITE_BUFFER, static_cast<GLintptr>(piece.done),
+                             static_cast<GLsizeiptr>(bytes), piece.data + piece.done);
+        piece.done += bytes;
+        most -= bytes;
+        m_stats.bytes += bytes;
+        if (piece.done == piece.bytes)
+            block.waiting.pop_back();
+    }
+    m_gl.glBindBuffer(GL_COPY_WRITE_BUFFER, 0);
+    return most;
+}
+
+const GpuBlock& GpuCache::drawn(GpuBlock& block)
+{
+    if (!block.waiting.empty())
+        fill(block, std::numeric_limits<std::size_t>::max());
+    block.prepared = false;
+    return block;
+}
+
+const GpuBlock& GpuCache::mesh(const std::shared_ptr<const TriangleMesh>& mesh,
+                               const std::shared_ptr<const Skin>& skin)
+{
+    GpuBlock& block = meshBlock(mesh);
+    attachSkin(block, skin);
+    return drawn(block);
+}
+
+const GpuBlock& GpuCache::lines(const std::shared_ptr<const LineSet>& lines)
+{
+    return drawn(lineBlock(lines));
+}
+
+const GpuBlock& GpuCache::points(const std::shared_ptr<const PointSet>& points)
+{
+    return drawn(pointBlock(points));
+}
+
+bool GpuCache::prepare(const RenderScene& scene, std::size_t bytes)
+{
+    bool ready = true;
+    for (auto& [key, block] : m_blocks)
+        block.prepared = false;
+    const auto add = [&](GpuBlock& block) {
+        block.prepared = true;
+        if (!block.waiting.empty())
+            bytes = fill(block, bytes);
+        ready = ready && block.waiting.empty();
+    };
+    for (const MeshItem& item : scene.meshes)
+        add(meshBlock(item.mesh));
+    for (const LineItem& item : scene.lines)
+        add(lineBlock(item.lines));
+    for (const PointItem& item : scene.points)
+        add(pointBlock(item.points));
+    return ready;
+}
+
+GpuBlock& GpuCache::meshBlock(const std::shared_ptr<const TriangleMesh>& mesh)
+{
+    const auto [block, isNew] = slot(mesh);
+    if (isNew)
+        fillMesh(block, *mesh);
+    return block;
+}
+
+void GpuCache::fillMesh(GpuBlock& block, const TriangleMesh& mesh)
+{
+    m_gl.glGenVertexArrays(1, &block.vertexArray);
+    m_gl.glBindVertexArray(block.vertexArray);
+    const auto vectors = [&, &target = block](GLuint index, const std::vector<glm::vec3>& values) {
+        addBuffer(target, GL_ARRAY_BUFFER, values.data(), values.size() * sizeof(glm::vec3));
+        m_gl.glVertexAttribPointer(index, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+        m_gl.glEnableVertexAttribArray(index);
+    };
+    vectors(0, mesh.positions);
+    if (mesh.normals.size() == mesh.positions.size())
+        vectors(1, mesh.normals);
+    if (mesh.branch.size() == mesh.positions.size()) {
+        addBuffer(block, GL_ARRAY_BUFFER, mesh.branch.data(), mesh.branch.size() * sizeof(Index));
+        m_gl.glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, 0, nullptr);
+        m_gl.glEnableVertexAttribArray(2);
+    }
+    if (mesh.uv.size() == mesh.positions.size() && mesh.uvTriangles.empty()) {
+        addBuffer(block, GL_ARRAY_BUFFER, mesh.uv.data(), mesh.uv.size() * sizeof(glm::vec2));
+        m_gl.glVertexAttribPointer(3, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+        m_gl.glEnableVertexAttribArray(3);
+    }
+    addBuffer(block, GL_ELEMENT_ARRAY_BUFFER, mesh.triangles.data(),
+              mesh.triangles.size() * sizeof(glm::uvec3));
+    block.count = static_cast<GLsizei>(3 * mesh.triangles.size());
+    m_gl.glBindVertexArray(0);
+    if (!mesh.colours.empty() && mesh.colours.size() == mesh.triangles.size())
+        fillColours(block, mesh.colours);
+}
+
+/// A texture: the colours of the triangles, row after row.
+void GpuCache::fillColours(GpuBlock& block, const std::vector<glm::u8vec3>& colours)
+{
+    const std::size_t rows = (colours.size() + stateWidth - 1) / stateWidth;
+    std::vector<glm::u8vec3> padded(colours);
+    padded.resize(rows * stateWidth);
+    m_gl.glGenTextures(1, &block.texture);
+    m_gl.glBindTexture(GL_TEXTURE_2D, block.texture);
+    m_gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, stateWidth, static_cast<GLsizei>(rows), 0, GL_RGB,
+                      GL_UNSIGNED_BYTE, padded.data());
+    m_gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    m_stats.bytes += padded.size() * sizeof(glm::u8vec3);
+}
+
+GLuint GpuCache::restTexture()
+{
+    if (m_restTexture == 0) {
+        const glm::vec4 none(0.0f);
+        m_gl.glGenTextures(1, &m_restTexture);
+        m_gl.glBindTexture(GL_TEXTURE_2D, m_restTexture);
+        m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 1, 1, 0, GL_RGBA, GL_FLOAT, &none);
+        m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    }
+    return m_restTexture;
+}
+
+void GpuCache::bindColours(ShaderProgram& program, const GpuBlock& mesh)
+{
+    m_gl.glActiveTexture(GL_TEXTURE0 + coloursUnit);
+    m_gl.glBindTexture(GL_TEXTURE_2D, mesh.texture != 0 ? mesh.texture : restTexture());
+    m_gl.glActiveTexture(GL_TEXTURE0);
+    program.set("uColours", int(coloursUnit));
+    program.set("uHasColours", mesh.texture != 0);
+}
+
+/// Per vertex, three bones and their weights.
+struct VertexInfluence
+{
+    std::array<Index, 3> bone;
+    std::array<float, 3> weight;
+    float slope;
+};
+
+const GpuBlock& GpuCache::influences(const std::shared_ptr<const Skin>& skin)
+{
+    const auto [block, isNew] = slot(skin);
+    if (!isNew)
+        return block;
+    std::vector<VertexInfluence> all(skin->vertices);
+    for (std::size_t r = 0; r < skin->runs.size(); ++r) {
+        const SkinRun& run = skin->runs[r];
+        const Index end = r + 1 < skin->runs.size() ? skin->runs[r + 1].firstVertex : skin->vertices;
+        std::fill(all.begin() + run.firstVertex, all.begin() + end,
+                  VertexInfluence{run.influence.bone, run.influence.weight, run.slope});
+    }
+    addBuffer(block, GL_ARRAY_BUFFER, all.data(), all.size() * sizeof(VertexInfluence));
+    fill(block, std::numeric_limits<std::size_t>::max()); // the vector is gone afterwards
+    block.count = static_cast<GLsizei>(skin->vertices);
+    return block;
+}
+
+/// The mesh's vertex array reads this skin from now on; without one, what it reads is not used.
+void GpuCache::attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& skin)
+{
+    if (!skin)
+        return;
+    const GLuint buffer = influences(skin).buffers.front().name;
+    if (block.skin == skin)
+        return;
+    m_gl.glBindVertexArray(block.vertexArray);
+    m_gl.glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    constexpr GLsizei stride = sizeof(VertexInfluence);
+    m_gl.glVertexAttribIPointer(5, 3, GL_UNSIGNED_INT, stride, offset(offsetof(VertexInfluence, bone)));
+    m_gl.glVertexAttribPointer(6, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(VertexInfluence, weight)));
+    m_gl.glVertexAttribPointer(7, 1, GL_FLOAT, GL_FALSE, stride, offset(offsetof(VertexInfluence, slope)));
+    for (const GLuint attribute : {5u, 6u, 7u})
+        m_gl.glEnableVertexAttribArray(attribute);
+    m_gl.glBindVertexArray(0);
+    block.skin = skin;
+}
+
+const GpuBlock& GpuCache::bones(const std::shared_ptr<const std::vector<RigidTransform>>& bones)
+{
+    const auto [block, isNew] = slot(bones);
+    if (!isNew)
+        return block;
+    const std::size_t rows = std::max<std::size_t>(1, (2 * bones->size() + stateWidth - 1) / stateWidth);
+    m_boneRows.resize(rows * stateWidth);
+    for (std::size_t b = 0; b < bones->size(); ++b) {
+        const RigidTransform& bone = (*bones)[b];
+        m_boneRows[2 * b] = glm::vec4(bone.rotation.x, bone.rotation.y, bone.rotation.z, bone.rotation.w);
+        m_boneRows[2 * b + 1] = glm::vec4(glm::vec3(bone.translation), 0.0f);
+    }
+    m_gl.glGenTextures(1, &block.texture);
+    m_gl.glBindTexture(GL_TEXTURE_2D, block.texture);
+    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, stateWidth, static_cast<GLsizei>(rows), 0, GL_RGBA,
+                      GL_FLOAT, m_boneRows.data());
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    block.count = static_cast<GLsizei>(bones->size());
+    m_stats.bytes += m_boneRows.size() * sizeof(glm::vec4);
+    return block;
+}
+
+GpuBlock& GpuCache::lineBlock(const std::shared_ptr<const LineSet>& lines)
+{
+    const auto [block, isNew] = slot(lines);
+    if (!isNew)
+        return block;
+    using S = LineSegment;
+    m_gl.glGenVertexArrays(1, &block.vertexArray);
+    m_gl.glBindVertexArray(block.vertexArray);
+    addBuffer(block, GL_ARRAY_BUFFER, lines->segments.data(), lines->segments.size() * sizeof(S));
+    constexpr GLsizei stride = sizeof(S);
+    m_gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(S, a)));
+    m_gl.glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(S, b)));
+    m_gl.glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride, offset(offsetof(S, widthA)));
+    m_gl.glVertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(offsetof(S, colour)));
+    m_gl.glVertexAttribIPointer(4, 1, GL_UNSIGNED_INT, stride, offset(offsetof(S, branch)));
+    for (GLuint i = 0; i < 5; ++i) {
+        m_gl.glEnableVertexAttribArray(i);
+        m_gl.glVertexAttribDivisor(i, 1);
+    }
+    block.count = static_cast<GLsizei>(lines->segments.size());
+    m_gl.glBindVertexArray(0);
+    return block;
+}
+
+GpuBlock& GpuCache::pointBlock(const std::shared_ptr<const PointSet>& points)
+{
+    const auto [block, isNew] = slot(points);
+    if (!isNew)
+        return block;
+    using P = PointMark;
+    m_gl.glGenVertexArrays(1, &block.vertexArray);
+    m_gl.glBindVertexArray(block.vertexArray);
+    addBuffer(block, GL_ARRAY_BUFFER, points->points.data(), points->points.size() * sizeof(P));
+    constexpr GLsizei stride = sizeof(P);
+    m_gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(P, position)));
+    m_gl.glVertexAttribPointer(1, 1, GL_FLOAT, GL_FALSE, stride, offset(offsetof(P, size)));
+    m_gl.glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(offsetof(P, colour)));
+    m_gl.glVertexAttribIPointer(3, 1, GL_UNSIGNED_INT, stride, offset(offsetof(P, branch)));
+    for (GLuint i = 0; i < 4; ++i) {
+        m_gl.glEnableVertexAttribArray(i);
+        m_gl.glVertexAttribDivisor(i, 1);
+    }
+    block.count = static_cast<GLsizei>(points->points.size());
+    m_gl.glBindVertexArray(0);
+    return block;
+}
+
+const GpuBlock& GpuCache::states(const std::shared_ptr<const BranchStates>& states)
+{
+    const auto [block, isNew] = slot(states);
+    if (!isNew)
+        return block;
+    const std::size_t rows = std::max<std::size_t>(1, (states->size() + stateWidth - 1) / stateWidth);
+    BranchStates padded(*states);
+    padded.resize(rows * stateWidth);
+    m_gl.glGenTextures(1, &block.texture);
+    m_gl.glBindTexture(GL_TEXTURE_2D, block.texture);
+    m_gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R8UI, stateWidth, static_cast<GLsizei>(rows), 0, GL_RED_INTEGER,
+                      GL_UNSIGNED_BYTE, padded.data());
+    m_gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    block.count = static_cast<GLsizei>(states->size());
+    m_stats.bytes += padded.size();
+    return block;
+}
+
+void GpuCache::bindBones(ShaderProgram& program, const ItemMotion& motion)
+{
+    const GpuBlock* block = motion.moves() ? &bones(motion.bones) : nullptr;
+    m_gl.glActiveTexture(GL_TEXTURE0 + bonesUnit);
+    m_gl.glBindTexture(GL_TEXTURE_2D, block ? block->texture : restTexture());
+    m_gl.glActiveTexture(GL_TEXTURE0);
+    program.set("uBones", int(bonesUnit));
+    program.set("uBoneCount", block ? block->count : 0);
+    program.set("uSkinMethod", int(motion.method));
+}
+
+void GpuCache::freeUnused()
+{
+    for (auto it = m_blocks.begin(); it != m_blocks.end();) {
+        if (it->second.usedIn == m_picture || it->second.prepared) {
+            ++it;
+            continue;
+        }
+        free(it->second);
+        m_released.push_back(std::move(it->second.source));
+        ++m_stats.freed;
+        it = m_blocks.erase(it);
+    }
+}
+
+void GpuCache::free(GpuBlock& block)
+{
+    if (block.vertexArray != 0)
+        m_gl.glDeleteVertexArrays(1, &block.vertexArray);
+    for (const GpuBuffer& buffer : block.buffers)
+        m_pool.giveBack(buffer);
+    if (block.texture != 0)
+        m_gl.glDeleteTextures(1, &block.texture);
+}
+
+std::vector<std::shared_ptr<const void>> GpuCache::takeReleased()
+{
+    return std::exchange(m_released, {});
+}
+
+UploadStats GpuCache::stats() const
+{
+    UploadStats stats = m_stats;
+    stats.alive = m_blocks.size();
+    return stats;
+}
+
+} // namespace ramure

@@ -1,0 +1,108 @@
+/// \file
+/// The blocks of a render scene on the graphics card. A block is uploaded when it is first asked for and
+/// freed when a picture did not use it. The cache keeps the CPU block alive as long as its copy: an address
+/// is never reused.
+#pragma once
+
+#include "widgets/view/render/buffer_pool.h"
+#include "widgets/view/render/render_scene.h"
+#include "widgets/view/render/shader_program.h"
+#include <cstdint>
+#include <map>
+#include <vector>
+
+namespace ramure {
+
+/// Buffers and vertex array of one block.
+struct GpuBlock
+{
+    std::shared_ptr<const void> source;
+    GLuint vertexArray = 0;
+    std::vector<GpuBuffer> buffers;
+    GLuint texture = 0;               ///< of a mesh: the colours of its triangles
+    GLsizei count = 0;                ///< indices, instances, or entries
+    std::shared_ptr<const void> skin; ///< of a mesh: whose influences its vertex array reads
+    std::uint64_t usedIn = 0;
+    bool prepared = false; ///< kept for a picture to come
+
+    /// What is not in its buffer yet.
+    struct Piece
+    {
+        std::size_t buffer = 0; ///< among the block's
+        const char* data = nullptr;
+        std::size_t bytes = 0, done = 0;
+    };
+    std::vector<Piece> waiting;
+};
+
+struct UploadStats
+{
+    std::uint64_t uploads = 0; ///< blocks since the start
+    std::uint64_t bytes = 0;
+    std::uint64_t freed = 0; ///< blocks
+    std::size_t alive = 0;   ///< blocks now on the card
+};
+
+/// Every function needs the cache's context current.
+class GpuCache
+{
+public:
+    explicit GpuCache(Gl& gl);
+    ~GpuCache();
+    GpuCache(const GpuCache&) = delete;
+    GpuCache& operator=(const GpuCache&) = delete;
+
+    void beginPicture() { ++m_picture; }
+    /// Uploads at most some \p bytes of what a scene needs, to be called until it is true: then the scene can
+    /// be drawn without a delay. What is prepared stays until it is drawn, or another scene is prepared.
+    bool prepare(const RenderScene& scene, std::size_t bytes);
+    /// \p skin may be null.
+    const GpuBlock& mesh(const std::shared_ptr<const TriangleMesh>& mesh,
+                         const std::shared_ptr<const Skin>& skin);
+    /// A texture: per bone the rotation (x, y, z, w) and the translation.
+    const GpuBlock& bones(const std::shared_ptr<const std::vector<RigidTransform>>& bones);
+    const GpuBlock& lines(const std::shared_ptr<const LineSet>& lines);
+    const GpuBlock& points(const std::shared_ptr<const PointSet>& points);
+    const GpuBlock& states(const std::shared_ptr<const BranchStates>& states);
+    /// Hands the bones of an item, if it has any, to the program, which is bound.
+    void bindBones(ShaderProgram& program, const ItemMotion& motion);
+    /// The same for the colours of a mesh's triangles.
+    void bindColours(ShaderProgram& program, const GpuBlock& mesh);
+    static constexpr GLenum bonesUnit = 3, coloursUnit = 4; ///< the texture units that they use
+
+    /// Frees what was not asked for since beginPicture.
+    void freeUnused();
+    [[nodiscard]] UploadStats stats() const;
+    /// The blocks of the processor's memory that were let go of since the last call: the caller says where
+    /// their memory is given back.
+    std::vector<std::shared_ptr<const void>> takeReleased();
+
+private:
+    void fillMesh(GpuBlock& block, const TriangleMesh& mesh);
+    void fillColours(GpuBlock& block, const std::vector<glm::u8vec3>& colours);
+    /// A sampler must have a texture even where the program does not read it.
+    GLuint restTexture();
+    const GpuBlock& influences(const std::shared_ptr<const Skin>& skin);
+    void attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& skin);
+    GpuBlock& meshBlock(const std::shared_ptr<const TriangleMesh>& mesh);
+    GpuBlock& lineBlock(const std::shared_ptr<const LineSet>& lines);
+    GpuBlock& pointBlock(const std::shared_ptr<const PointSet>& points);
+    const GpuBlock& drawn(GpuBlock& block);
+    /// Returns how many bytes are left of \p most.
+    std::size_t fill(GpuBlock& block, std::size_t most);
+    /// The block of this source, and whether it has to be filled.
+    std::pair<GpuBlock&, bool> slot(const std::shared_ptr<const void>& source);
+    void addBuffer(GpuBlock& block, GLenum target, const void* data, std::size_t bytes);
+    void free(GpuBlock& block);
+
+    Gl& m_gl;
+    BufferPool m_pool;
+    std::map<const void*, GpuBlock> m_blocks;
+    std::vector<glm::vec4> m_boneRows; ///< kept between pictures
+    std::vector<std::shared_ptr<const void>> m_released;
+    GLuint m_restTexture = 0; ///< for what has no bones or colours
+    UploadStats m_stats;
+    std::uint64_t m_picture = 0;
+};
+
+} // namespace ramure

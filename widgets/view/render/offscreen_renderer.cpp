@@ -1,0 +1,136 @@
+#include "widgets/view/render/offscreen_renderer.h"
+
+#include "core/base/file_writer.h"
+#include "widgets/view/render/renderer.h"
+#include <QBuffer>
+#include <QGuiApplication>
+#include <QImageWriter>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <QThread>
+#include <optional>
+
+namespace ramure {
+namespace {
+
+constexpr int maxSide = 16384;
+
+QSurfaceFormat wantedFormat()
+{
+    QSurfaceFormat format = QSurfaceFormat::defaultFormat();
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    return format;
+}
+
+QOpenGLFramebufferObjectFormat targetFormat(int samples)
+{
+    QOpenGLFramebufferObjectFormat format;
+    format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+    format.setInternalTextureFormat(GL_RGBA8);
+    format.setSamples(samples);
+    return format;
+}
+
+} // namespace
+
+struct OffscreenRenderer::Private
+{
+    QOffscreenSurface surface;
+    std::optional<QOpenGLContext> context;
+    std::unique_ptr<Renderer> renderer;
+};
+
+OffscreenRenderer::OffscreenRenderer()
+    : d(std::make_unique<Private>())
+{
+    if (!qobject_cast<QGuiApplication*>(QCoreApplication::instance()))
+        return;
+    d->surface.setFormat(wantedFormat());
+    d->surface.create();
+}
+
+OffscreenRenderer::~OffscreenRenderer() = default;
+
+Expected<void> OffscreenRenderer::begin()
+{
+    const auto* application = qobject_cast<QGuiApplication*>(QCoreApplication::instance());
+    if (application && QThread::currentThread() != application->thread() &&
+        !QOpenGLContext::supportsThreadedOpenGL())
+        return fail(ErrorCode::Unknown, RAMURE_NOOP("The graphics driver cannot draw beside the window: "
+                                                    "`ramure-cli render` writes the same pictures"));
+    if (application && d->surface.isValid()) {
+        d->context.emplace();
+        d->context->setFormat(d->surface.requestedFormat());
+        if (!d->context->create() || !d->context->makeCurrent(&d->surface))
+            d->context.reset();
+    }
+    if (!d->context)
+        return fail(ErrorCode::Unknown, RAMURE_NOOP("No OpenGL 3.3 context is available here"));
+    auto renderer = Renderer::make();
+    if (!renderer) {
+        d->context.reset();
+        return fail(std::move(renderer.error()));
+    }
+    d->renderer = std::move(*renderer);
+    return {};
+}
+
+Expected<QImage> OffscreenRenderer::draw(const RenderScene& scene, const Camera& camera, QSize size,
+                                         const RenderOptions& options)
+{
+    if (size.width() < 1 || size.height() < 1 || size.width() > maxSide || size.height() > maxSide)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("The picture's sides must be 1 to %1 pixels"),
+                    {std::to_string(maxSide)});
+    QOpenGLFramebufferObject target(size, targetFormat(options.samples));
+    if (!target.isValid() || target.size() != size)
+        return fail(ErrorCode::Unknown,
+                    RAMURE_NOOP("The graphics driver refuses a picture of %1 x %2 pixels"),
+                    {std::to_string(size.width()), std::to_string(size.height())});
+    d->renderer->draw(scene, camera, size, target.handle(), options);
+    (void)d->renderer->takeReleased(); // nobody waits for the memory here
+    // toImage resolves the samples; the colours are not multiplied by the alpha of a missing background.
+    return target.toImage().convertToFormat(QImage::Format_ARGB32);
+}
+
+void OffscreenRenderer::end()
+{
+    d->renderer.reset();
+    d->context.reset();
+}
+
+Expected<QImage> renderImage(const RenderScene& scene, const Camera& camera, QSize size,
+                             const RenderOptions& options)
+{
+    OffscreenRenderer offscreen;
+    if (auto begun = offscreen.begin(); !begun)
+        return fail(std::move(begun.error()));
+    auto image = offscreen.draw(scene, camera, size, options);
+    offscreen.end();
+    return image;
+}
+
+Expected<void> savePng(const QImage& image, const std::string& path)
+{
+    // Encoded first: then all that can go wrong is writing.
+    QBuffer bytes;
+    bytes.open(QIODevice::WriteOnly);
+    QImageWriter writer(&bytes, "png");
+    if (!writer.write(image)) {
+        auto error =
+            fail(ErrorCode::Io, RAMURE_NOOP("cannot be encoded: %1"), {writer.errorString().toStdString()});
+        error.value().file = path;
+        return error;
+    }
+    auto target = FileWriter::open(path);
+    if (!target)
+        return fail(target.error());
+    target->append({bytes.data().constData(), static_cast<std::size_t>(bytes.data().size())});
+    if (const auto finished = target->finish(); !finished)
+        return finished;
+    return target->commit();
+}
+
+} // namespace ramure

@@ -1,0 +1,49 @@
+/// \file
+/// Pictures without a window: own surface, context and framebuffer. Needs a QGuiApplication and an OpenGL 3.3
+/// context behind it (platform xcb, or offscreen with DISPLAY set).
+#pragma once
+
+#include "core/base/error.h"
+#include "widgets/view/render/camera.h"
+#include "widgets/view/render/render_scene.h"
+#include "widgets/view/render/renderer_options.h"
+#include <QImage>
+#include <QSize>
+#include <memory>
+
+namespace ramure {
+
+/// Many pictures, on any one thread.
+class OffscreenRenderer
+{
+public:
+    /// On the thread of the QGuiApplication, as the destructor: the surface may be a window of the system.
+    OffscreenRenderer();
+    ~OffscreenRenderer();
+    OffscreenRenderer(const OffscreenRenderer&) = delete;
+    OffscreenRenderer& operator=(const OffscreenRenderer&) = delete;
+
+    /// On the thread that will draw. Errors: Unknown (no OpenGL 3.3 context here, or none beside that of the
+    /// application's thread).
+    Expected<void> begin();
+    /// After begin(), on its thread. \param size in pixels, 1..16384 each way.
+    /// \returns an image in Format_ARGB32 (opaque where options.world is on).
+    /// Errors: Invalid (size), Unknown (a framebuffer the driver refuses).
+    Expected<QImage> draw(const RenderScene& scene, const Camera& camera, QSize size,
+                          const RenderOptions& options = {});
+    /// On the thread of begin().
+    void end();
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+/// One picture, on the thread of the QGuiApplication. Errors: those of begin() and draw().
+Expected<QImage> renderImage(const RenderScene& scene, const Camera& camera, QSize size,
+                             const RenderOptions& options = {});
+
+/// Writes a picture as PNG; the old file is intact on an error. Errors: Io.
+Expected<void> savePng(const QImage& image, const std::string& path);
+
+} // namespace ramure

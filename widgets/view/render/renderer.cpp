@@ -1,0 +1,533 @@
+#include "widgets/view/render/renderer.h"
+
+#include "core/base/stopwatch.h"
+#include "widgets/view/render/gl_setup.h"
+#include <QOpenGLContext>
+#include <QOpenGLVersionFunctionsFactory>
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_inverse.hpp>
+
+namespace ramure {
+namespace {
+
+constexpr GLenum shadowUnit = 0;
+constexpr GLenum shadowDepthUnit = 1;
+constexpr GLenum statesUnit = 2;
+
+// Light on a level surface adds up to 1, so that the sunlit ground has exactly its colour; the sky's share is
+// blue and the sun's therefore warm.
+constexpr glm::vec3 skyLight{0.33f, 0.39f, 0.47f};
+constexpr glm::vec3 groundLight{0.17f, 0.19f, 0.12f};
+
+glm::vec3 srgb(const glm::u8vec3& bytes)
+{
+    return glm::vec3(bytes) / 255.0f;
+}
+
+/// Side of a small cell, m: a power of ten, so that ten small cells make a large one.
+double gridStep(double height)
+{
+    return std::pow(10.0, std::floor(std::log10(std::max(height, 1e-6) / 4.0)));
+}
+
+} // namespace
+
+struct Renderer::Picture
+{
+    const RenderScene& scene;
+    const Camera& camera;
+    const RenderOptions& options;
+    glm::vec2 viewport{1.0f};
+    glm::dmat4 projectedView{1.0}; ///< eye-relative -> clip
+    glm::dvec3 sun{0.0, 1.0, 0.0};
+    glm::vec3 sunLight{1.0f};
+    glm::mat4 shadow{1.0f}; ///< eye-relative -> 0..1
+    glm::vec3 shadowScale{1.0f};
+    int shadowTaps = 0;
+    double aspect = 1.0;
+
+    /// World axes and scale, the origin in the eye: keeps floats precise wherever the scene lies.
+    [[nodiscard]] glm::dmat4 relative(const glm::dmat4& world) const
+    {
+        glm::dmat4 moved = world;
+        moved[3] -= glm::dvec4(camera.eye(), 0.0);
+        return moved;
+    }
+    [[nodiscard]] float lift() const { return camera.orthographic ? 2e-4f : 4e-5f; }
+};
+
+Renderer::Renderer(Gl& gl)
+    : m_gl(gl)
+    , m_cache(gl)
+    , m_shadowMap(gl)
+    , m_smoothing(gl)
+    , m_outline(gl)
+{
+}
+
+Renderer::~Renderer()
+{
+    m_gl.glDeleteVertexArrays(1, &m_emptyArray);
+    m_gl.glDeleteTextures(1, &m_noStates);
+}
+
+Expected<std::unique_ptr<Renderer>> Renderer::make()
+{
+    QOpenGLContext* context = QOpenGLContext::currentContext();
+    auto* gl = context ? QOpenGLVersionFunctionsFactory::get<Gl>(context) : nullptr;
+    if (!gl || !gl->initializeOpenGLFunctions())
+        return fail(ErrorCode::Unknown, RAMURE_NOOP("No OpenGL 3.3 context is available here"));
+    std::unique_ptr<Renderer> made(new Renderer(*gl));
+    if (auto compiled = made->compile(); !compiled)
+        return fail(std::move(compiled.error()));
+    return made;
+}
+
+Expected<void> Renderer::compile()
+{
+    m_software = isSoftwareRenderer(reinterpret_cast<const char*>(m_gl.glGetString(GL_RENDERER)));
+    const std::vector<const char*> surface{"colour.glsl", "lighting.glsl", "texture.glsl", "mesh.frag"};
+    const auto add = [this](std::unique_ptr<ShaderProgram>& program,
+                            const ShaderSources& sources) -> Expected<void> {
+        auto made = ShaderProgram::make(m_gl, sources);
+        if (!made)
+            return fail(std::move(made.error()));
+        program = std::move(*made);
+        return {};
+    };
+    return add(m_mesh, {{"states.glsl", "skin.glsl", "skin_mesh.glsl", "mesh.vert"}, nullptr, surface, ""})
+        .and_then([&] {
+            return add(m_meshWire, {{"states.glsl", "skin.glsl", "skin_mesh.glsl", "mesh.vert"},
+                                    "mesh.geom",
+                                    surface,
+                                    "#define WIRE\n"});
+        })
+        .and_then([&] {
+            return add(m_shadow,
+                       {{"skin.glsl", "skin_mesh.glsl", "shadow.vert"}, nullptr, {"shadow.frag"}, ""});
+        })
+        .and_then([&] {
+            return add(m_world,
+                       {{"world.vert"}, nullptr, {"colour.glsl", "lighting.glsl", "world.frag"}, ""});
+        })
+        .and_then([&] {
+            return add(m_line, {{"states.glsl", "skin.glsl", "line.vert"}, nullptr, {"line.frag"}, ""});
+        })
+        .and_then([&] {
+            return add(m_point, {{"states.glsl", "skin.glsl", "point.vert"}, nullptr, {"point.frag"}, ""});
+        })
+        .and_then([&] {
+            return add(m_smooth, {{"world.vert"}, nullptr, {"smooth.frag"}, ""});
+        })
+        .and_then([&] {
+            return add(m_ghost, {{"ghost.vert"}, nullptr, {"ghost.frag"}, ""});
+        })
+        .and_then([&] {
+            return add(m_outlineRows, {{"world.vert"}, nullptr, {"outline_spread.frag"}, "#define ROWS\n"});
+        })
+        .and_then([&] {
+            return add(m_outlineColumns, {{"world.vert"}, nullptr, {"outline_spread.frag"}, ""});
+        })
+        .and_then([&] {
+            return add(m_outlineInk, {{"world.vert"}, nullptr, {"outline_ink.frag"}, ""});
+        })
+        .map([&] {
+            m_gl.glGenVertexArrays(1, &m_emptyArray);
+            m_gl.glGenTextures(1, &m_noStates);
+            m_gl.glBindTexture(GL_TEXTURE_2D, m_noStates);
+            const std::uint32_t none = 0;
+            m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R8UI, 1, 1, 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, &none);
+            m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+            m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+            m_gl.glBindTexture(GL_TEXTURE_2D, 0);
+        });
+}
+
+void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
+                    const RenderOptions& options)
+{
+    Stopwatch watch;
+    m_cache.beginPicture();
+    upload(scene);
+    m_stats.uploadMs = watch.elapsed().wallMs;
+    watch.restart();
+
+    Picture picture = arrange(scene, camera, size, options);
+    castShadows(picture);
+    const GLuint aside = options.smoothing ? m_smoothing.begin(size) : 0;
+    m_shadowMap.bind(shadowUnit, shadowDepthUnit);
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, aside != 0 ? aside : framebuffer);
+    beginState(size);
+    if (options.world)
+        drawWorld(picture);
+    if (options.shading == ShadingMode::Solid) // the wireframe's other program would not give the same depths
+        drawDepth(picture);
+    drawMeshes(picture);
+    m_gl.glEnable(GL_BLEND);
+    m_gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    drawGhosts(picture);
+    drawLines(picture, true);
+    drawPoints(picture, true);
+    drawLines(picture, false);
+    drawPoints(picture, false);
+    drawFaded(picture);
+    if (options.outline)
+        drawOutline(picture, aside != 0 ? aside : framebuffer);
+    m_cache.freeUnused();
+    resetState();
+    if (aside != 0) {
+        m_gl.glBindVertexArray(m_emptyArray);
+        m_smoothing.end(framebuffer, *m_smooth);
+        resetState();
+    }
+    ++m_stats.pictures;
+    m_stats.drawMs = watch.elapsed().wallMs;
+    m_stats.drawCpuMs = watch.elapsed().cpuMs;
+}
+
+Renderer::Picture Renderer::arrange(const RenderScene& scene, const Camera& camera, QSize size,
+                                    const RenderOptions& options)
+{
+    Picture picture{scene, camera, options};
+    picture.viewport = {float(size.width()), float(size.height())};
+    picture.aspect = double(size.width()) / std::max(1, size.height());
+    glm::dmat4 rotation = camera.viewMatrix();
+    rotation[3] = glm::dvec4(0.0, 0.0, 0.0, 1.0);
+    Box box = scene.box;
+    box.add(scene.trailBox);
+    picture.projectedView = camera.projectionMatrix(picture.aspect, camera.depthRange(box)) * rotation;
+    picture.sun = glm::normalize(options.sun);
+    picture.sunLight = (glm::vec3(1.0f) - skyLight) / float(std::max(picture.sun.y, 0.2));
+    return picture;
+}
+
+void Renderer::castShadows(Picture& picture)
+{
+    const RenderOptions& options = picture.options;
+    if (!options.shadows || options.shading == ShadingMode::Wire)
+        return;
+    const auto fit = m_shadowMap.update(picture.scene, picture.sun, m_cache, *m_shadow);
+    if (!fit)
+        return;
+    const glm::dmat4 half(glm::dvec4(0.5, 0.0, 0.0, 0.0), glm::dvec4(0.0, 0.5, 0.0, 0.0),
+                          glm::dvec4(0.0, 0.0, 0.5, 0.0), glm::dvec4(0.5, 0.5, 0.5, 1.0));
+    glm::dmat4 eye(1.0);
+    eye[3] = glm::dvec4(picture.camera.eye(), 1.0);
+    picture.shadow = glm::mat4(half * fit->clip * eye);
+    picture.shadowScale = glm::vec3(fit->side / ShadowMap::size, fit->side, fit->depth);
+    picture.shadowTaps = options.shadowTaps > 0 ? options.shadowTaps : (m_software ? 12 : 20);
+}
+
+void Renderer::beginState(QSize size)
+{
+    m_gl.glViewport(0, 0, size.width(), size.height());
+    m_gl.glEnable(GL_MULTISAMPLE);
+    m_gl.glEnable(GL_DEPTH_TEST);
+    m_gl.glDepthFunc(GL_LEQUAL);
+    m_gl.glDepthMask(GL_TRUE);
+    m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    m_gl.glDisable(GL_BLEND);
+    m_gl.glDisable(GL_CULL_FACE);
+    m_gl.glDisable(GL_SCISSOR_TEST);
+    m_gl.glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    m_gl.glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+void Renderer::upload(const RenderScene& scene)
+{
+    for (const MeshItem& item : scene.meshes)
+        m_cache.mesh(item.mesh, item.motion.skin);
+    for (const GhostItem& item : scene.ghosts)
+        m_cache.mesh(item.mesh, nullptr);
+    for (const LineItem& item : scene.lines)
+        m_cache.lines(item.lines);
+    for (const PointItem& item : scene.points)
+        m_cache.points(item.points);
+    for (const Highlight& highlight : scene.highlights)
+        m_cache.states(highlight.states);
+}
+
+void Renderer::setLight(ShaderProgram& program, const Picture& picture)
+{
+    program.set("uSun", glm::vec3(picture.sun));
+    program.set("uSunLight", picture.sunLight);
+    program.set("uSkyLight", skyLight);
+    program.set("uGroundLight", groundLight);
+    program.set("uShadow", picture.shadow);
+    program.set("uShadowScale", picture.shadowScale);
+    program.set("uShadowTaps", picture.shadowTaps);
+    program.set("uShadowMap", int(shadowUnit));
+    program.set("uShadowDepth", int(shadowDepthUnit));
+}
+
+void Renderer::setStates(ShaderProgram& program, const RenderScene& scene, NodeId node, bool hasBranches)
+{
+    GLuint texture = m_noStates;
+    int count = 0;
+    for (const Highlight& highlight : scene.highlights) {
+        if (highlight.node == node && node != noNode && (hasBranches || highlight.whole)) {
+            const GpuBlock& block = m_cache.states(highlight.states);
+            texture = block.texture;
+            count = block.count;
+        }
+    }
+    m_gl.glActiveTexture(GL_TEXTURE0 + statesUnit);
+    m_gl.glBindTexture(GL_TEXTURE_2D, texture);
+    m_gl.glActiveTexture(GL_TEXTURE0);
+    program.set("uStates", int(statesUnit));
+    program.set("uStateCount", count);
+}
+
+void Renderer::drawWorld(const Picture& picture)
+{
+    const Camera& camera = picture.camera;
+    const Box& box = picture.scene.box;
+    const double half = 0.5 * camera.heightAtTarget();
+    const double perDistance = camera.orthographic ? 1.0 : 1.0 / camera.distance;
+    const double reach = std::max(box.empty() ? 1.0 : box.radius(), 0.05);
+    const double height = std::abs(camera.eye().y - picture.scene.ground);
+    m_world->bind();
+    setLight(*m_world, picture);
+    m_world->set("uForward", glm::vec3(-camera.backward()));
+    m_world->set("uAcross", glm::vec3(half * picture.aspect * perDistance * camera.right()));
+    m_world->set("uAlong", glm::vec3(half * perDistance * camera.up()));
+    m_world->set("uOrthographic", camera.orthographic);
+    m_world->set("uEye", glm::vec3(camera.eye()));
+    m_world->set("uGround", float(picture.scene.ground));
+    m_world->set("uGroundShown", picture.options.ground);
+    m_world->set("uCentre", glm::vec2(box.centre().x, box.centre().z));
+    m_world->set("uFade", float(12.0 * reach + 4.0 * height + 2.0 * camera.distance));
+    const double step = gridStep(camera.heightAtTarget());
+    m_world->set("uGridStep", picture.options.grid ? float(step) : 0.0f);
+    m_world->set("uPixelRatio", float(picture.options.pixelRatio));
+    m_world->set("uMottle", float(0.35 * reach));
+    m_world->set("uClip", glm::mat4(picture.projectedView));
+    m_gl.glBindVertexArray(m_emptyArray);
+    m_gl.glDepthFunc(GL_ALWAYS);
+    m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
+    m_gl.glDepthFunc(GL_LEQUAL);
+}
+
+void Renderer::drawMeshDepth(const Picture& picture, const MeshItem& item)
+{
+    const GpuBlock& block = m_cache.mesh(item.mesh, item.motion.skin);
+    m_cache.bindBones(*m_shadow, item.motion);
+    m_shadow->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+    m_gl.glBindVertexArray(block.vertexArray);
+    m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
+}
+
+// Leaves cover each other many times over: with the depth known, only what is seen is shaded.
+void Renderer::drawDepth(const Picture& picture)
+{
+    m_shadow->bind();
+    m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (const MeshItem& item : picture.scene.meshes)
+        if (item.opacity >= 1.0f)
+            drawMeshDepth(picture, item);
+    m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+ShaderProgram& Renderer::beginMeshes(const Picture& picture, ShadingMode shading)
+{
+    ShaderProgram& program = shading == ShadingMode::Solid ? *m_mesh : *m_meshWire;
+    program.bind();
+    setLight(program, picture);
+    program.set("uViewport", picture.viewport);
+    program.set("uWireOnly", shading == ShadingMode::Wire);
+    program.set("uLineWidth", float(1.2 * picture.options.pixelRatio));
+    program.set("uBackward",
+                glm::vec4(glm::vec3(picture.camera.backward()), picture.camera.orthographic ? 1.0f : 0.0f));
+    return program;
+}
+
+void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const MeshItem& item)
+{
+    const GpuBlock& block = m_cache.mesh(item.mesh, item.motion.skin);
+    m_cache.bindBones(program, item.motion);
+    m_cache.bindColours(program, block);
+    const glm::dmat4 relative = picture.relative(item.world);
+    setStates(program, picture.scene, item.node, !item.mesh->branch.empty());
+    program.set("uClip", glm::mat4(picture.projectedView * relative));
+    program.set("uRelative", glm::mat4(relative));
+    program.set("uNormal", glm::mat3(glm::inverseTranspose(glm::dmat3(item.world))));
+    program.set("uColour", srgb(item.material.colour));
+    const bool isLeaf = item.material.phong && item.material.twoSided;
+    program.set("uShininess", item.material.phong ? 26.0f : 0.0f);
+    program.set("uGlint", isLeaf ? 0.05f : 0.22f);
+    program.set("uThrough", isLeaf ? 0.5f : 0.0f);
+    program.set("uVariety", isLeaf && !item.mesh->branch.empty() ? 0.45f : 0.0f);
+    program.set("uTwoSided", item.material.twoSided);
+    program.set("uPaint", int(item.paint));
+    program.set("uTileSize", item.tileSize);
+    program.set("uOpacity", item.opacity);
+    m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
+    m_gl.glBindVertexArray(block.vertexArray);
+    m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
+    m_gl.glFrontFace(GL_CCW);
+}
+
+void Renderer::drawMeshes(const Picture& picture)
+{
+    ShaderProgram& program = beginMeshes(picture, picture.options.shading);
+    for (const MeshItem& item : picture.scene.meshes)
+        if (item.opacity >= 1.0f)
+            drawMesh(program, picture, item);
+}
+
+/// Over everything else, but only what is nearest of it: a hundred leaves hide no more than one.
+void Renderer::drawFaded(const Picture& picture)
+{
+    const auto isFaded = [](const MeshItem& item) { return item.opacity < 1.0f; };
+    if (std::ranges::none_of(picture.scene.meshes, isFaded))
+        return;
+    const bool wire = picture.options.shading == ShadingMode::Wire;
+    m_gl.glDepthFunc(GL_LEQUAL);
+    m_gl.glDepthMask(GL_TRUE);
+    m_shadow->bind();
+    m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    for (const MeshItem& item : picture.scene.meshes)
+        if (isFaded(item) && !wire)
+            drawMeshDepth(picture, item);
+    m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    ShaderProgram& program = beginMeshes(picture, wire ? ShadingMode::Wire : ShadingMode::Solid);
+    for (const MeshItem& item : picture.scene.meshes)
+        if (isFaded(item))
+            drawMesh(program, picture, item);
+}
+
+/// What is selected is masked as if nothing stood before it, and a line is drawn around the mask.
+void Renderer::drawOutline(const Picture& picture, GLuint target)
+{
+    const auto extent = outlineExtent(picture.scene, picture.camera, picture.viewport);
+    if (!extent || !m_outline.begin(*extent, picture.viewport, picture.options.pixelRatio))
+        return;
+    m_shadow->bind();
+    for (const MeshItem& item : picture.scene.meshes) {
+        if (!item.outlined)
+            continue;
+        const GpuBlock& block = m_cache.mesh(item.mesh, item.motion.skin);
+        m_cache.bindBones(*m_shadow, item.motion);
+        m_shadow->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+        m_gl.glBindVertexArray(block.vertexArray);
+        m_outline.mask(*item.outlined, block.count);
+    }
+    m_line->bind();
+    m_line->set("uViewport", m_outline.maskSize());
+    m_line->set("uPixelRatio", 1.0f);
+    m_line->set("uLift", 0.0f);
+    for (const LineItem& item : picture.scene.lines) {
+        if (item.outlined == OutlinedLines::None)
+            continue;
+        m_line->set("uOnlySelected", item.outlined == OutlinedLines::Selected);
+        drawLineItem(picture, item);
+    }
+    m_line->set("uOnlySelected", false);
+    m_gl.glBindVertexArray(m_emptyArray);
+    m_outline.end(target, {*m_outlineRows, *m_outlineColumns, *m_outlineInk});
+}
+
+/// Each hides its own inside, but nothing else: what stands behind it shines through.
+void Renderer::drawGhosts(const Picture& picture)
+{
+    if (picture.scene.ghosts.empty())
+        return;
+    m_ghost->bind();
+    m_ghost->set("uBackward",
+                 glm::vec4(glm::vec3(picture.camera.backward()), picture.camera.orthographic ? 1.0f : 0.0f));
+    m_gl.glDepthMask(GL_FALSE);
+    m_gl.glEnable(GL_CULL_FACE);
+    m_gl.glEnable(GL_POLYGON_OFFSET_FILL); // where it lies in a surface, that is seen
+    m_gl.glPolygonOffset(1.0f, 2.0f);
+    for (const GhostItem& item : picture.scene.ghosts) {
+        const GpuBlock& block = m_cache.mesh(item.mesh, nullptr);
+        const glm::dmat4 relative = picture.relative(item.world);
+        m_ghost->set("uClip", glm::mat4(picture.projectedView * relative));
+        m_ghost->set("uRelative", glm::mat4(relative));
+        m_ghost->set("uNormal", glm::mat3(glm::inverseTranspose(glm::dmat3(item.world))));
+        m_ghost->set("uColour", glm::vec4(item.colour) / 255.0f);
+        m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
+        m_gl.glBindVertexArray(block.vertexArray);
+        m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
+    }
+    m_gl.glFrontFace(GL_CCW);
+    m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
+    m_gl.glDisable(GL_CULL_FACE);
+    m_gl.glDepthMask(GL_TRUE);
+}
+
+void Renderer::drawLines(const Picture& picture, bool hidden)
+{
+    m_line->bind();
+    m_line->set("uViewport", picture.viewport);
+    m_line->set("uPixelRatio", float(picture.options.pixelRatio));
+    m_line->set("uLift", hidden ? 0.0f : picture.lift());
+    m_gl.glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
+    m_gl.glDepthMask(hidden ? GL_FALSE : GL_TRUE);
+    for (const LineItem& item : picture.scene.lines) {
+        if (hidden && !item.throughSurfaces)
+            continue;
+        m_line->set("uOpacity", hidden ? item.hidden : 1.0f);
+        drawLineItem(picture, item);
+    }
+}
+
+void Renderer::drawLineItem(const Picture& picture, const LineItem& item)
+{
+    const GpuBlock& block = m_cache.lines(item.lines);
+    setStates(*m_line, picture.scene, item.node);
+    m_cache.bindBones(*m_line, item.motion);
+    m_line->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+    m_gl.glBindVertexArray(block.vertexArray);
+    m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
+}
+
+void Renderer::drawPoints(const Picture& picture, bool hidden)
+{
+    m_point->bind();
+    m_point->set("uViewport", picture.viewport);
+    m_point->set("uPixelRatio", float(picture.options.pixelRatio));
+    m_point->set("uLift", hidden ? 0.0f : 1.5f * picture.lift());
+    m_gl.glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
+    m_gl.glDepthMask(hidden ? GL_FALSE : GL_TRUE);
+    for (const PointItem& item : picture.scene.points) {
+        if (hidden && !item.throughSurfaces)
+            continue;
+        m_point->set("uOpacity", hidden ? item.hidden : 1.0f);
+        const GpuBlock& block = m_cache.points(item.points);
+        setStates(*m_point, picture.scene, item.node);
+        m_cache.bindBones(*m_point, item.motion);
+        m_point->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+        m_gl.glBindVertexArray(block.vertexArray);
+        m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
+    }
+}
+
+void Renderer::resetState()
+{
+    m_gl.glBindVertexArray(0);
+    m_gl.glBindBuffer(GL_ARRAY_BUFFER, 0);
+    m_gl.glUseProgram(0);
+    m_gl.glDepthMask(GL_TRUE);
+    m_gl.glDepthFunc(GL_LESS);
+    m_gl.glDisable(GL_DEPTH_TEST);
+    m_gl.glDisable(GL_BLEND);
+    for (const GLenum unit :
+         {shadowUnit, shadowDepthUnit, statesUnit, GpuCache::bonesUnit, GpuCache::coloursUnit}) {
+        m_gl.glActiveTexture(GL_TEXTURE0 + unit);
+        m_gl.glBindTexture(GL_TEXTURE_2D, 0);
+        m_gl.glBindSampler(unit, 0);
+    }
+    m_gl.glActiveTexture(GL_TEXTURE0);
+}
+
+RenderStats Renderer::stats() const
+{
+    RenderStats stats = m_stats;
+    stats.shadowRedraws = m_shadowMap.redraws();
+    stats.uploads = m_cache.stats();
+    return stats;
+}
+
+} // namespace ramure

@@ -1,0 +1,85 @@
+/// \file
+/// Draws a render scene with OpenGL 3.3 core into any framebuffer. Knows no document and no widget. Holds
+/// nothing that cannot be made again: after a lost context throw it away and make another.
+#pragma once
+
+#include "widgets/view/render/camera.h"
+#include "widgets/view/render/gpu_cache.h"
+#include "widgets/view/render/outline.h"
+#include "widgets/view/render/renderer_options.h"
+#include "widgets/view/render/shadow_map.h"
+#include "widgets/view/render/smoothing.h"
+#include <QSize>
+
+namespace ramure {
+
+/// Of the last picture, and since the start.
+struct RenderStats
+{
+    double uploadMs = 0.0;  ///< blocks new in the last picture
+    double drawMs = 0.0;    ///< commands of the last picture issued
+    double drawCpuMs = 0.0; ///< the same, as the thread's own time
+    std::uint64_t pictures = 0;
+    std::uint64_t shadowRedraws = 0;
+    UploadStats uploads;
+};
+
+class Renderer
+{
+public:
+    /// Compiles the programs in the current context, which must be OpenGL 3.3 core or later.
+    /// Error: Unknown (context, shader), with the driver's words.
+    static Expected<std::unique_ptr<Renderer>> make();
+    /// With the same context current.
+    ~Renderer();
+
+    /// Draws into \p framebuffer (its size in device pixels \p size). Leaves the framebuffer bound, blending
+    /// and depth test off, no program, buffer or texture bound.
+    void draw(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
+              const RenderOptions& options);
+    /// Large scenes before they are drawn: see GpuCache::prepare. The context must be current.
+    bool prepare(const RenderScene& scene, std::size_t bytes) { return m_cache.prepare(scene, bytes); }
+    [[nodiscard]] std::vector<std::shared_ptr<const void>> takeReleased() { return m_cache.takeReleased(); }
+    [[nodiscard]] RenderStats stats() const;
+    /// A rasteriser on the CPU (llvmpipe): the renderer chooses fewer samples of the shadow.
+    [[nodiscard]] bool isSoftware() const { return m_software; }
+
+private:
+    struct Picture; ///< all that one picture's passes share
+
+    explicit Renderer(Gl& gl);
+    Expected<void> compile();
+    void upload(const RenderScene& scene);
+    void setLight(ShaderProgram& program, const Picture& picture);
+    void setStates(ShaderProgram& program, const RenderScene& scene, NodeId node, bool hasBranches = true);
+    Picture arrange(const RenderScene& scene, const Camera& camera, QSize size, const RenderOptions& options);
+    void castShadows(Picture& picture);
+    void drawWorld(const Picture& picture);
+    void drawDepth(const Picture& picture);
+    void drawMeshes(const Picture& picture);
+    ShaderProgram& beginMeshes(const Picture& picture, ShadingMode shading);
+    void drawMesh(ShaderProgram& program, const Picture& picture, const MeshItem& item);
+    void drawMeshDepth(const Picture& picture, const MeshItem& item);
+    void drawFaded(const Picture& picture);
+    void drawOutline(const Picture& picture, GLuint target);
+    void drawLines(const Picture& picture, bool hidden);
+    void drawLineItem(const Picture& picture, const LineItem& item);
+    void drawPoints(const Picture& picture, bool hidden);
+    void drawGhosts(const Picture& picture);
+    void beginState(QSize size);
+    void resetState();
+
+    Gl& m_gl;
+    GpuCache m_cache;
+    ShadowMap m_shadowMap;
+    Smoothing m_smoothing;
+    Outline m_outline;
+    std::unique_ptr<ShaderProgram> m_mesh, m_meshWire, m_shadow, m_world, m_line, m_point, m_smooth, m_ghost;
+    std::unique_ptr<ShaderProgram> m_outlineRows, m_outlineColumns, m_outlineInk;
+    GLuint m_emptyArray = 0;
+    GLuint m_noStates = 0; ///< a texture of one plain branch
+    bool m_software = false;
+    RenderStats m_stats;
+};
+
+} // namespace ramure

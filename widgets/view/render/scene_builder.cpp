@@ -1,0 +1,508 @@
+#include "widgets/view/render/scene_builder.h"
+
+#include "core/scene/object_mesh.h"
+#include "core/scene/places.h"
+#include "core/surface/check/texture_report.h"
+#include "core/surface/mesh/normals.h"
+#include "core/surface/mesher/rough_model.h"
+#include "widgets/view/render/arm_items.h"
+#include "widgets/view/render/ground_height.h"
+#include "widgets/view/render/isolated_parts.h"
+#include "widgets/view/render/line_art.h"
+#include "widgets/view/render/outline.h"
+#include "widgets/view/render/scene_part_cache.h"
+#include <algorithm>
+#include <numeric>
+
+namespace ramure {
+namespace {
+
+std::vector<double> asNumbers(const std::vector<Index>& indices)
+{
+    return {indices.begin(), indices.end()};
+}
+
+/// Of cones and tubes without ends.
+Material openBark()
+{
+    Material bark = barkMaterial();
+    bark.twoSided = true;
+    return bark;
+}
+
+/// More selected branches than these are no help to find one.
+constexpr std::size_t mostCurves = 2000;
+
+/// A branch mesh as the texture modes show it.
+struct TexturedMesh
+{
+    TriangleMesh mesh; ///< empty where there are no coordinates
+    std::vector<Index> vertex;
+    TextureReport report;
+    double tileSize = 0.0;
+};
+
+/// \param rest the mesh whose coordinates it has: that of the tree at rest.
+TexturedMesh texturedMesh(const BranchMesh& branches, const BranchMesh& rest, const TextureOptions& options)
+{
+    auto made = textureCoordinates(rest, options);
+    if (!made)
+        return {};
+    TexturedMesh textured{
+        splitByTexture(branches, *made), {}, textureReport(branches, *made), made->tileSize};
+    textured.vertex = std::move(made->vertex);
+    return textured;
+}
+
+/// Appends the items of one tree.
+struct TreeItems
+{
+    ScenePartCache& cache;
+    RenderScene& scene;
+    const SceneView& view;
+    const Node& node;
+    const TreeResult& tree;
+    glm::dmat4 world;
+
+    [[nodiscard]] bool isIsolated() const
+    {
+        return view.isolatedNode == node.id && !view.isolatedBranches.empty();
+    }
+    /// The part of a mesh, of lines or marks that belongs to the branches shown alone, where there are such.
+    template <class T> std::shared_ptr<const T> shown(std::shared_ptr<const T> block)
+    {
+        if (!block || !isIsolated() || !tree.simplified)
+            return block;
+        return cache.get<T>(
+            ScenePart::Isolated, block, tree.simplified, asNumbers(view.isolatedBranches), [&] {
+                return onlyBranches(*block,
+                                    branchFlags(tree.simplified->skeleton.size(), view.isolatedBranches));
+            });
+    }
+
+    void addMesh(std::shared_ptr<const TriangleMesh> mesh, Material material)
+    {
+        mesh = shown(std::move(mesh));
+        if (!mesh || mesh->empty())
+            return;
+        MeshItem item;
+        item.box = cache.box(mesh);
+        item.mesh = std::move(mesh);
+        item.material = std::move(material);
+        item.world = world;
+        item.node = node.id;
+        item.pickable = !node.locked;
+        scene.meshes.push_back(std::move(item));
+    }
+    void addLines(std::shared_ptr<const LineSet> lines, bool throughSurfaces, bool pickable)
+    {
+        lines = shown(std::move(lines));
+        if (!lines->segments.empty())
+            scene.lines.push_back(
+                {std::move(lines), world, node.id, throughSurfaces, pickable && !node.locked});
+    }
+    void addPoints(std::shared_ptr<const PointSet> points)
+    {
+        points = shown(std::move(points));
+        if (!points->points.empty())
+            scene.points.push_back({std::move(points), world, node.id, false});
+    }
+
+    void fine()
+    {
+        if (tree.branches)
+            addMesh({tree.branches, &tree.branches->mesh}, barkMaterial());
+        else
+            addMesh(tree.draftTubes, openBark());
+        if (view.leaves)
+            addMesh(tree.leaves, leavesMaterial());
+        if (view.apples)
+            addMesh(tree.apples, applesMaterial());
+    }
+    /// The branches with their texture coordinates, without leaves in front; as a plain mesh where there are
+    /// none.
+    void textured(Paint paint)
+    {
+        if (!tree.branches)
+            return addMesh(tree.draftTubes, openBark());
+        const TextureOptions options{node.params.texture.tileSize, node.params.texture.seamsAround};
+        const std::vector<double> numbers{options.tileSize, options.seamsAround ? 1.0 : 0.0};
+        const std::shared_ptr<const BranchMesh>& rest = tree.restBranches ? tree.restBranches : tree.branches;
+        const auto made = cache.get<TexturedMesh>(ScenePart::Textured, tree.branches, rest, numbers, [&] {
+            return texturedMesh(*tree.branches, *rest, options);
+        });
+        if (made->mesh.empty())
+            return fine();
+        const std::size_t before = scene.meshes.size();
+        addMesh({made, &made->mesh}, barkMaterial());
+        if (scene.meshes.size() == before)
+            return; // nothing of it is shown
+        MeshItem& item = scene.meshes.back();
+        item.paint = paint;
+        item.tileSize = static_cast<float>(made->tileSize);
+        if (item.mesh.get() == &made->mesh)
+            item.split = {{tree.branches, &tree.branches->mesh}, {made, &made->vertex}};
+        TextureSummary& all = scene.texture;
+        all.tileSize = all.triangles == 0 ? made->tileSize : std::min(all.tileSize, made->tileSize);
+        all.triangles += made->report.triangles;
+        all.stretched += made->report.stretched;
+        all.mirrored += made->report.mirrored;
+    }
+    void rough()
+    {
+        if (!tree.simplified)
+            return;
+        const Skeleton& skeleton = tree.simplified->skeleton;
+        const auto sides = static_cast<int>(node.params.sections.radialDivisions);
+        MeshArrays& arrays = cache.roughArrays();
+        addMesh(cache.get<TriangleMesh>(
+                    ScenePart::RoughBranches, tree.simplified, tree.simplified, {double(sides)},
+                    [&] { return arrays.share(buildRoughBranches(skeleton, sides, arrays.take())); }),
+                openBark());
+        if (!tree.foliage)
+            return;
+        const double alpha = node.params.turtle.alpha;
+        if (view.leaves)
+            addMesh(cache.get<TriangleMesh>(
+                        ScenePart::RoughLeaves, tree.simplified, tree.foliage, {alpha},
+                        [&] { return buildLeaves(skeleton, *tree.foliage, alpha, FoliageModel::Rough); }),
+                    leavesMaterial());
+        if (view.apples)
+            addMesh(cache.get<TriangleMesh>(
+                        ScenePart::RoughApples, tree.simplified, tree.foliage, {alpha},
+                        [&] { return buildApples(skeleton, *tree.foliage, alpha, FoliageModel::Rough); }),
+                    applesMaterial());
+    }
+    void skeleton()
+    {
+        if (!tree.skeleton)
+            return;
+        const std::vector<Index> none;
+        const bool known = tree.simplified && tree.simplified->mergedInto.size() == tree.skeleton->size();
+        const std::vector<Index>& ids = known ? tree.simplified->mergedInto : none;
+        addLines(cache.get<LineSet>(ScenePart::SkeletonLines, tree.skeleton, tree.simplified, {},
+                                    [&] { return skeletonLines(*tree.skeleton, ids); }),
+                 false, true);
+        addPoints(cache.get<PointSet>(ScenePart::SkeletonMarks, tree.skeleton, tree.simplified, {},
+                                      [&] { return nodeMarks(*tree.skeleton, ids); }));
+    }
+    void simplified()
+    {
+        if (!tree.simplified)
+            return;
+        addLines(cache.get<LineSet>(ScenePart::SimplifiedLines, tree.simplified, tree.simplified, {},
+                                    [&] { return skeletonLines(tree.simplified->skeleton); }),
+                 false, true);
+        addPoints(cache.get<PointSet>(ScenePart::SimplifiedMarks, tree.simplified, tree.simplified, {},
+                                      [&] { return nodeMarks(tree.simplified->skeleton); }));
+        if (tree.skeleton)
+            addPoints(cache.get<PointSet>(ScenePart::RemovedMarks, tree.skeleton, tree.simplified, {},
+                                          [&] { return removedMarks(*tree.skeleton, *tree.simplified); }));
+    }
+    void sections()
+    {
+        if (!tree.simplified || !tree.sections)
+            return;
+        const auto sides = static_cast<int>(node.params.sections.radialDivisions);
+        addLines(cache.get<LineSet>(
+                     ScenePart::SectionLines, tree.simplified, tree.sections, {double(sides)},
+                     [&] { return sectionLines(tree.simplified->skeleton, *tree.sections, sides); }),
+                 false, true);
+    }
+    /// Where the selected branches are behind the leaves.
+    void selectedCurves()
+    {
+        const bool lines = view.mode == DisplayMode::Skeleton || view.mode == DisplayMode::Simplified ||
+                           view.mode == DisplayMode::Sections;
+        if (lines || !tree.simplified || view.branchNode != node.id || view.branches.empty() ||
+            view.branches.size() > mostCurves)
+            return;
+        addLines(cache.get<LineSet>(ScenePart::SelectedCurves, tree.simplified, tree.simplified,
+                                    asNumbers(view.branches),
+                                    [&] { return branchCurves(tree.simplified->skeleton, view.branches); }),
+                 true, false);
+        if (!scene.lines.empty())
+            scene.lines.back().outlined = OutlinedLines::All; // the thinnest twig has its line
+    }
+    void frames()
+    {
+        if (!tree.simplified || !tree.sections)
+            return;
+        const Skeleton& of = tree.simplified->skeleton;
+        const bool all = view.frames == FrameDisplay::All;
+        if (all || (view.frames == FrameDisplay::Selection && view.branchNode == node.id &&
+                    !view.branches.empty())) {
+            std::vector<Index> wanted = view.branches;
+            if (all && isIsolated()) {
+                wanted = view.isolatedBranches;
+            } else if (all) {
+                wanted.resize(of.size());
+                std::iota(wanted.begin(), wanted.end(), Index(0));
+            }
+            addLines(cache.get<LineSet>(ScenePart::FrameArrows, tree.simplified, tree.sections,
+                                        all && !isIsolated() ? std::vector<double>{-1.0} : asNumbers(wanted),
+                                        [&] { return frameArrows(of, *tree.sections, wanted); }),
+                     !all, false);
+        }
+        const InspectedSection& at = view.inspected;
+        if (at.node == node.id) {
+            const auto sides = static_cast<int>(node.params.sections.radialDivisions);
+            addLines(cache.get<LineSet>(
+                         ScenePart::Inspected, tree.simplified, tree.sections,
+                         {double(at.branch), double(at.section), double(sides)},
+                         [&] { return inspectedLines(of, *tree.sections, at.branch, at.section, sides); }),
+                     true, false);
+        }
+    }
+    void all()
+    {
+        switch (view.mode) {
+        case DisplayMode::Skeleton:
+            skeleton();
+            break;
+        case DisplayMode::Simplified:
+            simplified();
+            break;
+        case DisplayMode::Rough:
+            rough();
+            break;
+        case DisplayMode::Sections:
+            sections();
+            break;
+        case DisplayMode::Mesh:
+            fine();
+            break;
+        case DisplayMode::Checker:
+            textured(Paint::Checker);
+            break;
+        case DisplayMode::Stretch:
+            textured(Paint::Stretch);
+            break;
+        }
+        selectedCurves();
+        frames();
+    }
+};
+
+/// Appends primitives and imported meshes. Equal primitives share one mesh.
+struct ObjectItems
+{
+    ScenePartCache& cache;
+    RenderScene& scene;
+    double timeSeconds;
+    std::shared_ptr<const TriangleMesh> none; ///< primitives come from numbers alone
+
+    std::shared_ptr<const TriangleMesh> meshOf(const Node& node, const NodeParams& params)
+    {
+        const auto make = [&] {
+            const auto mesh = objectMesh(node, params);
+            return mesh ? *mesh : TriangleMesh();
+        };
+        if (node.kind == NodeKind::Mesh)
+            return cache.get<TriangleMesh>(ScenePart::Object, node.mesh.pointer(), none, {}, make);
+        const PrimitiveParams& p = params.primitive;
+        return cache.get<TriangleMesh>(ScenePart::Object, none, none,
+                                       {double(p.shape), p.radius, p.height, p.size.x, p.size.y, p.size.z,
+                                        double(p.sides), double(p.axis)},
+                                       make);
+    }
+    void add(const Node& node, const glm::dmat4& world)
+    {
+        const NodeParams* params = &node.params;
+        NodeParams moved;
+        if (node.animation.movesParams()) {
+            moved = paramsAt(node.params, node.animation, timeSeconds);
+            params = &moved;
+        }
+        MeshItem item;
+        item.mesh = meshOf(node, *params);
+        if (item.mesh->empty())
+            return;
+        item.box = cache.box(item.mesh);
+        item.material = {"surface", glm::u8vec3(params->surface.color * 255.0 + 0.5), true, false};
+        item.material.twoSided =
+            node.kind == NodeKind::Mesh || node.params.primitive.shape == PrimitiveShape::Plane;
+        item.world = world;
+        item.node = node.id;
+        item.pickable = !node.locked;
+        scene.meshes.push_back(std::move(item));
+    }
+};
+
+/// Faces of a tree's meshes that its outline is found from: most of the bark stands inside the crown.
+constexpr Index mostBark = 20'000, mostLeaves = 40'000;
+
+/// The selected nodes and all below them.
+std::vector<NodeId> outlinedNodes(const Scene& scene, const std::vector<NodeId>& selected)
+{
+    std::vector<NodeId> nodes;
+    for (const Node& node : scene.nodes()) {
+        const auto isIn = [](const std::vector<NodeId>& list, NodeId id) {
+            return std::ranges::find(list, id) != list.end();
+        };
+        if (isIn(selected, node.id) || (node.parent != noNode && isIn(nodes, node.parent)))
+            nodes.push_back(node.id); // parents stand before their children
+    }
+    return nodes;
+}
+
+/// What the outline goes around: selected branches, else selected nodes.
+void outlineSelected(RenderScene& built, ScenePartCache& cache, const Scene& scene,
+                     const SceneBuilder::ResultOf& resultOf, const SceneView& view)
+{
+    const TreeResult* tree = view.branches.empty() ? nullptr : resultOf(view.branchNode);
+    const NodeId branchNode = tree && tree->simplified ? view.branchNode : noNode;
+    std::vector<NodeId> whole = outlinedNodes(scene, view.selectedNodes);
+    std::erase(whole, branchNode);
+    const auto isWhole = [&whole](NodeId id) { return std::ranges::find(whole, id) != whole.end(); };
+    for (MeshItem& item : built.meshes) {
+        if (item.isMark || item.node == noNode)
+            continue;
+        if (isWhole(item.node)) {
+            const Node* node = scene.find(item.node);
+            const bool isTree = node && node->kind == NodeKind::Tree;
+            const Index most = !isTree                                     ? 0
+                               : item.material.name == barkMaterial().name ? mostBark
+                                                                           : mostLeaves;
+            item.outlined = cache.get<OutlinedFaces>(ScenePart::Outlined, item.mesh, item.mesh, {}, [&] {
+                return outlinedWhole(*item.mesh, item.box, most);
+            });
+        } else if (item.node == branchNode && item.material.name == barkMaterial().name &&
+                   item.mesh->branch.size() == item.mesh->positions.size()) {
+            item.outlined = cache.get<OutlinedFaces>(
+                ScenePart::Outlined, item.mesh, tree->simplified, asNumbers(view.branches), [&] {
+                    return outlinedBranches(*item.mesh,
+                                            branchFlags(tree->simplified->skeleton.size(), view.branches));
+                });
+        }
+    }
+    for (LineItem& item : built.lines)
+        if (item.pickable || scene.isLocked(item.node))
+            item.outlined = isWhole(item.node)        ? OutlinedLines::All
+                            : item.node == branchNode ? OutlinedLines::Selected
+                                                      : item.outlined;
+}
+
+} // namespace
+
+SceneBuilder::SceneBuilder()
+    : m_cache(std::make_unique<ScenePartCache>())
+    , m_ground(std::make_unique<GroundHeight>())
+{
+}
+
+SceneBuilder::~SceneBuilder() = default;
+
+RenderScene SceneBuilder::build(const Scene& scene, const ResultOf& resultOf, const SceneView& view)
+{
+    m_cache->beginBuild();
+    RenderScene built;
+    const std::vector<NodePlace> places = placesAt(scene, view.timeSeconds);
+    ObjectItems objects{*m_cache, built, view.timeSeconds, {}};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Node& node = scene.nodes()[i];
+        if (node.kind == NodeKind::Group || !scene.isShown(node.id))
+            continue;
+        if (addArmOrRelief(built, *m_cache, node, places[i].geometry, view))
+            continue;
+        if (isObject(node.kind)) {
+            objects.add(node, places[i].geometry);
+            continue;
+        }
+        const TreeResult* tree = resultOf(node.id);
+        if (!tree)
+            continue;
+        TreeItems{*m_cache, built, view, node, *tree, places[i].geometry}.all();
+    }
+    built.ground = m_ground->of(scene, built);
+    outlineSelected(built, *m_cache, scene, resultOf, view);
+    updateHighlights(built, resultOf, view);
+    built.updateBoxes();
+    m_cache->dropUnused();
+    return built;
+}
+
+/// Where the branches that are pointed at are behind the leaves.
+static void addPointedCurves(RenderScene& built, const SceneBuilder::ResultOf& resultOf,
+                             const SceneView& view)
+{
+    std::erase_if(built.lines, [](const LineItem& item) { return item.pointed; });
+    const TreeResult* tree = view.hoverThrough ? resultOf(view.hoverNode) : nullptr;
+    if (!tree || !tree->simplified || view.hoverBranches.size() > mostCurves)
+        return;
+    const auto bark = std::ranges::find_if(built.meshes, [&view](const MeshItem& item) {
+        return item.node == view.hoverNode && !item.isMark && !item.mesh->branch.empty();
+    });
+    if (bark == built.meshes.end())
+        return;
+    LineItem line;
+    line.lines =
+        std::make_shared<const LineSet>(branchCurves(tree->simplified->skeleton, view.hoverBranches, true));
+    line.world = bark->world;
+    line.node = view.hoverNode;
+    line.throughSurfaces = line.pointed = true;
+    if (!line.lines->segments.empty())
+        built.lines.push_back(std::move(line));
+}
+
+void updateHighlights(RenderScene& built, const SceneBuilder::ResultOf& resultOf, const SceneView& view)
+{
+    built.highlights.clear();
+    addPointedCurves(built, resultOf, view);
+    const auto statesOf = [&resultOf](NodeId node) -> BranchStates {
+        const TreeResult* tree = node == noNode ? nullptr : resultOf(node);
+        return BranchStates(tree && tree->simplified ? tree->simplified->skeleton.size() : 0,
+                            BranchState::Plain);
+    };
+    const auto add = [&built](NodeId node, BranchStates states) {
+        if (!states.empty())
+            built.highlights.push_back({node, std::make_shared<const BranchStates>(std::move(states))});
+    };
+    BranchStates selected = view.branches.empty() ? BranchStates() : statesOf(view.branchNode);
+    for (const Index branch : view.branches) {
+        if (branch < selected.size())
+            selected[branch] = branch == view.activeBranch ? BranchState::Active : BranchState::Selected;
+    }
+    const auto hover = [](BranchState& state) {
+        state = state == BranchState::Plain ? BranchState::Hovered : BranchState::HoveredSelected;
+    };
+    if (!view.hoverBranches.empty()) {
+        const bool same = view.hoverNode == view.branchNode && !selected.empty();
+        BranchStates hovered = same ? BranchStates() : statesOf(view.hoverNode);
+        BranchStates& target = same ? selected : hovered;
+        for (const Index branch : view.hoverBranches)
+            if (branch < target.size())
+                hover(target[branch]);
+        add(view.hoverNode, std::move(hovered));
+    }
+    for (const NodeId node : view.hoverNodes) {
+        if (node == view.branchNode && !selected.empty()) {
+            std::ranges::for_each(selected, hover);
+            continue;
+        }
+        BranchStates hovered = statesOf(node);
+        const bool isTree = !hovered.empty();
+        hovered.assign(isTree ? hovered.size() : mostArmJoints + 1, BranchState::Hovered);
+        add(node, std::move(hovered));
+        built.highlights.back().whole = !isTree;
+    }
+    add(view.branchNode, std::move(selected));
+}
+
+RenderScene sceneOfMesh(TriangleMesh mesh)
+{
+    if (mesh.normals.size() != mesh.positions.size())
+        computeNormals(mesh);
+    RenderScene scene;
+    MeshItem item;
+    item.box = meshBox(mesh);
+    item.material = barkMaterial();
+    if (!mesh.colours.empty())
+        item.material.colour = glm::u8vec3(255);
+    item.mesh = std::make_shared<const TriangleMesh>(std::move(mesh));
+    scene.meshes.push_back(std::move(item));
+    scene.updateBoxes();
+    return scene;
+}
+
+} // namespace ramure

@@ -1,0 +1,74 @@
+/// \file
+/// From a scene and the results of its trees to a RenderScene. Keeps what it made under the identity of what
+/// it was made from, so that building again after a small change makes only what is new.
+#pragma once
+
+#include "core/pipeline/tree_pipeline.h"
+#include "core/scene/scene.h"
+#include "widgets/view/render/display_mode.h"
+#include "widgets/view/render/render_scene.h"
+#include <functional>
+#include <memory>
+
+namespace ramure {
+
+class ScenePartCache;
+
+/// One section shown with its plane, circle and frame.
+struct InspectedSection
+{
+    NodeId node = noNode; ///< noNode = none
+    Index branch = 0;     ///< of the simplified skeleton
+    Index section = 0;
+    bool operator==(const InspectedSection&) const = default;
+};
+
+/// What of the scene is shown.
+struct SceneView
+{
+    DisplayMode mode = DisplayMode::Mesh;
+    bool leaves = true;
+    bool apples = true;
+    FrameDisplay frames = FrameDisplay::None;
+    std::vector<NodeId> selectedNodes; ///< shown with an outline, with all below them
+    NodeId branchNode = noNode;        ///< the tree whose branches are selected
+    std::vector<Index> branches;       ///< of its simplified skeleton
+    Index activeBranch = noIndex;
+    NodeId hoverNode = noNode;
+    std::vector<Index> hoverBranches;
+    bool hoverThrough = false;      ///< a line shows them through leaves
+    std::vector<NodeId> hoverNodes; ///< as a whole
+    InspectedSection inspected;
+    double timeSeconds = 0.0;            ///< where tracks have moved nodes and parameters of objects to
+    NodeId isolatedNode = noNode;        ///< the tree of which only some branches are shown
+    std::vector<Index> isolatedBranches; ///< of its simplified skeleton; empty = all
+};
+
+class GroundHeight;
+
+class SceneBuilder
+{
+public:
+    /// Null where there is no result.
+    using ResultOf = std::function<const TreeResult*(NodeId)>;
+
+    SceneBuilder();
+    ~SceneBuilder();
+    SceneBuilder(const SceneBuilder&) = delete;
+    SceneBuilder& operator=(const SceneBuilder&) = delete;
+
+    /// Never fails: what is missing or cannot be made is left out.
+    RenderScene build(const Scene& scene, const ResultOf& resultOf, const SceneView& view);
+
+private:
+    std::unique_ptr<ScenePartCache> m_cache;
+    std::unique_ptr<GroundHeight> m_ground;
+};
+
+/// Only the highlights of \p view, into a scene built before from the same results: for hovering.
+void updateHighlights(RenderScene& built, const SceneBuilder::ResultOf& resultOf, const SceneView& view);
+
+/// One foreign mesh (a file that was read) as a scene: bark without branches. Missing normals are computed.
+RenderScene sceneOfMesh(TriangleMesh mesh);
+
+} // namespace ramure

@@ -1,0 +1,105 @@
+#include "widgets/view/render/shader_program.h"
+
+#include <QFile>
+
+// Resources of a static library are only linked in when asked for; the macro must stand outside namespaces.
+static void initShaderResources()
+{
+    Q_INIT_RESOURCE(shaders);
+}
+
+namespace ramure {
+namespace {
+
+QByteArray source(const std::vector<const char*>& names, const char* defines)
+{
+    QByteArray text = "#version 330 core\n";
+    text += defines;
+    for (const char* name : names) {
+        QFile file(QStringLiteral(":/shaders/") + QLatin1String(name));
+        if (file.open(QIODevice::ReadOnly))
+            text += file.readAll() + '\n';
+    }
+    return text;
+}
+
+} // namespace
+
+ShaderProgram::ShaderProgram(Gl& gl)
+    : m_gl(gl)
+{
+}
+
+Expected<std::unique_ptr<ShaderProgram>> ShaderProgram::make(Gl& gl, const ShaderSources& sources)
+{
+    initShaderResources();
+    std::unique_ptr<ShaderProgram> made(new ShaderProgram(gl));
+    QOpenGLShaderProgram& program = made->m_program;
+    bool good =
+        program.addShaderFromSourceCode(QOpenGLShader::Vertex, source(sources.vertex, sources.defines));
+    if (good && sources.geometry)
+        good = program.addShaderFromSourceCode(QOpenGLShader::Geometry,
+                                               source({sources.geometry}, sources.defines));
+    good = good && program.addShaderFromSourceCode(QOpenGLShader::Fragment,
+                                                   source(sources.fragment, sources.defines));
+    good = good && program.link();
+    if (!good)
+        return fail(ErrorCode::Unknown, RAMURE_NOOP("The graphics driver refuses a shader: %1"),
+                    {program.log().toStdString()});
+    return made;
+}
+
+void ShaderProgram::bind()
+{
+    m_program.bind();
+}
+
+int ShaderProgram::location(const char* name)
+{
+    const auto [it, isNew] = m_locations.try_emplace(name, -1);
+    if (isNew)
+        it->second = m_program.uniformLocation(name);
+    return it->second;
+}
+
+void ShaderProgram::set(const char* name, bool value)
+{
+    m_gl.glUniform1i(location(name), value ? 1 : 0);
+}
+
+void ShaderProgram::set(const char* name, int value)
+{
+    m_gl.glUniform1i(location(name), value);
+}
+
+void ShaderProgram::set(const char* name, float value)
+{
+    m_gl.glUniform1f(location(name), value);
+}
+
+void ShaderProgram::set(const char* name, const glm::vec2& value)
+{
+    m_gl.glUniform2fv(location(name), 1, &value[0]);
+}
+
+void ShaderProgram::set(const char* name, const glm::vec3& value)
+{
+    m_gl.glUniform3fv(location(name), 1, &value[0]);
+}
+
+void ShaderProgram::set(const char* name, const glm::vec4& value)
+{
+    m_gl.glUniform4fv(location(name), 1, &value[0]);
+}
+
+void ShaderProgram::set(const char* name, const glm::mat3& value)
+{
+    m_gl.glUniformMatrix3fv(location(name), 1, GL_FALSE, &value[0][0]);
+}
+
+void ShaderProgram::set(const char* name, const glm::mat4& value)
+{
+    m_gl.glUniformMatrix4fv(location(name), 1, GL_FALSE, &value[0][0]);
+}
+
+} // namespace ramure

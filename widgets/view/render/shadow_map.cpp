@@ -1,0 +1,125 @@
+#include "widgets/view/render/shadow_map.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace ramure {
+
+ShadowFit fitShadow(const Box& casters, const glm::dvec3& sun, int size)
+{
+    const glm::dvec3 helper = std::abs(sun.y) < 0.99 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 x = glm::normalize(glm::cross(helper, sun));
+    const glm::dvec3 y = glm::cross(sun, x);
+    glm::dmat4 view(1.0);
+    for (int i = 0; i < 3; ++i) {
+        view[i][0] = x[i];
+        view[i][1] = y[i];
+        view[i][2] = sun[i];
+    }
+    const Box seen = casters.transformed(view);
+    // A rim of some texels keeps the soft edges inside; a flat or tiny box still has a volume.
+    const double side = std::max({seen.size().x, seen.size().y, 1e-3}) * (1.0 + 40.0 / size);
+    const glm::dvec3 c = seen.centre();
+    const double pad = 0.01 * (seen.size().z + side);
+    ShadowFit fit;
+    fit.side = side;
+    fit.depth = seen.size().z + 2.0 * pad;
+    fit.clip = glm::ortho(c.x - 0.5 * side, c.x + 0.5 * side, c.y - 0.5 * side, c.y + 0.5 * side,
+                          -(seen.max.z + pad), -(seen.min.z - pad)) *
+               view;
+    return fit;
+}
+
+ShadowMap::ShadowMap(Gl& gl)
+    : m_gl(gl)
+{
+}
+
+ShadowMap::~ShadowMap()
+{
+    if (m_framebuffer == 0)
+        return;
+    m_gl.glDeleteFramebuffers(1, &m_framebuffer);
+    m_gl.glDeleteTextures(1, &m_texture);
+    m_gl.glDeleteSamplers(1, &m_compareSampler);
+    m_gl.glDeleteSamplers(1, &m_readSampler);
+}
+
+void ShadowMap::create()
+{
+    m_gl.glGenTextures(1, &m_texture);
+    m_gl.glBindTexture(GL_TEXTURE_2D, m_texture);
+    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT,
+                      GL_UNSIGNED_INT, nullptr);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    m_gl.glGenSamplers(1, &m_compareSampler);
+    m_gl.glGenSamplers(1, &m_readSampler);
+    for (const GLuint sampler : {m_compareSampler, m_readSampler}) {
+        const bool compares = sampler == m_compareSampler;
+        const GLint filter = compares ? GL_LINEAR : GL_NEAREST;
+        m_gl.glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, filter);
+        m_gl.glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, filter);
+        m_gl.glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        m_gl.glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+        if (compares) {
+            m_gl.glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+            m_gl.glSamplerParameteri(sampler, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+        }
+    }
+    m_gl.glGenFramebuffers(1, &m_framebuffer);
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+    m_gl.glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, m_texture, 0);
+    m_gl.glDrawBuffer(GL_NONE);
+    m_gl.glReadBuffer(GL_NONE);
+}
+
+std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::dvec3& sun, GpuCache& cache,
+                                           ShaderProgram& program)
+{
+    std::vector<Caster> casters;
+    for (const MeshItem& item : scene.meshes) {
+        if (item.castsShadow && !item.mesh->empty())
+            casters.push_back({item.mesh, item.motion, item.world});
+    }
+    if (casters.empty() || scene.casters.empty())
+        return std::nullopt;
+    if (casters == m_drawn && sun == m_sun)
+        return m_fit;
+    if (m_framebuffer == 0)
+        create();
+    m_fit = fitShadow(scene.casters, sun, size);
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+    m_gl.glViewport(0, 0, size, size);
+    m_gl.glEnable(GL_DEPTH_TEST);
+    m_gl.glDepthMask(GL_TRUE);
+    m_gl.glDepthFunc(GL_LESS);
+    m_gl.glDisable(GL_CULL_FACE);
+    m_gl.glClear(GL_DEPTH_BUFFER_BIT);
+    program.bind();
+    for (const Caster& caster : casters) {
+        const GpuBlock& block = cache.mesh(caster.mesh, caster.motion.skin);
+        cache.bindBones(program, caster.motion);
+        program.set("uClip", glm::mat4(m_fit.clip * caster.world));
+        m_gl.glBindVertexArray(block.vertexArray);
+        m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
+    }
+    m_gl.glBindVertexArray(0);
+    m_drawn = std::move(casters);
+    m_sun = sun;
+    ++m_redraws;
+    return m_fit;
+}
+
+void ShadowMap::bind(GLenum compareUnit, GLenum readUnit)
+{
+    if (m_texture == 0)
+        create();
+    for (const GLenum unit : {compareUnit, readUnit}) {
+        m_gl.glActiveTexture(GL_TEXTURE0 + unit);
+        m_gl.glBindTexture(GL_TEXTURE_2D, m_texture);
+        m_gl.glBindSampler(unit, unit == compareUnit ? m_compareSampler : m_readSampler);
+    }
+    m_gl.glActiveTexture(GL_TEXTURE0);
+}
+
+} // namespace ramure

@@ -1,0 +1,77 @@
+#include "widgets/view/view_settings.h"
+
+#include "widgets/view/gizmo_settings.h"
+
+namespace ramure {
+
+ViewSettings::ViewSettings(QObject* parent)
+    : QObject(parent)
+    , m_gizmo(new GizmoSettings(this))
+{
+}
+
+template <class T> void ViewSettings::set(T& member, T value, void (ViewSettings::*signal)(T))
+{
+    if (member == value)
+        return;
+    member = value;
+    emit(this->*signal)(value);
+    emit changed();
+}
+
+void ViewSettings::setDisplayMode(DisplayMode mode)
+{
+    set(m_displayMode, mode, &ViewSettings::displayModeChanged);
+}
+
+void ViewSettings::setShadingMode(ShadingMode mode)
+{
+    set(m_shadingMode, mode, &ViewSettings::shadingModeChanged);
+}
+
+void ViewSettings::setFrameDisplay(FrameDisplay frames)
+{
+    set(m_frameDisplay, frames, &ViewSettings::frameDisplayChanged);
+}
+
+void ViewSettings::setNavigationStyle(NavigationStyle style)
+{
+    set(m_navigationStyle, style, &ViewSettings::navigationStyleChanged);
+}
+
+void ViewSettings::setLeavesVisible(bool on)
+{
+    set(m_leavesVisible, on, &ViewSettings::leavesVisibleChanged);
+}
+
+void ViewSettings::setApplesVisible(bool on)
+{
+    set(m_applesVisible, on, &ViewSettings::applesVisibleChanged);
+}
+
+void ViewSettings::setGridVisible(bool on)
+{
+    set(m_gridVisible, on, &ViewSettings::gridVisibleChanged);
+}
+
+void ViewSettings::setGroundVisible(bool on)
+{
+    set(m_groundVisible, on, &ViewSettings::groundVisibleChanged);
+}
+
+void ViewSettings::setOrthographic(bool on)
+{
+    set(m_orthographic, on, &ViewSettings::orthographicChanged);
+}
+
+void ViewSettings::setOutlineVisible(bool on)
+{
+    set(m_outlineVisible, on, &ViewSettings::outlineVisibleChanged);
+}
+
+void ViewSettings::setWindVisible(bool on)
+{
+    set(m_windVisible, on, &ViewSettings::windVisibleChanged);
+}
+
+} // namespace ramure

@@ -1,0 +1,79 @@
+/// \file
+/// How the viewport shows the scene: what menus and toolbars switch. Exists also where OpenGL does not.
+#pragma once
+
+#include "widgets/base/navigation_style.h"
+#include "widgets/view/render/display_mode.h"
+#include <QObject>
+
+namespace ramure {
+
+class GizmoSettings;
+
+class ViewSettings : public QObject
+{
+    Q_OBJECT
+public:
+    explicit ViewSettings(QObject* parent = nullptr);
+
+    /// Tools that move nodes, paths and ghosts: its own changed() tells, changed() here does not.
+    [[nodiscard]] GizmoSettings* gizmo() const { return m_gizmo; }
+
+    [[nodiscard]] DisplayMode displayMode() const { return m_displayMode; }
+    [[nodiscard]] ShadingMode shadingMode() const { return m_shadingMode; }
+    [[nodiscard]] FrameDisplay frameDisplay() const { return m_frameDisplay; }
+    [[nodiscard]] NavigationStyle navigationStyle() const { return m_navigationStyle; }
+    [[nodiscard]] bool leavesVisible() const { return m_leavesVisible; }
+    [[nodiscard]] bool applesVisible() const { return m_applesVisible; }
+    [[nodiscard]] bool gridVisible() const { return m_gridVisible; }
+    [[nodiscard]] bool groundVisible() const { return m_groundVisible; }
+    [[nodiscard]] bool orthographic() const { return m_orthographic; }
+    [[nodiscard]] bool windVisible() const { return m_windVisible; }
+    [[nodiscard]] bool outlineVisible() const { return m_outlineVisible; }
+
+public slots:
+    void setDisplayMode(ramure::DisplayMode mode);
+    void setShadingMode(ramure::ShadingMode mode);
+    void setFrameDisplay(ramure::FrameDisplay frames);
+    void setNavigationStyle(ramure::NavigationStyle style);
+    void setLeavesVisible(bool on);
+    void setApplesVisible(bool on);
+    void setGridVisible(bool on);
+    void setGroundVisible(bool on);
+    void setOrthographic(bool on);
+    void setWindVisible(bool on);
+    void setOutlineVisible(bool on);
+
+signals:
+    void displayModeChanged(ramure::DisplayMode mode);
+    void shadingModeChanged(ramure::ShadingMode mode);
+    void frameDisplayChanged(ramure::FrameDisplay frames);
+    void navigationStyleChanged(ramure::NavigationStyle style);
+    void leavesVisibleChanged(bool on);
+    void applesVisibleChanged(bool on);
+    void gridVisibleChanged(bool on);
+    void groundVisibleChanged(bool on);
+    void orthographicChanged(bool on);
+    void windVisibleChanged(bool on);
+    void outlineVisibleChanged(bool on);
+    /// After any of the above.
+    void changed();
+
+private:
+    template <class T> void set(T& member, T value, void (ViewSettings::*signal)(T));
+
+    GizmoSettings* m_gizmo;
+    DisplayMode m_displayMode = DisplayMode::Mesh;
+    ShadingMode m_shadingMode = ShadingMode::Solid;
+    FrameDisplay m_frameDisplay = FrameDisplay::None;
+    NavigationStyle m_navigationStyle = NavigationStyle::Blender;
+    bool m_leavesVisible = true;
+    bool m_applesVisible = true;
+    bool m_gridVisible = true;
+    bool m_groundVisible = true;
+    bool m_orthographic = false;
+    bool m_windVisible = false;
+    bool m_outlineVisible = true; ///< around what is selected
+};
+
+} // namespace ramure

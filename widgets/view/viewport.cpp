@@ -1,0 +1,345 @@
+#include "widgets/view/viewport.h"
+#include "core/scene/places.h"
+#include "widgets/view/render/motion_reach.h"
+
+#include "widgets/view/navigation_cube.h"
+#include "widgets/view/texture_legend.h"
+#include "widgets/view/viewport_private.h"
+#include <QOpenGLContext>
+#include <QPainter>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+namespace ramure {
+namespace {
+
+constexpr int flightMs = 180;
+constexpr int hoverRestMs = 25;
+
+/// The box of the selected branches, else of the selected nodes' trees; world.
+Box selectionBox(const Document& document, const RenderScene& scene)
+{
+    const Selection& selection = document.selection();
+    Box box;
+    const NodeResult* result = document.result(selection.branchNode);
+    if (result && result->tree.simplified) {
+        const Skeleton& skeleton = result->tree.simplified->skeleton;
+        const glm::dmat4 world = placeAt(document.scene(), selection.branchNode, 0.0).geometry;
+        for (const Index branch : selection.branches) {
+            if (branch >= skeleton.size())
+                continue;
+            Box own;
+            own.add(skeleton.p0[branch]);
+            own.add(skeleton.p1[branch]);
+            box.add(own.grown(2.0 * skeleton.a0[branch]).transformed(world));
+        }
+    }
+    if (!box.empty())
+        return box;
+    for (const MeshItem& item : scene.meshes) {
+        if (std::ranges::find(selection.nodes, item.node) != selection.nodes.end())
+            box.add(item.box.transformed(item.world));
+    }
+    for (const LineItem& item : scene.lines) {
+        if (std::ranges::find(selection.nodes, item.node) != selection.nodes.end())
+            box.add(item.lines->box.transformed(item.world));
+    }
+    return box.empty() ? scene.box : box;
+}
+
+} // namespace
+
+RenderOptions Viewport::Private::options(double pixelRatio) const
+{
+    RenderOptions options;
+    options.shading = settings->shadingMode();
+    options.grid = settings->gridVisible();
+    options.ground = settings->groundVisible();
+    options.outline = settings->outlineVisible();
+    options.pixelRatio = pixelRatio;
+    options.smoothing = software;
+    return options;
+}
+
+Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
+    : QOpenGLWidget(parent)
+    , d(std::make_unique<Private>())
+{
+    d->document = document;
+    d->settings = settings;
+    d->camera.orthographic = settings->orthographic();
+    QSurfaceFormat wanted = format();
+    wanted.setVersion(3, 3);
+    wanted.setProfile(QSurfaceFormat::CoreProfile);
+    wanted.setDepthBufferSize(24);
+    wanted.setSamples(4);
+    setFormat(wanted);
+    setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(160, 120);
+    setAccessibleName(tr("3D view"));
+
+    connect(document, &Document::changed, this, &Viewport::onDocumentChanged);
+    connect(settings, &ViewSettings::changed, this, &Viewport::onSettingsChanged);
+    connect(settings, &ViewSettings::windVisibleChanged, this, &Viewport::explainWind);
+    d->picker.setDisposal([this](std::shared_ptr<const void> last) { d->builder.dispose(std::move(last)); });
+    connect(&d->builder, &BackgroundBuilder::built, this, &Viewport::takeScene);
+    d->uploading.setSingleShot(true);
+    connect(&d->uploading, &QTimer::timeout, this, &Viewport::uploadScene);
+    connect(&d->picker, &BackgroundPicker::readyChanged, this, [this] {
+        if (d->pending)
+            finishSelecting();
+        if (underMouse())
+            hoverAt(d->hoverPosition);
+    });
+    d->flight.setDuration(flightMs);
+    d->flight.setStartValue(0.0);
+    d->flight.setEndValue(1.0);
+    d->flight.setEasingCurve(QEasingCurve::OutCubic);
+    connect(&d->flight, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
+        d->camera = mixed(d->from, d->to, value.toDouble());
+        emit cameraChanged();
+        update();
+    });
+    d->hoverRest.setSingleShot(true);
+    d->hoverRest.setInterval(hoverRestMs);
+    connect(&d->hoverRest, &QTimer::timeout, this, [this] { hoverAt(d->hoverPosition); });
+    beginReaching();
+    connectGizmo();
+    connectLimb();
+    wishScene();
+}
+
+Viewport::~Viewport()
+{
+    releaseRenderer();
+}
+
+void Viewport::releaseRenderer()
+{
+    disconnect(d->contextGone);
+    if (!d->renderer)
+        return;
+    makeCurrent();
+    d->renderer.reset();
+    doneCurrent();
+}
+
+const Camera& Viewport::camera() const
+{
+    return d->camera;
+}
+
+bool Viewport::isPickPending() const
+{
+    return d->pending.has_value();
+}
+
+FrameTimes Viewport::frameTimes() const
+{
+    return d->times;
+}
+
+QSize Viewport::sizeHint() const
+{
+    return {960, 720};
+}
+
+void Viewport::setSoftware(bool software)
+{
+    d->software = software;
+    QSurfaceFormat wanted = format();
+    wanted.setSamples(software ? 0 : 4);
+    setFormat(wanted);
+}
+
+void Viewport::initializeGL()
+{
+    // Called again whenever the widget got another context; the old one took its objects along.
+    d->renderer.reset();
+    auto made = Renderer::make();
+    if (!made) {
+        d->failure = QCoreApplication::translate("core", made.error().plain().c_str());
+        return;
+    }
+    d->failure.clear();
+    d->renderer = std::move(*made);
+    disconnect(d->contextGone);
+    d->contextGone = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, &Viewport::releaseRenderer,
+                             Qt::DirectConnection);
+}
+
+void Viewport::resizeGL(int, int)
+{
+    if (!d->framed || d->scene->box.empty() || d->flight.state() == QAbstractAnimation::Running)
+        return;
+    d->camera.frame(reachPoints(d->document->scene(), *d->scene), double(width()) / std::max(1, height()));
+    emit cameraChanged();
+}
+
+void Viewport::paintGL()
+{
+    if (d->highlightsStale)
+        rebuildHighlights();
+    if (!d->renderer) {
+        QPainter painter(this);
+        painter.fillRect(rect(), palette().window());
+        painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap, d->failure);
+        return;
+    }
+    d->updateShown();
+    const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
+    d->renderer->draw(*d->shown, d->camera, pixels, defaultFramebufferObject(),
+                      d->options(devicePixelRatioF()));
+    const RenderStats stats = d->renderer->stats();
+    for (auto& block : d->renderer->takeReleased())
+        d->builder.dispose(std::move(block));
+    d->times.uploadMs = stats.uploadMs + (d->sceneIsNew ? d->uploadedMs : 0.0);
+    d->times.drawMs = stats.drawMs;
+    d->times.drawCpuMs = stats.drawCpuMs;
+    d->times.rebuilt = std::exchange(d->sceneIsNew, false);
+    ++d->times.frame;
+    paintOverlay();
+    emit frameDrawn(d->times);
+}
+
+void Viewport::paintOverlay()
+{
+    QPainter painter(this);
+    NavigationCube::paint(painter, d->camera, size(), d->hoverSide);
+    paintTextureLegend(painter, size(), d->settings->displayMode(), d->scene->texture);
+    d->defect.paintLabel(painter, {d->camera, glm::dvec2(std::max(1, width()), std::max(1, height()))});
+    paintMotion(painter);
+    paintGizmoOverlay(painter);
+    if (d->gesture == Gesture::Select && d->dragging) {
+        const QColor colour = palette().color(QPalette::Highlight);
+        painter.setPen(QPen(colour, 1.0, Qt::DashLine));
+        painter.setBrush(QColor(colour.red(), colour.green(), colour.blue(), 40));
+        painter.drawRect(QRectF(d->pressed, d->last).normalized());
+    }
+}
+
+void Viewport::setCamera(const Camera& camera)
+{
+    d->flight.stop();
+    d->frameNext = false;
+    d->framed = false;
+    d->camera = camera;
+    d->settings->setOrthographic(camera.orthographic);
+    emit cameraChanged();
+    update();
+}
+
+void Viewport::moveCamera(const Camera& to)
+{
+    d->flight.stop();
+    if (!isVisible()) {
+        setCamera(to);
+        return;
+    }
+    d->frameNext = false;
+    d->framed = false;
+    d->from = d->camera;
+    d->to = to;
+    d->flight.start();
+}
+
+void Viewport::frameBox(const Box& box)
+{
+    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    to.frame(box, double(width()) / std::max(1, height()));
+    moveCamera(to);
+}
+
+void Viewport::frameAll()
+{
+    if (d->isStale()) {
+        d->framing = Private::Framing::All;
+        return;
+    }
+    const std::vector<glm::dvec3> points = reachPoints(d->document->scene(), *d->scene);
+    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    to.frame(points, double(width()) / std::max(1, height()));
+    if (!points.empty()) {
+        moveCamera(to);
+        d->framed = true;
+    }
+}
+
+void Viewport::frameSelection()
+{
+    if (d->isStale()) {
+        d->framing = Private::Framing::Selection;
+        return;
+    }
+    const Box box = selectionBox(*d->document, *d->scene);
+    if (!box.empty())
+        frameBox(box);
+}
+
+void Viewport::setAxisView(AxisView view)
+{
+    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    to.setAxisView(view);
+    moveCamera(to);
+}
+
+void Viewport::turnOpposite()
+{
+    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    // Straight above and straight below, left stays left.
+    const bool straight = std::abs(to.pitchRad) > 0.5 * std::numbers::pi - 1e-6;
+    to.orbit(straight ? 0.0 : std::numbers::pi, -2.0 * to.pitchRad);
+    moveCamera(to);
+}
+
+void Viewport::flyTo(const Camera& camera)
+{
+    d->settings->setOrthographic(camera.orthographic);
+    moveCamera(camera);
+}
+
+void Viewport::orbitBy(double yawRad, double pitchRad)
+{
+    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    to.orbit(yawRad, pitchRad);
+    moveCamera(to);
+}
+
+void Viewport::zoomBy(double factor)
+{
+    if (!(factor > 0.0))
+        return;
+    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    to.zoom(factor, to.target);
+    moveCamera(to);
+}
+
+void Viewport::clearSelection()
+{
+    clearDefect();
+    Selection next = d->document->selection();
+    if (next.branches.empty())
+        next.nodes.clear();
+    next.branches.clear();
+    next.branchNode = noNode;
+    next.activeBranch = noIndex;
+    d->document->setSelection(std::move(next));
+}
+
+void Viewport::selectAllBranches()
+{
+    Selection next = d->document->selection();
+    const TreeResult* tree = d->resultOf(next.activeNode());
+    if (!tree || !tree->simplified)
+        return;
+    next.branchNode = next.activeNode();
+    next.branches.resize(tree->simplified->skeleton.size());
+    std::iota(next.branches.begin(), next.branches.end(), Index(0));
+    if (next.activeBranch >= next.branches.size())
+        next.activeBranch = next.branches.empty() ? noIndex : 0;
+    d->document->setSelection(std::move(next));
+}
+
+} // namespace ramure

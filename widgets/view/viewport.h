@@ -1,0 +1,214 @@
+/// \file
+/// The 3D view of a document. Follows the document's signals and the ViewSettings; changes only the
+/// selection. All shortcuts belong to actions of the main window; the viewport offers slots.
+///
+/// Left click selects (Shift adds or removes), left drag over the scene selects by box, Esc (an action)
+/// clears; Ctrl+drag on a branch of a tree at rest bends the limb after the hand (the wheel sets how many
+/// branches follow), on a terrain or another surface it sets and drags the target of the arm; the wheel zooms
+/// to the cursor; Alt+left drag orbits in both navigation styles; the arrow keys orbit; a right click asks
+/// for a menu.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/index.h"
+#include "core/scene/scene.h"
+#include "widgets/view/gizmo_settings.h"
+#include "widgets/view/render/camera.h"
+#include "widgets/view/view_settings.h"
+#include <QImage>
+#include <QOpenGLWidget>
+#include <functional>
+#include <memory>
+
+class QPainter;
+
+namespace ramure {
+
+class ArmReach;
+class AutoKey;
+class Document;
+class HintSource;
+class Player;
+class PickScene;
+struct PickHit;
+struct PickView;
+struct Change;
+struct DefectPlace;
+
+/// Times of the last picture, in milliseconds; for measuring.
+struct FrameTimes
+{
+    double buildMs = 0.0;   ///< document to render scene
+    double uploadMs = 0.0;  ///< render scene to the graphics card
+    double drawMs = 0.0;    ///< commands issued, not waited for
+    double drawCpuMs = 0.0; ///< the same, as the thread's own time
+    bool rebuilt = false;   ///< the scene is another one than in the picture before
+    quint64 frame = 0;      ///< counts pictures
+    quint64 revision = 0;   ///< of the document, of the oldest result that is shown
+};
+
+class Viewport : public QOpenGLWidget
+{
+    Q_OBJECT
+public:
+    static constexpr double orbitStepRad = 0.2617993877991494; ///< of one key: 15 degrees
+    static constexpr double zoomStep = 1.25;                   ///< of one key
+
+    /// Neither is owned; both must outlive the viewport.
+    Viewport(Document* document, ViewSettings* settings, QWidget* parent = nullptr);
+    ~Viewport() override;
+    /// Trees are shown as the player moves them; while it plays, a drag on a branch pulls it and a double
+    /// click on an apple lets it fall. Not owned; must outlive the viewport.
+    void setPlayer(Player* player);
+    /// Edits of arms become keys where it takes them. Not owned; may be null.
+    void setKeys(AutoKey* keys);
+    /// Asked when the hand begins to move nodes: those with keys get keys then, see GizmoDrag. Without it
+    /// their placement changes.
+    void setAutoKey(std::function<bool()> isOn);
+    /// What the keys of beginTransform are called, for the hint: "G R S".
+    void setGestureKeys(std::function<QString()> keys);
+    /// What mouse and keys do right now.
+    [[nodiscard]] HintSource* hints() const;
+    /// Nodes are being moved, by the mouse or by keys.
+    [[nodiscard]] bool isTransforming() const;
+
+    [[nodiscard]] const Camera& camera() const;
+    [[nodiscard]] FrameTimes frameTimes() const;
+    [[nodiscard]] QSize sizeHint() const override;
+    /// Before the widget is shown: the processor draws, so cheaper anti-aliasing is used.
+    void setSoftware(bool software);
+
+    /// The picture is of an older state: the scene of now is being made in the background, or will be drawn
+    /// in a moment.
+    [[nodiscard]] bool isPicturePending() const;
+    /// A click on a large tree takes effect when the structure to pick in is ready; true until then.
+    [[nodiscard]] bool isPickPending() const;
+
+    /// A picture of the scene as it is seen, without cube and overlays. Null image where there is no context.
+    [[nodiscard]] QImage screenshot();
+    /// The picture as a file (PNG by the ending). Errors: Io, Unknown (ending).
+    Expected<void> saveScreenshot(const QString& path);
+
+    /// The arm that is on its way to a target while nothing plays.
+    [[nodiscard]] ArmReach* armReach() const;
+
+public slots:
+    void setCamera(const ramure::Camera& camera); ///< at once, without animation
+    void frameAll();                              ///< Home: with all places that keys move it to
+    void frameSelection();                        ///< F: branches, else nodes, else all, as they stand now
+    void frameBox(const ramure::Box& box);        ///< world
+    void setAxisView(ramure::AxisView view);
+    void turnOpposite();                      ///< to the other side, from above to below
+    void flyTo(const ramure::Camera& camera); ///< as setCamera, on the way there
+    /// For keys: steps of the camera without the mouse.
+    void orbitBy(double yawRad, double pitchRad);
+    void zoomBy(double factor);
+    void clearSelection();
+    void selectAllBranches(); ///< of the active tree
+    /// Moves, turns or scales the selected nodes with mouse and keys until Enter or a click; Esc takes it
+    /// back.
+    void beginTransform(ramure::TransformTool tool);
+    /// Moves the selected nodes, which are copies just made: one step of undo together with making them. Esc
+    /// leaves them where their originals are.
+    void beginMovingCopies();
+    void copyScreenshot();
+    /// The section's plane, circle and frame are shown until cleared.
+    void setInspectedSection(ramure::NodeId node, ramure::Index branch, ramure::Index section);
+    void clearInspectedSection();
+    /// Of this tree only these branches are shown, until noNode or no branch is given.
+    void setIsolated(ramure::NodeId node, const std::vector<ramure::Index>& branches);
+    /// Shown as if the mouse were over them, until noNode is given: of a row that it is over elsewhere.
+    void pointAt(ramure::NodeId node, const std::vector<ramure::Index>& branches);
+    /// Frames the place and marks it until cleared.
+    void showDefect(ramure::NodeId node, const ramure::DefectPlace& place);
+    void clearDefect();
+
+signals:
+    void cameraChanged();
+    /// noNode, noIndex where nothing is under the cursor.
+    void hovered(ramure::NodeId node, ramure::Index branch);
+    /// A right click, or the menu key: on a branch, a node (noIndex), or nothing (noNode). What was clicked
+    /// is selected.
+    void menuRequested(const QPoint& globalPosition, ramure::NodeId node, ramure::Index branch);
+    /// What the hand wanted and could not have, and why.
+    void messageRaised(const QString& text);
+    /// After every picture.
+    void frameDrawn(const ramure::FrameTimes& times);
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void resizeGL(int width, int height) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    void onDocumentChanged(const Change& change);
+    void onSettingsChanged();
+    void wishScene();
+    void takeScene();
+    void uploadScene();
+    void finishScene();
+    void showScene();
+    void rebuildHighlights();
+    void moveCamera(const Camera& to);
+    void dragTo(QPointF position);
+    void finishSelecting();
+    void finishBox();
+    void hoverAt(QPointF position);
+    void paintOverlay();
+    void requestMenu(QPointF position);
+    void noteInput(QEvent* event);
+    void updateHint();
+    bool beginMotionGesture(const PickView& view, const glm::dvec2& pixel);
+    bool beginPull(const PickView& view, const glm::dvec2& pixel);
+    void dragMotion(const PickView& view, const glm::dvec2& pixel);
+    void letGo();
+    bool shakeOffAt(const PickView& view, const glm::dvec2& pixel);
+    void paintMotion(QPainter& painter);
+    void explainWind(bool visible);
+    bool beginReach(const PickView& view, const glm::dvec2& pixel);
+    void connectLimb();
+    bool beginLimb(const PickHit& hit);
+    void showLimb();
+    void applyLimb();
+    void finishLimb(bool keep);
+    void forgetLimbAtRest();
+    bool isPosedDraft(const Change& change) const;
+    bool limbKey(QKeyEvent* event, bool pressed);
+    void lengthenLimb(int branches);
+    void paintReach(QPainter& painter, QPointF hand);
+    void beginReaching();
+    bool beginAim(const PickView& view, const glm::dvec2& pixel, NodeId surface,
+                  std::shared_ptr<const PickScene> scene);
+    bool beginAimAnyway(const PickView& view, const glm::dvec2& pixel);
+    void aimAt(const PickView& view, const glm::dvec2& pixel);
+    void paintArm(QPainter& painter);
+    bool beginRing(const PickView& view, const glm::dvec2& pixel);
+    void turnRing(const PickView& view, const glm::dvec2& pixel);
+    bool beginGizmo(const PickView& view, const glm::dvec2& pixel, Qt::KeyboardModifiers modifiers);
+    bool hoverGizmo(QPointF position);
+    void dragGizmo(QPointF position, Qt::KeyboardModifiers modifiers);
+    void startedGizmo();
+    void finishGizmo(bool keep);
+    bool gizmoKey(QKeyEvent* event, bool pressed);
+    void paintGizmoOverlay(QPainter& painter);
+    void followGizmo(const Change& change);
+    void connectGizmo();
+    void updateTrail();
+    void releaseRenderer();
+
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace ramure

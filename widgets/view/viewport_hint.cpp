@@ -1,0 +1,167 @@
+#include "widgets/view/viewport_hint.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace ramure {
+namespace {
+
+using Under = ViewportSituation::Under;
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(ViewportHint)
+};
+
+QString joined(const QStringList& parts)
+{
+    return parts.join(QStringLiteral(" · "));
+}
+
+/// "Move tree", before anything moves.
+QString toolHint(const ViewportSituation& now)
+{
+    const QString target = now.target.isEmpty() ? Words::tr("selection") : now.target;
+    switch (now.tool) {
+    case TransformTool::Rotate:
+        return Words::tr("Rotate %1").arg(target);
+    case TransformTool::Scale:
+        return Words::tr("Scale %1").arg(target);
+    case TransformTool::Select:
+    case TransformTool::Move:
+        break;
+    }
+    return Words::tr("Move %1").arg(target);
+}
+
+QString gizmoHint(const ViewportSituation& now)
+{
+    return toolHint(now) + QStringLiteral(": ") +
+           (now.byKeys
+                ? Words::tr("click or Enter: done · Esc: back · X Y Z: axis (Shift: plane) · digits: value · "
+                            "Ctrl: steps · Shift: fine · Tab: next")
+                : Words::tr("release: done · Esc: back · X Y Z: axis · digits: value · Ctrl: steps · "
+                            "Shift: fine"));
+}
+
+QString gestureHint(const ViewportSituation& now)
+{
+    switch (now.gesture) {
+    case Gesture::Orbit:
+        return Words::tr("The view turns · release: done");
+    case Gesture::Pan:
+        return Words::tr("The view moves · release: done");
+    case Gesture::Zoom:
+        return Words::tr("Down or left: farther · up or right: nearer · release: done");
+    case Gesture::Select:
+        return Words::tr("Everything in the box is selected · Shift: added");
+    case Gesture::Pull:
+        return Words::tr("The branch is pulled · release: it swings back");
+    case Gesture::Wind:
+        return Words::tr("Length: strength of the wind · release: done");
+    case Gesture::Limb:
+        return now.wholeLimb
+                   ? Words::tr("The limb and what is thick follow · wheel: how many branches · Esc: back")
+                   : Words::tr("The limb follows · wheel: how many branches · Shift: trunk and root, too · "
+                               "Esc: back");
+    case Gesture::Aim:
+        return Words::tr("The arm reaches for the point under the cursor · release: done");
+    case Gesture::Ring:
+        return Words::tr("The joint turns · release: done");
+    case Gesture::Gizmo:
+        return gizmoHint(now);
+    case Gesture::None:
+        break;
+    }
+    return {};
+}
+
+/// While Alt is held every button moves the camera.
+QString altHint(const ViewportSituation& now)
+{
+    return now.style == NavigationStyle::Maya
+               ? Words::tr(
+                     "Alt: drag turns (with Shift: moves, with Ctrl: zooms) · middle: moves · right: zooms")
+               : Words::tr("Alt: drag turns (with Shift: moves, with Ctrl: zooms) · right: zooms");
+}
+
+QString controlHint(const ViewportSituation& now)
+{
+    QStringList parts;
+    if (now.under == Under::Branch)
+        parts << (now.playing ? Words::tr("Ctrl: drag pulls the branch")
+                              : Words::tr("Ctrl: drag bends the limb (with Shift: trunk and root, too)"));
+    if (now.under == Under::Surface)
+        parts << Words::tr("Ctrl: click or drag sets the target of the arm");
+    if (now.style == NavigationStyle::Blender)
+        parts << Words::tr("Ctrl + middle: zoom");
+    return joined(parts);
+}
+
+QString shiftHint(const ViewportSituation& now)
+{
+    QStringList parts{now.under == Under::Nothing
+                          ? Words::tr("Shift: drag adds a box")
+                          : Words::tr("Shift: click adds or takes away, drag adds a box")};
+    if (now.style == NavigationStyle::Blender)
+        parts << Words::tr("Shift + middle: move the view");
+    return joined(parts);
+}
+
+QString selectHint(const ViewportSituation& now)
+{
+    switch (now.under) {
+    case Under::Branch:
+        return now.playing ? Words::tr("Drag: pull the branch · double click an apple: it falls")
+                           : Words::tr("Click: branch and tree · Ctrl + drag: bend the limb");
+    case Under::Surface:
+        return Words::tr("Click: select · Ctrl + click: target of the arm");
+    case Under::Node:
+        return Words::tr("Click: select");
+    case Under::Nothing:
+    case Under::Handle:
+    case Under::Ring:
+    case Under::Cube:
+        break;
+    }
+    return Words::tr("Click: select nothing");
+}
+
+/// Nothing is held, no gesture goes on.
+QString restHint(const ViewportSituation& now)
+{
+    if (now.under == Under::Cube)
+        return Words::tr("Click: look from this side · drag: turn the view");
+    if (now.under == Under::Handle)
+        return toolHint(now) + QStringLiteral(": ") +
+               Words::tr("drag · Ctrl: steps · Shift: fine · digits: value");
+    if (now.under == Under::Ring)
+        return Words::tr("Drag: turn the joint");
+    QStringList parts{selectHint(now)};
+    if (!now.target.isEmpty() && !now.keys.isEmpty())
+        parts << Words::tr("%1: move, rotate, scale %2").arg(now.keys, now.target);
+    parts << Words::tr("right: menu") << Words::tr("Shift: add") << Words::tr("drag: box")
+          << (now.style == NavigationStyle::Maya ? Words::tr("Alt + drag: turn the view")
+                                                 : Words::tr("middle or Alt: turn the view"));
+    return joined(parts);
+}
+
+} // namespace
+
+QString viewportHint(const ViewportSituation& now)
+{
+    const bool goesOn = now.gesture != Gesture::None && (now.gesture != Gesture::Select || now.dragging);
+    if (goesOn)
+        return gestureHint(now);
+    if (now.under == Under::Handle || now.under == Under::Ring || now.under == Under::Cube)
+        return restHint(now);
+    if (now.held.testFlag(Qt::AltModifier))
+        return altHint(now);
+    if (now.held.testFlag(Qt::ControlModifier))
+        return controlHint(now);
+    if (now.held.testFlag(Qt::ShiftModifier))
+        return shiftHint(now);
+    return restHint(now);
+}
+
+} // namespace ramure

@@ -1,0 +1,32 @@
+/// \file
+/// What the mouse and Shift, Ctrl, Alt do in the viewport right now, as a line of text: by the gesture that
+/// goes on, by what is under the cursor, by the keys that are held. Knows no widget.
+#pragma once
+
+#include "widgets/view/gizmo_settings.h"
+#include "widgets/view/navigation.h"
+#include <QString>
+
+namespace ramure {
+
+struct ViewportSituation
+{
+    enum class Under : quint8 { Nothing, Branch, Node, Surface, Handle, Ring, Cube };
+
+    Gesture gesture = Gesture::None;
+    bool dragging = false;
+    bool byKeys = false; ///< of Gesture::Gizmo: no button is held
+    TransformTool tool = TransformTool::Move;
+    Under under = Under::Nothing; ///< Surface: an arm could be sent there
+    bool playing = false;
+    bool wholeLimb = false; ///< of Gesture::Limb: thick branches follow, too
+    NavigationStyle style = NavigationStyle::Blender;
+    Qt::KeyboardModifiers held = Qt::NoModifier;
+    QString target; ///< what G, R and S move: "tree", "3 nodes"; empty: nothing
+    QString keys;   ///< of these gestures: "G R S"
+};
+
+/// In the present language.
+QString viewportHint(const ViewportSituation& now);
+
+} // namespace ramure

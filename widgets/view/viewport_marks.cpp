@@ -1,0 +1,51 @@
+// What panels point at in the viewport: one section, one defect.
+#include "core/scene/places.h"
+#include "widgets/view/viewport_private.h"
+
+namespace ramure {
+
+void Viewport::setInspectedSection(NodeId node, Index branch, Index section)
+{
+    const InspectedSection next{node, branch, section};
+    if (d->inspected == next)
+        return;
+    d->inspected = next;
+    wishScene();
+}
+
+void Viewport::clearInspectedSection()
+{
+    setInspectedSection(noNode, 0, 0);
+}
+
+void Viewport::setIsolated(NodeId node, const std::vector<Index>& branches)
+{
+    if (d->isolatedNode == node && d->isolatedBranches == branches)
+        return;
+    d->isolatedNode = node;
+    d->isolatedBranches = branches;
+    wishScene();
+}
+
+void Viewport::showDefect(NodeId node, const DefectPlace& place)
+{
+    d->defect.show(place);
+    Box box; // of the node, world
+    for (const MeshItem& item : d->scene->meshes)
+        if (item.node == node)
+            box.add(item.box.transformed(item.world));
+    const TreeResult* tree = d->resultOf(node);
+    const double reach = defectReach(place, tree ? tree->simplified.get() : nullptr,
+                                     placeAt(d->document->scene(), node, 0.0).geometry, box);
+    moveCamera(defectView(*d->scene, place, reach, d->camera, double(width()) / std::max(1, height()),
+                          d->settings->groundVisible()));
+    update();
+}
+
+void Viewport::clearDefect()
+{
+    if (d->defect.clear())
+        update();
+}
+
+} // namespace ramure

@@ -1,0 +1,248 @@
+// The way of a scene: wished for when something changes, made in the background, uploaded in slices, shown.
+#include "core/base/stopwatch.h"
+#include "core/session/player.h"
+#include "widgets/view/render/motion_reach.h"
+#include "widgets/view/viewport_private.h"
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace ramure {
+namespace {
+
+/// What one turn of the event loop may copy to the graphics card: a few milliseconds where the processor has
+/// to touch fresh memory for it.
+constexpr std::size_t bytesPerTurn = std::size_t(2) << 20;
+
+void addBlocks(const TreeResult& tree, std::vector<const void*>& blocks)
+{
+    for (const void* block :
+         {static_cast<const void*>(tree.skeleton.get()), static_cast<const void*>(tree.simplified.get()),
+          static_cast<const void*>(tree.sections.get()), static_cast<const void*>(tree.branches.get()),
+          static_cast<const void*>(tree.draftTubes.get()), static_cast<const void*>(tree.foliage.get()),
+          static_cast<const void*>(tree.leaves.get()), static_cast<const void*>(tree.apples.get())})
+        blocks.push_back(block);
+}
+
+std::vector<const void*> blocksOf(const Document& document)
+{
+    std::vector<const void*> blocks;
+    for (const Node& node : document.scene().nodes())
+        if (const NodeResult* result = document.result(node.id))
+            addBlocks(result->tree, blocks);
+    return blocks;
+}
+
+std::vector<NodeId> withAllBelow(const Scene& scene, NodeId top)
+{
+    std::vector<NodeId> nodes;
+    for (const Node& node : scene.nodes())
+        if (node.id == top || scene.isAncestor(top, node.id))
+            nodes.push_back(node.id);
+    return nodes;
+}
+
+} // namespace
+
+SceneView Viewport::Private::sceneView() const
+{
+    const Selection& selection = document->selection();
+    SceneView view;
+    view.mode = settings->displayMode();
+    view.leaves = settings->leavesVisible();
+    view.apples = settings->applesVisible();
+    view.frames = settings->frameDisplay();
+    view.selectedNodes = selection.nodes;
+    view.branchNode = selection.branchNode;
+    view.branches = selection.branches;
+    view.activeBranch = selection.activeBranch;
+    // What is pointed at elsewhere goes before what the mouse left behind here.
+    view.hoverNode = pointedNode != noNode ? pointedNode : hoverNode;
+    if (pointedNode != noNode)
+        view.hoverBranches = pointedBranches;
+    else if (hoverBranch != noIndex)
+        view.hoverBranches = {hoverBranch};
+    view.hoverThrough = pointedNode != noNode && !pointedBranches.empty();
+    if (pointedNode != noNode && pointedBranches.empty())
+        view.hoverNodes = withAllBelow(document->scene(), pointedNode);
+    view.inspected = inspected;
+    view.isolatedNode = isolatedNode;
+    view.isolatedBranches = isolatedBranches;
+    view.timeSeconds = player ? player->timeSeconds() : 0.0;
+    return view;
+}
+
+SceneWish Viewport::Private::wish()
+{
+    SceneWish wish;
+    wish.scene = document->scene();
+    wish.view = sceneView();
+    wish.serial = ++wishes;
+    wish.revision = std::numeric_limits<quint64>::max();
+    for (const Node& node : document->scene().nodes()) {
+        if (const NodeResult* result = document->result(node.id)) {
+            wish.results.emplace(node.id, *resultOf(node.id));
+            wish.revision = std::min(wish.revision, result->revision);
+        }
+    }
+    wishedBlocks = blocksOf(*document);
+    if (const NodeResult* bent = limbPose ? document->result(limbPose->node()) : nullptr)
+        limbPose->noteWish(wish.serial, bent->revision);
+    return wish;
+}
+
+void Viewport::onDocumentChanged(const Change& change)
+{
+    followGizmo(change);
+    if (change.has(changeSelection | changeStructure | changeReset))
+        updateHint();
+    if (change.has(changeReset)) {
+        d->flight.stop();
+        // From where the last document was looked at means nothing for this one.
+        d->camera = Camera();
+        d->camera.orthographic = d->settings->orthographic();
+        emit cameraChanged();
+        d->frameNext = true;
+        d->frameAfter = d->wishes;
+        d->framing = Private::Framing::None;
+        d->hoverNode = noNode;
+        d->hoverBranch = noIndex;
+        d->pointedNode = noNode;
+        d->inspected = {};
+        finishLimb(false);
+        d->limbPose.reset();
+        clearDefect();
+    }
+    // A new shape comes with its result: before it, the same picture would be drawn again.
+    const bool trees = std::ranges::all_of(change.nodes, [this](NodeId id) {
+        const Node* node = d->document->scene().find(id);
+        return node && node->kind == NodeKind::Tree;
+    });
+    const bool waitsForResult = trees && change.firstStale < Stage::Placement &&
+                                !change.has(~quint32(changeFile | changeParams | changeBranches));
+    if (change.kinds == changeFile || waitsForResult || isPosedDraft(change))
+        return;
+    // A second opinion on a mesh changes no picture.
+    if (change.kinds == changeResults && blocksOf(*d->document) == d->wishedBlocks)
+        return;
+    wishScene();
+}
+
+void Viewport::onSettingsChanged()
+{
+    if (d->camera.orthographic != d->settings->orthographic()) {
+        d->camera.orthographic = d->settings->orthographic();
+        d->to.orthographic = d->camera.orthographic;
+        emit cameraChanged();
+    }
+    wishScene();
+    update();
+}
+
+bool Viewport::isPicturePending() const
+{
+    return d->isStale() || d->sceneIsNew || d->highlightsStale;
+}
+
+void Viewport::wishScene()
+{
+    d->builder.wish(d->wish());
+}
+
+/// One scene after the other: each that was begun is shown, however fast new ones come.
+void Viewport::takeScene()
+{
+    if (d->next)
+        return;
+    d->next = d->builder.take();
+    if (!d->next)
+        return;
+    d->uploadedMs = 0.0;
+    uploadScene();
+}
+
+void Viewport::uploadScene()
+{
+    if (!d->next)
+        return;
+    if (d->renderer) {
+        const Stopwatch watch;
+        makeCurrent();
+        const bool ready = d->renderer->prepare(*d->next->scene, bytesPerTurn);
+        doneCurrent();
+        d->uploadedMs += watch.elapsed().wallMs;
+        if (!ready) {
+            d->uploading.start(0);
+            return;
+        }
+    }
+    showScene();
+    takeScene();
+}
+
+/// For pictures and answers that must be of now, however long that takes.
+void Viewport::finishScene()
+{
+    if (auto built = d->builder.finish())
+        d->next = std::move(built);
+    d->uploading.stop();
+    showScene();
+}
+
+void Viewport::showScene()
+{
+    if (!d->next)
+        return;
+    BuiltScene built = *std::exchange(d->next, std::nullopt);
+    const SceneView now = d->sceneView();
+    d->highlightsStale = now.hoverNode != built.view.hoverNode ||
+                         now.hoverBranches != built.view.hoverBranches ||
+                         now.hoverNodes != built.view.hoverNodes;
+    d->builder.dispose(std::exchange(d->scene, std::move(built.scene)));
+    d->sceneIsNew = true;
+    d->times.buildMs = built.buildMs;
+    d->times.revision = built.revision;
+    if (d->limbPose)
+        d->limbPose->noteShown(built.serial);
+    forgetLimbAtRest();
+    d->updateShown();
+    if (d->frameNext && built.serial > d->frameAfter && !d->scene->box.empty()) {
+        d->frameNext = false;
+        d->flight.stop();
+        d->framed = true;
+        d->camera.frame(reachPoints(d->document->scene(), *d->scene),
+                        double(width()) / std::max(1, height()));
+        emit cameraChanged();
+    }
+    if (!d->isStale()) {
+        const auto framing = std::exchange(d->framing, Private::Framing::None);
+        if (framing == Private::Framing::All)
+            frameAll();
+        else if (framing == Private::Framing::Selection)
+            frameSelection();
+        if (d->pending)
+            finishSelecting();
+    }
+    update();
+}
+
+void Viewport::pointAt(NodeId node, const std::vector<Index>& branches)
+{
+    if (d->pointedNode == node && d->pointedBranches == branches)
+        return;
+    d->pointedNode = node;
+    d->pointedBranches = branches;
+    d->highlightsStale = true;
+    update();
+}
+
+void Viewport::rebuildHighlights()
+{
+    d->highlightsStale = false;
+    auto changed = std::make_shared<RenderScene>(*d->scene);
+    updateHighlights(
+        *changed, [this](NodeId id) { return d->resultOf(id); }, d->sceneView());
+    d->scene = std::move(changed);
+}
+
+} // namespace ramure

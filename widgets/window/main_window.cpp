@@ -1,0 +1,333 @@
+#include "widgets/window/main_window.h"
+
+#include "core/session/analysis.h"
+#include "core/session/auto_key.h"
+#include "core/session/player.h"
+#include "widgets/actions/edit_actions.h"
+#include "widgets/actions/file_actions.h"
+#include "widgets/actions/help_actions.h"
+#include "widgets/actions/import_actions.h"
+#include "widgets/actions/picture_actions.h"
+#include "widgets/actions/transform_actions.h"
+#include "widgets/actions/view_actions.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/message_banner.h"
+#include "widgets/base/preferences.h"
+#include "widgets/base/targets.h"
+#include "widgets/dialogs/export_dialog.h"
+#include "widgets/dialogs/sequence_task.h"
+#include "widgets/panels/animation/key_actions.h"
+#include "widgets/panels/animation/key_commands.h"
+#include "widgets/panels/arm/arm_panel.h"
+#include "widgets/panels/inspector/branch_inspector.h"
+#include "widgets/panels/properties/properties_panel.h"
+#include "widgets/panels/scene/isolation.h"
+#include "widgets/panels/scene/scene_panel.h"
+#include "widgets/panels/scene/select_actions.h"
+#include "widgets/panels/timeline/bake_actions.h"
+#include "widgets/panels/timeline/play_actions.h"
+#include "widgets/panels/timeline/timeline_panel.h"
+#include "widgets/panels/validation/separate_dialog.h"
+#include "widgets/panels/validation/validation_panel.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
+#include "widgets/window/hint_line.h"
+#include "widgets/window/problem_button.h"
+#include "widgets/window/view_menu.h"
+#include "widgets/window/welcome_panel.h"
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDir>
+#include <QDockWidget>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace ramure {
+namespace {
+
+QString droppedFile(const QMimeData* data)
+{
+    const QList<QUrl> urls = data->urls();
+    if (urls.size() != 1 || !urls.front().isLocalFile())
+        return {};
+    const QString path = urls.front().toLocalFile();
+    const bool known = path.endsWith(QStringLiteral(".ramure"), Qt::CaseInsensitive);
+    return known || ImportActions::canImport(path) ? path : QString();
+}
+
+} // namespace
+
+MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* preferences, Chooser* chooser,
+                       QWidget* parent)
+    : QMainWindow(parent)
+    , m_document(document)
+    , m_recompute(recompute)
+    , m_analysis(new Analysis(document, this))
+    , m_preferences(preferences)
+    , m_chooser(chooser)
+    , m_actions(new ActionSet(this))
+    , m_isolation(new Isolation(document, this))
+    , m_banner(new MessageBanner(this))
+    , m_host(new ViewportHost(document, this))
+    , m_player(new Player(document, this))
+{
+    setObjectName(QStringLiteral("mainWindow"));
+    setAcceptDrops(true);
+    setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks | GroupedDragging);
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    auto* centre = new QWidget(this);
+    auto* layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_banner);
+    auto* beside = new QHBoxLayout; // the welcome page and the view
+    beside->setSpacing(0);
+    beside->addWidget(m_host, 1);
+    layout->addLayout(beside, 1);
+    setCentralWidget(centre);
+
+    buildDocks();
+    buildActions();
+    buildMenus();
+    buildToolBar();
+    buildStatusBar();
+    beside->insertWidget(0, m_welcome);
+    connectPanels();
+    connect(m_document, &Document::changed, this, &MainWindow::follow);
+    connect(m_document->undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
+    qApp->installEventFilter(new SpaceKeeper(this));
+    retranslate();
+    restoreLayout();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::connectPanels()
+{
+    const auto say = [this](const QString& text) { statusBar()->showMessage(text, messageMs); };
+    connect(m_pictures, &PictureActions::messageRaised, this, say);
+    connect(m_welcome, &WelcomePanel::closed, this, [this] { m_host->setFocus(); });
+    connect(m_scene, &ScenePanel::messageRaised, this, say);
+    connect(m_scene, &ScenePanel::frameRequested, m_views->frameSelectionAction(), &QAction::trigger);
+    connect(m_selects, &SelectActions::messageRaised, this, say);
+    connect(m_edits, &EditActions::messageRaised, this, say);
+    connect(m_edits, &EditActions::targetNamed, m_transforms, &TransformActions::nameTarget);
+    connect(m_selects, &SelectActions::searchRequested, this, [this] {
+        m_sceneDock->show();
+        m_sceneDock->raise();
+        m_scene->focusSearch();
+    });
+    connect(m_inspector, &BranchInspector::messageRaised, this, say);
+    connect(m_validation, &ValidationPanel::messageRaised, this, say);
+    connect(m_timeline, &TimelinePanel::messageRaised, this, say);
+    connect(m_bakes, &BakeActions::messageRaised, this, say);
+    connect(m_arm, &ArmPanel::messageRaised, this, say);
+    connect(m_keyCommands, &KeyCommands::messageRaised, this, say);
+    connect(m_keyActions->autoAction(), &QAction::toggled, m_autoKey, &AutoKey::setOn);
+    connect(m_player, &Player::failed, this, [say](const Error& error) { say(errorTextWithPlace(error)); });
+    connect(m_validation, &ValidationPanel::separateRequested, this, &MainWindow::showSeparateDialog);
+    connect(m_problem, &ProblemButton::paramRequested, this, &MainWindow::showParam);
+    connect(m_help, &HelpActions::paramRequested, this, &MainWindow::showParam);
+    const auto applyUnits = [this] { m_inspector->setAngleUnit(m_preferences->angleUnit()); };
+    connect(m_preferences, &Preferences::changed, this, applyUnits);
+    applyUnits();
+    m_plays->setView(m_host->settings());
+    m_scene->setTime([this] { return m_player->timeSeconds(); });
+    connectTimeline();
+    if (Viewport* view = m_host->viewport())
+        connectViewport(view);
+}
+
+/// What the preferences say about motion.
+void MainWindow::connectTimeline()
+{
+    const auto apply = [this] {
+        m_timeline->setDisplay(m_preferences->timeDisplay());
+        m_player->setMemoryLimit(std::size_t(m_preferences->motionMemoryMb()) << 20);
+    };
+    connect(m_preferences, &Preferences::changed, this, apply);
+    connect(m_timeline, &TimelinePanel::displayChanged, m_preferences, &Preferences::setTimeDisplay);
+    m_bakes->setSave([this] { return m_files->save(); });
+    apply();
+}
+
+void MainWindow::connectViewport(Viewport* view)
+{
+    view->setPlayer(m_player);
+    view->setKeys(m_autoKey);
+    connect(view, &Viewport::messageRaised, this,
+            [this](const QString& text) { statusBar()->showMessage(text, messageMs); });
+    connect(view, &Viewport::menuRequested, this, &MainWindow::showViewMenu);
+    connect(m_edits, &EditActions::duplicated, view, &Viewport::beginMovingCopies, Qt::QueuedConnection);
+    m_hints->addSource(view, view->hints());
+    view->setAutoKey([this] { return m_autoKey->isOn(); });
+    m_arm->setReach(view->armReach());
+    m_timeline->setReach(view->armReach());
+    m_properties->setReach(view->armReach());
+    connect(m_isolation, &Isolation::changed, view,
+            [this, view] { view->setIsolated(m_isolation->node(), m_isolation->branches()); });
+    connect(m_scene, &ScenePanel::pointedAt, view, &Viewport::pointAt);
+    connect(view, &Viewport::hovered, m_scene, &ScenePanel::showPointed);
+    connect(m_inspector, &BranchInspector::sectionInspected, view, &Viewport::setInspectedSection);
+    connect(m_inspector, &BranchInspector::sectionLeft, view, &Viewport::clearInspectedSection);
+    connect(m_validation, &ValidationPanel::defectActivated, view, &Viewport::showDefect);
+    connect(m_validation, &ValidationPanel::defectLeft, view, &Viewport::clearDefect);
+}
+
+void MainWindow::showViewMenu(const QPoint& at, NodeId node, Index branch)
+{
+    ViewMenuActions actions;
+    actions.branches = {m_inspect, m_roll, m_edits->straightenAction()};
+    actions.gestures = m_transforms->gestures();
+    actions.nodes = m_edits->nodeActions();
+    actions.steps = m_selects->stepActions();
+    actions.isolation = m_selects->isolationActions();
+    actions.frameSelection = m_views->frameSelectionAction();
+    actions.view = QList{m_views->frameAllAction()} + m_pictures->selectionActions();
+    actions.add = m_edits->addMenu();
+    actions.modes = m_views->modeActions();
+    actions.switches = m_views->switchActions();
+    auto* menu = new ViewMenu(actions, *m_document, node, branch, this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->popup(at);
+}
+
+void MainWindow::showInspector()
+{
+    m_inspectorDock->show();
+    m_inspectorDock->raise();
+}
+
+void MainWindow::follow(const Change& change)
+{
+    if (change.has(changeSelection | changeReset)) {
+        const bool branch = m_document->selection().activeBranch != noIndex;
+        for (QAction* action : branchActions())
+            action->setEnabled(branch);
+    }
+    if (change.has(changeFile | changeReset))
+        updateTitle();
+}
+
+void MainWindow::showParam(const QString& key)
+{
+    const ParamDef* def = findParam(key.toStdString());
+    const NodeId node = def ? nodeWithParam(*m_document, *def) : noNode;
+    if (node == noNode)
+        return;
+    m_propertiesDock->show();
+    m_propertiesDock->raise();
+    const std::vector<NodeId>& shown = m_properties->nodes();
+    if (!std::ranges::all_of(shown,
+                             [&](NodeId id) { return hasParam(m_document->scene().find(id)->kind, *def); }) ||
+        std::ranges::count(shown, node) == 0)
+        m_document->setSelection({{node}, noNode, {}, noIndex});
+    m_properties->showParam(key);
+}
+
+void MainWindow::updateTitle()
+{
+    setWindowTitle(QStringLiteral("%1[*] – Ramure").arg(m_files->documentName()));
+    setWindowFilePath(m_document->filePath());
+    setWindowModified(m_document->isModified());
+}
+
+void MainWindow::showWelcome()
+{
+    m_welcome->open();
+}
+
+void MainWindow::showExportDialog()
+{
+    auto* dialog =
+        new ExportDialog(m_document, m_recompute, m_preferences, m_chooser, this, m_player->frame());
+    dialog->setSequenceTask(m_sequences);
+    if (const Viewport* view = m_host->viewport()) {
+        const ViewSettings* settings = m_host->settings();
+        PictureLook look;
+        look.camera = view->camera();
+        look.options.shading = settings->shadingMode();
+        look.view.mode = settings->displayMode();
+        look.view.leaves = settings->leavesVisible();
+        look.view.apples = settings->applesVisible();
+        dialog->setPictureLook(look);
+    }
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAnalysis(m_analysis);
+    connect(dialog, &ExportDialog::showRequested, this, [this](NodeId tree) {
+        m_document->setSelection({{tree}, noNode, {}, noIndex});
+        m_validationDock->show();
+        m_validationDock->raise();
+    });
+    connect(dialog, &ExportDialog::exported, this, [this](const QString& path) {
+        statusBar()->showMessage(tr("Exported to %1").arg(QDir::toNativeSeparators(path)), messageMs);
+    });
+    dialog->open();
+}
+
+void MainWindow::showSeparateDialog(NodeId tree)
+{
+    const auto isTree = [this](NodeId id) {
+        const Node* node = m_document->scene().find(id);
+        return node && node->kind == NodeKind::Tree;
+    };
+    if (!isTree(tree))
+        tree = m_document->selection().activeNode();
+    for (const Node& node : m_document->scene().nodes())
+        if (!isTree(tree))
+            tree = node.id;
+    if (!isTree(tree))
+        return statusBar()->showMessage(tr("There is no tree in the scene."), messageMs);
+    auto* dialog = new SeparateDialog(m_document, tree, this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &SeparateDialog::messageRaised, this,
+            [this](const QString& text) { statusBar()->showMessage(text, messageMs); });
+    dialog->open();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+    if (!m_files->mayDiscard()) {
+        event->ignore();
+        return;
+    }
+    m_preferences->setWindow(saveGeometry(), saveState(layoutVersion));
+    event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QMainWindow::changeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+    if (!droppedFile(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+    const QString path = droppedFile(event->mimeData());
+    if (path.isEmpty())
+        return;
+    event->acceptProposedAction();
+    // After the drag has ended: the question about unsaved changes must not hold the other program.
+    QMetaObject::invokeMethod(
+        this,
+        [this, path, isAdded = event->modifiers().testFlag(Qt::ShiftModifier)] {
+            if (isAdded && ImportActions::canImport(path))
+                m_imports->importPath(path);
+            else
+                m_files->openFile(path);
+        },
+        Qt::QueuedConnection);
+}
+
+} // namespace ramure

@@ -1,0 +1,403 @@
+#include "widgets/window/main_window.h"
+
+#include "core/session/auto_key.h"
+#include "widgets/actions/edit_actions.h"
+#include "widgets/actions/file_actions.h"
+#include "widgets/actions/help_actions.h"
+#include "widgets/actions/import_actions.h"
+#include "widgets/actions/picture_actions.h"
+#include "widgets/actions/program_actions.h"
+#include "widgets/actions/transform_actions.h"
+#include "widgets/actions/view_actions.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/chooser.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/message_banner.h"
+#include "widgets/base/preferences.h"
+#include "widgets/base/timeline_ruler.h"
+#include "widgets/dialogs/export_dialog.h"
+#include "widgets/dialogs/sequence_task.h"
+#include "widgets/panels/animation/key_actions.h"
+#include "widgets/panels/animation/key_commands.h"
+#include "widgets/panels/animation/key_panel.h"
+#include "widgets/panels/arm/arm_mesh_row.h"
+#include "widgets/panels/arm/arm_panel.h"
+#include "widgets/panels/history/history_dock.h"
+#include "widgets/panels/inspector/branch_inspector.h"
+#include "widgets/panels/properties/properties_panel.h"
+#include "widgets/panels/scene/isolation.h"
+#include "widgets/panels/scene/scene_panel.h"
+#include "widgets/panels/scene/select_actions.h"
+#include "widgets/panels/timeline/bake_actions.h"
+#include "widgets/panels/timeline/play_actions.h"
+#include "widgets/panels/timeline/ruler_menu.h"
+#include "widgets/panels/timeline/timeline_panel.h"
+#include "widgets/panels/validation/separate_dialog.h"
+#include "widgets/panels/validation/validation_panel.h"
+#include "widgets/view/viewport_host.h"
+#include "widgets/window/hint_line.h"
+#include "widgets/window/isolation_button.h"
+#include "widgets/window/job_panel.h"
+#include "widgets/window/panel_hints.h"
+#include "widgets/window/problem_button.h"
+#include "widgets/window/status_panel.h"
+#include "widgets/window/welcome_panel.h"
+#include <QDir>
+#include <QDockWidget>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+namespace ramure {
+
+QDockWidget* MainWindow::addPanel(const QString& name, QWidget* content, Qt::DockWidgetArea area)
+{
+    auto* dock = new QDockWidget(this);
+    dock->setObjectName(name);
+    dock->toggleViewAction()->setObjectName(QStringLiteral("view.panel.") + name);
+    dock->setWidget(content);
+    addDockWidget(area, dock);
+    // Among tabs the tab is the title.
+    auto* noTitle = new QWidget(dock);
+    // An empty layout: without one the size hint, and with it the dock's height, would be negative.
+    (new QVBoxLayout(noTitle))->setContentsMargins(0, 0, 0, 0);
+    const auto chooseTitle = [this, dock, noTitle] {
+        const bool tabbed = !dock->isFloating() && !tabifiedDockWidgets(dock).isEmpty();
+        if (tabbed == (dock->titleBarWidget() == noTitle))
+            return;
+        dock->setTitleBarWidget(tabbed ? noTitle : nullptr);
+        noTitle->setVisible(tabbed);
+    };
+    connect(dock, &QDockWidget::topLevelChanged, dock, chooseTitle, Qt::QueuedConnection);
+    connect(dock, &QDockWidget::visibilityChanged, dock, chooseTitle, Qt::QueuedConnection);
+    connect(dock, &QDockWidget::dockLocationChanged, dock, chooseTitle, Qt::QueuedConnection);
+    return dock;
+}
+
+void MainWindow::buildDocks()
+{
+    m_scene = new ScenePanel(m_document, m_preferences, this);
+    m_properties = new PropertiesPanel(m_document, m_preferences, this);
+    m_history = new HistoryDock(m_document, this);
+    m_inspector = new BranchInspector(m_document, this);
+    m_validation = new ValidationPanel(m_document, m_analysis, this);
+    m_sceneDock = addPanel(QStringLiteral("sceneDock"), m_scene, Qt::RightDockWidgetArea);
+    m_historyDock = addPanel(QStringLiteral("historyDock"), m_history, Qt::RightDockWidgetArea);
+    m_propertiesDock = addPanel(QStringLiteral("propertiesDock"), m_properties, Qt::RightDockWidgetArea);
+    m_inspectorDock = addPanel(QStringLiteral("inspectorDock"), m_inspector, Qt::RightDockWidgetArea);
+    m_validationDock = addPanel(QStringLiteral("validationDock"), m_validation, Qt::RightDockWidgetArea);
+    m_arm = new ArmPanel(m_document, this);
+    m_armDock = addPanel(QStringLiteral("armDock"), m_arm, Qt::RightDockWidgetArea);
+    m_plays = new PlayActions(m_document, m_player, m_actions, this);
+    m_bakes = new BakeActions(m_document, m_player, m_chooser, m_actions, this);
+    m_timeline = new TimelinePanel(m_document, m_player, m_plays, this);
+    m_timeline->setBakeActions(m_bakes);
+    m_timelineDock = addPanel(QStringLiteral("timelineDock"), m_timeline, Qt::BottomDockWidgetArea);
+    m_keyModel = new KeyModel(m_document, this);
+    m_keyCommands = new KeyCommands(m_keyModel, m_player, this);
+    m_keyActions = new KeyActions(m_keyCommands, m_actions, this);
+    m_autoKey = new AutoKey(m_document, m_player, this);
+    m_properties->setKeys(m_autoKey);
+    m_arm->setKeys(m_autoKey);
+    m_keys = new KeyPanel(m_keyModel, m_keyCommands, m_keyActions, m_player, this);
+    m_keysDock = addPanel(QStringLiteral("keysDock"), m_keys, Qt::BottomDockWidgetArea);
+    m_timeline->rulerMenu()->addInsert(m_keyActions->insertAction());
+    connect(m_keys->ruler(), &TimelineRuler::menuRequested, this, [this](const QPoint& place, qint64 frame) {
+        m_timeline->rulerMenu()->popUp(m_keys->ruler(), place, frame);
+    });
+    // Queued: the layout has then given the dock its place.
+    connect(m_keysDock, &QDockWidget::visibilityChanged, this, &MainWindow::fitKeysHeight,
+            Qt::QueuedConnection);
+}
+
+/// The timeline's height is no room for rows of keys, and theirs is lost to the view under the timeline: each
+/// of the two has its own, and keeps what the user makes of it.
+void MainWindow::fitKeysHeight(bool shown)
+{
+    constexpr int least = 220;
+    if (!isVisible() || isMinimized() || m_keysDock->isFloating() || shown == m_keysShown)
+        return;
+    m_keysShown = shown;
+    // What is behind keeps the size that it had in front; what comes to the front may still be on its way.
+    if (shown)
+        m_timelineHeight = m_timelineDock->height();
+    else
+        m_keysHeight = std::max(least, m_keysDock->height());
+    if (m_timelineHeight >= least)
+        return;
+    QDockWidget* front = shown ? m_keysDock : m_timelineDock;
+    const int height = shown ? m_keysHeight : m_timelineHeight;
+    int tabs = 0; // resizeDocks counts them to the dock
+    if (!tabifiedDockWidgets(front).isEmpty())
+        for (const QTabBar* bar : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+            tabs = std::max(tabs, bar->sizeHint().height());
+    resizeDocks({front}, {height + tabs}, Qt::Vertical);
+}
+
+void MainWindow::resetLayout()
+{
+    for (QDockWidget* dock :
+         {m_sceneDock, m_historyDock, m_propertiesDock, m_inspectorDock, m_validationDock, m_armDock}) {
+        dock->setFloating(false);
+        addDockWidget(Qt::RightDockWidgetArea, dock);
+        dock->show();
+    }
+    for (QDockWidget* dock : {m_timelineDock, m_keysDock}) {
+        dock->setFloating(false);
+        addDockWidget(Qt::BottomDockWidgetArea, dock);
+        dock->show();
+    }
+    splitDockWidget(m_sceneDock, m_propertiesDock, Qt::Vertical);
+    tabifyDockWidget(m_sceneDock, m_historyDock);
+    tabifyDockWidget(m_propertiesDock, m_inspectorDock);
+    tabifyDockWidget(m_inspectorDock, m_validationDock);
+    tabifyDockWidget(m_timelineDock, m_keysDock);
+    m_timelineDock->raise();
+    tabifyDockWidget(m_validationDock, m_armDock);
+    m_sceneDock->raise();
+    m_propertiesDock->raise();
+    m_toolBar->show();
+    resizeDocks({m_sceneDock, m_propertiesDock}, {220, 520}, Qt::Vertical);
+    resizeDocks({m_sceneDock}, {384}, Qt::Horizontal);
+}
+
+void MainWindow::restoreLayout()
+{
+    resize(1280, 800);
+    resetLayout();
+    restoreGeometry(m_preferences->windowGeometry());
+    restoreState(m_preferences->windowState(), layoutVersion);
+}
+
+void MainWindow::buildActions()
+{
+    m_files = new FileActions(m_document, m_preferences, m_chooser, m_actions, this);
+    m_edits = new EditActions(m_document, m_chooser, m_actions, this);
+    m_selects = new SelectActions(m_document, m_isolation, m_actions, this);
+    m_views = new ViewActions(m_document, m_host, m_preferences, m_actions, this);
+    connect(m_views, &ViewActions::messageRaised, this,
+            [this](const QString& text) { statusBar()->showMessage(text, messageMs); });
+    m_transforms = new TransformActions(m_host, m_preferences, m_actions, this);
+    m_views->setTrailActions(m_transforms->viewActions());
+    m_search = m_actions->add(
+        {"view.search", QT_TRANSLATE_NOOP("Actions", "Find a &parameter"), "search", QKeySequence::Find});
+    m_separate = m_actions->add(
+        {"edit.separate", QT_TRANSLATE_NOOP("Actions", "Move colliding branches a&part…"), nullptr, {}});
+    connect(m_separate, &QAction::triggered, this, [this] { showSeparateDialog(); });
+    m_resetLayout =
+        m_actions->add({"view.resetLayout", QT_TRANSLATE_NOOP("Actions", "Reset the &layout"), nullptr, {}});
+    buildBranchActions();
+    m_imports = new ImportActions(m_document, m_preferences, m_chooser, m_actions, this);
+    m_files->setImports(m_imports);
+    connect(m_arm->meshRow(), &ArmMeshRow::importRequested, this, [this] {
+        m_imports->chooseFile();
+        m_arm->meshRow()->setWaiting(m_imports->isRunning());
+    });
+    connect(m_imports, &ImportActions::imported, m_arm->meshRow(), &ArmMeshRow::takeImported);
+    m_pictures = new PictureActions(m_host, m_preferences, m_chooser, m_actions, this);
+    m_program = new ProgramActions(m_actions, m_preferences, m_host->settings(), this);
+    m_help = new HelpActions(m_actions, m_document, m_preferences, this);
+    m_welcome = new WelcomePanel(m_files, m_actions, m_preferences, this);
+    connect(m_search, &QAction::triggered, this, [this] {
+        m_propertiesDock->show();
+        m_propertiesDock->raise();
+        m_properties->focusSearch();
+    });
+    connect(m_resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
+    connect(m_program->welcomeAction(), &QAction::triggered, this, &MainWindow::showWelcome);
+    connect(m_files, &FileActions::succeeded, m_banner, &QWidget::hide);
+    connect(m_files, &FileActions::exportRequested, this, &MainWindow::showExportDialog);
+    connect(m_files, &FileActions::quitRequested, this, &QWidget::close);
+    connect(m_edits, &EditActions::renameRequested, this, [this] {
+        m_sceneDock->show();
+        m_sceneDock->raise();
+        m_scene->renameActive();
+    });
+}
+
+/// What the inspector does by keys; it comes to the front for it.
+void MainWindow::buildBranchActions()
+{
+    m_inspect = m_actions->add({"inspect.show",
+                                QT_TRANSLATE_NOOP("Actions", "&Inspect the branch"),
+                                nullptr,
+                                {},
+                                QT_TRANSLATE_NOOP("Actions", "Show the facts and sections of the branch")});
+    m_nextSection =
+        m_actions->add({"inspect.nextSection", QT_TRANSLATE_NOOP("Actions", "Ne&xt section"), nullptr,
+                        QKeySequence(Qt::CTRL | Qt::Key_Right),
+                        QT_TRANSLATE_NOOP("Actions", "Inspect the next cross-section of the branch")});
+    m_previousSection =
+        m_actions->add({"inspect.previousSection", QT_TRANSLATE_NOOP("Actions", "P&revious section"), nullptr,
+                        QKeySequence(Qt::CTRL | Qt::Key_Left),
+                        QT_TRANSLATE_NOOP("Actions", "Inspect the cross-section before this one")});
+    m_roll = m_actions->add({"inspect.roll", QT_TRANSLATE_NOOP("Actions", "Roll by h&and"), nullptr,
+                             QKeySequence(Qt::SHIFT | Qt::Key_R),
+                             QT_TRANSLATE_NOOP("Actions", "Turn the frames of the selected branches")});
+    connect(m_inspect, &QAction::triggered, this, &MainWindow::showInspector);
+    m_inspect->setEnabled(false);
+    const std::pair<QAction*, void (BranchInspector::*)()> steps[] = {
+        {m_nextSection, &BranchInspector::nextSection},
+        {m_previousSection, &BranchInspector::previousSection},
+        {m_roll, &BranchInspector::focusRoll},
+    };
+    for (const auto& [action, step] : steps) {
+        action->setEnabled(false);
+        connect(action, &QAction::triggered, this, [this, then = step] {
+            showInspector();
+            (m_inspector->*then)();
+        });
+    }
+}
+
+void MainWindow::buildMenus()
+{
+    m_fileMenu = menuBar()->addMenu(QString());
+    m_files->fillMenu(m_fileMenu, m_program->welcomeAction(), m_pictures->pictureActions(),
+                      m_imports->actions());
+    m_editMenu = menuBar()->addMenu(QString());
+    m_edits->fillMenu(m_editMenu);
+    m_editMenu->addSeparator();
+    m_transforms->fillMenu(m_editMenu);
+    m_editMenu->addAction(m_separate);
+    m_editMenu->addAction(m_search);
+    m_editMenu->addSeparator();
+    m_editMenu->addAction(m_program->preferencesAction());
+    m_selectMenu = menuBar()->addMenu(QString());
+    m_selectMenu->addActions(m_pictures->selectionActions());
+    m_selects->fillMenu(m_selectMenu);
+    m_selectMenu->addSeparator();
+    m_selectMenu->addActions(branchActions());
+    m_viewMenu = menuBar()->addMenu(QString());
+    m_views->fillMenu(m_viewMenu,
+                      {m_sceneDock->toggleViewAction(), m_propertiesDock->toggleViewAction(),
+                       m_inspectorDock->toggleViewAction(), m_validationDock->toggleViewAction(),
+                       m_historyDock->toggleViewAction(), m_timelineDock->toggleViewAction(),
+                       m_keysDock->toggleViewAction(), m_armDock->toggleViewAction()},
+                      m_resetLayout);
+    m_playMenu = menuBar()->addMenu(QString());
+    m_plays->fillMenu(m_playMenu);
+    m_playMenu->addSeparator();
+    m_bakes->fillMenu(m_playMenu);
+    m_keysMenu = menuBar()->addMenu(QString());
+    m_keyActions->fillMenu(m_keysMenu);
+    m_helpMenu = menuBar()->addMenu(QString());
+    m_helpMenu->addActions(m_help->actions());
+    m_helpMenu->addSeparator();
+    m_helpMenu->addActions(m_program->helpActions());
+    const QList<QMenu*> menus{m_fileMenu, m_editMenu, m_selectMenu, m_viewMenu,
+                              m_playMenu, m_keysMenu, m_helpMenu};
+    m_program->setMenus(menus);
+    m_help->setMenus(menus);
+    m_scene->setMenuActions(m_edits->nodeActions(), m_selects);
+}
+
+void MainWindow::buildToolBar()
+{
+    m_toolBar = addToolBar(QString());
+    m_toolBar->setObjectName(QStringLiteral("mainToolBar"));
+    m_toolBar->setMovable(false);
+    m_toolBar->setIconSize({18, 18});
+    m_toolBar->addActions({m_files->openAction(), m_files->saveAction(), m_files->exportAction()});
+    m_toolBar->addSeparator();
+    m_toolBar->addActions({m_edits->undoAction(), m_edits->redoAction()});
+    m_toolBar->addSeparator();
+    m_toolBar->addAction(m_edits->newTreeAction());
+    m_toolBar->addSeparator();
+    m_toolBar->addActions(m_views->modeActions());
+    m_toolBar->addSeparator();
+    m_toolBar->addActions({m_views->frameAllAction(), m_views->frameSelectionAction()});
+    m_toolBar->addSeparator();
+    m_transforms->fillToolBar(m_toolBar);
+    auto* newTree = qobject_cast<QToolButton*>(m_toolBar->widgetForAction(m_edits->newTreeAction()));
+    newTree->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+}
+
+void MainWindow::buildStatusBar()
+{
+    statusBar()->setSizeGripEnabled(false);
+    m_problem = new ProblemButton(m_document, this);
+    m_status = new StatusPanel(m_document, m_recompute, m_analysis, this);
+    statusBar()->addWidget(m_problem, 1);
+    m_hints = new HintLine(this);
+    statusBar()->addWidget(m_hints, 2);
+    connect(m_hints, &HintLine::gestureBegan, statusBar(), &QStatusBar::clearMessage);
+    addPanelHints(m_hints, m_timeline, m_keys);
+    statusBar()->addPermanentWidget(new IsolationButton(m_isolation, this));
+    m_bakeProgress = new JobPanel(m_bakes->job(), QStringLiteral("bakeProgress"), this);
+    statusBar()->addPermanentWidget(m_bakeProgress);
+    m_armProgress = new JobPanel(m_arm->bakeJob(), QStringLiteral("armProgress"), this);
+    statusBar()->addPermanentWidget(m_armProgress);
+    m_wearProgress = new JobPanel(m_arm->meshRow()->job(), QStringLiteral("wearProgress"), this);
+    statusBar()->addPermanentWidget(m_wearProgress);
+    buildSequences();
+    connect(m_status, &StatusPanel::reportRequested, this, [this] {
+        m_validationDock->show();
+        m_validationDock->raise();
+    });
+    statusBar()->addPermanentWidget(m_status);
+}
+
+/// Sequences are written while the work goes on.
+void MainWindow::buildSequences()
+{
+    m_sequences = new SequenceTask(this);
+    m_sequenceProgress = new JobPanel(m_sequences, QStringLiteral("sequenceProgress"), this);
+    statusBar()->addPermanentWidget(m_sequenceProgress);
+    connect(m_sequences, &BackgroundJob::runningChanged, this, [this](bool running) {
+        if (running)
+            m_sequenceProgress->setText(tr("Writing %Ln file(s)", nullptr, int(m_sequences->fileCount())));
+    });
+    connect(m_sequences, &BackgroundJob::finished, this, [this](const std::optional<Error>& error) {
+        const QString folder = QDir::toNativeSeparators(QFileInfo(m_sequences->path()).absolutePath());
+        if (error && error->code == ErrorCode::Cancelled)
+            statusBar()->showMessage(tr("The export was cancelled; the files written so far are whole"),
+                                     messageMs);
+        else if (error)
+            m_chooser->report(Severity::Error, QStringLiteral("%1\n%2").arg(
+                                                   tr("The export has ended with an error; the files written "
+                                                      "before it are whole."),
+                                                   errorTextWithPlace(*error)));
+        else
+            statusBar()->showMessage(
+                tr("%Ln file(s) written to %1", nullptr, int(m_sequences->fileCount())).arg(folder),
+                messageMs);
+    });
+}
+
+void MainWindow::retranslate()
+{
+    m_actions->retranslate();
+    m_files->retranslate();
+    m_edits->retranslate();
+    m_views->retranslate();
+    m_transforms->retranslate();
+    m_fileMenu->setTitle(tr("&File"));
+    m_editMenu->setTitle(tr("&Edit"));
+    m_selectMenu->setTitle(tr("&Select"));
+    m_viewMenu->setTitle(tr("&View"));
+    m_playMenu->setTitle(tr("&Play"));
+    m_keysMenu->setTitle(tr("&Keys"));
+    m_helpMenu->setTitle(tr("He&lp"));
+    m_toolBar->setWindowTitle(tr("Toolbar"));
+    m_sceneDock->setWindowTitle(tr("Scene"));
+    m_propertiesDock->setWindowTitle(tr("Properties"));
+    m_historyDock->setWindowTitle(tr("History"));
+    m_inspectorDock->setWindowTitle(tr("Inspector"));
+    m_validationDock->setWindowTitle(tr("Validation"));
+    m_armDock->setWindowTitle(tr("Arm"));
+    m_timelineDock->setWindowTitle(tr("Timeline"));
+    m_keysDock->setWindowTitle(tr("Keys"));
+    m_keyActions->retranslate();
+    m_plays->retranslate();
+    m_bakes->retranslate();
+    m_bakeProgress->setText(tr("Baking the motion"));
+    m_armProgress->setText(tr("Baking the arm to keys"));
+    m_wearProgress->setText(tr("Putting the mesh on the arm"));
+    updateTitle();
+}
+
+} // namespace ramure

@@ -1,0 +1,51 @@
+#include "widgets/window/panel_hints.h"
+
+#include "widgets/base/fixed_hint.h"
+#include "widgets/base/timeline_ruler.h"
+#include "widgets/panels/animation/key_curves.h"
+#include "widgets/panels/animation/key_panel.h"
+#include "widgets/panels/animation/key_sheet.h"
+#include "widgets/panels/timeline/timeline_panel.h"
+#include "widgets/window/hint_line.h"
+#include <QCoreApplication>
+
+namespace ramure {
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(PanelHints)
+};
+
+QString rulerHint()
+{
+    return Words::tr("Drag: go to a frame · a handle: range · wheel: zoom · Shift + wheel: scroll · double "
+                     "click: whole range");
+}
+
+QString sheetHint()
+{
+    return Words::tr("Click: select · drag: move · Shift: add, between frames · Ctrl + drag: copies · Alt + "
+                     "click: column · Ctrl + wheel: zoom");
+}
+
+QString curvesHint()
+{
+    return Words::tr("Click: select · drag: move · Shift: add, between frames · Ctrl + drag: value only · "
+                     "Ctrl + wheel: zoom");
+}
+
+} // namespace
+
+void addPanelHints(HintLine* line, TimelinePanel* timeline, KeyPanel* keys)
+{
+    const auto add = [line](QWidget* widget, QString (*text)()) {
+        line->addSource(widget, new FixedHint(widget, text));
+    };
+    add(timeline->ruler(), rulerHint);
+    add(keys->ruler(), rulerHint);
+    add(keys->sheet(), sheetHint);
+    add(keys->curves(), curvesHint);
+}
+
+} // namespace ramure

@@ -1,0 +1,68 @@
+#include "widgets/window/picture_button.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+namespace ramure {
+namespace {
+
+constexpr QSize pictureSize(176, 110);
+constexpr int margin = 1;
+constexpr int textGap = 5;
+constexpr qreal radius = 7.0;
+
+} // namespace
+
+PictureButton::PictureButton(const QString& picture, QWidget* parent)
+    : QAbstractButton(parent)
+    , m_picture(picture)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::PointingHandCursor);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+QSize PictureButton::sizeHint() const
+{
+    return {pictureSize.width() + 2 * margin,
+            pictureSize.height() + textGap + fontMetrics().height() + 2 * margin};
+}
+
+void PictureButton::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
+    const QRectF place(QPointF(margin, margin), QSizeF(pictureSize));
+    QPainterPath rounded;
+    rounded.addRoundedRect(place, radius, radius);
+    painter.save();
+    painter.setClipPath(rounded);
+    painter.drawPixmap(place, m_picture, QRectF(m_picture.rect()));
+    if (isDown())
+        painter.fillRect(place, QColor(0, 0, 0, 50));
+    painter.restore();
+    const bool lit = hasFocus() || underMouse();
+    QColor line = lit ? palette().color(QPalette::Highlight) : palette().color(QPalette::WindowText);
+    if (!lit)
+        line.setAlpha(50);
+    painter.setPen(QPen(line, lit ? 2.0 : 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPath(rounded);
+    painter.setPen(palette().color(QPalette::WindowText));
+    const QRectF below(margin, place.bottom() + textGap, place.width(), fontMetrics().height());
+    painter.drawText(below, Qt::AlignHCenter | Qt::AlignVCenter, text());
+}
+
+void PictureButton::enterEvent(QEnterEvent* event)
+{
+    update();
+    QAbstractButton::enterEvent(event);
+}
+
+void PictureButton::leaveEvent(QEvent* event)
+{
+    update();
+    QAbstractButton::leaveEvent(event);
+}
+
+} // namespace ramure

@@ -1,0 +1,251 @@
+#include "widgets/window/welcome_panel.h"
+
+#include "core/params/presets.h"
+#include "widgets/actions/file_actions.h"
+#include "widgets/base/action_list.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/icons.h"
+#include "widgets/base/preferences.h"
+#include "widgets/window/picture_button.h"
+#include <QCheckBox>
+#include <QDir>
+#include <QEvent>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+
+namespace ramure {
+namespace {
+
+constexpr int columns = 2;
+constexpr int shownFiles = 5;
+constexpr int sideMargin = 20;
+constexpr int shownText = 340; ///< pixels of a file's name, before it is cut
+
+/// What to try first, by the ids of actions.
+constexpr const char* firstKeys[] = {"edit.newTree", "view.frameAll", "help.find", "file.export",
+                                     "help.handbook"};
+
+} // namespace
+
+WelcomePanel::WelcomePanel(FileActions* files, ActionSet* set, Preferences* preferences, QWidget* parent)
+    : QFrame(parent)
+    , m_files(files)
+    , m_set(set)
+    , m_preferences(preferences)
+    , m_page(new QWidget)
+    , m_title(new QLabel(m_page))
+    , m_intro(new QLabel(m_page))
+    , m_close(new QToolButton(m_page))
+    , m_newHeading(heading())
+    , m_recentHeading(heading())
+    , m_recent(new QVBoxLayout)
+    , m_open(new QPushButton(m_page))
+    , m_keysHeading(heading())
+    , m_hints(new QGridLayout)
+    , m_atStart(new QCheckBox(this))
+{
+    setObjectName(QStringLiteral("welcome"));
+    build();
+    connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
+    connect(m_open, &QPushButton::clicked, m_files, &FileActions::open);
+    connect(m_files, &FileActions::openEnded, this, [this](bool opened) {
+        if (opened)
+            hide();
+    });
+    connect(m_atStart, &QCheckBox::toggled, m_preferences, &Preferences::setWelcomeAtStart);
+    connect(m_preferences, &Preferences::changed, this, &WelcomePanel::takePreferences);
+    takePreferences();
+    hide();
+}
+
+QLabel* WelcomePanel::heading()
+{
+    auto* label = new QLabel(m_page);
+    label->setObjectName(QStringLiteral("panelTitle"));
+    return label;
+}
+
+void WelcomePanel::build()
+{
+    m_title->setObjectName(QStringLiteral("welcomeTitle"));
+    m_intro->setObjectName(QStringLiteral("dim"));
+    m_intro->setWordWrap(true);
+    m_close->setAutoRaise(true);
+    m_close->setIcon(icon("close"));
+    m_close->setIconSize({14, 14});
+    m_open->setAutoDefault(false);
+    m_open->setObjectName(QStringLiteral("welcomeOpen"));
+    m_atStart->setObjectName(QStringLiteral("welcomeAtStart"));
+    auto* page = new QVBoxLayout(m_page);
+    page->setContentsMargins(sideMargin, 14, sideMargin, 10);
+    page->setSpacing(6);
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_title, 1);
+    top->addWidget(m_close, 0, Qt::AlignTop);
+    page->addLayout(top);
+    page->addWidget(m_intro);
+    page->addSpacing(6);
+    page->addWidget(m_newHeading);
+    page->addLayout(gallery());
+    page->addSpacing(6);
+    page->addWidget(m_recentHeading);
+    m_recent->setSpacing(0);
+    page->addLayout(m_recent);
+    page->addWidget(m_open, 0, Qt::AlignLeft);
+    page->addSpacing(6);
+    page->addWidget(m_keysHeading);
+    m_hints->setHorizontalSpacing(16);
+    m_hints->setVerticalSpacing(4);
+    m_hints->setColumnStretch(1, 1);
+    page->addLayout(m_hints);
+    page->addStretch(1);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(m_page);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(scroll, 1);
+    auto* foot = new QHBoxLayout;
+    foot->setContentsMargins(sideMargin, 8, sideMargin, 8);
+    foot->addWidget(m_atStart);
+    layout->addLayout(foot);
+}
+
+QGridLayout* WelcomePanel::gallery()
+{
+    auto* grid = new QGridLayout;
+    grid->setSpacing(12);
+    int at = 0;
+    for (const Preset& preset : presets()) {
+        const QString name = QString::fromLatin1(preset.name);
+        auto* button = new PictureButton(QStringLiteral(":/welcome/%1.png").arg(name), m_page);
+        button->setText(name);
+        button->setObjectName(QStringLiteral("preset.") + name);
+        // The page stays: one may look at several.
+        connect(button, &QAbstractButton::clicked, m_files, [this, name] { m_files->newFromPreset(name); });
+        grid->addWidget(button, at / columns, at % columns, Qt::AlignLeft);
+        m_pictures += button;
+        ++at;
+    }
+    grid->setColumnStretch(columns, 1);
+    return grid;
+}
+
+void WelcomePanel::open()
+{
+    fillRecent();
+    retranslate();
+    setFixedWidth(m_page->sizeHint().width() + 14);
+    show();
+    m_pictures.front()->setFocus();
+}
+
+void WelcomePanel::takePreferences()
+{
+    m_atStart->setChecked(m_preferences->welcomeAtStart());
+    if (isVisible() && m_preferences->recentFiles().mid(0, shownFiles) != m_shownRecent)
+        fillRecent();
+}
+
+void WelcomePanel::fillRecent()
+{
+    while (const QLayoutItem* item = m_recent->takeAt(0)) {
+        item->widget()->deleteLater();
+        delete item;
+    }
+    m_shownRecent = m_preferences->recentFiles().mid(0, shownFiles);
+    for (const QString& path : m_shownRecent) {
+        auto* button = new QToolButton(m_page);
+        button->setObjectName(QStringLiteral("welcomeFile"));
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setIcon(icon("tree"));
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::StrongFocus);
+        const QString name =
+            button->fontMetrics().elidedText(QFileInfo(path).fileName(), Qt::ElideMiddle, shownText);
+        button->setText(QString(name).replace(u'&', QStringLiteral("&&")));
+        button->setToolTip(QDir::toNativeSeparators(path));
+        connect(button, &QToolButton::clicked, m_files, [this, path] { m_files->openFile(path); });
+        m_recent->addWidget(button, 0, Qt::AlignLeft);
+    }
+    if (m_shownRecent.isEmpty()) {
+        auto* none = new QLabel(tr("No files yet"), m_page);
+        none->setObjectName(QStringLiteral("dim"));
+        m_recent->addWidget(none);
+    }
+}
+
+void WelcomePanel::fillHints()
+{
+    while (const QLayoutItem* item = m_hints->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    int row = 0;
+    for (const char* id : firstKeys) {
+        const QAction* action = m_set->find(QLatin1String(id));
+        if (!action || action->shortcut().isEmpty())
+            continue;
+        auto* keys = new QLabel(action->shortcut().toString(QKeySequence::NativeText), m_page);
+        keys->setObjectName(QStringLiteral("keyCap"));
+        auto* text = new QLabel(plainText(action->text()), m_page);
+        m_hints->addWidget(keys, row, 0, Qt::AlignLeft);
+        m_hints->addWidget(text, row++, 1);
+    }
+}
+
+void WelcomePanel::retranslate()
+{
+    m_title->setText(tr("Welcome to Ramure"));
+    m_intro->setText(
+        tr("From a grammar to one clean mesh. The tree beside this page is ready to be changed."));
+    m_close->setToolTip(tr("Close this page (File menu: Welcome page)"));
+    m_close->setAccessibleName(tr("Close"));
+    m_newHeading->setText(tr("Begin with a tree"));
+    m_recentHeading->setText(tr("Recent files"));
+    m_open->setText(tr("Open a file…"));
+    m_keysHeading->setText(tr("Keys to begin with"));
+    m_atStart->setText(tr("Show this page at the start"));
+    std::size_t at = 0;
+    for (const Preset& preset : presets()) {
+        QWidget* picture = m_pictures[static_cast<qsizetype>(at++)];
+        picture->setToolTip(coreText(preset.description));
+        picture->setAccessibleDescription(coreText(preset.description));
+    }
+    fillHints();
+}
+
+void WelcomePanel::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange && isVisible()) {
+        fillRecent();
+        retranslate();
+    }
+    QFrame::changeEvent(event);
+}
+
+void WelcomePanel::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Escape)
+        hide();
+    else
+        QFrame::keyPressEvent(event);
+}
+
+void WelcomePanel::hideEvent(QHideEvent* event)
+{
+    QFrame::hideEvent(event);
+    if (!event->spontaneous())
+        emit closed();
+}
+
+} // namespace ramure
