@@ -6,7 +6,7 @@
 #include "core/math/box.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "core/session/moving_arms.h"
 #include <QJsonArray>
 #include <QJsonObject>
@@ -170,7 +170,7 @@ Expected<void> addShapeFacts(QJsonObject& entry, const Node& node, double timeSe
 Expected<QJsonArray> jsonNodes(const Scene& scene, double timeSeconds)
 {
     QJsonArray list;
-    const std::vector<NodePlace> places = placesAt(scene, timeSeconds);
+    const std::vector<WorldTransform> places = worldTransformsAt(scene, timeSeconds);
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Node& node = scene.nodes()[i];
         QJsonObject entry{{QStringLiteral("id"), qint64{node.id}},
@@ -262,7 +262,7 @@ Expected<void> showScene(const Scene& given, double timeSeconds, const Checked& 
     TreeFacts sum;
     for (std::size_t i = 0; i < trees->size(); ++i) {
         const TreeFacts& tree = (*trees)[i];
-        const glm::dmat4 world = placeAt(scene, (*nodes)[i]->id, timeSeconds).geometry;
+        const glm::dmat4 world = worldTransformAt(scene, (*nodes)[i]->id, timeSeconds).geometry;
         sum.symbols += tree.symbols;
         add(sum.full, tree.full, world);
         add(sum.simplified, tree.simplified, world);

@@ -4,8 +4,8 @@
 #include "core/document/project_json.h"
 #include "core/pipeline/separate_branches.h"
 #include "core/scene/object_mesh.h"
-#include "core/scene/places.h"
 #include "core/scene/shape_check.h"
+#include "core/scene/world_transforms.h"
 #include "core/session/exporter.h"
 #include <QJsonArray>
 #include <algorithm>
@@ -151,7 +151,7 @@ Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, MovingSource&
         const double from = static_cast<double>(out.size()) / count;
         const Progress part = progress.part(from, from + 1.0 / count);
         const glm::dmat4 world =
-            checks.placed ? placeAt(scene, node->id, checks.timeSeconds).geometry : glm::dmat4(1.0);
+            checks.placed ? worldTransformAt(scene, node->id, checks.timeSeconds).geometry : glm::dmat4(1.0);
         auto checked = isShape(node->kind) ? checkMoving(*node, moving, checks, world, part)
                                            : checkTree(*node, nodes->size() > 1, source, checks, world, part);
         if (!checked)

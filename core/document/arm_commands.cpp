@@ -2,7 +2,7 @@
 #include "core/document/document_command.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include <glm/matrix.hpp>
 
 namespace ramure {

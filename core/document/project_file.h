@@ -2,23 +2,6 @@
 /// `.ramure` files: JSON with format, version, sorted keys, shortest round-trip numbers; defaults omitted;
 /// unknown keys kept and written back; saving is atomic.
 ///
-///     {
-///         "format": "ramure",
-///         "nodes": [
-///             {
-///                 "branches": {"00c0ffee00c0ffee": {"roll": 0.5}},      per-branch values by Skeleton::key,
-///                 hex "id": 2,                                              any whole number from 1, once
-///                 per file "kind": "tree", "locked": true,                                       left out
-///                 where false "name": "Oak", "params": {"turtle.alpha": 0.25, "grammar.rules": ["A -> AB",
-///                 "B -> A", ""]}, "parent": 1,                                          left out at the top
-///                 level "visible": false                                      left out where true
-///             }
-///         ],
-///         "timeline": {"framesPerSecond": 30, "lastFrame": 120},        left out where all is default
-///         "version": 2,
-///         "views": {"1": {"distance": 4.5, ...}}     kept views by their digit, see project_bookmarks.h
-///     }
-///
 /// A node may also have "tracks" (project_tracks.h), a "mesh" (project_mesh.h) and "joints" (project_arm.h).
 ///
 /// The list of nodes is flat, depth-first, siblings in their order: moving a subtree changes few lines, and
@@ -30,6 +13,31 @@
 #include "core/scene/scene.h"
 #include <QByteArray>
 #include <QString>
+
+// clang-format off
+// An example:
+//     {
+//       "format": "ramure",
+//       "nodes": [
+//         {
+//           "branches": {"00c0ffee00c0ffee": {"roll": 0.5}},   per-branch values by Skeleton::key, in hex
+//           "id": 2,                                           any whole number from 1, unique in the file
+//           "kind": "tree",
+//           "locked": true,                                    left out where false
+//           "name": "Oak",
+//           "params": {                                        defaults are left out
+//             "grammar.rules": ["A -> AB", "B -> A", ""],
+//             "turtle.alpha": 0.25
+//           },
+//           "parent": 1,                                       left out at the top level
+//           "visible": false                                   left out where true
+//         }
+//       ],
+//       "timeline": {"framesPerSecond": 30, "lastFrame": 120}, defaults are left out
+//       "version": 2,
+//       "views": {"1": {"distance": 4.5, ...}}                 bookmarks by digit: project_bookmarks.h
+//     }
+// clang-format on
 
 namespace ramure {
 

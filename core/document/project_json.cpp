@@ -29,7 +29,7 @@ tl::unexpected<Error> failInside(const std::string& outer, Error error)
 }
 
 static constexpr std::array<const char*, nodeKindCount> kindNames{"group", "tree", "primitive",
-                                                                  "mesh",  "arm",  "relief"};
+                                                                  "mesh",  "arm",  "terrain"};
 
 QString kindName(NodeKind kind)
 {

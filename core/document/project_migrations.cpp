@@ -23,13 +23,34 @@ static void keepTree(QJsonObject& params)
             params.insert(QLatin1String(key), 0.0); // chance did not vary the branches
 }
 
+/// Version 1 called a terrain "relief".
+static void renameTerrain(QJsonObject& node)
+{
+    node.insert(QLatin1String("kind"), QLatin1String("terrain"));
+    for (const QLatin1String part : {QLatin1String("params"), QLatin1String("tracks")}) {
+        if (!node.value(part).isObject())
+            continue;
+        QJsonObject renamed;
+        const QJsonObject old = node.value(part).toObject();
+        for (auto it = old.begin(); it != old.end(); ++it) {
+            const bool isShape = it.key().startsWith(QLatin1String("relief."));
+            renamed.insert(isShape ? QLatin1String("terrain.") + it.key().mid(7) : it.key(), it.value());
+        }
+        node.insert(part, renamed);
+    }
+}
+
 /// What has not the shape of a project is left to the reader, which says so.
-static Expected<void> keepTrees(QJsonObject& root)
+static Expected<void> toVersion2(QJsonObject& root)
 {
     const QLatin1String nodesKey("nodes"), paramsKey("params");
     QJsonArray nodes = root.value(nodesKey).toArray();
     for (auto&& entry : nodes) {
         QJsonObject node = entry.toObject();
+        if (node.value(QLatin1String("kind")) == QLatin1String("relief")) {
+            renameTerrain(node);
+            entry = node;
+        }
         const bool hasOther = node.contains(paramsKey) && !node.value(paramsKey).isObject();
         if (node.value(QLatin1String("kind")) != QLatin1String("tree") || hasOther)
             continue;
@@ -43,7 +64,7 @@ static Expected<void> keepTrees(QJsonObject& root)
     return {};
 }
 
-static constexpr std::array<ProjectMigration, 1> allSteps{keepTrees};
+static constexpr std::array<ProjectMigration, 1> allSteps{toVersion2};
 static_assert(projectVersion == allSteps.size() + 1, "a new version needs its step");
 
 std::span<const ProjectMigration> projectMigrations()

@@ -20,7 +20,7 @@ enum class RandomStream : std::uint64_t {
     BranchTurn = 7,
     BranchShape = 8,
     ArmStart = 20,
-    Relief = 21,
+    Terrain = 21,
     Test = 1000
 };
 

@@ -84,14 +84,14 @@ struct ArmSkinParams
 };
 
 /// A terrain around the node's origin: a square grid in X and Z, heights along Y.
-struct ReliefParams
+struct TerrainParams
 {
     std::int64_t seed = 1;
     double size = 12.0;           ///< m, length of a side
     double height = 1.5;          ///< m, how far the largest hills rise or fall
     double roughness = 0.5;       ///< how high hills of half the width are, against the larger ones
     std::int64_t divisions = 128; ///< cells along a side
-    bool operator==(const ReliefParams&) const = default;
+    bool operator==(const TerrainParams&) const = default;
 };
 
 } // namespace ramure

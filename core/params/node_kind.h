@@ -12,7 +12,7 @@ enum class NodeKind : std::uint8_t {
     Primitive, ///< a simple solid, by its parameters
     Mesh,      ///< an imported mesh, kept in the node
     Arm,       ///< an articulated arm with its skin
-    Relief,    ///< a terrain
+    Terrain,   ///< a terrain
 };
 inline constexpr int nodeKindCount = 6;
 

@@ -127,7 +127,7 @@ struct NodeParams
     ArmParams arm;
     ArmSolverParams ik;
     ArmSkinParams armSkin;
-    ReliefParams relief;
+    TerrainParams terrain;
     std::vector<ArmJoint> joints = defaultArmJoints(); ///< of an arm, from the foot on
     std::map<std::uint64_t, BranchParams>
         branches; ///< by Skeleton::key; only branches that differ from the default

@@ -106,9 +106,9 @@ constexpr std::uint8_t treeOnly = kindBit(NodeKind::Tree);
 constexpr std::uint8_t primitiveOnly = kindBit(NodeKind::Primitive);
 constexpr std::uint8_t objectKinds = kindBit(NodeKind::Primitive) | kindBit(NodeKind::Mesh);
 constexpr std::uint8_t armOnly = kindBit(NodeKind::Arm);
-constexpr std::uint8_t reliefOnly = kindBit(NodeKind::Relief);
+constexpr std::uint8_t terrainOnly = kindBit(NodeKind::Terrain);
 /// All but groups, which have no geometry.
-constexpr std::uint8_t shapedKinds = kindBit(NodeKind::Tree) | objectKinds | armOnly | reliefOnly;
+constexpr std::uint8_t shapedKinds = kindBit(NodeKind::Tree) | objectKinds | armOnly | terrainOnly;
 constexpr std::uint8_t everyKind = shapedKinds | kindBit(NodeKind::Group);
 
 template <auto Group, auto Member>
@@ -153,7 +153,7 @@ constexpr const char* skinGroup = RAMURE_NOOP("Skin");
 constexpr const char* armGroup = RAMURE_NOOP("Arm");
 constexpr const char* ikGroup = RAMURE_NOOP("Inverse kinematics");
 constexpr const char* armSkinGroup = RAMURE_NOOP("Skin of the arm");
-constexpr const char* reliefGroup = RAMURE_NOOP("Terrain");
+constexpr const char* terrainGroup = RAMURE_NOOP("Terrain");
 
 // Every text stands in one line per clause; the columns of a table read better than those of the formatter.
 // clang-format off
@@ -343,7 +343,7 @@ constexpr std::array table{
         {"surface.color", surfaceGroup, RAMURE_NOOP("Colour"),
          RAMURE_NOOP("Red, green and blue of the surface, each from 0 to 1.")},
         ParamUnit::None, {0, 1, 0, 1, 0.01, 3}, Stage::Placement, paramAnimatable | paramColor,
-        objectKinds | armOnly | reliefOnly),
+        objectKinds | armOnly | terrainOnly),
 
     row<&NodeParams::physics, &PhysicsParams::mode>(
         {"physics.mode", physicsGroup, RAMURE_NOOP("Mode"),
@@ -482,26 +482,26 @@ constexpr std::array table{
          RAMURE_NOOP("Colours the skin by the segments that it follows.")},
         ParamUnit::None, {}, Stage::Mesh, paramNone, armOnly),
 
-    row<&NodeParams::relief, &ReliefParams::seed>(
-        {"relief.seed", reliefGroup, RAMURE_NOOP("Seed of the hills"),
+    row<&NodeParams::terrain, &TerrainParams::seed>(
+        {"terrain.seed", terrainGroup, RAMURE_NOOP("Seed of the hills"),
          RAMURE_NOOP("Another seed, another terrain.")},
-        ParamUnit::None, {0, maxSeed, 0, 1000, 1, 0}, Stage::Mesh, paramSeed, reliefOnly),
-    row<&NodeParams::relief, &ReliefParams::size>(
-        {"relief.size", reliefGroup, RAMURE_NOOP("Size"),
+        ParamUnit::None, {0, maxSeed, 0, 1000, 1, 0}, Stage::Mesh, paramSeed, terrainOnly),
+    row<&NodeParams::terrain, &TerrainParams::size>(
+        {"terrain.size", terrainGroup, RAMURE_NOOP("Size"),
          RAMURE_NOOP("Length of a side.")},
-        ParamUnit::Metre, {1e-3, 1e5, 1, 50, 0.5, 3}, Stage::Mesh, paramAnimatable, reliefOnly),
-    row<&NodeParams::relief, &ReliefParams::height>(
-        {"relief.height", reliefGroup, RAMURE_NOOP("Height"),
+        ParamUnit::Metre, {1e-3, 1e5, 1, 50, 0.5, 3}, Stage::Mesh, paramAnimatable, terrainOnly),
+    row<&NodeParams::terrain, &TerrainParams::height>(
+        {"terrain.height", terrainGroup, RAMURE_NOOP("Height"),
          RAMURE_NOOP("How far the widest hills rise and fall.")},
-        ParamUnit::Metre, {-1e4, 1e4, 0, 5, 0.1, 3}, Stage::Mesh, paramAnimatable, reliefOnly),
-    row<&NodeParams::relief, &ReliefParams::roughness>(
-        {"relief.roughness", reliefGroup, RAMURE_NOOP("Roughness"),
+        ParamUnit::Metre, {-1e4, 1e4, 0, 5, 0.1, 3}, Stage::Mesh, paramAnimatable, terrainOnly),
+    row<&NodeParams::terrain, &TerrainParams::roughness>(
+        {"terrain.roughness", terrainGroup, RAMURE_NOOP("Roughness"),
          RAMURE_NOOP("How high hills of half the width are, compared with the wider ones.")},
-        ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 3}, Stage::Mesh, paramAnimatable, reliefOnly),
-    row<&NodeParams::relief, &ReliefParams::divisions>(
-        {"relief.divisions", reliefGroup, RAMURE_NOOP("Divisions"),
+        ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 3}, Stage::Mesh, paramAnimatable, terrainOnly),
+    row<&NodeParams::terrain, &TerrainParams::divisions>(
+        {"terrain.divisions", terrainGroup, RAMURE_NOOP("Divisions"),
          RAMURE_NOOP("Cells of the grid along a side.")},
-        ParamUnit::Count, {1, 1024, 8, 256, 1, 0}, Stage::Mesh, paramNone, reliefOnly),
+        ParamUnit::Count, {1, 1024, 8, 256, 1, 0}, Stage::Mesh, paramNone, terrainOnly),
 };
 // clang-format on
 

@@ -18,14 +18,14 @@ Scene armDemo()
     }
     Node terrain;
     terrain.id = 2;
-    terrain.kind = NodeKind::Relief;
+    terrain.kind = NodeKind::Terrain;
     terrain.name = "Terrain";
     terrain.params.surface.color = {0.62, 0.55, 0.43};
     // Hills behind the arm, a basin before it, lowest along the sides: seen whole, it has no ragged edge.
     terrain.params.tree.rotation.y = std::numbers::pi;
-    terrain.params.relief.seed = 15344;
-    terrain.params.relief.height = 1.2;
-    terrain.params.relief.roughness = 0.42;
+    terrain.params.terrain.seed = 15344;
+    terrain.params.terrain.height = 1.2;
+    terrain.params.terrain.roughness = 0.42;
     // Both are new, different ids: this cannot fail.
     return Scene::fromNodes({arm, terrain}).value_or(Scene());
 }

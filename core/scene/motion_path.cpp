@@ -1,6 +1,6 @@
 #include "core/scene/motion_path.h"
 
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include <algorithm>
 #include <set>
 

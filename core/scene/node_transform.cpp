@@ -3,7 +3,7 @@
 #include "core/math/drag_maths.h"
 #include "core/rig/tracks/euler.h"
 #include "core/rig/tracks/keyed_track.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>

@@ -3,7 +3,7 @@
 #include "core/rig/arm/arm_shape.h"
 #include "core/surface/mesh/normals.h"
 #include "core/surface/primitives/primitive_mesh.h"
-#include "core/surface/primitives/relief.h"
+#include "core/surface/primitives/terrain.h"
 
 namespace ramure {
 
@@ -16,9 +16,9 @@ std::shared_ptr<const TriangleMesh> objectMesh(const Node& node, const NodeParam
 {
     if (node.kind == NodeKind::Primitive)
         return std::make_shared<const TriangleMesh>(primitiveMesh(params.primitive));
-    if (node.kind == NodeKind::Relief) {
-        auto relief = buildRelief(params.relief);
-        return relief ? std::make_shared<const TriangleMesh>(std::move(*relief)) : nullptr;
+    if (node.kind == NodeKind::Terrain) {
+        auto terrain = buildTerrain(params.terrain);
+        return terrain ? std::make_shared<const TriangleMesh>(std::move(*terrain)) : nullptr;
     }
     auto mesh = node.kind == NodeKind::Mesh ? importedMesh(node) : nullptr;
     if (!mesh || mesh->normals.size() == mesh->positions.size())
@@ -30,7 +30,7 @@ std::shared_ptr<const TriangleMesh> objectMesh(const Node& node, const NodeParam
 
 bool isOpenSurface(const Node& node)
 {
-    return node.kind == NodeKind::Relief ||
+    return node.kind == NodeKind::Terrain ||
            (node.kind == NodeKind::Primitive && node.params.primitive.shape == PrimitiveShape::Plane);
 }
 
@@ -44,11 +44,11 @@ Expected<std::shared_ptr<const TriangleMesh>> objectSolid(const Node& node, cons
         return shared(primitiveSolid(params.primitive));
     case NodeKind::Mesh:
         return importedMesh(node);
-    case NodeKind::Relief: {
-        auto relief = buildRelief(params.relief);
-        if (!relief)
-            return fail(std::move(relief.error()));
-        return shared(std::move(*relief));
+    case NodeKind::Terrain: {
+        auto terrain = buildTerrain(params.terrain);
+        if (!terrain)
+            return fail(std::move(terrain.error()));
+        return shared(std::move(*terrain));
     }
     case NodeKind::Arm: {
         const auto shape = armSolid(params, node.mesh.pointer().get(), shownArmPart(params));

@@ -16,7 +16,7 @@ constexpr bool isObject(NodeKind kind)
 /// Everything with a geometry but trees: objects, arms and terrains.
 constexpr bool isShape(NodeKind kind)
 {
-    return isObject(kind) || kind == NodeKind::Arm || kind == NodeKind::Relief;
+    return isObject(kind) || kind == NodeKind::Arm || kind == NodeKind::Terrain;
 }
 
 /// Is this node's geometry an open surface by its nature, a terrain or a plane? Then a boundary is no fault.
@@ -27,7 +27,7 @@ bool isOpenSurface(const Node& node);
 std::shared_ptr<const TriangleMesh> objectMesh(const Node& node, const NodeParams& params);
 /// For files and checks: primitives closed and without normals, imported meshes as they were read, terrains,
 /// arms in the pose of their joints (core/session/moving_arms.h turns them for a time). Null where there is
-/// nothing. Errors: those of buildRelief, armCylinder and checkArmMesh.
+/// nothing. Errors: those of buildTerrain, armCylinder and checkArmMesh.
 Expected<std::shared_ptr<const TriangleMesh>> objectSolid(const Node& node, const NodeParams& params);
 
 } // namespace ramure

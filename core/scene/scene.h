@@ -103,7 +103,7 @@ glm::dmat4 placementMatrix(const PlacementParams& placement);
 /// The rotation alone, Rz * Ry * Rx.
 glm::dmat3 rotationMatrix(const glm::dvec3& rotationRad);
 /// At rest, without tracks: parent world * own placement, from the top down. Unknown ids: identity. At a
-/// time: core/scene/places.h.
+/// time: core/scene/world_transforms.h.
 glm::dmat4 worldMatrix(const Scene& scene, NodeId id);
 /// The placement whose matrix is \p matrix. Error Invalid: the matrix is sheared, flattened, projective or
 /// not finite, so that no translation, rotation and scale give it. A mirrored matrix gets its negative scale

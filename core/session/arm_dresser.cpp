@@ -3,7 +3,7 @@
 #include "core/document/document_command.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "core/session/exporter.h"
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -49,8 +49,8 @@ Expected<const Node*> armToDress(const Scene& scene, NodeId id)
 /// From the space of a node with a mesh into the arm's own, both at rest.
 Expected<glm::dmat4> wayIntoArm(const Scene& scene, NodeId arm, NodeId worn)
 {
-    const glm::dmat4 place = placeAt(scene, arm, 0.0).geometry * armUpright();
-    const glm::dmat4 from = placeAt(scene, worn, 0.0).geometry;
+    const glm::dmat4 place = worldTransformAt(scene, arm, 0.0).geometry * armUpright();
+    const glm::dmat4 from = worldTransformAt(scene, worn, 0.0).geometry;
     if (glm::determinant(glm::dmat3(place)) == 0.0 || glm::determinant(glm::dmat3(from)) == 0.0)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("a scale of zero leaves nothing to wear"));
     return glm::inverse(place) * from;

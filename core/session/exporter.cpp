@@ -4,7 +4,7 @@
 #include "core/io/formats/material_file.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "core/session/moving_arms.h"
 #include "core/session/scene_counts.h"
 #include "core/surface/foliage/foliage_texture.h"
@@ -53,7 +53,7 @@ Expected<std::vector<Candidate>> candidates(const Scene& scene, const ExportOpti
     for (const NodeId id : options.nodes)
         if (!scene.find(id))
             return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(id)});
-    const std::vector<NodePlace> places = placesAt(scene, options.timeSeconds);
+    const std::vector<WorldTransform> places = worldTransformsAt(scene, options.timeSeconds);
     const glm::dmat4 intoFile = options.space.matrix();
     std::vector<Candidate> trees, objects;
     for (std::size_t i = 0; i < places.size(); ++i) {

@@ -1,7 +1,7 @@
 #include "core/session/import_task.h"
 
 #include "core/document/commands.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 
 #include <QFile>
 #include <algorithm>

@@ -8,7 +8,7 @@
 #include "core/rig/arm/arm_solver.h"
 #include "core/rig/physics/physics_state.h"
 #include "core/rig/pose/skin.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include <map>
 #include <memory>
 #include <optional>
@@ -70,7 +70,7 @@ struct MotionFrame
     int document = 0; ///< which one of those that the player has seen
     std::map<NodeId, NodeMotion> nodes;
     /// Where every node is now; empty where nothing in the scene has a track.
-    std::unordered_map<NodeId, NodePlace> places;
+    std::unordered_map<NodeId, WorldTransform> places;
     std::map<NodeId, ObjectNow> objects;
     /// Trees whose shape has tracks, as they are now: in the place of the document's results.
     std::map<NodeId, TreeResult> trees;
@@ -84,7 +84,8 @@ struct MotionFrame
     [[nodiscard]] glm::dmat4 geometryOf(const Scene& scene, NodeId node) const
     {
         const auto found = places.find(node);
-        return found == places.end() ? placeAt(scene, node, timeSeconds).geometry : found->second.geometry;
+        return found == places.end() ? worldTransformAt(scene, node, timeSeconds).geometry
+                                     : found->second.geometry;
     }
 };
 

@@ -458,7 +458,7 @@ void MotionWorker::loop(const std::stop_token& quit)
 /// Where the nodes are, and the objects whose parameters move.
 static void placeNodes(MotionFrame& frame, const Scene& scene)
 {
-    const std::vector<NodePlace> places = placesAt(scene, frame.timeSeconds);
+    const std::vector<WorldTransform> places = worldTransformsAt(scene, frame.timeSeconds);
     frame.places.reserve(places.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Node& node = scene.nodes()[i];
@@ -466,7 +466,7 @@ static void placeNodes(MotionFrame& frame, const Scene& scene)
         if (node.kind == NodeKind::Tree || !node.animation.movesParams())
             continue;
         const NodeParams now = paramsAt(node.params, node.animation, frame.timeSeconds);
-        const bool sameShape = now.primitive == node.params.primitive && now.relief == node.params.relief;
+        const bool sameShape = now.primitive == node.params.primitive && now.terrain == node.params.terrain;
         ObjectNow& object = frame.objects[node.id];
         object = {sameShape ? nullptr : objectMesh(node, now), now.surface, std::nullopt};
         if (node.kind == NodeKind::Arm)

@@ -23,7 +23,7 @@ ScenePart partOf(NodeKind kind)
     switch (kind) {
     case NodeKind::Arm:
         return ScenePart::Arms;
-    case NodeKind::Relief:
+    case NodeKind::Terrain:
         return ScenePart::Terrains;
     case NodeKind::Primitive:
         return ScenePart::Primitives;

@@ -2,7 +2,7 @@
 #include "core/math/random.h"
 #include "core/rig/tracks/track.h"
 #include "core/scene/demo_scenes.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 
 #include <benchmark/benchmark.h>
 
@@ -81,7 +81,7 @@ void placesOfMovingTree(benchmark::State& state)
     const Scene scene = *demoScene("MovingTree");
     double t = 0.0;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(placesAt(scene, t));
+        benchmark::DoNotOptimize(worldTransformsAt(scene, t));
         t += 1.0 / 24.0;
     }
 }

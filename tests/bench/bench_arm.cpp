@@ -4,7 +4,7 @@
 #include "core/rig/arm/arm_skin.h"
 #include "core/rig/arm/arm_solver.h"
 #include "core/surface/mesh/mesh_rays.h"
-#include "core/surface/primitives/relief.h"
+#include "core/surface/primitives/terrain.h"
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <numbers>
@@ -58,21 +58,21 @@ void BM_armSolve(benchmark::State& state)
 BENCHMARK(BM_armSolve)->Arg(2)->Arg(3)->Arg(5)->Arg(10)->Arg(20)->Arg(64)->Unit(benchmark::kMicrosecond);
 
 /// A terrain of two million triangles at most; the promise: a click within 1 ms on one of a million.
-void BM_reliefBuild(benchmark::State& state)
+void BM_terrainBuild(benchmark::State& state)
 {
-    ReliefParams params;
+    TerrainParams params;
     params.divisions = state.range(0);
     for (auto _ : state)
-        benchmark::DoNotOptimize(buildRelief(params));
+        benchmark::DoNotOptimize(buildTerrain(params));
     state.SetItemsProcessed(state.iterations() * 2 * state.range(0) * state.range(0));
 }
-BENCHMARK(BM_reliefBuild)->Arg(128)->Arg(708)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_terrainBuild)->Arg(128)->Arg(708)->Unit(benchmark::kMillisecond);
 
-void BM_reliefClick(benchmark::State& state)
+void BM_terrainClick(benchmark::State& state)
 {
-    ReliefParams params;
+    TerrainParams params;
     params.divisions = state.range(0);
-    const MeshRays rays(std::make_shared<const TriangleMesh>(buildRelief(params).value_or(TriangleMesh{})));
+    const MeshRays rays(std::make_shared<const TriangleMesh>(buildTerrain(params).value_or(TriangleMesh{})));
     Random random(1, RandomStream::Test);
     std::int64_t hits = 0;
     for (auto _ : state) {
@@ -82,7 +82,7 @@ void BM_reliefClick(benchmark::State& state)
     }
     state.counters["hits"] = double(hits) / double(state.iterations());
 }
-BENCHMARK(BM_reliefClick)->Arg(128)->Arg(708)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_terrainClick)->Arg(128)->Arg(708)->Unit(benchmark::kMicrosecond);
 
 /// A click on an imported mesh: a scanned ball of a million triangles, over which hills go in all directions.
 void BM_meshClick(benchmark::State& state)

@@ -66,7 +66,7 @@ private slots:
         QCOMPARE(nodes[0]["kind"].toString(), QString("arm"));
         QCOMPARE(nodes[0]["boundaryEdges"].toInt(), 0);
         QVERIFY(nodes[0]["openSurface"].isUndefined());
-        QCOMPARE(nodes[1]["kind"].toString(), QString("relief"));
+        QCOMPARE(nodes[1]["kind"].toString(), QString("terrain"));
         QVERIFY(nodes[1]["openSurface"].toBool());
         QVERIFY(nodes[1]["valid"].toBool());
         QCOMPARE(nodes[1]["boundaryEdges"].toInt(), 4 * 128);

@@ -1,7 +1,7 @@
 // Headless Blender says what it makes of a scene; the exported files must give the same. Skipped where there
 // is no Blender.
 #include "core/io/formats/blender_scene.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 
@@ -72,7 +72,7 @@ private slots:
                 if (!nodes.contains(name))
                     continue; // the group of all
                 const QJsonArray expected = nodes.value(name).toArray();
-                const glm::dmat4 world = placeAt(*scene, node.id, seconds).world;
+                const glm::dmat4 world = worldTransformAt(*scene, node.id, seconds).world;
                 for (int i = 0; i < 16; ++i)
                     if (const double off = std::abs(world[i % 4][i / 4] - expected[i].toDouble());
                         off > worst) {

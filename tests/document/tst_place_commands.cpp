@@ -1,7 +1,7 @@
 #include "core/document/commands.h"
 #include "core/document/project_file.h"
 #include "core/math/random.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "tests/support/suite.h"
 
 using namespace ramure;
@@ -117,13 +117,13 @@ private slots:
         Fixture f;
         WorldTransform by;
         by.move = {0.25, -1.0, 3.0};
-        const glm::dvec3 two(placeAt(f.document.scene(), 2, 0.5).world[3]);
-        const glm::dvec3 three(placeAt(f.document.scene(), 3, 0.5).world[3]);
+        const glm::dvec3 two(worldTransformAt(f.document.scene(), 2, 0.5).world[3]);
+        const glm::dvec3 three(worldTransformAt(f.document.scene(), 3, 0.5).world[3]);
         QVERIFY(f.go(by, 0));
-        QVERIFY(glm::distance(glm::dvec3(placeAt(f.document.scene(), 2, 0.5).world[3]), two + by.move) <
-                1e-12);
-        QVERIFY(glm::distance(glm::dvec3(placeAt(f.document.scene(), 3, 0.5).world[3]), three + by.move) <
-                1e-12);
+        QVERIFY(glm::distance(glm::dvec3(worldTransformAt(f.document.scene(), 2, 0.5).world[3]),
+                              two + by.move) < 1e-12);
+        QVERIFY(glm::distance(glm::dvec3(worldTransformAt(f.document.scene(), 3, 0.5).world[3]),
+                              three + by.move) < 1e-12);
         QVERIFY(f.document.scene().find(2)->animation.empty());
         QCOMPARE(f.document.scene().find(3)->params.tree, PlacementParams{});
         QCOMPARE(f.document.scene().find(3)->animation.tracks().size(), std::size_t(3));

@@ -84,6 +84,7 @@ private slots:
     void unknownKeysAreKept();
     void parentsMayStandBehind();
     void migrationsRunInOrder();
+    void terrainsOfVersion1KeepTheirShape();
     void treesOfVersion1LookAsTheyDid();
     void treesOfVersion1StartUnloaded();
 
@@ -426,6 +427,17 @@ void TestProjectFile::parentsMayStandBehind()
         readProject(inProject(R"({"id":3,"kind":"tree","parent":1},{"id":1,"kind":"group"})"));
     QVERIFY2(project, test::why(project));
     QCOMPARE(project->scene.nodes().front().id, 1u);
+}
+
+void TestProjectFile::terrainsOfVersion1KeepTheirShape()
+{
+    const QByteArray old =
+        R"({"format":"ramure","version":1,"nodes":[{"id":1,"kind":"relief","name":"Hills",)"
+        R"("params":{"relief.height":3.5}}]})";
+    const auto project = readProject(old);
+    QVERIFY(project.has_value());
+    QCOMPARE(project->scene.nodes().front().kind, NodeKind::Terrain);
+    QCOMPARE(project->scene.nodes().front().params.terrain.height, 3.5);
 }
 
 void TestProjectFile::migrationsRunInOrder()

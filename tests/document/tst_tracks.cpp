@@ -2,7 +2,7 @@
 #include "core/document/commands.h"
 #include "core/document/project_file.h"
 #include "core/scene/demo_scenes.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "core/session/import_task.h"
 #include "core/session/player.h"
 #include "tests/support/suite.h"
@@ -84,11 +84,11 @@ private slots:
         for (const double last : {2.0, 3.0, 4.0})
             QVERIFY(edit::setTracks(f.document, {{2, moveX, slope(last)}}, QStringLiteral("x"), drag));
         QCOMPARE(f.stack.count(), 2);
-        QCOMPARE(placeAt(f.document.scene(), 2, 0.5).world[3].x, 2.0);
+        QCOMPARE(worldTransformAt(f.document.scene(), 2, 0.5).world[3].x, 2.0);
         f.stack.undo();
         QCOMPARE(writeProject(f.document.project()), file);
         f.stack.redo();
-        QCOMPARE(placeAt(f.document.scene(), 2, 0.5).world[3].x, 2.0);
+        QCOMPARE(worldTransformAt(f.document.scene(), 2, 0.5).world[3].x, 2.0);
         const GestureId back = newGesture();
         for (const double last : {9.0, 4.0})
             QVERIFY(edit::setTracks(f.document, {{2, moveX, slope(last)}}, QStringLiteral("x"), back));
@@ -133,9 +133,9 @@ private slots:
         QVERIFY(edit::setTracks(f.document,
                                 {{1, moveX, slope(4.0)}, {2, moveX, slope(2.0)}, {3, moveX, slope(-6.0)}},
                                 QStringLiteral("x")));
-        const glm::dmat4 before = placeAt(f.document.scene(), 2, 0.5).world;
+        const glm::dmat4 before = worldTransformAt(f.document.scene(), 2, 0.5).world;
         QVERIFY(edit::moveNode(f.document, 2, 3, 0, true, 0.5));
-        QVERIFY(glm::length(before[3] - placeAt(f.document.scene(), 2, 0.5).world[3]) < 1e-12);
+        QVERIFY(glm::length(before[3] - worldTransformAt(f.document.scene(), 2, 0.5).world[3]) < 1e-12);
         QCOMPARE(f.document.scene().find(2)->parent, NodeId(3));
     }
     void badTracksInFilesAreNamed_data()
@@ -210,7 +210,7 @@ private slots:
         QVERIFY(player.waitForIdle(20'000));
         const auto motion = player.motion();
         QCOMPARE(motion->frame, std::int64_t(30));
-        const glm::dmat4 expected = placeAt(document.scene(), 1, 1.25).geometry;
+        const glm::dmat4 expected = worldTransformAt(document.scene(), 1, 1.25).geometry;
         QVERIFY(motion->geometryOf(document.scene(), 1) == expected);
         // An edit of a key is on show at once, though nothing plays.
         QVERIFY(edit::setTracks(document, {{1, moveX, slope(3.0)}}, QStringLiteral("x")));

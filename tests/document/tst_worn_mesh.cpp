@@ -2,7 +2,7 @@
 #include "core/document/project_file.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/arm_demo.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "core/session/exporter.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"

@@ -1,6 +1,6 @@
 #include "core/document/commands.h"
 #include "core/scene/demo_scenes.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "core/session/player.h"
 #include "tests/support/suite.h"
 #include "widgets/base/hint_source.h"
@@ -89,7 +89,7 @@ struct Window
     }
     [[nodiscard]] glm::dvec3 origin(NodeId id) const
     {
-        return glm::dvec3(placeAt(document.scene(), id, player.timeSeconds()).world[3]);
+        return glm::dvec3(worldTransformAt(document.scene(), id, player.timeSeconds()).world[3]);
     }
     void keep(const char* name) const
     {

@@ -1,6 +1,6 @@
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/arm_demo.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "core/session/arm_reach.h"
 #include "core/session/player.h"
 #include "tests/support/solids.h"

@@ -40,7 +40,7 @@ private slots:
     void everyPartCountsAsItIsExported()
     {
         Scene scene = *Scene::fromNodes({nodeOf(NodeKind::Tree, 1), nodeOf(NodeKind::Arm, 2),
-                                         nodeOf(NodeKind::Relief, 3), nodeOf(NodeKind::Primitive, 4),
+                                         nodeOf(NodeKind::Terrain, 3), nodeOf(NodeKind::Primitive, 4),
                                          nodeOf(NodeKind::Mesh, 5), nodeOf(NodeKind::Tree, 6)});
         TreePipeline pipeline;
         SceneCounter counter;
@@ -58,7 +58,7 @@ private slots:
         QCOMPARE(2 * fewer.of(ScenePart::Branches).faces, counts.of(ScenePart::Branches).faces);
         QCOMPARE(fewer.of(ScenePart::Arms).faces, std::uint64_t(0));
         // A shape that changes is counted anew, one that moves as before.
-        scene.find(3)->params.relief.divisions /= 2;
+        scene.find(3)->params.terrain.divisions /= 2;
         scene.find(4)->params.tree.translation = {1.0, 2.0, 3.0};
         counts = count();
         QVERIFY(counts.total() == exported(scene, pipeline));

@@ -90,11 +90,11 @@ private slots:
         arm.mesh = SharedValue<TriangleMesh>(lost);
         QCOMPARE(collectExport(*Scene::fromNodes({arm}), {}, noTrees).error().path,
                  std::string("Crane: mesh"));
-        Node land = nodeOf(NodeKind::Relief, 1, "Land");
-        land.params.relief.size = -2.0;
+        Node land = nodeOf(NodeKind::Terrain, 1, "Land");
+        land.params.terrain.size = -2.0;
         QCOMPARE(collectExport(*Scene::fromNodes({land}), {}, noTrees).error().path,
-                 std::string("Land: relief.size"));
-        land.params.relief.size = 2.0;
+                 std::string("Land: terrain.size"));
+        land.params.terrain.size = 2.0;
         land.params.tree.scale.x = 0.0;
         QCOMPARE(collectExport(*Scene::fromNodes({land}), {}, noTrees).error().path,
                  std::string("Land: tree.scale"));
@@ -111,7 +111,7 @@ private slots:
     {
         const auto scene = Scene::fromNodes(
             {nodeOf(NodeKind::Tree, 1, "Oak"), nodeOf(NodeKind::Arm, 2, "Crane"),
-             nodeOf(NodeKind::Relief, 3, "Land"), nodeOf(NodeKind::Primitive, 4, "Box"),
+             nodeOf(NodeKind::Terrain, 3, "Land"), nodeOf(NodeKind::Primitive, 4, "Box"),
              nodeOf(NodeKind::Primitive, 5, "Box"), nodeOf(NodeKind::Mesh, 6, "leaves"),
              nodeOf(NodeKind::Primitive, 7, "Box_2"), nodeOf(NodeKind::Group, 8, "Nothing")});
         TreePipeline pipeline;
@@ -218,7 +218,7 @@ private slots:
         QCOMPARE(set->lines->lines.size(), std::size_t(3));
         QVERIFY(glm::distance(set->lines->positions.back(), glm::vec3(1.7177032, 3.4335330, -2.0079169)) <
                 1e-5F);
-        QVERIFY(!collectExport(*Scene::fromNodes({nodeOf(NodeKind::Relief, 1, "L")}), options, noTrees));
+        QVERIFY(!collectExport(*Scene::fromNodes({nodeOf(NodeKind::Terrain, 1, "L")}), options, noTrees));
     }
 
     void sequencesFollowTheArm()

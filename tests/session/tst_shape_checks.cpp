@@ -113,7 +113,7 @@ void TestShapeChecks::onlyShapesThatChangeAreCheckedAgain()
     desk.set(1, "armSkin.radius", 0.2);
     checks.lookAt(2);
     QCOMPARE(checks.state(), State::Done);
-    desk.set(2, "relief.height", 0.7);
+    desk.set(2, "terrain.height", 0.7);
     QCOMPARE(checks.state(), State::Waiting);
     QCOMPARE(checks.outcome(), before); // until there is another one
     QTRY_COMPARE_WITH_TIMEOUT(checks.state(), State::Done, 20'000);
@@ -163,7 +163,7 @@ void TestShapeChecks::editsStopWhatRuns()
     checks.setRest(0);
     checks.lookAt(2);
     QTRY_COMPARE(slow.started.load(), 1);
-    desk.set(2, "relief.divisions", std::int64_t(10));
+    desk.set(2, "terrain.divisions", std::int64_t(10));
     slow.wait = false;
     QTRY_COMPARE_WITH_TIMEOUT(checks.state(), State::Done, 20'000);
     QCOMPARE(checks.outcome()->result.tree.report->faces, Index(200));

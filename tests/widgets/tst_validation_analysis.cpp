@@ -207,7 +207,7 @@ void TestValidationAnalysis::whatIsSelectedIsShown()
         node.name = name;
         return edit::insertNodes(document, {node}, noNode, 9).value_or(noNode);
     };
-    const NodeId arm = insert(NodeKind::Arm, "Crane"), terrain = insert(NodeKind::Relief, "Hills"),
+    const NodeId arm = insert(NodeKind::Arm, "Crane"), terrain = insert(NodeKind::Terrain, "Hills"),
                  object = insert(NodeKind::Primitive, "Rod"), group = insert(NodeKind::Group, "Group");
     const QString ofTree = text("explanation");
     for (const auto& [node, name, open] :

@@ -30,7 +30,7 @@ QString nodeWords(const Scene& scene, const std::vector<NodeId>& nodes)
         return Words::tr("mesh", "behind a verb: Delete mesh");
     case NodeKind::Arm:
         return Words::tr("arm", "behind a verb: Delete arm");
-    case NodeKind::Relief:
+    case NodeKind::Terrain:
         return Words::tr("terrain", "behind a verb: Delete terrain");
     }
     return {};

@@ -1,7 +1,7 @@
 #include "widgets/view/arm_rings.h"
 
 #include "core/rig/arm/arm_chain.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include <QPainter>
 #include <QPolygonF>
 #include <algorithm>
@@ -66,7 +66,7 @@ std::vector<ArmRing> armRings(const Scene& scene, NodeId arm, double timeSeconds
         return rings;
     const NodeParams params = paramsAt(node->params, node->animation, timeSeconds);
     const ArmChain chain(params.joints);
-    const glm::dmat4 world = placeAt(scene, arm, timeSeconds).geometry * armUpright();
+    const glm::dmat4 world = worldTransformAt(scene, arm, timeSeconds).geometry * armUpright();
     const glm::dmat3 turn(world);
     const double scale = std::cbrt(std::abs(glm::determinant(turn)));
     const double thick = std::max(params.arm.jointRadius, params.armSkin.shown ? params.armSkin.radius : 0.0);

@@ -1,7 +1,7 @@
 #include "widgets/view/gizmo_drag.h"
 
 #include "core/math/drag_maths.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include <QCoreApplication>
 #include <QLocale>
 #include <algorithm>

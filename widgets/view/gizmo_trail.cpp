@@ -1,6 +1,6 @@
 #include "widgets/view/gizmo_trail.h"
 
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "widgets/view/gizmo_handles.h"
 #include <QPainter>
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "widgets/view/limb_tool.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 
 #include "widgets/view/motion_tools.h"
 #include <algorithm>
@@ -49,7 +49,7 @@ LimbTool::LimbTool(Document& document, const PickHit& hit, const Node& node,
     , m_atGrab(byBranch(m_skeleton->skeleton, bendsOf(node)))
     , m_bends(bendsOf(node))
     , m_limb(limb())
-    , m_world(placeAt(document.scene(), hit.node, 0.0).geometry)
+    , m_world(worldTransformAt(document.scene(), hit.node, 0.0).geometry)
     , m_inverse(glm::inverse(m_world))
     , m_grabbed(hit.point)
     , m_hand(hit.point)

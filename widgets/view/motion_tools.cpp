@@ -157,7 +157,7 @@ std::optional<WindArrow> windArrow(const Scene& scene, NodeId node, const glm::d
         return std::nullopt;
     const PhysicsParams& physics = tree->params.physics;
     const double share = physics.windStrength / (physics.windStrength + halfReachAt);
-    const glm::dvec3 way = windWay(placeAt(scene, node, 0.0).geometry, physics.windDirection);
+    const glm::dvec3 way = windWay(worldTransformAt(scene, node, 0.0).geometry, physics.windDirection);
     return WindArrow{node, foot, foot + share * reach * way, reach};
 }
 
@@ -167,7 +167,7 @@ std::optional<WindArrow> windArrowOver(const Scene& scene, NodeId node, const Bo
     if (box.empty())
         return std::nullopt;
     const glm::dvec3 top(box.centre().x, box.max.y + 0.03 * box.size().y, box.centre().z);
-    glm::dvec3 foot = placed(placeAt(scene, node, 0.0).geometry, top);
+    glm::dvec3 foot = placed(worldTransformAt(scene, node, 0.0).geometry, top);
     if (depthOf(view, foot) <= tooNear * view.camera.distance && !view.camera.orthographic) {
         if (!stay)
             return std::nullopt;
@@ -195,7 +195,7 @@ std::optional<WindValues> windAt(const PickView& view, const glm::dvec2& pixel, 
                                  const Scene& scene)
 {
     const ViewRay ray = view.camera.ray(view.ndc(pixel), view.aspect());
-    const glm::dmat4 world = placeAt(scene, arrow.node, 0.0).geometry;
+    const glm::dmat4 world = worldTransformAt(scene, arrow.node, 0.0).geometry;
     const glm::dvec3 up =
         glm::normalize(glm::cross(windWay(world, 0.5 * std::numbers::pi), windWay(world, 0.0)));
     const bool flat = std::abs(glm::dot(ray.direction, up)) < edgeOn;

@@ -1,6 +1,6 @@
 #include "widgets/view/viewport.h"
-#include "core/scene/places.h"
-#include "widgets/view/render/motion_reach.h"
+#include "core/scene/world_transforms.h"
+#include "widgets/view/render/framing_points.h"
 
 #include "widgets/view/navigation_cube.h"
 #include "widgets/view/texture_legend.h"
@@ -25,7 +25,7 @@ Box selectionBox(const Document& document, const RenderScene& scene)
     const NodeResult* result = document.result(selection.branchNode);
     if (result && result->tree.simplified) {
         const Skeleton& skeleton = result->tree.simplified->skeleton;
-        const glm::dmat4 world = placeAt(document.scene(), selection.branchNode, 0.0).geometry;
+        const glm::dmat4 world = worldTransformAt(document.scene(), selection.branchNode, 0.0).geometry;
         for (const Index branch : selection.branches) {
             if (branch >= skeleton.size())
                 continue;
@@ -174,7 +174,7 @@ void Viewport::resizeGL(int, int)
 {
     if (!d->framed || d->scene->box.empty() || d->flight.state() == QAbstractAnimation::Running)
         return;
-    d->camera.frame(reachPoints(d->document->scene(), *d->scene), double(width()) / std::max(1, height()));
+    d->camera.frame(framingPoints(d->document->scene(), *d->scene), double(width()) / std::max(1, height()));
     emit cameraChanged();
 }
 
@@ -258,7 +258,7 @@ void Viewport::frameAll()
         d->framing = Private::Framing::All;
         return;
     }
-    const std::vector<glm::dvec3> points = reachPoints(d->document->scene(), *d->scene);
+    const std::vector<glm::dvec3> points = framingPoints(d->document->scene(), *d->scene);
     Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
     to.frame(points, double(width()) / std::max(1, height()));
     if (!points.empty()) {

@@ -22,7 +22,7 @@ constexpr Index fewTriangles = 40'000;
 /// From the world into the arm's own space.
 glm::dvec3 inArmSpace(const Scene& scene, NodeId arm, double timeSeconds, const glm::dvec3& world)
 {
-    const glm::dmat4 place = placeAt(scene, arm, timeSeconds).geometry * armUpright();
+    const glm::dmat4 place = worldTransformAt(scene, arm, timeSeconds).geometry * armUpright();
     return glm::dvec3(glm::inverse(place) * glm::dvec4(world, 1.0));
 }
 
@@ -118,7 +118,7 @@ bool Viewport::beginAimAnyway(const PickView& view, const glm::dvec2& pixel)
     double least = std::numeric_limits<double>::infinity();
     const auto scene = d->picker.latest();
     for (const Node& node : d->document->scene().nodes()) {
-        if (!(isObject(node.kind) || node.kind == NodeKind::Relief) ||
+        if (!(isObject(node.kind) || node.kind == NodeKind::Terrain) ||
             d->document->scene().isLocked(node.id) || !d->aimAt(node.id, scene))
             continue;
         const auto point = d->aimedPoint(view, pixel);
@@ -229,7 +229,7 @@ std::vector<glm::dvec3> Viewport::Private::targets() const
         const glm::dvec3 target = node.animation.movesParams()
                                       ? paramsAt(node.params, node.animation, timeNow()).arm.target
                                       : node.params.arm.target;
-        found.emplace_back(placeAt(all, node.id, timeNow()).geometry * armUpright() *
+        found.emplace_back(worldTransformAt(all, node.id, timeNow()).geometry * armUpright() *
                            glm::dvec4(target, 1.0));
     }
     return found;

@@ -1,7 +1,7 @@
 // The way of a scene: wished for when something changes, made in the background, uploaded in slices, shown.
 #include "core/base/stopwatch.h"
 #include "core/session/player.h"
-#include "widgets/view/render/motion_reach.h"
+#include "widgets/view/render/framing_points.h"
 #include "widgets/view/viewport_private.h"
 #include <algorithm>
 #include <limits>
@@ -210,7 +210,7 @@ void Viewport::showScene()
         d->frameNext = false;
         d->flight.stop();
         d->framed = true;
-        d->camera.frame(reachPoints(d->document->scene(), *d->scene),
+        d->camera.frame(framingPoints(d->document->scene(), *d->scene),
                         double(width()) / std::max(1, height()));
         emit cameraChanged();
     }

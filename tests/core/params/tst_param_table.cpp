@@ -406,12 +406,12 @@ void TestParamTable::kindsOfNodes()
         };
         const bool placement = inGroup("tree"), own = inGroup("local");
         const bool primitive = inGroup("primitive"), surface = inGroup("surface");
-        const bool skin = inGroup("skin"), relief = inGroup("relief");
+        const bool skin = inGroup("skin"), terrain = inGroup("terrain");
         const bool arm = inGroup("arm") || inGroup("ik") || inGroup("armSkin");
         QCOMPARE(hasParam(NodeKind::Group, def), placement);
-        QCOMPARE(hasParam(NodeKind::Tree, def), !primitive && !surface && !arm && !relief);
+        QCOMPARE(hasParam(NodeKind::Tree, def), !primitive && !surface && !arm && !terrain);
         QCOMPARE(hasParam(NodeKind::Arm, def), placement || own || surface || skin || arm);
-        QCOMPARE(hasParam(NodeKind::Relief, def), placement || own || surface || relief);
+        QCOMPARE(hasParam(NodeKind::Terrain, def), placement || own || surface || terrain);
         QCOMPARE(hasParam(NodeKind::Primitive, def), placement || own || primitive || surface);
         QCOMPARE(hasParam(NodeKind::Mesh, def), placement || own || surface);
         QCOMPARE(def.stage == Stage::Placement, placement || own || surface);

@@ -1,6 +1,6 @@
 #include "core/scene/demo_scenes.h"
 #include "core/scene/object_mesh.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "tests/support/suite.h"
 
 #include <cmath>
@@ -83,7 +83,7 @@ private slots:
         QCOMPARE(scene.nodes().size(), std::size_t(1));
         for (const double t : times5) {
             const double angle = 54.0 * t;
-            const NodePlace place = placeAt(scene, scene.nodes().front().id, t);
+            const WorldTransform place = worldTransformAt(scene, scene.nodes().front().id, t);
             QVERIFY(difference(place.world, turnY(angle)) < 1e-5);
             QVERIFY(difference(place.geometry, times(turnY(angle), times(moved(0, 0, -5), turnZ(angle)))) <
                     1e-5);
@@ -96,7 +96,7 @@ private slots:
         for (const double t : times5) {
             // From 10 degrees at 0 s to none at 2.5 s and back, evenly; 5 s is 0 s again.
             const double looped = std::fmod(t, 5.0), further = 10.0 * std::abs(looped - 2.5) / 2.5;
-            const std::vector<NodePlace> places = placesAt(scene, t);
+            const std::vector<WorldTransform> places = worldTransformsAt(scene, t);
             std::size_t seen = 0;
             double worst = 0.0;
             const std::function<void(NodeId, const Matrix&, int)> walk = [&](NodeId id, const Matrix& world,

@@ -1,6 +1,6 @@
 #include "core/math/random.h"
 #include "core/scene/keyed_placement.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "tests/support/suite.h"
 #include <limits>
 

@@ -1,7 +1,7 @@
 #include "core/scene/demo_scenes.h"
 #include "core/scene/motion_path.h"
 #include "core/scene/node_transform.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "tests/support/suite.h"
 
 using namespace ramure;
@@ -67,13 +67,14 @@ private slots:
         QCOMPARE(path->points.size(), std::size_t(71));
         for (std::size_t i = 0; i < path->points.size(); ++i) {
             const double seconds = timeline.timeOf(-10 + std::int64_t(i));
-            QVERIFY(glm::distance(path->points[i], glm::dvec3(placeAt(scene, 77, seconds).world[3])) < 1e-12);
+            QVERIFY(glm::distance(path->points[i],
+                                  glm::dvec3(worldTransformAt(scene, 77, seconds).world[3])) < 1e-12);
         }
         QVERIFY(path->keys.size() >= 2);
         bool between = false;
         for (const glm::dvec3& key : path->keys)
-            between =
-                between || glm::distance(key, glm::dvec3(placeAt(scene, 77, 1.0 / 3.0).world[3])) < 1e-9;
+            between = between ||
+                      glm::distance(key, glm::dvec3(worldTransformAt(scene, 77, 1.0 / 3.0).world[3])) < 1e-9;
         QVERIFY(between);
     }
     void tracksOfParametersDoNotCount()
@@ -97,7 +98,7 @@ private slots:
         QVERIFY(path);
         for (std::size_t i = 0; i < path->points.size(); ++i) {
             const double seconds = scene.timeline().timeOf(scene.timeline().firstFrame + std::int64_t(i));
-            const glm::dvec3 shown(placeAt(scene, node, seconds).geometry[3]);
+            const glm::dvec3 shown(worldTransformAt(scene, node, seconds).geometry[3]);
             QVERIFY(glm::distance(path->points[i], shown) < 1e-12);
         }
         QVERIFY(glm::distance(path->points.front(), path->points.back()) > 1.0);

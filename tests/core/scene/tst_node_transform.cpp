@@ -1,7 +1,7 @@
 #include "core/math/drag_maths.h"
 #include "core/math/random.h"
 #include "core/scene/node_transform.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "tests/support/suite.h"
 
 #include <cmath>
@@ -168,7 +168,7 @@ private slots:
             const double at = start.keys ? secondsOf(ticksOf(seconds)) : seconds;
             glm::dmat4 wanted = start.world;
             wanted[3] += glm::dvec4(by.move, 0.0);
-            QVERIFY(worst(placeAt(scene, 3, at).world, wanted) < 1e-6);
+            QVERIFY(worst(worldTransformAt(scene, 3, at).world, wanted) < 1e-6);
             QCOMPARE(values->placement.rotation, start.values.placement.rotation);
             QCOMPARE(values->placement.scale, start.values.placement.scale);
         }
@@ -188,7 +188,7 @@ private slots:
             QVERIFY(values);
             put(scene, 3, *values);
             const glm::dmat4 wanted = asMatrix(turnAbout(by.axis, by.angleRad), by.pivot) * start.world;
-            QVERIFY(worst(placeAt(scene, 3, seconds).world, wanted) < 1e-6);
+            QVERIFY(worst(worldTransformAt(scene, 3, seconds).world, wanted) < 1e-6);
         }
     }
     void evenScalesAreExact()
@@ -207,7 +207,7 @@ private slots:
             QVERIFY(values);
             put(scene, 2, *values);
             const glm::dmat4 wanted = asMatrix(glm::dmat3(by.factors.x), by.pivot) * start.world;
-            QVERIFY(worst(placeAt(scene, 2, seconds).world, wanted) < 1e-6);
+            QVERIFY(worst(worldTransformAt(scene, 2, seconds).world, wanted) < 1e-6);
             QCOMPARE(values->placement.rotation, start.values.placement.rotation);
         }
     }

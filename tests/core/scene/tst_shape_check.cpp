@@ -62,8 +62,8 @@ void TestShapeCheck::badShapesAreErrors()
     Node arm = nodeOf(NodeKind::Arm);
     arm.params.joints.clear();
     QVERIFY(!checkShape(arm, arm.params, true));
-    Node terrain = nodeOf(NodeKind::Relief);
-    terrain.params.relief.divisions = -3;
+    Node terrain = nodeOf(NodeKind::Terrain);
+    terrain.params.terrain.divisions = -3;
     QVERIFY(!checkShape(terrain, terrain.params, true));
     TriangleMesh broken;
     broken.positions.resize(3);
@@ -85,7 +85,7 @@ void TestShapeCheck::cancellingIsAnError()
 {
     std::stop_source stop;
     stop.request_stop();
-    const Node terrain = nodeOf(NodeKind::Relief);
+    const Node terrain = nodeOf(NodeKind::Terrain);
     const auto check = checkShape(terrain, terrain.params, true, Progress{stop.get_token(), {}});
     QVERIFY(!check);
     QCOMPARE(check.error().code, ErrorCode::Cancelled);
@@ -116,7 +116,7 @@ void TestShapeCheck::solidsAreClosed()
 
 void TestShapeCheck::openSurfacesMayHaveABoundary()
 {
-    for (const Node& node : {nodeOf(NodeKind::Relief), primitive(PrimitiveShape::Plane)}) {
+    for (const Node& node : {nodeOf(NodeKind::Terrain), primitive(PrimitiveShape::Plane)}) {
         const auto check = checkShape(node, node.params, true);
         QVERIFY(check && check->isOpen);
         QVERIFY(check->report.boundaryEdges > 0 && check->report.valid);

@@ -1,7 +1,7 @@
 #include "core/document/project_file.h"
 #include "core/math/drag_maths.h"
 #include "core/math/random.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/view/gizmo_drag.h"
 #include <numbers>
@@ -55,7 +55,7 @@ struct Desk
     void select(std::vector<NodeId> nodes) { document.setSelection({std::move(nodes), noNode, {}, noIndex}); }
     [[nodiscard]] glm::dvec3 origin(NodeId id, double seconds = 0.0) const
     {
-        return glm::dvec3(placeAt(document.scene(), id, seconds).world[3]);
+        return glm::dvec3(worldTransformAt(document.scene(), id, seconds).world[3]);
     }
     [[nodiscard]] const PlacementParams& placement(NodeId id) const
     {
@@ -573,7 +573,9 @@ void TestGizmoDrag::theHandlesStandAtWhatIsShown()
 {
     Desk desk;
     QVERIFY(edit::setParam(desk.document, {3}, *findParam("local.translation"), glm::dvec3(0, 0, -5)));
-    const auto shown = [&desk] { return glm::dvec3(placeAt(desk.document.scene(), 3, 0.0).geometry[3]); };
+    const auto shown = [&desk] {
+        return glm::dvec3(worldTransformAt(desk.document.scene(), 3, 0.0).geometry[3]);
+    };
     const glm::dvec3 from = shown();
     desk.begin(TransformTool::Rotate, std::nullopt);
     QVERIFY(glm::distance(desk.drag->place().pivot, from) < 1e-12);

@@ -1,6 +1,6 @@
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/demo_scenes.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "core/session/moving_arms.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/view/gizmo_trail.h"
@@ -227,7 +227,7 @@ void TestGizmoTrail::ghostsStandWhereTheNodesWere()
     for (const GhostItem& ghost : shown.ghosts) {
         bool found = false;
         for (const std::int64_t frame : {12, 16, 24, 28, 32}) {
-            const glm::dmat4 place = placeAt(scene, node, scene.timeline().timeOf(frame)).geometry;
+            const glm::dmat4 place = worldTransformAt(scene, node, scene.timeline().timeOf(frame)).geometry;
             found = found ||
                     glm::distance(ghost.world[3], place[3]) + glm::distance(ghost.world[0], place[0]) < 1e-9;
         }
@@ -287,7 +287,7 @@ void TestGizmoTrail::armsHaveGhostsToo()
             const ArmChain chain(*joints);
             const LineItem& line = shown.lines[drawnLines++];
             QCOMPARE(line.lines->segments.size(), joints->size());
-            const glm::dmat4 upright = placeAt(scene, arm, seconds).geometry * armUpright();
+            const glm::dmat4 upright = worldTransformAt(scene, arm, seconds).geometry * armUpright();
             QVERIFY(glm::distance(
                         glm::dvec3(line.world * glm::dvec4(glm::dvec3(line.lines->segments.back().b), 1.0)),
                         glm::dvec3(upright * glm::dvec4(chain.tip(), 1.0))) < 1e-4);

@@ -64,7 +64,7 @@ static const char* iconOf(NodeKind kind)
         return "tree";
     case NodeKind::Arm:
         return "arm";
-    case NodeKind::Relief:
+    case NodeKind::Terrain:
         return "terrain";
     case NodeKind::Mesh:
         return "mode-mesh";
@@ -87,7 +87,7 @@ QString SceneModel::toolTipOf(NodeKind kind)
         return tr("Imported mesh: %1");
     case NodeKind::Arm:
         return tr("Arm: %1");
-    case NodeKind::Relief:
+    case NodeKind::Terrain:
         return tr("Terrain: %1");
     }
     return tr("Group: %1");

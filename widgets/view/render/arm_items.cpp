@@ -3,7 +3,7 @@
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
 #include "core/surface/primitives/primitive_mesh.h"
-#include "core/surface/primitives/relief.h"
+#include "core/surface/primitives/terrain.h"
 #include "widgets/view/render/scene_part_cache.h"
 #include <algorithm>
 #include <cmath>
@@ -74,15 +74,15 @@ struct SeenArm
     double margin = 0.0;
 };
 
-void addRelief(RenderScene& scene, ScenePartCache& cache, const Node& node, const NodeParams& params,
-               const glm::dmat4& world)
+void addTerrain(RenderScene& scene, ScenePartCache& cache, const Node& node, const NodeParams& params,
+                const glm::dmat4& world)
 {
-    const ReliefParams& r = params.relief;
+    const TerrainParams& r = params.terrain;
     const std::shared_ptr<const TriangleMesh> none;
     MeshItem item;
-    item.mesh = cache.get<TriangleMesh>(ScenePart::Relief, none, none,
+    item.mesh = cache.get<TriangleMesh>(ScenePart::Terrain, none, none,
                                         {double(r.seed), r.size, r.height, r.roughness, double(r.divisions)},
-                                        [&] { return buildRelief(r).value_or(TriangleMesh{}); });
+                                        [&] { return buildTerrain(r).value_or(TriangleMesh{}); });
     if (item.mesh->empty())
         return;
     item.box = cache.box(item.mesh);
@@ -168,10 +168,10 @@ glm::dmat4 armTargetPlace(const glm::dvec3& target)
     return armUpright() * glm::translate(glm::dmat4(1.0), target);
 }
 
-bool addArmOrRelief(RenderScene& scene, ScenePartCache& cache, const Node& node, const glm::dmat4& world,
-                    const SceneView& view)
+bool addArmOrTerrain(RenderScene& scene, ScenePartCache& cache, const Node& node, const glm::dmat4& world,
+                     const SceneView& view)
 {
-    if (node.kind != NodeKind::Relief && node.kind != NodeKind::Arm)
+    if (node.kind != NodeKind::Terrain && node.kind != NodeKind::Arm)
         return false;
     const NodeParams* params = &node.params;
     NodeParams moved;
@@ -179,8 +179,8 @@ bool addArmOrRelief(RenderScene& scene, ScenePartCache& cache, const Node& node,
         moved = paramsAt(node.params, node.animation, view.timeSeconds);
         params = &moved;
     }
-    if (node.kind == NodeKind::Relief)
-        addRelief(scene, cache, node, *params, world);
+    if (node.kind == NodeKind::Terrain)
+        addTerrain(scene, cache, node, *params, world);
     else
         addArm(scene, cache, node, *params, world, view.mode);
     return true;

@@ -1,7 +1,7 @@
 #include "widgets/view/render/ground_height.h"
 
-#include "core/scene/places.h"
-#include "widgets/view/render/motion_reach.h"
+#include "core/scene/world_transforms.h"
+#include "widgets/view/render/framing_points.h"
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -11,7 +11,7 @@ namespace {
 
 bool movesGround(NodeKind kind)
 {
-    return kind == NodeKind::Primitive || kind == NodeKind::Mesh || kind == NodeKind::Relief;
+    return kind == NodeKind::Primitive || kind == NodeKind::Mesh || kind == NodeKind::Terrain;
 }
 
 /// Looks at the points only where the corners of the box are low enough to matter.
@@ -73,7 +73,7 @@ double GroundHeight::of(const Scene& scene, const RenderScene& built)
     if (!moves)
         moments.resize(1);
     for (const double seconds : moments) {
-        const std::vector<NodePlace> places = placesAt(scene, seconds);
+        const std::vector<WorldTransform> places = worldTransformsAt(scene, seconds);
         for (const auto& [index, item] : objects)
             m_height = lowestOf(*item, places[index].geometry, m_height);
     }

@@ -13,7 +13,7 @@ class GroundHeight
 {
 public:
     /// Metres, at most 0. Trees and arms stand on the ground and do not move it; primitives, imported meshes
-    /// and reliefs do, over the whole timeline, looked at some tens of times. \param built holds the meshes
+    /// and terrains do, over the whole timeline, looked at some tens of times. \param built holds the meshes
     /// of the objects that are shown, in their own space.
     double of(const Scene& scene, const RenderScene& built);
 

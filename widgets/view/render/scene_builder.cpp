@@ -1,7 +1,7 @@
 #include "widgets/view/render/scene_builder.h"
 
 #include "core/scene/object_mesh.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "core/surface/check/texture_report.h"
 #include "core/surface/mesh/normals.h"
 #include "core/surface/mesher/rough_model.h"
@@ -397,13 +397,13 @@ RenderScene SceneBuilder::build(const Scene& scene, const ResultOf& resultOf, co
 {
     m_cache->beginBuild();
     RenderScene built;
-    const std::vector<NodePlace> places = placesAt(scene, view.timeSeconds);
+    const std::vector<WorldTransform> places = worldTransformsAt(scene, view.timeSeconds);
     ObjectItems objects{*m_cache, built, view.timeSeconds, {}};
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Node& node = scene.nodes()[i];
         if (node.kind == NodeKind::Group || !scene.isShown(node.id))
             continue;
-        if (addArmOrRelief(built, *m_cache, node, places[i].geometry, view))
+        if (addArmOrTerrain(built, *m_cache, node, places[i].geometry, view))
             continue;
         if (isObject(node.kind)) {
             objects.add(node, places[i].geometry);

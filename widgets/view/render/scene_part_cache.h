@@ -31,7 +31,7 @@ enum class ScenePart : std::uint8_t {
     ArmSkin,
     ArmRods,
     ArmTarget,
-    Relief,
+    Terrain,
     Object,
     Outlined,
 };

@@ -1,6 +1,6 @@
 #include "core/io/formats/blender_scene.h"
 #include "core/scene/demo_scenes.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "tests/support/suite.h"
 
 #include <QDir>
@@ -124,7 +124,7 @@ private slots:
         QCOMPARE(made->timeline.lastFrame, std::int64_t(24));
         QVERIFY(notes(made->notes, "Camera.animation"));
         for (const Node& node : scene->nodes()) {
-            const glm::dvec3 at(placeAt(*scene, node.id, 0.75).world[3]);
+            const glm::dvec3 at(worldTransformAt(*scene, node.id, 0.75).world[3]);
             if (node.name == "My car")
                 QVERIFY(at == glm::dvec3(5.0, 6.0, 7.0));
             if (node.name == "Wheel.001") // its keys, not its TRANSFORM, below its parent
@@ -211,7 +211,8 @@ private slots:
         for (const Node& node : back->nodes())
             byName[node.name] = node.id;
         for (const double t : {0.0, 1.0, 2.5, 4.25}) {
-            const std::vector<NodePlace> was = placesAt(scene, t), is = placesAt(*back, t);
+            const std::vector<WorldTransform> was = worldTransformsAt(scene, t),
+                                              is = worldTransformsAt(*back, t);
             std::map<NodeId, glm::dmat4> now;
             for (std::size_t i = 0; i < is.size(); ++i)
                 now[back->nodes()[i].id] = is[i].world;

@@ -135,7 +135,7 @@ void TestArmBake::channelsOfJointsHaveKeys()
     for (const std::size_t joint : {0, 7, 63})
         for (const Channel& channel : jointChannels(joint)) {
             QVERIFY(hasChannel(NodeKind::Arm, channel));
-            QVERIFY(!hasChannel(NodeKind::Relief, channel));
+            QVERIFY(!hasChannel(NodeKind::Terrain, channel));
             const auto back = channelFromKey(channelKey(channel), NodeKind::Arm);
             QVERIFY(back && *back == channel);
         }

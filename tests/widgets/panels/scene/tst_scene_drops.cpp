@@ -1,5 +1,5 @@
 #include "core/scene/node_transform.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/base/preferences.h"
 #include "widgets/panels/scene/scene_model.h"
@@ -47,7 +47,7 @@ private:
     void drop(NodeId what, NodeId onto, Qt::KeyboardModifiers modifiers);
     [[nodiscard]] glm::dmat4 world(NodeId id) const
     {
-        return placeAt(m_document->scene(), id, m_seconds).world;
+        return worldTransformAt(m_document->scene(), id, m_seconds).world;
     }
 
     test::OwnSettings m_settings;

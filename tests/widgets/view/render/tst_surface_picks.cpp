@@ -1,6 +1,6 @@
 #include "core/math/random.h"
 #include "core/rig/tracks/node_animation.h"
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/pick_scene.h"
@@ -114,7 +114,7 @@ private slots:
         int hits = 0;
         for (int i = 0; i < 1000; ++i) {
             const double seconds = random.range(0.0, 1.0);
-            const glm::dmat4 world = placeAt(scene, 1, seconds).geometry;
+            const glm::dmat4 world = worldTransformAt(scene, 1, seconds).geometry;
             view.camera.orthographic = i % 2 == 1;
             view.camera.yawRad = random.range(-3.0, 3.0);
             view.camera.pitchRad = random.range(-1.4, 1.4);

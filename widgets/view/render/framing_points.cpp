@@ -1,6 +1,6 @@
-#include "widgets/view/render/motion_reach.h"
+#include "widgets/view/render/framing_points.h"
 
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -42,7 +42,7 @@ std::vector<double> momentsOf(const Scene& scene)
     return moments;
 }
 
-std::vector<glm::dvec3> reachPoints(const Scene& scene, const RenderScene& built)
+std::vector<glm::dvec3> framingPoints(const Scene& scene, const RenderScene& built)
 {
     std::vector<glm::dvec3> points = built.framePoints();
     std::map<NodeId, std::size_t> moving; // to the index of the node
@@ -58,7 +58,7 @@ std::vector<glm::dvec3> reachPoints(const Scene& scene, const RenderScene& built
     const std::vector<double> moments = momentsOf(scene);
     const std::size_t most = mostPoints / (items.size() * moments.size());
     for (const double seconds : moments) {
-        const std::vector<NodePlace> places = placesAt(scene, seconds);
+        const std::vector<WorldTransform> places = worldTransformsAt(scene, seconds);
         for (const auto& [node, item] : items)
             addPoints(*item, places[node].geometry * item->inNode, most, points);
     }

@@ -1,4 +1,4 @@
-#include "core/scene/places.h"
+#include "core/scene/world_transforms.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -25,16 +25,16 @@ glm::dmat4 geometryUnder(const glm::dmat4& world, const Node& node, double secon
     return place;
 }
 
-std::vector<NodePlace> placesAt(const Scene& scene, double seconds)
+std::vector<WorldTransform> worldTransformsAt(const Scene& scene, double seconds)
 {
-    std::vector<NodePlace> places;
+    std::vector<WorldTransform> places;
     places.reserve(scene.nodes().size());
     std::unordered_map<NodeId, std::size_t> indices;
     for (const Node& node : scene.nodes()) {
         const auto parent = indices.find(node.parent); // parents stand before their children
         const glm::dmat4 above = parent == indices.end() ? glm::dmat4(1.0) : places[parent->second].world;
         indices.emplace(node.id, places.size());
-        NodePlace place;
+        WorldTransform place;
         place.world = worldUnder(above, node, seconds);
         place.geometry = geometryUnder(place.world, node, seconds);
         places.push_back(place);
@@ -42,13 +42,13 @@ std::vector<NodePlace> placesAt(const Scene& scene, double seconds)
     return places;
 }
 
-NodePlace placeAt(const Scene& scene, NodeId id, double seconds)
+WorldTransform worldTransformAt(const Scene& scene, NodeId id, double seconds)
 {
     const Node* node = scene.find(id);
     if (!node)
         return {};
-    NodePlace place;
-    place.world = worldUnder(placeAt(scene, node->parent, seconds).world, *node, seconds);
+    WorldTransform place;
+    place.world = worldUnder(worldTransformAt(scene, node->parent, seconds).world, *node, seconds);
     place.geometry = geometryUnder(place.world, *node, seconds);
     return place;
 }

@@ -1,4 +1,4 @@
-#include "core/surface/primitives/relief.h"
+#include "core/surface/primitives/terrain.h"
 
 #include "core/math/random.h"
 #include "core/surface/mesh/normals.h"
@@ -22,7 +22,7 @@ double fade(double t)
 class Octave
 {
 public:
-    Octave(const ReliefParams& params, int number)
+    Octave(const TerrainParams& params, int number)
         : m_perMetre(hillsPerSide * std::exp2(number) / params.size)
         , m_height(params.height * mostGradient * std::pow(params.roughness, number))
         // Shifted, so that the lattices, where noise is zero, do not lie on each other.
@@ -32,7 +32,7 @@ public:
         m_first = static_cast<std::int64_t>(std::floor(m_shift - half)) - 1;
         m_side = static_cast<std::int64_t>(std::ceil(m_shift + half)) + 2 - m_first;
         m_slopes.reserve(static_cast<std::size_t>(m_side * m_side));
-        Random random(static_cast<std::uint64_t>(params.seed), RandomStream::Relief,
+        Random random(static_cast<std::uint64_t>(params.seed), RandomStream::Terrain,
                       static_cast<std::uint64_t>(number));
         for (std::int64_t i = 0; i < m_side * m_side; ++i) {
             const double turn = random.range(-std::numbers::pi, std::numbers::pi);
@@ -68,22 +68,22 @@ tl::unexpected<Error> wrong(const char* text, const char* path)
     return error;
 }
 
-Expected<void> check(const ReliefParams& params)
+Expected<void> check(const TerrainParams& params)
 {
     if (!std::isfinite(params.size) || params.size <= 0.0)
-        return wrong(RAMURE_NOOP("A terrain must be larger than 0"), "relief.size");
+        return wrong(RAMURE_NOOP("A terrain must be larger than 0"), "terrain.size");
     if (!std::isfinite(params.height))
-        return wrong(RAMURE_NOOP("The height of a terrain must be a number"), "relief.height");
+        return wrong(RAMURE_NOOP("The height of a terrain must be a number"), "terrain.height");
     if (!std::isfinite(params.roughness) || params.roughness < 0.0 || params.roughness > 1.0)
-        return wrong(RAMURE_NOOP("The roughness of a terrain lies between 0 and 1"), "relief.roughness");
+        return wrong(RAMURE_NOOP("The roughness of a terrain lies between 0 and 1"), "terrain.roughness");
     if (params.divisions < 1 || params.divisions > mostDivisions)
-        return wrong(RAMURE_NOOP("A terrain has 1 to 1024 cells along a side"), "relief.divisions");
+        return wrong(RAMURE_NOOP("A terrain has 1 to 1024 cells along a side"), "terrain.divisions");
     return {};
 }
 
 } // namespace
 
-Expected<TriangleMesh> buildRelief(const ReliefParams& params)
+Expected<TriangleMesh> buildTerrain(const TerrainParams& params)
 {
     if (const auto checked = check(params); !checked)
         return fail(checked.error());

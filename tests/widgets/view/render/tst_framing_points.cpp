@@ -2,7 +2,7 @@
 #include "core/scene/demo_scenes.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/camera.h"
-#include "widgets/view/render/motion_reach.h"
+#include "widgets/view/render/framing_points.h"
 #include "widgets/view/render/scene_builder.h"
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ double furthest(const Camera& camera, const std::vector<glm::dvec3>& points, dou
 
 } // namespace
 
-class TestMotionReach : public QObject
+class TestFramingPoints : public QObject
 {
     Q_OBJECT
 private slots:
@@ -41,7 +41,7 @@ private slots:
 
     void anEmptySceneReachesNothing()
     {
-        QVERIFY(reachPoints(Scene(), RenderScene()).empty());
+        QVERIFY(framingPoints(Scene(), RenderScene()).empty());
         QVERIFY(!momentsOf(Scene()).empty());
     }
     void momentsGoFromTheFirstFrameToTheLast()
@@ -63,7 +63,7 @@ private slots:
         for (Node& node : std::vector<Node>(scene.nodes()))
             scene.find(node.id)->animation = {};
         const RenderScene built = builtAt(scene, 0.0);
-        QVERIFY(reachPoints(scene, built) == built.framePoints());
+        QVERIFY(framingPoints(scene, built) == built.framePoints());
     }
     void nothingLeavesTheViewWhileItPlays_data()
     {
@@ -77,7 +77,7 @@ private slots:
         const Scene scene = *demoScene(name.toStdString());
         const TimelineSettings& timeline = scene.timeline();
         for (const double opened : {0.0, 2.5}) { // whatever frame is on show
-            const std::vector<glm::dvec3> reach = reachPoints(scene, builtAt(scene, opened));
+            const std::vector<glm::dvec3> reach = framingPoints(scene, builtAt(scene, opened));
             for (const double aspect : {0.7, 1.6}) {
                 Camera camera;
                 camera.frame(reach, aspect);
@@ -94,5 +94,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestMotionReach)
-#include "tst_motion_reach.moc"
+QTEST_GUILESS_MAIN(TestFramingPoints)
+#include "tst_framing_points.moc"

@@ -1,6 +1,6 @@
 #include "core/math/random.h"
 #include "core/surface/mesh/mesh_rays.h"
-#include "core/surface/primitives/relief.h"
+#include "core/surface/primitives/terrain.h"
 #include "core/surface/proof/validate.h"
 #include "tests/support/suite.h"
 #include <cmath>
@@ -8,7 +8,7 @@
 using namespace ramure;
 using namespace ramure::test;
 
-class TestRelief : public QObject
+class TestTerrain : public QObject
 {
     Q_OBJECT
 
@@ -25,9 +25,9 @@ private slots:
 
 namespace {
 
-std::shared_ptr<const TriangleMesh> terrain(const ReliefParams& params)
+std::shared_ptr<const TriangleMesh> terrain(const TerrainParams& params)
 {
-    return std::make_shared<const TriangleMesh>(buildRelief(params).value_or(TriangleMesh{}));
+    return std::make_shared<const TriangleMesh>(buildTerrain(params).value_or(TriangleMesh{}));
 }
 
 /// Mean absolute change of slope between neighbours.
@@ -54,24 +54,24 @@ std::optional<double> byForce(const TriangleMesh& mesh, const Ray& ray)
 
 } // namespace
 
-void TestRelief::wrongParametersAreErrors()
+void TestTerrain::wrongParametersAreErrors()
 {
     const auto refused = [](const char* path, auto change) {
-        ReliefParams params;
+        TerrainParams params;
         change(params);
-        const auto made = buildRelief(params);
+        const auto made = buildTerrain(params);
         return !made && made.error().code == ErrorCode::Invalid && made.error().path == path;
     };
-    QVERIFY(refused("relief.size", [](ReliefParams& p) { p.size = 0.0; }));
-    QVERIFY(refused("relief.height", [](ReliefParams& p) { p.height = std::nan(""); }));
-    QVERIFY(refused("relief.roughness", [](ReliefParams& p) { p.roughness = 1.5; }));
-    QVERIFY(refused("relief.divisions", [](ReliefParams& p) { p.divisions = 0; }));
-    QVERIFY(refused("relief.divisions", [](ReliefParams& p) { p.divisions = 1025; }));
+    QVERIFY(refused("terrain.size", [](TerrainParams& p) { p.size = 0.0; }));
+    QVERIFY(refused("terrain.height", [](TerrainParams& p) { p.height = std::nan(""); }));
+    QVERIFY(refused("terrain.roughness", [](TerrainParams& p) { p.roughness = 1.5; }));
+    QVERIFY(refused("terrain.divisions", [](TerrainParams& p) { p.divisions = 0; }));
+    QVERIFY(refused("terrain.divisions", [](TerrainParams& p) { p.divisions = 1025; }));
 }
 
-void TestRelief::isAGridWithItsMiddleAtTheGround()
+void TestTerrain::isAGridWithItsMiddleAtTheGround()
 {
-    ReliefParams params;
+    TerrainParams params;
     params.divisions = 10;
     params.size = 4.0;
     const auto mesh = terrain(params);
@@ -84,9 +84,9 @@ void TestRelief::isAGridWithItsMiddleAtTheGround()
         QVERIFY(normal.y > 0.0F);
 }
 
-void TestRelief::theSeedDecides()
+void TestTerrain::theSeedDecides()
 {
-    ReliefParams params, other;
+    TerrainParams params, other;
     other.seed = 2;
     QVERIFY(*terrain(params) == *terrain(params));
     QVERIFY(terrain(params)->positions != terrain(other)->positions);
@@ -96,9 +96,9 @@ void TestRelief::theSeedDecides()
         QCOMPARE(at.y, 0.0F);
 }
 
-void TestRelief::roughnessMakesItRougher()
+void TestTerrain::roughnessMakesItRougher()
 {
-    ReliefParams params;
+    TerrainParams params;
     double last = -1.0;
     for (const double roughness : {0.0, 0.3, 0.6, 1.0}) {
         params.roughness = roughness;
@@ -111,9 +111,9 @@ void TestRelief::roughnessMakesItRougher()
     }
 }
 
-void TestRelief::finerGridsAreTheSameTerrain()
+void TestTerrain::finerGridsAreTheSameTerrain()
 {
-    ReliefParams coarse, fine;
+    TerrainParams coarse, fine;
     coarse.divisions = 20;
     fine.divisions = 40;
     const auto a = terrain(coarse), b = terrain(fine);
@@ -122,7 +122,7 @@ void TestRelief::finerGridsAreTheSameTerrain()
             QCOMPARE(a->positions[row * 21 + column], b->positions[2 * row * 41 + 2 * column]);
 }
 
-void TestRelief::raysThatMissMeetNothing()
+void TestTerrain::raysThatMissMeetNothing()
 {
     QVERIFY(!MeshRays().nearest({}));
     QVERIFY(!MeshRays(nullptr).nearest({}));
@@ -132,9 +132,9 @@ void TestRelief::raysThatMissMeetNothing()
     QVERIFY(rays.nearest({{0.01, 50.0, 0.02}, {0.0, -1.0, 0.0}}));
 }
 
-void TestRelief::raysMeetTheNearestTriangle()
+void TestTerrain::raysMeetTheNearestTriangle()
 {
-    ReliefParams params;
+    TerrainParams params;
     params.height = 4.0;
     params.divisions = 64;
     const auto mesh = terrain(params);
@@ -157,5 +157,5 @@ void TestRelief::raysMeetTheNearestTriangle()
     QVERIFY(hits > 500);
 }
 
-QTEST_GUILESS_MAIN(TestRelief)
-#include "tst_relief.moc"
+QTEST_GUILESS_MAIN(TestTerrain)
+#include "tst_terrain.moc"
