@@ -170,19 +170,19 @@ Expected<void> addShapeFacts(QJsonObject& entry, const Node& node, double timeSe
 Expected<QJsonArray> jsonNodes(const Scene& scene, double timeSeconds)
 {
     QJsonArray list;
-    const std::vector<WorldTransform> places = worldTransformsAt(scene, timeSeconds);
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::vector<NodeTransforms> transforms = worldTransformsAt(scene, timeSeconds);
+    for (std::size_t i = 0; i < transforms.size(); ++i) {
         const Node& node = scene.nodes()[i];
         QJsonObject entry{{QStringLiteral("id"), qint64{node.id}},
                           {QStringLiteral("name"), fromText(node.name)},
                           {QStringLiteral("kind"), json::kindName(node.kind)},
-                          {QStringLiteral("world"), jsonMatrix(places[i].world)}};
+                          {QStringLiteral("world"), jsonMatrix(transforms[i].world)}};
         if (node.parent != noNode)
             entry.insert(QStringLiteral("parent"), qint64{node.parent});
         if (!node.preset.empty())
             entry.insert(QStringLiteral("preset"), fromText(node.preset));
         if (node.kind != NodeKind::Group)
-            entry.insert(QStringLiteral("geometry"), jsonMatrix(places[i].geometry));
+            entry.insert(QStringLiteral("geometry"), jsonMatrix(transforms[i].geometry));
         if (isShape(node.kind))
             if (auto added = addShapeFacts(entry, node, timeSeconds); !added) {
                 Error error = std::move(added.error());

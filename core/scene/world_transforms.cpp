@@ -25,29 +25,29 @@ glm::dmat4 geometryUnder(const glm::dmat4& world, const Node& node, double secon
     return place;
 }
 
-std::vector<WorldTransform> worldTransformsAt(const Scene& scene, double seconds)
+std::vector<NodeTransforms> worldTransformsAt(const Scene& scene, double seconds)
 {
-    std::vector<WorldTransform> places;
-    places.reserve(scene.nodes().size());
+    std::vector<NodeTransforms> transforms;
+    transforms.reserve(scene.nodes().size());
     std::unordered_map<NodeId, std::size_t> indices;
     for (const Node& node : scene.nodes()) {
         const auto parent = indices.find(node.parent); // parents stand before their children
-        const glm::dmat4 above = parent == indices.end() ? glm::dmat4(1.0) : places[parent->second].world;
-        indices.emplace(node.id, places.size());
-        WorldTransform place;
+        const glm::dmat4 above = parent == indices.end() ? glm::dmat4(1.0) : transforms[parent->second].world;
+        indices.emplace(node.id, transforms.size());
+        NodeTransforms place;
         place.world = worldUnder(above, node, seconds);
         place.geometry = geometryUnder(place.world, node, seconds);
-        places.push_back(place);
+        transforms.push_back(place);
     }
-    return places;
+    return transforms;
 }
 
-WorldTransform worldTransformAt(const Scene& scene, NodeId id, double seconds)
+NodeTransforms worldTransformAt(const Scene& scene, NodeId id, double seconds)
 {
     const Node* node = scene.find(id);
     if (!node)
         return {};
-    WorldTransform place;
+    NodeTransforms place;
     place.world = worldUnder(worldTransformAt(scene, node->parent, seconds).world, *node, seconds);
     place.geometry = geometryUnder(place.world, *node, seconds);
     return place;

@@ -6,7 +6,7 @@
 
 namespace ramure {
 
-struct WorldTransform
+struct NodeTransforms
 {
     glm::dmat4 world{1.0};    ///< of the node: what its children are measured from
     glm::dmat4 geometry{1.0}; ///< of its own geometry: world * local track * local static
@@ -17,9 +17,9 @@ glm::dmat4 worldUnder(const glm::dmat4& parentWorld, const Node& node, double se
 /// world * local track * local static; of a group its world.
 glm::dmat4 geometryUnder(const glm::dmat4& world, const Node& node, double seconds);
 /// One per node, in the order of Scene::nodes().
-std::vector<WorldTransform> worldTransformsAt(const Scene& scene, double seconds);
+std::vector<NodeTransforms> worldTransformsAt(const Scene& scene, double seconds);
 /// One node alone. Unknown ids: identity.
-WorldTransform worldTransformAt(const Scene& scene, NodeId id, double seconds);
+NodeTransforms worldTransformAt(const Scene& scene, NodeId id, double seconds);
 /// A node or one above it has a track of its transform.
 bool movesByKeys(const Scene& scene, NodeId id);
 /// Any node has a track.

@@ -53,15 +53,17 @@ Expected<std::vector<Candidate>> candidates(const Scene& scene, const ExportOpti
     for (const NodeId id : options.nodes)
         if (!scene.find(id))
             return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(id)});
-    const std::vector<WorldTransform> places = worldTransformsAt(scene, options.timeSeconds);
+    const std::vector<NodeTransforms> transforms = worldTransformsAt(scene, options.timeSeconds);
     const glm::dmat4 intoFile = options.space.matrix();
     std::vector<Candidate> trees, objects;
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t i = 0; i < transforms.size(); ++i) {
         const Node& node = scene.nodes()[i];
         if (isExported(scene, options, node))
             (isShape(node.kind) ? objects : trees)
                 .push_back(
-                    {&node, {}, options.space.isOwn() ? places[i].geometry : intoFile * places[i].geometry});
+                    {&node,
+                     {},
+                     options.space.isOwn() ? transforms[i].geometry : intoFile * transforms[i].geometry});
     }
     if (trees.empty() && objects.empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("there is nothing visible to export"));

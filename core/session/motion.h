@@ -70,7 +70,7 @@ struct MotionFrame
     int document = 0; ///< which one of those that the player has seen
     std::map<NodeId, NodeMotion> nodes;
     /// Where every node is now; empty where nothing in the scene has a track.
-    std::unordered_map<NodeId, WorldTransform> places;
+    std::unordered_map<NodeId, NodeTransforms> transforms;
     std::map<NodeId, ObjectNow> objects;
     /// Trees whose shape has tracks, as they are now: in the place of the document's results.
     std::map<NodeId, TreeResult> trees;
@@ -83,9 +83,9 @@ struct MotionFrame
     /// Where a node's own geometry is.
     [[nodiscard]] glm::dmat4 geometryOf(const Scene& scene, NodeId node) const
     {
-        const auto found = places.find(node);
-        return found == places.end() ? worldTransformAt(scene, node, timeSeconds).geometry
-                                     : found->second.geometry;
+        const auto found = transforms.find(node);
+        return found == transforms.end() ? worldTransformAt(scene, node, timeSeconds).geometry
+                                         : found->second.geometry;
     }
 };
 

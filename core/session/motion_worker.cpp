@@ -458,11 +458,11 @@ void MotionWorker::loop(const std::stop_token& quit)
 /// Where the nodes are, and the objects whose parameters move.
 static void placeNodes(MotionFrame& frame, const Scene& scene)
 {
-    const std::vector<WorldTransform> places = worldTransformsAt(scene, frame.timeSeconds);
-    frame.places.reserve(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::vector<NodeTransforms> transforms = worldTransformsAt(scene, frame.timeSeconds);
+    frame.transforms.reserve(transforms.size());
+    for (std::size_t i = 0; i < transforms.size(); ++i) {
         const Node& node = scene.nodes()[i];
-        frame.places.emplace(node.id, places[i]);
+        frame.transforms.emplace(node.id, transforms[i]);
         if (node.kind == NodeKind::Tree || !node.animation.movesParams())
             continue;
         const NodeParams now = paramsAt(node.params, node.animation, frame.timeSeconds);

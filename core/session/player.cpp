@@ -469,7 +469,7 @@ void Player::Private::documentChanged(const Change& change)
         rewindClock();
     const bool physics = change.has(changeParams) && change.firstStale == Stage::Motion;
     const bool placed = change.has(changeParams | changeTracks | changeStructure) &&
-                        (!motion->places.empty() || hasTracks(document->scene()));
+                        (!motion->transforms.empty() || hasTracks(document->scene()));
     if (placed)
         return request(!playing);
     if (!isAtRest() && (physics || change.has(changeResults | changeStructure | changeNodeState |

@@ -205,7 +205,7 @@ private slots:
         Player player(&document);
         document.reset(*demoScene("MovingCylinder"), {});
         QVERIFY(player.waitForIdle(20'000));
-        QVERIFY(!player.motion()->places.empty()); // at rest too
+        QVERIFY(!player.motion()->transforms.empty()); // at rest too
         player.seek(30);
         QVERIFY(player.waitForIdle(20'000));
         const auto motion = player.motion();
@@ -215,7 +215,7 @@ private slots:
         // An edit of a key is on show at once, though nothing plays.
         QVERIFY(edit::setTracks(document, {{1, moveX, slope(3.0)}}, QStringLiteral("x")));
         QVERIFY(player.waitForIdle(20'000));
-        QCOMPARE(player.motion()->places.at(1).world[3].x, 3.0);
+        QCOMPARE(player.motion()->transforms.at(1).world[3].x, 3.0);
         while (document.undoStack()->canUndo())
             document.undoStack()->undo();
         QVERIFY(player.waitForIdle(20'000));

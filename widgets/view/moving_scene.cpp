@@ -34,7 +34,7 @@ template <class Item> void moveItems(std::vector<Item>& items, const MotionFrame
 
 bool MovingScene::moves(const RenderScene& rest, const MotionFrame& frame)
 {
-    if (!frame.places.empty())
+    if (!frame.transforms.empty())
         return true;
     const auto moving = [&frame](const auto& item) {
         const NodeMotion* motion = frame.of(item.node);
@@ -116,7 +116,7 @@ static void placeItems(RenderScene& scene, const MotionFrame& frame)
 {
     const auto place = [&frame](auto& items) {
         for (auto& item : items)
-            if (const auto found = frame.places.find(item.node); found != frame.places.end())
+            if (const auto found = frame.transforms.find(item.node); found != frame.transforms.end())
                 item.world = found->second.geometry;
     };
     place(scene.lines);
@@ -126,7 +126,7 @@ static void placeItems(RenderScene& scene, const MotionFrame& frame)
         const bool changed = found != frame.objects.end();
         if (item.isMark && changed && found->second.target)
             item.inNode = armTargetPlace(*found->second.target);
-        if (const auto at = frame.places.find(item.node); at != frame.places.end())
+        if (const auto at = frame.transforms.find(item.node); at != frame.transforms.end())
             item.world = at->second.geometry * item.inNode;
         if (!changed || item.isMark)
             continue;
@@ -144,7 +144,7 @@ static void placeItems(RenderScene& scene, const MotionFrame& frame)
 RenderScene MovingScene::moved(const RenderScene& rest, const MotionFrame& frame)
 {
     RenderScene scene = rest;
-    if (!frame.places.empty())
+    if (!frame.transforms.empty())
         placeItems(scene, frame);
     for (auto& [mesh, bound] : m_bound)
         bound.used = false;

@@ -83,7 +83,7 @@ private slots:
         QCOMPARE(scene.nodes().size(), std::size_t(1));
         for (const double t : times5) {
             const double angle = 54.0 * t;
-            const WorldTransform place = worldTransformAt(scene, scene.nodes().front().id, t);
+            const NodeTransforms place = worldTransformAt(scene, scene.nodes().front().id, t);
             QVERIFY(difference(place.world, turnY(angle)) < 1e-5);
             QVERIFY(difference(place.geometry, times(turnY(angle), times(moved(0, 0, -5), turnZ(angle)))) <
                     1e-5);
@@ -96,15 +96,16 @@ private slots:
         for (const double t : times5) {
             // From 10 degrees at 0 s to none at 2.5 s and back, evenly; 5 s is 0 s again.
             const double looped = std::fmod(t, 5.0), further = 10.0 * std::abs(looped - 2.5) / 2.5;
-            const std::vector<WorldTransform> places = worldTransformsAt(scene, t);
+            const std::vector<NodeTransforms> transforms = worldTransformsAt(scene, t);
             std::size_t seen = 0;
             double worst = 0.0;
             const std::function<void(NodeId, const Matrix&, int)> walk = [&](NodeId id, const Matrix& world,
                                                                              int level) {
                 const Node& node = *scene.find(id);
                 const auto index = static_cast<std::size_t>(&node - scene.nodes().data());
-                worst = std::max({worst, difference(places[index].world, world),
-                                  difference(places[index].geometry, times(world, scaled(0.15, 1, 0.15)))});
+                worst =
+                    std::max({worst, difference(transforms[index].world, world),
+                              difference(transforms[index].geometry, times(world, scaled(0.15, 1, 0.15)))});
                 ++seen;
                 const std::vector<NodeId> children = scene.children(id);
                 QCOMPARE(children.size(), std::size_t(level < 5 ? 4 : 0));

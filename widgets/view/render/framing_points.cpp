@@ -58,7 +58,7 @@ std::vector<glm::dvec3> framingPoints(const Scene& scene, const RenderScene& bui
     const std::vector<double> moments = momentsOf(scene);
     const std::size_t most = mostPoints / (items.size() * moments.size());
     for (const double seconds : moments) {
-        const std::vector<WorldTransform> places = worldTransformsAt(scene, seconds);
+        const std::vector<NodeTransforms> places = worldTransformsAt(scene, seconds);
         for (const auto& [node, item] : items)
             addPoints(*item, places[node].geometry * item->inNode, most, points);
     }

@@ -73,7 +73,7 @@ double GroundHeight::of(const Scene& scene, const RenderScene& built)
     if (!moves)
         moments.resize(1);
     for (const double seconds : moments) {
-        const std::vector<WorldTransform> places = worldTransformsAt(scene, seconds);
+        const std::vector<NodeTransforms> places = worldTransformsAt(scene, seconds);
         for (const auto& [index, item] : objects)
             m_height = lowestOf(*item, places[index].geometry, m_height);
     }

@@ -397,7 +397,7 @@ RenderScene SceneBuilder::build(const Scene& scene, const ResultOf& resultOf, co
 {
     m_cache->beginBuild();
     RenderScene built;
-    const std::vector<WorldTransform> places = worldTransformsAt(scene, view.timeSeconds);
+    const std::vector<NodeTransforms> places = worldTransformsAt(scene, view.timeSeconds);
     ObjectItems objects{*m_cache, built, view.timeSeconds, {}};
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Node& node = scene.nodes()[i];

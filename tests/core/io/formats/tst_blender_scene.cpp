@@ -211,7 +211,7 @@ private slots:
         for (const Node& node : back->nodes())
             byName[node.name] = node.id;
         for (const double t : {0.0, 1.0, 2.5, 4.25}) {
-            const std::vector<WorldTransform> was = worldTransformsAt(scene, t),
+            const std::vector<NodeTransforms> was = worldTransformsAt(scene, t),
                                               is = worldTransformsAt(*back, t);
             std::map<NodeId, glm::dmat4> now;
             for (std::size_t i = 0; i < is.size(); ++i)
