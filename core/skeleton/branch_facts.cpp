@@ -9,7 +9,6 @@
 namespace ramure {
 namespace {
 
-constexpr double appleMass = 0.075;
 /// Of a sine: below it a direction has no side to lean to.
 constexpr double straightSine = 1e-12;
 /// Steps of parallel transport and of the arc length between two sections. The error of the transport falls

@@ -2,6 +2,8 @@
 
 namespace ramure {
 
+static constexpr double appleMass = 0.075;
+
 std::vector<double> branchMasses(const Skeleton& skeleton, const Foliage& foliage)
 {
     std::vector<double> masses = skeleton.a1;
