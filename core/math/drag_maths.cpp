@@ -1,5 +1,6 @@
 #include "core/math/drag_maths.h"
 
+#include "core/math/reproducible.h"
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -36,7 +37,7 @@ std::optional<double> aroundRing(const Ray& ray, const glm::dvec3& centre, const
     if (!met)
         return std::nullopt;
     const glm::dvec3 away = *met - centre;
-    return std::atan2(glm::dot(away, glm::cross(axis, zero)), glm::dot(away, zero));
+    return maths::atan2(glm::dot(away, glm::cross(axis, zero)), glm::dot(away, zero));
 }
 
 double snapped(double value, double step)
@@ -84,7 +85,7 @@ glm::dmat3 nearestRotation(const glm::dmat3& matrix)
     for (int round = 0; round < mostRounds; ++round) {
         const glm::dmat3 other = glm::inverse(glm::transpose(now));
         // Scaled so that both parts weigh alike: the way from far away is short then.
-        const double size = std::pow(std::abs(glm::determinant(now)), -1.0 / 3.0);
+        const double size = maths::pow(std::abs(glm::determinant(now)), -1.0 / 3.0);
         const glm::dmat3 next = 0.5 * (size * now + (1.0 / size) * other);
         double change = 0.0;
         for (int i = 0; i < 3; ++i)
@@ -101,7 +102,7 @@ glm::dmat3 turnAbout(const glm::dvec3& axis, double angleRad)
     // Quarter turns are exact: whoever types 90 gets no 6e-17.
     const double quarters = angleRad / (0.5 * 3.14159265358979323846);
     const double whole = std::nearbyint(quarters);
-    double c = std::cos(angleRad), s = std::sin(angleRad);
+    auto [s, c] = maths::sincos(angleRad);
     if (std::abs(quarters - whole) < 1e-14 * std::max(1.0, std::abs(whole))) {
         const auto place = static_cast<int>(std::fmod(whole, 4.0) + 4.0) % 4;
         c = place == 0 ? 1.0 : place == 2 ? -1.0 : 0.0;

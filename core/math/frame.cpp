@@ -1,5 +1,6 @@
 #include "core/math/frame.h"
 
+#include "core/math/reproducible.h"
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -55,7 +56,7 @@ Frame transported(const Frame& frame, const glm::dvec3& tangent)
 
 Frame rolled(const Frame& frame, double angleRad)
 {
-    const double cosine = std::cos(angleRad), sine = std::sin(angleRad);
+    const auto [sine, cosine] = maths::sincos(angleRad);
     return orthonormal(frame.tangent, cosine * frame.normal + sine * frame.binormal);
 }
 

@@ -1,14 +1,14 @@
 #include "core/math/ring.h"
 
-#include <cmath>
+#include "core/math/reproducible.h"
 #include <numbers>
 
 namespace ramure {
 
 glm::dvec2 ringDirection(int k, int n)
 {
-    const double angle = 2.0 * std::numbers::pi * k / n;
-    return {std::cos(angle), std::sin(angle)};
+    const auto [sine, cosine] = maths::sincos(2.0 * std::numbers::pi * k / n);
+    return {cosine, sine};
 }
 
 std::vector<glm::dvec2> unitCircle(int n)

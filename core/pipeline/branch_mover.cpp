@@ -1,5 +1,6 @@
 #include "core/pipeline/branch_mover.h"
 
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -37,8 +38,8 @@ std::array<glm::dvec3, 8> waysAcross(const glm::dvec3& lever, const glm::dvec3& 
     std::array<glm::dvec3, 8> ways;
     constexpr int order[] = {0, 1, -1, 2, -2, 3, -3, 4};
     for (std::size_t i = 0; i < ways.size(); ++i) {
-        const double angle = order[i] * std::numbers::pi / 4.0;
-        ways[i] = std::cos(angle) * first + std::sin(angle) * second;
+        const auto [sine, cosine] = maths::sincos(order[i] * std::numbers::pi / 4.0);
+        ways[i] = cosine * first + sine * second;
     }
     return ways;
 }
@@ -163,7 +164,7 @@ std::optional<BranchMover::Turn> BranchMover::turnOf(Index mover, Index moving, 
             break;
         for (const glm::dvec3& way : ways) {
             const glm::dvec3 axis = glm::normalize(glm::cross(lever, way));
-            const Turn turn{mover, glm::normalize(glm::angleAxis(angle, axis))};
+            const Turn turn{mover, glm::normalize(maths::angleAxis(angle, axis))};
             if (isFree(moved(branches, turn), moves, moving, resting))
                 return turn;
         }

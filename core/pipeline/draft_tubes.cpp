@@ -1,7 +1,7 @@
 #include "core/pipeline/draft_tubes.h"
 
+#include "core/math/reproducible.h"
 #include <algorithm>
-#include <cmath>
 #include <glm/vec2.hpp>
 #include <numbers>
 
@@ -12,8 +12,8 @@ std::vector<glm::vec2> circle(int points)
 {
     std::vector<glm::vec2> directions;
     for (int k = 0; k < points; ++k) {
-        const double angle = 2.0 * std::numbers::pi * k / points;
-        directions.emplace_back(std::cos(angle), std::sin(angle));
+        const auto [sine, cosine] = maths::sincos(2.0 * std::numbers::pi * k / points);
+        directions.emplace_back(cosine, sine);
     }
     return directions;
 }

@@ -1,5 +1,6 @@
 #include "core/scene/demo_scenes.h"
 
+#include "core/math/reproducible.h"
 #include "core/scene/arm_demo.h"
 
 #include <array>
@@ -16,17 +17,17 @@ using TrackPtr = NodeAnimation::TrackPtr;
 
 glm::dquat aboutX(double angle)
 {
-    return glm::angleAxis(angle, glm::dvec3(1.0, 0.0, 0.0));
+    return maths::angleAxis(angle, glm::dvec3(1.0, 0.0, 0.0));
 }
 
 glm::dquat aboutY(double angle)
 {
-    return glm::angleAxis(angle, glm::dvec3(0.0, 1.0, 0.0));
+    return maths::angleAxis(angle, glm::dvec3(0.0, 1.0, 0.0));
 }
 
 glm::dquat aboutZ(double angle)
 {
-    return glm::angleAxis(angle, glm::dvec3(0.0, 0.0, 1.0));
+    return maths::angleAxis(angle, glm::dvec3(0.0, 0.0, 1.0));
 }
 
 OrientationKey linearKey(Ticks time, const glm::dquat& value)

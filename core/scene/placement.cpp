@@ -1,5 +1,6 @@
 #include "core/scene/scene.h"
 
+#include "core/math/reproducible.h"
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -9,13 +10,15 @@ namespace ramure {
 
 glm::dmat3 rotationMatrix(const glm::dvec3& rotationRad)
 {
-    const glm::dvec3 s{std::sin(rotationRad.x), std::sin(rotationRad.y), std::sin(rotationRad.z)};
-    const glm::dvec3 c{std::cos(rotationRad.x), std::cos(rotationRad.y), std::cos(rotationRad.z)};
+    const auto x = maths::sincos(rotationRad.x), y = maths::sincos(rotationRad.y),
+               z = maths::sincos(rotationRad.z);
     // The columns of Rz * Ry * Rx, multiplied out.
     return {
-        glm::dvec3{c.z * c.y, s.z * c.y, -s.y},
-        glm::dvec3{c.z * s.y * s.x - s.z * c.x, s.z * s.y * s.x + c.z * c.x, c.y * s.x},
-        glm::dvec3{c.z * s.y * c.x + s.z * s.x, s.z * s.y * c.x - c.z * s.x, c.y * c.x},
+        glm::dvec3{z.cos * y.cos, z.sin * y.cos, -y.sin},
+        glm::dvec3{z.cos * y.sin * x.sin - z.sin * x.cos, z.sin * y.sin * x.sin + z.cos * x.cos,
+                   y.cos * x.sin},
+        glm::dvec3{z.cos * y.sin * x.cos + z.sin * x.sin, z.sin * y.sin * x.cos - z.cos * x.sin,
+                   y.cos * x.cos},
     };
 }
 
@@ -42,11 +45,11 @@ glm::dmat4 worldMatrix(const Scene& scene, NodeId id)
 /// axis: Z is 0 then.
 static glm::dvec3 anglesOf(const glm::dmat3& r)
 {
-    const double cosY = std::hypot(r[0][0], r[0][1]);
-    const double y = std::atan2(-r[0][2], cosY);
+    const double cosY = maths::hypot(r[0][0], r[0][1]);
+    const double y = maths::atan2(-r[0][2], cosY);
     if (cosY > 1e-9)
-        return {std::atan2(r[1][2], r[2][2]), y, std::atan2(r[0][1], r[0][0])};
-    return {std::atan2(-r[2][1], r[1][1]), y, 0.0};
+        return {maths::atan2(r[1][2], r[2][2]), y, maths::atan2(r[0][1], r[0][0])};
+    return {maths::atan2(-r[2][1], r[1][1]), y, 0.0};
 }
 
 Expected<PlacementParams> decomposePlacement(const glm::dmat4& matrix)

@@ -1,13 +1,13 @@
 #include "core/session/arm_dresser.h"
 
 #include "core/document/document_command.h"
+#include "core/math/drag_maths.h"
+#include "core/math/reproducible.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
 #include "core/scene/world_transforms.h"
 #include "core/session/exporter.h"
-#include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 #include <numbers>
 
@@ -67,9 +67,8 @@ glm::dmat4 turnedAlong(const glm::dmat4& way, MeshAxis axis)
     const glm::dvec3 across = glm::cross(now, along);
     const double sine = glm::length(across), cosine = glm::dot(now, along);
     if (sine < 1e-12)
-        return cosine > 0.0 ? way
-                            : glm::rotate(glm::dmat4(1.0), std::numbers::pi, glm::dvec3(1.0, 0.0, 0.0)) * way;
-    return glm::rotate(glm::dmat4(1.0), std::atan2(sine, cosine), across / sine) * way;
+        return cosine > 0.0 ? way : glm::dmat4(turnAbout({1.0, 0.0, 0.0}, std::numbers::pi)) * way;
+    return glm::dmat4(turnAbout(across / sine, maths::atan2(sine, cosine))) * way;
 }
 
 } // namespace

@@ -89,7 +89,9 @@ struct FileRates
 
 FileRates ratesOf(const ExportOptions& options, bool ply, double vertices)
 {
-    const double digits = std::ceil(std::log10(std::max(vertices, 10.0)));
+    // Of the last number, counted from zero.
+    const auto last = static_cast<std::int64_t>(std::ceil(std::max(vertices, 10.0))) - 1;
+    const auto digits = static_cast<double>(std::to_string(last).size());
     if (!ply)
         return {options.texture ? 90.0 : 62.0, 3.0 * ((options.texture ? 3.0 : 2.0) * digits + 3.0) + 2.0};
     if (options.ply.ascii)

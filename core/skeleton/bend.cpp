@@ -1,6 +1,6 @@
 #include "core/skeleton/bend.h"
 
-#include <cmath>
+#include "core/math/reproducible.h"
 #include <glm/geometric.hpp>
 
 namespace ramure {
@@ -10,7 +10,7 @@ glm::dquat bendRotation(const glm::dvec3& bendRad)
     const double angle = glm::length(bendRad);
     if (angle == 0.0)
         return glm::dquat(1.0, 0.0, 0.0, 0.0);
-    return glm::normalize(glm::angleAxis(angle, bendRad / angle));
+    return glm::normalize(maths::angleAxis(angle, bendRad / angle));
 }
 
 glm::dvec3 bendVector(const glm::dquat& rotation)
@@ -20,7 +20,7 @@ glm::dvec3 bendVector(const glm::dquat& rotation)
     const double sine = glm::length(part);
     if (sine == 0.0)
         return glm::dvec3(0.0);
-    return part / sine * (2.0 * std::atan2(sine, sign * rotation.w));
+    return part / sine * (2.0 * maths::atan2(sine, sign * rotation.w));
 }
 
 std::vector<glm::dquat> bendRotations(const Skeleton& skeleton, std::span<const glm::dvec3> bendRad)

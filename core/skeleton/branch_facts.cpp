@@ -1,5 +1,6 @@
 #include "core/skeleton/branch_facts.h"
 
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -96,7 +97,7 @@ glm::dvec3 reflectedTwice(const glm::dvec3& normal, const CurvePoint& from, cons
 /// Angle from \p from to \p to about \p axis, both about perpendicular to it; in (-pi, pi].
 double angleAbout(const glm::dvec3& axis, const glm::dvec3& from, const glm::dvec3& to)
 {
-    return std::atan2(glm::dot(axis, glm::cross(from, to)), glm::dot(from, to));
+    return maths::atan2(glm::dot(axis, glm::cross(from, to)), glm::dot(from, to));
 }
 
 /// What lies between two neighbouring sections.
@@ -171,9 +172,10 @@ BranchFacts branchFacts(const Skeleton& skeleton, const ChildLists& children, co
         return facts;
     const Frame frame = frameBefore(skeleton, sections, branch);
     const double sine = glm::length(glm::cross(frame.tangent, direction));
-    facts.angleRad = std::atan2(sine, glm::dot(frame.tangent, direction));
+    facts.angleRad = maths::atan2(sine, glm::dot(frame.tangent, direction));
     if (sine > straightSine)
-        facts.azimuthRad = std::atan2(glm::dot(direction, frame.binormal), glm::dot(direction, frame.normal));
+        facts.azimuthRad =
+            maths::atan2(glm::dot(direction, frame.binormal), glm::dot(direction, frame.normal));
     return facts;
 }
 

@@ -1,5 +1,6 @@
 #include "core/skeleton/simplify.h"
 
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,7 +18,7 @@ public:
         : m_never(!(thresholdRad > 0.0))
         , m_always(thresholdRad > std::numbers::pi)
         , m_acute(thresholdRad <= std::numbers::pi / 2)
-        , m_squaredTangent(std::tan(thresholdRad) * std::tan(thresholdRad))
+        , m_squaredTangent(maths::tan(thresholdRad) * maths::tan(thresholdRad))
     {
     }
 

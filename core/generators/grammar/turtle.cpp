@@ -2,6 +2,7 @@
 
 #include "core/base/wide_clone.h"
 #include "core/math/random.h"
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -82,6 +83,12 @@ struct Turn
     [[nodiscard]] Turn back() const { return {-sine, cosine}; }
 };
 
+Turn turnBy(double angle)
+{
+    const auto [sine, cosine] = maths::sincos(angle);
+    return {sine, cosine};
+}
+
 template <bool byChance> class Turtle
 {
 public:
@@ -89,7 +96,7 @@ public:
         : m_alpha(params.alpha)
         , m_decay(params.decay)
         , m_theta(params.theta)
-        , m_turn{std::sin(params.theta), std::cos(params.theta)}
+        , m_turn(turnBy(params.theta))
         , m_chance(chance)
     {
         m_levels.back().state.radius = params.alpha;
@@ -180,8 +187,7 @@ private:
             if (m_chance.variation.angle != 0.0) {
                 // Of the branch that would grow here: two brackets before it never draw the same.
                 Random random(m_chance.seed, RandomStream::BranchTurn, nextKey(state) + state.turns++);
-                const double angle = varied(m_theta, m_chance.variation.angle, random);
-                return {std::sin(angle), std::cos(angle)};
+                return turnBy(varied(m_theta, m_chance.variation.angle, random));
             }
         }
         return m_turn;

@@ -1,5 +1,6 @@
 #include "core/rig/arm/arm_chain.h"
 
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -61,11 +62,11 @@ void ArmChain::setAngles(std::span<const double> angles)
     glm::dvec3 x(1.0, 0.0, 0.0), y(0.0, 1.0, 0.0), z(0.0, 0.0, 1.0);
     for (std::size_t j = 0; j < m_lengths.size(); ++j) {
         m_axes[2 * j] = z;
-        const double cp = std::cos(angles[2 * j]), sp = std::sin(angles[2 * j]);
+        const auto [sp, cp] = maths::sincos(angles[2 * j]);
         const glm::dvec3 turned = cp * x + sp * y;
         y = cp * y - sp * x;
         m_axes[2 * j + 1] = y;
-        const double ct = std::cos(angles[2 * j + 1]), st = std::sin(angles[2 * j + 1]);
+        const auto [st, ct] = maths::sincos(angles[2 * j + 1]);
         x = ct * turned - st * z;
         z = st * turned + ct * z;
         m_frames[j] = glm::dmat3(x, y, z);

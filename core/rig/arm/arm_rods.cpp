@@ -1,8 +1,8 @@
 #include "core/rig/arm/arm_rods.h"
 
+#include "core/math/reproducible.h"
 #include "core/surface/primitives/primitive_mesh.h"
 #include <algorithm>
-#include <cmath>
 
 namespace ramure {
 namespace {
@@ -26,9 +26,9 @@ public:
     {
         const Index first = m_mesh.vertexCount();
         for (int i = 0; i <= sides; ++i) {
-            const double turn = 2.0 * pi * i / sides;
-            m_mesh.positions.emplace_back(radius * std::cos(turn), radius * std::sin(turn), z);
-            m_mesh.normals.emplace_back(normal.x * std::cos(turn), normal.x * std::sin(turn), normal.y);
+            const auto [sine, cosine] = maths::sincos(2.0 * pi * i / sides);
+            m_mesh.positions.emplace_back(radius * cosine, radius * sine, z);
+            m_mesh.normals.emplace_back(normal.x * cosine, normal.x * sine, normal.y);
             m_mesh.branch.push_back(m_segment);
         }
         for (Index i = 0; m_rings > 0 && i < Index(sides); ++i) {
@@ -49,8 +49,8 @@ void addSphere(TriangleMesh& mesh, Index segment, double z, double radius)
 {
     Turned turned(mesh, segment);
     for (int i = 0; i <= rings; ++i) {
-        const double up = pi * (double(i) / rings - 0.5);
-        turned.ring(z + radius * std::sin(up), radius * std::cos(up), {std::cos(up), std::sin(up)});
+        const auto [sine, cosine] = maths::sincos(pi * (double(i) / rings - 0.5));
+        turned.ring(z + radius * sine, radius * cosine, {cosine, sine});
     }
 }
 

@@ -1,5 +1,6 @@
 #include "core/rig/arm/arm_skin.h"
 
+#include "core/math/reproducible.h"
 #include "core/rig/arm/arm_chain.h"
 #include <algorithm>
 #include <cmath>
@@ -67,8 +68,8 @@ private:
     void ring(double z, const glm::dvec3& flat)
     {
         for (Index i = 0; i < round(); ++i) {
-            const double turn = 2.0 * pi * double(i) / double(round());
-            const glm::dvec3 away(std::cos(turn), std::sin(turn), 0.0);
+            const auto [sine, cosine] = maths::sincos(2.0 * pi * double(i) / double(round()));
+            const glm::dvec3 away(cosine, sine, 0.0);
             const bool isEnd = flat.z != 0.0;
             vertex(m_params.radius * away + glm::dvec3(0.0, 0.0, z), isEnd ? flat : away,
                    {double(i) / double(round()), z / (2.0 * pi * m_params.radius)});

@@ -1,6 +1,7 @@
 #include "core/rig/arm/arm_solver.h"
 
 #include "core/math/random.h"
+#include "core/math/reproducible.h"
 #include "core/rig/arm/damped_step.h"
 #include <algorithm>
 #include <cmath>
@@ -212,10 +213,10 @@ void ArmSolver::begin(Attempt& attempt, std::span<const double> angles)
 /// no direction but its own.
 void ArmSolver::stretchTowardsAim()
 {
-    const double aside = std::hypot(m_aim.x, m_aim.y);
+    const double aside = maths::hypot(m_aim.x, m_aim.y);
     std::fill(m_tried.begin(), m_tried.end(), 0.0);
-    m_tried[0] = aside > 0.0 ? std::atan2(m_aim.y, m_aim.x) : 0.0;
-    m_tried[1] = std::atan2(aside, m_aim.z);
+    m_tried[0] = aside > 0.0 ? maths::atan2(m_aim.y, m_aim.x) : 0.0;
+    m_tried[1] = maths::atan2(aside, m_aim.z);
     for (std::size_t j = 1; j < m_chain.jointCount(); ++j)
         m_tried[2 * j + 1] = j % 2 == 1 ? smallBend : -smallBend;
     for (std::size_t i = 0; i < m_tried.size(); ++i)

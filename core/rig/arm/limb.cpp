@@ -1,5 +1,6 @@
 #include "core/rig/arm/limb.h"
 
+#include "core/math/reproducible.h"
 #include "core/rig/arm/damped_step.h"
 #include "core/skeleton/bend.h"
 #include <algorithm>
@@ -59,7 +60,7 @@ Limb::Limb(const Skeleton& skeleton, const Bends& bendRad, Index branch, const L
         turn = glm::normalize(turn * link.bend);
         link.along = glm::conjugate(turn) * (skeleton.p1[b] - skeleton.p0[b]);
         const double length = glm::length(link.along), radius = radiusOf(skeleton, b);
-        link.give = std::max(length, 1e-9) / std::pow(std::max(radius, 1e-9), options.stiffness);
+        link.give = std::max(length, 1e-9) / maths::pow(std::max(radius, 1e-9), options.stiffness);
         most = std::max(most, link.give);
         m_reach += length;
         m_links.push_back(link);

@@ -1,5 +1,6 @@
 #include "core/rig/physics/apple_fall.h"
 
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -29,9 +30,8 @@ void turn(LooseApple& apple, double seconds)
     const double angle = glm::length(apple.spin) * seconds;
     if (!(angle > 0.0))
         return;
-    const glm::dvec3 axis = apple.spin / glm::length(apple.spin);
     apple.orientation =
-        glm::normalize(glm::dquat(std::cos(0.5 * angle), std::sin(0.5 * angle) * axis) * apple.orientation);
+        glm::normalize(maths::angleAxis(angle, apple.spin / glm::length(apple.spin)) * apple.orientation);
 }
 
 /// As a ball that rolls without sliding turns.
@@ -51,7 +51,7 @@ void fly(LooseApple& apple, double gravity, double seconds)
 /// Slows the part of the velocity along the ground by at most \p loss, m/s.
 void brake(LooseApple& apple, double loss)
 {
-    const double speed = std::hypot(apple.velocity.x, apple.velocity.z);
+    const double speed = maths::hypot(apple.velocity.x, apple.velocity.z);
     const double kept = speed > loss ? (speed - loss) / speed : 0.0;
     apple.velocity.x *= kept;
     apple.velocity.z *= kept;

@@ -1,5 +1,7 @@
 #include "core/rig/physics/pose_blend.h"
 
+#include "core/rig/tracks/quaternions.h"
+
 namespace ramure {
 
 void blendPose(const TreeBody& body, const Pose& other, double weight, Pose& pose)
@@ -10,8 +12,8 @@ void blendPose(const TreeBody& body, const Pose& other, double weight, Pose& pos
         // Parents have lower slots: theirs is blended already.
         const glm::dvec3 p0 = parent == noIndex ? pose.bones[branch].point(rest)
                                                 : pose.bones[body.branchOf[parent]].point(rest);
-        const glm::dquat rotation =
-            glm::normalize(glm::slerp(pose.bones[branch].rotation, other.bones[branch].rotation, weight));
+        const glm::dquat &from = pose.bones[branch].rotation, &to = other.bones[branch].rotation;
+        const glm::dquat rotation = slerped(from, glm::dot(from, to) < 0.0 ? -to : to, weight); // shorter way
         pose.bones[branch] = {rotation, p0 - rotation * rest};
     }
 }

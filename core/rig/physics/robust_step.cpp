@@ -1,5 +1,6 @@
 #include "core/rig/physics/robust_step.h"
 
+#include "core/math/reproducible.h"
 #include "core/rig/physics/apple_fall.h"
 #include "core/rig/physics/lanes.h"
 #include <algorithm>
@@ -142,12 +143,13 @@ void solve(double rate, double ratio, double h, Springs& out)
     double even = 1.0, odd = h; // exp(-a h) times cos and sin / frequency, or cosh and sinh / frequency
     if (ratio < 1.0) {
         const double frequency = rate * std::sqrt(1.0 - ratio * ratio);
-        const double fade = std::exp(-a * h);
-        even = fade * std::cos(frequency * h);
-        odd = frequency * h > 1e-9 ? fade * std::sin(frequency * h) / frequency : fade * h;
+        const double fade = maths::exp(-a * h);
+        const auto [sine, cosine] = maths::sincos(frequency * h);
+        even = fade * cosine;
+        odd = frequency * h > 1e-9 ? fade * sine / frequency : fade * h;
     } else {
         const double spread = rate * std::sqrt(ratio * ratio - 1.0);
-        const double slow = std::exp(-rate * rate / (a + spread) * h), fast = std::exp(-(a + spread) * h);
+        const double slow = maths::exp(-rate * rate / (a + spread) * h), fast = maths::exp(-(a + spread) * h);
         even = 0.5 * (slow + fast);
         odd = spread * h > 1e-9 ? 0.5 * (slow - fast) / spread : slow * h;
     }
@@ -191,7 +193,7 @@ Springs springsOf(const TreeBody& body, const PhysicsParams& params, const Masse
     out.seconds = params.stepSeconds / static_cast<double>(params.substeps);
     const double stiffness = stiffnessOf(params.restitution);
     const double ratio =
-        std::clamp(-std::log(std::max(params.damping, 1e-30)) / std::numbers::pi, leastRatio, mostRatio);
+        std::clamp(-maths::log(std::max(params.damping, 1e-30)) / std::numbers::pi, leastRatio, mostRatio);
     for (Index slot = 0; slot < body.size(); ++slot) {
         const double reach = std::max(body.reach[slot], 1e-9);
         out.rate.push_back(std::min(std::sqrt(springiness * earthGravity * stiffness / reach),

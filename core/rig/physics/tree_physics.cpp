@@ -1,5 +1,6 @@
 #include "core/rig/physics/tree_physics.h"
 
+#include "core/math/reproducible.h"
 #include "core/params/param_def.h"
 #include "core/rig/physics/apple_fall.h"
 #include "core/rig/physics/faithful_step.h"
@@ -357,7 +358,7 @@ PhysicsFigures TreePhysics::figures(const PhysicsState& state) const
         out.lengthError = std::max(out.lengthError, std::abs(length / body.length[slot] - 1.0));
         smallestCosine = std::min(smallestCosine, glm::dot(way, restDirection(body, slot)) / length);
     }
-    out.largestTurnRad = std::acos(std::max(smallestCosine, -1.0));
+    out.largestTurnRad = maths::acos(std::max(smallestCosine, -1.0));
     if (body.size() > 0)
         out.tip = now.bones[body.branchOf[body.firstTerminal]].point(body.p1[body.firstTerminal]);
     return out;

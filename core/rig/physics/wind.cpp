@@ -1,6 +1,7 @@
 #include "core/rig/physics/wind.h"
 
 #include "core/math/random.h"
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,14 +23,16 @@ constexpr WaveKind kinds[WindField::waves] = {{0.11, 0.6, 0.0}, {0.29, 0.4, 0.0}
 
 glm::dvec3 towards(double directionRad)
 {
-    return {std::cos(directionRad), 0.0, -std::sin(directionRad)};
+    const auto [sine, cosine] = maths::sincos(directionRad);
+    return {cosine, 0.0, -sine};
 }
 
 glm::dvec3 randomDirection(Random& random)
 {
     const double y = random.range(-1.0, 1.0), angle = random.range(0.0, turn);
     const double r = std::sqrt(1.0 - y * y);
-    return {r * std::cos(angle), y, r * std::sin(angle)};
+    const auto [sine, cosine] = maths::sincos(angle);
+    return {r * cosine, y, r * sine};
 }
 
 } // namespace
@@ -37,10 +40,10 @@ glm::dvec3 randomDirection(Random& random)
 glm::dvec3 faithfulWind(const PhysicsParams& params, double t)
 {
     constexpr double shift = 56485.0;
-    const double u = 4.0 * std::sin(t) + 2.0 * std::sin(2.5 * t) + 0.4 * std::sin(5.0 * t);
+    const double u = 4.0 * maths::sin(t) + 2.0 * maths::sin(2.5 * t) + 0.4 * maths::sin(5.0 * t);
     const double v =
-        4.0 * std::cos(t + shift) + 2.0 * std::cos(2.5 * t + shift) + 0.4 * std::cos(5.0 * t + shift);
-    const double c = std::cos(params.windDirection), s = std::sin(params.windDirection);
+        4.0 * maths::cos(t + shift) + 2.0 * maths::cos(2.5 * t + shift) + 0.4 * maths::cos(5.0 * t + shift);
+    const auto [s, c] = maths::sincos(params.windDirection);
     return params.windStrength * glm::dvec3(u * c + v * s, 0.0, v * c - u * s);
 }
 
@@ -65,8 +68,9 @@ void WindField::setPhases(const TreeBody& body)
                                         : turn / (kind.wavelength * height) * way;
         for (Index slot = 0; slot < body.size(); ++slot) {
             const double at = glm::dot(wave.waveVector, 0.5 * (body.p0[slot] + body.p1[slot])) + wave.phase;
-            m_sin[std::size_t(w) * m_slots + slot] = std::sin(at);
-            m_cos[std::size_t(w) * m_slots + slot] = std::cos(at);
+            const auto [sine, cosine] = maths::sincos(at);
+            m_sin[std::size_t(w) * m_slots + slot] = sine;
+            m_cos[std::size_t(w) * m_slots + slot] = cosine;
         }
     }
 }
@@ -94,8 +98,9 @@ WindField::Moment WindField::at(double t) const
     Moment moment;
     moment.mean = m_mean;
     for (std::size_t w = 0; w < waves; ++w) {
-        moment.sine[w] = m_waves[w].amplitude * std::cos(m_waves[w].pulsation * t);
-        moment.cosine[w] = m_waves[w].amplitude * -std::sin(m_waves[w].pulsation * t);
+        const auto [sine, cosine] = maths::sincos(m_waves[w].pulsation * t);
+        moment.sine[w] = m_waves[w].amplitude * cosine;
+        moment.cosine[w] = m_waves[w].amplitude * -sine;
     }
     return moment;
 }

@@ -1,5 +1,6 @@
 #include "core/rig/tracks/easing.h"
 
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,7 +28,7 @@ double easeIn(KeyMode mode, double x, double back)
 {
     switch (mode) {
     case KeyMode::Sine:
-        return 1.0 - std::cos(x * pi / 2.0);
+        return 1.0 - maths::cos(x * pi / 2.0);
     case KeyMode::Quad:
         return x * x;
     case KeyMode::CubicEase:
@@ -37,8 +38,8 @@ double easeIn(KeyMode mode, double x, double back)
     case KeyMode::Quint:
         return x * x * x * x * x;
     case KeyMode::Expo: {
-        const double least = std::exp2(-10.0);
-        return (std::exp2(10.0 * (x - 1.0)) - least) / (1.0 - least);
+        const double least = maths::exp2(-10.0);
+        return (maths::exp2(10.0 * (x - 1.0)) - least) / (1.0 - least);
     }
     case KeyMode::Circ:
         return 1.0 - std::sqrt(std::max(0.0, 1.0 - x * x));
@@ -65,10 +66,10 @@ double elastic(const KeyShape& shape, double tau, double duration, double change
         }
         size = 1.0;
     } else {
-        shift = period / (2.0 * pi) * std::asin(change / shape.amplitude);
+        shift = period / (2.0 * pi) * maths::asin(change / shape.amplitude);
     }
-    const double swing =
-        half * blend * size * std::exp2(10.0 * tau) * std::sin((tau * duration - shift) * 2.0 * pi / period);
+    const double swing = half * blend * size * maths::exp2(10.0 * tau) *
+                         maths::sin((tau * duration - shift) * 2.0 * pi / period);
     return rising ? -swing : 1.0 + swing;
 }
 

@@ -1,5 +1,6 @@
 #include "core/rig/tracks/euler.h"
 
+#include "core/math/reproducible.h"
 #include <cmath>
 #include <numbers>
 
@@ -28,17 +29,17 @@ glm::dvec3 anglesOf(const glm::dquat& orientation, const glm::dvec3& near)
 glm::dvec3 anglesOf(const glm::dmat3& rotation, const glm::dvec3& near)
 {
     const glm::dmat3& r = rotation;
-    const double cosY = std::hypot(r[0][0], r[0][1]);
-    const double y = std::atan2(-r[0][2], cosY);
+    const double cosY = maths::hypot(r[0][0], r[0][1]);
+    const double y = maths::atan2(-r[0][2], cosY);
     const auto alike = [&near](double a, double b, double c) {
         return glm::dvec3(turnedNear(a, near.x), turnedNear(b, near.y), turnedNear(c, near.z));
     };
     constexpr double pi = std::numbers::pi, upright = 1e-9;
     if (cosY <= upright) { // X and Z turn about one axis: Z stays as it was
-        const double sum = std::atan2(-r[2][1], r[1][1]);
+        const double sum = maths::atan2(-r[2][1], r[1][1]);
         return alike(y > 0.0 ? sum + near.z : sum - near.z, y, near.z);
     }
-    const double x = std::atan2(r[1][2], r[2][2]), z = std::atan2(r[0][1], r[0][0]);
+    const double x = maths::atan2(r[1][2], r[2][2]), z = maths::atan2(r[0][1], r[0][0]);
     const glm::dvec3 one = alike(x, y, z), other = alike(x + pi, pi - y, z + pi);
     return distance(one, near) <= distance(other, near) ? one : other;
 }
@@ -48,7 +49,7 @@ glm::dquat orientationOf(const glm::dvec3& angles)
     const auto about = [&angles](int axis) {
         glm::dvec3 unit(0.0);
         unit[axis] = 1.0;
-        return glm::angleAxis(angles[axis], unit);
+        return maths::angleAxis(angles[axis], unit);
     };
     return glm::normalize(about(2) * about(1) * about(0));
 }

@@ -1,5 +1,6 @@
 #include "core/rig/tracks/handles.h"
 
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 
@@ -46,7 +47,7 @@ void settleSimple(Key& key, const Sides& sides)
 /// Puts \p handle opposite \p other, which tells the direction.
 void align(Handle& handle, const Handle& other)
 {
-    const double from = std::hypot(other.dt, other.dv), length = std::hypot(handle.dt, handle.dv);
+    const double from = maths::hypot(other.dt, other.dv), length = maths::hypot(handle.dt, handle.dv);
     // What stands in line already stays to the last digit: settling twice changes nothing.
     constexpr double rounding = 1e-14;
     if (std::abs(handle.dt * other.dv - handle.dv * other.dt) <= rounding * from * length &&

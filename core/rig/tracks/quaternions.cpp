@@ -1,5 +1,6 @@
 #include "core/rig/tracks/quaternions.h"
 
+#include "core/math/reproducible.h"
 #include <cmath>
 
 namespace ramure {
@@ -14,7 +15,7 @@ glm::dvec3 logarithm(const glm::dquat& q)
 {
     const glm::dvec3 v{q.x, q.y, q.z};
     const double sine = std::sqrt(glm::dot(v, v));
-    return sine < 1e-15 ? glm::dvec3(0.0) : v * (std::atan2(sine, q.w) / sine);
+    return sine < 1e-15 ? glm::dvec3(0.0) : v * (maths::atan2(sine, q.w) / sine);
 }
 
 glm::dquat exponential(const glm::dvec3& halfTurn)
@@ -22,8 +23,8 @@ glm::dquat exponential(const glm::dvec3& halfTurn)
     const double angle = std::sqrt(glm::dot(halfTurn, halfTurn));
     if (angle < 1e-15)
         return {1.0, 0.0, 0.0, 0.0};
-    const glm::dvec3 v = halfTurn * (std::sin(angle) / angle);
-    return {std::cos(angle), v.x, v.y, v.z};
+    const auto [sine, cosine] = maths::sincos(angle);
+    return {cosine, halfTurn * (sine / angle)};
 }
 
 glm::dquat slerped(const glm::dquat& a, const glm::dquat& b, double u)
@@ -37,8 +38,8 @@ glm::dquat slerped(const glm::dquat& a, const glm::dquat& b, double u)
     const double sine = std::sqrt(glm::dot(across, across));
     if (sine < 1e-12) // one orientation; with opposite signs there is no way to go
         return a;
-    const double angle = std::atan2(sine, cosine) * u;
-    return unit(a * std::cos(angle) + across * (std::sin(angle) / sine), a);
+    const maths::SinCos turned = maths::sincos(maths::atan2(sine, cosine) * u);
+    return unit(a * turned.cos + across * (turned.sin / sine), a);
 }
 
 glm::dquat squadded(const glm::dquat& a, const glm::dquat& sa, const glm::dquat& sb, const glm::dquat& b,

@@ -1,6 +1,7 @@
 #include "core/surface/check/mesh_quality.h"
 
 #include "core/base/parallel_chunks.h"
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -48,7 +49,7 @@ std::array<double, MeshQuality::angleBins> sinesOfBins()
 {
     std::array<double, MeshQuality::angleBins> ends{};
     for (std::size_t i = 0; i < ends.size(); ++i)
-        ends[i] = std::sin(double(i + 1) * std::numbers::pi / 36.0);
+        ends[i] = maths::sin(double(i + 1) * std::numbers::pi / 36.0);
     return ends;
 }
 
@@ -109,7 +110,7 @@ MeshQuality gather(const std::vector<Part>& parts)
     }
     cut(worst);
     for (const Shape& shape : worst)
-        all.worst.push_back({shape.face, std::asin(shape.sine), shape.aspect});
+        all.worst.push_back({shape.face, maths::asin(shape.sine), shape.aspect});
     if (!all.worst.empty()) {
         all.smallestAngleRad = all.worst.front().smallestAngleRad;
         all.smallestAngleFace = all.worst.front().face;

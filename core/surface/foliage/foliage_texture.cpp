@@ -1,5 +1,6 @@
 #include "core/surface/foliage/foliage_texture.h"
 
+#include "core/math/reproducible.h"
 #include "core/surface/foliage/foliage_shapes.h"
 #include <algorithm>
 #include <array>
@@ -10,7 +11,7 @@ namespace ramure {
 
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+constexpr double pi = std::numbers::pi;
 
 bool isPole(const glm::vec3& place)
 {
@@ -19,8 +20,8 @@ bool isPole(const glm::vec3& place)
 
 glm::vec2 onGlobe(const glm::vec3& place)
 {
-    return {std::atan2(place.x, place.z) / (2.0f * pi) + 0.5f,
-            std::asin(std::clamp(place.y, -1.0f, 1.0f)) / pi + 0.5f};
+    return {maths::atan2(place.x, place.z) / (2.0 * pi) + 0.5,
+            maths::asin(std::clamp(place.y, -1.0f, 1.0f)) / pi + 0.5};
 }
 
 /// Three coordinates per triangle of the unit sphere.

@@ -2,6 +2,7 @@
 
 #include "core/base/large_buffer.h"
 #include "core/base/parallel.h"
+#include "core/math/reproducible.h"
 #include "core/surface/mesh/mesh_cleanup.h"
 #include "core/surface/mesh/normals.h"
 #include "core/surface/mesher/branch_mesher.h"
@@ -104,7 +105,7 @@ Expected<Built> Builder::byBudget(const Progress& progress)
     double correction = 1.0, bestMiss = 0.0;
     for (int trial = 0; trial < mostTrials; ++trial) {
         const double fineness = budget.finenessFor(wanted * correction);
-        const double from = 1.0 - std::pow(0.4, trial), to = 1.0 - std::pow(0.4, trial + 1);
+        const double from = 1.0 - maths::pow(0.4, trial), to = 1.0 - maths::pow(0.4, trial + 1);
         auto built = build({budget.shapes(), fineness}, progress.part(from, to));
         if (!built)
             return built;

@@ -1,5 +1,6 @@
 #include "core/surface/mesher/fork_layout.h"
 
+#include "core/math/reproducible.h"
 #include "core/math/ring.h"
 #include <algorithm>
 #include <cmath>
@@ -67,15 +68,19 @@ void ForkPlanner::spread(double gap)
         m_splits[i] = shift + turn * static_cast<double>(i) / static_cast<double>(count);
 }
 
+static RingPoint ringPoint(double azimuth)
+{
+    const auto [sine, cosine] = maths::sincos(azimuth);
+    return {azimuth, {cosine, sine}};
+}
+
 /// Adds the regular points of the ring that are not too near to a split point.
 void ForkPlanner::fillRing(std::span<const RingPoint> regular, ForkLayout& layout)
 {
     const double pitch = turn / static_cast<double>(regular.size());
     const double keepOff = 0.42 * pitch;
     const std::size_t count = m_splits.size();
-    const auto add = [&](double azimuth) {
-        layout.ring.push_back({azimuth, {std::cos(azimuth), std::sin(azimuth)}});
-    };
+    const auto add = [&](double azimuth) { layout.ring.push_back(ringPoint(azimuth)); };
     layout.ring.clear();
     layout.splitPoint.clear();
     for (std::size_t i = 0; i < count; ++i) {
@@ -94,7 +99,7 @@ void ForkPlanner::fillRing(std::span<const RingPoint> regular, ForkLayout& layou
         if (second - first >= pi) {
             add(second);
             const double middle = 0.5 * (first + second);
-            layout.ring[1] = {middle, {std::cos(middle), std::sin(middle)}};
+            layout.ring[1] = ringPoint(middle);
             layout.splitPoint[1] = 2;
         } else {
             add(0.5 * (second + first + turn));
@@ -115,7 +120,7 @@ void ForkPlanner::plan(std::span<const RingPoint> regular, ForkLayout& layout)
     m_splits.clear();
     for (const ForkTriangulation::HullEdge& edge : hull) {
         const glm::dvec2 along = layout.triangulation.place(edge.to) - layout.triangulation.place(edge.from);
-        double azimuth = wrapped(std::atan2(-along.x, along.y)); // of the outward normal (y, -x)
+        double azimuth = wrapped(maths::atan2(-along.x, along.y)); // of the outward normal (y, -x)
         // The hull is nearly convex: its normals turn one way, once around, but for small steps back.
         if (!m_splits.empty()) {
             const double step = wrapped(azimuth - m_splits.back());

@@ -1,5 +1,6 @@
 #include "core/surface/mesher/fork_walls.h"
 
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -155,13 +156,13 @@ ForkWalls::WallSample ForkWalls::cornerOf(const WallPlan& plan, Index corner) co
     aside.out = 1.0;
     const glm::dvec3 centre = m_lift.pointAt(middle, at.along);
     const double out = glm::dot(at.position - centre, m_lift.pointAt(aside, at.along) - centre);
-    return {std::acos(std::clamp(out / plan.reach, -leastCosine, leastCosine)), at};
+    return {maths::acos(std::clamp(out / plan.reach, -leastCosine, leastCosine)), at};
 }
 
 WallPath ForkWalls::pathAt(const WallPlan& plan, double angle)
 {
     WallPath path = plan.path;
-    const double cosine = std::cos(angle);
+    const double cosine = maths::cos(angle);
     path.out = plan.reach * cosine;
     const bool far = cosine < 0.0;
     if (far ? plan.endsOnRing : plan.beginsOnRing) {

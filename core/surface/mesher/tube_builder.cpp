@@ -1,6 +1,7 @@
 #include "core/surface/mesher/tube_builder.h"
 
 #include "core/math/hermite.h"
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -58,8 +59,8 @@ bool keepsSection(const std::vector<AxisSection>& sections, std::size_t last, st
 double twistBetween(const AxisSection& first, const AxisSection& second)
 {
     const Frame carried = transported(first.frame, second.frame.tangent);
-    return std::atan2(glm::dot(second.frame.normal, carried.binormal),
-                      glm::dot(second.frame.normal, carried.normal));
+    return maths::atan2(glm::dot(second.frame.normal, carried.binormal),
+                        glm::dot(second.frame.normal, carried.normal));
 }
 
 /// The tubes' neighbourhoods are those they have part of the way up the shortest of them: a long child bends

@@ -1,7 +1,7 @@
 #include "core/surface/primitives/primitive_mesh.h"
 
+#include "core/math/reproducible.h"
 #include <array>
-#include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
 #include <numbers>
@@ -37,8 +37,9 @@ private:
     /// The last side ends exactly where the first begins.
     [[nodiscard]] glm::dvec3 direction(std::int64_t side) const
     {
-        const double angle = 2.0 * std::numbers::pi * double(side % m_sides) / double(m_sides);
-        return {std::sin(angle), 0.0, std::cos(angle)};
+        const auto [sine, cosine] =
+            maths::sincos(2.0 * std::numbers::pi * double(side % m_sides) / double(m_sides));
+        return {sine, 0.0, cosine};
     }
     Index add(const OutlinePoint& point, const glm::dvec3& around, const glm::dvec3& normal)
     {
@@ -50,7 +51,7 @@ private:
     void belt(const OutlinePoint& low, const OutlinePoint& high, Edges edges)
     {
         const double rise = high.height - low.height, inwards = low.radius - high.radius;
-        const double length = std::hypot(rise, inwards);
+        const double length = maths::hypot(rise, inwards);
         for (std::int64_t side = 0; side < m_sides; ++side) {
             const glm::dvec3 a = direction(side), b = direction(side + 1);
             const glm::dvec3 middle = glm::normalize(a + b);
@@ -86,8 +87,8 @@ TriangleMesh sphere(const PrimitiveParams& params)
     const std::int64_t rings = std::max<std::int64_t>(2, params.sides / 2);
     std::vector<OutlinePoint> outline{{0.0, -params.radius}};
     for (std::int64_t i = 1; i < rings; ++i) {
-        const double angle = std::numbers::pi * double(i) / double(rings);
-        outline.push_back({params.radius * std::sin(angle), -params.radius * std::cos(angle)});
+        const auto [sine, cosine] = maths::sincos(std::numbers::pi * double(i) / double(rings));
+        outline.push_back({params.radius * sine, -params.radius * cosine});
     }
     outline.push_back({0.0, params.radius});
     Lathe lathe(params.sides);

@@ -1,6 +1,7 @@
 #include "core/surface/primitives/terrain.h"
 
 #include "core/math/random.h"
+#include "core/math/reproducible.h"
 #include "core/surface/mesh/normals.h"
 #include <cmath>
 #include <glm/vec2.hpp>
@@ -23,20 +24,20 @@ class Octave
 {
 public:
     Octave(const TerrainParams& params, int number)
-        : m_perMetre(hillsPerSide * std::exp2(number) / params.size)
-        , m_height(params.height * mostGradient * std::pow(params.roughness, number))
+        : m_perMetre(std::ldexp(hillsPerSide, number) / params.size)
+        , m_height(params.height * mostGradient * maths::pow(params.roughness, number))
         // Shifted, so that the lattices, where noise is zero, do not lie on each other.
         , m_shift(0.37 * number + 0.21)
     {
-        const double half = 0.5 * hillsPerSide * std::exp2(number);
+        const double half = std::ldexp(0.5 * hillsPerSide, number);
         m_first = static_cast<std::int64_t>(std::floor(m_shift - half)) - 1;
         m_side = static_cast<std::int64_t>(std::ceil(m_shift + half)) + 2 - m_first;
         m_slopes.reserve(static_cast<std::size_t>(m_side * m_side));
         Random random(static_cast<std::uint64_t>(params.seed), RandomStream::Terrain,
                       static_cast<std::uint64_t>(number));
         for (std::int64_t i = 0; i < m_side * m_side; ++i) {
-            const double turn = random.range(-std::numbers::pi, std::numbers::pi);
-            m_slopes.emplace_back(std::cos(turn), std::sin(turn));
+            const auto [sine, cosine] = maths::sincos(random.range(-std::numbers::pi, std::numbers::pi));
+            m_slopes.emplace_back(cosine, sine);
         }
     }
     /// \pre a place of the terrain

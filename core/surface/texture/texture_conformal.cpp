@@ -1,5 +1,6 @@
 #include "core/surface/texture/texture_conformal.h"
 
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 
@@ -245,7 +246,7 @@ void ConformalRelaxer::fit(int rounds, Index enough)
         return;
     m_before = m_best = m_z;
     Index fewest = m_folded ? none : m_bad;
-    const double shrink = std::pow(lastScale / firstScale, 1.0 / std::max(rounds - 1, 1));
+    const double shrink = maths::pow(lastScale / firstScale, 1.0 / std::max(rounds - 1, 1));
     const double warmUp = warmUpShare * double(rounds);
     double scale = firstScale;
     for (int round = 0; round < rounds && m_stretched && fewest > enough; ++round, scale *= shrink) {

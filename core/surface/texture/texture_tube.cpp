@@ -1,5 +1,6 @@
 #include "core/surface/texture/texture_tube.h"
 
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -76,7 +77,7 @@ void TubeTexture::place()
             m_highestWall = std::max(m_highestWall, place.along);
     }
     const double half = pi / std::max(points, 3);
-    m_chord = std::sin(half) / half;
+    m_chord = maths::sin(half) / half;
 }
 
 /// The seam starts in the middle of the widest gap of the front: in a valley.
@@ -151,7 +152,7 @@ void TubeTexture::chooseTiles(double before)
     std::size_t i = 0;
     if (before > 0.0 && m_highestWall == 0.0) { // the parent's whole last cross-section is the front
         const double off = before / fitting(radiusAt(m_sections.back()));
-        if (off < std::exp(tolerated) && off > std::exp(-tolerated)) {
+        if (off < maths::exp(tolerated) && off > maths::exp(-tolerated)) {
             for (const double along : m_sections)
                 m_knots.push_back({along, before});
             i = m_sections.size();
@@ -164,7 +165,7 @@ void TubeTexture::chooseTiles(double before)
         std::size_t end = i + 1;
         for (; end < m_sections.size(); ++end) {
             const double radius = radiusAt(m_sections[end]);
-            if (std::abs(std::log(radius / first)) > tolerated)
+            if (std::abs(maths::log(radius / first)) > tolerated)
                 break;
             last = radius;
         }

@@ -1,5 +1,6 @@
 #include "core/surface/texture/tube_unroll.h"
 
+#include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
 
@@ -67,7 +68,7 @@ UnrollAxis::Place UnrollAxis::place(const glm::dvec3& point)
     const double x = glm::dot(away, between(a.frame.normal, b.frame.normal));
     const double y = glm::dot(away, between(a.frame.binormal, b.frame.binormal));
     const double radius = between(a.radius, b.radius);
-    Place place{between(a.along, b.along), std::atan2(y, x), std::sqrt(x * x + y * y) / radius, 0.0};
+    Place place{between(a.along, b.along), maths::atan2(y, x), std::sqrt(x * x + y * y) / radius, 0.0};
     if (second > 0.0)
         place.beyond = second / radius;
     else if (first < 0.0)
