@@ -183,6 +183,7 @@ constexpr const char* floors[] = {
     "core/session",
     "widgets/view/render",
     "widgets/base",
+    "widgets/view/tools",
     "widgets/view",
     "widgets/panels/", // all of them: no panel knows another
     "widgets/help",
@@ -303,6 +304,7 @@ void TestLayers::arrowsUpwardsAreSeen()
     QVERIFY(pointsUp("core/skeleton/bend.h", "\"core/surface/foliage/foliage.h\""));
     QVERIFY(pointsUp("core/document/commands.cpp", "\"core/session/player.h\""));
     QVERIFY(pointsUp("widgets/view/render/renderer.h", "\"widgets/view/viewport.h\""));
+    QVERIFY(pointsUp("widgets/view/tools/gizmo_drag.h", "\"widgets/view/viewport.h\""));
     QVERIFY(pointsUp("widgets/panels/scene/scene_panel.h", "\"widgets/panels/timeline/play_actions.h\""));
     QVERIFY(pointsUp("widgets/panels/scene/scene_panel.h", "\"widgets/window/main_window.h\""));
     QVERIFY(pointsUp("core/base/error.h", "\"nowhere/error.h\""));

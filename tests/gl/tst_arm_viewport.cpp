@@ -5,7 +5,7 @@
 #include "core/session/player.h"
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"
-#include "widgets/view/arm_rings.h"
+#include "widgets/view/tools/arm_rings.h"
 #include <algorithm>
 
 using namespace ramure;

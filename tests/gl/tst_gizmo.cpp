@@ -4,7 +4,7 @@
 #include "core/session/player.h"
 #include "tests/support/suite.h"
 #include "widgets/base/hint_source.h"
-#include "widgets/view/gizmo_handles.h"
+#include "widgets/view/tools/gizmo_handles.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include <QApplication>

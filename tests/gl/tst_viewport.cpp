@@ -6,9 +6,9 @@
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"
 #include "widgets/base/defect_place.h"
-#include "widgets/view/navigation_cube.h"
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/render/scene_builder.h"
+#include "widgets/view/tools/navigation_cube.h"
 #include <QApplication>
 #include <QClipboard>
 #include <QDockWidget>

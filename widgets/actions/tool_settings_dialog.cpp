@@ -1,6 +1,6 @@
 #include "widgets/actions/tool_settings_dialog.h"
 
-#include "widgets/view/gizmo_settings.h"
+#include "widgets/view/tools/gizmo_settings.h"
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
 #include <QEvent>

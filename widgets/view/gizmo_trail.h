@@ -7,9 +7,9 @@
 #include "core/pipeline/tree_pipeline.h"
 #include "core/scene/motion_path.h"
 #include "widgets/view/arm_ghosts.h"
-#include "widgets/view/gizmo_settings.h"
 #include "widgets/view/latest_work.h"
 #include "widgets/view/render/pick_scene.h"
+#include "widgets/view/tools/gizmo_settings.h"
 #include <QObject>
 #include <functional>
 #include <map>

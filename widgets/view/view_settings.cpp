@@ -1,6 +1,6 @@
 #include "widgets/view/view_settings.h"
 
-#include "widgets/view/gizmo_settings.h"
+#include "widgets/view/tools/gizmo_settings.h"
 
 namespace ramure {
 

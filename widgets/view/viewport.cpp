@@ -2,8 +2,8 @@
 #include "core/scene/world_transforms.h"
 #include "widgets/view/render/framing_points.h"
 
-#include "widgets/view/navigation_cube.h"
 #include "widgets/view/texture_legend.h"
+#include "widgets/view/tools/navigation_cube.h"
 #include "widgets/view/viewport_private.h"
 #include <QOpenGLContext>
 #include <QPainter>

@@ -12,8 +12,8 @@
 #include "core/base/error.h"
 #include "core/base/index.h"
 #include "core/scene/scene.h"
-#include "widgets/view/gizmo_settings.h"
 #include "widgets/view/render/camera.h"
+#include "widgets/view/tools/gizmo_settings.h"
 #include "widgets/view/view_settings.h"
 #include <QImage>
 #include <QOpenGLWidget>

@@ -3,8 +3,8 @@
 /// goes on, by what is under the cursor, by the keys that are held. Knows no widget.
 #pragma once
 
-#include "widgets/view/gizmo_settings.h"
-#include "widgets/view/navigation.h"
+#include "widgets/view/tools/gizmo_settings.h"
+#include "widgets/view/tools/navigation.h"
 #include <QString>
 
 namespace ramure {

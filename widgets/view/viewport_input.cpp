@@ -1,5 +1,5 @@
-#include "widgets/view/navigation_cube.h"
-#include "widgets/view/selection_edits.h"
+#include "widgets/view/tools/navigation_cube.h"
+#include "widgets/view/tools/selection_edits.h"
 #include "widgets/view/viewport_private.h"
 #include <QGuiApplication>
 #include <QMouseEvent>

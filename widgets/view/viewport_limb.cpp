@@ -19,7 +19,7 @@ void Viewport::connectLimb()
 
 bool Viewport::beginLimb(const PickHit& hit)
 {
-    d->limb = LimbTool::grab(*d->document, hit, d->limbBranches);
+    d->limb = LimbDrag::grab(*d->document, hit, d->limbBranches);
     if (!d->limb)
         return false;
     d->limbPose = std::make_unique<LimbPose>(d->limb->node(), d->limb->skeleton(), d->limb->bendsAtGrab());

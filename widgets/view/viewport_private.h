@@ -8,18 +8,18 @@
 #include "core/session/player.h"
 #include "core/surface/mesh/mesh_rays.h"
 #include "widgets/base/hint_source.h"
-#include "widgets/view/arm_rings.h"
 #include "widgets/view/background_builder.h"
 #include "widgets/view/background_picker.h"
 #include "widgets/view/defect_mark.h"
-#include "widgets/view/gizmo_drag.h"
 #include "widgets/view/gizmo_trail.h"
-#include "widgets/view/limb_pose.h"
-#include "widgets/view/limb_tool.h"
-#include "widgets/view/motion_tools.h"
 #include "widgets/view/moving_scene.h"
-#include "widgets/view/navigation.h"
 #include "widgets/view/render/renderer.h"
+#include "widgets/view/tools/arm_rings.h"
+#include "widgets/view/tools/gizmo_drag.h"
+#include "widgets/view/tools/limb_drag.h"
+#include "widgets/view/tools/limb_pose.h"
+#include "widgets/view/tools/motion_tools.h"
+#include "widgets/view/tools/navigation.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_hint.h"
 #include <QTimer>
@@ -74,10 +74,10 @@ struct Viewport::Private
     glm::dvec3 handAt{0.0};        ///< world
     std::optional<WindArrow> wind; ///< while its head is dragged
     quint64 windGesture = 0;
-    std::unique_ptr<LimbTool> limb;     ///< while a limb follows the hand
+    std::unique_ptr<LimbDrag> limb;     ///< while a limb follows the hand
     std::unique_ptr<LimbPose> limbPose; ///< from then on until its mesh is shown
     QTimer limbRest;
-    std::size_t limbBranches = LimbTool::usualBranches;
+    std::size_t limbBranches = LimbDrag::usualBranches;
     std::unique_ptr<ArmReach> reach;
     AutoKey* keys = nullptr;                                ///< null: no edit becomes a key
     std::shared_ptr<const MotionFrame> reachFrame, reachOf; ///< with the arm on its way; made from

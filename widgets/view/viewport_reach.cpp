@@ -5,7 +5,7 @@
 #include "core/session/auto_key.h"
 #include "core/session/player.h"
 #include "widgets/base/core_text.h"
-#include "widgets/view/arm_overlay.h"
+#include "widgets/view/tools/arm_overlay.h"
 #include "widgets/view/viewport_private.h"
 #include <QLocale>
 #include <QPainter>

@@ -5,8 +5,8 @@
 #include "core/session/recompute.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/base/preferences.h"
-#include "widgets/view/gizmo_drag.h"
 #include "widgets/view/render/scene_builder.h"
+#include "widgets/view/tools/gizmo_drag.h"
 #include "widgets/window/main_window.h"
 #include <benchmark/benchmark.h>
 

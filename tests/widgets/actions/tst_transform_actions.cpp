@@ -3,7 +3,7 @@
 #include "widgets/actions/transform_actions.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/preferences.h"
-#include "widgets/view/gizmo_settings.h"
+#include "widgets/view/tools/gizmo_settings.h"
 #include "widgets/view/viewport_host.h"
 #include <QComboBox>
 #include <QDoubleSpinBox>

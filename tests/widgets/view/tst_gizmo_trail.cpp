@@ -4,7 +4,7 @@
 #include "core/session/moving_arms.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/view/gizmo_trail.h"
-#include "widgets/view/typed_number.h"
+#include "widgets/view/tools/typed_number.h"
 #include <QSignalSpy>
 
 using namespace ramure;

@@ -7,7 +7,7 @@
 #include "widgets/panels/arm/arm_mesh_row.h"
 #include "widgets/panels/arm/bake_keys_dialog.h"
 #include "widgets/panels/arm/joint_form.h"
-#include "widgets/view/arm_overlay.h"
+#include "widgets/view/tools/arm_overlay.h"
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>

@@ -1,13 +1,13 @@
 #include "core/params/presets.h"
 #include "core/session/recompute.h"
 #include "tests/support/suite.h"
-#include "widgets/view/limb_pose.h"
-#include "widgets/view/limb_tool.h"
+#include "widgets/view/tools/limb_drag.h"
+#include "widgets/view/tools/limb_pose.h"
 
 using namespace ramure;
 
 /// Grab a twig: without OpenGL.
-class TestLimbTool : public QObject
+class TestLimbDrag : public QObject
 {
     Q_OBJECT
 
@@ -98,28 +98,28 @@ struct Desk
 
 } // namespace
 
-void TestLimbTool::onlyBranchesOfFreeTreesCanBeGrabbed()
+void TestLimbDrag::onlyBranchesOfFreeTreesCanBeGrabbed()
 {
     Desk desk;
-    QVERIFY(!LimbTool::grab(desk.document, {}, 8));
-    QVERIFY(!LimbTool::grab(desk.document, {desk.tree, noIndex, {}}, 8));
-    QVERIFY(!LimbTool::grab(desk.document, {desk.tree, desk.skeleton().size(), {}}, 8));
-    QVERIFY(LimbTool::grab(desk.document, desk.hit(), 0));
+    QVERIFY(!LimbDrag::grab(desk.document, {}, 8));
+    QVERIFY(!LimbDrag::grab(desk.document, {desk.tree, noIndex, {}}, 8));
+    QVERIFY(!LimbDrag::grab(desk.document, {desk.tree, desk.skeleton().size(), {}}, 8));
+    QVERIFY(LimbDrag::grab(desk.document, desk.hit(), 0));
     QVERIFY(edit::setNodeLocked(desk.document, {desk.tree}, true));
-    QVERIFY(!LimbTool::grab(desk.document, desk.hit(), 8));
+    QVERIFY(!LimbDrag::grab(desk.document, desk.hit(), 8));
     QVERIFY(edit::setNodeLocked(desk.document, {desk.tree}, false));
     QVERIFY(edit::setParam(desk.document, {desk.tree}, *findParam("turtle.theta"), 0.4));
-    QVERIFY(!LimbTool::grab(desk.document, desk.hit(), 8)); // another tree is on its way
+    QVERIFY(!LimbDrag::grab(desk.document, desk.hit(), 8)); // another tree is on its way
     desk.compute();
-    QVERIFY(LimbTool::grab(desk.document, desk.hit(), 8));
+    QVERIFY(LimbDrag::grab(desk.document, desk.hit(), 8));
 }
 
-void TestLimbTool::theGrabbedPlaceFollowsTheCursor()
+void TestLimbDrag::theGrabbedPlaceFollowsTheCursor()
 {
     Desk desk;
     const Index twig = desk.twig();
     const glm::dvec2 from = desk.pixel(desk.hit().point), to = from + glm::dvec2(18.0, -12.0);
-    auto tool = LimbTool::grab(desk.document, desk.hit(), 8);
+    auto tool = LimbDrag::grab(desk.document, desk.hit(), 8);
     QVERIFY(tool);
     tool->setWhole(true);
     tool->dragTo(desk.view, to);
@@ -132,10 +132,10 @@ void TestLimbTool::theGrabbedPlaceFollowsTheCursor()
     QVERIFY(glm::distance(now, tool->hand()) < 1e-4);
 }
 
-void TestLimbTool::aDragIsOneStep()
+void TestLimbDrag::aDragIsOneStep()
 {
     Desk desk;
-    auto tool = LimbTool::grab(desk.document, desk.hit(), 8);
+    auto tool = LimbDrag::grab(desk.document, desk.hit(), 8);
     const glm::dvec2 from = desk.pixel(desk.hit().point);
     for (int i = 1; i <= 10; ++i) {
         tool->dragTo(desk.view, from + glm::dvec2(2.0 * i, i));
@@ -152,7 +152,7 @@ void TestLimbTool::aDragIsOneStep()
     tool = nullptr;
     desk.compute();
     // Grabbed again and dragged back and forth: the bends that were there are those at the start.
-    tool = LimbTool::grab(desk.document, desk.hit(), 8);
+    tool = LimbDrag::grab(desk.document, desk.hit(), 8);
     const glm::dvec2 again = desk.pixel(desk.hit().point);
     tool->dragTo(desk.view, again + glm::dvec2(10.0, 0.0));
     tool->dragTo(desk.view, again);
@@ -162,10 +162,10 @@ void TestLimbTool::aDragIsOneStep()
                               branch.bendRad) < 1e-5);
 }
 
-void TestLimbTool::theWheelSetsHowManyFollow()
+void TestLimbDrag::theWheelSetsHowManyFollow()
 {
     Desk desk;
-    auto tool = LimbTool::grab(desk.document, desk.hit(), 3);
+    auto tool = LimbDrag::grab(desk.document, desk.hit(), 3);
     QCOMPARE(tool->branches(), std::size_t(3));
     const glm::dvec2 from = desk.pixel(desk.hit().point);
     tool->dragTo(desk.view, from + glm::dvec2(10.0, 5.0));
@@ -179,12 +179,12 @@ void TestLimbTool::theWheelSetsHowManyFollow()
     tool->setBranches(4);
     QCOMPARE(turned(), std::size_t(4));
     tool->setBranches(1000);
-    QVERIFY(tool->branches() <= LimbTool::mostBranches);
+    QVERIFY(tool->branches() <= LimbDrag::mostBranches);
     tool = nullptr;
     QCOMPARE(desk.document.undoStack()->count(), 1);
 }
 
-void TestLimbTool::theTrunkStaysUnlessTheHandSaysSo()
+void TestLimbDrag::theTrunkStaysUnlessTheHandSaysSo()
 {
     Desk desk;
     const Skeleton& tree = desk.skeleton();
@@ -193,7 +193,7 @@ void TestLimbTool::theTrunkStaysUnlessTheHandSaysSo()
     const Index trunk = desk.stays(limb);
     QVERIFY(tree.a0[trunk] > tree.a0[limb]);
     const glm::dvec3 end = desk.world(tree.p1[limb]);
-    auto tool = LimbTool::grab(desk.document, {desk.tree, limb, end}, 8);
+    auto tool = LimbDrag::grab(desk.document, {desk.tree, limb, end}, 8);
     const std::size_t light = tool->branches();
     tool->dragTo(desk.view, desk.pixel(end) + glm::dvec2(300.0, 100.0)); // beyond its reach
     QVERIFY(tool->shortBy() > 0.1);
@@ -209,17 +209,17 @@ void TestLimbTool::theTrunkStaysUnlessTheHandSaysSo()
     tool->setBranches(light + 1);
     QCOMPARE(tool->branches(), light + 1);
     // The root alone: nothing follows without a word.
-    tool = LimbTool::grab(desk.document, {desk.tree, 0, desk.world(tree.p1[0])}, 8);
+    tool = LimbDrag::grab(desk.document, {desk.tree, 0, desk.world(tree.p1[0])}, 8);
     QCOMPARE(tool->branches(), std::size_t(0));
     tool->setWhole(true);
     QCOMPARE(tool->branches(), std::size_t(1));
 }
 
-void TestLimbTool::givingUpLeavesNothing()
+void TestLimbDrag::givingUpLeavesNothing()
 {
     Desk desk;
     const Scene before = desk.document.scene();
-    auto tool = LimbTool::grab(desk.document, desk.hit(), 8);
+    auto tool = LimbDrag::grab(desk.document, desk.hit(), 8);
     QVERIFY(!tool->apply()); // a click
     tool->dragTo(desk.view, desk.pixel(desk.hit().point) + glm::dvec2(20.0, 5.0));
     QVERIFY(tool->apply());
@@ -230,11 +230,11 @@ void TestLimbTool::givingUpLeavesNothing()
     QCOMPARE(desk.document.undoStack()->count(), 0);
 }
 
-void TestLimbTool::thePoseIsSeenAtOnce()
+void TestLimbDrag::thePoseIsSeenAtOnce()
 {
     Desk desk;
     const Index twig = desk.twig();
-    auto tool = LimbTool::grab(desk.document, desk.hit(), 8);
+    auto tool = LimbDrag::grab(desk.document, desk.hit(), 8);
     LimbPose pose(desk.tree, tool->skeleton(), tool->bendsAtGrab());
     QVERIFY(pose.isRest());
     tool->setWhole(true);
@@ -252,11 +252,11 @@ void TestLimbTool::thePoseIsSeenAtOnce()
     QVERIFY(glm::distance(desk.skeleton().p1[twig], seen) < 1e-9);
 }
 
-void TestLimbTool::thePoseEndsWithItsMesh()
+void TestLimbDrag::thePoseEndsWithItsMesh()
 {
     Desk desk;
     const Index twig = desk.twig();
-    auto tool = LimbTool::grab(desk.document, desk.hit(), 8);
+    auto tool = LimbDrag::grab(desk.document, desk.hit(), 8);
     LimbPose pose(desk.tree, tool->skeleton(), tool->bendsAtGrab());
     const glm::dvec2 from = desk.pixel(desk.hit().point);
     tool->setWhole(true);
@@ -279,5 +279,5 @@ void TestLimbTool::thePoseEndsWithItsMesh()
     QVERIFY(glm::distance(desk.world(seen), tool->hand()) < 1e-4);
 }
 
-QTEST_MAIN(TestLimbTool)
-#include "tst_limb_tool.moc"
+QTEST_MAIN(TestLimbDrag)
+#include "tst_limb_drag.moc"

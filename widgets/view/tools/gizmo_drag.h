@@ -5,8 +5,8 @@
 #pragma once
 
 #include "core/document/commands.h"
-#include "widgets/view/gizmo_handles.h"
-#include "widgets/view/typed_number.h"
+#include "widgets/view/tools/gizmo_handles.h"
+#include "widgets/view/tools/typed_number.h"
 #include <memory>
 
 namespace ramure {

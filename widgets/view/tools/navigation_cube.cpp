@@ -1,4 +1,4 @@
-#include "widgets/view/navigation_cube.h"
+#include "widgets/view/tools/navigation_cube.h"
 
 #include <QPainterPath>
 #include <array>

@@ -1,5 +1,5 @@
 // How the gizmo looks.
-#include "widgets/view/gizmo_handles.h"
+#include "widgets/view/tools/gizmo_handles.h"
 
 #include <QPainter>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "widgets/view/motion_tools.h"
+#include "widgets/view/tools/motion_tools.h"
 
 #include "core/params/param_def.h"
 #include <algorithm>

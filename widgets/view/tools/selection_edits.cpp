@@ -1,4 +1,4 @@
-#include "widgets/view/selection_edits.h"
+#include "widgets/view/tools/selection_edits.h"
 
 #include <algorithm>
 

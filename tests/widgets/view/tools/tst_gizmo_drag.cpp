@@ -3,7 +3,7 @@
 #include "core/math/random.h"
 #include "core/scene/world_transforms.h"
 #include "tests/widgets/base/fixture.h"
-#include "widgets/view/gizmo_drag.h"
+#include "widgets/view/tools/gizmo_drag.h"
 #include <numbers>
 
 using namespace ramure;

@@ -13,17 +13,17 @@
 
 namespace ramure {
 
-class LimbTool
+class LimbDrag
 {
 public:
     static constexpr std::size_t usualBranches = 8, mostBranches = 64;
 
     /// Null where the hit is no branch of a tree that may be changed. \p document is not owned.
     /// \param branches follow at most
-    static std::unique_ptr<LimbTool> grab(Document& document, const PickHit& hit, std::size_t branches);
-    ~LimbTool(); ///< as keep()
-    LimbTool(const LimbTool&) = delete;
-    LimbTool& operator=(const LimbTool&) = delete;
+    static std::unique_ptr<LimbDrag> grab(Document& document, const PickHit& hit, std::size_t branches);
+    ~LimbDrag(); ///< as keep()
+    LimbDrag(const LimbDrag&) = delete;
+    LimbDrag& operator=(const LimbDrag&) = delete;
 
     /// The grabbed place comes under the cursor, as far from the eye as it was.
     void dragTo(const PickView& view, const glm::dvec2& pixel);
@@ -47,7 +47,7 @@ public:
     [[nodiscard]] double shortBy() const { return m_shortBy; }                  ///< m, tree space
 
 private:
-    LimbTool(Document& document, const PickHit& hit, const Node& node,
+    LimbDrag(Document& document, const PickHit& hit, const Node& node,
              std::shared_ptr<const SimplifiedSkeleton> skeleton, std::size_t branches);
     [[nodiscard]] Limb limb() const;
     void takeLimb();

@@ -1,4 +1,4 @@
-#include "widgets/view/typed_number.h"
+#include "widgets/view/tools/typed_number.h"
 
 #include <QLocale>
 #include <algorithm>

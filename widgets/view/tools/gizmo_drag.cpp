@@ -1,4 +1,4 @@
-#include "widgets/view/gizmo_drag.h"
+#include "widgets/view/tools/gizmo_drag.h"
 
 #include "core/math/drag_maths.h"
 #include "core/scene/world_transforms.h"

@@ -3,8 +3,8 @@
 /// are drawn. Always of one size on the screen. Functions of cameras and plain data: tested without OpenGL.
 #pragma once
 
-#include "widgets/view/gizmo_settings.h"
 #include "widgets/view/render/pick_scene.h"
+#include "widgets/view/tools/gizmo_settings.h"
 #include <QColor>
 #include <QLineF>
 #include <QPolygonF>

@@ -4,9 +4,9 @@
 #include "core/session/player.h"
 #include "core/session/recompute.h"
 #include "tests/support/suite.h"
-#include "widgets/view/motion_tools.h"
 #include "widgets/view/moving_scene.h"
 #include "widgets/view/render/scene_builder.h"
+#include "widgets/view/tools/motion_tools.h"
 #include <cmath>
 
 using namespace ramure;

@@ -1,4 +1,4 @@
-#include "widgets/view/arm_overlay.h"
+#include "widgets/view/tools/arm_overlay.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>

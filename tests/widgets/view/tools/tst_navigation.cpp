@@ -1,6 +1,6 @@
 #include "tests/support/suite.h"
-#include "widgets/view/navigation.h"
-#include "widgets/view/navigation_cube.h"
+#include "widgets/view/tools/navigation.h"
+#include "widgets/view/tools/navigation_cube.h"
 #include <QImage>
 #include <set>
 

@@ -1,4 +1,4 @@
-#include "widgets/view/navigation.h"
+#include "widgets/view/tools/navigation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "widgets/view/gizmo_settings.h"
+#include "widgets/view/tools/gizmo_settings.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "widgets/view/limb_tool.h"
+#include "widgets/view/tools/limb_drag.h"
 #include "core/scene/world_transforms.h"
 
-#include "widgets/view/motion_tools.h"
+#include "widgets/view/tools/motion_tools.h"
 #include <algorithm>
 
 namespace ramure {
@@ -27,7 +27,7 @@ std::vector<glm::dvec3> byBranch(const Skeleton& skeleton, const Limb::Bends& be
 
 } // namespace
 
-std::unique_ptr<LimbTool> LimbTool::grab(Document& document, const PickHit& hit, std::size_t branches)
+std::unique_ptr<LimbDrag> LimbDrag::grab(Document& document, const PickHit& hit, std::size_t branches)
 {
     const Node* node = document.scene().find(hit.node);
     const NodeResult* result = document.result(hit.node);
@@ -36,10 +36,10 @@ std::unique_ptr<LimbTool> LimbTool::grab(Document& document, const PickHit& hit,
         return nullptr;
     if (hit.branch >= result->tree.simplified->skeleton.size())
         return nullptr;
-    return std::unique_ptr<LimbTool>(new LimbTool(document, hit, *node, result->tree.simplified, branches));
+    return std::unique_ptr<LimbDrag>(new LimbDrag(document, hit, *node, result->tree.simplified, branches));
 }
 
-LimbTool::LimbTool(Document& document, const PickHit& hit, const Node& node,
+LimbDrag::LimbDrag(Document& document, const PickHit& hit, const Node& node,
                    std::shared_ptr<const SimplifiedSkeleton> skeleton, std::size_t branches)
     : m_document(document)
     , m_node(hit.node)
@@ -56,31 +56,31 @@ LimbTool::LimbTool(Document& document, const PickHit& hit, const Node& node,
 {
 }
 
-LimbTool::~LimbTool()
+LimbDrag::~LimbDrag()
 {
     keep();
 }
 
-Limb LimbTool::limb() const
+Limb LimbDrag::limb() const
 {
     const Skeleton& skeleton = m_skeleton->skeleton;
     const std::size_t most = m_whole || m_counted ? m_wanted : limbLength(skeleton, m_branch);
     return Limb(skeleton, m_bends, m_branch, {std::min(m_wanted, most)});
 }
 
-void LimbTool::dragTo(const PickView& view, const glm::dvec2& pixel)
+void LimbDrag::dragTo(const PickView& view, const glm::dvec2& pixel)
 {
     m_hand = pulledTo(view, pixel, m_grabbed);
     pull();
 }
 
-void LimbTool::setWhole(bool whole)
+void LimbDrag::setWhole(bool whole)
 {
     if (std::exchange(m_whole, whole) != whole)
         takeLimb();
 }
 
-void LimbTool::setBranches(std::size_t branches)
+void LimbDrag::setBranches(std::size_t branches)
 {
     m_wanted = std::clamp<std::size_t>(branches, 1, mostBranches);
     m_counted = true;
@@ -88,20 +88,20 @@ void LimbTool::setBranches(std::size_t branches)
     m_wanted = std::max<std::size_t>(m_limb.branchCount(), 1); // the root is the last that can follow
 }
 
-void LimbTool::takeLimb()
+void LimbDrag::takeLimb()
 {
     m_limb = limb();
     pull();
 }
 
-void LimbTool::pull()
+void LimbDrag::pull()
 {
     const glm::dvec3 by =
         glm::dvec3(m_inverse * glm::dvec4(m_hand, 1.0)) - glm::dvec3(m_inverse * glm::dvec4(m_grabbed, 1.0));
     m_shortBy = m_limb.pullTo(m_skeleton->skeleton.p1[m_branch] + by);
 }
 
-std::vector<glm::dvec3> LimbTool::bends() const
+std::vector<glm::dvec3> LimbDrag::bends() const
 {
     std::vector<glm::dvec3> all = m_atGrab;
     const Limb::Bends turned = m_limb.bends();
@@ -112,7 +112,7 @@ std::vector<glm::dvec3> LimbTool::bends() const
     return all;
 }
 
-bool LimbTool::apply()
+bool LimbDrag::apply()
 {
     const Limb::Bends wanted = m_limb.bends();
     if (m_gesture == 0 ? m_hand == m_grabbed : wanted == m_applied)
@@ -131,12 +131,12 @@ bool LimbTool::apply()
     return edit::turnBranches(m_document, m_node, wanted, m_gesture).has_value();
 }
 
-void LimbTool::keep()
+void LimbDrag::keep()
 {
     m_document.keepGesture(m_gesture);
 }
 
-void LimbTool::cancel()
+void LimbDrag::cancel()
 {
     m_document.giveUpGesture(m_gesture);
     m_gesture = 0;

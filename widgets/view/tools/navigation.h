@@ -2,8 +2,8 @@
 /// Which mouse gesture means what, in each navigation style; and what a gesture does to the camera.
 #pragma once
 
+#include "widgets/base/navigation_style.h"
 #include "widgets/view/render/camera.h"
-#include "widgets/view/view_settings.h"
 #include <QPointF>
 #include <QSize>
 

@@ -1,4 +1,4 @@
-#include "widgets/view/limb_pose.h"
+#include "widgets/view/tools/limb_pose.h"
 
 #include "core/rig/pose/bend_pose.h"
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "tests/support/suite.h"
-#include "widgets/view/selection_edits.h"
+#include "widgets/view/tools/selection_edits.h"
 
 using namespace ramure;
 

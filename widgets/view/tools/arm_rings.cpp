@@ -1,4 +1,4 @@
-#include "widgets/view/arm_rings.h"
+#include "widgets/view/tools/arm_rings.h"
 
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/world_transforms.h"

@@ -1,4 +1,4 @@
-#include "widgets/view/gizmo_handles.h"
+#include "widgets/view/tools/gizmo_handles.h"
 
 #include "core/math/drag_maths.h"
 #include <QColor>
