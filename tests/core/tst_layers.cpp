@@ -24,6 +24,7 @@ private slots:
     void theFenceWouldHold();
     void codeKeepsTheRules_data();
     void codeKeepsTheRules();
+    void sinesAreSeen();
     void filesAreOfReadableLength();
     void functionsFitOnAScreen();
     void headersBeginWithWhatTheyPromise();
@@ -143,6 +144,7 @@ constexpr Fence fences[] = {
     {"the core knows no Qt", "core/.*", "core/(document|session)/.*", R"(<Q\w*(/.*)?>)"},
     {"OpenMesh only in the proof", "(core|widgets|app)/.*", R"(core/surface/proof/validate\w*\.cpp)",
      "<OpenMesh/.*>"},
+    {"SLEEF only behind one header", ".*", R"(core/math/reproducible\.cpp)", "<sleef.*>"},
     {"CGAL only behind one header of the tests", ".*", R"(tests/support/self_intersections\.cpp)",
      "<CGAL/.*>"},
     {"the core uses nothing above it", "core/.*", "", R"("(widgets|app|tests)/.*")"},
@@ -241,11 +243,19 @@ struct Rule
     const char* pattern;
 };
 
+/// Those of the C library, of GLM on top of them, and any that are found without saying whose they are.
+constexpr const char* sines =
+    R"(((std|glm)::|(^|[^\w:.>]))(a?(sin|cos|tan)h?|sincos|atan2|exp2?|expm1|log(2|10|1p)?|pow|cbrt|hypot|)"
+    R"(erfc?|[lt]gamma)f?\s*\(|glm::(angle|angleAxis|rotate|rotation|slerp|eulerAngles|pitch|yaw|roll)\s*\(|)"
+    R"(\bstd::(polar|arg|complex)\b)";
+
 constexpr Rule rules[] = {
     {"no singletons", "(core|widgets|app)/.*", R"((^|[^:\w])instance\s*\()"},
     {"no nested event loops by hand", "(core|widgets|app)/.*", R"(\bprocessEvents\b)"},
     {"no libc function with a hidden state", "(core|widgets|app)/.*", R"(\b(strtok|setlocale|s?rand)\s*\()"},
     {"no random generator but our own", "core/.*", R"(std::(mt19937|random_device|\w+_distribution)\b)"},
+    {"the same bytes on every processor: sines are of core/math/reproducible.h",
+     R"(core/(?!math/reproducible\.).*)", sines},
     // Memory that runs out is the one thing the language itself throws for.
     {"no exceptions across modules", "core/.*", R"(\bthrow\b(?!\s+std::bad_alloc))"},
     {"suites skip through RAMURE_CANNOT_RUN", R"(tests/(?!support/cannot_run\.h).*)", R"(\bQSKIP\b)"},
@@ -396,6 +406,17 @@ void TestLayers::codeKeepsTheRules()
                 broken += "\n  " + source.path + ":" + std::to_string(at) + ": " + line;
     }
     QVERIFY2(broken.empty(), broken.c_str());
+}
+
+void TestLayers::sinesAreSeen()
+{
+    const std::regex pattern(sines);
+    for (const char* line : {"x = std::sin(a);", "return cos(a);", "-atan2f (y, x)", "glm::slerp(a, b, t)",
+                             "std::exp2(3)", "acosh(1)", "glm::pow(a, b)", "std::complex<double> z;"})
+        QVERIFY2(std::regex_search(line, pattern), line);
+    for (const char* line : {"maths::sin(a)", "m_chain.exp(a)", "cosine(a)", "std::expected(1)",
+                             "std::sqrt(2.0)", "std::remainder(a, b)", "using(a)", "m_log(a)"})
+        QVERIFY2(!std::regex_search(line, pattern), line);
 }
 
 void TestLayers::filesAreOfReadableLength()
