@@ -95,9 +95,9 @@ template <class Visit> Expected<void> forEachLine(std::string_view text, Visit&&
     }
 }
 
-/// \param symbolAt, worldTransformAt give the symbol and the place of each of \p count symbols.
+/// \param symbolAt, placeAt give the symbol and the place of each of \p count symbols.
 template <class SymbolAt, class PlaceAt>
-Expected<void> checkBrackets(std::size_t count, SymbolAt&& symbolAt, PlaceAt&& worldTransformAt)
+Expected<void> checkBrackets(std::size_t count, SymbolAt&& symbolAt, PlaceAt&& placeAt)
 {
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < count; ++i) {
@@ -106,12 +106,12 @@ Expected<void> checkBrackets(std::size_t count, SymbolAt&& symbolAt, PlaceAt&& w
         if (symbolAt(i) != ']')
             continue;
         if (open.empty())
-            return failAt(worldTransformAt(i), ErrorCode::Invalid,
+            return failAt(placeAt(i), ErrorCode::Invalid,
                           RAMURE_NOOP("this \"]\" has no \"[\" before it"));
         open.pop_back();
     }
     if (!open.empty())
-        return failAt(worldTransformAt(open.back()), ErrorCode::Invalid,
+        return failAt(placeAt(open.back()), ErrorCode::Invalid,
                       RAMURE_NOOP("this \"[\" is never closed"));
     return {};
 }
@@ -163,10 +163,10 @@ public:
     {
         const bool startsWithArrow = arrowAt(0) && !arrowAt(1);
         if (startsWithArrow)
-            return failAt(worldTransformAt(0), ErrorCode::Syntax,
+            return failAt(placeAt(0), ErrorCode::Syntax,
                           RAMURE_NOOP("there is no symbol before \"->\""));
         if (!arrowAt(1))
-            return failAt(worldTransformAt(1), ErrorCode::Syntax,
+            return failAt(placeAt(1), ErrorCode::Syntax,
                           RAMURE_NOOP("\"->\" must follow the symbol %1"), {nameOf(m_line[0].symbol)});
         m_rule.symbol = m_line[0].symbol;
         const Glyphs right = m_line.subspan(3);
@@ -183,7 +183,7 @@ private:
     {
         return i + 1 < m_line.size() && m_line[i].isMark('-') && m_line[i + 1].isMark('>');
     }
-    [[nodiscard]] Place worldTransformAt(std::size_t i) const
+    [[nodiscard]] Place placeAt(std::size_t i) const
     {
         return {m_line[0].line, i < m_line.size() ? m_line[i].column : m_endColumn};
     }
@@ -206,7 +206,7 @@ private:
         }
         if (!m_hasDefault && !m_rule.replacements.empty())
             m_rule.defaultText = m_rule.replacements.front();
-        return checkSum(m_rule.probabilities, worldTransformAt(3));
+        return checkSum(m_rule.probabilities, placeAt(3));
     }
 
     Expected<void> parseChoice(std::size_t from, std::size_t to)
@@ -215,7 +215,7 @@ private:
         const Glyphs choice = m_line.subspan(from, to - from);
         const auto colon = std::ranges::find_if(choice, isColon);
         if (colon == choice.end())
-            return failAt(worldTransformAt(from), ErrorCode::Syntax,
+            return failAt(placeAt(from), ErrorCode::Syntax,
                           RAMURE_NOOP("each choice needs a probability and a colon: \"0.5: text\""));
         const auto second = std::find_if(colon + 1, choice.end(), isColon);
         if (second != choice.end())
@@ -223,8 +223,8 @@ private:
                           RAMURE_NOOP("a second colon; write `: for the symbol"));
         const std::string head = textOf({choice.begin(), colon});
         const Glyphs text(colon + 1, choice.end());
-        return head == "default" ? takeDefault(text, worldTransformAt(from))
-                                 : takeChoice(head, text, worldTransformAt(from));
+        return head == "default" ? takeDefault(text, placeAt(from))
+                                 : takeChoice(head, text, placeAt(from));
     }
 
     Expected<void> takeDefault(Glyphs text, const Place& place)
@@ -314,12 +314,12 @@ tl::unexpected<Error> withPath(Error error, const char* path)
 /// A text of a grammar that was built in code.
 Expected<void> checkText(const std::string& text, int line)
 {
-    const auto worldTransformAt = [line](std::size_t i) { return Place{line, static_cast<int>(i) + 1}; };
+    const auto placeAt = [line](std::size_t i) { return Place{line, static_cast<int>(i) + 1}; };
     if (const std::size_t at = text.find('\n'); at != std::string::npos)
-        return failAt(worldTransformAt(at), ErrorCode::Invalid,
+        return failAt(placeAt(at), ErrorCode::Invalid,
                       RAMURE_NOOP("a line feed cannot be a symbol"));
     return checkBrackets(
-        text.size(), [&](std::size_t i) { return text[i]; }, worldTransformAt);
+        text.size(), [&](std::size_t i) { return text[i]; }, placeAt);
 }
 
 Expected<void> checkRule(const Rule& rule, int line)
