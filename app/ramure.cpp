@@ -14,11 +14,13 @@
 #include "widgets/dialogs/recovery.h"
 #include "widgets/help/tour.h"
 #include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/picture_file.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include "widgets/window/main_window.h"
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QFile>
 #include <QFileInfo>
 #include <QIcon>
 #include <QTimer>
@@ -157,12 +159,13 @@ int runBatch(const Arguments& arguments, MainWindow& window, const Document& doc
         // Texts of the last moment have room: each layout asks the one around it, which a pass does not see.
         for (int depth = 0; depth < layoutDepth; ++depth)
             QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-        if (window.grab().save(arguments.screenshot)) {
+        const auto saved =
+            savePicture(window.grab().toImage(), QFile::encodeName(arguments.screenshot).toStdString());
+        if (saved)
             say(QStringLiteral("Screenshot %1").arg(QFileInfo(arguments.screenshot).absoluteFilePath()));
-        } else {
-            complain(QStringLiteral("cannot write %1").arg(arguments.screenshot));
-            good = false;
-        }
+        else
+            complain(QString::fromStdString(saved.error().message()));
+        good = good && saved.has_value();
     }
     return good ? 0 : 1;
 }

@@ -3044,10 +3044,6 @@
         <translation>Le pilote graphique n’a donné aucune image</translation>
     </message>
     <message>
-        <source>Cannot write the picture: %1</source>
-        <translation>Impossible d’écrire l’image&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>“%1” cannot be compared</source>
         <translation>«&#xa0;%1&#xa0;» ne peut pas être comparé</translation>
     </message>

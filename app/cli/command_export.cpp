@@ -227,14 +227,6 @@ QByteArray reportText(const Request& request, const QString& input, const std::v
     return QJsonDocument(report).toJson();
 }
 
-Expected<void> writeReport(FileWriter& file, const QByteArray& bytes)
-{
-    file.append({bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    if (const auto finished = file.finish(); !finished)
-        return finished;
-    return file.commit();
-}
-
 /// The first thing that is wrong with a mesh, in words.
 std::string faultOf(const CheckedMesh& checked)
 {
@@ -295,9 +287,11 @@ Expected<int> checkAndWrite(const Input& input, const QString& name, const Reque
     const auto written = writeFiles(input, request, moments, moving, progress.part(0.6, 1.0));
     if (!written)
         return fail(written.error());
-    if (report)
-        if (const auto reported = writeReport(*report, reportText(request, name, *checked)); !reported)
+    if (report) {
+        report->append(reportText(request, name, *checked).toStdString());
+        if (const auto reported = report->commit(); !reported)
             return fail(reported.error());
+    }
     return exitGood;
 }
 

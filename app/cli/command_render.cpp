@@ -5,6 +5,7 @@
 #include "app/cli/work.h"
 #include "core/session/moving_source.h"
 #include "widgets/view/render/offscreen_renderer.h"
+#include "widgets/view/render/picture_file.h"
 #include "widgets/view/render/scene_builder.h"
 #include <QFileInfo>
 #include <QGuiApplication>
@@ -157,7 +158,7 @@ public:
         const auto image = renderImage(scene, camera, size);
         if (!image)
             return fail(image.error());
-        return savePng(*image, systemPath(file));
+        return savePicture(*image, systemPath(file));
     }
 
 private:

@@ -89,14 +89,7 @@ public:
         m_file->append(row.append("\n"));
     }
     [[nodiscard]] bool isGood() const { return !m_file || m_file->isGood(); }
-    Expected<void> close()
-    {
-        if (!m_file)
-            return {};
-        if (auto done = m_file->finish(); !done)
-            return done;
-        return m_file->commit();
-    }
+    Expected<void> close() { return m_file ? m_file->commit() : Expected<void>(); }
 
 private:
     std::optional<FileWriter> m_file;

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <fcntl.h>
@@ -74,39 +75,75 @@ int openTemporary(const std::string& target, std::string& name)
     static std::atomic<unsigned> counter = 0;
     for (int attempt = 0; attempt < 100; ++attempt) {
         name = target + partMark + std::to_string(::getpid()) + "-" + std::to_string(counter++);
-        const int file = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        const int file = fileCalls().open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file >= 0 || errno != EEXIST)
             return file;
     }
     return -1;
 }
 
-/// The new name is a change of the folder. It is in place already: where this fails there is nothing to undo.
-void syncFolder(const std::string& target)
+std::string folderOf(const std::string& target)
 {
-    const std::filesystem::path folder = std::filesystem::path(target).parent_path();
-    const int file = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const std::string folder = std::filesystem::path(target).parent_path().string();
+    return folder.empty() ? "." : folder;
+}
+
+/// Not every file system can sync every kind of file (EINVAL): then there is nothing to wait for.
+int syncOpen(int file)
+{
+    return fileCalls().sync(file) == 0 || errno == EINVAL ? 0 : errno;
+}
+
+/// A file that stays as it is, or a folder: a new name is a change of that. Returns 0 or the reason.
+int syncPath(const std::string& path)
+{
+    const int file = fileCalls().open(path.c_str(), O_RDONLY | O_CLOEXEC, 0);
     if (file < 0)
-        return;
-    ::fsync(file);
+        return errno == EACCES ? 0 : errno; // a folder one may write to but not list
+    const int code = syncOpen(file);
     ::close(file);
+    return code;
+}
+
+Error writeError(const std::string& path, int code)
+{
+    Error out;
+    out.code = ErrorCode::Io;
+    out.text = RAMURE_NOOP("cannot be written: %1");
+    out.args = {std::generic_category().message(code)};
+    out.file = path;
+    return out;
 }
 
 } // namespace
 
-FileWriter::FileWriter(std::string path, Durability durability)
-    : m_durability(durability)
-    , m_path(std::move(path))
+FileCalls& fileCalls()
+{
+    static FileCalls calls{
+        [](const char* path, int flags, mode_t mode) { return ::open(path, flags, mode); },
+        ::fchmod,
+        ::write,
+        ::fsync,
+        ::close,
+        [](const char* from, const char* to, unsigned flags) {
+            return ::renameat2(AT_FDCWD, from, AT_FDCWD, to, flags);
+        },
+    };
+    return calls;
+}
+
+FileWriter::FileWriter(std::string path)
+    : m_path(std::move(path))
     , m_target(linkTarget(m_path))
     , m_buffer(new char[bufferSize])
 {
 }
 
 FileWriter::FileWriter(FileWriter&& other) noexcept
-    : m_durability(other.m_durability)
-    , m_path(std::move(other.m_path))
+    : m_path(std::move(other.m_path))
     , m_target(std::move(other.m_target))
     , m_temporary(std::exchange(other.m_temporary, {}))
+    , m_place(other.m_place)
     , m_file(std::exchange(other.m_file, -1))
     , m_errno(other.m_errno)
     , m_used(other.m_used)
@@ -118,23 +155,24 @@ FileWriter::~FileWriter()
 {
     if (m_file >= 0)
         ::close(m_file);
-    if (!m_temporary.empty())
+    removeTemporary();
+}
+
+void FileWriter::removeTemporary()
+{
+    if (isRegular())
         ::unlink(m_temporary.c_str());
+    m_temporary.clear();
 }
 
 Error FileWriter::error(int code) const
 {
-    Error out;
-    out.code = ErrorCode::Io;
-    out.text = RAMURE_NOOP("cannot be written: %1");
-    out.args = {std::generic_category().message(code)};
-    out.file = m_path;
-    return out;
+    return writeError(m_path, code);
 }
 
-Expected<FileWriter> FileWriter::open(const std::string& path, Durability durability)
+Expected<FileWriter> FileWriter::open(const std::string& path)
 {
-    FileWriter out(path, durability);
+    FileWriter out(path);
     struct stat old = {};
     const bool exists = ::stat(out.m_target.c_str(), &old) == 0;
     if (exists && S_ISDIR(old.st_mode))
@@ -142,7 +180,7 @@ Expected<FileWriter> FileWriter::open(const std::string& path, Durability durabi
     if (exists && ::access(out.m_target.c_str(), W_OK) != 0)
         return fail(out.error(errno)); // replacing it would go round its protection
     if (exists && !S_ISREG(old.st_mode)) {
-        out.m_file = ::open(out.m_target.c_str(), O_WRONLY | O_CLOEXEC);
+        out.m_file = fileCalls().open(out.m_target.c_str(), O_WRONLY | O_CLOEXEC, 0);
         if (out.m_file < 0)
             return fail(out.error(errno));
         return out;
@@ -153,7 +191,7 @@ Expected<FileWriter> FileWriter::open(const std::string& path, Durability durabi
     if (out.m_file < 0)
         return fail(out.error(errno));
     out.m_temporary = std::move(name);
-    if (exists && ::fchmod(out.m_file, old.st_mode & 07777) != 0)
+    if (exists && fileCalls().chmod(out.m_file, old.st_mode & 07777) != 0)
         return fail(out.error(errno));
     return out;
 }
@@ -174,7 +212,7 @@ void FileWriter::flush(std::size_t bytes)
     const char* from = m_buffer.get();
     const char* const end = from + bytes;
     while (from != end && m_errno == 0) {
-        const ssize_t written = ::write(m_file, from, static_cast<std::size_t>(end - from));
+        const ssize_t written = fileCalls().write(m_file, from, static_cast<std::size_t>(end - from));
         if (written < 0 && errno == EINTR)
             continue;
         if (written <= 0) {
@@ -190,27 +228,87 @@ void FileWriter::flush(std::size_t bytes)
 Expected<void> FileWriter::finish()
 {
     flush(m_used);
-    // Not every file system can (EINVAL): then there is nothing to wait for.
-    const bool syncs = m_durability == Durability::Power && isRegular() && m_errno == 0;
-    if (syncs && ::fsync(m_file) != 0 && errno != EINVAL)
-        m_errno = errno;
+    if (isRegular() && m_errno == 0)
+        m_errno = syncOpen(m_file);
     // Some file systems say only now that the disk is full.
-    if (::close(std::exchange(m_file, -1)) != 0 && m_errno == 0)
+    if (fileCalls().close(std::exchange(m_file, -1)) != 0 && m_errno == 0)
         m_errno = errno;
     if (m_errno != 0)
         return fail(error(m_errno));
     return {};
 }
 
+int FileWriter::place()
+{
+    const auto rename = [this](unsigned flags) {
+        return fileCalls().rename(m_temporary.c_str(), m_target.c_str(), flags) == 0 ? 0 : errno;
+    };
+    // The two change their names, so that the old file can come back. There may be none, and not every file
+    // system knows the exchange; what a broken or full disk says is meant.
+    const int code = rename(RENAME_EXCHANGE);
+    if (code == 0)
+        m_place = Place::Exchanged;
+    if (code == 0 || code == EIO || code == ENOSPC || code == EDQUOT || code == EROFS)
+        return code;
+    if (const int plain = rename(0); plain != 0)
+        return plain;
+    m_place = code == ENOENT ? Place::First : Place::Final;
+    m_temporary.clear();
+    return 0;
+}
+
+void FileWriter::takeBack()
+{
+    if (m_place == Place::Exchanged)
+        fileCalls().rename(m_temporary.c_str(), m_target.c_str(), RENAME_EXCHANGE);
+    else if (m_place == Place::First)
+        ::unlink(m_target.c_str());
+    m_place = Place::Beside;
+}
+
 Expected<void> FileWriter::commit()
 {
-    if (m_temporary.empty())
-        return {};
-    if (::rename(m_temporary.c_str(), m_target.c_str()) != 0)
-        return fail(error(errno));
-    m_temporary.clear();
-    if (m_durability == Durability::Power)
-        syncFolder(m_target);
+    return commitTogether({this});
+}
+
+Expected<void> FileWriter::commitTogether(std::initializer_list<FileWriter*> files)
+{
+    for (FileWriter* file : files)
+        if (auto done = file->finish(); !done)
+            return done;
+    for (auto at = files.begin(); at != files.end(); ++at) {
+        if (!(*at)->isRegular())
+            continue;
+        const bool isLastThere =
+            at + 1 == files.end() || folderOf(at[1]->m_target) != folderOf((*at)->m_target);
+        int code = (*at)->place();
+        if (code == 0 && isLastThere)
+            code = syncPath(folderOf((*at)->m_target));
+        if (code == 0)
+            continue;
+        for (auto back = at + 1; back != files.begin();)
+            (*--back)->takeBack();
+        return fail((*at)->error(code));
+    }
+    for (FileWriter* file : files)
+        file->removeTemporary(); // the old ones
+    return {};
+}
+
+Expected<void> writeFile(const std::string& path, std::string_view bytes)
+{
+    auto out = FileWriter::open(path);
+    if (!out)
+        return fail(out.error());
+    out->append(bytes);
+    return out->commit();
+}
+
+Expected<void> syncFile(const std::string& path)
+{
+    for (const std::string& synced : {path, folderOf(path)})
+        if (const int code = syncPath(synced); code != 0)
+            return fail(writeError(path, code));
     return {};
 }
 

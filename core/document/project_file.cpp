@@ -11,7 +11,6 @@
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <algorithm>
 
 namespace ramure {
 
@@ -171,17 +170,7 @@ Expected<void> saveAtomically(const QByteArray& bytes, const QString& path)
     if (path.isEmpty())
         return ioError(path, RAMURE_NOOP("cannot be written: %1"), QStringLiteral("the name is empty"));
     const std::string name = QFile::encodeName(path).toStdString();
-    auto file = FileWriter::open(name, Durability::Power);
-    if (!file)
-        return fail(file.error());
-    constexpr qsizetype atOnce = qsizetype(1) << 16;
-    for (qsizetype at = 0; at < bytes.size(); at += atOnce) {
-        const qsizetype size = std::min(atOnce, bytes.size() - at);
-        file->append({bytes.constData() + at, static_cast<std::size_t>(size)});
-    }
-    if (const auto done = file->finish(); !done)
-        return done;
-    return file->commit();
+    return writeFile(name, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 } // namespace ramure

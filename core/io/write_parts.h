@@ -34,7 +34,7 @@ public:
         m_progress.report(m_total ? double(m_done) / double(m_total) : 1.0);
         return out.isGood() && !m_progress.cancelled();
     }
-    /// The outcome where tick() said stop, or nothing: the writer's own error comes from finish().
+    /// The outcome where tick() said stop, or nothing: the writer's own error comes from commit().
     [[nodiscard]] bool cancelled() const { return m_progress.cancelled(); }
 
 private:

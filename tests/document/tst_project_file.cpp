@@ -1,8 +1,8 @@
-#include "core/base/file_writer.h"
 #include "core/document/project_file.h"
 #include "core/document/project_migrations.h"
 #include "tests/document/random_scene.h"
 #include "tests/support/cannot_run.h"
+#include "tests/support/failing_disk.h"
 #include "tests/support/kind_with.h"
 #include "tests/support/suite.h"
 
@@ -10,7 +10,6 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QTemporaryDir>
-#include <sys/resource.h>
 #include <unistd.h>
 
 using namespace ramure;
@@ -28,25 +27,6 @@ static QByteArray allOf(const QString& path)
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray("<cannot be opened>");
 }
-
-/// Lets no file grow beyond a size, as a full disk does.
-class SmallDisk
-{
-public:
-    explicit SmallDisk(rlim_t bytes)
-    {
-        makeFileLimitAnError();
-        getrlimit(RLIMIT_FSIZE, &m_before);
-        const rlimit limit{bytes, m_before.rlim_max};
-        setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~SmallDisk() { setrlimit(RLIMIT_FSIZE, &m_before); }
-    SmallDisk(const SmallDisk&) = delete;
-    SmallDisk& operator=(const SmallDisk&) = delete;
-
-private:
-    rlimit m_before{};
-};
 
 static Expected<void> renameName(QJsonObject& root)
 {
@@ -545,7 +525,7 @@ void TestProjectFile::fullDiskLeavesTheOldFile()
         }
         Expected<void> saved;
         {
-            const SmallDisk disk(size);
+            const test::SmallDisk disk(size);
             saved = saveProjectFile(big, path);
         }
         QVERIFY(!saved);

@@ -4,6 +4,7 @@
 #include "core/session/moving_source.h"
 #include "widgets/dialogs/export_task.h"
 #include "widgets/view/render/offscreen_renderer.h"
+#include "widgets/view/render/picture_file.h"
 #include <QFile>
 #include <cmath>
 #include <map>
@@ -69,7 +70,7 @@ Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, co
         const auto image = renderer.draw(*scene, camera, pictures.look.size, pictures.look.options);
         if (!image)
             return fail(image.error());
-        if (auto saved = savePng(*image, shot.file); !saved)
+        if (auto saved = savePicture(*image, shot.file); !saved)
             return saved;
         progress.report(static_cast<double>(i + 1) / count);
     }

@@ -129,15 +129,10 @@ private:
     Expected<void> write(const std::string& name, const std::string& text)
     {
         const std::string path = (std::filesystem::path(m_folder) / name).string();
-        auto file = FileWriter::open(path);
-        if (!file)
-            return fail(file.error());
-        for (std::size_t at = 0; at < text.size(); at += FileWriter::largestRoom)
-            file->append(std::string_view(text).substr(at, FileWriter::largestRoom));
-        if (auto finished = file->finish(); !finished)
-            return finished;
+        if (auto written = writeFile(path, text); !written)
+            return written;
         m_out.files.push_back(path);
-        return file->commit();
+        return {};
     }
     Expected<void> add(const Node& node)
     {

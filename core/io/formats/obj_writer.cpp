@@ -202,7 +202,7 @@ void writeMaterial(FileWriter& out, const Material& material)
     out.append(material.phong ? "\nKs 0.2 0.2 0.2\nNs 30\nillum 2\n" : "\nKs 0 0 0\nillum 1\n");
 }
 
-Expected<void> writeMaterials(FileWriter& out, std::span<const MeshPart> parts)
+void writeMaterials(FileWriter& out, std::span<const MeshPart> parts)
 {
     out.append("# Ramure " RAMURE_VERSION "\n# Kd in sRGB\n");
     std::set<std::string> written;
@@ -212,7 +212,6 @@ Expected<void> writeMaterials(FileWriter& out, std::span<const MeshPart> parts)
             if (written.insert(material.name).second)
                 writeMaterial(out, material);
         }
-    return out.finish();
 }
 
 std::size_t elementCount(std::span<const MeshPart> parts)
@@ -256,19 +255,13 @@ Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts
     }
     if (ticker.cancelled())
         return cancelled(path);
-    const bool hasMaterials = out->isRegular();
-    if (const auto finished = out->finish(); !finished)
-        return finished;
-    if (!hasMaterials)
-        return {};
+    if (!out->isRegular())
+        return out->commit();
     auto materials = FileWriter::open(library);
     if (!materials)
         return fail(materials.error());
-    if (const auto finished = writeMaterials(*materials, parts); !finished)
-        return finished;
-    if (const auto committed = materials->commit(); !committed)
-        return committed;
-    return out->commit();
+    writeMaterials(*materials, parts);
+    return FileWriter::commitTogether({&*materials, &*out});
 }
 
 Expected<void> writeObjLines(const std::string& path, const LinePart& lines, const Progress& progress,
@@ -292,8 +285,6 @@ Expected<void> writeObjLines(const std::string& path, const LinePart& lines, con
         });
     if (ticker.cancelled())
         return cancelled(path);
-    if (const auto finished = out->finish(); !finished)
-        return finished;
     return out->commit();
 }
 

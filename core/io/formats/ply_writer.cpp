@@ -240,13 +240,6 @@ void writeElements(FileWriter& out, std::span<const MeshPart> parts, const Layou
     }
 }
 
-Expected<void> finished(FileWriter& out)
-{
-    if (const auto done = out.finish(); !done)
-        return done;
-    return out.commit();
-}
-
 } // namespace
 
 Expected<void> writePly(const std::string& path, std::span<const MeshPart> parts, const PlyOptions& options,
@@ -266,7 +259,7 @@ Expected<void> writePly(const std::string& path, std::span<const MeshPart> parts
         error.value().file = path;
         return error;
     }
-    return finished(*out);
+    return out->commit();
 }
 
 Expected<void> writePlyLines(const std::string& path, const LinePart& lines, const PlyOptions& options)
@@ -299,7 +292,7 @@ Expected<void> writePlyLines(const std::string& path, const LinePart& lines, con
         }
         out->advance(to);
     }
-    return finished(*out);
+    return out->commit();
 }
 
 } // namespace ramure

@@ -349,7 +349,7 @@ Expected<void> saveBake(PhysicsCache& cache, std::int64_t lastStep, const std::s
                         const Progress& progress)
 {
     // Before the long work: a folder that is missing.
-    auto file = FileWriter::open(path, Durability::Power);
+    auto file = FileWriter::open(path);
     if (!file)
         return fail(file.error());
     if (auto done = cache.seek(lastStep, progress.part(0.0, 0.9)); !done)
@@ -386,8 +386,6 @@ Expected<void> saveBake(PhysicsCache& cache, std::int64_t lastStep, const std::s
         checksum = checksumOf(words, checksum);
     }
     append(*file, {checksum});
-    if (auto done = file->finish(); !done)
-        return done;
     progress.report(1.0);
     return file->commit();
 }

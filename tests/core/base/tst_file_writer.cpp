@@ -1,9 +1,12 @@
 #include "core/base/file_writer.h"
 #include "tests/core/io/io_support.h"
+#include "tests/support/failing_disk.h"
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QTemporaryDir>
+#include <cerrno>
+#include <cstdio>
 #include <unistd.h>
 
 using namespace ramure;
@@ -122,6 +125,72 @@ private slots:
         QVERIFY(QFileInfo(path).isSymLink());
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::System).size(), 2); // nothing left behind
     }
+    void oldFilesSurviveEveryError()
+    {
+        test::checkNothingLost([](const QString& folder, int version) {
+            const std::string text(700'000, version == 0 ? 'a' : 'b'); // some writes
+            return writeFile(folder.toStdString() + "/x", text);
+        });
+    }
+    void filesThatBelongTogetherComeTogether()
+    {
+        test::checkNothingLost([](const QString& folder, int version) -> Expected<void> {
+            std::vector<FileWriter> files;
+            for (const char* name : {"/one", "/two", "/three"}) {
+                auto file = FileWriter::open(folder.toStdString() + name);
+                if (!file)
+                    return fail(file.error());
+                file->append(version == 0 ? "old" : "new");
+                files.push_back(std::move(*file));
+            }
+            return FileWriter::commitTogether({&files[0], &files[1], &files[2]});
+        });
+    }
+    void folderThatVanishes()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("gone/x");
+        QVERIFY(QDir(folder.path()).mkdir("gone"));
+        auto out = FileWriter::open(path.toStdString());
+        QVERIFY(out);
+        out->append("text");
+        QVERIFY(QDir(folder.filePath("gone")).removeRecursively());
+        const auto written = out->commit();
+        QVERIFY(!written);
+        QCOMPARE(written.error().message(),
+                 path.toStdString() + ": cannot be written: No such file or directory");
+    }
+    void fileSystemsWithoutExchange()
+    {
+        QTemporaryDir folder;
+        const std::string path = folder.filePath("x").toStdString();
+        const FileCalls before = fileCalls();
+        fileCalls().rename = [](const char* from, const char* to, unsigned flags) {
+            errno = EINVAL;
+            return flags == 0 ? std::rename(from, to) : -1;
+        };
+        const bool written = writeFile(path, "old") && writeFile(path, "new");
+        fileCalls() = before;
+        QVERIFY(written);
+        QCOMPARE(test::fileBytes(folder.filePath("x")), QByteArray("new"));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 1);
+    }
+    void syncingWhatOthersWrote()
+    {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("x");
+        const auto missing = syncFile(path.toStdString());
+        QVERIFY(!missing);
+        QCOMPARE(missing.error().message(),
+                 path.toStdString() + ": cannot be written: No such file or directory");
+        test::writeBytes(path, "settings");
+        QVERIFY(syncFile(path.toStdString()));
+        for (const int call : {1, 2, 3, 4}) { // opened and synced: the file, its folder
+            const test::FailingDisk disk(call, EIO);
+            QVERIFY(!syncFile(path.toStdString()));
+            QVERIFY(disk.hasFailed());
+        }
+    }
     void cancelLeavesTheOldFile()
     {
         QTemporaryDir folder;
@@ -166,7 +235,6 @@ private slots:
         auto out = FileWriter::open(path.toStdString());
         QVERIFY(out);
         out->append(text);
-        QVERIFY(out->finish());
         QVERIFY(!QFileInfo::exists(path)); // not before the commit
         QVERIFY(out->commit());
         QCOMPARE(test::fileBytes(path).toStdString(), text);

@@ -1,10 +1,7 @@
 #include "widgets/view/render/offscreen_renderer.h"
 
-#include "core/base/file_writer.h"
 #include "widgets/view/render/renderer.h"
-#include <QBuffer>
 #include <QGuiApplication>
-#include <QImageWriter>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
@@ -110,27 +107,6 @@ Expected<QImage> renderImage(const RenderScene& scene, const Camera& camera, QSi
     auto image = offscreen.draw(scene, camera, size, options);
     offscreen.end();
     return image;
-}
-
-Expected<void> savePng(const QImage& image, const std::string& path)
-{
-    // Encoded first: then all that can go wrong is writing.
-    QBuffer bytes;
-    bytes.open(QIODevice::WriteOnly);
-    QImageWriter writer(&bytes, "png");
-    if (!writer.write(image)) {
-        auto error =
-            fail(ErrorCode::Io, RAMURE_NOOP("cannot be encoded: %1"), {writer.errorString().toStdString()});
-        error.value().file = path;
-        return error;
-    }
-    auto target = FileWriter::open(path);
-    if (!target)
-        return fail(target.error());
-    target->append({bytes.data().constData(), static_cast<std::size_t>(bytes.data().size())});
-    if (const auto finished = target->finish(); !finished)
-        return finished;
-    return target->commit();
 }
 
 } // namespace ramure

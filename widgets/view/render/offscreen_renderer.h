@@ -43,7 +43,4 @@ private:
 Expected<QImage> renderImage(const RenderScene& scene, const Camera& camera, QSize size,
                              const RenderOptions& options = {});
 
-/// Writes a picture as PNG; the old file is intact on an error. Errors: Io.
-Expected<void> savePng(const QImage& image, const std::string& path);
-
 } // namespace ramure
