@@ -52,6 +52,8 @@ struct MotionRequest
     bool forgetHand = false; ///< the hand's pulls and the shaken apples of the run are forgotten first
 };
 
+class TreeActor;
+
 class MotionWorker
 {
 public:
@@ -82,7 +84,6 @@ public:
     [[nodiscard]] bool isBusy() const;
 
 private:
-    struct Actor;
     struct ArmActor;
     void loop(const std::stop_token& quit);
     Expected<void> reshape(MotionTree& tree, MotionFrame& frame, const Progress& progress);
@@ -99,10 +100,10 @@ private:
     std::optional<MotionRequest> m_waiting;
     std::optional<std::stop_source> m_running;
     TreePipeline m_pipeline; ///< of trees whose shape has tracks; only the thread looks
-    std::map<NodeId, std::unique_ptr<Actor>> m_actors;  ///< only the thread looks
-    std::map<NodeId, std::unique_ptr<ArmActor>> m_arms; ///< likewise
-    std::chrono::steady_clock::time_point m_bandSent;   ///< only the thread looks
-    std::jthread m_thread;                              ///< last: it needs all of the above
+    std::map<NodeId, std::unique_ptr<TreeActor>> m_actors; ///< only the thread looks
+    std::map<NodeId, std::unique_ptr<ArmActor>> m_arms;    ///< likewise
+    std::chrono::steady_clock::time_point m_bandSent;      ///< only the thread looks
+    std::jthread m_thread;                                 ///< last: it needs all of the above
 };
 
 } // namespace ramure
