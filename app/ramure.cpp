@@ -2,6 +2,7 @@
 #include "app/editor_options.h"
 #include "core/base/file_writer.h"
 #include "core/base/kept_memory.h"
+#include "core/io/formats/file_format.h"
 #include "core/session/exporter.h"
 #include "core/session/recompute.h"
 #include "widgets/actions/dialog_chooser.h"
@@ -64,8 +65,10 @@ Arguments readArguments(const QApplication& application)
     parser.setApplicationDescription(QLatin1String(editorSummary));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("input"), QLatin1String(editorInputText),
-                                 QLatin1String(editorInput));
+    parser.addPositionalArgument(
+        QStringLiteral("input"),
+        QString::fromLatin1(editorInputText).arg(QString::fromStdString(endingList(FormatUse::Import))),
+        QLatin1String(editorInput));
     for (const EditorOption& option : editorOptions)
         parser.addOption(
             {QLatin1String(option.name), QLatin1String(option.description), QLatin1String(option.value)});
@@ -132,9 +135,8 @@ bool exportTo(const QString& path, const Document& document)
 {
     ExportOptions options;
     options.texture = true;
-    // A PLY file holds one mesh: the closed one.
-    if (path.endsWith(QStringLiteral(".ply"), Qt::CaseInsensitive))
-        options.parts = exportBranches;
+    if (const auto format = findFormat(path.toStdString(), FormatUse::Write))
+        options.parts = usualParts(**format);
     const auto done = exportScene(document.scene(), options, documentSource(document), path.toStdString());
     if (!done) {
         complain(QString::fromStdString(done.error().message()));

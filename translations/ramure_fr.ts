@@ -860,14 +860,6 @@
         <translation>Des couleurs montrent où la texture est étirée</translation>
     </message>
     <message>
-        <source>Open a Ramure file, or objects into a new scene: .obj, .ply, .animation</source>
-        <translation>Ouvrir un fichier Ramure, ou des objets dans une nouvelle scène : .obj, .ply, .animation</translation>
-    </message>
-    <message>
-        <source>Add an object to the scene: .obj, .ply, and .animation from Blender</source>
-        <translation>Ajouter un objet à la scène : .obj, .ply, et .animation venu de Blender</translation>
-    </message>
-    <message>
         <source>O&amp;pposite side</source>
         <translation>Côté o&amp;pposé</translation>
     </message>
@@ -886,6 +878,14 @@
     <message>
         <source>A line around what is selected, seen through leaves and branches</source>
         <translation>Une ligne autour de ce qui est sélectionné, visible à travers les feuilles et les branches</translation>
+    </message>
+    <message>
+        <source>Open a Ramure file, or objects into a new scene</source>
+        <translation>Ouvrir un fichier Ramure, ou des objets dans une nouvelle scène</translation>
+    </message>
+    <message>
+        <source>Add objects to the scene: meshes, and keys from Blender</source>
+        <translation>Ajouter des objets à la scène : maillages, et clés venues de Blender</translation>
     </message>
 </context>
 <context>
@@ -2296,10 +2296,6 @@
         <translation>une échelle nulle ne laisse rien à exporter</translation>
     </message>
     <message>
-        <source>unknown file ending &quot;%1&quot;: meshes are written as .obj or .ply</source>
-        <translation>extension inconnue «&#xa0;%1&#xa0;»&#xa0;: les maillages s’écrivent en .obj ou .ply</translation>
-    </message>
-    <message>
         <source>the tree is still being computed</source>
         <translation>l’arbre est encore en cours de calcul</translation>
     </message>
@@ -2510,10 +2506,6 @@
     <message>
         <source>the grammar draws no branch at all</source>
         <translation>la grammaire ne trace aucune branche</translation>
-    </message>
-    <message>
-        <source>unknown file ending &quot;%1&quot;: .obj and .ply can be read</source>
-        <translation>extension inconnue «&#xa0;%1&#xa0;»&#xa0;: .obj et .ply peuvent être lus</translation>
     </message>
     <message>
         <source>more than 1 GiB from a pipe or device</source>
@@ -4228,10 +4220,6 @@
         <translation>du base64 de lignes de trois octets est attendu ici</translation>
     </message>
     <message>
-        <source>an .obj, a .ply, an .animation or a folder of them is expected</source>
-        <translation>un .obj, un .ply, un .animation ou un dossier qui en contient est attendu</translation>
-    </message>
-    <message>
         <source>an object with keys has Y up and metres: they cannot be chosen</source>
         <translation>un objet à clés est en mètres, Y vers le haut : cela ne se choisit pas</translation>
     </message>
@@ -4264,12 +4252,40 @@
         <translation>Axe du maillage</translation>
     </message>
     <message>
-        <source>unknown file ending &quot;%1&quot;: .ramure, .obj, .ply and .animation can be read</source>
-        <translation>extension inconnue « %1 » : .ramure, .obj, .ply et .animation peuvent être lus</translation>
-    </message>
-    <message>
         <source>Which axis of an object comes to lie along the arm when the arm puts it on: Y for a tree.</source>
         <translation>L&apos;axe d&apos;un objet qui vient s&apos;aligner sur le bras quand le bras le revêt : Y pour un arbre.</translation>
+    </message>
+    <message>
+        <source>Keys from Blender</source>
+        <translation>Clés de Blender</translation>
+    </message>
+    <message>
+        <source>unknown file ending &quot;%1&quot;: meshes are written as %2</source>
+        <translation>extension inconnue « %1 » : les maillages s’écrivent en %2</translation>
+    </message>
+    <message>
+        <source>unknown file ending &quot;%1&quot;: %2 can be read</source>
+        <translation>extension inconnue « %1 » : %2 peuvent être lus</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation>Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>Wavefront OBJ, with materials</source>
+        <translation>Wavefront OBJ, avec matériaux</translation>
+    </message>
+    <message>
+        <source>Stanford PLY</source>
+        <translation>Stanford PLY</translation>
+    </message>
+    <message>
+        <source>PLY, binary</source>
+        <translation>PLY, binaire</translation>
+    </message>
+    <message>
+        <source>PLY, text</source>
+        <translation>PLY, texte</translation>
     </message>
 </context>
 <context>
@@ -5267,14 +5283,6 @@ OpenGL&#xa0;: %4
 <context>
     <name>ramure::ExportDialog</name>
     <message>
-        <source>Wavefront OBJ (*.obj)</source>
-        <translation>Wavefront OBJ (*.obj)</translation>
-    </message>
-    <message>
-        <source>Stanford PLY (*.ply)</source>
-        <translation>Stanford PLY (*.ply)</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exporter</translation>
     </message>
@@ -5285,18 +5293,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>Cancelled. No file was changed.</source>
         <translation>Annulé. Aucun fichier n’a été modifié.</translation>
-    </message>
-    <message>
-        <source>Wavefront OBJ, with materials</source>
-        <translation>Wavefront OBJ, avec matériaux</translation>
-    </message>
-    <message>
-        <source>PLY, binary</source>
-        <translation>PLY, binaire</translation>
-    </message>
-    <message>
-        <source>PLY, text</source>
-        <translation>PLY, texte</translation>
     </message>
     <message>
         <source>Finished mesh</source>
@@ -5379,10 +5375,6 @@ OpenGL&#xa0;: %4
         <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’une pomme. La taille d’une répétition de l’écorce, en mètres, est le paramètre «&#xa0;Carreau d’écorce&#xa0;» de l’arbre.</translation>
     </message>
     <message>
-        <source>PNG pictures (*.png)</source>
-        <translation>Images PNG (*.png)</translation>
-    </message>
-    <message>
         <source>PNG pictures of the view</source>
         <translation>Images PNG de la vue</translation>
     </message>
@@ -5441,8 +5433,12 @@ OpenGL&#xa0;: %4
         <translation>Axes et unité</translation>
     </message>
     <message>
-        <source>PLY has no objects: leaves and apples would be mixed into the one closed mesh of the branches. Tick them to write them all the same.</source>
-        <translation>PLY ne connaît pas d’objets&#xa0;: feuilles et pommes seraient mêlées au seul maillage fermé des branches. Cochez-les pour les écrire quand même.</translation>
+        <source>PNG pictures</source>
+        <translation>Images PNG</translation>
+    </message>
+    <message>
+        <source>This format has no objects: leaves and apples would be mixed into the one closed mesh of the branches. Tick them to write them all the same.</source>
+        <translation>Ce format ne connaît pas d’objets : feuilles et pommes seraient mêlées au seul maillage fermé des branches. Cochez-les pour les écrire quand même.</translation>
     </message>
 </context>
 <context>
@@ -5504,12 +5500,8 @@ OpenGL&#xa0;: %4
         <translation>Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>All that can be opened (*.ramure *.obj *.ply *.animation)</source>
-        <translation>Tout ce qui peut être ouvert (*.ramure *.obj *.ply *.animation)</translation>
-    </message>
-    <message>
-        <source>Objects and keys (*.obj *.ply *.animation)</source>
-        <translation>Objets et clés (*.obj *.ply *.animation)</translation>
+        <source>All that can be opened (%1)</source>
+        <translation>Tout ce qui peut être ouvert (%1)</translation>
     </message>
 </context>
 <context>
@@ -5708,10 +5700,6 @@ OpenGL&#xa0;: %4
         </translation>
     </message>
     <message>
-        <source>Objects and keys (*.obj *.ply *.animation);;All files (*)</source>
-        <translation>Objets et clés (*.obj *.ply *.animation);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Open</source>
         <translation>Ouvrir</translation>
     </message>
@@ -5726,6 +5714,14 @@ OpenGL&#xa0;: %4
     <message>
         <source>“%1” was opened.</source>
         <translation>« %1 » a été ouvert.</translation>
+    </message>
+    <message>
+        <source>Objects and keys (%1)</source>
+        <translation>Objets et clés (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #include "app/cli/work.h"
 #include "core/base/file_writer.h"
 #include "core/document/mesh_report_json.h"
+#include "core/io/formats/file_format.h"
 #include "core/session/exporter.h"
 #include "core/session/moving_source.h"
 #include <QFileInfo>
@@ -20,11 +21,9 @@ namespace ramure::cli {
 namespace {
 
 constexpr CommandText text = {
-    "export", "writes OBJ and PLY", "INPUT",
+    "export", "writes mesh files", "INPUT",
     "Writes a tree or a scene as meshes, or a mesh file in another format.",
-    "The ending of FILE says the format: .obj (with an .mtl beside it: objects "
-    "branches, leaves, apples, with normals) or .ply "
-    "(binary unless --ascii; vertices with normal, colour, branch id and level).\n"
+    "The ending of FILE says the format: {formats}.\n"
     "All that is visible in a project is written together, where it stands in the "
     "world. Of several trees the objects are "
     "branches_1, leaves_1, apples_1, branches_2 and so on; arms (their skin as it is "
@@ -89,7 +88,7 @@ Expected<Request> requestOf(const CommandLine& line)
     if (out.files.isEmpty())
         return fail(ErrorCode::Invalid, "missing -o FILE: `ramure-cli export --help` shows what it takes");
     for (const QString& file : out.files)
-        if (const auto known = checkExportEnding(systemPath(file)); !known)
+        if (const auto known = findFormat(systemPath(file), FormatUse::Write, out.ascii); !known)
             return fail(known.error());
     out.requireValid = line.has("require-valid");
     out.report = line.value("report");
@@ -118,9 +117,10 @@ Expected<Request> requestOf(const CommandLine& line)
     return out;
 }
 
-bool isPly(const QString& file)
+/// requestOf has checked the ending.
+const FileFormat& formatOf(const Request& request, const QString& file)
 {
-    return file.endsWith(QLatin1String(".ply"), Qt::CaseInsensitive);
+    return **findFormat(systemPath(file), FormatUse::Write, request.ascii);
 }
 
 /// The pipeline; says once of each tree that its mesh does not fit the budget.
@@ -145,8 +145,8 @@ Expected<void> exportAt(const Scene& scene, const Request& request, double timeS
         const QString& file = files.at(i);
         ExportOptions options;
         options.model = request.model;
-        options.parts = request.parts.value_or(isPly(file) ? exportBranches : exportAll);
-        options.ply.ascii = request.ascii;
+        options.parts = request.parts.value_or(usualParts(formatOf(request, file)));
+        options.write.ascii = request.ascii;
         options.texture = request.texture;
         options.space = request.space;
         options.timeSeconds = timeSeconds;
@@ -200,12 +200,12 @@ Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Pr
         parts.push_back({mesh.objects[i].name, &objects[i], barkMaterial()});
     const TriangleMesh joined = placed(mesh.joined());
     const std::string comment = request.space.comment();
-    // A PLY file is one mesh: vertices that the objects share stay shared.
+    // Where all is one mesh, vertices that the objects share stay shared.
     const std::vector<MeshPart> whole{{"mesh", &joined, barkMaterial()}};
     for (const QString& file : request.files) {
-        const auto written = isPly(file)
-                                 ? writePly(systemPath(file), whole, {request.ascii, comment}, progress)
-                                 : writeObj(systemPath(file), parts, progress, comment);
+        const FileFormat& format = formatOf(request, file);
+        const auto written = format.write(systemPath(file), {(format.holds & holdsObjects) ? parts : whole},
+                                          {request.ascii, comment}, progress);
         if (!written)
             return written;
     }
@@ -302,7 +302,7 @@ void addOptions(CommandLine& line)
     line.addInputOptions();
     line.addNodeOption();
     line.add({QStringLiteral("part")},
-             QStringLiteral("What is written. Without it .obj gets all, .ply the branches."),
+             QStringLiteral("What is written. Without it formats with objects get all, others the branches."),
              QStringLiteral("branches|leaves|apples|all"));
     line.add({QStringLiteral("model")},
              QStringLiteral("mesh (one continuous mesh; the default), rough (open cylinders, squares, cubes) "
@@ -316,7 +316,7 @@ void addOptions(CommandLine& line)
                             "tree that moves keeps the coordinates it has at rest."));
     line.add({QStringLiteral("no-texture")}, QStringLiteral("Without texture coordinates."));
     addSpaceOptions(line);
-    line.add({QStringLiteral("ascii")}, QStringLiteral("Writes .ply as text."));
+    line.add({QStringLiteral("ascii")}, QStringLiteral("Writes a format that has both as text, not binary."));
     addMomentOptions(line, MomentOptions::Sequence);
     line.add({QStringLiteral("separate")},
              QStringLiteral("Moves branches that collide apart before they are written; says how many."));

@@ -15,7 +15,7 @@ namespace {
 constexpr CommandText text = {
     "import", "makes a project of meshes or of what a script for Blender wrote", "INPUT",
     "Makes a project of mesh files, or writes a project as files for Blender.",
-    "INPUT is any .obj or .ply, or what a script for Blender wrote: NAME.obj with a line TRANSFORM, "
+    "INPUT is any file {read}, or what a script for Blender wrote: NAME.obj with a line TRANSFORM, "
     "NAME.animation, or a folder of them; the other file of the same name is read too. Colours come from the "
     ".mtl that an .obj names. A file that Ramure wrote says its axes and its unit itself. All that was "
     "guessed or mended is told on the standard error, or under \"notes\" with "
@@ -63,7 +63,7 @@ Expected<void> importTo(const CommandLine& line, const QString& input, const QSt
     const auto space = fileSpaceFrom(line);
     if (!space)
         return fail(space.error());
-    auto imported = importBlender(systemPath(input), {*cubic, *space}, progress);
+    auto imported = importObjects(systemPath(input), {*cubic, *space}, progress);
     if (!imported)
         return fail(std::move(imported.error()));
     const auto count = static_cast<qint64>(imported->nodes.size());

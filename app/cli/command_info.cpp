@@ -27,8 +27,8 @@ constexpr CommandText text = {
     "numbers, "
     "row after row; \"geometry\" is where its own shape stands, which its children do not see; of arms, "
     "terrains, primitives and imported meshes also the vertices and faces, of arms the joints, the reach and "
-    "the tip (m, the arm's own space, as it is at --time). Of an .obj or "
-    ".ply file: vertices, faces, box and its objects."};
+    "the tip (m, the arm's own space, as it is at --time). Of a file "
+    "{read}: vertices, faces, box and its objects."};
 
 /// What is said of one skeleton, or of several together.
 struct SkeletonFacts

@@ -1,4 +1,5 @@
 #include "app/cli/command_line.h"
+#include "core/io/formats/file_format.h"
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -28,6 +29,21 @@ QString wrapped(const QString& text, int indentation)
     }
     flush();
     return out;
+}
+
+QString withFormats(const char* text)
+{
+    QString written;
+    for (const FileFormat* format : fileFormats())
+        if (*format->help != '\0')
+            written += QStringLiteral("%1.%2 (%3)")
+                           .arg(QLatin1String(written.isEmpty() ? "" : " or "), QLatin1String(format->ending),
+                                QLatin1String(format->help));
+    return QString::fromUtf8(text)
+        .replace(QLatin1String("{formats}"), written)
+        .replace(QLatin1String("{read}"), fromText(endingList(FormatUse::Read)))
+        .replace(QLatin1String("{import}"), fromText(endingList(FormatUse::Import)))
+        .replace(QLatin1String("{write}"), fromText(endingList(FormatUse::Write)));
 }
 
 QString optionHead(const QCommandLineOption& option)
@@ -111,8 +127,7 @@ QString CommandLine::help() const
     QString out = QStringLiteral("Usage: ramure-cli %1 %2 [OPTIONS]\n\n%3\n")
                       .arg(QLatin1String(m_text.name), QLatin1String(m_text.arguments),
                            wrapped(QString::fromUtf8(m_text.summary), 0));
-    for (const QString& paragraph :
-         QString::fromUtf8(m_text.details).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
+    for (const QString& paragraph : withFormats(m_text.details).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
         out += paragraph.startsWith(QLatin1Char(' ')) ? paragraph + QLatin1Char('\n') : wrapped(paragraph, 0);
     out += QStringLiteral("\nOptions:\n");
     for (const QCommandLineOption& option : m_options)

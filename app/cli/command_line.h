@@ -63,6 +63,9 @@ private:
 
 /// "-o, --output FILE"
 QString optionHead(const QCommandLineOption& option);
+/// The text with the endings of the table of formats for {read}, {import} and {write}, and what is said of
+/// each that is written for {formats}.
+QString withFormats(const char* text);
 /// Lines of at most 96 characters, each with the indentation.
 QString wrapped(const QString& text, int indentation);
 

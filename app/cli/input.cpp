@@ -1,5 +1,6 @@
 #include "app/cli/input.h"
 #include "core/document/project_file.h"
+#include "core/io/formats/file_format.h"
 #include "core/params/param_def.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/demo_scenes.h"
@@ -108,10 +109,10 @@ Expected<Input> loadInput(const QString& text, const QStringList& sets, const Pr
             return fail(applied.error());
         return Input{std::move(*scene)};
     }
-    if (ending != QLatin1String("obj") && ending != QLatin1String("ply"))
+    if (!findFormat(systemPath(text), FormatUse::Read))
         return fail(ErrorCode::Unknown,
-                    "\"%1\" is no input: preset:NAME, demo:NAME or a file .ramure, .obj or .ply expected",
-                    {text.toStdString()});
+                    "\"%1\" is no input: preset:NAME, demo:NAME or a file .ramure, %2 expected",
+                    {text.toStdString(), endingList(FormatUse::Read)});
     if (!sets.isEmpty())
         return fail(ErrorCode::Invalid, "--set needs a tree: \"%1\" is a mesh", {text.toStdString()});
     auto mesh = readMeshFile(systemPath(text), progress);

@@ -1,5 +1,5 @@
 /// \file
-/// INPUT of the command line: preset:NAME, demo:NAME, a .ramure, .obj or .ply file, with --set.
+/// INPUT of the command line: preset:NAME, demo:NAME, a .ramure or mesh file, with --set.
 #pragma once
 
 #include "app/cli/command_line.h"

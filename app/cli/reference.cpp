@@ -11,8 +11,7 @@ namespace ramure::cli {
 namespace {
 
 constexpr const char* summary = "Grows, checks, moves, exports and draws trees without a window.";
-constexpr const char* inputs =
-    "INPUT of a command is preset:NAME, demo:NAME or a file .ramure, .obj or .ply.";
+constexpr const char* inputs = "INPUT of a command is preset:NAME, demo:NAME or a file .ramure, {read}.";
 constexpr const char* exits = "Exit codes: 0 good, 1 the check failed, 2 bad usage or input.";
 
 /// Text as man(7) reads it: nothing in it is a macro, what stands between ` and ` is bold.
@@ -46,7 +45,7 @@ QString roffCommand(const Command& command)
             .arg(roff(QLatin1String(command.text.name)), roff(QLatin1String(command.text.arguments)),
                  roff(QString::fromUtf8(command.text.summary)));
     for (const QString& paragraph :
-         QString::fromUtf8(command.text.details).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
+         withFormats(command.text.details).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
         out += QStringLiteral(".PP\n%1\n").arg(roff(paragraph.trimmed()));
     for (const QCommandLineOption& option : line.options())
         out += roffOption(optionHead(option), option.description());
@@ -131,7 +130,7 @@ QString helpText()
     for (const ProgramOption& option : programOptions)
         out += QStringLiteral("  %1\n%2")
                    .arg(QLatin1String(option.name), wrapped(QLatin1String(option.description), 6));
-    return out + QStringLiteral("\n%1\n%2\n").arg(QLatin1String(inputs), QLatin1String(exits));
+    return out + QStringLiteral("\n%1\n%2\n").arg(withFormats(inputs), QLatin1String(exits));
 }
 
 QString manualText()
@@ -139,7 +138,7 @@ QString manualText()
     QString out = roffHead(QStringLiteral("ramure-cli"), QLatin1String(summary)) +
                   QStringLiteral(".SH SYNOPSIS\n\\fBramure\\-cli\\fR COMMAND [ARGUMENTS] [OPTIONS]\n"
                                  ".SH DESCRIPTION\n%1\n.SH OPTIONS\n")
-                      .arg(roff(QLatin1String(inputs)));
+                      .arg(roff(withFormats(inputs)));
     for (const ProgramOption& option : programOptions)
         out += roffOption(QLatin1String(option.name), QLatin1String(option.description));
     out += QStringLiteral(".SH COMMANDS\n");

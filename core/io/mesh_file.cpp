@@ -1,11 +1,7 @@
 #include "core/io/mesh_file.h"
-#include "core/io/file_space.h"
 #include "core/io/read_parts.h"
 #include "core/io/write_parts.h"
-#include "core/surface/mesh/transformed.h"
 #include <algorithm>
-#include <filesystem>
-#include <glm/matrix.hpp>
 
 namespace ramure {
 
@@ -128,25 +124,6 @@ TriangleMesh ReadMesh::joined() const
     const bool isShared = std::any_of(objects.begin(), objects.end(),
                                       [](const ReadObject& object) { return !object.fileVertex.empty(); });
     return isShared ? rewelded(objects) : appended(objects);
-}
-
-Expected<ReadMesh> readMeshFile(const std::string& path, const Progress& progress)
-{
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    if (ending != ".obj" && ending != ".ply") {
-        auto error = fail(ErrorCode::Unknown,
-                          RAMURE_NOOP("unknown file ending \"%1\": .obj and .ply can be read"), {ending});
-        error.value().file = path;
-        return error;
-    }
-    auto mesh = ending == ".obj" ? reading::readObjFile(path, progress, materialsBeside(path))
-                                 : reading::readPlyFile(path, progress);
-    if (const auto space = mesh ? fileSpaceOf(path) : std::nullopt)
-        for (ReadObject& object : mesh->objects)
-            object.mesh = transformed(object.mesh, glm::inverse(space->matrix()));
-    return mesh;
 }
 
 } // namespace ramure

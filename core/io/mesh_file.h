@@ -41,9 +41,9 @@ struct LinePart
     std::vector<glm::uvec2> lines;
 };
 
-struct PlyOptions
+struct WriteOptions
 {
-    bool ascii = false;
+    bool ascii = false;    ///< where the format has a form of text beside a binary one
     std::string comment{}; ///< one line in the head of the file, after the program's name; empty: none
 };
 
@@ -59,9 +59,9 @@ Expected<void> writeObjLines(const std::string& path, const LinePart& lines, con
 /// The parts joined into one vertex list with properties x y z nx ny nz red green blue branch level; normals
 /// where all parts have them, texture coordinates as well (six floats per face, property list texcoord, as
 /// MeshLab has it), branch and level where one has (noIndex, as an int -1, in the others).
-Expected<void> writePly(const std::string& path, std::span<const MeshPart> parts, const PlyOptions& options,
+Expected<void> writePly(const std::string& path, std::span<const MeshPart> parts, const WriteOptions& options,
                         const Progress& progress = {});
-Expected<void> writePlyLines(const std::string& path, const LinePart& lines, const PlyOptions& options);
+Expected<void> writePlyLines(const std::string& path, const LinePart& lines, const WriteOptions& options);
 
 /// One object as read: polygons are split into fans, positions are shared as in the file.
 struct ReadObject
@@ -84,9 +84,9 @@ using MaterialSource = std::function<Expected<std::string>(const std::string& na
 /// Looks beside the OBJ at \p path.
 MaterialSource materialsBeside(const std::string& path);
 
-/// Reads .obj and .ply (ASCII, little and big endian) by the ending. What the program does not use
-/// (unknown PLY properties) is skipped; texture coordinates are kept where every corner of an object has
-/// them. Of materials the diffuse colour is kept, for each triangle; where none is to be had there are no
+/// Reads a file of a format of meshes (core/io/formats/file_format.h) by the ending. What the program does
+/// not use (unknown PLY properties) is skipped; texture coordinates are kept where every corner of an object
+/// has them. Of materials the diffuse colour is kept, for each triangle; where none is to be had there are no
 /// colours, and a material file that is missing or broken is a note. Indices may be negative. Errors with
 /// file and line (or byte offset): Io, Syntax, Invalid (index out of range, non-finite number), Unknown
 /// (ending), Cancelled.

@@ -102,7 +102,7 @@ struct ScanBlocks
     [[nodiscard]] std::string_view restView() const { return {rest.data(), rest.size() - padding}; }
 };
 
-/// readMeshFile for either ending: regular files in blocks.
+/// Regular files in blocks.
 Expected<ReadMesh> readObjFile(const std::string& path, const Progress& progress,
                                const MaterialSource& materials = {}, std::size_t blockSize = lineBlockSize);
 Expected<ReadMesh> readPlyFile(const std::string& path, const Progress& progress);

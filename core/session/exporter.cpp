@@ -1,6 +1,7 @@
 #include "core/session/exporter.h"
 
 #include "core/document/document.h"
+#include "core/io/formats/file_format.h"
 #include "core/io/formats/material_file.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
@@ -12,7 +13,6 @@
 #include "core/surface/texture/texture_coordinates.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
@@ -282,25 +282,6 @@ Expected<void> addTree(ExportSet& set, const Candidate& tree, const ExportOption
     return {};
 }
 
-enum class FileFormat { Obj, Ply };
-
-Expected<FileFormat> formatOf(const std::string& path)
-{
-    const std::size_t dot = path.find_last_of("./\\");
-    std::string ending = dot == std::string::npos || path[dot] != '.' ? "" : path.substr(dot);
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (ending == ".obj")
-        return FileFormat::Obj;
-    if (ending == ".ply")
-        return FileFormat::Ply;
-    auto error =
-        fail(ErrorCode::Unknown,
-             RAMURE_NOOP("unknown file ending \"%1\": meshes are written as .obj or .ply"), {ending});
-    error.value().file = path;
-    return error;
-}
-
 } // namespace
 
 std::vector<MeshPart> ExportSet::parts() const
@@ -368,35 +349,30 @@ Expected<ExportSet> collectExport(const Scene& scene, const ExportOptions& optio
     return set;
 }
 
-Expected<void> checkExportEnding(const std::string& path)
+std::uint8_t usualParts(const FileFormat& format)
 {
-    const auto format = formatOf(path);
-    return format ? Expected<void>{} : fail(format.error());
+    return (format.holds & holdsObjects) ? exportAll : exportBranches;
 }
 
-Expected<void> writeExport(const ExportSet& set, const std::string& path, const PlyOptions& options,
+Expected<void> writeExport(const ExportSet& set, const std::string& path, const WriteOptions& options,
                            const Progress& progress)
 {
-    const auto format = formatOf(path);
+    const auto format = findFormat(path, FormatUse::Write, options.ascii);
     if (!format)
         return fail(format.error());
-    if (set.lines)
-        return *format == FileFormat::Obj ? writeObjLines(path, *set.lines, progress, options.comment)
-                                          : writePlyLines(path, *set.lines, options);
     const std::vector<MeshPart> parts = set.parts();
-    return *format == FileFormat::Obj ? writeObj(path, parts, progress, options.comment)
-                                      : writePly(path, parts, options, progress);
+    return (*format)->write(path, {parts, set.lines ? &*set.lines : nullptr}, options, progress);
 }
 
 Expected<void> exportScene(const Scene& scene, const ExportOptions& options, const TreeSource& source,
                            const std::string& path, const Progress& progress)
 {
-    if (const auto ending = checkExportEnding(path); !ending)
-        return ending;
+    if (const auto format = findFormat(path, FormatUse::Write); !format)
+        return fail(format.error());
     const auto set = collectExport(scene, options, source, progress.part(0.0, 0.5));
     if (!set)
         return fail(set.error());
-    PlyOptions head = options.ply;
+    WriteOptions head = options.write;
     head.comment = options.space.comment();
     return writeExport(*set, path, head, progress.part(0.5, 1.0));
 }

@@ -20,6 +20,7 @@ namespace ramure {
 
 class Document;
 class MovingArms;
+struct FileFormat;
 
 enum class ExportModel : std::uint8_t {
     Mesh,     ///< the one continuous mesh, triangle leaves, round apples
@@ -40,7 +41,7 @@ struct ExportOptions
     /// Runs of the arms, for sequences: no frame is computed twice. Not owned; null: none are kept.
     MovingArms* arms = nullptr;
     bool texture = false; ///< trees with texture coordinates; the rough model and the skeleton have none
-    PlyOptions ply;
+    WriteOptions write;
     FileSpace space; ///< the axes and the unit of the file
 };
 
@@ -76,15 +77,14 @@ TreeSource documentSource(const Document& document);
 Expected<ExportSet> collectExport(const Scene& scene, const ExportOptions& options, const TreeSource& source,
                                   const Progress& progress = {});
 
-/// Writes .obj (with its .mtl) or .ply, by the ending of \p path; OBJ has the comment of \p options alone.
-/// Errors: Unknown (another ending), and those
-/// of core/io; the old file is intact then.
-Expected<void> writeExport(const ExportSet& set, const std::string& path, const PlyOptions& options = {},
+/// Writes a format of core/io/formats/file_format.h, by the ending of \p path. Errors: Unknown (another
+/// ending), and those of core/io; the old file is intact then.
+Expected<void> writeExport(const ExportSet& set, const std::string& path, const WriteOptions& options = {},
                            const Progress& progress = {});
 /// collectExport and writeExport; the ending is checked before anything is computed.
 Expected<void> exportScene(const Scene& scene, const ExportOptions& options, const TreeSource& source,
                            const std::string& path, const Progress& progress = {});
-/// Is this the ending of a format that writeExport knows? Error: Unknown, with the endings there are.
-Expected<void> checkExportEnding(const std::string& path);
+/// What a file of this format gets where nobody chose: of one that has no objects the one closed mesh alone.
+std::uint8_t usualParts(const FileFormat& format);
 
 } // namespace ramure

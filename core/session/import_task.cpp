@@ -48,7 +48,7 @@ void ImportTask::read(const QString& path)
                                   }};
             Expected<BlenderImport> result = fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
             try {
-                result = importBlender(file, {}, report);
+                result = importObjects(file, {}, report);
             } catch (const std::bad_alloc&) {
                 result = fail(ErrorCode::Limit, RAMURE_NOOP("there is not enough memory for these objects"));
             }

@@ -18,7 +18,7 @@ public:
     explicit ImportTask(Document* document, QObject* parent = nullptr);
     ~ImportTask() override; ///< stops the thread and waits for it
 
-    /// A file or a folder, see importBlender. Returns at once; nothing happens while another one is running.
+    /// A file or a folder, see importObjects. Returns at once; nothing happens while another one is running.
     void start(const QString& path);
     /// The same, but the document stays as it is: takeScene() has what was read.
     void startScene(const QString& path);
@@ -31,7 +31,7 @@ public:
 signals:
     void progress(double fraction);
     /// \param top the node that was added, or the first of the scene; noNode on an error (those of
-    /// importBlender and edit::insertNodes).
+    /// importObjects and edit::insertNodes).
     void finished(ramure::NodeId top, const std::optional<ramure::Error>& error);
 
 private:

@@ -1,10 +1,10 @@
 #include "core/session/sequence.h"
 
+#include "core/io/formats/file_format.h"
 #include "core/session/moving_source.h"
 #include "core/session/scene_counts.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace ramure {
@@ -78,43 +78,21 @@ Expected<void> exportSequence(const Scene& scene, const ExportOptions& options, 
     return {};
 }
 
-namespace {
-
-/// Bytes of a vertex and of a triangle, from what core/io writes: numbers of a text have as many digits as
-/// their count.
-struct FileRates
-{
-    double vertex = 0.0, triangle = 0.0;
-};
-
-FileRates ratesOf(const ExportOptions& options, bool ply, double vertices)
-{
-    // Of the last number, counted from zero.
-    const auto last = static_cast<std::int64_t>(std::ceil(std::max(vertices, 10.0))) - 1;
-    const auto digits = static_cast<double>(std::to_string(last).size());
-    if (!ply)
-        return {options.texture ? 90.0 : 62.0, 3.0 * ((options.texture ? 3.0 : 2.0) * digits + 3.0) + 2.0};
-    if (options.ply.ascii)
-        return {75.0, 3.0 * (digits + 1.0) + 2.0 + (options.texture ? 60.0 : 0.0)};
-    return {35.0, options.texture ? 38.0 : 13.0};
-}
-
-} // namespace
-
 std::uint64_t estimatedFileBytes(const Scene& scene, const ExportOptions& options, const TreeSource& rest,
                                  const std::string& path)
 {
-    if (options.model != ExportModel::Mesh)
+    const auto format = findFormat(path, FormatUse::Write, options.write.ascii);
+    if (!format || options.model != ExportModel::Mesh)
         return 0;
     const SceneCounts counts = SceneCounter().count(scene, options, rest);
     if (!counts.complete)
         return 0;
     const auto vertices = static_cast<double>(counts.total().vertices);
     const auto triangles = static_cast<double>(counts.total().faces);
-    std::string ending = path.size() > 4 ? path.substr(path.size() - 4) : std::string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const FileRates rates = ratesOf(options, ending == ".ply", vertices);
+    // Of the last number, counted from zero.
+    const auto last = static_cast<std::int64_t>(std::ceil(std::max(vertices, 10.0))) - 1;
+    const auto digits = static_cast<double>(std::to_string(last).size());
+    const FileRates rates = (*format)->rates(options.texture, digits);
     return static_cast<std::uint64_t>(rates.vertex * vertices + rates.triangle * triangles);
 }
 

@@ -1,3 +1,4 @@
+#include "core/io/formats/file_format.h"
 #include "tests/cli/cli_support.h"
 #include <QElapsedTimer>
 #include <QJsonArray>
@@ -40,7 +41,7 @@ private slots:
         row("info preset:Oak", "Oak");
         row("info preset:", "SmallTree");
         row("info tree.stl",
-            "\"tree.stl\" is no input: preset:NAME, demo:NAME or a file .ramure, .obj or .ply expected");
+            "\"tree.stl\" is no input: preset:NAME, demo:NAME or a file .ramure, .obj, .ply expected");
         row("info SmallTree", "is no input");
         row("info none.ramure", "none.ramure");
         row("info none.obj", "No such file or directory");
@@ -51,7 +52,7 @@ private slots:
         row("export preset:SmallTree", "missing -o FILE");
         row("export preset:SmallTree -o", "Missing value");
         row("export preset:SmallTree -o tree.fbx",
-            "unknown file ending \".fbx\": meshes are written as .obj or .ply");
+            "unknown file ending \".fbx\": meshes are written as .obj, .ply");
         row("export preset:SmallTree -o tree", "unknown file ending \"\"");
         row("export preset:SmallTree -o t.obj --texture --model rough", "--texture needs --model mesh");
         row("export preset:SmallTree -o t.obj --texture --no-texture", "exclude each other");
@@ -175,6 +176,20 @@ private slots:
             QCOMPARE(runCli({QLatin1String(command), "--version"}).out, runCli({"--version"}).out);
             // Also where the rest makes no sense.
             QCOMPARE(runCli({QLatin1String(command), "--nonsense", "--help"}).out, help.out);
+        }
+    }
+    void everyFormatIsToldOf()
+    {
+        const QString manual = runCli({"--manual"}).out, program = runCli({"--help"}).out;
+        const QString exported = runCli({"export", "--help"}).out, info = runCli({"info", "--help"}).out;
+        const QString imported = runCli({"import", "--help"}).out;
+        QVERIFY(!(manual + program + exported + info + imported).contains(QLatin1Char('{')));
+        for (const FileFormat* format : fileFormats()) {
+            const QString ending = QLatin1Char('.') + QLatin1String(format->ending);
+            QVERIFY(manual.contains(ending));
+            QCOMPARE(exported.contains(ending), isFor(*format, FormatUse::Write));
+            QVERIFY(!isFor(*format, FormatUse::Read) || (program.contains(ending) && info.contains(ending)));
+            QVERIFY(!isFor(*format, FormatUse::Read) || imported.contains(ending));
         }
     }
     void fullStandardOutput()

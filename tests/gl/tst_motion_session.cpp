@@ -301,7 +301,7 @@ private slots:
             session.trigger("file.export");
             auto* dialog = session.window->findChild<ExportDialog*>();
             QVERIFY(dialog);
-            dialog->setFormat(i == 0 ? ExportDialog::PlyBinary : ExportDialog::Png);
+            dialog->setFormat(i == 0 ? QStringLiteral("ply") : QStringLiteral("png"));
             dialog->setPath(folder +
                             (i == 0 ? QStringLiteral("/t%1.ply") : QStringLiteral("/t%1.png")).arg(i));
             dialog->moments()->setMoment(ExportMoment::Sequence);

@@ -102,7 +102,7 @@ private slots:
                 for (const bool ascii : {false, true}) {
                     ExportOptions options;
                     options.texture = texture;
-                    options.ply.ascii = ascii;
+                    options.write.ascii = ascii;
                     const TreeSource rest = pipelineSource(m_pipeline);
                     QVERIFY(exportScene(m_scene, options, rest, path(file)));
                     const auto real = double(QFileInfo(name(QLatin1String(file))).size());

@@ -2,6 +2,7 @@
 
 #include "core/base/file_writer.h"
 #include "core/document/project_file.h"
+#include "core/io/formats/file_format.h"
 #include "core/params/presets.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/preset_scene.h"
@@ -28,10 +29,8 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
     , m_document(document)
     , m_preferences(preferences)
     , m_chooser(chooser)
-    , m_open(set->add(
-          {"file.open", QT_TRANSLATE_NOOP("Actions", "&Open…"), "open", QKeySequence::Open,
-           QT_TRANSLATE_NOOP("Actions",
-                             "Open a Ramure file, or objects into a new scene: .obj, .ply, .animation")}))
+    , m_open(set->add({"file.open", QT_TRANSLATE_NOOP("Actions", "&Open…"), "open", QKeySequence::Open,
+                       QT_TRANSLATE_NOOP("Actions", "Open a Ramure file, or objects into a new scene")}))
     , m_save(set->add({"file.save", QT_TRANSLATE_NOOP("Actions", "&Save"), "save", QKeySequence::Save,
                        QT_TRANSLATE_NOOP("Actions", "Save the scene")}))
     , m_saveAs(set->add({"file.saveAs", QT_TRANSLATE_NOOP("Actions", "Save &as…"), "save-as",
@@ -192,10 +191,11 @@ bool FileActions::startWith(Expected<Scene> scene, const QString& why)
 
 bool FileActions::open()
 {
-    const QString filter = tr("All that can be opened (*.ramure *.obj *.ply *.animation)") +
+    const QString filter = tr("All that can be opened (%1)")
+                               .arg(QStringLiteral("*.ramure ") +
+                                    QString::fromStdString(endingList(FormatUse::Import, "*.", " "))) +
                            QStringLiteral(";;") + tr("Ramure files (*.ramure)") + QStringLiteral(";;") +
-                           tr("Objects and keys (*.obj *.ply *.animation)") + QStringLiteral(";;") +
-                           tr("All files (*)");
+                           ImportActions::fileFilter() + QStringLiteral(";;") + tr("All files (*)");
     const QString path = m_chooser->openFile(tr("Open"), m_preferences->lastFolder(), filter);
     return !path.isEmpty() && openFile(path);
 }
@@ -242,10 +242,8 @@ bool FileActions::openProject(const QString& path)
         Error error = project.error();
         const QString ending = info.suffix().isEmpty() ? QString() : u'.' + info.suffix();
         if (error.code == ErrorCode::Syntax && info.suffix().toLower() != projectSuffix)
-            error = fail(ErrorCode::Unknown,
-                         RAMURE_NOOP("unknown file ending \"%1\": .ramure, .obj, .ply and .animation can be "
-                                     "read"),
-                         {ending.toStdString()})
+            error = fail(ErrorCode::Unknown, RAMURE_NOOP("unknown file ending \"%1\": %2 can be read"),
+                         {ending.toStdString(), ".ramure, " + endingList(FormatUse::Import)})
                         .value();
         reportError(tr("“%1” cannot be opened.").arg(info.fileName()), error);
         if (!info.exists())

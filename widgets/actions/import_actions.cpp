@@ -1,11 +1,11 @@
 #include "widgets/actions/import_actions.h"
 
+#include "core/io/formats/file_format.h"
 #include "core/session/import_task.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/chooser.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/preferences.h"
-#include <QFile>
 #include <QFileInfo>
 #include <QProgressDialog>
 #include <utility>
@@ -22,11 +22,10 @@ ImportActions::ImportActions(Document* document, Preferences* preferences, Choos
     , m_chooser(chooser)
     , m_task(new ImportTask(document, this))
     , m_window(window)
-    , m_file(set->add(
-          {"file.import", QT_TRANSLATE_NOOP("Actions", "&Import…"), "open",
-           QKeySequence(Qt::CTRL | Qt::Key_I),
-           QT_TRANSLATE_NOOP("Actions", "Add an object to the scene: .obj, .ply, and .animation from "
-                                        "Blender")}))
+    , m_file(
+          set->add({"file.import", QT_TRANSLATE_NOOP("Actions", "&Import…"), "open",
+                    QKeySequence(Qt::CTRL | Qt::Key_I),
+                    QT_TRANSLATE_NOOP("Actions", "Add objects to the scene: meshes, and keys from Blender")}))
     , m_folder(set->add(
           {"file.importFolder",
            QT_TRANSLATE_NOOP("Actions", "Import &folder…"),
@@ -42,7 +41,12 @@ ImportActions::ImportActions(Document* document, Preferences* preferences, Choos
 
 bool ImportActions::canImport(const QString& path)
 {
-    return QFileInfo(path).isDir() || isImportEnding(QFile::encodeName(path).toStdString());
+    return QFileInfo(path).isDir() || findFormat(path.toStdString(), FormatUse::Import).has_value();
+}
+
+QString ImportActions::fileFilter()
+{
+    return tr("Objects and keys (%1)").arg(QString::fromStdString(endingList(FormatUse::Import, "*.", " ")));
 }
 
 bool ImportActions::isRunning() const
@@ -53,7 +57,7 @@ bool ImportActions::isRunning() const
 void ImportActions::chooseFile()
 {
     const QString path = m_chooser->openFile(tr("Import"), m_preferences->lastFolder(),
-                                             tr("Objects and keys (*.obj *.ply *.animation);;All files (*)"));
+                                             fileFilter() + QStringLiteral(";;") + tr("All files (*)"));
     if (!path.isEmpty())
         importPath(path);
 }

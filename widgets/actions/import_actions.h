@@ -29,8 +29,10 @@ public:
                   QWidget* window);
 
     [[nodiscard]] QList<QAction*> actions() const { return {m_file, m_folder}; }
-    /// Is this something that can be imported: .obj, .ply, .animation, a folder?
+    /// Is this something that can be imported: a folder, or a file of a format that is read?
     [[nodiscard]] static bool canImport(const QString& path);
+    /// Such files, as a file dialog has it.
+    [[nodiscard]] static QString fileFilter();
     /// Reads it in the background, adds it to the scene and tells what was guessed.
     void importPath(const QString& path);
     /// Reads it in the background and hands it on; the document is left alone. \p take says whether it was

@@ -1,6 +1,7 @@
 #include "widgets/dialogs/export_dialog.h"
 
 #include "core/document/document.h"
+#include "core/io/formats/file_format.h"
 #include "core/session/recompute.h"
 #include "widgets/base/chooser.h"
 #include "widgets/base/core_text.h"
@@ -25,6 +26,9 @@
 #include <QStyle>
 
 namespace ramure {
+
+/// What stands behind the formats of the table: pictures of the view.
+static const QString pictureFormat = QStringLiteral("png");
 
 /// Rows of the form, from the top.
 enum Row { FormatRow, ModelRow, PartsRow, SpaceRow, TreesRow, MomentRow, PictureRow, FileRow };
@@ -69,7 +73,7 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
         name = nodes.empty() ? QStringLiteral("tree") : QString::fromStdString(nodes.front().name);
     m_path->setText(
         QDir::toNativeSeparators(QDir(preferences->lastFolder()).filePath(name + QStringLiteral(".obj"))));
-    qobject_cast<QStandardItemModel*>(m_format->model())->item(Png)->setEnabled(false);
+    setPicturesEnabled(false);
     retranslate();
     takeFormat();
 }
@@ -103,8 +107,10 @@ void ExportDialog::buildForm()
     const auto addRow = [this](auto* field) { m_form->addRow(new QLabel(this), field); };
     m_format = new QComboBox(this);
     m_model = new QComboBox(this);
-    for (int i = 0; i < 4; ++i)
-        m_format->addItem(QString());
+    for (const FileFormat* format : fileFormats())
+        if (isFor(*format, FormatUse::Write))
+            m_format->addItem(QString(), QString::fromLatin1(format->id));
+    m_format->addItem(QString(), pictureFormat);
     for (int i = 0; i < 3; ++i)
         m_model->addItem(QString());
     m_moments = new MomentForm(m_document->scene().timeline(), m_shownFrame, this);
@@ -211,7 +217,7 @@ void ExportDialog::setAnalysis(const Analysis* analysis)
 
 void ExportDialog::showFaults()
 {
-    const MeshFaults found = format() == Png ? MeshFaults() : meshFaults(*m_document, m_analysis, options());
+    const MeshFaults found = format() ? meshFaults(*m_document, m_analysis, options()) : MeshFaults();
     const QString& text = found.text;
     m_faults->setText(text);
     m_faults->setProperty("broken", found.mustAsk());
@@ -226,7 +232,7 @@ void ExportDialog::showFaults()
 /// A broken mesh is written when the button is pressed a second time.
 bool ExportDialog::mayExportFaults()
 {
-    const MeshFaults found = format() == Png ? MeshFaults() : meshFaults(*m_document, m_analysis, options());
+    const MeshFaults found = format() ? meshFaults(*m_document, m_analysis, options()) : MeshFaults();
     if (!found.mustAsk() || found.text == m_acceptedFaults)
         return true;
     m_acceptedFaults = found.text;
@@ -263,21 +269,35 @@ void ExportDialog::buildProgress(QVBoxLayout* layout)
     layout->addLayout(buttons);
 }
 
-ExportDialog::Format ExportDialog::format() const
+const FileFormat* ExportDialog::format() const
 {
-    return static_cast<Format>(m_format->currentIndex());
+    const QString id = m_format->currentData().toString();
+    for (const FileFormat* format : fileFormats())
+        if (id == QLatin1String(format->id))
+            return format;
+    return nullptr;
+}
+
+bool ExportDialog::holds(int what) const
+{
+    return format() && (format()->holds & what);
 }
 
 QString ExportDialog::suffix() const
 {
-    if (format() == Png)
-        return QStringLiteral("png");
-    return format() == Obj ? QStringLiteral("obj") : QStringLiteral("ply");
+    return format() ? QString::fromLatin1(format()->ending) : pictureFormat;
 }
 
-void ExportDialog::setFormat(Format format)
+void ExportDialog::setFormat(const QString& id)
 {
-    m_format->setCurrentIndex(format);
+    m_format->setCurrentIndex(m_format->findData(id));
+}
+
+void ExportDialog::setPicturesEnabled(bool enabled)
+{
+    qobject_cast<QStandardItemModel*>(m_format->model())
+        ->item(m_format->findData(pictureFormat))
+        ->setEnabled(enabled);
 }
 
 void ExportDialog::setPath(const QString& path)
@@ -300,28 +320,28 @@ ExportOptions ExportDialog::options() const
     if (m_selection->isChecked())
         options.nodes = m_document->selection().nodes;
     options.hidden = m_hidden->isChecked();
-    options.texture = options.model == ExportModel::Mesh && m_texture->isChecked();
-    options.ply.ascii = format() == PlyAscii;
-    options.space = m_space->space();
+    options.texture = options.model == ExportModel::Mesh && holds(holdsTexture) && m_texture->isChecked();
+    options.write.ascii = format() && format()->isText;
+    if (holds(holdsSpace))
+        options.space = m_space->space();
     return options;
 }
 
 void ExportDialog::takeFormat()
 {
-    // PLY has no objects: by default it holds the branches, the one closed mesh.
-    const bool all = format() == Obj || format() == Png;
+    const bool all = !format() || usualParts(*format()) == exportAll;
     m_leaves->setChecked(all);
     m_apples->setChecked(all);
     const QFileInfo info(path());
-    const QString ending = info.suffix().toLower();
-    if (ending == QLatin1String("obj") || ending == QLatin1String("ply") || ending == QLatin1String("png"))
+    if (info.suffix().toLower() == pictureFormat || findFormat(path().toStdString(), FormatUse::Write))
         setPath(info.path() + u'/' + info.completeBaseName() + u'.' + suffix());
-    for (const Row row : {ModelRow, PartsRow, SpaceRow, TreesRow})
-        m_form->setRowVisible(row, format() != Png);
-    m_form->setRowVisible(PictureRow, format() == Png);
-    m_moments->setPictures(format() == Png);
+    for (const Row row : {ModelRow, PartsRow, TreesRow})
+        m_form->setRowVisible(row, format() != nullptr);
+    m_form->setRowVisible(SpaceRow, holds(holdsSpace));
+    m_form->setRowVisible(PictureRow, !format());
+    m_moments->setPictures(!format());
     // A picture shows what the view shows.
-    if (format() == Png && m_shownFrame > 0 && m_moments->moment() == ExportMoment::Rest)
+    if (!format() && m_shownFrame > 0 && m_moments->moment() == ExportMoment::Rest)
         m_moments->setMoment(ExportMoment::Shown);
     updateWidgets();
     adjustSize();
@@ -337,9 +357,10 @@ void ExportDialog::updateWidgets()
         widget->setEnabled(!running);
     for (QCheckBox* box : {m_branches, m_leaves, m_apples})
         box->setEnabled(!running && !lines);
-    m_partsNote->setVisible((format() == PlyBinary || format() == PlyAscii) && !lines &&
+    m_partsNote->setVisible(format() && !holds(holdsObjects) && !lines &&
                             !(m_leaves->isChecked() && m_apples->isChecked()));
-    m_texture->setEnabled(!running && static_cast<ExportModel>(m_model->currentIndex()) == ExportModel::Mesh);
+    m_texture->setEnabled(!running && holds(holdsTexture) &&
+                          static_cast<ExportModel>(m_model->currentIndex()) == ExportModel::Mesh);
     m_space->setEnabled(!running);
     m_moments->setEnabled(!running);
     m_pictures->setEnabled(!running);
@@ -352,9 +373,8 @@ void ExportDialog::updateWidgets()
 
 void ExportDialog::browse()
 {
-    const QString filter = format() == Png   ? tr("PNG pictures (*.png)")
-                           : format() == Obj ? tr("Wavefront OBJ (*.obj)")
-                                             : tr("Stanford PLY (*.ply)");
+    const QString filter =
+        (format() ? coreText(format()->name) : tr("PNG pictures")) + QStringLiteral(" (*.%1)").arg(suffix());
     const QString chosen = m_chooser->saveFile(tr("Export"), path(), filter, suffix());
     if (chosen.isEmpty())
         return;
@@ -451,18 +471,19 @@ void ExportDialog::changeEvent(QEvent* event)
 void ExportDialog::retranslate()
 {
     setWindowTitle(tr("Export"));
-    m_format->setItemText(Obj, tr("Wavefront OBJ, with materials"));
-    m_format->setItemText(PlyBinary, tr("PLY, binary"));
-    m_format->setItemText(PlyAscii, tr("PLY, text"));
-    m_format->setItemText(Png, tr("PNG pictures of the view"));
+    for (const FileFormat* format : fileFormats())
+        if (const int row = m_format->findData(QString::fromLatin1(format->id)); row >= 0)
+            m_format->setItemText(row, coreText(format->choice));
+    m_format->setItemText(m_format->findData(pictureFormat), tr("PNG pictures of the view"));
     m_model->setItemText(static_cast<int>(ExportModel::Mesh), tr("Finished mesh"));
     m_model->setItemText(static_cast<int>(ExportModel::Rough), tr("Rough model"));
     m_model->setItemText(static_cast<int>(ExportModel::Skeleton), tr("Skeleton as lines"));
     m_branches->setText(tr("Branches"));
     m_leaves->setText(tr("Leaves"));
     m_apples->setText(tr("Apples"));
-    m_partsNote->setText(tr("PLY has no objects: leaves and apples would be mixed into the one closed mesh "
-                            "of the branches. Tick them to write them all the same."));
+    m_partsNote->setText(
+        tr("This format has no objects: leaves and apples would be mixed into the one closed mesh "
+           "of the branches. Tick them to write them all the same."));
     m_selection->setText(tr("Only what is selected"));
     m_texture->setText(tr("Texture coordinates"));
     m_texture->setToolTip(

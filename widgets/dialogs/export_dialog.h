@@ -34,8 +34,6 @@ class ExportDialog : public QDialog
 {
     Q_OBJECT
 public:
-    enum Format { Obj, PlyBinary, PlyAscii, Png };
-
     /// Nothing is owned; all must outlive the dialog. \param shownFrame of the timeline.
     ExportDialog(Document* document, Recompute* recompute, Preferences* preferences, Chooser* chooser,
                  QWidget* parent = nullptr, std::int64_t shownFrame = 0);
@@ -47,7 +45,8 @@ public:
     void setSequenceTask(SequenceTask* task);
     /// How pictures look; without it there are none.
     void setPictureLook(const PictureLook& look);
-    void setFormat(Format format);
+    /// FileFormat::id, or "png": pictures of the view.
+    void setFormat(const QString& id);
     [[nodiscard]] MomentForm* moments() const { return m_moments; }
     [[nodiscard]] PictureForm* pictures() const { return m_pictures; }
     void setPath(const QString& path);
@@ -93,7 +92,10 @@ private:
     void finish(const std::optional<Error>& error);
     void setMessage(const QString& text, bool isError);
     void retranslate();
-    [[nodiscard]] Format format() const;
+    /// Null: pictures.
+    [[nodiscard]] const FileFormat* format() const;
+    [[nodiscard]] bool holds(int what) const; ///< bits of FormatHolds
+    void setPicturesEnabled(bool enabled);
     [[nodiscard]] QString suffix() const;
 
     Document* m_document;

@@ -1,5 +1,6 @@
 // What the export dialog does about sequences and pictures.
 #include "core/document/document.h"
+#include "core/io/formats/file_format.h"
 #include "widgets/base/core_text.h"
 #include "widgets/dialogs/export_dialog.h"
 #include "widgets/dialogs/export_task.h"
@@ -12,7 +13,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QSet>
-#include <QStandardItemModel>
 #include <algorithm>
 #include <cmath>
 
@@ -52,12 +52,12 @@ void ExportDialog::setPictureLook(const PictureLook& look)
 {
     m_look = look;
     m_pictures->setPictureSize(look.size);
-    qobject_cast<QStandardItemModel*>(m_format->model())->item(Png)->setEnabled(true);
+    setPicturesEnabled(true);
 }
 
 bool ExportDialog::isInBackground() const
 {
-    return format() == Png || m_moments->isNumbered();
+    return !format() || m_moments->isNumbered();
 }
 
 /// Names, number and size of what will be there afterwards.
@@ -80,14 +80,13 @@ void ExportDialog::updateSummary()
     } else if (count == 1 && m_moments->isNumbered()) {
         parts += QFileInfo(numbered(file, frames.first)).fileName();
     }
-    const bool materials = format() == Obj && options().model != ExportModel::Skeleton;
+    const bool materials = format() && *format()->beside != '\0' && options().model != ExportModel::Skeleton;
     if (m_moments->isNumbered())
         parts += tr("%Ln file(s)", nullptr, int(count * (materials ? 2 : 1)));
     const QSize size = m_pictures->pictureSize();
-    const double each = format() == Png
-                            ? bytesPerPixel * size.width() * size.height()
-                            : double(estimatedFileBytes(m_document->scene(), options(),
-                                                        documentSource(*m_document), systemPath(file)));
+    const double each = !format() ? bytesPerPixel * size.width() * size.height()
+                                  : double(estimatedFileBytes(m_document->scene(), options(),
+                                                              documentSource(*m_document), systemPath(file)));
     if (const double bytes = each * double(count); bytes >= 1.0)
         parts += tr("about %1").arg(roughSize(bytes));
     m_summary->setText(parts.join(QStringLiteral("  ·  ")));
@@ -100,8 +99,8 @@ bool ExportDialog::mayStart()
         setMessage(text, true);
         return false;
     };
-    if (format() != Png) {
-        if (const auto known = checkExportEnding(path().toStdString()); !known)
+    if (format()) {
+        if (const auto known = findFormat(path().toStdString(), FormatUse::Write); !known)
             return refuse(errorText(known.error()));
     } else if (QFileInfo(path()).suffix().toLower() != QLatin1String("png")) {
         return refuse(tr("Unknown file ending: pictures are written as .png"));
@@ -155,7 +154,7 @@ bool ExportDialog::mayReplaceFiles()
 void ExportDialog::startSequence()
 {
     const std::string file = systemPath(path());
-    if (format() != Png) {
+    if (format()) {
         m_sequences->startMeshes(*m_document, options(), m_moments->frames(), path());
     } else {
         PictureLook look = *m_look;

@@ -1,5 +1,6 @@
 #include "core/io/formats/blender_scene.h"
 
+#include "core/io/formats/file_format.h"
 #include "core/surface/mesh/transformed.h"
 
 #include <algorithm>
@@ -44,17 +45,14 @@ struct Pair
 
 bool hasEnding(const fs::path& path, const char* ending)
 {
-    std::string found = path.extension().string();
-    std::transform(found.begin(), found.end(), found.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return found == ending;
+    return endingOf(path.string()) == ending;
 }
 
 void addFile(std::map<std::string, Pair>& pairs, const fs::path& path)
 {
-    if (hasEnding(path, ".obj"))
+    if (hasEnding(path, "obj"))
         pairs[path.stem().string()].mesh = path;
-    else if (hasEnding(path, ".animation"))
+    else if (hasEnding(path, "animation"))
         pairs[path.stem().string()].animation = path;
 }
 
@@ -74,14 +72,11 @@ Expected<std::map<std::string, Pair>> pairsOf(const fs::path& path)
                              RAMURE_NOOP("the folder has no .obj and no .animation"));
         return pairs;
     }
-    if (hasEnding(path, ".ply"))
-        pairs[path.stem().string()].mesh = path;
     addFile(pairs, path);
     if (pairs.empty())
-        return fileError(path.string(), ErrorCode::Io,
-                         RAMURE_NOOP("an .obj, a .ply, an .animation or a folder of them is expected"));
+        pairs[path.stem().string()].mesh = path;
     const fs::path other =
-        fs::path(path).replace_extension(hasEnding(path, ".animation") ? ".obj" : ".animation");
+        fs::path(path).replace_extension(hasEnding(path, "animation") ? ".obj" : ".animation");
     if (fs::is_regular_file(other, problem))
         addFile(pairs, other);
     return pairs;
@@ -192,7 +187,7 @@ private:
         if (m_options.space && !node.animation.empty())
             return fileError(path.string(), ErrorCode::Invalid,
                              RAMURE_NOOP("an object with keys has Y up and metres: they cannot be chosen"));
-        auto object = hasEnding(path, ".ply") ? plyObject(path, progress) : blenderObject(path, progress);
+        auto object = hasEnding(path, "obj") ? blenderObject(path, progress) : plainObject(path, progress);
         if (!object)
             return fail(std::move(object.error()));
         if (!object->parent.empty())
@@ -221,7 +216,7 @@ private:
         return object;
     }
     /// Read with the space that the file says.
-    Expected<BlenderObject> plyObject(const fs::path& path, const Progress& progress)
+    Expected<BlenderObject> plainObject(const fs::path& path, const Progress& progress)
     {
         auto mesh = readMeshFile(path.string(), progress);
         if (!mesh)
@@ -363,9 +358,14 @@ private:
 
 } // namespace
 
-bool isImportEnding(const std::string& path)
+Expected<BlenderImport> importObjects(const std::string& path, const ImportOptions& options,
+                                      const Progress& progress)
 {
-    return hasEnding(path, ".obj") || hasEnding(path, ".ply") || hasEnding(path, ".animation");
+    std::error_code problem;
+    if (fs::is_directory(path, problem))
+        return importBlender(path, options, progress);
+    const auto format = findFormat(path, FormatUse::Import);
+    return format ? (*format)->import(path, options, progress) : fail(format.error());
 }
 
 Expected<BlenderImport> importBlender(const std::string& path, const ImportOptions& options,

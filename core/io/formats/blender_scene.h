@@ -47,16 +47,18 @@ struct BlenderImport
     std::size_t keyCount = 0;
 };
 
-/// Can the ending of this path be imported: .obj, .ply or .animation?
-bool isImportEnding(const std::string& path);
+/// Anything that can be imported: a folder as importBlender has it, a file of a format of the table
+/// (file_format.h). Errors: Unknown (another ending), those of the format.
+Expected<BlenderImport> importObjects(const std::string& path, const ImportOptions& options = {},
+                                      const Progress& progress = {});
 
-/// \param path an .obj or .ply, an .animation (each with the other beside it, where there is one) or a folder
-/// with any number of .obj and .animation. All objects of a file are one node. The colours of its materials
-/// stay with its triangles; where there is one alone, it is the node's. A file .animation alone becomes a
-/// group that moves. An object with keys stands where its keys say, its TRANSFORM is that of one frame; one
-/// without keys where its TRANSFORM says. What no translation, rotation and scale can say (shear, mirroring,
-/// flatness) is put into the vertices of objects without keys. Errors: Io, Invalid (a space asked for where
-/// there are keys), and those of the files; nothing is returned in part.
+/// \param path a file of meshes, an .animation (each with the other beside it, where there is one) or a
+/// folder with any number of .obj and .animation. All objects of a file are one node. The colours of its
+/// materials stay with its triangles; where there is one alone, it is the node's. A file .animation alone
+/// becomes a group that moves. An object with keys stands where its keys say, its TRANSFORM is that of one
+/// frame; one without keys where its TRANSFORM says. What no translation, rotation and scale can say (shear,
+/// mirroring, flatness) is put into the vertices of objects without keys. Errors: Io, Invalid (a space asked
+/// for where there are keys), and those of the files; nothing is returned in part.
 Expected<BlenderImport> importBlender(const std::string& path, const ImportOptions& options = {},
                                       const Progress& progress = {});
 

@@ -42,14 +42,14 @@ Layout layoutOf(std::span<const MeshPart> parts)
     return out;
 }
 
-std::string headerBegin(const PlyOptions& options)
+std::string headerBegin(const WriteOptions& options)
 {
     return std::string("ply\nformat ") + (options.ascii ? "ascii" : "binary_little_endian") +
            " 1.0\ncomment Ramure " RAMURE_VERSION "\n" +
            (options.comment.empty() ? "" : "comment " + writing::oneLine(options.comment) + "\n");
 }
 
-std::string header(const Layout& layout, const PlyOptions& options)
+std::string header(const Layout& layout, const WriteOptions& options)
 {
     std::string out = headerBegin(options) + "element vertex " + std::to_string(layout.vertices) +
                       "\nproperty float x\nproperty float y\nproperty float z\n";
@@ -242,7 +242,7 @@ void writeElements(FileWriter& out, std::span<const MeshPart> parts, const Layou
 
 } // namespace
 
-Expected<void> writePly(const std::string& path, std::span<const MeshPart> parts, const PlyOptions& options,
+Expected<void> writePly(const std::string& path, std::span<const MeshPart> parts, const WriteOptions& options,
                         const Progress& progress)
 {
     if (const auto finite = writing::checkFinite(parts, path); !finite)
@@ -262,7 +262,7 @@ Expected<void> writePly(const std::string& path, std::span<const MeshPart> parts
     return out->commit();
 }
 
-Expected<void> writePlyLines(const std::string& path, const LinePart& lines, const PlyOptions& options)
+Expected<void> writePlyLines(const std::string& path, const LinePart& lines, const WriteOptions& options)
 {
     if (const auto finite = writing::checkFinite(lines, path); !finite)
         return finite;

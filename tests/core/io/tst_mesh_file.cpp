@@ -98,7 +98,7 @@ private slots:
         QVERIFY(!mesh);
         QCOMPARE(mesh.error().code, ErrorCode::Unknown);
         QCOMPARE(mesh.error().message(),
-                 std::string("a.stl: unknown file ending \".stl\": .obj and .ply can be read"));
+                 std::string("a.stl: unknown file ending \".stl\": .obj, .ply can be read"));
         QVERIFY(!readMeshFile("a"));
     }
     void missingFileAndFolder()

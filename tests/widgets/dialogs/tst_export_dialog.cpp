@@ -60,25 +60,26 @@ private slots:
 
     void filesAreWritten_data()
     {
-        QTest::addColumn<int>("format");
+        QTest::addColumn<QString>("format");
         QTest::addColumn<QString>("name");
         QTest::addColumn<QByteArray>("begin");
-        QTest::newRow("obj") << int(ExportDialog::Obj) << "a.obj" << QByteArray("#");
-        QTest::newRow("ply") << int(ExportDialog::PlyBinary) << "b.ply"
-                             << QByteArray("ply\nformat binary_little_endian");
-        QTest::newRow("text ply") << int(ExportDialog::PlyAscii) << "c.ply"
-                                  << QByteArray("ply\nformat ascii");
-        QTest::newRow("without ending")
-            << int(ExportDialog::PlyAscii) << "d" << QByteArray("ply\nformat ascii");
+        QTest::newRow("obj") << "obj"
+                             << "a.obj" << QByteArray("#");
+        QTest::newRow("ply") << "ply"
+                             << "b.ply" << QByteArray("ply\nformat binary_little_endian");
+        QTest::newRow("text ply") << "ply-text"
+                                  << "c.ply" << QByteArray("ply\nformat ascii");
+        QTest::newRow("without ending") << "ply-text"
+                                        << "d" << QByteArray("ply\nformat ascii");
     }
     void filesAreWritten()
     {
-        QFETCH(const int, format);
+        QFETCH(const QString, format);
         QFETCH(const QString, name);
         QFETCH(const QByteArray, begin);
         ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
         QSignalSpy exported(&dialog, &ExportDialog::exported);
-        dialog.setFormat(static_cast<ExportDialog::Format>(format));
+        dialog.setFormat(format);
         dialog.setPath(m_folder.filePath(name));
         dialog.startExport();
         QTRY_COMPARE(exported.count(), 1);
@@ -234,15 +235,15 @@ private slots:
         ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
         dialog.setPath(path("tree.obj"));
         QCOMPARE(dialog.options().parts, std::uint8_t(exportAll));
-        dialog.setFormat(ExportDialog::PlyBinary);
+        dialog.setFormat(QStringLiteral("ply"));
         QCOMPARE(dialog.options().parts, std::uint8_t(exportBranches));
         QVERIFY(dialog.path().endsWith(QStringLiteral("tree.ply")));
         // Why, is said beside the boxes, for as long as something is left out.
         const auto* note = dialog.findChild<QLabel*>(QStringLiteral("partsNote"));
         QVERIFY(!note->isHidden() && note->text().contains(QStringLiteral("PLY")));
-        dialog.setFormat(ExportDialog::Obj);
+        dialog.setFormat(QStringLiteral("obj"));
         QVERIFY(note->isHidden());
-        dialog.setFormat(ExportDialog::PlyAscii);
+        dialog.setFormat(QStringLiteral("ply-text"));
         QVERIFY(!note->isHidden());
         m_chooser.answer = path("chosen.ply");
         for (QPushButton* button : dialog.findChildren<QPushButton*>()) {
@@ -257,7 +258,7 @@ private slots:
         ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
         dialog.show();
         const auto failed = [&] {
-            dialog.setFormat(ExportDialog::Obj);
+            dialog.setFormat(QStringLiteral("obj"));
             dialog.setPath(path("no/folder/tree.obj"));
             dialog.startExport();
             return QTest::qWaitFor([&] { return dialog.findChild<QLabel*>(QStringLiteral("problem")); });
@@ -265,7 +266,7 @@ private slots:
         QVERIFY(failed());
         auto* message = dialog.findChild<QLabel*>(QStringLiteral("problem"));
         QVERIFY(message->isVisible());
-        dialog.setFormat(ExportDialog::PlyBinary);
+        dialog.setFormat(QStringLiteral("ply"));
         QVERIFY(!message->isVisible() && message->text().isEmpty());
         QVERIFY(failed() && message->isVisible());
         dialog.setPath(path("tree.obj"));

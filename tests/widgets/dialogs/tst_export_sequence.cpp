@@ -89,14 +89,14 @@ private slots:
         setFrames(0, 250, 2);
         QVERIFY2(summary().contains(QStringLiteral("tree_0000.obj … tree_0250.obj")), qPrintable(summary()));
         QVERIFY2(summary().contains(QStringLiteral("252")), qPrintable(summary())); // with their materials
-        m_dialog->setFormat(ExportDialog::PlyBinary);
+        m_dialog->setFormat(QStringLiteral("ply"));
         QVERIFY2(summary().contains(QStringLiteral("126")), qPrintable(summary()));
         QVERIFY2(summary().contains(QStringLiteral("tree_0250.ply")), qPrintable(summary()));
         m_dialog->setPictureLook({});
-        m_dialog->setFormat(ExportDialog::Png);
+        m_dialog->setFormat(QStringLiteral("png"));
         m_dialog->moments()->setMoment(ExportMoment::Turntable);
         QVERIFY2(summary().contains(QStringLiteral("tree_0000.png … tree_0071.png")), qPrintable(summary()));
-        m_dialog->setFormat(ExportDialog::Obj); // there is no turntable of meshes
+        m_dialog->setFormat(QStringLiteral("obj")); // there is no turntable of meshes
         QCOMPARE(m_dialog->moments()->moment(), ExportMoment::Rest);
     }
 
@@ -173,7 +173,7 @@ private slots:
     void picturesWithoutOpenGlAreTold()
     {
         m_dialog->setPictureLook({});
-        m_dialog->setFormat(ExportDialog::Png);
+        m_dialog->setFormat(QStringLiteral("png"));
         QCOMPARE(m_dialog->moments()->moment(), ExportMoment::Shown);
         QVERIFY(m_dialog->path().endsWith(QStringLiteral("tree.png")));
         QSignalSpy finished(&m_task, &BackgroundJob::finished);

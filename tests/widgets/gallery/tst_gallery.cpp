@@ -228,7 +228,7 @@ private:
         exporting.moments()->setMoment(ExportMoment::Sequence);
         look(&exporting, "export-sequence");
         exporting.setPictureLook({});
-        exporting.setFormat(ExportDialog::Png);
+        exporting.setFormat(QStringLiteral("png"));
         exporting.moments()->setMoment(ExportMoment::Turntable);
         look(&exporting, "export-pictures");
         HandbookWindow handbook;

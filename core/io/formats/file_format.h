@@ -1,0 +1,68 @@
+/// \file
+/// What the program reads and writes besides its projects, as one table: file dialogs, drag and drop, the
+/// export dialog and the command line ask it. A new format is a file beside obj_format.cpp and a row of
+/// file_formats.cpp.
+#pragma once
+
+#include "core/io/mesh_file.h"
+
+namespace ramure {
+
+struct BlenderImport;
+struct ImportOptions;
+
+/// What a file can say; for the rest nothing is offered.
+enum FormatHolds : std::uint8_t {
+    holdsObjects = 1, ///< objects by name, each with its material; else all is one mesh
+    holdsTexture = 2,
+    holdsSpace = 4, ///< any axes and unit
+    holdsLines = 8, ///< a skeleton as line segments
+};
+
+/// A format takes of this what it holds.
+struct FileContent
+{
+    std::span<const MeshPart> parts;
+    const LinePart* lines = nullptr; ///< instead of the parts
+};
+
+/// Bytes of a vertex and of a triangle, about.
+struct FileRates
+{
+    double vertex = 0.0, triangle = 0.0;
+};
+
+struct FileFormat
+{
+    const char* id = "";     ///< "ply-text": its name in tests and dialogs
+    const char* ending = ""; ///< "ply", lower case; formats that share one stand together
+    const char* name = "";   ///< in lists of file formats, as text to translate
+    const char* choice = ""; ///< in the list of the export dialog, as text to translate
+    const char* help = "";   ///< in the help of `ramure-cli export`, behind the ending
+    std::uint8_t holds = 0;  ///< bits of FormatHolds
+    bool isText = false;     ///< of two formats with one ending the one that WriteOptions::ascii asks for
+    const char* beside = ""; ///< the ending of a second file with the materials
+    /// All as meshes; null: nothing can be read so. \see readMeshFile
+    Expected<ReadMesh> (*read)(const std::string& path, const Progress& progress) = nullptr;
+    /// As nodes of a scene. \see importObjects
+    Expected<BlenderImport> (*import)(const std::string& path, const ImportOptions& options,
+                                      const Progress& progress) = nullptr;
+    Expected<void> (*write)(const std::string& path, const FileContent& content, const WriteOptions& options,
+                            const Progress& progress) = nullptr;
+    /// What is written for so many digits of a vertex number.
+    FileRates (*rates)(bool texture, double digits) = nullptr;
+};
+
+/// The table, in the order of the dialogs.
+std::span<const FileFormat* const> fileFormats();
+
+enum class FormatUse : std::uint8_t { Read, Import, Write };
+bool isFor(const FileFormat& format, FormatUse use);
+/// By the ending of the path; of two the one of the options. Error: Unknown, with the endings there are.
+Expected<const FileFormat*> findFormat(const std::string& path, FormatUse use, bool asText = false);
+/// "tree.OBJ": "obj".
+std::string endingOf(const std::string& path);
+/// Each ending once: ".obj, .ply".
+std::string endingList(FormatUse use, const char* before = ".", const char* between = ", ");
+
+} // namespace ramure

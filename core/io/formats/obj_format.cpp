@@ -1,0 +1,39 @@
+#include "core/io/formats/blender_scene.h"
+#include "core/io/formats/file_format.h"
+#include "core/io/read_parts.h"
+
+namespace ramure {
+
+static Expected<ReadMesh> read(const std::string& path, const Progress& progress)
+{
+    return reading::readObjFile(path, progress, materialsBeside(path));
+}
+
+static Expected<void> write(const std::string& path, const FileContent& content, const WriteOptions& options,
+                            const Progress& progress)
+{
+    return content.lines ? writeObjLines(path, *content.lines, progress, options.comment)
+                         : writeObj(path, content.parts, progress, options.comment);
+}
+
+static FileRates rates(bool texture, double digits)
+{
+    return {texture ? 90.0 : 62.0, 3.0 * ((texture ? 3.0 : 2.0) * digits + 3.0) + 2.0};
+}
+
+extern const FileFormat objFormat;
+const FileFormat objFormat = {
+    .id = "obj",
+    .ending = "obj",
+    .name = RAMURE_NOOP("Wavefront OBJ"),
+    .choice = RAMURE_NOOP("Wavefront OBJ, with materials"),
+    .help = "with an .mtl beside it: objects branches, leaves, apples, with normals",
+    .holds = holdsObjects | holdsTexture | holdsSpace | holdsLines,
+    .beside = "mtl",
+    .read = &read,
+    .import = &importBlender,
+    .write = &write,
+    .rates = &rates,
+};
+
+} // namespace ramure
