@@ -4287,6 +4287,10 @@
         <source>PLY, text</source>
         <translation>PLY, texte</translation>
     </message>
+    <message>
+        <source>cannot be written: is the disk full?</source>
+        <translation>écriture impossible&#xa0;: le disque est-il plein&#xa0;?</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -6201,6 +6205,10 @@ OpenGL&#xa0;: %4
         <source>Putting the mesh on the arm</source>
         <translation>Mise du maillage sur le bras</translation>
     </message>
+    <message>
+        <source>The preferences cannot be stored. They hold until the program ends.</source>
+        <translation>Les préférences ne peuvent pas être enregistrées. Elles valent jusqu’à la fin du programme.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::MessageBanner</name>
@@ -6693,6 +6701,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>The unsaved work could not be read.</source>
         <translation>Le travail non enregistré n’a pas pu être lu.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes are kept aside again.</source>
+        <translation>Les modifications non enregistrées sont de nouveau gardées à part.</translation>
     </message>
 </context>
 <context>

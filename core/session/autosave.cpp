@@ -18,10 +18,12 @@ namespace ramure {
 static const QLatin1String noteKey("recovery");
 static const QLatin1String ending(".ramure");
 
+static const QLatin1String lockEnding(".lock");
+
 /// Also given by the lock of a program that was killed, as soon as its process is gone; never by age.
 static std::shared_ptr<QLockFile> lockOf(const QString& recoveryPath)
 {
-    auto lock = std::make_shared<QLockFile>(recoveryPath + QStringLiteral(".lock"));
+    auto lock = std::make_shared<QLockFile>(recoveryPath + lockEnding);
     lock->setStaleLockTime(0);
     return lock;
 }
@@ -37,9 +39,8 @@ static void removeWithParts(const QFileInfo& recoveryFile)
 /// Programs killed before their first recovery file was complete leave a lock, and perhaps a part of one.
 static void removeOrphans(const QDir& folder)
 {
-    const QString lockEnding = ending + QStringLiteral(".lock");
-    for (const QFileInfo& file : folder.entryInfoList({u'*' + lockEnding}, QDir::Files)) {
-        const QFileInfo owner(file.absoluteFilePath().chopped(lockEnding.size() - ending.size()));
+    for (const QFileInfo& file : folder.entryInfoList({u'*' + ending + lockEnding}, QDir::Files)) {
+        const QFileInfo owner(file.absoluteFilePath().chopped(lockEnding.size()));
         if (owner.exists())
             continue;
         const auto lock = lockOf(owner.absoluteFilePath());
@@ -70,16 +71,16 @@ struct Autosave::Private
         , document(doc)
         , path(QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + ending))
     {
-        QDir().mkpath(folder);
-        lock = lockOf(path);
-        lock->tryLock(0);
+        claim();
     }
 
     [[nodiscard]] bool isDue() const
     {
         return document && document->isModified() && document->revision() != savedRevision;
     }
+    void claim();
     void tick();
+    void tell(const Expected<void>& result);
     void finished(quint64 number, quint64 revision, const Expected<void>& result);
     void discard();
 
@@ -96,11 +97,23 @@ struct Autosave::Private
     std::jthread writer;
 };
 
+/// The folder with the lock: there may have been no room for them yet, or somebody has cleared them away.
+void Autosave::Private::claim()
+{
+    QDir().mkpath(QFileInfo(path).path());
+    if (lock && QFile::exists(path + lockEnding))
+        return;
+    lock.reset(); // before the new one is there: it removes its file
+    lock = lockOf(path);
+    lock->tryLock(0);
+}
+
 /// Writing waits for the disk, so another thread does it; it gets a copy of the scene.
 void Autosave::Private::tick()
 {
     if (!isDue() || writing)
         return;
+    claim();
     writing = true;
     writer = std::jthread([this, number = ++writes, revision = document->revision(), file = path,
                            project = withNote(document->project(), document->filePath())] {
@@ -111,18 +124,25 @@ void Autosave::Private::tick()
     });
 }
 
+void Autosave::Private::tell(const Expected<void>& result)
+{
+    if (std::exchange(failing, !result) == !result)
+        return;
+    if (result)
+        emit q->worksAgain();
+    else
+        emit q->failed(result.error());
+}
+
 void Autosave::Private::finished(quint64 number, quint64 revision, const Expected<void>& result)
 {
     if (number != writes)
         return;
     writing = false;
     const bool unwanted = std::exchange(discardLater, false);
-    if (!result) {
-        if (!std::exchange(failing, true))
-            emit q->failed(result.error());
+    tell(result);
+    if (!result)
         return;
-    }
-    failing = false;
     if (unwanted) { // saved, or another document, while this was on its way
         QFile::remove(path);
         return;
@@ -193,11 +213,13 @@ Expected<void> Autosave::saveNow()
     }
     if (!m_private->isDue())
         return {};
+    m_private->claim();
     const quint64 revision = m_private->document->revision();
     const auto result = saveProjectFile(
         withNote(m_private->document->project(), m_private->document->filePath()), m_private->path);
     if (result)
         m_private->savedRevision = revision;
+    m_private->tell(result);
     return result;
 }
 

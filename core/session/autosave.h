@@ -26,7 +26,7 @@ public:
     /// QStandardPaths::AppDataLocation/recovery.
     static QString defaultFolder();
 
-    /// \param folder is made where it is missing.
+    /// \param folder is made where it is missing, also when it goes later.
     explicit Autosave(Document* document, const QString& folder = defaultFolder(), QObject* parent = nullptr);
     /// The document was closed in good order: nothing is left to recover.
     ~Autosave() override;
@@ -35,7 +35,7 @@ public:
     void setInterval(int milliseconds);
     /// Milliseconds; 0 = off.
     [[nodiscard]] int interval() const;
-    /// At once and to the end, where there are unsaved changes. Errors: Io.
+    /// At once and to the end, where there are unsaved changes. Errors: Io, which failed() tells too.
     Expected<void> saveNow();
     /// Of the recovery file, whether it exists or not.
     [[nodiscard]] QString recoveryPath() const;
@@ -45,6 +45,8 @@ signals:
     void saved();
     /// It cannot be written; once until it can be again.
     void failed(const ramure::Error& error);
+    /// It can be written again; once after failed().
+    void worksAgain();
 
 private:
     struct Private;

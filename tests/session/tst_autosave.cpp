@@ -1,6 +1,7 @@
 #include "core/document/commands.h"
 #include "core/math/random.h"
 #include "core/session/autosave.h"
+#include "tests/support/failing_disk.h"
 #include "tests/support/suite.h"
 
 #include <QDir>
@@ -42,6 +43,8 @@ private slots:
     void init() { test::failOnAnyWarning(); }
 
     void unwritableFoldersAreTold();
+    void itIsToldOnceAndWhenItWorksAgain();
+    void foldersThatGoAreMadeAgain();
     void brokenFilesAreNotOffered();
     void whatAKillLeavesWithoutARecoveryFileGoes();
     void nothingUnsavedNoFile();
@@ -69,6 +72,51 @@ void TestAutosave::unwritableFoldersAreTold()
     QCOMPARE(failures.count(), 1); // said once
     QVERIFY(recoverableProjects(folder.filePath("none")).empty());
     QVERIFY(recoverableProjects(folder.filePath("file")).empty());
+}
+
+void TestAutosave::itIsToldOnceAndWhenItWorksAgain()
+{
+    QTemporaryDir folder;
+    Document document;
+    document.reset(oneTree(), {});
+    Autosave autosave(&document, folder.path());
+    QSignalSpy failures(&autosave, &Autosave::failed), again(&autosave, &Autosave::worksAgain);
+    setSeed(document, 5);
+    QVERIFY(autosave.saveNow());
+    QCOMPARE(again.count(), 0); // it never failed
+    for (int time = 1; time <= 2; ++time) {
+        {
+            const test::SmallDisk disk(0);
+            setSeed(document, 5 + time);
+            QVERIFY(!autosave.saveNow());
+            QVERIFY(!autosave.saveNow());
+            QCOMPARE(failures.count(), time);
+            QCOMPARE(seedOf(*loadProjectFile(autosave.recoveryPath())), 4 + time); // what was kept before
+        }
+        QVERIFY(autosave.saveNow());
+        QCOMPARE(again.count(), time);
+        QCOMPARE(seedOf(*loadProjectFile(autosave.recoveryPath())), 5 + time);
+    }
+}
+
+void TestAutosave::foldersThatGoAreMadeAgain()
+{
+    QTemporaryDir folder;
+    QFile file(folder.filePath("kept"));
+    QVERIFY(file.open(QIODevice::WriteOnly)); // first it cannot be made
+    Document document;
+    document.reset(oneTree(), {});
+    Autosave autosave(&document, folder.filePath("kept"));
+    setSeed(document, 5);
+    QVERIFY(!autosave.saveNow());
+    QVERIFY(file.remove());
+    for (int seed = 6; seed < 8; ++seed) {
+        setSeed(document, seed);
+        QVERIFY(autosave.saveNow());
+        QVERIFY(QFile::exists(autosave.recoveryPath()));
+        QVERIFY(recoverableProjects(folder.filePath("kept")).empty()); // locked again as well
+        QVERIFY(QDir(folder.filePath("kept")).removeRecursively());
+    }
 }
 
 void TestAutosave::brokenFilesAreNotOffered()

@@ -1,10 +1,13 @@
 #include "widgets/base/preferences.h"
 
+#include "core/base/file_writer.h"
 #include <QDir>
+#include <QFile>
 #include <QFileInfo>
 #include <QVariantMap>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ramure {
 namespace {
@@ -35,14 +38,51 @@ const QString stateKey = QStringLiteral("window/state");
 Preferences::Preferences(QObject* parent)
     : QObject(parent)
 {
+    constexpr int restMs = 200; // changes come in groups
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(restMs);
+    connect(&m_rest, &QTimer::timeout, this, &Preferences::write);
+}
+
+Preferences::~Preferences()
+{
+    if (m_rest.isActive())
+        write();
 }
 
 void Preferences::store(const QString& key, const QVariant& value)
 {
     if (m_settings.value(key) == value)
         return;
-    m_settings.setValue(key, value);
+    set(key, value);
     emit changed();
+}
+
+void Preferences::set(const QString& key, const QVariant& value)
+{
+    m_settings.setValue(key, value);
+    m_rest.start();
+}
+
+/// Qt writes beside and renames, but its settings do not say why they could not, and it leaves the folder to
+/// the system.
+void Preferences::write()
+{
+    m_rest.stop();
+    QSettings settings; // the same ones; an object that has failed once says so for ever
+    settings.sync();
+    const std::string path = QFile::encodeName(settings.fileName()).toStdString();
+    Expected<void> written;
+    if (settings.status() != QSettings::NoError) {
+        const auto reason = FileWriter::open(path);
+        written = reason ? fail(ErrorCode::Io, RAMURE_NOOP("cannot be written: is the disk full?"))
+                         : fail(reason.error());
+        written.error().file = path;
+    } else if (QFile::exists(settings.fileName())) { // not before anything is set
+        written = syncFile(path);
+    }
+    if (!std::exchange(m_isFailing, !written) && !written)
+        emit failed(written.error());
 }
 
 AngleUnit Preferences::angleUnit() const
@@ -165,6 +205,7 @@ void Preferences::restoreDefaults()
     for (const QString& key : {angleKey, timeKey, themeKey, languageKey, navigationKey, groundKey,
                                autosaveKey, motionMemoryKey, welcomeKey})
         m_settings.remove(key);
+    m_rest.start();
     emit changed();
 }
 
@@ -261,7 +302,7 @@ void Preferences::addRecentFind(const QString& name)
     QStringList names = recentFinds();
     names.removeAll(name);
     names.prepend(name);
-    m_settings.setValue(findsKey, names.mid(0, maxRecentFinds));
+    set(findsKey, names.mid(0, maxRecentFinds));
 }
 
 bool Preferences::tourSeen() const
@@ -271,7 +312,7 @@ bool Preferences::tourSeen() const
 
 void Preferences::setTourSeen()
 {
-    m_settings.setValue(tourKey, true);
+    set(tourKey, true);
 }
 
 QStringList Preferences::foldedGroups() const
@@ -307,8 +348,8 @@ QByteArray Preferences::windowState() const
 
 void Preferences::setWindow(const QByteArray& geometry, const QByteArray& state)
 {
-    m_settings.setValue(geometryKey, geometry);
-    m_settings.setValue(stateKey, state);
+    set(geometryKey, geometry);
+    set(stateKey, state);
 }
 
 } // namespace ramure

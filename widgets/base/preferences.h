@@ -2,6 +2,7 @@
 /// What the user prefers, remembered between sessions. Widgets hear of changes through changed().
 #pragma once
 
+#include "core/base/error.h"
 #include "core/io/file_space.h"
 #include "widgets/base/navigation_style.h"
 #include "widgets/base/number_format.h"
@@ -11,6 +12,7 @@
 #include <QObject>
 #include <QSettings>
 #include <QStringList>
+#include <QTimer>
 #include <optional>
 
 namespace ramure {
@@ -28,6 +30,7 @@ public:
     static constexpr int leastMotionMb = 64, mostMotionMb = 65'536, defaultMotionMb = 1024;
 
     explicit Preferences(QObject* parent = nullptr);
+    ~Preferences() override; ///< what was set last is on the disk
 
     [[nodiscard]] AngleUnit angleUnit() const;
     void setAngleUnit(AngleUnit unit);
@@ -102,11 +105,17 @@ public:
 
 signals:
     void changed();
+    /// They cannot be written; once until they can be again. Meanwhile what was set holds for this session.
+    void failed(const ramure::Error& error);
 
 private:
     void store(const QString& key, const QVariant& value);
+    void set(const QString& key, const QVariant& value); ///< what nobody needs to hear of
+    void write();
 
     QSettings m_settings;
+    QTimer m_rest; ///< until what was set is written
+    bool m_isFailing = false;
 };
 
 } // namespace ramure

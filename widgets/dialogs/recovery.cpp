@@ -23,6 +23,8 @@ Recovery::Recovery(Document* document, Preferences* preferences, Chooser* choose
             tr("Unsaved changes cannot be kept aside, so a crash would lose them. Please save often.") +
                 u'\n' + errorTextWithPlace(error));
     });
+    connect(&m_autosave, &Autosave::worksAgain, this,
+            [this] { m_chooser->report(Severity::Info, tr("Unsaved changes are kept aside again.")); });
     takePreferences();
 }
 
@@ -68,11 +70,8 @@ bool Recovery::recover(Recoverable& lost)
     m_document->setSelection(selection);
     m_document->markModified();
     // The old file goes only when the new one is there: a second crash must not lose what the first spared.
-    if (const auto kept = m_autosave.saveNow(); !kept) {
-        m_chooser->report(Severity::Warning, errorTextWithPlace(kept.error()));
-        return true;
-    }
-    discardRecoverable(lost);
+    if (m_autosave.saveNow())
+        discardRecoverable(lost);
     return true;
 }
 

@@ -134,6 +134,11 @@ void MainWindow::connectPanels()
     connect(m_help, &HelpActions::paramRequested, this, &MainWindow::showParam);
     const auto applyUnits = [this] { m_inspector->setAngleUnit(m_preferences->angleUnit()); };
     connect(m_preferences, &Preferences::changed, this, applyUnits);
+    connect(m_preferences, &Preferences::failed, this, [this](const Error& error) {
+        m_chooser->report(Severity::Warning,
+                          tr("The preferences cannot be stored. They hold until the program ends.") + u'\n' +
+                              errorTextWithPlace(error));
+    });
     applyUnits();
     m_plays->setView(m_host->settings());
     m_scene->setTime([this] { return m_player->timeSeconds(); });

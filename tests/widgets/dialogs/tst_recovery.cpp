@@ -1,3 +1,4 @@
+#include "tests/support/failing_disk.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/base/preferences.h"
 #include "widgets/dialogs/recovery.h"
@@ -84,6 +85,27 @@ private slots:
         document.markModified();
         recovery.autosave()->setInterval(1);
         QTRY_COMPARE(m_chooser.reports.size(), 1);
+        QTest::qWait(20);
+        QCOMPARE(m_chooser.reports.size(), 1); // not at every attempt
+        QVERIFY(file.remove());
+        QTRY_COMPARE(m_chooser.reports.size(), 2);
+        QVERIFY(m_chooser.reports.last().contains(QStringLiteral("again")));
+    }
+
+    void whatIsRecoveredStaysWhereItCannotBeKeptAside()
+    {
+        leaveBehind({}, "Oak");
+        Document document;
+        Recovery recovery(&document, &m_preferences, &m_chooser, m_folder->path());
+        m_chooser.answers = {{Action::Recover, 0}};
+        {
+            const test::SmallDisk disk(0);
+            QVERIFY(recovery.offer());
+        }
+        QCOMPARE(document.scene().nodes().front().name, std::string("Oak"));
+        QVERIFY(document.isModified());
+        QCOMPARE(m_chooser.reports.size(), 1);
+        QCOMPARE(files(), QStringList(QStringLiteral("Oak.ramure"))); // for the next start
     }
 
     void wrongAnswersDoNothing()

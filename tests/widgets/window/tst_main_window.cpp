@@ -1,4 +1,5 @@
 #include "core/session/recompute.h"
+#include "tests/support/failing_disk.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/edit_actions.h"
 #include "widgets/actions/file_actions.h"
@@ -256,6 +257,43 @@ private slots:
         QCOMPARE(m_chooser.questions, 1);
         m_chooser.unsaved = Chooser::Unsaved::Discard;
         QVERIFY(m_window->close());
+    }
+
+    void closingWhileSavingFailsKeepsTheDocument()
+    {
+        QTemporaryDir folder;
+        m_chooser.answer = folder.filePath(QStringLiteral("oak.ramure"));
+        action("file.save")->trigger();
+        const auto before = test::filesIn(folder.path());
+        m_window->edits()->addGroup();
+        const auto nodes = m_document->scene().nodes();
+        m_chooser.unsaved = Chooser::Unsaved::Save;
+        for (const bool byMenu : {false, true}) {
+            const test::FailingDisk disk(2, ENOSPC); // the first call that is not the opening
+            if (byMenu)
+                action("file.quit")->trigger();
+            else
+                QVERIFY(!m_window->close());
+            QVERIFY(disk.hasFailed());
+            QVERIFY(m_window->isVisible());
+            QVERIFY(m_document->isModified());
+            QVERIFY(m_document->scene().nodes() == nodes);
+            QVERIFY(m_chooser.reports.last().contains(QStringLiteral("oak.ramure")));
+            QVERIFY(m_chooser.reports.last().contains(QStringLiteral("No space left on device")));
+            QVERIFY(test::filesIn(folder.path()) == before);
+        }
+        QCOMPARE(m_chooser.reports.size(), 2);
+        QVERIFY(m_window->close()); // there is room again
+        QVERIFY(test::filesIn(folder.path()) != before);
+    }
+
+    void preferencesThatCannotBeStoredAreTold()
+    {
+        const test::SmallDisk disk(0);
+        m_preferences->setTheme(ThemeChoice::Dark);
+        QTRY_COMPARE(m_chooser.reports.size(), 1);
+        QVERIFY(m_chooser.reports.last().contains(QSettings().fileName()));
+        QCOMPARE(m_preferences->theme(), ThemeChoice::Dark);
     }
 
     void droppedFilesOpen()
