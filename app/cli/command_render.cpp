@@ -49,6 +49,14 @@ struct Request
 
 constexpr int mostTurns = 10'000;
 
+QStringList modeNames()
+{
+    QStringList names;
+    for (const DisplayModeRow& row : displayModes())
+        names << QLatin1String(row.name());
+    return names;
+}
+
 Expected<Request> requestOf(const CommandLine& line)
 {
     Request out;
@@ -64,13 +72,9 @@ Expected<Request> requestOf(const CommandLine& line)
         return fail(size.error());
     out.size = *size;
     const auto mode = displayModeFromName(line.value("mode").toStdString());
-    if (!mode) {
-        QStringList names;
-        for (const char* name : displayModeNames())
-            names << QLatin1String(name);
+    if (!mode)
         return fail(ErrorCode::Unknown, "--mode \"%1\": %2 expected",
-                    {line.value("mode").toStdString(), commaList(names).toStdString()});
-    }
+                    {line.value("mode").toStdString(), commaList(modeNames()).toStdString()});
     out.mode = *mode;
     if (line.has("turntable")) {
         bool whole = false;
@@ -84,23 +88,6 @@ Expected<Request> requestOf(const CommandLine& line)
     return out;
 }
 
-Stage stageFor(DisplayMode mode)
-{
-    switch (mode) {
-    case DisplayMode::Skeleton:
-    case DisplayMode::Simplified:
-        return Stage::Simplified;
-    case DisplayMode::Sections:
-        return Stage::Sections;
-    case DisplayMode::Rough:
-    case DisplayMode::Mesh:
-    case DisplayMode::Checker:
-    case DisplayMode::Stretch:
-        break;
-    }
-    return Stage::Foliage;
-}
-
 Expected<RenderScene> treeScene(const Scene& scene, DisplayMode mode, const TreeSource& source,
                                 double timeSeconds)
 {
@@ -111,7 +98,7 @@ Expected<RenderScene> treeScene(const Scene& scene, DisplayMode mode, const Tree
     for (const Node* node : *nodes) {
         if (!scene.isShown(node->id))
             continue;
-        auto result = evaluateTree(source, *node, nodes->size() > 1, stageFor(mode));
+        auto result = evaluateTree(source, *node, nodes->size() > 1, rowOf(mode).stage);
         if (!result)
             return fail(result.error());
         results.emplace(node->id, std::move(*result));
@@ -240,7 +227,7 @@ void addOptions(CommandLine& line)
             "skeleton, simplified (removed nodes in red), rough, sections, mesh (the default), checker "
             "(texture coordinates as squares) or stretch (blue where squares stay squares, yellow "
             "from 1.25 on, red from 2 on)."),
-        QStringLiteral("skeleton|simplified|rough|sections|mesh|checker|stretch"), QStringLiteral("mesh"));
+        modeNames().join(QLatin1Char('|')), QStringLiteral("mesh"));
     addMomentOptions(line, MomentOptions::Sequence);
     line.add(
         {QStringLiteral("turntable")},
@@ -255,10 +242,10 @@ Expected<int> run(const CommandLine& line)
     const auto request = requestOf(line);
     if (!request)
         return fail(request.error());
-    const bool isTexture = request->mode == DisplayMode::Checker || request->mode == DisplayMode::Stretch;
-    if (isTexture && (line.has("time") || line.has("frames")))
-        return fail(ErrorCode::Invalid,
-                    "--mode checker and stretch need the tree at rest: without --time and --frames");
+    const DisplayModeRow& mode = rowOf(request->mode);
+    if (mode.shown == Shown::Texture && (line.has("time") || line.has("frames")))
+        return fail(ErrorCode::Invalid, "--mode %1 needs the tree at rest: without --time and --frames",
+                    {mode.name()});
     auto input = loadInput(line.arguments().front(), line.values("set"));
     if (!input)
         return fail(input.error());

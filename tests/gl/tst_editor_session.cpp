@@ -106,9 +106,9 @@ private slots:
 
     void everyDisplayModePaints()
     {
-        for (const char* mode : {"skeleton", "simplified", "rough", "sections", "mesh"}) {
-            m_window->actionSet()->find(QStringLiteral("view.") + QLatin1String(mode))->trigger();
-            QVERIFY2(colours(picture()) > 100, mode);
+        for (const DisplayModeRow& row : displayModes()) {
+            m_window->actionSet()->find(QString::fromLatin1(row.action))->trigger();
+            QVERIFY2(colours(picture()) > 100, row.action);
         }
     }
 

@@ -160,14 +160,12 @@ private slots:
         Window window;
         window.host.settings()->setLeavesVisible(false);
         window.host.settings()->setApplesVisible(false);
-        for (const DisplayMode mode :
-             {DisplayMode::Skeleton, DisplayMode::Simplified, DisplayMode::Rough, DisplayMode::Sections,
-              DisplayMode::Mesh, DisplayMode::Checker, DisplayMode::Stretch}) {
-            window.host.settings()->setDisplayMode(mode);
+        for (const DisplayModeRow& row : displayModes()) {
+            window.host.settings()->setDisplayMode(row.mode);
             window.waitForPicture();
             window.document.setSelection({});
             window.click(window.pixelOf(middle(window.skeleton(), 0)));
-            QVERIFY2(window.document.selection().branches == std::vector<Index>{0}, displayModeName(mode));
+            QVERIFY2(window.document.selection().branches == std::vector<Index>{0}, row.name());
         }
     }
     void shiftAddsAndTakesOut()

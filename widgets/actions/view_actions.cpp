@@ -24,7 +24,6 @@ ViewActions::ViewActions(Document* document, ViewportHost* host, Preferences* pr
     addAxes(set);
     addMoves(set);
     addModes(set);
-    addShading(set);
     addSwitches(set);
     addPreferences(set);
     // Without OpenGL there is nothing to frame and no mode to see.
@@ -136,71 +135,35 @@ void ViewActions::addMoves(ActionSet* set)
     }
 }
 
-void ViewActions::addModes(ActionSet* set)
+/// One action for each row of a table of modes; the one of the present mode is checked.
+template <class Row, class Mode>
+static QActionGroup* addChoices(ActionSet* set, ViewSettings* settings, std::span<const Row> rows,
+                                bool hasKeys, Mode (ViewSettings::*get)() const,
+                                void (ViewSettings::*choose)(Mode), void (ViewSettings::*changed)(Mode))
 {
-    m_modes = new QActionGroup(this);
-    ViewSettings* settings = m_host->settings();
-    const std::pair<ActionSpec, DisplayMode> modes[] = {
-        {{"view.skeleton", QT_TRANSLATE_NOOP("Actions", "&Skeleton"), "mode-skeleton",
-          QKeySequence(Qt::ALT | Qt::Key_1),
-          QT_TRANSLATE_NOOP("Actions", "The branches as lines, as the grammar grew them")},
-         DisplayMode::Skeleton},
-        {{"view.simplified", QT_TRANSLATE_NOOP("Actions", "S&implified skeleton"), "mode-simplified",
-          QKeySequence(Qt::ALT | Qt::Key_2),
-          QT_TRANSLATE_NOOP("Actions",
-                            "The branches as lines, straight runs joined: what the mesh is made of")},
-         DisplayMode::Simplified},
-        {{"view.rough", QT_TRANSLATE_NOOP("Actions", "&Rough model"), "mode-rough",
-          QKeySequence(Qt::ALT | Qt::Key_3), QT_TRANSLATE_NOOP("Actions", "A plain tube for each branch")},
-         DisplayMode::Rough},
-        {{"view.sections", QT_TRANSLATE_NOOP("Actions", "&Cross-sections"), "mode-sections",
-          QKeySequence(Qt::ALT | Qt::Key_4),
-          QT_TRANSLATE_NOOP("Actions", "The cross-sections between which the mesh is stretched")},
-         DisplayMode::Sections},
-        {{"view.mesh", QT_TRANSLATE_NOOP("Actions", "&Mesh"), "mode-mesh", QKeySequence(Qt::ALT | Qt::Key_5),
-          QT_TRANSLATE_NOOP("Actions", "The surface as it is exported")},
-         DisplayMode::Mesh},
-        {{"view.checker", QT_TRANSLATE_NOOP("Actions", "Chec&ker of the texture"), "mode-checker",
-          QKeySequence(Qt::ALT | Qt::Key_6),
-          QT_TRANSLATE_NOOP("Actions", "A checker on the surface shows how the texture lies")},
-         DisplayMode::Checker},
-        {{"view.stretch", QT_TRANSLATE_NOOP("Actions", "S&tretch of the texture"), "mode-stretch",
-          QKeySequence(Qt::ALT | Qt::Key_7),
-          QT_TRANSLATE_NOOP("Actions", "Colours show where the texture is stretched")},
-         DisplayMode::Stretch},
-    };
-    for (const auto& [spec, mode] : modes) {
-        QAction* action = set->add(spec);
+    auto* group = new QActionGroup(settings);
+    int key = Qt::Key_0;
+    for (const Row& row : rows) {
+        const bool hasKey = hasKeys && ++key <= Qt::Key_9;
+        QAction* action = set->add({row.action, row.text, row.icon,
+                                    hasKey ? QKeySequence(Qt::ALT | Qt::Key(key)) : QKeySequence(), row.tip});
         action->setCheckable(true);
-        action->setChecked(settings->displayMode() == mode);
-        m_modes->addAction(action);
-        connect(action, &QAction::triggered, settings,
-                [settings, value = mode] { settings->setDisplayMode(value); });
-        connect(settings, &ViewSettings::displayModeChanged, action,
-                [action, value = mode](DisplayMode now) { action->setChecked(now == value); });
+        action->setChecked((settings->*get)() == row.mode);
+        group->addAction(action);
+        QObject::connect(action, &QAction::triggered, settings,
+                         [settings, choose, mode = row.mode] { (settings->*choose)(mode); });
+        QObject::connect(settings, changed, action,
+                         [action, mode = row.mode](Mode now) { action->setChecked(now == mode); });
     }
+    return group;
 }
 
-void ViewActions::addShading(ActionSet* set)
+void ViewActions::addModes(ActionSet* set)
 {
-    m_shading = new QActionGroup(this);
-    ViewSettings* settings = m_host->settings();
-    const std::pair<ActionSpec, ShadingMode> modes[] = {
-        {{"view.solid", QT_TRANSLATE_NOOP("Actions", "S&olid"), "solid", {}}, ShadingMode::Solid},
-        {{"view.solidWire", QT_TRANSLATE_NOOP("Actions", "Solid with &edges"), "solid-wire", {}},
-         ShadingMode::SolidWire},
-        {{"view.wire", QT_TRANSLATE_NOOP("Actions", "&Wireframe"), "wire", {}}, ShadingMode::Wire},
-    };
-    for (const auto& [spec, mode] : modes) {
-        QAction* action = set->add(spec);
-        action->setCheckable(true);
-        action->setChecked(settings->shadingMode() == mode);
-        m_shading->addAction(action);
-        connect(action, &QAction::triggered, settings,
-                [settings, value = mode] { settings->setShadingMode(value); });
-        connect(settings, &ViewSettings::shadingModeChanged, action,
-                [action, value = mode](ShadingMode now) { action->setChecked(now == value); });
-    }
+    m_modes = addChoices(set, m_host->settings(), displayModes(), true, &ViewSettings::displayMode,
+                         &ViewSettings::setDisplayMode, &ViewSettings::displayModeChanged);
+    m_shading = addChoices(set, m_host->settings(), shadingModes(), false, &ViewSettings::shadingMode,
+                           &ViewSettings::setShadingMode, &ViewSettings::shadingModeChanged);
 }
 
 void ViewActions::addSwitches(ActionSet* set)

@@ -45,7 +45,6 @@ private:
     void addAxes(ActionSet* set);
     void addMoves(ActionSet* set);
     void addModes(ActionSet* set);
-    void addShading(ActionSet* set);
     void addSwitches(ActionSet* set);
     void addPreferences(ActionSet* set);
     void takePreferences();

@@ -68,8 +68,8 @@ private slots:
     }
     void displayModesHaveNames()
     {
-        for (const char* name : displayModeNames())
-            QCOMPARE(displayModeName(*displayModeFromName(name)), name);
+        for (const DisplayModeRow& row : displayModes())
+            QCOMPARE(displayModeFromName(row.name()), row.mode);
         QVERIFY(!displayModeFromName("Mesh"));
         QVERIFY(!displayModeFromName(""));
     }

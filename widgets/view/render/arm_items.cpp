@@ -135,8 +135,7 @@ void addShape(RenderScene& scene, const std::shared_ptr<const SeenArm>& seen, co
 void addArm(RenderScene& scene, ScenePartCache& cache, const Node& node, const NodeParams& params,
             const glm::dmat4& world, DisplayMode mode)
 {
-    const bool surfaces =
-        mode == DisplayMode::Mesh || mode == DisplayMode::Checker || mode == DisplayMode::Stretch;
+    const bool surfaces = rowOf(mode).shown >= Shown::Surface;
     const ArmPart part = surfaces ? shownArmPart(params) : ArmPart::Rods;
     const bool skinned = part == ArmPart::Skin;
     const ArmChain chain(params.joints);

@@ -1,7 +1,10 @@
 /// \file
-/// What a picture shows of a tree, and how.
+/// What a picture shows of a tree, and how: one row of a table for each mode. The menu, the palette, the list
+/// of keys and `ramure-cli render --mode` are made from the rows. A new mode is a value of the enum, its row
+/// in display_modes.cpp, and its drawing in scene_builder.cpp.
 #pragma once
 
+#include "core/params/stage.h"
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -9,7 +12,7 @@
 
 namespace ramure {
 
-/// The views of SPEC A10. The names (displayModeName) are those of `ramure-cli render --mode`.
+/// The views of SPEC A10.
 enum class DisplayMode : std::uint8_t {
     Skeleton,   ///< branches as the turtle drew them, as lines
     Simplified, ///< lines after simplification; the nodes it removed marked in red
@@ -23,9 +26,31 @@ enum class ShadingMode : std::uint8_t { Solid, SolidWire, Wire };
 /// Which sections show their frame as three arrows: tangent blue, normal red, binormal green.
 enum class FrameDisplay : std::uint8_t { None, Selection, All };
 
-/// "skeleton", "simplified", "rough", "sections", "mesh", "checker", "stretch", in the order of the enum.
-std::span<const char* const> displayModeNames();
-const char* displayModeName(DisplayMode mode);
+/// What a mode shows of the branches.
+enum class Shown : std::uint8_t { Lines, Tubes, Surface, Texture };
+
+/// A row: the action's id is "view." and the name.
+template <class Mode> struct ModeRow
+{
+    Mode mode;
+    const char* action; ///< "view.skeleton"
+    const char* icon;   ///< of resources/icons
+    const char* text;   ///< English, with a mnemonic, context "Actions"
+    const char* tip;    ///< as the text; null: the text serves
+    [[nodiscard]] const char* name() const { return action + std::string_view("view.").size(); }
+};
+struct DisplayModeRow : ModeRow<DisplayMode>
+{
+    Shown shown;
+    Stage stage; ///< the last one whose result is needed
+};
+
+/// In the order of the menu; the first nine have the keys Alt+1, Alt+2 ...
+std::span<const DisplayModeRow> displayModes();
+std::span<const ModeRow<ShadingMode>> shadingModes();
+
+const DisplayModeRow& rowOf(DisplayMode mode);
+/// Of "mesh", as the command line has it.
 std::optional<DisplayMode> displayModeFromName(std::string_view name);
 
 } // namespace ramure

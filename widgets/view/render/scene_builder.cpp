@@ -212,8 +212,7 @@ struct TreeItems
     /// Where the selected branches are behind the leaves.
     void selectedCurves()
     {
-        const bool lines = view.mode == DisplayMode::Skeleton || view.mode == DisplayMode::Simplified ||
-                           view.mode == DisplayMode::Sections;
+        const bool lines = rowOf(view.mode).shown == Shown::Lines;
         if (lines || !tree.simplified || view.branchNode != node.id || view.branches.empty() ||
             view.branches.size() > mostCurves)
             return;
