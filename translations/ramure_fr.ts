@@ -4291,6 +4291,10 @@
         <source>cannot be written: is the disk full?</source>
         <translation>écriture impossible&#xa0;: le disque est-il plein&#xa0;?</translation>
     </message>
+    <message>
+        <source>unexpected error: %1</source>
+        <translation>erreur inattendue : %1</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
