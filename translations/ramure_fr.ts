@@ -2133,18 +2133,6 @@
         <translation>Déplacer %1</translation>
     </message>
     <message>
-        <source>The view turns · release: done</source>
-        <translation>La vue tourne · relâcher : terminer</translation>
-    </message>
-    <message>
-        <source>The view moves · release: done</source>
-        <translation>La vue se déplace · relâcher : terminer</translation>
-    </message>
-    <message>
-        <source>Down or left: farther · up or right: nearer · release: done</source>
-        <translation>Bas ou gauche : plus loin · haut ou droite : plus près · relâcher : terminer</translation>
-    </message>
-    <message>
         <source>Everything in the box is selected · Shift: added</source>
         <translation>Tout ce qui est dans le cadre est sélectionné · Maj : ajouté</translation>
     </message>
@@ -2223,10 +2211,6 @@
     <message>
         <source>Click: select</source>
         <translation>Clic : sélectionner</translation>
-    </message>
-    <message>
-        <source>Click: look from this side · drag: turn the view</source>
-        <translation>Clic : regarder de ce côté · glisser : tourner la vue</translation>
     </message>
     <message>
         <source>drag · Ctrl: steps · Shift: fine · digits: value</source>
@@ -5219,6 +5203,17 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::CubeTool</name>
+    <message>
+        <source>The view turns · release: done</source>
+        <translation>La vue tourne · relâcher : terminer</translation>
+    </message>
+    <message>
+        <source>Click: look from this side · drag: turn the view</source>
+        <translation>Clic : regarder de ce côté · glisser : tourner la vue</translation>
+    </message>
+</context>
+<context>
     <name>ramure::EditActions</name>
     <message>
         <source>&amp;Add to the scene</source>
@@ -6309,6 +6304,45 @@ OpenGL&#xa0;: %4
     <message>
         <source>Bottom</source>
         <translation>Dessous</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::NavigationTool</name>
+    <message>
+        <source>The view moves · release: done</source>
+        <translation>La vue se déplace · relâcher : terminer</translation>
+    </message>
+    <message>
+        <source>Down or left: farther · up or right: nearer · release: done</source>
+        <translation>Bas ou gauche : plus loin · haut ou droite : plus près · relâcher : terminer</translation>
+    </message>
+    <message>
+        <source>The view turns · release: done</source>
+        <translation>La vue tourne · relâcher : terminer</translation>
+    </message>
+    <message>
+        <source>Alt: drag turns (with Shift: moves, with Ctrl: zooms) · middle: moves · right: zooms</source>
+        <translation>Alt : glisser tourne (avec Maj : déplace, avec Ctrl : zoome) · milieu : déplace · droite : zoome</translation>
+    </message>
+    <message>
+        <source>Alt: drag turns (with Shift: moves, with Ctrl: zooms) · right: zooms</source>
+        <translation>Alt : glisser tourne (avec Maj : déplace, avec Ctrl : zoome) · droite : zoome</translation>
+    </message>
+    <message>
+        <source>Ctrl + middle: zoom</source>
+        <translation>Ctrl + milieu : zoom</translation>
+    </message>
+    <message>
+        <source>Shift + middle: move the view</source>
+        <translation>Maj + milieu : déplacer la vue</translation>
+    </message>
+    <message>
+        <source>Alt + drag: turn the view</source>
+        <translation>Alt + glisser : tourner la vue</translation>
+    </message>
+    <message>
+        <source>middle or Alt: turn the view</source>
+        <translation>milieu ou Alt : tourner la vue</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,6 @@
 #include "widgets/view/render/framing_points.h"
 
 #include "widgets/view/texture_legend.h"
-#include "widgets/view/tools/navigation_cube.h"
 #include "widgets/view/viewport_private.h"
 #include <QOpenGLContext>
 #include <QPainter>
@@ -64,10 +63,8 @@ RenderOptions Viewport::Private::options(double pixelRatio) const
 
 Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     : QOpenGLWidget(parent)
-    , d(std::make_unique<Private>())
+    , d(std::make_unique<Private>(this, document, settings))
 {
-    d->document = document;
-    d->settings = settings;
     d->camera.orthographic = settings->orthographic();
     QSurfaceFormat wanted = format();
     wanted.setVersion(3, 3);
@@ -82,14 +79,17 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
 
     connect(document, &Document::changed, this, &Viewport::onDocumentChanged);
     connect(settings, &ViewSettings::changed, this, &Viewport::onSettingsChanged);
+    connect(&d->tools.picks(), &PendingPick::missed, this, &Viewport::clearDefect);
+    connect(&d->tools.picks(), &PendingPick::menuWanted, this, [this](QPointF at, NodeId node, Index branch) {
+        emit menuRequested(mapToGlobal(at.toPoint()), node, branch);
+    });
     connect(settings, &ViewSettings::windVisibleChanged, this, &Viewport::explainWind);
     d->picker.setDisposal([this](std::shared_ptr<const void> last) { d->builder.dispose(std::move(last)); });
     connect(&d->builder, &BackgroundBuilder::built, this, &Viewport::takeScene);
     d->uploading.setSingleShot(true);
     connect(&d->uploading, &QTimer::timeout, this, &Viewport::uploadScene);
     connect(&d->picker, &BackgroundPicker::readyChanged, this, [this] {
-        if (d->pending)
-            finishSelecting();
+        d->tools.picks().tryAgain();
         if (underMouse())
             hoverAt(d->hoverPosition);
     });
@@ -133,7 +133,7 @@ const Camera& Viewport::camera() const
 
 bool Viewport::isPickPending() const
 {
-    return d->pending.has_value();
+    return d->tools.picks().isPending();
 }
 
 FrameTimes Viewport::frameTimes() const
@@ -207,7 +207,6 @@ void Viewport::paintGL()
 void Viewport::paintOverlay()
 {
     QPainter painter(this);
-    NavigationCube::paint(painter, d->camera, size(), d->hoverSide);
     paintTextureLegend(painter, size(), d->settings->displayMode(), d->scene->texture);
     d->defect.paintLabel(painter, {d->camera, glm::dvec2(std::max(1, width()), std::max(1, height()))});
     paintMotion(painter);
@@ -218,6 +217,7 @@ void Viewport::paintOverlay()
         painter.setBrush(QColor(colour.red(), colour.green(), colour.blue(), 40));
         painter.drawRect(QRectF(d->pressed, d->last).normalized());
     }
+    d->tools.paint(painter, d->view());
 }
 
 void Viewport::setCamera(const Camera& camera)

@@ -162,11 +162,8 @@ private:
     void rebuildHighlights();
     void moveCamera(const Camera& to);
     void dragTo(QPointF position);
-    void finishSelecting();
-    void finishBox();
     void hoverAt(QPointF position);
     void paintOverlay();
-    void requestMenu(QPointF position);
     void noteInput(QEvent* event);
     void updateHint();
     bool beginMotionGesture(const PickView& view, const glm::dvec2& pixel);

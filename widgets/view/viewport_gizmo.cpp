@@ -187,7 +187,7 @@ bool Viewport::beginGizmo(const PickView& view, const glm::dvec2& pixel, Qt::Key
 
 void Viewport::beginTransform(TransformTool tool)
 {
-    if (d->gizmo || d->gesture != Gesture::None)
+    if (d->gizmo || d->gesture != Gesture::None || d->tools.current())
         return;
     if (d->player && d->player->isPlaying())
         d->player->pause();
@@ -225,7 +225,7 @@ void Viewport::startedGizmo()
     d->gesture = Gesture::Gizmo;
     if (d->gizmoByKeys)
         d->button = Qt::NoButton;
-    d->pending.reset();
+    d->tools.picks().forget();
     d->hoverRest.stop();
     updateHint();
     update();

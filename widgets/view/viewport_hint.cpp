@@ -47,12 +47,6 @@ QString gizmoHint(const ViewportSituation& now)
 QString gestureHint(const ViewportSituation& now)
 {
     switch (now.gesture) {
-    case Gesture::Orbit:
-        return Words::tr("The view turns · release: done");
-    case Gesture::Pan:
-        return Words::tr("The view moves · release: done");
-    case Gesture::Zoom:
-        return Words::tr("Down or left: farther · up or right: nearer · release: done");
     case Gesture::Select:
         return Words::tr("Everything in the box is selected · Shift: added");
     case Gesture::Pull:
@@ -121,7 +115,6 @@ QString selectHint(const ViewportSituation& now)
     case Under::Nothing:
     case Under::Handle:
     case Under::Ring:
-    case Under::Cube:
         break;
     }
     return Words::tr("Click: select nothing");
@@ -130,8 +123,6 @@ QString selectHint(const ViewportSituation& now)
 /// Nothing is held, no gesture goes on.
 QString restHint(const ViewportSituation& now)
 {
-    if (now.under == Under::Cube)
-        return Words::tr("Click: look from this side · drag: turn the view");
     if (now.under == Under::Handle)
         return toolHint(now) + QStringLiteral(": ") +
                Words::tr("drag · Ctrl: steps · Shift: fine · digits: value");
@@ -153,7 +144,7 @@ QString viewportHint(const ViewportSituation& now)
     const bool goesOn = now.gesture != Gesture::None && (now.gesture != Gesture::Select || now.dragging);
     if (goesOn)
         return gestureHint(now);
-    if (now.under == Under::Handle || now.under == Under::Ring || now.under == Under::Cube)
+    if (now.under == Under::Handle || now.under == Under::Ring)
         return restHint(now);
     if (now.held.testFlag(Qt::AltModifier))
         return altHint(now);

@@ -3,15 +3,26 @@
 /// goes on, by what is under the cursor, by the keys that are held. Knows no widget.
 #pragma once
 
+#include "widgets/base/navigation_style.h"
 #include "widgets/view/tools/gizmo_settings.h"
-#include "widgets/view/tools/navigation.h"
 #include <QString>
 
 namespace ramure {
 
+enum class Gesture : quint8 {
+    None,
+    Select,
+    Pull,  ///< a branch that moves
+    Wind,  ///< the arrow of the wind
+    Limb,  ///< a branch at rest, the limb follows
+    Aim,   ///< the target of an arm
+    Ring,  ///< an angle of one of its joints
+    Gizmo, ///< the selected nodes
+};
+
 struct ViewportSituation
 {
-    enum class Under : quint8 { Nothing, Branch, Node, Surface, Handle, Ring, Cube };
+    enum class Under : quint8 { Nothing, Branch, Node, Surface, Handle, Ring };
 
     Gesture gesture = Gesture::None;
     bool dragging = false;

@@ -51,9 +51,7 @@ ViewportSituation Viewport::Private::situation(QSize size) const
     now.keys = gestureKeys ? gestureKeys() : QString();
     const Node* node = document->scene().find(hoverNode);
     const glm::dvec2 pixel(hoverPosition.x(), hoverPosition.y());
-    if (hoverSide)
-        now.under = Under::Cube;
-    else if (gizmoHover)
+    if (gizmoHover)
         now.under = Under::Handle;
     else if (ringUnder(pickView(camera, size), pixel, rings()))
         now.under = Under::Ring;
@@ -79,6 +77,10 @@ void Viewport::setGestureKeys(std::function<QString()> keys)
 
 void Viewport::updateHint()
 {
+    if (d->tools.current() || d->tools.isHovering()) {
+        d->hints.say(d->tools.hint(d->pointAt(d->hoverPosition)));
+        return d->hints.setGesture(d->tools.goesOn());
+    }
     const ViewportSituation now = d->situation(size());
     d->hints.say(viewportHint(now));
     d->hints.setGesture(now.gesture != Gesture::None && (now.gesture != Gesture::Select || now.dragging));
@@ -93,24 +95,12 @@ void Viewport::noteInput(QEvent* event)
     updateHint();
 }
 
-/// As a click it waits for what is picked in, but while everything moves there is none: then it is about the
-/// view.
-void Viewport::requestMenu(QPointF position)
-{
-    if (d->player && d->player->isPlaying()) {
-        emit menuRequested(mapToGlobal(position.toPoint()), noNode, noIndex);
-        return;
-    }
-    d->pending = {position, position, false, false, true};
-    finishSelecting();
-}
-
 /// Of the mouse only a click without a drag asks for the menu, when the button is let go; of the menu key the
 /// selection.
 void Viewport::contextMenuEvent(QContextMenuEvent* event)
 {
     event->accept();
-    if (event->reason() == QContextMenuEvent::Mouse || d->gesture != Gesture::None)
+    if (event->reason() == QContextMenuEvent::Mouse || d->gesture != Gesture::None || d->tools.current())
         return;
     const Selection& selection = d->document->selection();
     const bool branch = selection.activeBranch != noIndex;

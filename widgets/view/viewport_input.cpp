@@ -1,5 +1,3 @@
-#include "widgets/view/tools/navigation_cube.h"
-#include "widgets/view/tools/selection_edits.h"
 #include "widgets/view/viewport_private.h"
 #include <QGuiApplication>
 #include <QMouseEvent>
@@ -7,13 +5,9 @@
 #include <QStyleHints>
 #include <QWheelEvent>
 #include <cmath>
-#include <utility>
 
 namespace ramure {
 namespace {
-
-/// How long a click may hold the interface up.
-constexpr std::chrono::milliseconds patience(8);
 
 glm::dvec2 asVector(QPointF point)
 {
@@ -36,17 +30,14 @@ void Viewport::mousePressEvent(QMouseEvent* event)
     }
     if (d->gesture != Gesture::None)
         return; // a second button during a gesture
-    d->gesture = gestureFor(d->settings->navigationStyle(), event->button(), event->modifiers());
+    if (d->tools.press(d->pointOf(*event)))
+        return d->hoverRest.stop();
+    d->gesture = event->button() == Qt::LeftButton ? Gesture::Select : Gesture::None;
     d->button = event->button();
     d->pressed = d->last = event->position();
     d->dragging = false;
-    d->onCube = event->button() == Qt::LeftButton &&
-                NavigationCube::place(size()).contains(event->position()) &&
-                NavigationCube::sideAt(d->camera, size(), event->position());
-    if (d->onCube)
-        d->gesture = Gesture::Orbit;
-    else if (d->gesture == Gesture::Select &&
-             beginGizmo(pickView(d->camera, size()), asVector(event->position()), event->modifiers()))
+    if (d->gesture == Gesture::Select &&
+        beginGizmo(pickView(d->camera, size()), asVector(event->position()), event->modifiers()))
         d->hoverRest.stop();
     else if (d->gesture == Gesture::Select && event->modifiers() == Qt::NoModifier)
         beginMotionGesture(pickView(d->camera, size()), asVector(event->position()));
@@ -57,8 +48,6 @@ void Viewport::mousePressEvent(QMouseEvent* event)
     if (d->gesture != Gesture::None && d->gesture != Gesture::Select)
         d->flight.stop();
     d->hoverRest.stop();
-    d->pending.reset();
-    d->boxRuns = false;
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
@@ -66,6 +55,8 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
     d->hoverPosition = event->position();
     if (d->gizmo)
         return dragGizmo(event->position(), event->modifiers());
+    if (d->tools.move(d->pointOf(*event)))
+        return;
     if (d->gesture == Gesture::None && hoverGizmo(event->position()))
         return;
     if (d->limb)
@@ -88,7 +79,7 @@ void Viewport::dragTo(QPointF position)
     if (!d->dragging) {
         const bool far =
             (position - d->pressed).manhattanLength() >= QGuiApplication::styleHints()->startDragDistance();
-        const bool waits = d->gesture == Gesture::Select || d->gesture == Gesture::Limb || d->onCube;
+        const bool waits = d->gesture == Gesture::Select || d->gesture == Gesture::Limb;
         if (waits && !far)
             return;
         d->dragging = true;
@@ -108,17 +99,13 @@ void Viewport::dragTo(QPointF position)
         d->last = position;
         return showLimb();
     }
-    applyDrag(d->camera, d->gesture, position - d->last, size());
     d->last = position;
-    if (d->gesture != Gesture::Select) {
-        d->framed = false;
-        emit cameraChanged();
-    }
     update();
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event)
 {
+    d->tools.release(d->pointOf(*event));
     if (event->button() != d->button)
         return;
     if (d->gesture == Gesture::None) {
@@ -126,29 +113,23 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
         const QPointF way = event->position() - d->pressed;
         if (event->button() == Qt::RightButton &&
             way.manhattanLength() < QGuiApplication::styleHints()->startDragDistance())
-            requestMenu(event->position());
+            d->tools.picks().menu(event->position());
         return;
     }
     if (d->gizmo)
         return finishGizmo(true);
     // A branch that was clicked, not dragged, is selected.
     const Gesture gesture = d->gesture == Gesture::Limb && !d->dragging ? Gesture::Select : d->gesture;
-    const bool onCube = d->onCube;
     if (gesture == Gesture::Pull || gesture == Gesture::Wind || gesture == Gesture::Limb ||
         gesture == Gesture::Aim || gesture == Gesture::Ring)
         return letGo();
     finishLimb(true); // nothing was bent
     d->gesture = Gesture::None;
     d->button = Qt::NoButton;
-    d->onCube = false;
-    if (onCube && !d->dragging) {
-        if (const auto side = NavigationCube::sideAt(d->camera, size(), event->position()))
-            setAxisView(*side);
-    } else if (gesture == Gesture::Select) {
-        d->pending = {d->pressed, event->position(), d->dragging,
-                      event->modifiers().testFlag(Qt::ShiftModifier), false};
-        finishSelecting();
-    }
+    if (gesture == Gesture::Select && d->dragging)
+        d->tools.picks().box(d->pressed, event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
+    else if (gesture == Gesture::Select)
+        d->tools.picks().click(event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
     d->dragging = false;
     update();
 }
@@ -160,50 +141,14 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event)
         mousePressEvent(event);
 }
 
-void Viewport::finishSelecting()
-{
-    if (d->isStale() || d->boxRuns)
-        return; // what is picked must belong to the results of now: the scene of now comes back here
-    const auto scene = d->picker.readyWithin(patience);
-    if (!scene || !d->pending)
-        return; // readyChanged comes back here
-    if (d->pending->isBox)
-        return finishBox();
-    const Private::Pending pick = *std::exchange(d->pending, std::nullopt);
-    const PickView view = pickView(d->camera, size());
-    const Selection& selection = d->document->selection();
-    const auto hit = scene->pick(view, asVector(pick.to));
-    if (!hit && !pick.asksMenu)
-        clearDefect();
-    if (!pick.asksMenu || (hit && !isSelected(selection, *hit)))
-        d->document->setSelection(afterClick(selection, hit, pick.extend));
-    const PickHit at = hit.value_or(PickHit());
-    if (pick.asksMenu)
-        emit menuRequested(mapToGlobal(pick.to.toPoint()), at.node, at.branch);
-}
-
-void Viewport::finishBox()
-{
-    const auto done = [this](const std::vector<PickedBranches>& picked) {
-        if (!std::exchange(d->boxRuns, false) || !d->pending || d->isStale())
-            return; // given up; or the scene of now comes back to finishSelecting
-        const Private::Pending box = *std::exchange(d->pending, std::nullopt);
-        d->document->setSelection(afterBox(d->document->selection(), picked, box.extend));
-    };
-    d->boxRuns = d->picker.pickBox(pickView(d->camera, size()), asVector(d->pending->from),
-                                   asVector(d->pending->to), done);
-}
-
 void Viewport::hoverAt(QPointF position)
 {
-    const auto side = NavigationCube::sideAt(d->camera, size(), position);
-    if (side != d->hoverSide) {
-        d->hoverSide = side;
+    const bool before = d->tools.isHovering();
+    const bool taken = d->tools.hover(d->pointAt(position));
+    if (taken != before)
         updateHint();
-        update();
-    }
     std::optional<PickHit> hit;
-    if (!side && !d->gizmoHover && !d->isStale()) {
+    if (!taken && !d->gizmoHover && !d->isStale()) {
         const auto scene = d->picker.ready();
         if (!scene)
             return; // readyChanged asks again
@@ -228,21 +173,7 @@ void Viewport::wheelEvent(QWheelEvent* event)
         return lengthenLimb(event->angleDelta().y() > 0 ? 1 : -1);
     const double turn = event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
     event->accept();
-    if (turn == 0.0)
-        return;
-    d->flight.stop();
-    const PickView view = pickView(d->camera, size());
-    const glm::dvec2 pixel = asVector(event->position());
-    glm::dvec3 fixed = d->camera.pointAtTargetDepth(view.ndc(pixel), view.aspect());
-    // Over a branch: towards that very point, so that zooming on and on arrives at it.
-    if (const auto scene = d->isStale() ? nullptr : d->picker.ready()) {
-        if (const auto hit = scene->pick(view, pixel))
-            fixed = hit->point;
-    }
-    d->framed = false;
-    d->camera.zoom(wheelFactor(turn), fixed);
-    emit cameraChanged();
-    update();
+    d->tools.wheel(d->pointAt(event->position()), turn);
 }
 
 void Viewport::leaveEvent(QEvent* event)
@@ -252,10 +183,10 @@ void Viewport::leaveEvent(QEvent* event)
         d->gizmoHover.reset();
         update();
     }
-    if (d->hoverNode != noNode || d->hoverSide) {
+    d->tools.leave();
+    if (d->hoverNode != noNode) {
         d->hoverNode = noNode;
         d->hoverBranch = noIndex;
-        d->hoverSide.reset();
         d->highlightsStale = true;
         emit hovered(noNode, noIndex);
         update();
@@ -265,7 +196,7 @@ void Viewport::leaveEvent(QEvent* event)
 
 void Viewport::keyPressEvent(QKeyEvent* event)
 {
-    if (gizmoKey(event, true) || limbKey(event, true))
+    if (d->tools.key(*event, true) || gizmoKey(event, true) || limbKey(event, true))
         return;
     const auto isKey = [event](Qt::Key key) { return event->key() == key ? 1.0 : 0.0; };
     const double yaw = isKey(Qt::Key_Right) - isKey(Qt::Key_Left);
@@ -278,6 +209,10 @@ void Viewport::keyPressEvent(QKeyEvent* event)
 
 bool Viewport::event(QEvent* event)
 {
+    if (event->type() == QEvent::ShortcutOverride && d->tools.takesKey(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
+        return true;
+    }
     // While nodes are moved, or a limb, keys are numbers and axes, not shortcuts; Tab is the next number.
     if ((d->gizmo || d->limb) && event->type() == QEvent::ShortcutOverride) {
         event->accept();
@@ -289,12 +224,10 @@ bool Viewport::event(QEvent* event)
         const auto* gesture = static_cast<QNativeGestureEvent*>(event);
         if (gesture->gestureType() == Qt::ZoomNativeGesture) {
             const PickView view = pickView(d->camera, size());
-            d->framed = false;
-            d->camera.zoom(
-                std::exp(-gesture->value()),
-                d->camera.pointAtTargetDepth(view.ndc(asVector(gesture->position())), view.aspect()));
-            emit cameraChanged();
-            update();
+            Camera to = d->camera;
+            to.zoom(std::exp(-gesture->value()),
+                    to.pointAtTargetDepth(view.ndc(asVector(gesture->position())), view.aspect()));
+            d->setCamera(to);
             return true;
         }
     }

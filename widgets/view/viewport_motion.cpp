@@ -42,7 +42,7 @@ void paintWind(QPainter& painter, const std::optional<QPointF>& foot, const std:
 void Viewport::setPlayer(Player* player)
 {
     d->player = player;
-    d->reach->setPlayer(player);
+    d->reach.setPlayer(player);
     connect(player, &Player::motionChanged, this, [this] {
         const auto motion = d->player->motion();
         const auto reshapes = [](const std::shared_ptr<const MotionFrame>& frame) {

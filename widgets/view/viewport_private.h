@@ -19,7 +19,7 @@
 #include "widgets/view/tools/limb_drag.h"
 #include "widgets/view/tools/limb_pose.h"
 #include "widgets/view/tools/motion_tools.h"
-#include "widgets/view/tools/navigation.h"
+#include "widgets/view/tools/tool_manager.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_hint.h"
 #include <QTimer>
@@ -27,10 +27,17 @@
 
 namespace ramure {
 
-struct Viewport::Private
+struct Viewport::Private final : ToolHost
 {
-    Document* document = nullptr;
-    ViewSettings* settings = nullptr;
+    Private(Viewport* viewport, Document* ofDocument, ViewSettings* ofView)
+        : widget(viewport)
+        , document(ofDocument)
+        , settings(ofView)
+    {
+    }
+    Viewport* widget;
+    Document* document;
+    ViewSettings* settings;
 
     Camera camera;
     Camera from, to; ///< of the animation
@@ -78,7 +85,7 @@ struct Viewport::Private
     std::unique_ptr<LimbPose> limbPose; ///< from then on until its mesh is shown
     QTimer limbRest;
     std::size_t limbBranches = LimbDrag::usualBranches;
-    std::unique_ptr<ArmReach> reach;
+    ArmReach reach{document};
     AutoKey* keys = nullptr;                                ///< null: no edit becomes a key
     std::shared_ptr<const MotionFrame> reachFrame, reachOf; ///< with the arm on its way; made from
     NodeId aimingArm = noNode;                              ///< while its target is dragged
@@ -106,6 +113,8 @@ struct Viewport::Private
     Qt::KeyboardModifiers held;
     std::function<QString()> gestureKeys;
     [[nodiscard]] ViewportSituation situation(QSize size) const;
+    [[nodiscard]] ToolPoint pointAt(QPointF position) const;
+    [[nodiscard]] ToolPoint pointOf(const QMouseEvent& event) const;
 
     // Paths and ghosts, see viewport_trail.cpp.
     GizmoTrail trail;
@@ -117,23 +126,14 @@ struct Viewport::Private
     Index hoverBranch = noIndex;
     NodeId pointedNode = noNode; ///< by a row of the scene panel
     std::vector<Index> pointedBranches;
-    std::optional<AxisView> hoverSide; ///< of the navigation cube
 
     Gesture gesture = Gesture::None;
     Qt::MouseButton button = Qt::NoButton;
     QPointF pressed, last;
-    /// A finished click or box that waits for the pick scene of a large tree.
-    struct Pending
-    {
-        QPointF from, to;
-        bool isBox = false;
-        bool extend = false;
-        bool asksMenu = false; ///< of what is clicked; it selects only what is not selected yet
-    };
-    std::optional<Pending> pending;
-    bool boxRuns = false;  ///< the pending box is being looked at
     bool dragging = false; ///< the pointer has left the place of the press
-    bool onCube = false;   ///< the press was on the navigation cube
+
+    ToolContext context{*this, *document, *settings->gizmo(), reach};
+    ToolManager tools{context};
 
     /// As tracks shape it now, or as the document has it.
     [[nodiscard]] const TreeResult* resultOf(NodeId id) const
@@ -144,8 +144,29 @@ struct Viewport::Private
         const NodeResult* result = document->result(id);
         return result ? &result->tree : nullptr;
     }
-    /// The scene that is shown is not that of now.
-    [[nodiscard]] bool isStale() const { return builder.isBusy() || next; }
+
+    // As the host of the tools, see viewport_tools.cpp.
+    [[nodiscard]] PickView view() const override;
+    void setCamera(const Camera& moved) override;
+    void stopFlight() override { flight.stop(); }
+    void flyToSide(AxisView side) override { widget->setAxisView(side); }
+    [[nodiscard]] NavigationStyle navigationStyle() const override { return settings->navigationStyle(); }
+    [[nodiscard]] bool isWindVisible() const override { return settings->windVisible(); }
+    [[nodiscard]] const RenderScene& shownScene() const override { return shown ? *shown : *scene; }
+    [[nodiscard]] const RenderScene& sceneAtRest() const override { return *scene; }
+    [[nodiscard]] bool isStale() const override { return builder.isBusy() || next; }
+    [[nodiscard]] std::shared_ptr<const PickScene> pickScene(std::chrono::milliseconds patience) override;
+    [[nodiscard]] std::shared_ptr<const PickScene> latestPickScene() const override
+    {
+        return picker.latest();
+    }
+    bool pickBox(QPointF cornerA, QPointF cornerB,
+                 std::function<void(const std::vector<PickedBranches>&)> done) override;
+    void dispose(std::shared_ptr<const void> block) override { builder.dispose(std::move(block)); }
+    void repaint() override { widget->update(); }
+    void updateHint() override { widget->updateHint(); }
+    void raiseMessage(const QString& text) override { emit widget->messageRaised(text); }
+
     void updateShown();
     [[nodiscard]] std::shared_ptr<const MotionFrame> motionOfNow();
     /// The arm that a target is meant for: the active one, else the first that is shown.

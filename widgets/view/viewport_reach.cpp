@@ -53,13 +53,12 @@ bool Viewport::beginReach(const PickView& view, const glm::dvec2& pixel)
 
 ArmReach* Viewport::armReach() const
 {
-    return d->reach.get();
+    return &d->reach;
 }
 
 void Viewport::beginReaching()
 {
-    d->reach = std::make_unique<ArmReach>(d->document);
-    connect(d->reach.get(), &ArmReach::moved, this, [this] {
+    connect(&d->reach, &ArmReach::moved, this, [this] {
         d->reachFrame.reset();
         update();
     });
@@ -79,7 +78,7 @@ double Viewport::Private::timeNow() const
 std::shared_ptr<const MotionFrame> Viewport::Private::motionOfNow()
 {
     auto frame = player ? player->motion() : nullptr;
-    const ArmProgress* progress = reach->progress();
+    const ArmProgress* progress = reach.progress();
     if (!progress || (player && player->frame() > 0))
         return frame;
     if (reachFrame && reachOf == frame)
@@ -199,7 +198,7 @@ void Viewport::aimAt(const PickView& view, const glm::dvec2& pixel)
     const ParamDef& def = *findParam("arm.target");
     const auto done = d->keys && d->keys->takes({d->aimingArm}, def)
                           ? d->keys->set({d->aimingArm}, def, target, std::nullopt, d->aimGesture)
-                          : d->reach->aim(d->aimingArm, target, d->aimGesture);
+                          : d->reach.aim(d->aimingArm, target, d->aimGesture);
     if (!done)
         emit messageRaised(errorText(done.error()));
     update();
@@ -209,7 +208,7 @@ std::vector<ArmRing> Viewport::Private::rings() const
 {
     const NodeId active = document->selection().activeNode();
     const Scene& all = document->scene();
-    const ArmProgress* progress = reach->progress();
+    const ArmProgress* progress = reach.progress();
     const Node* node = all.find(active);
     const bool follows = node && node->params.arm.follows && player && player->frame() > 0;
     const bool moves = follows || (player && player->isPlaying()) ||
@@ -284,7 +283,7 @@ void Viewport::paintArm(QPainter& painter)
     const NodeMotion* played = motion ? motion->of(d->armForTarget()) : nullptr;
     if (played && played->arm)
         return paintArmStatus(painter, size(), *played->arm);
-    if (const ArmProgress* progress = d->reach->progress(); progress && !motion)
+    if (const ArmProgress* progress = d->reach.progress(); progress && !motion)
         paintArmStatus(painter, size(), *progress);
 }
 

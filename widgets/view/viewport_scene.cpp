@@ -93,6 +93,7 @@ SceneWish Viewport::Private::wish()
 
 void Viewport::onDocumentChanged(const Change& change)
 {
+    d->tools.documentChanged(change);
     followGizmo(change);
     if (change.has(changeSelection | changeStructure | changeReset))
         updateHint();
@@ -220,8 +221,7 @@ void Viewport::showScene()
             frameAll();
         else if (framing == Private::Framing::Selection)
             frameSelection();
-        if (d->pending)
-            finishSelecting();
+        d->tools.picks().tryAgain();
     }
     update();
 }

@@ -6,7 +6,7 @@
 
 namespace ramure {
 
-Gesture gestureFor(NavigationStyle style, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
+CameraDrag cameraDragFor(NavigationStyle style, Qt::MouseButton button, Qt::KeyboardModifiers modifiers)
 {
     const bool shift = modifiers.testFlag(Qt::ShiftModifier);
     const bool control = modifiers.testFlag(Qt::ControlModifier);
@@ -14,47 +14,38 @@ Gesture gestureFor(NavigationStyle style, Qt::MouseButton button, Qt::KeyboardMo
         // With one button only (a trackpad): Shift and Ctrl turn it into panning and zooming.
         switch (button) {
         case Qt::LeftButton:
-            return shift ? Gesture::Pan : control ? Gesture::Zoom : Gesture::Orbit;
+            return shift ? CameraDrag::Pan : control ? CameraDrag::Zoom : CameraDrag::Orbit;
         case Qt::MiddleButton:
-            return style == NavigationStyle::Maya ? Gesture::Pan : Gesture::Orbit;
+            return style == NavigationStyle::Maya ? CameraDrag::Pan : CameraDrag::Orbit;
         case Qt::RightButton:
-            return Gesture::Zoom;
+            return CameraDrag::Zoom;
         default:
-            return Gesture::None;
+            return CameraDrag::None;
         }
     }
-    if (button == Qt::LeftButton)
-        return Gesture::Select;
     if (button == Qt::MiddleButton && style == NavigationStyle::Blender)
-        return shift ? Gesture::Pan : control ? Gesture::Zoom : Gesture::Orbit;
-    return Gesture::None;
+        return shift ? CameraDrag::Pan : control ? CameraDrag::Zoom : CameraDrag::Orbit;
+    return CameraDrag::None;
 }
 
-void applyDrag(Camera& camera, Gesture gesture, QPointF pixels, QSize size)
+void applyDrag(Camera& camera, CameraDrag drag, QPointF pixels, QSize size)
 {
     const double height = std::max(1, size.height());
     const double width = std::max(1, size.width());
-    switch (gesture) {
-    case Gesture::Orbit: {
+    switch (drag) {
+    case CameraDrag::Orbit: {
         // Once across the height of the picture is half a turn.
         const double perPixel = std::numbers::pi / height;
         camera.orbit(-pixels.x() * perPixel, pixels.y() * perPixel);
         break;
     }
-    case Gesture::Pan:
+    case CameraDrag::Pan:
         camera.pan({2.0 * pixels.x() / width, -2.0 * pixels.y() / height}, width / height);
         break;
-    case Gesture::Zoom:
+    case CameraDrag::Zoom:
         camera.zoom(std::exp((pixels.y() - pixels.x()) * 3.0 / height), camera.target);
         break;
-    case Gesture::None:
-    case Gesture::Select:
-    case Gesture::Pull:
-    case Gesture::Wind:
-    case Gesture::Limb:
-    case Gesture::Aim:
-    case Gesture::Ring:
-    case Gesture::Gizmo:
+    case CameraDrag::None:
         break;
     }
 }

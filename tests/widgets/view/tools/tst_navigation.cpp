@@ -6,7 +6,7 @@
 
 using namespace ramure;
 
-Q_DECLARE_METATYPE(ramure::Gesture)
+Q_DECLARE_METATYPE(ramure::CameraDrag)
 
 class TestNavigation : public QObject
 {
@@ -19,56 +19,55 @@ private slots:
         QTest::addColumn<bool>("maya");
         QTest::addColumn<int>("button");
         QTest::addColumn<int>("modifiers");
-        QTest::addColumn<Gesture>("expected");
+        QTest::addColumn<CameraDrag>("expected");
         const auto row = [](const char* name, bool maya, Qt::MouseButton button, int modifiers,
-                            Gesture gesture) {
-            QTest::newRow(name) << maya << int(button) << modifiers << gesture;
+                            CameraDrag drag) {
+            QTest::newRow(name) << maya << int(button) << modifiers << drag;
         };
-        row("unknown button", false, Qt::BackButton, 0, Gesture::None);
-        row("unknown button with Alt", true, Qt::BackButton, Qt::AltModifier, Gesture::None);
-        row("Blender left", false, Qt::LeftButton, 0, Gesture::Select);
-        row("Blender Shift left", false, Qt::LeftButton, Qt::ShiftModifier, Gesture::Select);
-        row("Blender middle", false, Qt::MiddleButton, 0, Gesture::Orbit);
-        row("Blender Shift middle", false, Qt::MiddleButton, Qt::ShiftModifier, Gesture::Pan);
-        row("Blender Ctrl middle", false, Qt::MiddleButton, Qt::ControlModifier, Gesture::Zoom);
-        row("Blender right", false, Qt::RightButton, 0, Gesture::None);
-        row("Blender Alt left", false, Qt::LeftButton, Qt::AltModifier, Gesture::Orbit);
+        row("unknown button", false, Qt::BackButton, 0, CameraDrag::None);
+        row("unknown button with Alt", true, Qt::BackButton, Qt::AltModifier, CameraDrag::None);
+        row("Blender left", false, Qt::LeftButton, 0, CameraDrag::None);
+        row("Blender Shift left", false, Qt::LeftButton, Qt::ShiftModifier, CameraDrag::None);
+        row("Blender middle", false, Qt::MiddleButton, 0, CameraDrag::Orbit);
+        row("Blender Shift middle", false, Qt::MiddleButton, Qt::ShiftModifier, CameraDrag::Pan);
+        row("Blender Ctrl middle", false, Qt::MiddleButton, Qt::ControlModifier, CameraDrag::Zoom);
+        row("Blender right", false, Qt::RightButton, 0, CameraDrag::None);
+        row("Blender Alt left", false, Qt::LeftButton, Qt::AltModifier, CameraDrag::Orbit);
         row("Blender Alt Shift left", false, Qt::LeftButton, Qt::AltModifier | Qt::ShiftModifier,
-            Gesture::Pan);
+            CameraDrag::Pan);
         row("Blender Alt Ctrl left", false, Qt::LeftButton, Qt::AltModifier | Qt::ControlModifier,
-            Gesture::Zoom);
-        row("Maya left", true, Qt::LeftButton, 0, Gesture::Select);
-        row("Maya middle", true, Qt::MiddleButton, 0, Gesture::None);
-        row("Maya Alt left", true, Qt::LeftButton, Qt::AltModifier, Gesture::Orbit);
-        row("Maya Alt middle", true, Qt::MiddleButton, Qt::AltModifier, Gesture::Pan);
-        row("Maya Alt right", true, Qt::RightButton, Qt::AltModifier, Gesture::Zoom);
+            CameraDrag::Zoom);
+        row("Maya left", true, Qt::LeftButton, 0, CameraDrag::None);
+        row("Maya middle", true, Qt::MiddleButton, 0, CameraDrag::None);
+        row("Maya Alt left", true, Qt::LeftButton, Qt::AltModifier, CameraDrag::Orbit);
+        row("Maya Alt middle", true, Qt::MiddleButton, Qt::AltModifier, CameraDrag::Pan);
+        row("Maya Alt right", true, Qt::RightButton, Qt::AltModifier, CameraDrag::Zoom);
     }
     void gestures()
     {
         QFETCH(bool, maya);
         QFETCH(int, button);
         QFETCH(int, modifiers);
-        QFETCH(Gesture, expected);
-        QCOMPARE(gestureFor(maya ? NavigationStyle::Maya : NavigationStyle::Blender, Qt::MouseButton(button),
-                            Qt::KeyboardModifiers(modifiers)),
+        QFETCH(CameraDrag, expected);
+        QCOMPARE(cameraDragFor(maya ? NavigationStyle::Maya : NavigationStyle::Blender,
+                               Qt::MouseButton(button), Qt::KeyboardModifiers(modifiers)),
                  expected);
     }
     void dragsMoveTheCamera()
     {
         Camera camera;
         const Camera before = camera;
-        applyDrag(camera, Gesture::Select, {50, 50}, {400, 300});
-        applyDrag(camera, Gesture::None, {50, 50}, {400, 300});
+        applyDrag(camera, CameraDrag::None, {50, 50}, {400, 300});
         QCOMPARE(camera, before);
-        applyDrag(camera, Gesture::Orbit, {0, 0}, {0, 0});
+        applyDrag(camera, CameraDrag::Orbit, {0, 0}, {0, 0});
         QVERIFY(std::isfinite(camera.yawRad));
-        applyDrag(camera, Gesture::Orbit, {30, 0}, {400, 300});
+        applyDrag(camera, CameraDrag::Orbit, {30, 0}, {400, 300});
         QVERIFY(camera.yawRad < before.yawRad);
         camera = before;
-        applyDrag(camera, Gesture::Zoom, {0, 30}, {400, 300});
+        applyDrag(camera, CameraDrag::Zoom, {0, 30}, {400, 300});
         QVERIFY(camera.distance > before.distance);
         camera = before;
-        applyDrag(camera, Gesture::Pan, {30, -20}, {400, 300});
+        applyDrag(camera, CameraDrag::Pan, {30, -20}, {400, 300});
         const glm::dvec2 moved = *camera.project(before.target, 400.0 / 300.0);
         QVERIFY(std::abs(moved.x * 200.0 - 30.0) < 1e-9 && std::abs(moved.y * 150.0 - 20.0) < 1e-9);
     }

@@ -1,0 +1,126 @@
+/// \file
+/// The tools of the view with a document and a mouse, without a window: for suites of tools.
+#pragma once
+
+#include "widgets/view/render/scene_builder.h"
+#include "widgets/view/tools/tool_manager.h"
+#include <QKeyEvent>
+
+namespace ramure::test {
+
+struct ToolBench : ToolHost
+{
+    Document document;
+    GizmoSettings gizmo;
+    ArmReach reach{&document};
+    ToolContext context{*this, document, gizmo, reach};
+    ToolManager tools{context};
+
+    // What the host has, and what it was asked for.
+    Camera camera;
+    glm::dvec2 size{800.0, 600.0};
+    NavigationStyle style = NavigationStyle::Blender;
+    bool windVisible = false;
+    std::shared_ptr<RenderScene> scene = std::make_shared<RenderScene>();
+    bool stale = false;
+    bool ready = true; ///< what is picked in
+    std::optional<AxisView> side;
+    QStringList messages;
+    int repaints = 0;
+    std::function<void()> box; ///< a box that is looked at: to be answered by calling it
+
+    [[nodiscard]] PickView view() const override { return {camera, size}; }
+    void setCamera(const Camera& to) override { camera = to; }
+    void stopFlight() override {}
+    void flyToSide(AxisView to) override { side = to; }
+    [[nodiscard]] NavigationStyle navigationStyle() const override { return style; }
+    [[nodiscard]] bool isWindVisible() const override { return windVisible; }
+    [[nodiscard]] const RenderScene& shownScene() const override { return *scene; }
+    [[nodiscard]] const RenderScene& sceneAtRest() const override { return *scene; }
+    [[nodiscard]] bool isStale() const override { return stale; }
+    [[nodiscard]] std::shared_ptr<const PickScene> pickScene(std::chrono::milliseconds) override
+    {
+        return ready && !stale ? latestPickScene() : nullptr;
+    }
+    [[nodiscard]] std::shared_ptr<const PickScene> latestPickScene() const override
+    {
+        return std::make_shared<const PickScene>(*scene, nullptr);
+    }
+    bool pickBox(QPointF a, QPointF b, std::function<void(const std::vector<PickedBranches>&)> done) override
+    {
+        box = [this, a, b, done = std::move(done)] {
+            done(latestPickScene()->inRectangle(view(), {a.x(), a.y()}, {b.x(), b.y()}));
+        };
+        return ready;
+    }
+    void dispose(std::shared_ptr<const void>) override {}
+    void repaint() override { ++repaints; }
+    void updateHint() override {}
+    void raiseMessage(const QString& text) override { messages << text; }
+
+    /// Fills the document, and shows it.
+    void open(const Scene& of)
+    {
+        document.reset(of, {});
+        show();
+    }
+    /// The document of now becomes what is shown.
+    void show()
+    {
+        SceneView how;
+        how.mode = DisplayMode::Simplified;
+        const auto resultOf = [this](NodeId id) {
+            const NodeResult* result = document.result(id);
+            return result ? &result->tree : nullptr;
+        };
+        scene = std::make_shared<RenderScene>(SceneBuilder().build(document.scene(), resultOf, how));
+        camera.frame(scene->box, view().aspect());
+    }
+    [[nodiscard]] ToolPoint at(QPointF place, Qt::MouseButton button = Qt::NoButton,
+                               Qt::KeyboardModifiers held = {}) const
+    {
+        return {view(), place, button, held, place};
+    }
+    /// Logical pixels of a point of the world.
+    [[nodiscard]] QPointF pixelOf(const glm::dvec3& world) const
+    {
+        const glm::dvec2 ndc = camera.project(world, view().aspect()).value_or(glm::dvec2(9.0));
+        return {0.5 * (ndc.x + 1.0) * size.x, 0.5 * (1.0 - ndc.y) * size.y};
+    }
+    bool press(QPointF place, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers held = {})
+    {
+        return tools.press(at(place, button, held));
+    }
+    bool move(QPointF place, Qt::KeyboardModifiers held = {})
+    {
+        return tools.move(at(place, Qt::NoButton, held));
+    }
+    void release(QPointF place, Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers held = {})
+    {
+        tools.release(at(place, button, held));
+    }
+    /// From the press to the release, in a few steps.
+    void drag(QPointF from, QPointF to, Qt::MouseButton button = Qt::LeftButton,
+              Qt::KeyboardModifiers held = {})
+    {
+        press(from, button, held);
+        for (int i = 1; i <= 4; ++i)
+            move(from + (to - from) * i / 4.0, held);
+        release(to, button, held);
+    }
+    /// \return whether it was taken
+    bool key(Qt::Key key, const QString& text = {}, Qt::KeyboardModifiers held = {})
+    {
+        return tools.key(QKeyEvent(QEvent::KeyPress, key, held, text), true);
+    }
+    [[nodiscard]] QString hint(QPointF place = {}, Qt::KeyboardModifiers held = {}) const
+    {
+        return tools.hint(at(place, Qt::NoButton, held));
+    }
+    [[nodiscard]] bool says(const char* what, QPointF place = {}, Qt::KeyboardModifiers held = {}) const
+    {
+        return hint(place, held).contains(QLatin1String(what));
+    }
+};
+
+} // namespace ramure::test

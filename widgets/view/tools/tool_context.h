@@ -1,0 +1,47 @@
+/// \file
+/// What tools work with. They know no window: so they are tested without one.
+#pragma once
+
+#include "core/document/document.h"
+#include "core/session/arm_reach.h"
+#include "core/session/auto_key.h"
+#include "core/session/player.h"
+#include "widgets/view/tools/gizmo_settings.h"
+#include "widgets/view/tools/limb_pose.h"
+#include "widgets/view/tools/tool_host.h"
+
+namespace ramure {
+
+class PendingPick;
+
+/// How long a press or a click may hold the interface up.
+inline constexpr std::chrono::milliseconds pickPatience(8);
+
+/// Nothing is owned but what the tools make themselves.
+struct ToolContext
+{
+    ToolHost& host;
+    Document& document;
+    GizmoSettings& gizmo;
+    ArmReach& reach;
+    Player* player = nullptr;             ///< null: nothing plays
+    AutoKey* keys = nullptr;              ///< null: no edit becomes a key
+    std::function<QString()> gestureKeys{}; ///< of beginning to move, rotate, scale: "G R S"
+    PendingPick* picks = nullptr;
+
+    /// A limb that follows the hand, from then on until its mesh is shown.
+    std::unique_ptr<LimbPose> limbPose{};
+
+    NodeId hoverNode = noNode; ///< under the cursor while nothing goes on
+    Index hoverBranch = noIndex;
+
+    [[nodiscard]] bool isPlaying() const { return player && player->isPlaying(); }
+    [[nodiscard]] double seconds() const { return player ? player->timeSeconds() : 0.0; }
+    /// While everything moves nobody looks what is under the cursor: it may be a branch.
+    [[nodiscard]] bool isOverBranch() const
+    {
+        return isPlaying() || (document.scene().find(hoverNode) && hoverBranch != noIndex);
+    }
+};
+
+} // namespace ramure

@@ -1,0 +1,168 @@
+#include "widgets/view/tools/tool_manager.h"
+
+#include "widgets/view/tools/tool_table.h"
+#include <QKeyEvent>
+#include <QPainter>
+
+namespace ramure {
+
+ToolManager::ToolManager(ToolContext& context)
+    : m_context(context)
+    , m_picks(context)
+{
+    context.picks = &m_picks;
+    for (const ToolMaker make : toolTable)
+        m_tools.push_back(make(context));
+}
+
+ToolManager::~ToolManager()
+{
+    m_context.picks = nullptr;
+}
+
+Tool* ToolManager::current() const
+{
+    const auto found = std::ranges::find_if(m_tools, [](const auto& tool) { return tool->isBusy(); });
+    return found == m_tools.end() ? nullptr : found->get();
+}
+
+bool ToolManager::hover(ToolPoint point)
+{
+    point.pressed = point.at;
+    m_hovering = nullptr;
+    for (const auto& tool : m_tools)
+        if (m_hovering)
+            tool->leave();
+        else if (tool->hover(point))
+            m_hovering = tool.get();
+    return m_hovering != nullptr;
+}
+
+void ToolManager::leave()
+{
+    m_hovering = nullptr;
+    for (const auto& tool : m_tools)
+        tool->leave();
+}
+
+bool ToolManager::press(ToolPoint point)
+{
+    point.pressed = m_pressed;
+    if (Tool* tool = current()) {
+        tool->pressAgain(point);
+        return true;
+    }
+    point.pressed = m_pressed = point.at;
+    m_picks.forget();
+    for (const auto& tool : m_tools)
+        if (tool->press(point)) {
+            tool->begin(point.button);
+            return true;
+        }
+    return false;
+}
+
+bool ToolManager::doubleClick(const ToolPoint& point)
+{
+    return !current() &&
+           std::ranges::any_of(m_tools, [&](const auto& tool) { return tool->doubleClick(point); });
+}
+
+bool ToolManager::move(ToolPoint point)
+{
+    Tool* tool = current();
+    point.pressed = m_pressed;
+    if (tool)
+        tool->drag(point);
+    return tool != nullptr;
+}
+
+void ToolManager::release(ToolPoint point)
+{
+    Tool* tool = current();
+    if (!tool || tool->button() != point.button)
+        return; // another button; or the gesture has ended without it
+    point.pressed = m_pressed;
+    tool->end();
+    tool->release(point);
+}
+
+bool ToolManager::wheel(const ToolPoint& point, double turn)
+{
+    Tool* busy = current();
+    return (busy && busy->wheel(point, turn)) ||
+           std::ranges::any_of(m_tools, [&](const auto& tool) { return tool->wheel(point, turn); });
+}
+
+bool ToolManager::takesKey(const QKeyEvent& event) const
+{
+    const Tool* tool = current();
+    return tool && (tool->takesKeys() || (event.key() == Qt::Key_Escape && tool->goesOn()));
+}
+
+bool ToolManager::key(const QKeyEvent& event, bool pressed)
+{
+    if (!takesKey(event))
+        return false;
+    Tool* tool = current();
+    if (event.key() != Qt::Key_Escape) {
+        tool->key(event, pressed);
+    } else if (pressed) {
+        tool->end();
+        tool->cancel();
+    }
+    return true;
+}
+
+void ToolManager::focusLost()
+{
+    if (Tool* tool = current())
+        tool->focusLost();
+}
+
+void ToolManager::documentChanged(const Change& change)
+{
+    for (const auto& tool : m_tools)
+        tool->documentChanged(change);
+}
+
+void ToolManager::playingStopped()
+{
+    for (const auto& tool : m_tools)
+        tool->playingStopped();
+}
+
+Qt::CursorShape ToolManager::cursor() const
+{
+    return m_hovering ? m_hovering->cursor() : Qt::ArrowCursor;
+}
+
+QString ToolManager::hint(ToolPoint point) const
+{
+    point.pressed = point.at;
+    if (goesOn())
+        return current()->hint(point.held);
+    for (const auto& tool : m_tools)
+        if (const QString hint = tool->hintAt(point); !hint.isEmpty())
+            return hint;
+    Qt::KeyboardModifier held = Qt::NoModifier;
+    for (const Qt::KeyboardModifier each : {Qt::ShiftModifier, Qt::ControlModifier, Qt::AltModifier})
+        if (point.held.testFlag(each))
+            held = each;
+    ToolOffers offers(held);
+    for (const auto& tool : m_tools)
+        tool->offer(offers);
+    return offers.line();
+}
+
+void ToolManager::paint(QPainter& painter, const PickView& view) const
+{
+    for (auto tool = m_tools.rbegin(); tool != m_tools.rend(); ++tool) {
+        painter.save();
+        painter.setRenderHint(QPainter::Antialiasing);
+        (*tool)->paint(painter, view);
+        painter.restore();
+    }
+}
+
+} // namespace ramure

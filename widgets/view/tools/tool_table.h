@@ -1,0 +1,20 @@
+/// \file
+/// All tools, one row each. Of several that would take a press the first one does; what it paints lies above
+/// what those after it paint.
+#pragma once
+
+#include "widgets/view/tools/tool.h"
+
+namespace ramure {
+
+using ToolMaker = std::unique_ptr<Tool> (*)(ToolContext& context);
+
+std::unique_ptr<Tool> makeCubeTool(ToolContext& context);
+std::unique_ptr<Tool> makeNavigationTool(ToolContext& context);
+
+inline constexpr ToolMaker toolTable[] = {
+    makeCubeTool,
+    makeNavigationTool,
+};
+
+} // namespace ramure
