@@ -5,21 +5,6 @@
 
 namespace ramure {
 
-Material barkMaterial()
-{
-    return {"bark", {0x8B, 0x5A, 0x2B}, false, false};
-}
-
-Material leavesMaterial()
-{
-    return {"leaves", {0x3A, 0x5F, 0x0B}, true, true};
-}
-
-Material applesMaterial()
-{
-    return {"apples", {0x5F, 0x0B, 0x0B}, true, false};
-}
-
 namespace {
 
 void appendOrFill(std::vector<Index>& to, const std::vector<Index>& from, std::size_t before,

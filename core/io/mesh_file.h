@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
+#include "core/scene/material.h"
 #include "core/surface/mesh/triangle_mesh.h"
 #include <functional>
 #include <glm/mat4x4.hpp>
@@ -12,18 +13,6 @@
 #include <vector>
 
 namespace ramure {
-
-/// Phong or Lambert, as SPEC A3 names them. Colours are sRGB bytes.
-struct Material
-{
-    std::string name;
-    glm::u8vec3 colour{255};
-    bool phong = false;
-    bool twoSided = false;
-};
-Material barkMaterial();
-Material leavesMaterial();
-Material applesMaterial();
 
 /// One object of a file. The mesh is not owned and must outlive the call.
 struct MeshPart

@@ -99,7 +99,7 @@ inline TriangleMesh sampleLeaves(const Skeleton& skeleton, int perBranch, double
 inline Material sampleMaterial(const char* name)
 {
     if (QLatin1String(name) == QLatin1String("leaves"))
-        return {name, {0x3A, 0x5F, 0x0B}, true, true};
+        return leavesMaterial();
     return {name, {0x8B, 0x5A, 0x2B}, false, true};
 }
 

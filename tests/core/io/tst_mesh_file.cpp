@@ -138,12 +138,6 @@ private slots:
         QCOMPARE(joined.branch[7], 4u);
         QVERIFY(joined.normals.empty());
     }
-    void materialsAreThoseOfTheReference()
-    {
-        QCOMPARE(barkMaterial().colour, glm::u8vec3(0x8B, 0x5A, 0x2B));
-        QVERIFY(!barkMaterial().phong && leavesMaterial().phong && applesMaterial().phong);
-        QVERIFY(leavesMaterial().twoSided && !applesMaterial().twoSided);
-    }
     void randomBytes()
     {
         std::mt19937 random(5);

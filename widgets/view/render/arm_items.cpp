@@ -86,7 +86,7 @@ void addTerrain(RenderScene& scene, ScenePartCache& cache, const Node& node, con
     if (item.mesh->empty())
         return;
     item.box = cache.box(item.mesh);
-    item.material = {"terrain", glm::u8vec3(params.surface.color * 255.0 + 0.5), false, true};
+    item.material = nodeMaterial(node, params);
     item.world = world;
     item.node = node.id;
     item.pickable = !node.locked;
@@ -128,7 +128,7 @@ void addShape(RenderScene& scene, const std::shared_ptr<const SeenArm>& seen, co
     item.inNode = armUpright();
     item.node = node.id;
     item.pickable = !node.locked;
-    item.material = {"joints", glm::u8vec3(params.surface.color * 255.0 + 0.5), true, false};
+    item.material = nodeMaterial(node, params);
     scene.meshes.push_back(std::move(item));
 }
 
@@ -150,11 +150,8 @@ void addArm(RenderScene& scene, ScenePartCache& cache, const Node& node, const N
         addShape(scene, seen, node, params, chain);
         MeshItem& item = scene.meshes.back();
         item.world = world * item.inNode;
-        if (skinned) {
-            item.material.name = "skin";
-            item.material.twoSided = bound != nullptr;
-            item.paint = params.armSkin.weights ? Paint::Weights : Paint::Material;
-        }
+        if (skinned && params.armSkin.weights)
+            item.paint = Paint::Weights;
     }
     if (params.arm.follows)
         addTarget(scene, cache, node, params, chain.reach(), world);

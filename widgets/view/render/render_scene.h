@@ -5,9 +5,9 @@
 #pragma once
 
 #include "core/base/index.h"
-#include "core/io/mesh_file.h"
 #include "core/math/box.h"
 #include "core/rig/pose/skin.h"
+#include "core/scene/material.h"
 #include "core/scene/scene.h"
 #include "core/surface/mesh/triangle_mesh.h"
 #include <glm/mat4x4.hpp>

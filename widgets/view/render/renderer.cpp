@@ -353,11 +353,10 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     program.set("uRelative", glm::mat4(relative));
     program.set("uNormal", glm::mat3(glm::inverseTranspose(glm::dmat3(item.world))));
     program.set("uColour", srgb(item.material.colour));
-    const bool isLeaf = item.material.phong && item.material.twoSided;
     program.set("uShininess", item.material.phong ? 26.0f : 0.0f);
-    program.set("uGlint", isLeaf ? 0.05f : 0.22f);
-    program.set("uThrough", isLeaf ? 0.5f : 0.0f);
-    program.set("uVariety", isLeaf && !item.mesh->branch.empty() ? 0.45f : 0.0f);
+    program.set("uGlint", item.material.glint);
+    program.set("uThrough", item.material.through);
+    program.set("uVariety", item.mesh->branch.empty() ? 0.0f : item.material.variety);
     program.set("uTwoSided", item.material.twoSided);
     program.set("uPaint", int(item.paint));
     program.set("uTileSize", item.tileSize);

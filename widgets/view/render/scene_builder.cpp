@@ -318,9 +318,7 @@ struct ObjectItems
         if (item.mesh->empty())
             return;
         item.box = cache.box(item.mesh);
-        item.material = {"surface", glm::u8vec3(params->surface.color * 255.0 + 0.5), true, false};
-        item.material.twoSided =
-            node.kind == NodeKind::Mesh || node.params.primitive.shape == PrimitiveShape::Plane;
+        item.material = nodeMaterial(node, *params);
         item.world = world;
         item.node = node.id;
         item.pickable = !node.locked;

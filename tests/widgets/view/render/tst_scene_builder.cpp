@@ -1,5 +1,6 @@
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/scene/demo_scenes.h"
 #include "core/surface/mesher/rough_model.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/outline.h"
@@ -88,6 +89,16 @@ class TestSceneBuilder : public QObject
 private slots:
     void init() { test::failOnAnyWarning(); }
 
+    void lightShinesThroughNothingButLeaves()
+    {
+        for (const DemoScene& demo : demoScenes()) {
+            const Scene scene = *demoScene(demo.name);
+            const RenderScene built = SceneBuilder().build(
+                scene, [](NodeId) { return nullptr; }, in(DisplayMode::Mesh));
+            for (const MeshItem& item : built.meshes)
+                QVERIFY2(item.material.through == 0.0f, demo.name);
+        }
+    }
     void nothingForNothing()
     {
         Trees trees;

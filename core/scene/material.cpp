@@ -1,0 +1,33 @@
+#include "core/scene/material.h"
+
+#include "core/scene/object_mesh.h"
+
+namespace ramure {
+
+Material barkMaterial()
+{
+    return {"bark", {0x8B, 0x5A, 0x2B}, false, false};
+}
+
+Material leavesMaterial()
+{
+    Material leaves{"leaves", {0x3A, 0x5F, 0x0B}, true, true};
+    leaves.glint = 0.05f;
+    leaves.through = 0.5f;
+    leaves.variety = 0.45f;
+    return leaves;
+}
+
+Material applesMaterial()
+{
+    return {"apples", {0x5F, 0x0B, 0x0B}, true, false};
+}
+
+Material nodeMaterial(const Node& node, const NodeParams& params)
+{
+    const bool mayBeOpen = node.mesh || isOpenSurface(node); // what was read may be open anywhere
+    return {"surface", glm::u8vec3(params.surface.color * 255.0 + 0.5), node.kind != NodeKind::Terrain,
+            mayBeOpen};
+}
+
+} // namespace ramure

@@ -1,0 +1,31 @@
+/// \file
+/// What a surface looks like: the three parts of a tree, and every other node by its kind and its parameters.
+/// Whoever draws or writes a surface asks here and guesses nothing.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <string>
+
+namespace ramure {
+
+struct Node;
+struct NodeParams;
+
+struct Material
+{
+    std::string name;
+    glm::u8vec3 colour{255}; ///< sRGB; triangles that have a colour of their own are tinted by it
+    bool phong = false;      ///< with highlights; else Lambert (SPEC A3)
+    bool twoSided = false;   ///< open surfaces, seen from behind as well
+    float glint = 0.22f;     ///< strength of the highlights
+    float through = 0.0f;    ///< share of the light from behind that shines through: of leaves
+    float variety = 0.0f;    ///< how far the colour goes from branch to branch
+};
+
+Material barkMaterial();
+Material leavesMaterial();
+Material applesMaterial();
+/// Of a node that is no tree. \param params those of the time (paramsAt).
+Material nodeMaterial(const Node& node, const NodeParams& params);
+
+} // namespace ramure
