@@ -5,8 +5,8 @@
 #pragma once
 
 #include "core/document/commands.h"
+#include "core/evaluate/arm_run.h"
 #include "core/rig/arm/arm_motion.h"
-#include "core/session/motion.h"
 #include <QObject>
 #include <memory>
 

@@ -3,11 +3,8 @@
 /// long as they draw it.
 #pragma once
 
-#include "core/math/box.h"
+#include "core/evaluate/node_motion.h"
 #include "core/pipeline/tree_pipeline.h"
-#include "core/rig/arm/arm_solver.h"
-#include "core/rig/physics/physics_state.h"
-#include "core/rig/pose/skin.h"
 #include "core/scene/world_transforms.h"
 #include <map>
 #include <memory>
@@ -16,44 +13,6 @@
 #include <vector>
 
 namespace ramure {
-
-/// What views show of an arm on its way.
-struct ArmProgress
-{
-    NodeId node = noNode;
-    std::vector<double> angles;
-    std::vector<ArmLimit> limits; ///< by angle
-    ArmFigures figures;           ///< of the solver
-    double residual = 0.0;        ///< m, from the arm's own tip to the target
-    std::vector<float> residuals; ///< of the arm, by ticks; at most 4096
-    bool moves = false;
-};
-/// Which of \p angles lie on a limit of their joints.
-std::vector<ArmLimit> armLimits(std::span<const ArmJoint> joints, std::span<const double> angles);
-
-/// One tree or arm. Skins belong to exactly the meshes named here: a view that shows others shows them at
-/// rest.
-struct NodeMotion
-{
-    std::shared_ptr<const BranchMesh> mesh;
-    std::shared_ptr<const TriangleMesh> leavesMesh, applesMesh;
-    std::shared_ptr<const Skin> branches, leaves, apples;
-    SkinMethod method = SkinMethod::DualQuaternion;
-    /// One per branch of the simplified skeleton, then one per apple; tree space.
-    std::shared_ptr<const std::vector<RigidTransform>> bones;
-    Box box; ///< of the moved tree, tree space; a little generous
-    PhysicsFigures figures;
-    std::shared_ptr<const ArmProgress> arm; ///< of arms only
-    bool reshapes = false;                  ///< of arms only: tracks change the mesh that follows the bones
-    std::int64_t step = 0;                  ///< of the physics
-    double stepSeconds = 0.0; ///< what one step took, mean over those computed for this frame; 0 = none was
-
-    /// At rest there is nothing to deform.
-    [[nodiscard]] bool moves() const { return step > 0; }
-};
-
-/// An arm with these joints.
-NodeMotion armMotion(const NodeParams& params, std::span<const ArmJoint> joints);
 
 /// An object, a terrain or an arm whose parameters have tracks, as it is now.
 struct ObjectNow

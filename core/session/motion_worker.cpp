@@ -1,10 +1,9 @@
 #include "core/session/motion_worker.h"
 
-#include "core/rig/arm/arm_blend.h"
-#include "core/rig/arm/arm_driver.h"
+#include "core/evaluate/arm_run.h"
+#include "core/rig/physics/animated_physics.h"
 #include "core/scene/loop_blend.h"
 #include "core/scene/object_mesh.h"
-#include "core/session/animated_physics.h"
 #include "core/session/tree_actor.h"
 
 #include <algorithm>
@@ -19,86 +18,22 @@ using Clock = std::chrono::steady_clock;
 /// The band is looked through at most so often while frames follow each other.
 static constexpr std::chrono::milliseconds bandRest{200};
 
-/// One arm on the worker's thread: its driver, as long as nothing that it was made from changes.
-struct MotionWorker::ArmActor
-{
-    explicit ArmActor(const MotionArm& from)
-        : arm(from)
-        , driver(armDriver(from.params, from.animation))
-    {
-    }
-    [[nodiscard]] bool isFor(const MotionArm& other) const
-    {
-        return arm.params.joints == other.params.joints && arm.params.ik == other.params.ik &&
-               arm.params.arm == other.params.arm && arm.animation == other.animation;
-    }
-
-    Expected<ArmMoment> momentAt(double seconds, const LoopBlend& blend, const Progress& progress)
-    {
-        if (blend.weight == 0.0)
-            return driver.momentAt(seconds, progress);
-        const auto earlier = driver.momentAt(blend.earlierSeconds, progress);
-        if (!earlier)
-            return earlier;
-        auto moment = driver.momentAt(seconds, progress);
-        if (!moment)
-            return moment;
-        blendJoints(earlier->joints, blend.weight, moment->joints);
-        for (std::size_t i = 0; i < moment->joints.size(); ++i) {
-            moment->angles[2 * i] = moment->joints[i].phi.angleRad;
-            moment->angles[2 * i + 1] = moment->joints[i].theta.angleRad;
-        }
-        return moment;
-    }
-
-    MotionArm arm;
-    ArmDriver driver;
-};
-
-static bool movesLengths(const NodeAnimation& animation)
-{
-    return std::any_of(animation.tracks().begin(), animation.tracks().end(), [](const auto& entry) {
-        const JointDef* def = entry.first.jointDef();
-        return def && !def->angle;
-    });
-}
-
 std::optional<Error> MotionWorker::runArms(const MotionRequest& request, MotionFrame& frame,
                                            const Progress& progress)
 {
-    std::erase_if(m_arms, [&](const auto& actor) {
+    std::erase_if(m_arms, [&](const auto& run) {
         return std::ranges::none_of(request.arms,
-                                    [&](const MotionArm& arm) { return arm.node == actor.first; });
+                                    [&](const MotionArm& arm) { return arm.node == run.first; });
     });
     std::optional<Error> problem;
     for (const MotionArm& arm : request.arms) {
-        std::unique_ptr<ArmActor>& actor = m_arms[arm.node];
-        if (!actor || !actor->isFor(arm))
-            actor = std::make_unique<ArmActor>(arm);
-        const LoopBlend blend =
-            arm.params.arm.follows ? loopBlend(request.timeline, frame.timeSeconds) : LoopBlend();
-        const auto moment = actor->momentAt(frame.timeSeconds, blend, progress);
-        if (!moment) {
-            if (moment.error().code != ErrorCode::Cancelled)
-                problem = moment.error();
-            continue;
-        }
-        const bool changes = arm.animation.movesParams();
-        NodeMotion motion = armMotion(arm.params, moment->joints);
-        motion.step = changes || (frame.timeSeconds > 0.0 && arm.params.arm.follows) ? 1 : 0;
-        motion.reshapes = movesLengths(arm.animation);
-        auto told = std::make_shared<ArmProgress>();
-        told->node = arm.node;
-        told->angles = moment->angles;
-        told->limits = armLimits(moment->joints, moment->angles);
-        told->figures = moment->figures;
-        told->residual = moment->residual;
-        told->residuals = moment->residuals;
-        // What the solver has reached the arm may still be on its way to.
-        told->moves =
-            moment->figures.status == ArmStatus::Reached && moment->residual > arm.params.ik.tolerance;
-        motion.arm = std::move(told);
-        frame.nodes.insert_or_assign(arm.node, std::move(motion));
+        ArmRun& run = m_arms[arm.node];
+        run.set(arm.params, arm.animation);
+        auto motion = run.motionAt(frame.timeSeconds, request.timeline, progress);
+        if (motion)
+            frame.nodes.insert_or_assign(arm.node, std::move(*motion));
+        else if (motion.error().code != ErrorCode::Cancelled)
+            problem = std::move(motion.error());
     }
     return problem;
 }

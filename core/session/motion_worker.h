@@ -3,6 +3,7 @@
 /// no document.
 #pragma once
 
+#include "core/evaluate/arm_run.h"
 #include "core/params/node_params.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/session/motion.h"
@@ -84,7 +85,6 @@ public:
     [[nodiscard]] bool isBusy() const;
 
 private:
-    struct ArmActor;
     void loop(const std::stop_token& quit);
     Expected<void> reshape(MotionTree& tree, MotionFrame& frame, const Progress& progress);
     Expected<void> moveTree(const MotionTree& tree, const MotionRequest& request, MotionFrame& frame,
@@ -101,7 +101,7 @@ private:
     std::optional<std::stop_source> m_running;
     TreePipeline m_pipeline; ///< of trees whose shape has tracks; only the thread looks
     std::map<NodeId, std::unique_ptr<TreeActor>> m_actors; ///< only the thread looks
-    std::map<NodeId, std::unique_ptr<ArmActor>> m_arms;    ///< likewise
+    std::map<NodeId, ArmRun> m_arms;                       ///< likewise
     std::chrono::steady_clock::time_point m_bandSent;      ///< only the thread looks
     std::jthread m_thread;                                 ///< last: it needs all of the above
 };

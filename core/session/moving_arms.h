@@ -3,10 +3,8 @@
 /// with core/session/player.h, which gives the same angles.
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/scene/scene.h"
+#include "core/evaluate/arm_run.h"
 #include <map>
-#include <memory>
 
 namespace ramure {
 
@@ -16,9 +14,6 @@ class MovingArms
 public:
     /// \param timeline says whether, and where, the end of a loop blends into its beginning.
     explicit MovingArms(const TimelineSettings& timeline = {});
-    ~MovingArms();
-    MovingArms(const MovingArms&) = delete;
-    MovingArms& operator=(const MovingArms&) = delete;
 
     /// The joints of an arm at a time: those it has, as their tracks have them, turned towards its target
     /// where it follows one; at 0 s they stand as they are. Errors: Invalid (checkArm; a time that is no
@@ -28,9 +23,8 @@ public:
     Expected<Scene> at(const Scene& scene, double seconds, const Progress& progress = {});
 
 private:
-    struct Run;
     TimelineSettings m_timeline;
-    std::map<NodeId, std::unique_ptr<Run>> m_runs;
+    std::map<NodeId, ArmRun> m_runs;
 };
 
 } // namespace ramure

@@ -4,7 +4,7 @@
 #include "core/rig/physics/pose_blend.h"
 #include "core/rig/pose/skin.h"
 #include "core/scene/loop_blend.h"
-#include "core/session/animated_physics.h"
+#include "core/rig/physics/animated_physics.h"
 
 #include <algorithm>
 #include <cmath>

@@ -179,6 +179,7 @@ constexpr const char* floors[] = {
     "core/rig/physics",
     "core/rig/arm",
     "core/scene",
+    "core/evaluate",
     "core/io",
     "core/io/formats",
     "core/document",

@@ -1,7 +1,7 @@
 #include "widgets/dialogs/export_task.h"
 
 #include "core/document/document.h"
-#include "core/session/animated_physics.h"
+#include "core/rig/physics/animated_physics.h"
 #include "core/session/moving_source.h"
 #include <map>
 

@@ -131,16 +131,6 @@ Expected<ArmMoment> ArmDriver::momentAt(double timeSeconds, const Progress& prog
     return moment;
 }
 
-Expected<void> ArmDriver::poseAt(double timeSeconds, Pose& out, const Progress& progress)
-{
-    const Expected<ArmMoment> moment = momentAt(timeSeconds, progress);
-    if (!moment)
-        return fail(moment.error());
-    out.timeSeconds = timeSeconds;
-    ArmChain(moment->joints).pose(out.bones);
-    return {};
-}
-
 ArmDriver armDriver(const NodeParams& params, const NodeAnimation& animation)
 {
     NodeParams own; // without what paramsAt would copy for nothing

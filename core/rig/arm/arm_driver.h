@@ -3,8 +3,9 @@
 /// move, with joints that may change meanwhile.
 #pragma once
 
+#include "core/base/error.h"
+#include "core/base/progress.h"
 #include "core/rig/arm/arm_motion.h"
-#include "core/rig/pose/driver.h"
 #include "core/rig/tracks/node_animation.h"
 #include <functional>
 
@@ -29,7 +30,7 @@ struct ArmMoment
     std::vector<float> residuals; ///< m, the same by ticks up to this one; the last 4096 at most
 };
 
-class ArmDriver : public PoseDriver
+class ArmDriver
 {
 public:
     /// The target at a time, in the arm's own space; the same time always gives the same.
@@ -40,9 +41,8 @@ public:
     ArmDriver(std::span<const ArmJoint> joints, const ArmSolverParams& params, Target target);
     ArmDriver(Source source, const ArmSolverParams& params);
 
-    [[nodiscard]] std::size_t boneCount() const override { return m_motion.angles().size() / 2; }
-    Expected<void> poseAt(double timeSeconds, Pose& out, const Progress& progress) override;
-    /// The same for any order of times. Errors as poseAt. Times beyond a day are an error too.
+    /// The same for any order of times; those before 0 give that at 0. Errors: Invalid (not a finite time, or
+    /// beyond a day), Cancelled.
     Expected<ArmMoment> momentAt(double timeSeconds, const Progress& progress);
 
 private:

@@ -181,16 +181,6 @@ std::int64_t PhysicsCache::stepAt(double timeSeconds) const
                : std::clamp<std::int64_t>(m_script.stepAt(timeSeconds), 0, maxPhysicsSteps);
 }
 
-Expected<void> PhysicsCache::poseAt(double timeSeconds, Pose& out, const Progress& progress)
-{
-    if (!std::isfinite(timeSeconds))
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("must be a finite number"));
-    if (auto done = seek(stepAt(timeSeconds), progress); !done)
-        return done;
-    pose(out);
-    return {};
-}
-
 void PhysicsCache::setBody(std::shared_ptr<const TreeBody> body)
 {
     const PhysicsParams first = m_script.paramsAt(0);

@@ -10,7 +10,6 @@
 #include "core/base/progress.h"
 #include "core/rig/physics/physics_script.h"
 #include "core/rig/physics/tree_physics.h"
-#include "core/rig/pose/driver.h"
 #include <deque>
 #include <map>
 
@@ -43,12 +42,14 @@ struct PhysicsCacheOptions
                               << 20; ///< of all states together; the ring takes a quarter at most
 };
 
-class PhysicsCache final : public PoseDriver
+class PhysicsCache
 {
 public:
     PhysicsCache(std::shared_ptr<const TreeBody> body, const PhysicsParams& params,
                  const PhysicsCacheOptions& options = {});
-    ~PhysicsCache() override;
+    ~PhysicsCache();
+    PhysicsCache(const PhysicsCache&) = delete;
+    PhysicsCache& operator=(const PhysicsCache&) = delete;
 
     [[nodiscard]] const TreePhysics& physics() const { return m_physics; }
     [[nodiscard]] const PhysicsState& state() const { return m_state; } ///< at the present step
@@ -64,8 +65,6 @@ public:
     [[nodiscard]] std::int64_t stepAt(double timeSeconds) const;
     [[nodiscard]] double timeAt(std::int64_t step) const { return m_script.timeAt(step); }
 
-    [[nodiscard]] std::size_t boneCount() const override { return m_physics.body().size(); }
-    Expected<void> poseAt(double timeSeconds, Pose& out, const Progress& progress) override;
     /// Pose at the present step.
     void pose(Pose& out) const { m_physics.pose(m_state, out); }
 

@@ -1,5 +1,5 @@
 #include "core/math/random.h"
-#include "core/rig/pose/driver.h"
+#include "core/rig/pose/pose.h"
 #include "tests/support/suite.h"
 
 using namespace ramure;

@@ -1,4 +1,4 @@
-#include "core/session/animated_physics.h"
+#include "core/rig/physics/animated_physics.h"
 
 #include <algorithm>
 
