@@ -1,23 +1,100 @@
 #include "tests/support/self_intersections.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/MP_Float.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/intersections.h>
 #include <algorithm>
+#include <map>
+#include <set>
 #include <sstream>
 
 namespace ramure::test {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point = Kernel::Point_3;
 using Box = CGAL::Box_intersection_d::Box_with_handle_d<double, 3, const glm::uvec3*>;
+using Vector = CGAL::Simple_cartesian<CGAL::MP_Float>::Vector_3; ///< sums and products are exact
 
-/// The up to three branches a triangle belongs to.
-struct Owners
+Vector exact(const glm::vec3& v)
 {
-    std::array<Index, 3> branch{noIndex, noIndex, noIndex};
-    std::size_t count = 0;
+    return {double(v.x), double(v.y), double(v.z)};
+}
+
+/// All that a triangle covers near one of its corners, without end: the rays between two of its sides.
+struct Wedge
+{
+    Wedge(const glm::vec3& corner, const glm::vec3& a, const glm::vec3& b)
+        : first(exact(a) - exact(corner))
+        , last(exact(b) - exact(corner))
+        , normal(CGAL::cross_product(first, last))
+    {
+    }
+    /// \p ray lies in the wedge's plane.
+    [[nodiscard]] bool holds(const Vector& ray) const
+    {
+        return CGAL::cross_product(first, ray) * normal >= 0 && CGAL::cross_product(ray, last) * normal >= 0;
+    }
+
+    Vector first, last, normal;
+};
+
+/// Two triangles with this corner in common have more in common exactly when they share a ray from it.
+bool shareRay(const Wedge& s, const Wedge& t)
+{
+    const Vector along = CGAL::cross_product(s.normal, t.normal);
+    if (along == CGAL::NULL_VECTOR) // one plane
+        return s.holds(t.first) || s.holds(t.last) || t.holds(s.first) || t.holds(s.last);
+    return (s.holds(along) && t.holds(along)) || (s.holds(-along) && t.holds(-along));
+}
+
+/// Two triangles on one side have more in common exactly when they leave it in the same direction.
+bool leaveTogether(const Wedge& s, const Wedge& t)
+{
+    return CGAL::cross_product(s.normal, t.normal) == CGAL::NULL_VECTOR && s.normal * t.normal > 0;
+}
+
+/// From branches to how they are related.
+class Family
+{
+public:
+    explicit Family(const std::vector<Index>& parent)
+        : m_lines(parent.size())
+    {
+        for (Index branch = 0; branch < parent.size(); ++branch) {
+            for (Index at = branch; at != noIndex; at = parent[at])
+                m_lines[branch].push_back(at);
+            std::reverse(m_lines[branch].begin(), m_lines[branch].end());
+        }
+    }
+    [[nodiscard]] bool isKnown() const { return !m_lines.empty(); }
+
+    /// Those of a triangle's corners whose line is the longest.
+    [[nodiscard]] std::set<Index> owners(const std::array<Index, 3>& corners) const
+    {
+        std::map<std::size_t, std::set<Index>> byLength;
+        for (const Index branch : corners)
+            byLength[m_lines[branch].size()].insert(branch);
+        return byLength.rbegin()->second;
+    }
+    /// By the steps down to each from the last one that both lines have.
+    [[nodiscard]] PairKind relation(Index a, Index b) const
+    {
+        const std::vector<Index>&lineA = m_lines[a], &lineB = m_lines[b];
+        const auto [forkA, forkB] = std::mismatch(lineA.begin(), lineA.end(), lineB.begin(), lineB.end());
+        if (forkA == lineA.begin())
+            return PairKind::Far; // two trees
+        const auto steps = std::minmax({lineA.end() - forkA, lineB.end() - forkB});
+        if (steps.second > 1)
+            return PairKind::Far;
+        if (steps.first == 1)
+            return PairKind::Siblings;
+        return steps.second == 1 ? PairKind::ParentChild : PairKind::Same;
+    }
+
+private:
+    std::vector<std::vector<Index>> m_lines; ///< of each branch, from its root to itself
 };
 
 class Counter
@@ -25,12 +102,8 @@ class Counter
 public:
     Counter(const TriangleMesh& mesh, const std::vector<Index>& parent)
         : m_mesh(mesh)
-        , m_parent(parent)
-        , m_depth(parent.size(), 0)
+        , m_family(parent)
     {
-        for (std::size_t i = 0; i < parent.size(); ++i)
-            for (Index up = parent[i]; up != noIndex; up = parent[up])
-                ++m_depth[i];
         m_points.reserve(mesh.positions.size());
         for (const glm::vec3& p : mesh.positions)
             m_points.emplace_back(double(p.x), double(p.y), double(p.z));
@@ -44,8 +117,8 @@ public:
             if (!CGAL::collinear(m_points[t.x], m_points[t.y], m_points[t.z]))
                 boxes.emplace_back(m_points[t.x].bbox() + m_points[t.y].bbox() + m_points[t.z].bbox(), &t);
         CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [this](const Box& a, const Box& b) {
-            const Index i = face(a), j = face(b);
-            test(std::min(i, j), std::max(i, j));
+            if (meet(*a.handle(), *b.handle()))
+                note(face(a), face(b));
         });
         std::sort(m_result.pairs.begin(), m_result.pairs.end(), [](const auto& a, const auto& b) {
             return a.first != b.first ? a.first < b.first : a.second < b.second;
@@ -59,104 +132,74 @@ private:
         return static_cast<Index>(box.handle() - m_mesh.triangles.data());
     }
 
-    [[nodiscard]] Kernel::Triangle_3 triangle(const glm::uvec3& t) const
+    void note(Index i, Index j)
     {
-        return {m_points[t.x], m_points[t.y], m_points[t.z]};
-    }
-
-    void test(Index i, Index j)
-    {
-        if (!meet(m_mesh.triangles[i], m_mesh.triangles[j]))
-            return;
-        const PairKind kind = kindOf(owners(m_mesh.triangles[i]), owners(m_mesh.triangles[j]));
+        const PairKind kind = kindOf(m_mesh.triangles[i], m_mesh.triangles[j]);
         Index* const counts[] = {&m_result.same, &m_result.siblings, &m_result.parentChild, &m_result.far};
         ++*counts[static_cast<std::size_t>(kind)];
-        m_result.pairs.push_back({kind, i, j});
+        m_result.pairs.push_back({kind, std::min(i, j), std::max(i, j)});
     }
 
-    /// The corners of both turned so that those in common come first, in the same order.
+    [[nodiscard]] PairKind kindOf(const glm::uvec3& s, const glm::uvec3& t) const
+    {
+        if (!m_family.isKnown())
+            return PairKind::Same;
+        const auto owners = [this](const glm::uvec3& face) {
+            return m_family.owners({m_mesh.branch[face.x], m_mesh.branch[face.y], m_mesh.branch[face.z]});
+        };
+        PairKind closest = PairKind::Far;
+        for (const Index a : owners(s))
+            for (const Index b : owners(t))
+                closest = std::min(closest, m_family.relation(a, b));
+        return closest;
+    }
+
     [[nodiscard]] bool meet(const glm::uvec3& s, const glm::uvec3& t) const
     {
-        std::array<Index, 3> common{};
-        std::size_t count = 0;
-        for (int k = 0; k < 3; ++k)
-            if (s[k] == t.x || s[k] == t.y || s[k] == t.z)
-                common[count++] = s[k];
-        switch (count) {
+        std::vector<Index> shared, ofS, ofT; // corners of both, of one alone
+        for (int k = 0; k < 3; ++k) {
+            const bool isShared = s[k] == t.x || s[k] == t.y || s[k] == t.z;
+            (isShared ? shared : ofS).push_back(s[k]);
+            if (t[k] != s.x && t[k] != s.y && t[k] != s.z)
+                ofT.push_back(t[k]);
+        }
+        switch (shared.size()) {
         case 0:
             return CGAL::do_intersect(triangle(s), triangle(t));
         case 1:
-            return meetBeyond(s, t, common[0]);
+            return mayMeet(s, ofT) && mayMeet(t, ofS) &&
+                   shareRay(wedge(shared[0], ofS[0], ofS[1]), wedge(shared[0], ofT[0], ofT[1]));
         case 2:
-            return overlapAtEdge(s, t, common[0], common[1]);
+            return mayMeet(s, ofT) &&
+                   leaveTogether(wedge(shared[0], shared[1], ofS[0]), wedge(shared[0], shared[1], ofT[0]));
         default:
             return true;
         }
     }
 
-    /// Two triangles with one vertex in common have more in common exactly when the side of one that is
-    /// opposite to it reaches the other.
-    [[nodiscard]] bool meetBeyond(const glm::uvec3& s, const glm::uvec3& t, Index vertex) const
+    /// Spares the exact numbers most of the work: corners that lie all on one side of the plane of \p t.
+    [[nodiscard]] bool mayMeet(const glm::uvec3& t, const std::vector<Index>& corners) const
     {
-        return CGAL::do_intersect(oppositeSide(s, vertex), triangle(t)) ||
-               CGAL::do_intersect(oppositeSide(t, vertex), triangle(s));
+        const auto side = [&](Index corner) {
+            return CGAL::orientation(m_points[t.x], m_points[t.y], m_points[t.z], m_points[corner]);
+        };
+        const CGAL::Orientation first = side(corners.front());
+        return first == CGAL::COPLANAR || (corners.size() > 1 && side(corners.back()) != first);
     }
 
-    [[nodiscard]] Kernel::Segment_3 oppositeSide(const glm::uvec3& t, Index vertex) const
+    [[nodiscard]] Kernel::Triangle_3 triangle(const glm::uvec3& t) const
     {
-        const int k = t.x == vertex ? 0 : t.y == vertex ? 1 : 2;
-        return {m_points[t[(k + 1) % 3]], m_points[t[(k + 2) % 3]]};
+        return {m_points[t.x], m_points[t.y], m_points[t.z]};
     }
 
-    [[nodiscard]] bool overlapAtEdge(const glm::uvec3& s, const glm::uvec3& t, Index a, Index b) const
+    [[nodiscard]] Wedge wedge(Index corner, Index a, Index b) const
     {
-        const Point& p = m_points[s.x ^ s.y ^ s.z ^ a ^ b];
-        const Point& q = m_points[t.x ^ t.y ^ t.z ^ a ^ b];
-        return CGAL::coplanar(m_points[a], m_points[b], p, q) &&
-               CGAL::coplanar_orientation(m_points[a], m_points[b], p, q) == CGAL::POSITIVE;
-    }
-
-    [[nodiscard]] Owners owners(const glm::uvec3& t) const
-    {
-        Owners result;
-        if (m_parent.empty())
-            return result;
-        Index deepest = 0;
-        for (int k = 0; k < 3; ++k)
-            deepest = std::max(deepest, m_depth[m_mesh.branch[t[k]]]);
-        for (int k = 0; k < 3; ++k) {
-            const Index b = m_mesh.branch[t[k]];
-            const auto end = result.branch.begin() + static_cast<std::ptrdiff_t>(result.count);
-            if (m_depth[b] == deepest && std::find(result.branch.begin(), end, b) == end)
-                result.branch[result.count++] = b;
-        }
-        return result;
-    }
-
-    [[nodiscard]] PairKind kindOf(const Owners& a, const Owners& b) const
-    {
-        if (m_parent.empty())
-            return PairKind::Same;
-        PairKind closest = PairKind::Far;
-        for (std::size_t i = 0; i < a.count; ++i)
-            for (std::size_t j = 0; j < b.count; ++j)
-                closest = std::min(closest, kindOf(a.branch[i], b.branch[j]));
-        return closest;
-    }
-
-    [[nodiscard]] PairKind kindOf(Index a, Index b) const
-    {
-        if (a == b)
-            return PairKind::Same;
-        if (m_parent[a] == m_parent[b] && m_parent[a] != noIndex)
-            return PairKind::Siblings;
-        return m_parent[a] == b || m_parent[b] == a ? PairKind::ParentChild : PairKind::Far;
+        return {m_mesh.positions[corner], m_mesh.positions[a], m_mesh.positions[b]};
     }
 
     const TriangleMesh& m_mesh;
-    const std::vector<Index>& m_parent;
-    std::vector<Index> m_depth;
-    std::vector<Point> m_points;
+    const Family m_family;
+    std::vector<Kernel::Point_3> m_points;
     SelfIntersections m_result;
 };
 
@@ -194,19 +237,22 @@ SelfIntersections findSelfIntersections(const TriangleMesh& mesh, const std::vec
 
 std::vector<Index> repairedParents(const Skeleton& skeleton, const std::vector<RepairNote>& repairs)
 {
-    std::vector<Index> standsFor(skeleton.size()), parent = skeleton.parent;
-    for (Index i = 0; i < skeleton.size(); ++i)
-        standsFor[i] = i;
+    std::map<Index, Index> gone, moved; // to the branch that stands for it; to its other parent
     for (const RepairNote& note : repairs) {
-        if (note.kind == SkeletonRepair::SiblingsMerged || note.kind == SkeletonRepair::ZeroLengthContracted)
-            standsFor[note.branch] = note.other;
-        else if (note.kind == SkeletonRepair::SiblingChained)
-            parent[note.branch] = note.other;
+        if (note.kind == SkeletonRepair::SiblingChained)
+            moved[note.branch] = note.other;
+        else if (note.kind == SkeletonRepair::SiblingsMerged ||
+                 note.kind == SkeletonRepair::ZeroLengthContracted)
+            gone[note.branch] = note.other;
     }
-    for (Index& p : parent)
-        while (p != noIndex && standsFor[p] != p)
-            p = standsFor[p];
-    return parent;
+    std::vector<Index> parents;
+    for (Index branch = 0; branch < skeleton.size(); ++branch) {
+        Index parent = moved.contains(branch) ? moved[branch] : skeleton.parent[branch];
+        while (gone.contains(parent))
+            parent = gone[parent];
+        parents.push_back(parent);
+    }
+    return parents;
 }
 
 } // namespace ramure::test

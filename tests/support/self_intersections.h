@@ -16,6 +16,9 @@
 /// - an edge in common: they lie in one plane on the same side of it;
 /// - three vertices in common: always.
 /// Triangles whose corners lie on one line are left out (the topology suites refuse them).
+///
+/// A second opinion on core/surface/check: of the core it has the mesh alone. CGAL finds the pairs and judges
+/// those that share nothing, exact vectors those that do, and kinds follow from lines of ancestors.
 #pragma once
 
 #include "core/skeleton/skeleton.h"
