@@ -2,7 +2,6 @@
 
 #include "core/evaluate/arm_run.h"
 #include "core/rig/physics/animated_physics.h"
-#include "core/scene/loop_blend.h"
 #include "core/scene/object_mesh.h"
 #include "core/session/tree_actor.h"
 
@@ -156,12 +155,10 @@ Expected<void> MotionWorker::moveTree(const MotionTree& tree, const MotionReques
         m_actors.erase(tree.node);
         return ready;
     }
-    const std::int64_t step =
-        frame.timeSeconds <= 0.0 ? 0 : std::min(actor->cache->stepAt(frame.timeSeconds), maxPhysicsSteps);
     if (auto baked = actor->takeBake(tree, progress.part(0.0, 0.5));
         !baked && baked.error().code != ErrorCode::Cancelled)
         m_listener.bakeRefused(std::move(baked.error()));
-    auto motion = actor->motionAt(step, loopBlend(request.timeline, frame.timeSeconds), progress);
+    auto motion = actor->run().motionAt(frame.timeSeconds, request.timeline, progress);
     if (!motion)
         return fail(std::move(motion.error()));
     frame.nodes.emplace(tree.node, std::move(*motion));

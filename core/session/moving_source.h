@@ -3,10 +3,10 @@
 /// editor plays with core/session/player.h.
 #pragma once
 
+#include "core/evaluate/tree_run.h"
 #include "core/session/exporter.h"
 #include "core/session/moving_arms.h"
 #include <map>
-#include <memory>
 
 namespace ramure {
 
@@ -17,7 +17,6 @@ public:
     /// \param rest gives the trees at rest; it must outlive this object's sources.
     /// \param timeline says whether, and where, the end of a loop blends into its beginning.
     explicit MovingSource(TreeSource rest, const TimelineSettings& timeline = {});
-    ~MovingSource();
     MovingSource(const MovingSource&) = delete;
     MovingSource& operator=(const MovingSource&) = delete;
 
@@ -31,12 +30,13 @@ public:
     [[nodiscard]] MovingArms& arms() { return m_arms; }
 
 private:
-    struct Run;
-    Expected<TreeResult> moved(const Node& node, Stage last, double timeSeconds, const Progress& progress);
+    /// \p node with its parameters of the time; \p physics without.
+    Expected<TreeResult> moved(const Node& node, const PhysicsParams& physics, Stage last, double timeSeconds,
+                               const Progress& progress);
 
     TreeSource m_rest;
     TimelineSettings m_timeline;
-    std::map<NodeId, std::unique_ptr<Run>> m_runs;
+    std::map<NodeId, TreeRun> m_runs;
     MovingArms m_arms;
 };
 

@@ -1,0 +1,94 @@
+// A whole tree in one motion, for files and pictures.
+#include "core/evaluate/tree_run.h"
+
+#include "core/surface/proof/validate.h"
+#include <utility>
+
+namespace ramure {
+namespace {
+
+/// Moves one end of each branch with its bone.
+Skeleton movedSkeleton(const Skeleton& rest, std::span<const RigidTransform> bones,
+                       std::span<const Index> boneOf)
+{
+    Skeleton now = rest;
+    for (Index b = 0; b < rest.size(); ++b) {
+        const RigidTransform& bone = bones[boneOf.empty() ? b : boneOf[b]];
+        now.p0[b] = bone.point(rest.p0[b]);
+        now.p1[b] = bone.point(rest.p1[b]);
+    }
+    return now;
+}
+
+SectionSet movedSections(const SectionSet& rest, std::span<const RigidTransform> bones)
+{
+    SectionSet now = rest;
+    for (std::size_t i = 0; i < now.sections.size(); ++i) {
+        const RigidTransform& bone = bones[i / rest.perBranch];
+        CrossSection& section = now.sections[i];
+        section.centre = bone.point(section.centre);
+        section.frame = {bone.direction(section.frame.tangent), bone.direction(section.frame.normal),
+                         bone.direction(section.frame.binormal)};
+    }
+    return now;
+}
+
+Foliage movedFoliage(const Foliage& rest, std::span<const RigidTransform> bones)
+{
+    Foliage now = rest;
+    for (std::vector<FoliageItem>* items : {&now.leaves, &now.apples})
+        for (FoliageItem& item : *items) {
+            const RigidTransform& bone = bones[item.branch];
+            item.position = bone.point(item.position);
+            item.orientation = bone.rotation * item.orientation;
+        }
+    return now;
+}
+
+/// Null stays null.
+std::shared_ptr<const TriangleMesh> movedPiece(const std::shared_ptr<const TriangleMesh>& mesh,
+                                               const std::shared_ptr<const Skin>& skin,
+                                               const NodeMotion& motion)
+{
+    return mesh ? std::make_shared<const TriangleMesh>(deformed(*mesh, *skin, *motion.bones, motion.method))
+                : nullptr;
+}
+
+/// The meshes of a result and its report, deformed.
+Expected<void> moveMeshes(TreeResult& tree, const NodeMotion& motion, const Progress& progress)
+{
+    auto moved = std::make_shared<BranchMesh>(*tree.branches);
+    moved->mesh = deformed(tree.branches->mesh, *motion.branches, *motion.bones, motion.method);
+    if (tree.report) {
+        auto report = validateMesh(moved->mesh, progress);
+        if (!report)
+            return fail(std::move(report.error()));
+        tree.report = std::make_shared<const MeshReport>(std::move(*report));
+    }
+    tree.restBranches = std::exchange(tree.branches, std::move(moved));
+    tree.leaves = movedPiece(tree.leaves, motion.leaves, motion);
+    tree.apples = movedPiece(tree.apples, motion.apples, motion);
+    return {};
+}
+
+} // namespace
+
+Expected<TreeResult> movedTree(TreeResult tree, const NodeMotion& motion, const Progress& progress)
+{
+    const std::span<const RigidTransform> bones = *motion.bones;
+    if (auto done = moveMeshes(tree, motion, progress); !done)
+        return fail(std::move(done.error()));
+    if (tree.skeleton)
+        tree.skeleton = std::make_shared<const Skeleton>(
+            movedSkeleton(*tree.skeleton, bones, tree.simplified->mergedInto));
+    auto simplified = std::make_shared<SimplifiedSkeleton>(*tree.simplified);
+    simplified->skeleton = movedSkeleton(tree.simplified->skeleton, bones, {});
+    tree.simplified = std::move(simplified);
+    if (tree.sections)
+        tree.sections = std::make_shared<const SectionSet>(movedSections(*tree.sections, bones));
+    if (tree.foliage)
+        tree.foliage = std::make_shared<const Foliage>(movedFoliage(*tree.foliage, bones));
+    return tree;
+}
+
+} // namespace ramure

@@ -1,0 +1,55 @@
+/// \file
+/// One tree's motion: its physics as a run that can be entered anywhere, and the skins that follow it. For
+/// the player and for files alike.
+#pragma once
+
+#include "core/evaluate/node_motion.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "core/rig/physics/physics_cache.h"
+
+namespace ramure {
+
+class TreeRun final : public NodeRun
+{
+public:
+    /// The tree at rest, up to its foliage, and its parameters. True: it is another one than before, and its
+    /// run begins anew with the physics of \p params. Errors: those of bindBranches and bindFoliage.
+    Expected<bool> setTree(const TreeResult& rest, const NodeParams& params);
+    /// What the physics is told, with the tracks that change it, up to a time. \p live: other values act from
+    /// the present step on and what lies behind stays; otherwise the whole run is theirs. True: it is another
+    /// run than before. \pre setTree() gave a tree; likewise of the next.
+    bool setPhysics(const PhysicsParams& params, const NodeAnimation& animation, double seconds,
+                    bool live = false);
+    Expected<NodeMotion> motionAt(double seconds, const TimelineSettings& timeline,
+                                  const Progress& progress) override;
+
+    [[nodiscard]] PhysicsCache& cache() { return *m_cache; }
+    [[nodiscard]] const PhysicsCache& cache() const { return *m_cache; }
+    [[nodiscard]] const PhysicsParams& params() const { return m_params; }
+    /// Parameters changed within the run.
+    [[nodiscard]] bool isMixed() const { return m_mixed; }
+
+private:
+    bool setBody(const TreeResult& rest, const NodeParams& params);
+    Expected<void> setSkins(const TreeResult& rest, SkinMethod method);
+    void setTrackedPhysics(const PhysicsParams& params, const NodeAnimation& animation, double seconds);
+
+    std::shared_ptr<const SimplifiedSkeleton> m_skeleton;
+    std::shared_ptr<const Foliage> m_foliage;
+    double m_alpha = 0.0;
+    std::unique_ptr<PhysicsCache> m_cache;
+    PhysicsParams m_params;
+    NodeAnimation m_animation;    ///< of the parameters, where the physics has tracks
+    std::int64_t m_scripted = -1; ///< steps that have been told theirs
+    bool m_mixed = false;
+    NodeMotion m_motion; ///< meshes and skins; the rest is of the moment asked for last
+    bool m_smooth = false;
+    Pose m_pose, m_earlier;
+};
+
+/// The tree as it stands in a motion: skeletons, sections, meshes and foliage in their place of then, the
+/// report that of the moved mesh, restBranches the mesh at rest. \pre \p tree is at rest, and the motion its.
+/// Errors: Cancelled.
+Expected<TreeResult> movedTree(TreeResult tree, const NodeMotion& motion, const Progress& progress);
+
+} // namespace ramure
