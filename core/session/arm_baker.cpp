@@ -2,19 +2,10 @@
 
 namespace ramure {
 
-/// What it was made from, and what was made.
-struct ArmBaker::Made
-{
-    NodeParams params;
-    NodeAnimation before, baked;
-    TimelineSettings timeline;
-};
-
 ArmBaker::ArmBaker(Document* document, QObject* parent)
     : QObject(parent)
     , m_document(document)
 {
-    connect(&m_job, &BackgroundJob::finished, this, &ArmBaker::take);
 }
 
 Expected<void> ArmBaker::start(NodeId arm, const ArmBakeOptions& options)
@@ -30,32 +21,25 @@ Expected<void> ArmBaker::start(NodeId arm, const ArmBakeOptions& options)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("the arm follows no target: there is no motion to bake"));
     if (m_job.isRunning())
         return {};
-    m_arm = arm;
-    m_made = std::make_shared<Made>(Made{node->params, node->animation, {}, m_document->scene().timeline()});
-    m_job.start([made = m_made, options](const Progress& progress) -> Expected<void> {
-        auto baked = bakeArm(made->params, made->before, made->timeline, options, progress);
-        if (!baked)
-            return fail(std::move(baked.error()));
-        made->baked = std::move(*baked);
-        return {};
-    });
+    m_job.start(
+        [params = node->params, before = node->animation, timeline = m_document->scene().timeline(),
+         options](const Progress& progress) { return bakeArm(params, before, timeline, options, progress); },
+        [this, before = *node](Expected<NodeAnimation> baked) {
+            const auto done = baked ? put(before, std::move(*baked)) : fail(std::move(baked.error()));
+            emit finished(done ? std::nullopt : std::optional(done.error()));
+        });
     return {};
 }
 
-void ArmBaker::take(const std::optional<Error>& error)
+Expected<void> ArmBaker::put(const Node& before, NodeAnimation&& baked)
 {
-    if (error)
-        return emit finished(error);
-    const Node* node = m_document->scene().find(m_arm);
-    const bool same = node && node->params == m_made->params && node->animation == m_made->before;
-    Expected<void> done = fail(ErrorCode::Invalid, RAMURE_NOOP("the arm was changed meanwhile"));
-    if (same) {
-        ArmState state = armState(*node);
-        state.animation = m_made->baked;
-        state.follows = false;
-        done = edit::setArm(*m_document, m_arm, std::move(state), tr("Bake the arm to keys"));
-    }
-    emit finished(done ? std::nullopt : std::optional(done.error()));
+    const Node* node = m_document->scene().find(before.id);
+    if (!node || node->params != before.params || !(node->animation == before.animation))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("the arm was changed meanwhile"));
+    ArmState state = armState(*node);
+    state.animation = std::move(baked);
+    state.follows = false;
+    return edit::setArm(*m_document, before.id, std::move(state), tr("Bake the arm to keys"));
 }
 
 } // namespace ramure

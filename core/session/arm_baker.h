@@ -4,9 +4,9 @@
 
 #include "core/document/commands.h"
 #include "core/rig/arm/arm_bake.h"
-#include "core/session/background_job.h"
+#include "core/session/job.h"
 #include <QObject>
-#include <memory>
+#include <optional>
 
 namespace ramure {
 
@@ -21,7 +21,7 @@ public:
     /// Nothing happens while another bake is running. Errors: Unknown (node), Invalid (no arm, locked, it
     /// follows no target).
     Expected<void> start(NodeId arm, const ArmBakeOptions& options);
-    [[nodiscard]] BackgroundJob* job() { return &m_job; }
+    [[nodiscard]] Job* job() { return &m_job; }
 
 signals:
     /// Nothing: the keys are in the document. Errors: those of bakeArm and of edit::setArm; Invalid where
@@ -29,13 +29,10 @@ signals:
     void finished(const std::optional<ramure::Error>& error);
 
 private:
-    struct Made;
-    void take(const std::optional<Error>& error);
+    Expected<void> put(const Node& before, NodeAnimation&& baked);
 
     Document* m_document;
-    NodeId m_arm = noNode;
-    std::shared_ptr<Made> m_made;
-    BackgroundJob m_job; ///< last: its thread uses m_made
+    Job m_job;
 };
 
 } // namespace ramure

@@ -158,13 +158,12 @@ ArmDresser::ArmDresser(Document* document, QObject* parent)
     : QObject(parent)
     , m_document(document)
 {
-    connect(&m_job, &BackgroundJob::finished, this, &ArmDresser::take);
 }
 
 Expected<void> ArmDresser::wear(NodeId arm, NodeId mesh, bool fitted, std::optional<MeshAxis> axis)
 {
     auto work = Work::of(m_document->scene(), arm, mesh, fitted, axis);
-    return work ? doOrBegin(std::move(*work)) : fail(work.error());
+    return work ? doOrBegin(*work) : fail(work.error());
 }
 
 Expected<void> ArmDresser::fitAgain(NodeId arm)
@@ -179,11 +178,11 @@ Expected<void> ArmDresser::fitAgain(NodeId arm)
     work->source = work->before = (*node)->mesh;
     work->joints = (*node)->params.joints;
     work->axis = (*node)->params.armSkin.axis;
-    return doOrBegin(std::move(work));
+    return doOrBegin(work);
 }
 
 /// Small ones at once.
-Expected<void> ArmDresser::doOrBegin(std::shared_ptr<Work> work)
+Expected<void> ArmDresser::doOrBegin(const std::shared_ptr<Work>& work)
 {
     if (work->source->vertexCount() < fewVertices) {
         if (auto made = work->make(); !made)
@@ -195,26 +194,17 @@ Expected<void> ArmDresser::doOrBegin(std::shared_ptr<Work> work)
     }
     if (m_job.isRunning())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("another mesh is being put on"));
-    m_work = std::move(work);
-    m_job.start([work = m_work](const Progress& progress) -> Expected<void> {
-        if (auto made = work->make(progress); !made)
-            return made;
-        if (progress.cancelled())
-            return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
-        return {};
-    });
+    m_job.start(
+        [work](const Progress& progress) { return work->make(progress).map([work] { return work; }); },
+        [this](const Expected<std::shared_ptr<Work>>& made) {
+            Expected<void> done = fail(ErrorCode::Invalid, RAMURE_NOOP("the arm was changed meanwhile"));
+            if (!made)
+                done = fail(made.error());
+            else if ((*made)->holds(m_document->scene()))
+                done = (*made)->putOn(*m_document);
+            emit finished(done ? std::nullopt : std::optional(done.error()));
+        });
     return {};
-}
-
-void ArmDresser::take(const std::optional<Error>& error)
-{
-    const std::shared_ptr<Work> work = std::move(m_work);
-    if (error)
-        return emit finished(error);
-    Expected<void> done = fail(ErrorCode::Invalid, RAMURE_NOOP("the arm was changed meanwhile"));
-    if (work->holds(m_document->scene()))
-        done = work->putOn(*m_document);
-    emit finished(done ? std::nullopt : std::optional(done.error()));
 }
 
 Expected<void> edit::wearMesh(Document& document, NodeId arm, NodeId mesh, bool fitted)

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/document/commands.h"
-#include "core/session/background_job.h"
+#include "core/session/job.h"
 #include <QObject>
 #include <memory>
 #include <optional>
@@ -29,7 +29,7 @@ public:
     /// "armSkin.axis" is the longest, that is turned along it. Errors: Unknown (node), Invalid (no arm,
     /// locked, it wears none, another mesh is being put on).
     Expected<void> fitAgain(NodeId arm);
-    [[nodiscard]] BackgroundJob* job() { return &m_job; }
+    [[nodiscard]] Job* job() { return &m_job; }
 
 signals:
     /// Nothing: the arm wears it. Errors: those of edit::wearMesh; Invalid where the arm or the mesh was
@@ -39,12 +39,10 @@ signals:
 private:
     friend Expected<void> edit::wearMesh(Document& document, NodeId arm, NodeId mesh, bool fitted);
     struct Work;
-    Expected<void> doOrBegin(std::shared_ptr<Work> work);
-    void take(const std::optional<Error>& error);
+    Expected<void> doOrBegin(const std::shared_ptr<Work>& work);
 
     Document* m_document;
-    std::shared_ptr<Work> m_work;
-    BackgroundJob m_job; ///< last: its thread uses m_work
+    Job m_job;
 };
 
 } // namespace ramure

@@ -102,7 +102,7 @@ Baker::Baker(const Document* document, QObject* parent)
     : QObject(parent)
     , m_document(document)
 {
-    connect(&m_job, &BackgroundJob::finished, this, &Baker::filesChanged);
+    connect(&m_job, &Job::finished, this, &Baker::filesChanged);
 }
 
 Expected<void> Baker::start(std::size_t memoryBytes)
@@ -113,6 +113,8 @@ Expected<void> Baker::start(std::size_t memoryBytes)
     const double seconds = timeline.timeOf(timeline.lastFrame);
     if (seconds <= 0.0)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("the range ends at frame 0 or before, where trees rest"));
+    if (m_job.isRunning())
+        return {};
     auto trees = bakedTrees(*m_document);
     if (!trees)
         return fail(std::move(trees.error()));

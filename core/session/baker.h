@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/document/document.h"
-#include "core/session/background_job.h"
+#include "core/session/job.h"
 #include <QStringList>
 
 namespace ramure {
@@ -22,14 +22,14 @@ public:
     /// \p document is not owned and must outlive the baker.
     explicit Baker(const Document* document, QObject* parent = nullptr);
 
-    /// Computes and writes on a thread, with the trees and parameters of now. Errors: Invalid (no file of the
-    /// project yet, no visible tree, a tree that is still being computed or that its parameters do not give,
-    /// a range that ends at rest, a foreign file of the same name); what comes later is told by finished() of
-    /// the job.
+    /// Computes and writes on a thread, with the trees and parameters of now; nothing happens while it does.
+    /// Errors: Invalid (no file of the project yet, no visible tree, a tree that is still being computed or
+    /// that its parameters do not give, a range that ends at rest, a foreign file of the same name); what
+    /// comes later is told by finished() of the job.
     Expected<void> start(std::size_t memoryBytes);
     /// Deletes the project's baked motion. Error: Io; a file of that name which is no baked motion stays.
     Expected<void> remove();
-    [[nodiscard]] BackgroundJob* job() { return &m_job; }
+    [[nodiscard]] Job* job() { return &m_job; }
     /// Bytes of all files of baked motion of the project.
     [[nodiscard]] qint64 bytes() const;
 
@@ -38,7 +38,7 @@ signals:
 
 private:
     const Document* m_document;
-    BackgroundJob m_job;
+    Job m_job;
 };
 
 } // namespace ramure

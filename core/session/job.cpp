@@ -42,6 +42,11 @@ void becomePolite()
 #endif
 }
 
+Error cancelledError()
+{
+    return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled")).value();
+}
+
 } // namespace
 
 /// What the job and its thread have in common; the thread keeps it where the job goes first.
@@ -238,7 +243,7 @@ bool Job::cancel(int lane, std::chrono::milliseconds grace)
     const std::scoped_lock lock(m_shared->mutex);
     if (const auto found = m_shared->waiting.find(lane); found != m_shared->waiting.end()) {
         found->second->cancelled = true;
-        m_shared->send([this, request = found->second] { finish(request, std::nullopt); });
+        m_shared->send([this, request = found->second] { finish(request, cancelledError()); });
         m_shared->waiting.erase(found);
     }
     const bool runs = m_shared->running && m_shared->running->lane == lane;
@@ -256,7 +261,7 @@ void Job::forget(int lane)
     updateRunning();
 }
 
-bool Job::isBusy(int lane) const
+bool Job::isRunning(int lane) const
 {
     return std::ranges::any_of(
         m_pending, [lane](const std::shared_ptr<Request>& request) { return request->lane == lane; });
@@ -335,8 +340,8 @@ void Job::finish(const std::shared_ptr<Request>& request, std::optional<Error>&&
     if (found == m_pending.end())
         return;
     m_pending.erase(found);
-    if (request->cancelled)
-        error = fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled")).value();
+    if (request->cancelled && request->hasValue)
+        error = cancelledError();
     const QPointer<Job> alive(this);
     updateRunning();
     if (alive)

@@ -20,7 +20,7 @@ namespace ramure {
 /// One thread that serves one request at a time. A request is work(progress), which runs on that thread and
 /// gives an Expected, and take(result), which is called on the thread of this object with
 /// - what the work gave, a value or an error;
-/// - Cancelled after cancel(), whatever the work gave;
+/// - Cancelled in place of a value after cancel(); a work without one, which writes files say, tells its end;
 /// - Limit where the memory did not suffice, Invalid where the work threw anything else.
 /// It is not called for a request that a newer one has replaced, after forget(), and once this object is
 /// gone.
@@ -70,7 +70,7 @@ public:
     /// Takes back what waits, untold; what runs goes on. True where something waited.
     bool withdraw(int lane = 0);
     /// A request of the lane has neither ended nor been replaced or forgotten.
-    [[nodiscard]] bool isBusy(int lane = 0) const;
+    [[nodiscard]] bool isRunning(int lane = 0) const;
     /// Blocks until nothing runs or waits any more, and hands over what came of it. False on time-out.
     bool wait(std::chrono::milliseconds most = noLimit);
     [[nodiscard]] Mailbox mailbox() const;
@@ -98,6 +98,7 @@ private:
         std::function<std::optional<Error>(const Progress&)> work;
         std::function<void(std::optional<Error>&&)> take;
         std::stop_source stop;
+        bool hasValue = true;
         bool cancelled = false; ///< only this object's thread looks
     };
 
@@ -121,6 +122,7 @@ template <class Work, class Take> void Job::start(Work work, Take take, Running 
     auto result = std::make_shared<Result>(fail(Error()));
     auto request = std::make_shared<Request>();
     request->lane = lane;
+    request->hasValue = !std::is_void_v<typename Result::value_type>;
     request->work = [result, run = std::move(work)](const Progress& progress) mutable {
         *result = run(progress);
         return *result ? std::nullopt : std::optional<Error>(result->error());

@@ -1,7 +1,7 @@
 #include "core/session/shape_checks.h"
 
 #include "core/scene/object_mesh.h"
-#include "core/session/background_job.h"
+#include "core/session/job.h"
 #include <QTimer>
 #include <optional>
 
@@ -60,7 +60,7 @@ struct ShapeChecks::Private
 
     void look();
     void launch();
-    void take(const std::optional<Error>& error);
+    void take(Expected<std::shared_ptr<const Outcome>>&& made);
     void set(State next);
 
     ShapeChecks* q;
@@ -71,10 +71,8 @@ struct ShapeChecks::Private
     double fraction = 0.0;
     std::optional<Node> looked; ///< the node as it was when its check began
     std::shared_ptr<const Outcome> outcome;
-    std::shared_ptr<std::shared_ptr<const Outcome>> made; ///< by the job
-    quint64 wanted = 0, started = 0; ///< shapes, counted: is what was made of the latest?
     QTimer rest;
-    BackgroundJob job; ///< last: its work uses what stands above
+    Job job;
 };
 
 ShapeChecks::ShapeChecks(Document* document, QObject* parent)
@@ -89,9 +87,7 @@ ShapeChecks::ShapeChecks(Document* document, Function function, QObject* parent)
     d->rest.setSingleShot(true);
     d->rest.setInterval(150);
     connect(&d->rest, &QTimer::timeout, this, [this] { d->launch(); });
-    connect(&d->job, &BackgroundJob::finished, this,
-            [this](const std::optional<Error>& error) { d->take(error); });
-    connect(&d->job, &BackgroundJob::progress, this, [this](double fraction) {
+    connect(&d->job, &Job::progress, this, [this](double fraction) {
         d->fraction = fraction;
         emit progress(d->node, fraction);
     });
@@ -142,7 +138,7 @@ void ShapeChecks::lookAt(NodeId node)
 void ShapeChecks::cancel()
 {
     d->rest.stop();
-    d->job.cancel();
+    d->job.forget();
     if (d->state == State::Waiting || d->state == State::Running)
         d->set(State::Cancelled);
 }
@@ -161,7 +157,7 @@ void ShapeChecks::Private::look()
     const Node* now = document->scene().find(node);
     if (!now || !isShape(now->kind)) {
         rest.stop();
-        job.cancel();
+        job.forget();
         outcome.reset();
         looked.reset();
         if (state != State::None)
@@ -171,8 +167,7 @@ void ShapeChecks::Private::look()
     if (looked && sameShape(*looked, *now))
         return;
     looked = *now;
-    ++wanted;
-    job.cancel();
+    job.forget();
     rest.start();
     set(State::Waiting);
 }
@@ -182,33 +177,26 @@ void ShapeChecks::Private::launch()
     if (!looked)
         return;
     set(State::Running);
-    if (job.isRunning())
-        return; // it was told to stop; take() begins anew
-    started = wanted;
-    made = std::make_shared<std::shared_ptr<const Outcome>>();
-    job.start([work = function, node = *looked, into = made](const Progress& progress) -> Expected<void> {
-        auto check = work(node, progress);
-        if (!check)
-            return fail(std::move(check.error()));
-        *into = outcomeOf(std::move(*check));
-        return {};
-    });
+    job.start(
+        [work = function,
+         node = *looked](const Progress& progress) -> Expected<std::shared_ptr<const Outcome>> {
+            auto check = work(node, progress);
+            if (!check)
+                return fail(std::move(check.error()));
+            return outcomeOf(std::move(*check));
+        },
+        [this](Expected<std::shared_ptr<const Outcome>>&& made) { take(std::move(made)); });
 }
 
-void ShapeChecks::Private::take(const std::optional<Error>& error)
+void ShapeChecks::Private::take(Expected<std::shared_ptr<const Outcome>>&& made)
 {
-    if (state != State::Running)
-        return; // stopped, or of a shape that has changed meanwhile
-    if (started != wanted || (error && error->code == ErrorCode::Cancelled))
-        return launch();
-    if (error) {
-        auto failed = std::make_shared<Outcome>();
-        failed->result.error = *error;
-        outcome = std::move(failed);
-    } else {
+    if (made) {
         outcome = std::move(*made);
+    } else {
+        auto failed = std::make_shared<Outcome>();
+        failed->result.error = std::move(made.error());
+        outcome = std::move(failed);
     }
-    made.reset();
     set(State::Done);
 }
 

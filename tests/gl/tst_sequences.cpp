@@ -38,7 +38,7 @@ private:
     }
     static void waitFor(SequenceTask& task)
     {
-        QSignalSpy finished(&task, &BackgroundJob::finished);
+        QSignalSpy finished(&task, &Job::finished);
         QVERIFY(finished.wait(patienceMs));
         const auto error = finished[0][0].value<std::optional<Error>>();
         QVERIFY2(!error, error ? error->message().c_str() : "");
@@ -152,7 +152,7 @@ private slots:
             task.startPictures(
                 m_document, look(m_document, {320, 200}),
                 frameShots({0, 500, 1, 24.0}, (folder + QStringLiteral("/p.png")).toStdString()));
-            QSignalSpy finished(&task, &BackgroundJob::finished);
+            QSignalSpy finished(&task, &Job::finished);
             QTest::qWait(150 * i);
             if (i % 2 == 0)
                 continue;
@@ -169,7 +169,7 @@ private slots:
     void placesThatCannotBeWrittenAreNamed()
     {
         SequenceTask task;
-        QSignalSpy finished(&task, &BackgroundJob::finished);
+        QSignalSpy finished(&task, &Job::finished);
         task.startPictures(m_document, look(m_document, {64, 64}),
                            {{0.0, 0.0, path(QStringLiteral("no/folder/p.png")).toStdString()}});
         QVERIFY(finished.wait(patienceMs));

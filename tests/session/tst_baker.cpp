@@ -44,7 +44,7 @@ private:
         }
         Expected<void> bake()
         {
-            QSignalSpy finished(baker.job(), &BackgroundJob::finished);
+            QSignalSpy finished(baker.job(), &Job::finished);
             if (auto started = baker.start(memory); !started)
                 return started;
             if (!finished.wait(patienceMs))
@@ -246,8 +246,8 @@ private slots:
         TimelineSettings longRun;
         longRun.lastFrame = mostFrame;
         QVERIFY(edit::setTimeline(bench.document, longRun));
-        QSignalSpy finished(bench.baker.job(), &BackgroundJob::finished);
-        QSignalSpy progress(bench.baker.job(), &BackgroundJob::progress);
+        QSignalSpy finished(bench.baker.job(), &Job::finished);
+        QSignalSpy progress(bench.baker.job(), &Job::progress);
         QVERIFY(bench.baker.start(memory));
         QVERIFY(bench.baker.job()->isRunning());
         QVERIFY(progress.wait(patienceMs));

@@ -27,6 +27,8 @@ TreeSource snapshotOf(const Document& document)
 void ExportTask::startExport(const Document& document, const ExportOptions& asked, const QString& path,
                              double timeSeconds)
 {
+    if (isRunning())
+        return;
     start([asked, timeSeconds, scene = document.scene(), source = snapshotOf(document),
            file = path.toStdString()](const Progress& progress) {
         MovingSource moving(source, scene.timeline());

@@ -2,8 +2,8 @@
 /// One export on a thread of its own.
 #pragma once
 
-#include "core/session/background_job.h"
 #include "core/session/exporter.h"
+#include "core/session/job.h"
 #include <QString>
 
 namespace ramure {
@@ -11,11 +11,11 @@ namespace ramure {
 /// The document's results, shared with a thread: the document itself stays where it is.
 TreeSource snapshotOf(const Document& document);
 
-class ExportTask : public BackgroundJob
+class ExportTask : public Job
 {
     Q_OBJECT
 public:
-    using BackgroundJob::BackgroundJob;
+    using Job::Job;
 
     /// Takes what it needs from the document and returns at once; nothing happens while another export is
     /// running. The trees are as their physics has moved them at \p timeSeconds.

@@ -5,6 +5,7 @@
 #include "widgets/dialogs/export_task.h"
 #include "widgets/view/render/offscreen_renderer.h"
 #include "widgets/view/render/picture_file.h"
+#include <QCoreApplication>
 #include <QFile>
 #include <cmath>
 #include <map>
@@ -97,16 +98,6 @@ std::vector<PictureShot> turntableShots(int count, double timeSeconds, const std
     return shots;
 }
 
-SequenceTask::SequenceTask(QObject* parent)
-    : BackgroundJob(parent)
-{
-}
-
-SequenceTask::~SequenceTask()
-{
-    stopAndWait(); // the thread draws with what belongs to this object
-}
-
 void SequenceTask::startMeshes(const Document& document, const ExportOptions& options,
                                const FrameSequence& frames, const QString& path)
 {
@@ -127,9 +118,12 @@ void SequenceTask::startPictures(const Document& document, const PictureLook& lo
         return;
     m_files = static_cast<std::int64_t>(shots.size());
     m_path = QFile::decodeName(shots.front().file.c_str());
-    m_renderer = std::make_unique<OffscreenRenderer>();
+    m_renderer = std::shared_ptr<OffscreenRenderer>(
+        new OffscreenRenderer, [](OffscreenRenderer* last) { // a work left to itself ends on another thread
+            QMetaObject::invokeMethod(QCoreApplication::instance(), [last] { delete last; });
+        });
     const Pictures pictures{document.scene(), snapshotOf(document), look, std::move(shots)};
-    start([pictures, renderer = m_renderer.get()](const Progress& progress) {
+    start([pictures, renderer = m_renderer](const Progress& progress) -> Expected<void> {
         if (auto begun = renderer->begin(); !begun)
             return begun;
         auto drawn = drawAll(pictures, *renderer, progress);

@@ -2,7 +2,7 @@
 /// Sequences of meshes and of pictures, written on a thread of their own while the work goes on.
 #pragma once
 
-#include "core/session/background_job.h"
+#include "core/session/job.h"
 #include "core/session/sequence.h"
 #include "widgets/view/render/camera.h"
 #include "widgets/view/render/renderer_options.h"
@@ -37,12 +37,11 @@ struct PictureShot
 std::vector<PictureShot> frameShots(const FrameSequence& frames, const std::string& path);
 std::vector<PictureShot> turntableShots(int count, double timeSeconds, const std::string& path);
 
-class SequenceTask : public BackgroundJob
+class SequenceTask : public Job
 {
     Q_OBJECT
 public:
-    explicit SequenceTask(QObject* parent = nullptr);
-    ~SequenceTask() override;
+    using Job::Job;
 
     /// Both take what they need from the document and return at once; nothing happens while another sequence
     /// is being written.
@@ -56,7 +55,7 @@ public:
 private:
     std::int64_t m_files = 0;
     QString m_path;
-    std::unique_ptr<OffscreenRenderer> m_renderer; ///< its surface belongs to this thread
+    std::shared_ptr<OffscreenRenderer> m_renderer; ///< its surface belongs to the application's thread
 };
 
 } // namespace ramure

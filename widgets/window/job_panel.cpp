@@ -1,6 +1,6 @@
 #include "widgets/window/job_panel.h"
 
-#include "core/session/background_job.h"
+#include "core/session/job.h"
 #include "widgets/base/icons.h"
 #include <QEvent>
 #include <QHBoxLayout>
@@ -14,7 +14,7 @@ namespace ramure {
 static constexpr int patienceMs = 300;
 static constexpr int progressSteps = 1000;
 
-JobPanel::JobPanel(BackgroundJob* job, const QString& name, QWidget* parent)
+JobPanel::JobPanel(Job* job, const QString& name, QWidget* parent)
     : QWidget(parent)
     , m_job(job)
     , m_text(new QLabel(this))
@@ -43,7 +43,7 @@ JobPanel::JobPanel(BackgroundJob* job, const QString& name, QWidget* parent)
         m_cancel->setEnabled(false);
         m_job->cancel();
     });
-    connect(m_job, &BackgroundJob::runningChanged, this, [this](bool running) {
+    connect(m_job, &Job::runningChanged, this, [this](bool running) {
         m_progress->setValue(0);
         m_cancel->setEnabled(true);
         if (running) {
@@ -53,7 +53,7 @@ JobPanel::JobPanel(BackgroundJob* job, const QString& name, QWidget* parent)
             hide();
         }
     });
-    connect(m_job, &BackgroundJob::progress, this,
+    connect(m_job, &Job::progress, this,
             [this](double fraction) { m_progress->setValue(static_cast<int>(fraction * progressSteps)); });
     retranslate();
     hide();

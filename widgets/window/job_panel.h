@@ -12,14 +12,14 @@ class QToolButton;
 
 namespace ramure {
 
-class BackgroundJob;
+class Job;
 
 class JobPanel : public QWidget
 {
     Q_OBJECT
 public:
     /// \param job is not owned and must outlive the panel. \param name of the object, for tests and style.
-    JobPanel(BackgroundJob* job, const QString& name, QWidget* parent = nullptr);
+    JobPanel(Job* job, const QString& name, QWidget* parent = nullptr);
 
     /// "Baking the motion"; in the present language.
     void setText(const QString& text);
@@ -30,7 +30,7 @@ protected:
 private:
     void retranslate();
 
-    BackgroundJob* m_job;
+    Job* m_job;
     QLabel* m_text;
     QProgressBar* m_progress;
     QToolButton* m_cancel;

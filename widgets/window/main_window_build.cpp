@@ -347,11 +347,11 @@ void MainWindow::buildSequences()
     m_sequences = new SequenceTask(this);
     m_sequenceProgress = new JobPanel(m_sequences, QStringLiteral("sequenceProgress"), this);
     statusBar()->addPermanentWidget(m_sequenceProgress);
-    connect(m_sequences, &BackgroundJob::runningChanged, this, [this](bool running) {
+    connect(m_sequences, &Job::runningChanged, this, [this](bool running) {
         if (running)
             m_sequenceProgress->setText(tr("Writing %Ln file(s)", nullptr, int(m_sequences->fileCount())));
     });
-    connect(m_sequences, &BackgroundJob::finished, this, [this](const std::optional<Error>& error) {
+    connect(m_sequences, &Job::finished, this, [this](const std::optional<Error>& error) {
         const QString folder = QDir::toNativeSeparators(QFileInfo(m_sequences->path()).absolutePath());
         if (error && error->code == ErrorCode::Cancelled)
             statusBar()->showMessage(tr("The export was cancelled; the files written so far are whole"),

@@ -102,7 +102,7 @@ private slots:
 
     void framesAreWrittenBesideTheWork()
     {
-        QSignalSpy finished(&m_task, &BackgroundJob::finished);
+        QSignalSpy finished(&m_task, &Job::finished);
         QSignalSpy started(m_dialog.get(), &ExportDialog::started);
         setFrames(10, 12, 2);
         m_dialog->startExport();
@@ -143,7 +143,7 @@ private slots:
         QVERIFY(m_dialog->isVisible());
         QVERIFY(!message("hint").isEmpty());
         QCOMPARE(QFileInfo(path("tree_0011.obj")).size(), qint64(4));
-        QSignalSpy finished(&m_task, &BackgroundJob::finished);
+        QSignalSpy finished(&m_task, &Job::finished);
         m_dialog->startExport();
         QVERIFY(finished.wait(20'000));
         QVERIFY(QFileInfo(path("tree_0011.obj")).size() > 100);
@@ -161,7 +161,7 @@ private slots:
         second.show();
         second.startExport();
         QVERIFY(second.isVisible());
-        QSignalSpy finished(&m_task, &BackgroundJob::finished);
+        QSignalSpy finished(&m_task, &Job::finished);
         m_task.cancel();
         QVERIFY(finished.wait(20'000));
         QCOMPARE(finished[0][0].value<std::optional<Error>>()->code, ErrorCode::Cancelled);
@@ -176,7 +176,7 @@ private slots:
         m_dialog->setFormat(QStringLiteral("png"));
         QCOMPARE(m_dialog->moments()->moment(), ExportMoment::Shown);
         QVERIFY(m_dialog->path().endsWith(QStringLiteral("tree.png")));
-        QSignalSpy finished(&m_task, &BackgroundJob::finished);
+        QSignalSpy finished(&m_task, &Job::finished);
         m_dialog->startExport();
         QVERIFY(finished.count() == 1 || finished.wait(20'000));
         if (qEnvironmentVariableIsEmpty("DISPLAY")) {

@@ -57,7 +57,7 @@ ArmMeshRow::ArmMeshRow(Document* document, QWidget* parent)
         const bool wrong = error && error->code != ErrorCode::Cancelled;
         showProblem(wrong ? Expected<void>(fail(*error)) : Expected<void>());
     });
-    connect(m_dresser->job(), &BackgroundJob::runningChanged, this, &ArmMeshRow::takeArm);
+    connect(m_dresser->job(), &Job::runningChanged, this, &ArmMeshRow::takeArm);
     connect(document, &Document::changed, this, [this](const Change& change) {
         if (change.has(changeReset | changeStructure | changeSelection | changeNodeState | changeJoints |
                        changeParams))

@@ -24,7 +24,7 @@ public:
     /// An import has added this node and those below it.
     void takeImported(ramure::NodeId top);
     /// Of putting on a large mesh.
-    [[nodiscard]] BackgroundJob* job() { return m_dresser->job(); }
+    [[nodiscard]] Job* job() { return m_dresser->job(); }
 
 signals:
     void importRequested();

@@ -31,7 +31,7 @@ public:
     /// Numbers of joints can have keys. Must outlive the panel.
     void setKeys(AutoKey* keys);
     /// Of baking to keys, for a bar of its progress.
-    [[nodiscard]] BackgroundJob* bakeJob() { return m_baker->job(); }
+    [[nodiscard]] Job* bakeJob() { return m_baker->job(); }
     /// The arm that is shown; noNode where there is none.
     [[nodiscard]] NodeId arm() const { return m_arm; }
     [[nodiscard]] ArmMeshRow* meshRow() const { return m_worn; }

@@ -35,8 +35,8 @@ BakeActions::BakeActions(Document* document, Player* player, Chooser* chooser, A
     connect(m_free, &QAction::triggered, this, &BakeActions::free);
     connect(&m_baker, &Baker::filesChanged, player, &Player::reloadBakes);
     connect(&m_baker, &Baker::filesChanged, this, &BakeActions::update);
-    connect(m_baker.job(), &BackgroundJob::runningChanged, this, &BakeActions::update);
-    connect(m_baker.job(), &BackgroundJob::finished, this, &BakeActions::finish);
+    connect(m_baker.job(), &Job::runningChanged, this, &BakeActions::update);
+    connect(m_baker.job(), &Job::finished, this, &BakeActions::finish);
     connect(player, &Player::bakeStateChanged, this, &BakeActions::update);
     connect(player, &Player::bakeRefused, this, [this](const Error& error) {
         complain(tr("Baked motion is not used: frames are computed when they are needed."), error);

@@ -28,7 +28,7 @@ public:
 
     /// Called where the project has no file yet: true where it has one afterwards.
     void setSave(std::function<bool()> save) { m_save = std::move(save); }
-    [[nodiscard]] BackgroundJob* job() { return m_baker.job(); }
+    [[nodiscard]] Job* job() { return m_baker.job(); }
     void fillMenu(QMenu* menu) const;
     /// Its menu bakes and frees. Its picture and tooltip tell how the bake stands.
     QToolButton* makeButton(QWidget* parent);
