@@ -2117,22 +2117,6 @@
 <context>
     <name>ViewportHint</name>
     <message>
-        <source>selection</source>
-        <translation>la sélection</translation>
-    </message>
-    <message>
-        <source>Rotate %1</source>
-        <translation>Tourner %1</translation>
-    </message>
-    <message>
-        <source>Scale %1</source>
-        <translation>Redimensionner %1</translation>
-    </message>
-    <message>
-        <source>Move %1</source>
-        <translation>Déplacer %1</translation>
-    </message>
-    <message>
         <source>Everything in the box is selected · Shift: added</source>
         <translation>Tout ce qui est dans le cadre est sélectionné · Maj : ajouté</translation>
     </message>
@@ -2213,10 +2197,6 @@
         <translation>Clic : sélectionner</translation>
     </message>
     <message>
-        <source>drag · Ctrl: steps · Shift: fine · digits: value</source>
-        <translation>glisser · Ctrl : par pas · Maj : fin · chiffres : valeur</translation>
-    </message>
-    <message>
         <source>Drag: turn the joint</source>
         <translation>Glisser : tourner l’articulation</translation>
     </message>
@@ -2247,14 +2227,6 @@
     <message>
         <source>Click: select nothing</source>
         <translation>Clic : ne rien sélectionner</translation>
-    </message>
-    <message>
-        <source>click or Enter: done · Esc: back · X Y Z: axis (Shift: plane) · digits: value · Ctrl: steps · Shift: fine · Tab: next</source>
-        <translation>clic ou Entrée : terminer · Échap : annuler · X Y Z : axe (Maj : plan) · chiffres : valeur · Ctrl : par pas · Maj : fin · Tab : suivant</translation>
-    </message>
-    <message>
-        <source>release: done · Esc: back · X Y Z: axis · digits: value · Ctrl: steps · Shift: fine</source>
-        <translation>relâcher : terminer · Échap : annuler · X Y Z : axe · chiffres : valeur · Ctrl : par pas · Maj : fin</translation>
     </message>
 </context>
 <context>
@@ -5571,6 +5543,49 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::GizmoTool</name>
+    <message>
+        <source>Rotate %1</source>
+        <translation>Tourner %1</translation>
+    </message>
+    <message>
+        <source>Scale %1</source>
+        <translation>Redimensionner %1</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>Déplacer %1</translation>
+    </message>
+    <message>
+        <source>Branches are bent by a drag with Ctrl; what is moved is the tree: select it</source>
+        <translation>Les branches se plient en glissant avec Ctrl ; ce qui se déplace est l’arbre : sélectionnez-le</translation>
+    </message>
+    <message>
+        <source>Select a node that is shown and not locked: then it can be moved</source>
+        <translation>Sélectionnez un nœud visible et non verrouillé : il pourra alors être déplacé</translation>
+    </message>
+    <message>
+        <source>selection</source>
+        <translation>la sélection</translation>
+    </message>
+    <message>
+        <source>click or Enter: done · Esc: back · X Y Z: axis (Shift: plane) · digits: value · Ctrl: steps · Shift: fine · Tab: next</source>
+        <translation>clic ou Entrée : terminer · Échap : annuler · X Y Z : axe (Maj : plan) · chiffres : valeur · Ctrl : par pas · Maj : fin · Tab : suivant</translation>
+    </message>
+    <message>
+        <source>release: done · Esc: back · X Y Z: axis · digits: value · Ctrl: steps · Shift: fine</source>
+        <translation>relâcher : terminer · Échap : annuler · X Y Z : axe · chiffres : valeur · Ctrl : par pas · Maj : fin</translation>
+    </message>
+    <message>
+        <source>drag · Ctrl: steps · Shift: fine · digits: value</source>
+        <translation>glisser · Ctrl : par pas · Maj : fin · chiffres : valeur</translation>
+    </message>
+    <message>
+        <source>%1: move, rotate, scale %2</source>
+        <translation>%1 : déplacer, tourner, redimensionner %2</translation>
+    </message>
+</context>
+<context>
     <name>ramure::GroupSection</name>
     <message>
         <source>Copy, paste or reset this group</source>
@@ -7959,14 +7974,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>A limb is bent at the first frame; while it plays it is pulled.</source>
         <translation>Une branche se plie à la première image ; pendant la lecture elle se tire.</translation>
-    </message>
-    <message>
-        <source>Select a node that is shown and not locked: then it can be moved</source>
-        <translation>Sélectionnez un nœud visible et non verrouillé : il pourra alors être déplacé</translation>
-    </message>
-    <message>
-        <source>Branches are bent by a drag with Ctrl; what is moved is the tree: select it</source>
-        <translation>Les branches se plient en glissant avec Ctrl ; ce qui se déplace est l’arbre : sélectionnez-le</translation>
     </message>
     <message numerus="yes">
         <source>%n branch(es) follow</source>

@@ -1,6 +1,7 @@
 #include "core/document/commands.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/world_transforms.h"
+#include "core/session/auto_key.h"
 #include "core/session/player.h"
 #include "tests/support/suite.h"
 #include "widgets/base/hint_source.h"
@@ -294,7 +295,9 @@ void TestGizmo::keysAreMadeWithAutoKey()
     window.player.seek(30);
     QVERIFY(window.player.waitForIdle(20'000));
     window.select({moving});
-    window.view->setAutoKey([] { return true; });
+    AutoKey keys(&window.document, &window.player);
+    keys.setOn(true);
+    window.view->setKeys(&keys);
     window.view->beginTransform(TransformTool::Move);
     const glm::dvec3 from = window.origin(moving);
     QTest::keyClicks(window.view, QStringLiteral("y2"));

@@ -106,7 +106,11 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     d->hoverRest.setInterval(hoverRestMs);
     connect(&d->hoverRest, &QTimer::timeout, this, [this] { hoverAt(d->hoverPosition); });
     beginReaching();
-    connectGizmo();
+    connect(settings->gizmo(), &GizmoSettings::changed, this, [this] {
+        updateTrail();
+        update();
+    });
+    connect(&d->trail, &GizmoTrail::changed, this, qOverload<>(&QWidget::update));
     connectLimb();
     wishScene();
 }
@@ -210,7 +214,7 @@ void Viewport::paintOverlay()
     paintTextureLegend(painter, size(), d->settings->displayMode(), d->scene->texture);
     d->defect.paintLabel(painter, {d->camera, glm::dvec2(std::max(1, width()), std::max(1, height()))});
     paintMotion(painter);
-    paintGizmoOverlay(painter);
+    d->trail.paintPlayhead(painter, d->view(), d->context.seconds());
     if (d->gesture == Gesture::Select && d->dragging) {
         const QColor colour = palette().color(QPalette::Highlight);
         painter.setPen(QPen(colour, 1.0, Qt::DashLine));

@@ -60,11 +60,8 @@ public:
     /// Trees are shown as the player moves them; while it plays, a drag on a branch pulls it and a double
     /// click on an apple lets it fall. Not owned; must outlive the viewport.
     void setPlayer(Player* player);
-    /// Edits of arms become keys where it takes them. Not owned; may be null.
+    /// Edits by hand become keys where it takes them. Not owned; may be null.
     void setKeys(AutoKey* keys);
-    /// Asked when the hand begins to move nodes: those with keys get keys then, see GizmoDrag. Without it
-    /// their placement changes.
-    void setAutoKey(std::function<bool()> isOn);
     /// What the keys of beginTransform are called, for the hint: "G R S".
     void setGestureKeys(std::function<QString()> keys);
     /// What mouse and keys do right now.
@@ -192,15 +189,6 @@ private:
     void paintArm(QPainter& painter);
     bool beginRing(const PickView& view, const glm::dvec2& pixel);
     void turnRing(const PickView& view, const glm::dvec2& pixel);
-    bool beginGizmo(const PickView& view, const glm::dvec2& pixel, Qt::KeyboardModifiers modifiers);
-    bool hoverGizmo(QPointF position);
-    void dragGizmo(QPointF position, Qt::KeyboardModifiers modifiers);
-    void startedGizmo();
-    void finishGizmo(bool keep);
-    bool gizmoKey(QKeyEvent* event, bool pressed);
-    void paintGizmoOverlay(QPainter& painter);
-    void followGizmo(const Change& change);
-    void connectGizmo();
     void updateTrail();
     void releaseRenderer();
 

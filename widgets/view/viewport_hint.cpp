@@ -18,32 +18,6 @@ QString joined(const QStringList& parts)
     return parts.join(QStringLiteral(" · "));
 }
 
-/// "Move tree", before anything moves.
-QString toolHint(const ViewportSituation& now)
-{
-    const QString target = now.target.isEmpty() ? Words::tr("selection") : now.target;
-    switch (now.tool) {
-    case TransformTool::Rotate:
-        return Words::tr("Rotate %1").arg(target);
-    case TransformTool::Scale:
-        return Words::tr("Scale %1").arg(target);
-    case TransformTool::Select:
-    case TransformTool::Move:
-        break;
-    }
-    return Words::tr("Move %1").arg(target);
-}
-
-QString gizmoHint(const ViewportSituation& now)
-{
-    return toolHint(now) + QStringLiteral(": ") +
-           (now.byKeys
-                ? Words::tr("click or Enter: done · Esc: back · X Y Z: axis (Shift: plane) · digits: value · "
-                            "Ctrl: steps · Shift: fine · Tab: next")
-                : Words::tr("release: done · Esc: back · X Y Z: axis · digits: value · Ctrl: steps · "
-                            "Shift: fine"));
-}
-
 QString gestureHint(const ViewportSituation& now)
 {
     switch (now.gesture) {
@@ -62,8 +36,6 @@ QString gestureHint(const ViewportSituation& now)
         return Words::tr("The arm reaches for the point under the cursor · release: done");
     case Gesture::Ring:
         return Words::tr("The joint turns · release: done");
-    case Gesture::Gizmo:
-        return gizmoHint(now);
     case Gesture::None:
         break;
     }
@@ -113,7 +85,6 @@ QString selectHint(const ViewportSituation& now)
     case Under::Node:
         return Words::tr("Click: select");
     case Under::Nothing:
-    case Under::Handle:
     case Under::Ring:
         break;
     }
@@ -123,9 +94,6 @@ QString selectHint(const ViewportSituation& now)
 /// Nothing is held, no gesture goes on.
 QString restHint(const ViewportSituation& now)
 {
-    if (now.under == Under::Handle)
-        return toolHint(now) + QStringLiteral(": ") +
-               Words::tr("drag · Ctrl: steps · Shift: fine · digits: value");
     if (now.under == Under::Ring)
         return Words::tr("Drag: turn the joint");
     QStringList parts{selectHint(now)};
@@ -144,7 +112,7 @@ QString viewportHint(const ViewportSituation& now)
     const bool goesOn = now.gesture != Gesture::None && (now.gesture != Gesture::Select || now.dragging);
     if (goesOn)
         return gestureHint(now);
-    if (now.under == Under::Handle || now.under == Under::Ring)
+    if (now.under == Under::Ring)
         return restHint(now);
     if (now.held.testFlag(Qt::AltModifier))
         return altHint(now);

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "widgets/base/navigation_style.h"
-#include "widgets/view/tools/gizmo_settings.h"
 #include <QString>
 
 namespace ramure {
@@ -12,22 +11,19 @@ namespace ramure {
 enum class Gesture : quint8 {
     None,
     Select,
-    Pull,  ///< a branch that moves
-    Wind,  ///< the arrow of the wind
-    Limb,  ///< a branch at rest, the limb follows
-    Aim,   ///< the target of an arm
-    Ring,  ///< an angle of one of its joints
-    Gizmo, ///< the selected nodes
+    Pull, ///< a branch that moves
+    Wind, ///< the arrow of the wind
+    Limb, ///< a branch at rest, the limb follows
+    Aim,  ///< the target of an arm
+    Ring, ///< an angle of one of its joints
 };
 
 struct ViewportSituation
 {
-    enum class Under : quint8 { Nothing, Branch, Node, Surface, Handle, Ring };
+    enum class Under : quint8 { Nothing, Branch, Node, Surface, Ring };
 
     Gesture gesture = Gesture::None;
     bool dragging = false;
-    bool byKeys = false; ///< of Gesture::Gizmo: no button is held
-    TransformTool tool = TransformTool::Move;
     Under under = Under::Nothing; ///< Surface: an arm could be sent there
     bool playing = false;
     bool wholeLimb = false; ///< of Gesture::Limb: thick branches follow, too

@@ -41,8 +41,6 @@ ViewportSituation Viewport::Private::situation(QSize size) const
     ViewportSituation now;
     now.gesture = gesture;
     now.dragging = dragging;
-    now.byKeys = gizmoByKeys;
-    now.tool = gizmo ? gizmo->tool() : settings->gizmo()->tool();
     now.playing = player && player->isPlaying();
     now.wholeLimb = held.testFlag(Qt::ShiftModifier);
     now.style = settings->navigationStyle();
@@ -51,9 +49,7 @@ ViewportSituation Viewport::Private::situation(QSize size) const
     now.keys = gestureKeys ? gestureKeys() : QString();
     const Node* node = document->scene().find(hoverNode);
     const glm::dvec2 pixel(hoverPosition.x(), hoverPosition.y());
-    if (gizmoHover)
-        now.under = Under::Handle;
-    else if (ringUnder(pickView(camera, size), pixel, rings()))
+    if (ringUnder(pickView(camera, size), pixel, rings()))
         now.under = Under::Ring;
     else if (now.playing || (node && hoverBranch != noIndex))
         now.under = Under::Branch; // while it plays nobody looks what is under the cursor

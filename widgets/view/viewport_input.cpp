@@ -23,11 +23,6 @@ PickView pickView(const Camera& camera, QSize size)
 
 void Viewport::mousePressEvent(QMouseEvent* event)
 {
-    if (d->gizmo) { // a click ends what the keyboard began; the right button takes anything back
-        if (event->button() == Qt::RightButton || d->gizmoByKeys)
-            finishGizmo(event->button() == Qt::LeftButton);
-        return;
-    }
     if (d->gesture != Gesture::None)
         return; // a second button during a gesture
     if (d->tools.press(d->pointOf(*event)))
@@ -36,10 +31,7 @@ void Viewport::mousePressEvent(QMouseEvent* event)
     d->button = event->button();
     d->pressed = d->last = event->position();
     d->dragging = false;
-    if (d->gesture == Gesture::Select &&
-        beginGizmo(pickView(d->camera, size()), asVector(event->position()), event->modifiers()))
-        d->hoverRest.stop();
-    else if (d->gesture == Gesture::Select && event->modifiers() == Qt::NoModifier)
+    if (d->gesture == Gesture::Select && event->modifiers() == Qt::NoModifier)
         beginMotionGesture(pickView(d->camera, size()), asVector(event->position()));
     else if (d->gesture == Gesture::Select && event->modifiers().testFlag(Qt::ControlModifier)) {
         if (beginReach(pickView(d->camera, size()), asVector(event->position())) && d->limb)
@@ -53,11 +45,7 @@ void Viewport::mousePressEvent(QMouseEvent* event)
 void Viewport::mouseMoveEvent(QMouseEvent* event)
 {
     d->hoverPosition = event->position();
-    if (d->gizmo)
-        return dragGizmo(event->position(), event->modifiers());
     if (d->tools.move(d->pointOf(*event)))
-        return;
-    if (d->gesture == Gesture::None && hoverGizmo(event->position()))
         return;
     if (d->limb)
         d->limb->setWhole(event->modifiers().testFlag(Qt::ShiftModifier));
@@ -65,8 +53,11 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
         dragTo(event->position());
         return;
     }
-    if (!d->hoverRest.isActive())
+    if (d->tools.hover(d->pointOf(*event)))
+        hoverAt(event->position()); // no branch is meant now
+    else if (!d->hoverRest.isActive())
         d->hoverRest.start();
+    setCursor(d->tools.cursor());
 }
 
 void Viewport::dragTo(QPointF position)
@@ -116,8 +107,6 @@ void Viewport::mouseReleaseEvent(QMouseEvent* event)
             d->tools.picks().menu(event->position());
         return;
     }
-    if (d->gizmo)
-        return finishGizmo(true);
     // A branch that was clicked, not dragged, is selected.
     const Gesture gesture = d->gesture == Gesture::Limb && !d->dragging ? Gesture::Select : d->gesture;
     if (gesture == Gesture::Pull || gesture == Gesture::Wind || gesture == Gesture::Limb ||
@@ -148,7 +137,7 @@ void Viewport::hoverAt(QPointF position)
     if (taken != before)
         updateHint();
     std::optional<PickHit> hit;
-    if (!taken && !d->gizmoHover && !d->isStale()) {
+    if (!taken && !d->isStale()) {
         const auto scene = d->picker.ready();
         if (!scene)
             return; // readyChanged asks again
@@ -167,8 +156,6 @@ void Viewport::hoverAt(QPointF position)
 
 void Viewport::wheelEvent(QWheelEvent* event)
 {
-    if (d->gizmo)
-        return event->accept();
     if (d->gesture == Gesture::Limb)
         return lengthenLimb(event->angleDelta().y() > 0 ? 1 : -1);
     const double turn = event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
@@ -179,10 +166,6 @@ void Viewport::wheelEvent(QWheelEvent* event)
 void Viewport::leaveEvent(QEvent* event)
 {
     d->hoverRest.stop();
-    if (d->gizmoHover && !d->gizmo) {
-        d->gizmoHover.reset();
-        update();
-    }
     d->tools.leave();
     if (d->hoverNode != noNode) {
         d->hoverNode = noNode;
@@ -196,7 +179,7 @@ void Viewport::leaveEvent(QEvent* event)
 
 void Viewport::keyPressEvent(QKeyEvent* event)
 {
-    if (d->tools.key(*event, true) || gizmoKey(event, true) || limbKey(event, true))
+    if (limbKey(event, true))
         return;
     const auto isKey = [event](Qt::Key key) { return event->key() == key ? 1.0 : 0.0; };
     const double yaw = isKey(Qt::Key_Right) - isKey(Qt::Key_Left);
@@ -213,13 +196,13 @@ bool Viewport::event(QEvent* event)
         event->accept();
         return true;
     }
-    // While nodes are moved, or a limb, keys are numbers and axes, not shortcuts; Tab is the next number.
-    if ((d->gizmo || d->limb) && event->type() == QEvent::ShortcutOverride) {
+    // While a limb is bent keys are no shortcuts.
+    if (d->limb && event->type() == QEvent::ShortcutOverride) {
         event->accept();
         return true;
     }
-    if (d->gizmo && event->type() == QEvent::KeyPress)
-        return gizmoKey(static_cast<QKeyEvent*>(event), true);
+    if (event->type() == QEvent::KeyPress && d->tools.key(*static_cast<QKeyEvent*>(event), true))
+        return true; // Tab, too
     if (event->type() == QEvent::NativeGesture) {
         const auto* gesture = static_cast<QNativeGestureEvent*>(event);
         if (gesture->gestureType() == Qt::ZoomNativeGesture) {

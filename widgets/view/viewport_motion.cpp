@@ -41,7 +41,7 @@ void paintWind(QPainter& painter, const std::optional<QPointF>& foot, const std:
 
 void Viewport::setPlayer(Player* player)
 {
-    d->player = player;
+    d->player = d->context.player = player;
     d->reach.setPlayer(player);
     connect(player, &Player::motionChanged, this, [this] {
         const auto motion = d->player->motion();
@@ -57,7 +57,6 @@ void Viewport::setPlayer(Player* player)
         update();
     });
     connect(player, &Player::frameChanged, this, [this] {
-        d->gizmoStale = true;
         if (!d->player->isPlaying())
             updateTrail();
         update();

@@ -15,7 +15,7 @@
 #include "widgets/view/moving_scene.h"
 #include "widgets/view/render/renderer.h"
 #include "widgets/view/tools/arm_rings.h"
-#include "widgets/view/tools/gizmo_drag.h"
+#include "widgets/view/tools/gizmo_tool.h"
 #include "widgets/view/tools/limb_drag.h"
 #include "widgets/view/tools/limb_pose.h"
 #include "widgets/view/tools/motion_tools.h"
@@ -86,7 +86,6 @@ struct Viewport::Private final : ToolHost
     QTimer limbRest;
     std::size_t limbBranches = LimbDrag::usualBranches;
     ArmReach reach{document};
-    AutoKey* keys = nullptr;                                ///< null: no edit becomes a key
     std::shared_ptr<const MotionFrame> reachFrame, reachOf; ///< with the arm on its way; made from
     NodeId aimingArm = noNode;                              ///< while its target is dragged
     NodeId aimedAt = noNode;                                ///< the surface on which the target moves
@@ -97,16 +96,6 @@ struct Viewport::Private final : ToolHost
     ArmRing ringAtPress;
     double ringFrom = 0.0; ///< rad, where it was taken
     quint64 ringGesture = 0;
-
-    // The transform gizmo, see viewport_gizmo.cpp.
-    std::unique_ptr<GizmoDrag> gizmo; ///< while nodes are moved
-    bool gizmoByKeys = false;         ///< else by a handle
-    std::optional<GizmoHandle> gizmoHover;
-    std::optional<GizmoPlace> gizmoRest; ///< where it stands between gestures
-    bool gizmoStale = true;              ///< gizmoRest is of before a change
-    std::function<bool()> autoKey;
-    /// Nothing where no tool is chosen, nothing can be moved, or everything moves by itself.
-    [[nodiscard]] std::optional<GizmoPlace> gizmoPlace();
 
     // What is said in the status bar, see viewport_hints.cpp.
     HintSource hints;

@@ -66,7 +66,7 @@ void Viewport::beginReaching()
 
 void Viewport::setKeys(AutoKey* keys)
 {
-    d->keys = keys;
+    d->context.keys = keys;
 }
 
 double Viewport::Private::timeNow() const
@@ -196,8 +196,8 @@ void Viewport::aimAt(const PickView& view, const glm::dvec2& pixel)
         return;
     const glm::dvec3 target = inArmSpace(d->document->scene(), d->aimingArm, d->timeNow(), *world);
     const ParamDef& def = *findParam("arm.target");
-    const auto done = d->keys && d->keys->takes({d->aimingArm}, def)
-                          ? d->keys->set({d->aimingArm}, def, target, std::nullopt, d->aimGesture)
+    const auto done = d->context.keys && d->context.keys->takes({d->aimingArm}, def)
+                          ? d->context.keys->set({d->aimingArm}, def, target, std::nullopt, d->aimGesture)
                           : d->reach.aim(d->aimingArm, target, d->aimGesture);
     if (!done)
         emit messageRaised(errorText(done.error()));
@@ -263,8 +263,8 @@ void Viewport::turnRing(const PickView& view, const glm::dvec2& pixel)
     turned.angleRad = turnedBy(d->ringAtPress.angle, d->ringFrom, *angle);
     const Channel channel{ChannelPart::Joint, static_cast<std::uint8_t>(d->ringAtPress.joint),
                           static_cast<ParamId>(jointAngleNumber(d->ringAtPress.phi))};
-    if (d->keys && d->keys->takes(arm, channel)) {
-        if (const auto done = d->keys->set(arm, channel, turned.angleRad, d->ringGesture); !done)
+    if (d->context.keys && d->context.keys->takes(arm, channel)) {
+        if (const auto done = d->context.keys->set(arm, channel, turned.angleRad, d->ringGesture); !done)
             emit messageRaised(errorText(done.error()));
         return;
     }

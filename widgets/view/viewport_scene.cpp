@@ -93,8 +93,10 @@ SceneWish Viewport::Private::wish()
 
 void Viewport::onDocumentChanged(const Change& change)
 {
-    d->tools.documentChanged(change);
-    followGizmo(change);
+    if (change.has(~quint32(changeFile | changeResults)))
+        updateTrail();
+    else if (change.has(changeResults))
+        d->trail.forgetSkeletons();
     if (change.has(changeSelection | changeStructure | changeReset))
         updateHint();
     if (change.has(changeReset)) {

@@ -1,4 +1,5 @@
 // The viewport as the host of its tools.
+#include "core/document/joined_steps.h"
 #include "widgets/view/viewport_private.h"
 #include <QMouseEvent>
 
@@ -38,6 +39,45 @@ bool Viewport::Private::pickBox(QPointF cornerA, QPointF cornerB,
                                 std::function<void(const std::vector<PickedBranches>&)> done)
 {
     return picker.pickBox(view(), {cornerA.x(), cornerA.y()}, {cornerB.x(), cornerB.y()}, std::move(done));
+}
+
+bool Viewport::isTransforming() const
+{
+    return d->tools.tool<GizmoTool>().isBusy();
+}
+
+void Viewport::beginTransform(TransformTool tool)
+{
+    if (d->gesture != Gesture::None || d->tools.current())
+        return;
+    QPointF at = mapFromGlobal(QCursor::pos());
+    if (!rect().contains(at.toPoint()))
+        at = QPointF(rect().center());
+    if (!d->tools.tool<GizmoTool>().beginByKeys(tool, d->pointAt(at)))
+        return;
+    d->hoverPosition = at;
+    d->hoverRest.stop();
+    setFocus(Qt::OtherFocusReason);
+}
+
+void Viewport::beginMovingCopies()
+{
+    beginTransform(TransformTool::Move);
+    if (isTransforming())
+        joinToLastStep(*d->document, d->tools.tool<GizmoTool>().gesture());
+}
+
+void Viewport::keyReleaseEvent(QKeyEvent* event)
+{
+    if (!d->tools.key(*event, false) && !limbKey(event, false))
+        QOpenGLWidget::keyReleaseEvent(event);
+}
+
+void Viewport::focusOutEvent(QFocusEvent* event)
+{
+    if (event->reason() != Qt::ActiveWindowFocusReason)
+        d->tools.focusLost();
+    QOpenGLWidget::focusOutEvent(event);
 }
 
 } // namespace ramure

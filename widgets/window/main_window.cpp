@@ -169,7 +169,6 @@ void MainWindow::connectViewport(Viewport* view)
     connect(view, &Viewport::menuRequested, this, &MainWindow::showViewMenu);
     connect(m_edits, &EditActions::duplicated, view, &Viewport::beginMovingCopies, Qt::QueuedConnection);
     m_hints->addSource(view, view->hints());
-    view->setAutoKey([this] { return m_autoKey->isOn(); });
     m_arm->setReach(view->armReach());
     m_timeline->setReach(view->armReach());
     m_properties->setReach(view->armReach());

@@ -72,24 +72,12 @@ void TestViewportHint::whatActsOnTheTreeSaysSoFirst()
     now.target = QStringLiteral("tree");
     now.keys = QStringLiteral("G R S");
     QVERIFY(says(now, "G R S: move, rotate, scale tree"));
-    now.gesture = Gesture::Gizmo;
-    now.byKeys = true;
-    QVERIFY(viewportHint(now).startsWith(QStringLiteral("Move tree: ")));
-    now.tool = TransformTool::Scale;
-    now.byKeys = false;
-    QVERIFY(viewportHint(now).startsWith(QStringLiteral("Scale tree: ")));
-    now.gesture = Gesture::None;
-    now.under = Under::Handle;
-    now.target = QStringLiteral("3 nodes");
-    now.tool = TransformTool::Rotate;
-    QVERIFY(viewportHint(now).startsWith(QStringLiteral("Rotate 3 nodes: ")));
 }
 
 void TestViewportHint::everyGestureSaysHowItEnds()
 {
     ViewportSituation now;
-    for (const Gesture gesture :
-         {Gesture::Pull, Gesture::Wind, Gesture::Aim, Gesture::Ring, Gesture::Gizmo}) {
+    for (const Gesture gesture : {Gesture::Pull, Gesture::Wind, Gesture::Aim, Gesture::Ring}) {
         now.gesture = gesture;
         QVERIFY(says(now, "release"));
     }

@@ -24,8 +24,8 @@ struct ToolContext
     Document& document;
     GizmoSettings& gizmo;
     ArmReach& reach;
-    Player* player = nullptr;             ///< null: nothing plays
-    AutoKey* keys = nullptr;              ///< null: no edit becomes a key
+    Player* player = nullptr;               ///< null: nothing plays
+    AutoKey* keys = nullptr;                ///< null: no edit becomes a key
     std::function<QString()> gestureKeys{}; ///< of beginning to move, rotate, scale: "G R S"
     PendingPick* picks = nullptr;
 

@@ -13,6 +13,10 @@ ToolManager::ToolManager(ToolContext& context)
     context.picks = &m_picks;
     for (const ToolMaker make : toolTable)
         m_tools.push_back(make(context));
+    QObject::connect(&context.document, &Document::changed, &m_picks, [this](const Change& change) {
+        for (const auto& tool : m_tools)
+            tool->documentChanged(change);
+    });
 }
 
 ToolManager::~ToolManager()
@@ -118,12 +122,6 @@ void ToolManager::focusLost()
 {
     if (Tool* tool = current())
         tool->focusLost();
-}
-
-void ToolManager::documentChanged(const Change& change)
-{
-    for (const auto& tool : m_tools)
-        tool->documentChanged(change);
 }
 
 void ToolManager::playingStopped()

@@ -46,7 +46,6 @@ public:
     [[nodiscard]] bool takesKey(const QKeyEvent& event) const;
     void focusLost();
 
-    void documentChanged(const Change& change);
     void playingStopped();
 
     [[nodiscard]] Qt::CursorShape cursor() const;

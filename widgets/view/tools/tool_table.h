@@ -11,10 +11,12 @@ using ToolMaker = std::unique_ptr<Tool> (*)(ToolContext& context);
 
 std::unique_ptr<Tool> makeCubeTool(ToolContext& context);
 std::unique_ptr<Tool> makeNavigationTool(ToolContext& context);
+std::unique_ptr<Tool> makeGizmoTool(ToolContext& context);
 
 inline constexpr ToolMaker toolTable[] = {
     makeCubeTool,
     makeNavigationTool,
+    makeGizmoTool,
 };
 
 } // namespace ramure
