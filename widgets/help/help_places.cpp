@@ -2,6 +2,7 @@
 
 #include "widgets/panels/properties/param_row.h"
 #include <QApplication>
+#include <QVariant>
 #include <algorithm>
 
 namespace ramure {
@@ -16,15 +17,7 @@ struct HelpPlace
 constexpr HelpPlace places[] = {
     {"ramure::GrammarEdit", "grammar#how-rules-are-written"},
     {"ramure::ViewportHost", "window#the-view"},
-    {"sceneDock", "window#scene"},
-    {"propertiesDock", "window#properties"},
-    {"inspectorDock", "window#inspector"},
-    {"validationDock", "window#validation"},
-    {"historyDock", "window#history"},
-    {"armDock", "arm#joints"},
-    {"timelineDock", "motion#the-timeline"},
     {"ramure::KeyCurves", "keys#curves"},
-    {"keysDock", "keys#the-dope-sheet"},
     {"ramure::StatusPanel", "window#status-bar"},
     {"ramure::WelcomePanel", "index#ramure"},
     {"ramure::ExportDialog", "files#exporting"},
@@ -56,6 +49,8 @@ QString helpPlace(const QWidget* widget)
         });
         if (found != std::end(places))
             return QString::fromLatin1(found->place);
+        if (const QVariant place = at->property(helpPlaceProperty); place.isValid())
+            return place.toString();
     }
     return {};
 }

@@ -117,8 +117,7 @@ void MainWindow::connectPanels()
     connect(m_edits, &EditActions::messageRaised, this, say);
     connect(m_edits, &EditActions::targetNamed, m_transforms, &TransformActions::nameTarget);
     connect(m_selects, &SelectActions::searchRequested, this, [this] {
-        m_sceneDock->show();
-        m_sceneDock->raise();
+        showPanel(m_scene);
         m_scene->focusSearch();
     });
     connect(m_inspector, &BranchInspector::messageRaised, this, say);
@@ -202,8 +201,7 @@ void MainWindow::showViewMenu(const QPoint& at, NodeId node, Index branch)
 
 void MainWindow::showInspector()
 {
-    m_inspectorDock->show();
-    m_inspectorDock->raise();
+    showPanel(m_inspector);
 }
 
 void MainWindow::follow(const Change& change)
@@ -223,8 +221,7 @@ void MainWindow::showParam(const QString& key)
     const NodeId node = def ? nodeWithParam(*m_document, *def) : noNode;
     if (node == noNode)
         return;
-    m_propertiesDock->show();
-    m_propertiesDock->raise();
+    showPanel(m_properties);
     const std::vector<NodeId>& shown = m_properties->nodes();
     if (!std::ranges::all_of(shown,
                              [&](NodeId id) { return hasParam(m_document->scene().find(id)->kind, *def); }) ||
@@ -264,8 +261,7 @@ void MainWindow::showExportDialog()
     dialog->setAnalysis(m_analysis);
     connect(dialog, &ExportDialog::showRequested, this, [this](NodeId tree) {
         m_document->setSelection({{tree}, noNode, {}, noIndex});
-        m_validationDock->show();
-        m_validationDock->raise();
+        showPanel(m_validation);
     });
     connect(dialog, &ExportDialog::exported, this, [this](const QString& path) {
         statusBar()->showMessage(tr("Exported to %1").arg(QDir::toNativeSeparators(path)), messageMs);

@@ -18,7 +18,6 @@ class EditActions;
 class FileActions;
 class HelpActions;
 class HintLine;
-class HistoryDock;
 class Isolation;
 class IsolationButton;
 class JobPanel;
@@ -47,6 +46,7 @@ class ViewActions;
 class Viewport;
 class ViewportHost;
 class WelcomePanel;
+struct PanelRow;
 
 class MainWindow : public QMainWindow
 {
@@ -94,8 +94,12 @@ private:
     static constexpr int messageMs = 6000;
     static constexpr int layoutVersion = 3; ///< of saveState; another one means another set of docks
 
-    QDockWidget* addPanel(const QString& name, QWidget* content, Qt::DockWidgetArea area);
+    void addPanel(const PanelRow& row, QWidget* content);
+    /// Of a panel of the table.
+    [[nodiscard]] static QDockWidget* dockOf(const QWidget* panel);
+    static void showPanel(const QWidget* panel);
     void buildDocks();
+    void connectKeys();
     void fitKeysHeight(bool shown);
     void buildActions();
     void buildBranchActions();
@@ -129,7 +133,6 @@ private:
     Player* m_player;
     ScenePanel* m_scene = nullptr;
     PropertiesPanel* m_properties = nullptr;
-    HistoryDock* m_history = nullptr;
     BranchInspector* m_inspector = nullptr;
     ValidationPanel* m_validation = nullptr;
     TimelinePanel* m_timeline = nullptr;
@@ -173,15 +176,8 @@ private:
     QMenu* m_keysMenu = nullptr;
     QMenu* m_helpMenu = nullptr;
     QToolBar* m_toolBar = nullptr;
-    QDockWidget* m_sceneDock = nullptr;
-    QDockWidget* m_propertiesDock = nullptr;
-    QDockWidget* m_historyDock = nullptr;
-    QDockWidget* m_inspectorDock = nullptr;
-    QDockWidget* m_validationDock = nullptr;
     ArmPanel* m_arm = nullptr;
-    QDockWidget* m_armDock = nullptr;
-    QDockWidget* m_timelineDock = nullptr;
-    QDockWidget* m_keysDock = nullptr;
+    QList<QDockWidget*> m_docks; ///< one for each row of panels()
     bool m_keysShown = false;
     int m_keysHeight = 290, m_timelineHeight = 0; ///< while the one or the other is on top
 };

@@ -17,12 +17,12 @@
 #include "widgets/base/timeline_ruler.h"
 #include "widgets/dialogs/export_dialog.h"
 #include "widgets/dialogs/sequence_task.h"
+#include "widgets/help/help_places.h"
 #include "widgets/panels/animation/key_actions.h"
 #include "widgets/panels/animation/key_commands.h"
 #include "widgets/panels/animation/key_panel.h"
 #include "widgets/panels/arm/arm_mesh_row.h"
 #include "widgets/panels/arm/arm_panel.h"
-#include "widgets/panels/history/history_dock.h"
 #include "widgets/panels/inspector/branch_inspector.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/panels/scene/isolation.h"
@@ -39,6 +39,7 @@
 #include "widgets/window/isolation_button.h"
 #include "widgets/window/job_panel.h"
 #include "widgets/window/panel_hints.h"
+#include "widgets/window/panels.h"
 #include "widgets/window/problem_button.h"
 #include "widgets/window/status_panel.h"
 #include "widgets/window/welcome_panel.h"
@@ -53,13 +54,25 @@
 
 namespace ramure {
 
-QDockWidget* MainWindow::addPanel(const QString& name, QWidget* content, Qt::DockWidgetArea area)
+QDockWidget* MainWindow::dockOf(const QWidget* panel)
+{
+    return qobject_cast<QDockWidget*>(panel->parentWidget());
+}
+
+void MainWindow::showPanel(const QWidget* panel)
+{
+    dockOf(panel)->show();
+    dockOf(panel)->raise();
+}
+
+void MainWindow::addPanel(const PanelRow& row, QWidget* content)
 {
     auto* dock = new QDockWidget(this);
-    dock->setObjectName(name);
-    dock->toggleViewAction()->setObjectName(QStringLiteral("view.panel.") + name);
+    m_docks += dock;
+    dock->setObjectName(QString::fromLatin1(row.dock));
+    dock->toggleViewAction()->setObjectName(QStringLiteral("view.panel.") + dock->objectName());
+    dock->setProperty(helpPlaceProperty, row.help);
     dock->setWidget(content);
-    addDockWidget(area, dock);
     // Among tabs the tab is the title.
     auto* noTitle = new QWidget(dock);
     // An empty layout: without one the size hint, and with it the dock's height, would be negative.
@@ -74,42 +87,41 @@ QDockWidget* MainWindow::addPanel(const QString& name, QWidget* content, Qt::Doc
     connect(dock, &QDockWidget::topLevelChanged, dock, chooseTitle, Qt::QueuedConnection);
     connect(dock, &QDockWidget::visibilityChanged, dock, chooseTitle, Qt::QueuedConnection);
     connect(dock, &QDockWidget::dockLocationChanged, dock, chooseTitle, Qt::QueuedConnection);
-    return dock;
 }
 
 void MainWindow::buildDocks()
 {
-    m_scene = new ScenePanel(m_document, m_preferences, this);
-    m_properties = new PropertiesPanel(m_document, m_preferences, this);
-    m_history = new HistoryDock(m_document, this);
-    m_inspector = new BranchInspector(m_document, this);
-    m_validation = new ValidationPanel(m_document, m_analysis, this);
-    m_sceneDock = addPanel(QStringLiteral("sceneDock"), m_scene, Qt::RightDockWidgetArea);
-    m_historyDock = addPanel(QStringLiteral("historyDock"), m_history, Qt::RightDockWidgetArea);
-    m_propertiesDock = addPanel(QStringLiteral("propertiesDock"), m_properties, Qt::RightDockWidgetArea);
-    m_inspectorDock = addPanel(QStringLiteral("inspectorDock"), m_inspector, Qt::RightDockWidgetArea);
-    m_validationDock = addPanel(QStringLiteral("validationDock"), m_validation, Qt::RightDockWidgetArea);
-    m_arm = new ArmPanel(m_document, this);
-    m_armDock = addPanel(QStringLiteral("armDock"), m_arm, Qt::RightDockWidgetArea);
     m_plays = new PlayActions(m_document, m_player, m_actions, this);
     m_bakes = new BakeActions(m_document, m_player, m_chooser, m_actions, this);
-    m_timeline = new TimelinePanel(m_document, m_player, m_plays, this);
-    m_timeline->setBakeActions(m_bakes);
-    m_timelineDock = addPanel(QStringLiteral("timelineDock"), m_timeline, Qt::BottomDockWidgetArea);
     m_keyModel = new KeyModel(m_document, this);
     m_keyCommands = new KeyCommands(m_keyModel, m_player, this);
     m_keyActions = new KeyActions(m_keyCommands, m_actions, this);
     m_autoKey = new AutoKey(m_document, m_player, this);
+    const PanelServices services{m_document, m_preferences, m_analysis,    m_player,
+                                 m_plays,    m_keyModel,    m_keyCommands, m_keyActions};
+    for (const PanelRow& row : panels())
+        addPanel(row, row.make(services, this));
+    m_scene = findChild<ScenePanel*>();
+    m_properties = findChild<PropertiesPanel*>();
+    m_inspector = findChild<BranchInspector*>();
+    m_validation = findChild<ValidationPanel*>();
+    m_timeline = findChild<TimelinePanel*>();
+    m_keys = findChild<KeyPanel*>();
+    m_arm = findChild<ArmPanel*>();
+    connectKeys();
+}
+
+void MainWindow::connectKeys()
+{
+    m_timeline->setBakeActions(m_bakes);
     m_properties->setKeys(m_autoKey);
     m_arm->setKeys(m_autoKey);
-    m_keys = new KeyPanel(m_keyModel, m_keyCommands, m_keyActions, m_player, this);
-    m_keysDock = addPanel(QStringLiteral("keysDock"), m_keys, Qt::BottomDockWidgetArea);
     m_timeline->rulerMenu()->addInsert(m_keyActions->insertAction());
     connect(m_keys->ruler(), &TimelineRuler::menuRequested, this, [this](const QPoint& place, qint64 frame) {
         m_timeline->rulerMenu()->popUp(m_keys->ruler(), place, frame);
     });
     // Queued: the layout has then given the dock its place.
-    connect(m_keysDock, &QDockWidget::visibilityChanged, this, &MainWindow::fitKeysHeight,
+    connect(dockOf(m_keys), &QDockWidget::visibilityChanged, this, &MainWindow::fitKeysHeight,
             Qt::QueuedConnection);
 }
 
@@ -118,17 +130,17 @@ void MainWindow::buildDocks()
 void MainWindow::fitKeysHeight(bool shown)
 {
     constexpr int least = 220;
-    if (!isVisible() || isMinimized() || m_keysDock->isFloating() || shown == m_keysShown)
+    if (!isVisible() || isMinimized() || dockOf(m_keys)->isFloating() || shown == m_keysShown)
         return;
     m_keysShown = shown;
     // What is behind keeps the size that it had in front; what comes to the front may still be on its way.
     if (shown)
-        m_timelineHeight = m_timelineDock->height();
+        m_timelineHeight = dockOf(m_timeline)->height();
     else
-        m_keysHeight = std::max(least, m_keysDock->height());
+        m_keysHeight = std::max(least, dockOf(m_keys)->height());
     if (m_timelineHeight >= least)
         return;
-    QDockWidget* front = shown ? m_keysDock : m_timelineDock;
+    QDockWidget* front = shown ? dockOf(m_keys) : dockOf(m_timeline);
     const int height = shown ? m_keysHeight : m_timelineHeight;
     int tabs = 0; // resizeDocks counts them to the dock
     if (!tabifiedDockWidgets(front).isEmpty())
@@ -139,29 +151,25 @@ void MainWindow::fitKeysHeight(bool shown)
 
 void MainWindow::resetLayout()
 {
-    for (QDockWidget* dock :
-         {m_sceneDock, m_historyDock, m_propertiesDock, m_inspectorDock, m_validationDock, m_armDock}) {
+    QList<QDockWidget*> tabs[3]; // of each place
+    for (std::size_t i = 0; i < panels().size(); ++i) {
+        QDockWidget* dock = m_docks[qsizetype(i)];
+        const PanelPlace place = panels()[i].place;
         dock->setFloating(false);
-        addDockWidget(Qt::RightDockWidgetArea, dock);
+        addDockWidget(place == PanelPlace::Bottom ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea, dock);
         dock->show();
+        tabs[std::size_t(place)] += dock;
     }
-    for (QDockWidget* dock : {m_timelineDock, m_keysDock}) {
-        dock->setFloating(false);
-        addDockWidget(Qt::BottomDockWidgetArea, dock);
-        dock->show();
+    QDockWidget *upper = tabs[0].front(), *lower = tabs[1].front();
+    splitDockWidget(upper, lower, Qt::Vertical);
+    for (const QList<QDockWidget*>& docks : tabs) {
+        for (qsizetype i = 1; i < docks.size(); ++i)
+            tabifyDockWidget(docks[i - 1], docks[i]);
+        docks.front()->raise();
     }
-    splitDockWidget(m_sceneDock, m_propertiesDock, Qt::Vertical);
-    tabifyDockWidget(m_sceneDock, m_historyDock);
-    tabifyDockWidget(m_propertiesDock, m_inspectorDock);
-    tabifyDockWidget(m_inspectorDock, m_validationDock);
-    tabifyDockWidget(m_timelineDock, m_keysDock);
-    m_timelineDock->raise();
-    tabifyDockWidget(m_validationDock, m_armDock);
-    m_sceneDock->raise();
-    m_propertiesDock->raise();
     m_toolBar->show();
-    resizeDocks({m_sceneDock, m_propertiesDock}, {220, 520}, Qt::Vertical);
-    resizeDocks({m_sceneDock}, {384}, Qt::Horizontal);
+    resizeDocks({upper, lower}, {220, 520}, Qt::Vertical);
+    resizeDocks({upper}, {384}, Qt::Horizontal);
 }
 
 void MainWindow::restoreLayout()
@@ -202,8 +210,7 @@ void MainWindow::buildActions()
     m_help = new HelpActions(m_actions, m_document, m_preferences, this);
     m_welcome = new WelcomePanel(m_files, m_actions, m_preferences, this);
     connect(m_search, &QAction::triggered, this, [this] {
-        m_propertiesDock->show();
-        m_propertiesDock->raise();
+        showPanel(m_properties);
         m_properties->focusSearch();
     });
     connect(m_resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
@@ -212,8 +219,7 @@ void MainWindow::buildActions()
     connect(m_files, &FileActions::exportRequested, this, &MainWindow::showExportDialog);
     connect(m_files, &FileActions::quitRequested, this, &QWidget::close);
     connect(m_edits, &EditActions::renameRequested, this, [this] {
-        m_sceneDock->show();
-        m_sceneDock->raise();
+        showPanel(m_scene);
         m_scene->renameActive();
     });
 }
@@ -272,12 +278,10 @@ void MainWindow::buildMenus()
     m_selectMenu->addSeparator();
     m_selectMenu->addActions(branchActions());
     m_viewMenu = menuBar()->addMenu(QString());
-    m_views->fillMenu(m_viewMenu,
-                      {m_sceneDock->toggleViewAction(), m_propertiesDock->toggleViewAction(),
-                       m_inspectorDock->toggleViewAction(), m_validationDock->toggleViewAction(),
-                       m_historyDock->toggleViewAction(), m_timelineDock->toggleViewAction(),
-                       m_keysDock->toggleViewAction(), m_armDock->toggleViewAction()},
-                      m_resetLayout);
+    QList<QAction*> shownPanels;
+    for (const QDockWidget* dock : m_docks)
+        shownPanels += dock->toggleViewAction();
+    m_views->fillMenu(m_viewMenu, shownPanels, m_resetLayout);
     m_playMenu = menuBar()->addMenu(QString());
     m_plays->fillMenu(m_playMenu);
     m_playMenu->addSeparator();
@@ -334,10 +338,7 @@ void MainWindow::buildStatusBar()
     m_wearProgress = new JobPanel(m_arm->meshRow()->job(), QStringLiteral("wearProgress"), this);
     statusBar()->addPermanentWidget(m_wearProgress);
     buildSequences();
-    connect(m_status, &StatusPanel::reportRequested, this, [this] {
-        m_validationDock->show();
-        m_validationDock->raise();
-    });
+    connect(m_status, &StatusPanel::reportRequested, this, [this] { showPanel(m_validation); });
     statusBar()->addPermanentWidget(m_status);
 }
 
@@ -383,14 +384,8 @@ void MainWindow::retranslate()
     m_keysMenu->setTitle(tr("&Keys"));
     m_helpMenu->setTitle(tr("He&lp"));
     m_toolBar->setWindowTitle(tr("Toolbar"));
-    m_sceneDock->setWindowTitle(tr("Scene"));
-    m_propertiesDock->setWindowTitle(tr("Properties"));
-    m_historyDock->setWindowTitle(tr("History"));
-    m_inspectorDock->setWindowTitle(tr("Inspector"));
-    m_validationDock->setWindowTitle(tr("Validation"));
-    m_armDock->setWindowTitle(tr("Arm"));
-    m_timelineDock->setWindowTitle(tr("Timeline"));
-    m_keysDock->setWindowTitle(tr("Keys"));
+    for (std::size_t i = 0; i < panels().size(); ++i)
+        m_docks[qsizetype(i)]->setWindowTitle(tr(panels()[i].title));
     m_keyActions->retranslate();
     m_plays->retranslate();
     m_bakes->retranslate();

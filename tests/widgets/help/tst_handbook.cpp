@@ -11,6 +11,7 @@
 #include "widgets/panels/properties/param_row.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/window/main_window.h"
+#include "widgets/window/panels.h"
 #include <QDir>
 #include <QTextBlock>
 #include <QTreeWidget>
@@ -122,6 +123,8 @@ private slots:
         const QSet<QString> places = allPlaces();
         for (const QString& place : helpPlaces())
             QVERIFY2(places.contains(place), qPrintable(place));
+        for (const PanelRow& panel : panels())
+            QVERIFY2(places.contains(QString::fromLatin1(panel.help)), panel.help);
     }
 
     void placesAreFoundOnThePages()
