@@ -5,6 +5,7 @@
 #include "widgets/dialogs/about_dialog.h"
 #include "widgets/dialogs/preferences_dialog.h"
 #include "widgets/dialogs/shortcuts_dialog.h"
+#include "widgets/view/view_settings.h"
 
 namespace ramure {
 namespace {
