@@ -60,7 +60,7 @@ Node tree(int number)
     params.turtle.theta = random.range(0.1, 0.9);
     params.turtle.decay = random.range(0.7, 0.95);
     params.variation.angle = random.range(0.0, 0.5);
-    params.sections.lengthDivisions = 1 + random.below(4);
+    params.sections.lengthDivisions = 2 + random.below(3);
     params.sections.radialDivisions = 3 + random.below(6);
     params.foliage.leavesDensity = random.below(3);
     params.foliage.seed = number;
