@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tests/support/suite.h"
+#include "tests/support/waits.h"
 #include <QFile>
 #include <QGuiApplication>
 #include <QPixmap>
@@ -226,21 +227,11 @@ inline QImage screenPicture(const QRect& part = {})
     return part.isEmpty() ? all : all.copy(part);
 }
 
-/// Once a part of the screen has stopped changing. On a busy machine a draft stays for a while until the
-/// whole tree is there: one pause without a change does not say that it has.
+/// Once a part of the screen has stopped changing, for less long than a text cursor stays. On a busy machine
+/// a draft stays for a while until the whole tree is there.
 inline QImage stillPicture(const QRect& part)
 {
-    constexpr int pauses = 2; // shorter than a text cursor stays
-    QImage last = screenPicture(part);
-    int still = 0;
-    eventually([&] {
-        QThread::msleep(150);
-        const QImage next = screenPicture(part);
-        still = next == last ? still + 1 : 0;
-        last = next;
-        return still >= pauses;
-    });
-    return last;
+    return whenStill(300, [&part] { return screenPicture(part); });
 }
 
 } // namespace ramure::test

@@ -120,7 +120,7 @@ private slots:
         QCOMPARE(found->crossings.aroundForks(), std::uint64_t(0));
         QVERIFY(during > 0);
         Heartbeat alone(view());
-        QTest::qWait(static_cast<int>(std::clamp(seconds, 1.0, 10.0) * 1000.0));
+        QTRY_VERIFY_WITH_TIMEOUT(alone.pictures >= 20, patienceMs);
         qInfo(
             "%u triangles: analysed in %.2f s; %.1f pictures a second meanwhile (alone %.1f), the "
             "interface's "

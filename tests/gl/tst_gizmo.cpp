@@ -4,6 +4,7 @@
 #include "core/session/auto_key.h"
 #include "core/session/player.h"
 #include "tests/support/suite.h"
+#include "tests/support/waits.h"
 #include "widgets/base/hint_source.h"
 #include "widgets/view/tools/gizmo_handles.h"
 #include "widgets/view/viewport.h"
@@ -334,7 +335,7 @@ void TestGizmo::pathsAndGhostsAreSeen()
     }());
     window.player.seek(20);
     QVERIFY(window.player.waitForIdle(20'000));
-    QTest::qWait(250); // the camera's flight
+    test::whenStill(60, [&] { return window.view->camera(); });
     window.select({1});
     window.waitForPicture();
     const QImage plain = window.view->grabFramebuffer();
@@ -366,7 +367,7 @@ void TestGizmo::playingShowsNoGhosts()
     window.gizmo->setTool(TransformTool::Move);
     window.gizmo->setShowsGhosts(true);
     window.player.play();
-    QTest::qWait(200);
+    QTRY_VERIFY(window.player.frame() > 2);
     QVERIFY(window.player.isPlaying());
     window.view->beginTransform(TransformTool::Move); // stops it
     QVERIFY(!window.player.isPlaying());

@@ -6,6 +6,7 @@
 #include "core/session/autosave.h"
 #include "tests/gl/desk.h"
 #include "tests/support/cannot_run.h"
+#include "tests/support/waits.h"
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
@@ -100,9 +101,9 @@ private:
         }
         if (round % 3 == 0) { // while saving
             Editor::keys({QStringLiteral("ctrl+s")});
-            QThread::msleep(static_cast<unsigned long>(below(60)));
+            test::anyMoment(below(60));
         } else if (round % 3 == 1) { // between two of the files kept aside
-            QThread::msleep(static_cast<unsigned long>(below(500)));
+            test::anyMoment(below(500));
         } else { // everything has been kept aside, without a hand
             QVERIFY(eventually([&] { return safe() == first + edits; }));
         }

@@ -7,6 +7,7 @@
 #include "core/session/sequence.h"
 #include "tests/gl/desk.h"
 #include "tests/support/cannot_run.h"
+#include "tests/support/waits.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/base/action_set.h"
@@ -57,11 +58,7 @@ struct Session
     /// Where pixels count: the camera has come to rest.
     void letCameraRest()
     {
-        Camera before;
-        do {
-            before = view()->camera();
-            QTest::qWait(60);
-        } while (before.eye() != view()->camera().eye());
+        test::whenStill(60, [this] { return view()->camera(); });
     }
     Viewport* view() { return window->viewportHost()->viewport(); }
     Player* player() { return window->player(); }
@@ -143,8 +140,9 @@ private slots:
         const QPoint from = session.pixel(skeleton.p1[tip]);
         session.mouse(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
         for (int i = 1; i <= 20; ++i) {
+            const std::int64_t then = session.player()->frame();
             session.mouse(QEvent::MouseMove, from + QPoint(8 * i, 3 * i), Qt::NoButton, Qt::LeftButton);
-            QTest::qWait(15);
+            QVERIFY(session.wait([&] { return session.player()->frame() != then; }));
         }
         double most = 0.0;
         QVERIFY2(session.wait([&] {
@@ -187,7 +185,8 @@ private slots:
             session.mouse(QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton);
             session.mouse(QEvent::MouseButtonDblClick, at, Qt::LeftButton, Qt::LeftButton);
             session.mouse(QEvent::MouseButtonRelease, at, Qt::LeftButton, Qt::NoButton);
-            QTest::qWait(150);
+            const std::int64_t then = session.player()->frame();
+            (void)session.wait([&] { return session.player()->frame() > then + 6; });
             for (std::size_t i = 0; i < apples.size(); ++i)
                 if (placeOf(i).y < 0.75 * apples[i].position.y)
                     loose = i;
@@ -242,8 +241,10 @@ private slots:
         const int y = ruler->height() / 2;
         for (const char* action : {"play.toggle", "play.forward", "play.toggle", "play.back", "play.last",
                                    "play.first", "play.everyFrame", "play.toggle"}) {
+            const std::int64_t then = session.player()->frame();
             session.trigger(action);
-            QTest::qWait(60);
+            QVERIFY(session.wait(
+                [&] { return session.player()->frame() != then || !session.player()->isBusy(); }));
         }
         QTest::mouseClick(ruler, Qt::LeftButton, {}, QPoint(int(ruler->xOf(120)), 4));
         QVERIFY(session.wait([&] { return session.player()->frame() >= 118; }));
@@ -266,11 +267,12 @@ private slots:
     /// By the window's own close, then the end of all objects in the order of main().
     void closingWhilePlayingEndsCleanly()
     {
-        for (const int delayMs : {0, 180}) {
+        for (const bool late : {false, true}) {
             Session session(m_chooser);
-            session.open(delayMs == 0 ? "TinyTree" : "SmallTree");
+            session.open(late ? "SmallTree" : "TinyTree");
             session.trigger("play.toggle");
-            QTest::qWait(delayMs);
+            if (late)
+                QVERIFY(session.wait([&] { return session.player()->frame() > 2; }));
             QVERIFY(session.window->close());
         }
     }
@@ -309,7 +311,8 @@ private slots:
             QVERIFY(!dialog->isVisible());
             auto* progress = session.window->findChild<QWidget*>(QStringLiteral("sequenceProgress"));
             QVERIFY(session.wait([&] { return progress->isVisible(); }));
-            QTest::qWait(300 * (1 - i));
+            if (i == 0)
+                QVERIFY(session.wait([&] { return !QDir(folder).isEmpty(QDir::Files); }));
             QVERIFY(session.window->close());
         }
         QVERIFY(!QDir(folder).entryList(QDir::Files).isEmpty());
@@ -367,7 +370,8 @@ private slots:
         while (double(clock.elapsed()) * 1e-3 < seconds) {
             press(40);
             pressed += 40;
-            QTest::qWait(given ? 4000 : 1000);
+            const std::int64_t seen = loops;
+            QVERIFY(session.wait([&] { return loops > seen; }));
             most = std::max(most, residentBytes());
         }
         const double growth = residentBytes() / before - 1.0;

@@ -149,11 +149,11 @@ private slots:
         const QString folder = path(QStringLiteral("stopped"));
         for (int i = 0; i < 6; ++i) {
             SequenceTask task;
+            QSignalSpy progress(&task, &Job::progress), finished(&task, &Job::finished);
             task.startPictures(
                 m_document, look(m_document, {320, 200}),
                 frameShots({0, 500, 1, 24.0}, (folder + QStringLiteral("/p.png")).toStdString()));
-            QSignalSpy finished(&task, &Job::finished);
-            QTest::qWait(150 * i);
+            QTRY_VERIFY_WITH_TIMEOUT(progress.count() >= i || finished.count() == 1, patienceMs);
             if (i % 2 == 0)
                 continue;
             task.cancel();

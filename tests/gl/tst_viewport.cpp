@@ -5,6 +5,7 @@
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 #include "tests/support/view_window.h"
+#include "tests/support/waits.h"
 #include "widgets/base/defect_place.h"
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/render/scene_builder.h"
@@ -479,9 +480,9 @@ private slots:
         window.host.resize(300, 600); // as when a panel opens beside it
         window.waitForPicture();
         QVERIFY(std::abs(window.view->camera().distance / fresh() - before) < 0.2 * before);
+        const double yaw = window.view->camera().yawRad;
         window.view->orbitBy(0.5, 0.0); // from now on it is the user's
-        QTRY_VERIFY(std::abs(window.view->camera().yawRad - Camera().yawRad) > 0.4);
-        QTest::qWait(250);
+        QTRY_VERIFY(std::abs(window.view->camera().yawRad - yaw - 0.5) < 1e-9);
         const Camera chosen = window.view->camera();
         window.host.resize(600, 300);
         window.waitForPicture();
@@ -497,7 +498,7 @@ private slots:
         same.tree.report = std::make_shared<MeshReport>(*same.tree.report);
         window.document.setResult(window.tree(0), same);
         QVERIFY(!window.view->isPicturePending());
-        QTest::qWait(50);
+        test::letHappen(50);
         QCOMPARE(window.view->frameTimes().frame, before);
         compute(window.document);
         QVERIFY(window.view->isPicturePending());

@@ -3,6 +3,7 @@
 #include "core/session/analysis.h"
 #include "core/session/recompute.h"
 #include "tests/support/suite.h"
+#include "tests/support/waits.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>
@@ -26,7 +27,7 @@ struct FakeAnalysis
             ++started;
             for (int i = 0; i < milliseconds; ++i) {
                 progress.report(double(i) / milliseconds);
-                QThread::msleep(1);
+                test::work(1);
                 if (progress.cancelled()) {
                     ++stopped;
                     return fail(ErrorCode::Cancelled, "cancelled");

@@ -3,6 +3,7 @@
 #include "core/session/autosave.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/suite.h"
+#include "tests/support/waits.h"
 
 #include <QDir>
 #include <QFile>
@@ -68,7 +69,7 @@ void TestAutosave::unwritableFoldersAreTold()
     QCOMPARE(autosave.saveNow().error().code, ErrorCode::Io);
     autosave.setInterval(1);
     QTRY_COMPARE(failures.count(), 1);
-    QTest::qWait(20);
+    test::letHappen(20);
     QCOMPARE(failures.count(), 1); // said once
     QVERIFY(recoverableProjects(folder.filePath("none")).empty());
     QVERIFY(recoverableProjects(folder.filePath("file")).empty());
@@ -186,7 +187,7 @@ void TestAutosave::timerSavesInTheBackground()
     autosave.setInterval(1);
     setSeed(document, 5);
     QTRY_COMPARE(saved.count(), 1);
-    QTest::qWait(20);
+    test::letHappen(20);
     QCOMPARE(saved.count(), 1); // nothing new, nothing written
     setSeed(document, 6);
     QTRY_COMPARE(saved.count(), 2);
@@ -195,7 +196,7 @@ void TestAutosave::timerSavesInTheBackground()
     QCOMPARE(seedOf(*project), 6);
     autosave.setInterval(0);
     setSeed(document, 7);
-    QTest::qWait(20);
+    test::letHappen(20);
     QCOMPARE(saved.count(), 2);
 }
 
@@ -262,7 +263,7 @@ static std::int64_t killAfter(const QString& folder, int milliseconds)
     victim.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--victim"), folder});
     if (!victim.waitForStarted(20000) || !victim.waitForReadyRead(20000))
         return 0;
-    QTest::qSleep(milliseconds);
+    test::anyMoment(milliseconds);
     victim.kill();
     victim.waitForFinished(20000);
     const QList<QByteArray> lines = victim.readAllStandardOutput().split('\n');

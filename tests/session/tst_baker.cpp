@@ -265,8 +265,9 @@ private slots:
             TimelineSettings longRun;
             longRun.lastFrame = mostFrame;
             QVERIFY(edit::setTimeline(bench.document, longRun));
+            QSignalSpy progress(bench.baker.job(), &Job::progress);
             QVERIFY(bench.baker.start(memory));
-            QTest::qWait(20 * i);
+            QTRY_VERIFY_WITH_TIMEOUT(progress.count() >= i, patienceMs);
         }
         QVERIFY(QDir(m_folder->path()).entryList(QDir::Files | QDir::Hidden).isEmpty());
     }

@@ -1,5 +1,6 @@
 #include "core/session/job.h"
 #include "tests/support/suite.h"
+#include "tests/support/waits.h"
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
@@ -22,7 +23,7 @@ struct Gate
     void pass() const
     {
         while (!isOpen)
-            std::this_thread::sleep_for(100us);
+            test::work(0.1);
     }
     std::atomic<bool> isOpen = false;
     std::atomic<int> reached = 0;
@@ -177,14 +178,14 @@ void TestJob::aResultAfterCancelIsDropped()
     // The work may have ended already, its news on the way.
     result.reset();
     job.start(&seven, [&](const Expected<int>& made) { result = made; });
-    QTest::qSleep(20);
+    test::work(20);
     job.cancel();
     QTRY_VERIFY(result);
     QCOMPARE(result->error().code, ErrorCode::Cancelled);
     // What a work has written is written.
     QSignalSpy finished(&job, &Job::finished);
     job.start([](const Progress& /*progress*/) { return Expected<void>(); });
-    QTest::qSleep(20);
+    test::work(20);
     job.cancel();
     QVERIFY(finished.wait());
     QVERIFY(!finished.at(0).at(0).value<std::optional<Error>>());
@@ -205,7 +206,7 @@ void TestJob::anOwnerThatGoesIsToldNothing()
                         progress.report(0.5);
                         post([&told] { ++told; });
                         ++gate->reached;
-                        std::this_thread::sleep_for(50us);
+                        test::work(0.05);
                     }
                     post([&told] { ++told; });
                     return 1;
@@ -330,7 +331,7 @@ void TestJob::forgottenWorkIsNotTold()
         [gate](const Progress& progress) -> Expected<int> {
             ++gate->reached;
             while (!progress.cancelled())
-                std::this_thread::sleep_for(100us);
+                test::work(0.1);
             return 1;
         },
         [&](const Expected<int>& /*made*/) { ++told; });
@@ -367,14 +368,15 @@ void TestJob::whatWasBegunEndsWhereItGoesOn()
         job.start(
             [i, begun](const Progress& progress) -> Expected<int> {
                 ++*begun;
-                std::this_thread::sleep_for(200us);
+                test::work(0.2);
                 if (progress.cancelled())
                     return fail(ErrorCode::Cancelled, "cancelled");
                 return i;
             },
             [&](const Expected<int>& made) { told.push_back(made.value()); }, Job::Running::GoesOn);
+        const std::size_t before = told.size();
         if (i % 100 == 0)
-            QTest::qWait(1);
+            QTRY_VERIFY(told.size() > before);
     }
     QTRY_VERIFY(!job.isRunning());
     QVERIFY(std::is_sorted(told.begin(), told.end()));

@@ -4,6 +4,7 @@
 #include "core/session/recompute.h"
 #include "core/surface/proof/validate.h"
 #include "tests/support/suite.h"
+#include "tests/support/waits.h"
 #include <QSignalSpy>
 #include <QThread>
 #include <numeric>
@@ -166,7 +167,7 @@ void TestPlayer::playingGoesOnAndPauses()
     QCOMPARE(playing.size(), 2);
     const std::int64_t at = m_player->frame();
     QVERIFY(m_player->waitForIdle(5000));
-    QTest::qWait(60);
+    test::letHappen(60);
     QCOMPARE(m_player->frame(), at);
     QTRY_COMPARE(m_player->motion()->frame, at);
 }
@@ -230,10 +231,10 @@ void TestPlayer::busyUntilTheLastFrameIsThere()
         if (m_player->motion()->frame != 5)
             return;
         m_player->seek(9);
-        QThread::msleep(500); // enough for the worker to be through
+        test::work(500); // enough for the worker to be through
     });
     m_player->seek(5);
-    QThread::msleep(500); // its frame and its end are told in one go
+    test::work(500); // its frame and its end are told in one go
     QVERIFY(QTest::qWaitFor([&] { return !m_player->isBusy(); }, 20000));
     QCOMPARE(m_player->motion()->frame, std::int64_t(9));
     disconnect(once);
@@ -378,8 +379,8 @@ void TestPlayer::closingWhilePlayingEndsCleanly()
     addTree("SmallTree");
     m_player->play();
     QTRY_VERIFY(m_player->frame() > 1);
-    m_player.reset(); // joins; nothing is delivered any more
-    QTest::qWait(20);
+    m_player.reset();                  // joins
+    QCoreApplication::processEvents(); // nothing is delivered any more
 }
 
 QTEST_GUILESS_MAIN(TestPlayer)

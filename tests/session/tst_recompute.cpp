@@ -2,6 +2,7 @@
 #include "core/session/recompute.h"
 #include "tests/document/recorder.h"
 #include "tests/support/suite.h"
+#include "tests/support/waits.h"
 
 #include <QElapsedTimer>
 #include <QSignalSpy>
@@ -29,7 +30,7 @@ struct Fake
             if (progress.cancelled())
                 return false;
             progress.report(double(i) / milliseconds);
-            QThread::msleep(1);
+            test::work(1);
         }
         return !progress.cancelled();
     }
@@ -206,7 +207,7 @@ void TestRecompute::diesWhileBusy()
         if (delay % 3 == 0)
             f.recompute->setRest(0);
         f.setAlpha(0.3);
-        QTest::qWait(delay);
+        test::anyMoment(delay);
         f.setAlpha(0.4, 2);
         f.recompute.reset();
     }
@@ -282,7 +283,7 @@ void TestRecompute::floodsEndWithTheLastValue()
         if (i % 3 == 0)
             QCoreApplication::processEvents();
         if (i % 10 == 0)
-            QThread::msleep(2);
+            test::work(2);
     }
     QVERIFY(f.recompute->waitForFull(20000));
     for (const NodeId id : {1u, 2u, 3u})
@@ -348,7 +349,7 @@ void TestRecompute::treesThatBecomeSlowGetDraftsAgain()
     f.fake.fullMs = 1000000;
     f.setAlpha(0.3); // starts the full one at once, as the last was cheap
     QTRY_COMPARE(f.fake.started, 1);
-    QTest::qWait(150);
+    test::letHappen(150); // longer than a cheap one is waited for
     f.setAlpha(0.4);
     QTRY_COMPARE(f.fake.cancelled, 1);
     QTRY_COMPARE(f.shown(), std::to_string(0.4));
@@ -364,8 +365,9 @@ void TestRecompute::noRestMeansNoDrafts()
     f.fake.fullMs = 50;
     f.recompute->setRest(0);
     for (int i = 0; i < 5; ++i) {
+        const int started = f.fake.started;
         f.setAlpha(0.3 + 0.01 * i);
-        QTest::qWait(10);
+        QTRY_VERIFY(f.fake.started > started);
     }
     QVERIFY(f.recompute->waitForFull(20000));
     QCOMPARE(f.fake.drafts, 0);

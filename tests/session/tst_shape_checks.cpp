@@ -2,6 +2,7 @@
 #include "core/scene/arm_demo.h"
 #include "core/session/shape_checks.h"
 #include "tests/support/suite.h"
+#include "tests/support/waits.h"
 #include <QSignalSpy>
 #include <QThread>
 #include <atomic>
@@ -47,7 +48,7 @@ struct Slow
             ++started;
             progress.report(0.5);
             while (wait) {
-                QThread::msleep(1);
+                test::work(1);
                 if (progress.cancelled()) {
                     ++stopped;
                     return fail(ErrorCode::Cancelled, "cancelled");

@@ -1,6 +1,7 @@
 #include "core/session/analysis.h"
 #include "core/session/recompute.h"
 #include "tests/support/suite.h"
+#include "tests/support/waits.h"
 #include "tests/widgets/tree_document.h"
 #include "widgets/dialogs/mesh_faults.h"
 #include "widgets/panels/validation/histogram_view.h"
@@ -47,7 +48,7 @@ void TestValidationAnalysis::theAnalysisTellsHowFarItIs()
         [&](const BranchMesh&, const Skeleton&, const Progress& progress) -> Expected<MeshAnalysis> {
             for (int i = 0; slow && !progress.cancelled(); ++i) {
                 progress.report(0.5);
-                QThread::msleep(1);
+                test::work(1);
             }
             if (progress.cancelled())
                 return fail(ErrorCode::Cancelled, "cancelled");

@@ -19,7 +19,7 @@ SliderHand::SliderHand(QWidget* window, const QString& key)
     for (QWidget* parent = m_slider->parentWidget(); parent; parent = parent->parentWidget())
         if (auto* area = qobject_cast<QScrollArea*>(parent))
             area->ensureWidgetVisible(m_slider);
-    QTest::qWait(50); // the panel scrolls
+    (void)QTest::qWaitFor([this] { return m_slider->visibleRegion().contains(m_slider->rect().center()); });
     m_last = at(0.5);
     send(QEvent::MouseButtonPress, Qt::LeftButton, Qt::LeftButton);
 }

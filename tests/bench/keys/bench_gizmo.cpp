@@ -26,8 +26,7 @@ struct Editor
     }
     void settle()
     {
-        while (recompute.isBusy())
-            QTest::qWait(10);
+        (void)recompute.waitForFull(60'000);
         QCoreApplication::processEvents();
     }
     void select(bool all)

@@ -1,5 +1,6 @@
 #include "core/base/file_writer.h"
 #include "tests/support/failing_disk.h"
+#include "tests/support/waits.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/base/preferences.h"
 #include <QSignalSpy>
@@ -36,7 +37,7 @@ private slots:
         QTRY_COMPARE(failures.count(), 1);
         QCOMPARE(errorOf(failures).message(), file().toStdString() + ": cannot be written: Not a directory");
         preferences.setAutosaveMinutes(7);
-        QTest::qWait(300);
+        test::letHappen(300);
         QCOMPARE(failures.count(), 1); // told once
         QVERIFY(!preferences.welcomeAtStart());
         QVERIFY(blocker.remove());
@@ -96,7 +97,7 @@ private slots:
         QSignalSpy failures(&nothing, &Preferences::failed);
         QVERIFY(QFile::remove(file()));
         nothing.restoreDefaults(); // there is nothing to write
-        QTest::qWait(300);
+        test::letHappen(300);
         QCOMPARE(failures.count(), 0);
     }
 };

@@ -188,8 +188,9 @@ private slots:
     {
         for (int i = 0; i < 3; ++i) {
             SequenceTask task;
+            QSignalSpy progress(&task, &Job::progress);
             task.startMeshes(m_document, {}, {0, 5000, 1, 24.0}, path("closed.ply"));
-            QTest::qWait(15 * i);
+            QTRY_VERIFY(progress.count() >= i);
         }
         for (const QString& name : files())
             QVERIFY2(!name.contains(QStringLiteral(".new")), qPrintable(name));

@@ -1,4 +1,5 @@
 #include "tests/support/failing_disk.h"
+#include "tests/support/waits.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/base/preferences.h"
 #include "widgets/dialogs/recovery.h"
@@ -85,7 +86,7 @@ private slots:
         document.markModified();
         recovery.autosave()->setInterval(1);
         QTRY_COMPARE(m_chooser.reports.size(), 1);
-        QTest::qWait(20);
+        test::letHappen(20);
         QCOMPARE(m_chooser.reports.size(), 1); // not at every attempt
         QVERIFY(file.remove());
         QTRY_COMPARE(m_chooser.reports.size(), 2);
@@ -176,12 +177,12 @@ private slots:
         for (int i = 0; i < 50; ++i) {
             document.markModified();
             QVERIFY(edit::setParam(document, {1}, *findParam("grammar.seed"), std::int64_t(i + 2)));
-            QTest::qWait(i % 4);
+            test::anyMoment(i % 4);
             document.undoStack()->setClean();
         }
         recovery.autosave()->setInterval(0);
         QTRY_VERIFY(files().isEmpty());
-        QTest::qWait(30);
+        test::letHappen(30);
         QVERIFY(files().isEmpty());
     }
 

@@ -67,7 +67,7 @@ private:
     /// Checks what is shown and, where pictures are wanted, keeps one.
     void look(QWidget* window, const char* name)
     {
-        QTest::qWait(0); // layouts that wait for the event loop
+        QCoreApplication::processEvents(); // layouts that wait for the event loop
         QCoreApplication::sendPostedEvents();
         for (const QString& wrong : test::misfits(window))
             m_wrong += QStringLiteral("%1 %2: %3").arg(m_look, QLatin1String(name), wrong);

@@ -1,5 +1,6 @@
 #include "core/params/presets.h"
 #include "tests/support/suite.h"
+#include "tests/support/waits.h"
 #include "widgets/view/background_builder.h"
 #include <QSignalSpy>
 #include <QThread>
@@ -98,8 +99,9 @@ private slots:
         });
         for (quint64 serial = 1; serial <= 200; ++serial) {
             builder.wish(wish(serial, DisplayMode::Sections));
+            const int before = taken;
             if (serial % 10 == 0)
-                QTest::qWait(1);
+                QTRY_VERIFY(taken > before);
         }
         QTRY_COMPARE(last, quint64(200));
         QVERIFY(taken > 1); // pictures while wishes come
@@ -127,7 +129,7 @@ private slots:
             BackgroundBuilder builder;
             builder.wish(wish(1, DisplayMode::Sections));
             if (i % 2 == 0)
-                QThread::usleep(200);
+                test::anyMoment(1);
         }
     }
 };

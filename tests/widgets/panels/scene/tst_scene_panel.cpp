@@ -431,13 +431,12 @@ private slots:
     {
         m_panel->resize(200, 200);
         m_panel->view()->expandAll();
-        QTest::qWait(50);
         SceneTree* view = m_panel->view();
         for (Index branch = 0; branch < 5; ++branch) {
             const QModelIndex index = m_panel->model()->branchIndex(1, branch);
             const int needed =
                 view->fontMetrics().horizontalAdvance(index.data().toString()) + view->iconSize().width();
-            QVERIFY2(view->visualRect(index).width() >= needed, qPrintable(index.data().toString()));
+            QTRY_VERIFY2(view->visualRect(index).width() >= needed, qPrintable(index.data().toString()));
         }
     }
 
