@@ -3176,10 +3176,6 @@
         <translation>Le maillage n&apos;a pas été fait à partir de ce squelette</translation>
     </message>
     <message>
-        <source>there is not enough memory to look at this mesh</source>
-        <translation>il n’y a pas assez de mémoire pour examiner ce maillage</translation>
-    </message>
-    <message>
         <source>The mesh does not say which triangles belong to which tube</source>
         <translation>Le maillage ne dit pas quels triangles appartiennent à quel tube</translation>
     </message>
@@ -3794,10 +3790,6 @@
     <message>
         <source>this parameter has keys, but none at this frame: insert one with the button beside it, or switch auto-key on</source>
         <translation>ce paramètre a des clés, mais aucune à cette image : insérez-en une par le bouton à côté, ou activez les clés automatiques</translation>
-    </message>
-    <message>
-        <source>there is not enough memory for these objects</source>
-        <translation>la mémoire ne suffit pas pour ces objets</translation>
     </message>
     <message>
         <source>%1 columns, %2 are expected: time,MODE and ten numbers with decimal points</source>

@@ -1,11 +1,11 @@
 #include "core/session/analysis.h"
 
-#include "core/session/background_thread.h"
+#include "core/session/job.h"
 #include <QEventLoop>
 #include <QTimer>
 #include <algorithm>
-#include <chrono>
 #include <map>
+#include <utility>
 
 namespace ramure {
 namespace {
@@ -46,10 +46,9 @@ struct Analysis::Private
     void look(NodeId tree);
     void runNext();
     void launch(NodeId tree);
-    void take(quint64 run, NodeId tree, const MeshPointer& mesh, const Expected<MeshAnalysis>& outcome);
+    void take(const MeshPointer& mesh, Expected<MeshAnalysis>&& outcome);
     void drop(NodeId tree);
     void stopRunning();
-    void report(quint64 run, NodeId tree, double fraction);
     void set(NodeId tree, State state);
     [[nodiscard]] MeshPointer fullMesh(NodeId tree) const;
     [[nodiscard]] FindingsPointer remembered(const MeshPointer& mesh) const;
@@ -61,8 +60,7 @@ struct Analysis::Private
     std::map<NodeId, Entry> entries;
     std::vector<Remembered> memory; ///< the oldest first
     NodeId running = noNode;
-    quint64 runs = 0;        ///< counts the launches: news of an older one are of no interest
-    BackgroundThread thread; ///< last: its work calls q
+    Job job{nullptr, Job::Manner::Polite};
 };
 
 Analysis::Analysis(Document* document, QObject* parent)
@@ -82,6 +80,10 @@ Analysis::Analysis(Document* document, Function function, QObject* parent)
     m_private->rest.setSingleShot(true);
     m_private->rest.setInterval(250);
     connect(&m_private->rest, &QTimer::timeout, this, [this] { m_private->runNext(); });
+    connect(&m_private->job, &Job::progress, this, [this](double fraction) {
+        m_private->entries[m_private->running].fraction = fraction;
+        emit progress(m_private->running, fraction);
+    });
     connect(document, &Document::changed, this,
             [this](const Change& change) { m_private->documentChanged(change); });
     for (const Node& node : document->scene().nodes())
@@ -229,9 +231,8 @@ void Analysis::Private::stopRunning()
 {
     if (running == noNode)
         return;
-    thread.stop();
+    job.forget();
     running = noNode;
-    ++runs;
     rest.start(); // for those that wait behind it
 }
 
@@ -264,49 +265,18 @@ void Analysis::Private::launch(NodeId tree)
         return drop(tree);
     running = tree;
     const auto simplified = document->result(tree)->tree.simplified;
-    thread.start([this, tree, mesh, simplified, run = ++runs](const std::stop_token& stop) {
-        Progress progress{stop, {}};
-        progress.onFraction = [this, run, tree,
-                               last = std::chrono::steady_clock::time_point()](double f) mutable {
-            const auto now = std::chrono::steady_clock::now();
-            if (now - last < std::chrono::milliseconds(33))
-                return;
-            last = now;
-            QMetaObject::invokeMethod(
-                q, [this, run, tree, f] { report(run, tree, f); }, Qt::QueuedConnection);
-        };
-        Expected<MeshAnalysis> outcome = fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        try {
-            outcome = function(*mesh, simplified->skeleton, progress);
-        } catch (const std::bad_alloc&) {
-            outcome = fail(ErrorCode::Limit, RAMURE_NOOP("there is not enough memory to look at this mesh"));
-        }
-        if (stop.stop_requested())
-            return;
-        QMetaObject::invokeMethod(
-            q, [this, run, tree, mesh, kept = std::move(outcome)] { take(run, tree, mesh, kept); },
-            Qt::QueuedConnection);
-    });
+    job.start([work = function, mesh,
+               simplified](const Progress& progress) { return work(*mesh, simplified->skeleton, progress); },
+              [this, mesh](Expected<MeshAnalysis>&& outcome) { take(mesh, std::move(outcome)); });
     set(tree, State::Running);
 }
 
-void Analysis::Private::report(quint64 run, NodeId tree, double fraction)
+void Analysis::Private::take(const MeshPointer& mesh, Expected<MeshAnalysis>&& outcome)
 {
-    if (run != runs || running != tree)
-        return;
-    entries[tree].fraction = fraction;
-    emit q->progress(tree, fraction);
-}
-
-void Analysis::Private::take(quint64 run, NodeId tree, const MeshPointer& mesh,
-                             const Expected<MeshAnalysis>& outcome)
-{
-    if (run != runs || running != tree)
-        return;
-    running = noNode;
+    const NodeId tree = std::exchange(running, noNode);
     Entry& entry = entries[tree];
     if (outcome) {
-        entry.findings = std::make_shared<const MeshAnalysis>(*outcome);
+        entry.findings = std::make_shared<const MeshAnalysis>(std::move(*outcome));
         std::erase_if(memory, [](const Remembered& known) { return known.mesh.expired(); });
         if (memory.size() >= findingsKept)
             memory.erase(memory.begin());

@@ -5,7 +5,6 @@
 
 #include <QFile>
 #include <algorithm>
-#include <new>
 
 namespace ramure {
 
@@ -13,16 +12,12 @@ ImportTask::ImportTask(Document* document, QObject* parent)
     : QObject(parent)
     , m_document(document)
 {
-}
-
-ImportTask::~ImportTask()
-{
-    cancel();
+    connect(&m_job, &Job::progress, this, &ImportTask::progress);
 }
 
 void ImportTask::start(const QString& path)
 {
-    if (m_running)
+    if (isRunning())
         return;
     m_isScene = false;
     read(path);
@@ -30,7 +25,7 @@ void ImportTask::start(const QString& path)
 
 void ImportTask::startScene(const QString& path)
 {
-    if (m_running)
+    if (isRunning())
         return;
     m_isScene = true;
     read(path);
@@ -38,40 +33,20 @@ void ImportTask::startScene(const QString& path)
 
 void ImportTask::read(const QString& path)
 {
-    m_running = true;
-    m_thread =
-        std::jthread([this, file = QFile::encodeName(path).toStdString()](const std::stop_token& stop) {
-            const Progress report{stop, [this](double fraction) {
-                                      QMetaObject::invokeMethod(
-                                          this, [this, fraction] { emit progress(fraction); },
-                                          Qt::QueuedConnection);
-                                  }};
-            Expected<BlenderImport> result = fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-            try {
-                result = importObjects(file, {}, report);
-            } catch (const std::bad_alloc&) {
-                result = fail(ErrorCode::Limit, RAMURE_NOOP("there is not enough memory for these objects"));
-            }
-            QMetaObject::invokeMethod(
-                this, [this, kept = std::move(result)] { finish(kept); }, Qt::QueuedConnection);
-        });
+    m_job.start([file = QFile::encodeName(path).toStdString()](
+                    const Progress& progress) { return importBlender(file, {}, progress); },
+                [this](Expected<BlenderImport>&& result) { finish(std::move(result)); });
 }
 
-void ImportTask::cancel()
+void ImportTask::finish(Expected<BlenderImport>&& result)
 {
-    m_thread.request_stop();
-}
-
-void ImportTask::finish(const Expected<BlenderImport>& result)
-{
-    m_running = false;
     Expected<NodeId> top = noNode;
     if (!result)
         top = fail(result.error());
     else
         top = m_isScene ? keep(*result) : apply(*result);
     if (top)
-        m_notes = result->notes;
+        m_notes = std::move(result->notes);
     emit finished(top ? *top : noNode, top ? std::nullopt : std::optional(top.error()));
 }
 

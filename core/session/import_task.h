@@ -5,8 +5,8 @@
 
 #include "core/document/document.h"
 #include "core/io/formats/blender_scene.h"
+#include "core/session/job.h"
 #include <QObject>
-#include <thread>
 
 namespace ramure {
 
@@ -16,15 +16,14 @@ class ImportTask : public QObject
 public:
     /// \param document must outlive this object.
     explicit ImportTask(Document* document, QObject* parent = nullptr);
-    ~ImportTask() override; ///< stops the thread and waits for it
 
     /// A file or a folder, see importObjects. Returns at once; nothing happens while another one is running.
     void start(const QString& path);
     /// The same, but the document stays as it is: takeScene() has what was read.
     void startScene(const QString& path);
     [[nodiscard]] Scene takeScene() { return std::move(m_scene); }
-    void cancel();
-    [[nodiscard]] bool isRunning() const { return m_running; }
+    void cancel() { m_job.cancel(); }
+    [[nodiscard]] bool isRunning() const { return m_job.isRunning(); }
     /// What was guessed or mended in the last one that came to its end.
     [[nodiscard]] const std::vector<Note>& notes() const { return m_notes; }
 
@@ -36,16 +35,15 @@ signals:
 
 private:
     void read(const QString& path);
-    void finish(const Expected<BlenderImport>& result);
+    void finish(Expected<BlenderImport>&& result);
     [[nodiscard]] Expected<NodeId> apply(const BlenderImport& result);
     [[nodiscard]] Expected<NodeId> keep(const BlenderImport& result);
 
     Document* m_document;
-    bool m_running = false;
     bool m_isScene = false; ///< what is read stays out of the document
     Scene m_scene;
     std::vector<Note> m_notes;
-    std::jthread m_thread;
+    Job m_job;
 };
 
 } // namespace ramure

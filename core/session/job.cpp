@@ -267,12 +267,14 @@ bool Job::isRunning(int lane) const
         m_pending, [lane](const std::shared_ptr<Request>& request) { return request->lane == lane; });
 }
 
-bool Job::wait(std::chrono::milliseconds most)
+bool Job::wait(std::chrono::milliseconds most, int lane)
 {
     {
         std::unique_lock lock(m_shared->mutex);
-        if (!m_shared->rest.wait_for(lock, most,
-                                     [this] { return m_shared->waiting.empty() && !m_shared->running; }))
+        const auto isOver = [shared = m_shared.get(), lane] {
+            return !shared->waiting.contains(lane) && !(shared->running && shared->running->lane == lane);
+        };
+        if (!m_shared->rest.wait_for(lock, most, isOver))
             return false;
     }
     const QPointer<Job> alive(this);

@@ -71,8 +71,9 @@ public:
     bool withdraw(int lane = 0);
     /// A request of the lane has neither ended nor been replaced or forgotten.
     [[nodiscard]] bool isRunning(int lane = 0) const;
-    /// Blocks until nothing runs or waits any more, and hands over what came of it. False on time-out.
-    bool wait(std::chrono::milliseconds most = noLimit);
+    /// Blocks until nothing of the lane runs or waits any more, and hands over what came of it. False on
+    /// time-out.
+    bool wait(std::chrono::milliseconds most = noLimit, int lane = 0);
     [[nodiscard]] Mailbox mailbox() const;
 
     /// Asks the works of all jobs there are to stop: for a program that is about to end. Their destructors

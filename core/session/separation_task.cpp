@@ -8,16 +8,12 @@ SeparationTask::SeparationTask(Document* document, QObject* parent)
     : QObject(parent)
     , m_document(document)
 {
-}
-
-SeparationTask::~SeparationTask()
-{
-    cancel();
+    connect(&m_job, &Job::progress, this, &SeparationTask::progress);
 }
 
 Expected<void> SeparationTask::start(NodeId tree)
 {
-    if (m_running)
+    if (isRunning())
         return {};
     const Node* node = m_document->scene().find(tree);
     if (!node)
@@ -26,46 +22,24 @@ Expected<void> SeparationTask::start(NodeId tree)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" has no branches"), {node->name});
     m_tree = tree;
     m_shape = m_document->shapeRevision(tree);
-    m_running = true;
-    const quint64 run = ++m_run;
-    m_thread = std::jthread([this, run, params = node->params](const std::stop_token& stop) {
-        Progress report{stop, [this](double fraction) {
-                            QMetaObject::invokeMethod(
-                                this, [this, fraction] { emit progress(fraction); }, Qt::QueuedConnection);
-                        }};
-        Expected<Separation> result = fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        try {
+    m_job.start(
+        [params = node->params](const Progress& progress) {
             TreePipeline pipeline;
-            result = separateBranches(pipeline, params, {}, report);
-        } catch (const std::bad_alloc&) {
-            result = fail(ErrorCode::Limit, RAMURE_NOOP("there is not enough memory for this tree"));
-        }
-        QMetaObject::invokeMethod(
-            this, [this, run, kept = std::move(result)] { finish(run, kept); }, Qt::QueuedConnection);
-    });
+            return separateBranches(pipeline, params, {}, progress);
+        },
+        [this](Expected<Separation>&& result) {
+            emit finished(result ? apply(std::move(*result)) : std::optional(result.error()));
+        });
     return {};
 }
 
-void SeparationTask::cancel()
-{
-    m_thread.request_stop();
-}
-
-void SeparationTask::finish(quint64 run, const Expected<Separation>& result)
-{
-    if (run != m_run)
-        return;
-    m_running = false;
-    emit finished(result ? apply(*result) : std::optional(result.error()));
-}
-
-std::optional<Error> SeparationTask::apply(const Separation& result)
+std::optional<Error> SeparationTask::apply(Separation&& result)
 {
     if (!m_document->scene().find(m_tree) || m_document->shapeRevision(m_tree) != m_shape)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("the tree was changed meanwhile")).value();
     if (const auto pushed = edit::setBranchBends(*m_document, m_tree, result.bendRad); !pushed)
         return pushed.error();
-    m_outcome = result;
+    m_outcome = std::move(result);
     return std::nullopt;
 }
 

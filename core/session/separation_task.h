@@ -5,9 +5,9 @@
 
 #include "core/document/document.h"
 #include "core/pipeline/separate_branches.h"
+#include "core/session/job.h"
 #include <QObject>
 #include <optional>
-#include <thread>
 
 namespace ramure {
 
@@ -17,13 +17,12 @@ class SeparationTask : public QObject
 public:
     /// \param document must outlive this object.
     explicit SeparationTask(Document* document, QObject* parent = nullptr);
-    ~SeparationTask() override; ///< stops the thread and waits for it
 
     /// Takes what it needs from the document and returns at once; nothing happens while another one is
     /// running. Errors: Unknown (node), Invalid (no tree).
     Expected<void> start(NodeId tree);
-    void cancel();
-    [[nodiscard]] bool isRunning() const { return m_running; }
+    void cancel() { m_job.cancel(); }
+    [[nodiscard]] bool isRunning() const { return m_job.isRunning(); }
     /// Of the last one that came to its end; without those errors that are told by finished().
     [[nodiscard]] const Separation& outcome() const { return m_outcome; }
 
@@ -34,16 +33,13 @@ signals:
     void finished(const std::optional<ramure::Error>& error);
 
 private:
-    void finish(quint64 run, const Expected<Separation>& result);
-    [[nodiscard]] std::optional<Error> apply(const Separation& result);
+    [[nodiscard]] std::optional<Error> apply(Separation&& result);
 
     Document* m_document;
     NodeId m_tree = noNode;
     quint64 m_shape = 0; ///< Document::shapeRevision when it began
-    bool m_running = false;
-    quint64 m_run = 0;
     Separation m_outcome;
-    std::jthread m_thread;
+    Job m_job;
 };
 
 } // namespace ramure

@@ -19,7 +19,6 @@ bool ArmGhosts::operator==(const ArmGhosts& other) const
 ArmGhostMaker::ArmGhostMaker(QObject* parent)
     : QObject(parent)
     , m_arms(std::make_shared<MovingArms>())
-    , m_work(this)
 {
 }
 
@@ -40,28 +39,30 @@ void ArmGhostMaker::show(std::vector<ArmGhosts> wanted)
         return;
     m_wanted = std::move(wanted);
     if (m_wanted.empty()) {
-        m_work.stop();
+        m_work.forget();
         if (!std::exchange(m_made, {}).empty())
             emit changed();
         return;
     }
     m_work.start(
-        [all = m_wanted, arms = m_arms](const std::stop_token& stop) { return made(all, *arms, stop); },
-        [this](const std::vector<Made>& done) {
-            m_made = done;
+        [all = m_wanted, arms = m_arms](const Progress& progress) -> Expected<std::vector<Made>> {
+            return made(all, *arms, progress);
+        },
+        [this](Expected<std::vector<Made>>&& done) {
+            m_made = done.value_or(std::vector<Made>());
             emit changed();
         });
 }
 
 std::vector<ArmGhostMaker::Made> ArmGhostMaker::made(const std::vector<ArmGhosts>& wanted, MovingArms& arms,
-                                                     const std::stop_token& stop)
+                                                     const Progress& progress)
 {
     std::vector<Made> all;
     for (const ArmGhosts& ghosts : wanted) {
-        const auto now = arms.jointsAt(ghosts.arm, ghosts.now, {stop, {}});
+        const auto now = arms.jointsAt(ghosts.arm, ghosts.now, progress);
         for (const ArmGhosts::Copy& copy : ghosts.copies) {
-            const auto joints = arms.jointsAt(ghosts.arm, copy.seconds, {stop, {}});
-            if (stop.stop_requested())
+            const auto joints = arms.jointsAt(ghosts.arm, copy.seconds, progress);
+            if (progress.cancelled())
                 return {};
             if (!now || !joints || (*joints == *now && isNear(copy.geometry, ghosts.geometryNow)))
                 continue; // an arm that cannot be has no ghost either

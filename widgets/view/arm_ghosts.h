@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/scene/scene.h"
-#include "widgets/view/latest_work.h"
+#include "core/session/job.h"
 #include "widgets/view/render/render_scene.h"
 #include <QObject>
 #include <memory>
@@ -43,7 +43,7 @@ public:
     /// What is to be shown from now on; those from before stay until these are there.
     void show(std::vector<ArmGhosts> wanted);
     [[nodiscard]] std::size_t count() const { return m_made.size(); }
-    [[nodiscard]] bool isBusy() const { return m_work.isBusy(); }
+    [[nodiscard]] bool isBusy() const { return m_work.isRunning(); }
     void addTo(RenderScene& scene) const;
     /// Two placements are the same but for rounding.
     static bool isNear(const glm::dmat4& a, const glm::dmat4& b);
@@ -59,12 +59,12 @@ private:
         glm::dmat4 place{1.0};
     };
     static std::vector<Made> made(const std::vector<ArmGhosts>& wanted, MovingArms& arms,
-                                  const std::stop_token& stop);
+                                  const Progress& progress);
 
     std::vector<ArmGhosts> m_wanted;
     std::vector<Made> m_made;
     std::shared_ptr<MovingArms> m_arms; ///< of the thread
-    LatestWork m_work;                  ///< last: it uses the above
+    Job m_work{nullptr, Job::Manner::Polite};
 };
 
 } // namespace ramure

@@ -98,7 +98,6 @@ std::vector<int> ghostOrder(const GhostFrames& frames)
 
 GizmoTrail::GizmoTrail(QObject* parent)
     : QObject(parent)
-    , m_work(this)
 {
     connect(&m_arms, &ArmGhostMaker::changed, this, [this] {
         ++m_revision;
@@ -126,7 +125,7 @@ void GizmoTrail::show(const Scene& scene, const std::vector<NodeId>& nodes, cons
 
 void GizmoTrail::clearPaths()
 {
-    m_work.stop();
+    m_work.forget();
     m_chains.clear();
     if (m_paths.empty())
         return;
@@ -152,22 +151,23 @@ void GizmoTrail::showPaths(const Scene& scene, const std::vector<NodeId>& nodes,
     m_chains = chains;
     m_timeline = scene.timeline();
     m_work.start([chains = std::move(chains), timeline = m_timeline](
-                     const std::stop_token& stop) { return made(chains, timeline, stop); },
-                 [this](const Made& done) {
-                     m_paths = done.paths;
-                     m_lines = done.lines;
-                     m_points = done.points;
+                     const Progress& progress) -> Expected<Made> { return made(chains, timeline, progress); },
+                 [this](Expected<Made>&& done) {
+                     Made made = std::move(done).value_or(Made());
+                     m_paths = std::move(made.paths);
+                     m_lines = std::move(made.lines);
+                     m_points = std::move(made.points);
                      ++m_revision;
                      emit changed();
                  });
 }
 
 GizmoTrail::Made GizmoTrail::made(const std::vector<MotionChain>& chains, const TimelineSettings& timeline,
-                                  const std::stop_token& stop)
+                                  const Progress& progress)
 {
     Made made;
     for (const MotionChain& chain : chains) {
-        auto path = motionPath(chain, timeline, {stop, {}});
+        auto path = motionPath(chain, timeline, progress);
         if (!path)
             break; // stopped
         made.lines.push_back(linesOf(*path));

@@ -6,8 +6,8 @@
 
 #include "core/pipeline/tree_pipeline.h"
 #include "core/scene/motion_path.h"
+#include "core/session/job.h"
 #include "widgets/view/arm_ghosts.h"
-#include "widgets/view/latest_work.h"
 #include "widgets/view/render/pick_scene.h"
 #include "widgets/view/tools/gizmo_settings.h"
 #include <QObject>
@@ -48,7 +48,7 @@ public:
     }
     [[nodiscard]] quint64 revision() const { return m_revision; } ///< of what addTo adds
     /// Paths or ghosts of arms are being computed.
-    [[nodiscard]] bool isBusy() const { return m_work.isBusy() || m_arms.isBusy(); }
+    [[nodiscard]] bool isBusy() const { return m_work.isRunning() || m_arms.isBusy(); }
     [[nodiscard]] const std::vector<std::shared_ptr<const MotionPath>>& paths() const { return m_paths; }
     /// How many copies there are of all nodes together.
     [[nodiscard]] std::size_t ghostCount() const { return m_ghosts.size() + m_arms.count(); }
@@ -70,7 +70,7 @@ private:
         std::vector<std::shared_ptr<const PointSet>> points;
     };
     static Made made(const std::vector<MotionChain>& chains, const TimelineSettings& timeline,
-                     const std::stop_token& stop);
+                     const Progress& progress);
     void showPaths(const Scene& scene, const std::vector<NodeId>& nodes, bool on);
     void showGhosts(const Scene& scene, const std::vector<NodeId>& nodes, const GhostFrames& frames,
                     std::int64_t frame);
@@ -95,7 +95,7 @@ private:
     };
     std::vector<Twigs> m_twigs;
     quint64 m_revision = 0;
-    LatestWork m_work; ///< last: it uses all of the above
+    Job m_work{nullptr, Job::Manner::Polite};
 };
 
 } // namespace ramure
