@@ -5,6 +5,8 @@
 
 namespace ramure {
 
+static constexpr int disposalLane = 1; ///< after the scenes
+
 static BuiltScene builtScene(SceneBuilder& builder, SceneWish&& wish)
 {
     const Stopwatch watch;
@@ -23,76 +25,61 @@ static BuiltScene builtScene(SceneBuilder& builder, SceneWish&& wish)
 
 BackgroundBuilder::BackgroundBuilder(QObject* parent)
     : QObject(parent)
-    , m_thread([this](const std::stop_token& quit) { loop(quit); })
+    , m_builder(std::make_shared<SceneBuilder>())
 {
-}
-
-BackgroundBuilder::~BackgroundBuilder()
-{
-    m_thread.request_stop();
-    m_thread.join();
 }
 
 void BackgroundBuilder::wish(SceneWish wish)
 {
-    const std::scoped_lock lock(m_mutex);
-    m_waiting = std::move(wish);
-    m_wake.notify_one();
+    m_job.start([builder = m_builder, wish = std::move(wish)](const Progress& /*progress*/) mutable
+                -> Expected<BuiltScene> { return builtScene(*builder, std::move(wish)); },
+                [this](Expected<BuiltScene>&& made) { keep(std::move(made)); }, Job::Running::GoesOn);
+}
+
+void BackgroundBuilder::keep(Expected<BuiltScene>&& made)
+{
+    if (!made) {
+        m_builder = std::make_shared<SceneBuilder>(); // the other may have been left half-way
+        return emit failed(made.error());
+    }
+    if (m_built) // nobody took it
+        dispose(std::move(m_built->scene));
+    m_built = std::move(*made);
+    if (!m_isFinishing)
+        emit built();
 }
 
 bool BackgroundBuilder::isBusy() const
 {
-    const std::scoped_lock lock(m_mutex);
-    return m_waiting || m_building || m_built;
+    return m_job.isRunning() || m_built;
 }
 
 std::optional<BuiltScene> BackgroundBuilder::take()
 {
-    const std::scoped_lock lock(m_mutex);
     return std::exchange(m_built, std::nullopt);
 }
 
 std::optional<BuiltScene> BackgroundBuilder::finish()
 {
-    std::unique_lock lock(m_mutex);
-    m_done.wait(lock, [this] { return !m_waiting && !m_building; });
-    return std::exchange(m_built, std::nullopt);
+    m_isFinishing = true;
+    m_job.wait();
+    m_isFinishing = false;
+    return take();
 }
 
 void BackgroundBuilder::dispose(std::shared_ptr<const void> last)
 {
     if (!last)
         return;
-    const std::scoped_lock lock(m_mutex);
-    m_disposed.push_back(std::move(last));
-    m_wake.notify_one();
-}
-
-void BackgroundBuilder::loop(const std::stop_token& quit)
-{
-    for (;;) {
-        std::optional<SceneWish> wish;
-        std::vector<std::shared_ptr<const void>> disposed;
-        {
-            std::unique_lock lock(m_mutex);
-            m_wake.wait(lock, quit, [this] { return m_waiting || !m_disposed.empty(); });
-            if (quit.stop_requested())
-                return;
-            wish = std::exchange(m_waiting, std::nullopt);
-            m_building = wish.has_value();
-            disposed.swap(m_disposed);
-        }
-        if (!wish)
-            continue; // what was disposed of goes at the end of this turn
-        std::optional<BuiltScene> made = builtScene(m_builder, std::move(*wish));
-        {
-            const std::scoped_lock lock(m_mutex);
-            std::swap(m_built, made); // one that nobody took goes here too
-            m_building = false;
-            m_done.notify_all();
-        }
-        emit built();
-    }
+    if (!m_job.withdraw(disposalLane)) // the thread has the bin already
+        m_bin = std::make_shared<std::vector<std::shared_ptr<const void>>>();
+    m_bin->push_back(std::move(last));
+    m_job.start(
+        [bin = m_bin](const Progress& /*progress*/) {
+            bin->clear();
+            return Expected<void>();
+        },
+        [](const Expected<void>& /*done*/) {}, Job::Running::GoesOn, disposalLane);
 }
 
 } // namespace ramure

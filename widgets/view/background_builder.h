@@ -4,13 +4,13 @@
 /// wishes do.
 #pragma once
 
+#include "core/session/job.h"
 #include "widgets/view/render/scene_builder.h"
 #include <QObject>
-#include <condition_variable>
 #include <map>
-#include <mutex>
+#include <memory>
 #include <optional>
-#include <thread>
+#include <vector>
 
 namespace ramure {
 
@@ -38,7 +38,6 @@ class BackgroundBuilder : public QObject
     Q_OBJECT
 public:
     explicit BackgroundBuilder(QObject* parent = nullptr);
-    ~BackgroundBuilder() override; ///< waits for the scene in progress
 
     /// Replaces a wish that still waits.
     void wish(SceneWish wish);
@@ -54,19 +53,18 @@ public:
 signals:
     /// take() has something.
     void built();
+    /// A scene that was wished for cannot be made.
+    void failed(const ramure::Error& error);
 
 private:
-    void loop(const std::stop_token& quit);
+    void keep(Expected<BuiltScene>&& made);
 
-    SceneBuilder m_builder; ///< only the thread uses it
-    mutable std::mutex m_mutex;
-    std::condition_variable_any m_wake;
-    std::condition_variable_any m_done;
-    std::optional<SceneWish> m_waiting;
-    bool m_building = false;
+    std::shared_ptr<SceneBuilder> m_builder; ///< only the thread uses it
     std::optional<BuiltScene> m_built;
-    std::vector<std::shared_ptr<const void>> m_disposed;
-    std::jthread m_thread; ///< last: it needs all of the above
+    bool m_isFinishing = false;
+    /// Goes to the thread, where it is emptied.
+    std::shared_ptr<std::vector<std::shared_ptr<const void>>> m_bin;
+    Job m_job;
 };
 
 } // namespace ramure

@@ -18,11 +18,6 @@ BackgroundPicker::BackgroundPicker(QObject* parent)
     connect(&m_rest, &QTimer::timeout, this, &BackgroundPicker::start);
 }
 
-BackgroundPicker::~BackgroundPicker()
-{
-    abandon(); // the members' destructors wait for what is still running
-}
-
 void BackgroundPicker::setDisposal(std::function<void(std::shared_ptr<const void>)> dispose)
 {
     m_dispose = std::move(dispose);
@@ -61,44 +56,28 @@ void BackgroundPicker::setScene(std::shared_ptr<const RenderScene> scene)
     dispose(std::exchange(m_scene, std::move(scene)));
     if (same)
         return;
-    abandon();
+    m_build.forget();
     m_current = false;
     m_rest.start();
 }
 
-void BackgroundPicker::abandon()
-{
-    m_stop.request_stop();
-    m_stop = std::stop_source();
-    // A future of std::async waits when it is destroyed: keep those that are not done, the interface must not
-    // wait.
-    std::erase_if(m_abandoned, [](const auto& run) {
-        return run.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
-    });
-    if (m_running.valid())
-        m_abandoned.push_back(std::move(m_running));
-    m_running = {};
-}
-
 void BackgroundPicker::start()
 {
-    if (m_current || m_running.valid())
+    if (m_current || m_build.isRunning())
         return;
-    const quint64 build = ++m_build;
-    m_running = std::async(
-        std::launch::async, [this, build, scene = m_scene, previous = m_latest, stop = m_stop.get_token()] {
-            auto made = std::make_shared<const PickScene>(posed(*scene), previous.get(), stop);
-            QMetaObject::invokeMethod(
-                this, [this, build] { finish(build); }, Qt::QueuedConnection);
-            return made;
-        });
+    using Made = Expected<std::shared_ptr<const PickScene>>;
+    m_build.start(
+        [scene = m_scene, previous = m_latest](const Progress& progress) -> Made {
+            return std::make_shared<const PickScene>(posed(*scene), previous.get(), progress.stop);
+        },
+        [this](Made&& made) { take(std::move(made)); });
 }
 
-void BackgroundPicker::finish(quint64 build)
+void BackgroundPicker::take(Expected<std::shared_ptr<const PickScene>>&& made)
 {
-    if (!m_running.valid() || build != m_build)
-        return;
-    dispose(std::exchange(m_latest, m_running.get()));
+    if (!made)
+        return emit failed(made.error()); // the next click tries again
+    dispose(std::exchange(m_latest, std::move(*made)));
     m_current = true;
     emit readyChanged();
 }
@@ -108,16 +87,16 @@ bool BackgroundPicker::pickBox(const PickView& view, const glm::dvec2& cornerA, 
 {
     if (!m_current)
         return false;
-    const quint64 box = ++m_box;
-    auto run = [this, box, view, cornerA, cornerB, scene = m_latest, call = std::move(done)] {
-        auto answer = [this, box, call, picked = scene->inRectangle(view, cornerA, cornerB)] {
-            if (box == m_box)
-                call(picked);
-        };
-        QMetaObject::invokeMethod(this, std::move(answer), Qt::QueuedConnection);
-    };
-    // Waits for a box before this one: nobody draws two within its time.
-    m_boxRun = std::async(std::launch::async, std::move(run));
+    using Picked = Expected<std::vector<PickedBranches>>;
+    m_box.start(
+        [view, cornerA, cornerB, scene = m_latest](const Progress& /*progress*/) -> Picked {
+            return scene->inRectangle(view, cornerA, cornerB);
+        },
+        [this, call = std::move(done)](Picked&& picked) {
+            if (!picked)
+                emit failed(picked.error());
+            call(std::move(picked).value_or(std::vector<PickedBranches>()));
+        });
     return true;
 }
 
@@ -131,8 +110,7 @@ std::shared_ptr<const PickScene> BackgroundPicker::readyWithin(std::chrono::mill
     if (!m_current && m_scene) {
         m_rest.stop();
         start();
-        if (m_running.wait_for(patience) == std::future_status::ready)
-            finish(m_build);
+        m_build.wait(patience);
     }
     return ready();
 }

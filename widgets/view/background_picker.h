@@ -3,12 +3,12 @@
 /// that comes earlier waits for it.
 #pragma once
 
+#include "core/session/job.h"
 #include "widgets/view/render/pick_scene.h"
 #include <QObject>
 #include <QTimer>
 #include <chrono>
 #include <functional>
-#include <future>
 
 namespace ramure {
 
@@ -17,7 +17,6 @@ class BackgroundPicker : public QObject
     Q_OBJECT
 public:
     explicit BackgroundPicker(QObject* parent = nullptr);
-    ~BackgroundPicker() override;
 
     /// Who lets go of large structures that are out of date; without one it happens here.
     void setDisposal(std::function<void(std::shared_ptr<const void>)> dispose);
@@ -39,25 +38,20 @@ public:
 
 signals:
     void readyChanged();
+    /// What was to be built, or picked, is not.
+    void failed(const ramure::Error& error);
 
 private:
     [[nodiscard]] bool picksTheSame(const RenderScene& scene) const;
     void start();
-    void finish(quint64 build);
-    void abandon();
+    void take(Expected<std::shared_ptr<const PickScene>>&& made);
     void dispose(std::shared_ptr<const void> last);
 
     std::function<void(std::shared_ptr<const void>)> m_dispose;
     std::shared_ptr<const RenderScene> m_scene;
     std::shared_ptr<const PickScene> m_latest; ///< built last, perhaps of an older scene
     bool m_current = true;                     ///< m_latest belongs to m_scene
-    std::future<std::shared_ptr<const PickScene>> m_running;
-    std::vector<std::future<std::shared_ptr<const PickScene>>>
-        m_abandoned; ///< stopped, perhaps still unwinding
-    std::stop_source m_stop;
-    quint64 m_build = 0;
-    std::future<void> m_boxRun;
-    quint64 m_box = 0;
+    Job m_build, m_box;
     QTimer m_rest;
 };
 

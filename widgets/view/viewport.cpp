@@ -1,5 +1,6 @@
 #include "widgets/view/viewport.h"
 #include "core/scene/world_transforms.h"
+#include "widgets/base/core_text.h"
 #include "widgets/view/render/framing_points.h"
 
 #include "widgets/view/texture_legend.h"
@@ -86,6 +87,9 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     connect(settings, &ViewSettings::windVisibleChanged, this, &Viewport::explainWind);
     d->picker.setDisposal([this](std::shared_ptr<const void> last) { d->builder.dispose(std::move(last)); });
     connect(&d->builder, &BackgroundBuilder::built, this, &Viewport::takeScene);
+    const auto complain = [this](const Error& error) { emit messageRaised(errorText(error)); };
+    connect(&d->builder, &BackgroundBuilder::failed, this, complain);
+    connect(&d->picker, &BackgroundPicker::failed, this, complain);
     d->uploading.setSingleShot(true);
     connect(&d->uploading, &QTimer::timeout, this, &Viewport::uploadScene);
     connect(&d->picker, &BackgroundPicker::readyChanged, this, [this] {
