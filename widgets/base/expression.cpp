@@ -1,5 +1,6 @@
 #include "widgets/base/expression.h"
 
+#include "core/math/reproducible.h"
 #include <QString>
 #include <algorithm>
 #include <cmath>
@@ -152,7 +153,7 @@ private:
         --m_depth;
         if (base.hasUnit || exponent.hasUnit)
             stop(RAMURE_NOOP("a unit cannot have a power here"));
-        return {std::pow(base.value, exponent.value), false, base.hasPi, 1.0};
+        return {maths::pow(base.value, exponent.value), false, base.hasPi, 1.0};
     }
 
     Quantity signedUnit()
@@ -251,11 +252,11 @@ private:
         if (name == u"sqrt")
             apply = [](double x) { return std::sqrt(x); };
         else if (name == u"sin")
-            apply = [](double x) { return std::sin(x); };
+            apply = &maths::sin;
         else if (name == u"cos")
-            apply = [](double x) { return std::cos(x); };
+            apply = &maths::cos;
         else if (name == u"tan")
-            apply = [](double x) { return std::tan(x); };
+            apply = &maths::tan;
         else if (name == u"abs")
             apply = [](double x) { return std::abs(x); };
         if (!apply) {
