@@ -259,8 +259,8 @@ constexpr Rule rules[] = {
      R"(core/(?!math/reproducible\.).*)", sines},
     // Memory that runs out is the one thing the language itself throws for.
     {"no exceptions across modules", "core/.*", R"(\bthrow\b(?!\s+std::bad_alloc))"},
-    {"tests wait for what is to happen, not for a time", R"((?!tests/support/waits\.h).*)",
-     R"(\bqWait\b|\b(sleep_for|sleep_until|[mun]?sleep)\s*\(|\bqSleep\b)"},
+    {"tests wait for what is to happen, not for a time", R"(tests/(?!support/waits\.h).*)",
+     R"((qWait|[sS]leep(_for|_until)?)\()"},
     {"suites skip through RAMURE_CANNOT_RUN", R"(tests/(?!support/cannot_run\.h).*)", R"(\bQSKIP\b)"},
 };
 
