@@ -111,12 +111,16 @@ void TestAutosave::foldersThatGoAreMadeAgain()
     setSeed(document, 5);
     QVERIFY(!autosave.saveNow());
     QVERIFY(file.remove());
-    for (int seed = 6; seed < 8; ++seed) {
+    for (const int seed : {6, 7}) {
         setSeed(document, seed);
         QVERIFY(autosave.saveNow());
         QVERIFY(QFile::exists(autosave.recoveryPath()));
         QVERIFY(recoverableProjects(folder.filePath("kept")).empty()); // locked again as well
+        if (seed == 7)
+            break;
         QVERIFY(QDir(folder.filePath("kept")).removeRecursively());
+        QTest::ignoreMessage(QtWarningMsg, // Qt's, of the lock that went with the folder
+                             QRegularExpression("^Could not remove our own lock file"));
     }
 }
 
