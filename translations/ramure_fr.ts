@@ -20,10 +20,6 @@
         <translation>Faire pousser un autre arbre au hasard avec la même grammaire</translation>
     </message>
     <message>
-        <source>&amp;Group</source>
-        <translation>&amp;Groupe</translation>
-    </message>
-    <message>
         <source>&amp;Duplicate</source>
         <translation>&amp;Dupliquer</translation>
     </message>
@@ -634,22 +630,6 @@
     <message>
         <source>Add all objects of a folder that a script for Blender wrote</source>
         <translation>Ajouter tous les objets d&apos;un dossier écrit par un script pour Blender</translation>
-    </message>
-    <message>
-        <source>&amp;Arm</source>
-        <translation>&amp;Bras</translation>
-    </message>
-    <message>
-        <source>Add an articulated arm that reaches for targets</source>
-        <translation>Ajouter un bras articulé qui atteint des cibles</translation>
-    </message>
-    <message>
-        <source>&amp;Terrain</source>
-        <translation>&amp;Terrain</translation>
-    </message>
-    <message>
-        <source>Add a terrain that gives an arm targets</source>
-        <translation>Ajouter un terrain qui donne des cibles à un bras</translation>
     </message>
     <message>
         <source>G&amp;round</source>
@@ -1699,36 +1679,6 @@
             <numerusform>le nœud</numerusform>
             <numerusform>les %n nœuds</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>group</source>
-        <comment>behind a verb: Delete group</comment>
-        <translation>le groupe</translation>
-    </message>
-    <message>
-        <source>tree</source>
-        <comment>behind a verb: Delete tree</comment>
-        <translation>l’arbre</translation>
-    </message>
-    <message>
-        <source>primitive</source>
-        <comment>behind a verb: Delete primitive</comment>
-        <translation>la primitive</translation>
-    </message>
-    <message>
-        <source>mesh</source>
-        <comment>behind a verb: Delete mesh</comment>
-        <translation>le maillage</translation>
-    </message>
-    <message>
-        <source>arm</source>
-        <comment>behind a verb: Delete arm</comment>
-        <translation>le bras</translation>
-    </message>
-    <message>
-        <source>terrain</source>
-        <comment>behind a verb: Delete terrain</comment>
-        <translation>le terrain</translation>
     </message>
 </context>
 <context>
@@ -4243,6 +4193,94 @@
         <source>unexpected error: %1</source>
         <translation>erreur inattendue : %1</translation>
     </message>
+    <message>
+        <source>arm</source>
+        <translation>le bras</translation>
+    </message>
+    <message>
+        <source>Arm: %1</source>
+        <translation>Bras : %1</translation>
+    </message>
+    <message>
+        <source>Arms</source>
+        <translation>Bras</translation>
+    </message>
+    <message>
+        <source>&amp;Arm</source>
+        <translation>&amp;Bras</translation>
+    </message>
+    <message>
+        <source>Add an articulated arm that reaches for targets</source>
+        <translation>Ajouter un bras articulé qui atteint des cibles</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>le groupe</translation>
+    </message>
+    <message>
+        <source>Group: %1</source>
+        <translation>Groupe&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Groupe</translation>
+    </message>
+    <message>
+        <source>&amp;Group</source>
+        <translation>&amp;Groupe</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>le maillage</translation>
+    </message>
+    <message>
+        <source>Imported mesh: %1</source>
+        <translation>Maillage importé : %1</translation>
+    </message>
+    <message>
+        <source>Imported meshes</source>
+        <translation>Maillages importés</translation>
+    </message>
+    <message>
+        <source>primitive</source>
+        <translation>la primitive</translation>
+    </message>
+    <message>
+        <source>Primitive: %1</source>
+        <translation>Primitive : %1</translation>
+    </message>
+    <message>
+        <source>Primitives</source>
+        <translation>Primitives</translation>
+    </message>
+    <message>
+        <source>terrain</source>
+        <translation>le terrain</translation>
+    </message>
+    <message>
+        <source>Terrain: %1</source>
+        <translation>Terrain : %1</translation>
+    </message>
+    <message>
+        <source>Terrains</source>
+        <translation>Terrains</translation>
+    </message>
+    <message>
+        <source>&amp;Terrain</source>
+        <translation>&amp;Terrain</translation>
+    </message>
+    <message>
+        <source>Add a terrain that gives an arm targets</source>
+        <translation>Ajouter un terrain qui donne des cibles à un bras</translation>
+    </message>
+    <message>
+        <source>tree</source>
+        <translation>l’arbre</translation>
+    </message>
+    <message>
+        <source>Tree: %1</source>
+        <translation>Arbre&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -5190,18 +5228,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>&amp;Redo</source>
         <translation>&amp;Rétablir</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>Groupe</translation>
-    </message>
-    <message>
-        <source>Arm</source>
-        <translation>Bras</translation>
-    </message>
-    <message>
-        <source>Terrain</source>
-        <translation>Terrain</translation>
     </message>
     <message>
         <source>&amp;Duplicate %1</source>
@@ -6934,14 +6960,6 @@ OpenGL&#xa0;: %4
 <context>
     <name>ramure::SceneModel</name>
     <message>
-        <source>Tree: %1</source>
-        <translation>Arbre&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Group: %1</source>
-        <translation>Groupe&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>Hidden</source>
         <translation>Masqué</translation>
     </message>
@@ -7000,22 +7018,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>Move nodes</source>
         <translation>Déplacer des nœuds</translation>
-    </message>
-    <message>
-        <source>Primitive: %1</source>
-        <translation>Primitive : %1</translation>
-    </message>
-    <message>
-        <source>Imported mesh: %1</source>
-        <translation>Maillage importé : %1</translation>
-    </message>
-    <message>
-        <source>Arm: %1</source>
-        <translation>Bras : %1</translation>
-    </message>
-    <message>
-        <source>Terrain: %1</source>
-        <translation>Terrain : %1</translation>
     </message>
     <message numerus="yes">
         <source>%Ln branch(es) in all</source>
@@ -7585,22 +7587,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>Apples</source>
         <translation>Pommes</translation>
-    </message>
-    <message>
-        <source>Arms</source>
-        <translation>Bras</translation>
-    </message>
-    <message>
-        <source>Terrains</source>
-        <translation>Terrains</translation>
-    </message>
-    <message>
-        <source>Primitives</source>
-        <translation>Primitives</translation>
-    </message>
-    <message>
-        <source>Imported meshes</source>
-        <translation>Maillages importés</translation>
     </message>
     <message>
         <source>vertices</source>

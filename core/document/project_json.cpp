@@ -1,5 +1,7 @@
 #include "core/document/project_json.h"
 
+#include "core/scene/kinds/node_kinds.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <algorithm>
@@ -28,19 +30,15 @@ tl::unexpected<Error> failInside(const std::string& outer, Error error)
     return fail(std::move(error));
 }
 
-static constexpr std::array<const char*, nodeKindCount> kindNames{"group", "tree", "primitive",
-                                                                  "mesh",  "arm",  "terrain"};
-
 QString kindName(NodeKind kind)
 {
-    return QLatin1String(kindNames[static_cast<std::size_t>(kind)]);
+    return QLatin1String(kindRow(kind).name);
 }
 
 Expected<NodeKind> kindFromName(const QString& name)
 {
-    for (std::size_t i = 0; i < kindNames.size(); ++i)
-        if (name == QLatin1String(kindNames[i]))
-            return static_cast<NodeKind>(i);
+    if (const NodeKindRow* row = findKind(name.toStdString()))
+        return row->kind;
     return fail(ErrorCode::Unknown, RAMURE_NOOP("unknown kind of node \"%1\""), {name.toStdString()});
 }
 

@@ -108,8 +108,8 @@ constexpr std::uint8_t objectKinds = kindBit(NodeKind::Primitive) | kindBit(Node
 constexpr std::uint8_t armOnly = kindBit(NodeKind::Arm);
 constexpr std::uint8_t terrainOnly = kindBit(NodeKind::Terrain);
 /// All but groups, which have no geometry.
-constexpr std::uint8_t shapedKinds = kindBit(NodeKind::Tree) | objectKinds | armOnly | terrainOnly;
-constexpr std::uint8_t everyKind = shapedKinds | kindBit(NodeKind::Group);
+constexpr std::uint8_t everyKind = 0xFF;
+constexpr std::uint8_t shapedKinds = everyKind & ~kindBit(NodeKind::Group);
 
 template <auto Group, auto Member>
 constexpr ParamDef row(const Words& words, ParamUnit unit, const Range& range, Stage stage,

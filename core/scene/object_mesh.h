@@ -1,23 +1,13 @@
 /// \file
-/// The geometry of all nodes but trees, made from the parameters at once, in the node's own space; trees have
-/// the pipeline.
+/// The geometry of all nodes but trees, made from the parameters at once, in the node's own space, as the row
+/// of their kind says; trees have the pipeline.
 #pragma once
 
+#include "core/scene/kinds/node_kinds.h"
 #include "core/scene/scene.h"
 #include <memory>
 
 namespace ramure {
-
-constexpr bool isObject(NodeKind kind)
-{
-    return kind == NodeKind::Primitive || kind == NodeKind::Mesh;
-}
-
-/// Everything with a geometry but trees: objects, arms and terrains.
-constexpr bool isShape(NodeKind kind)
-{
-    return isObject(kind) || kind == NodeKind::Arm || kind == NodeKind::Terrain;
-}
 
 /// Is this node's geometry an open surface by its nature, a terrain or a plane? Then a boundary is no fault.
 bool isOpenSurface(const Node& node);

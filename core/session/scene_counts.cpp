@@ -18,23 +18,6 @@ PartCount countOf(const TriangleMesh* mesh)
     return mesh ? PartCount{mesh->vertexCount(), mesh->faceCount()} : PartCount();
 }
 
-ScenePart partOf(NodeKind kind)
-{
-    switch (kind) {
-    case NodeKind::Arm:
-        return ScenePart::Arms;
-    case NodeKind::Terrain:
-        return ScenePart::Terrains;
-    case NodeKind::Primitive:
-        return ScenePart::Primitives;
-    case NodeKind::Group:
-    case NodeKind::Tree:
-    case NodeKind::Mesh:
-        break;
-    }
-    return ScenePart::Meshes;
-}
-
 /// An arm has as many faces in every pose, and a shape wherever it stands: what follows the mouse is not
 /// built again for its numbers.
 Node counted(const Node& node)
@@ -74,6 +57,8 @@ PartCount SceneCounts::total() const
     PartCount sum;
     for (const PartCount& part : parts)
         add(sum, part);
+    for (const auto& [kind, count] : kinds)
+        add(sum, count);
     return sum;
 }
 
@@ -97,7 +82,7 @@ SceneCounts SceneCounter::count(const Scene& scene, const ExportOptions& options
             } else {
                 m_shapes.insert(before.extract(known));
             }
-            addTo(partOf(node.kind), m_shapes[node.id].count);
+            add(counts.kinds[node.kind], m_shapes[node.id].count);
             continue;
         }
         const auto tree = trees(node, Stage::Foliage, {});

@@ -12,8 +12,8 @@ namespace ramure {
 /// Has the node a shape, and do the options ask for it?
 bool isExported(const Scene& scene, const ExportOptions& options, const Node& node);
 
-enum class ScenePart : std::uint8_t { Branches, Leaves, Apples, Arms, Terrains, Primitives, Meshes };
-inline constexpr std::size_t scenePartCount = 7;
+/// Of trees; other nodes are counted by their kind.
+enum class ScenePart : std::uint8_t { Branches, Leaves, Apples };
 
 struct PartCount
 {
@@ -23,10 +23,16 @@ struct PartCount
 
 struct SceneCounts
 {
-    std::array<PartCount, scenePartCount> parts{};
+    std::array<PartCount, 3> parts{};
+    std::map<NodeKind, PartCount> kinds;
     bool complete = true; ///< every tree that counts had a result
 
     [[nodiscard]] const PartCount& of(ScenePart part) const { return parts[static_cast<std::size_t>(part)]; }
+    [[nodiscard]] PartCount of(NodeKind kind) const
+    {
+        const auto found = kinds.find(kind);
+        return found == kinds.end() ? PartCount() : found->second;
+    }
     [[nodiscard]] PartCount total() const;
 };
 

@@ -178,6 +178,7 @@ constexpr const char* floors[] = {
     "core/rig/tracks",
     "core/rig/physics",
     "core/rig/arm",
+    "core/scene/kinds",
     "core/scene",
     "core/evaluate",
     "core/io",

@@ -1,4 +1,5 @@
 #include "core/params/presets.h"
+#include "core/scene/kinds/node_kinds.h"
 #include "core/session/scene_counts.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"
@@ -48,21 +49,21 @@ private slots:
         SceneCounts counts = count();
         QVERIFY(counts.complete);
         QVERIFY(counts.total() == exported(scene, pipeline));
-        for (const ScenePart part : {ScenePart::Branches, ScenePart::Arms, ScenePart::Terrains,
-                                     ScenePart::Primitives, ScenePart::Meshes})
-            QVERIFY(counts.of(part).faces > 0);
+        QVERIFY(counts.of(ScenePart::Branches).faces > 0);
+        for (const NodeKindRow* row : nodeKinds())
+            QCOMPARE(counts.of(row->kind).faces > 0, isShape(row->kind));
         // What is hidden is not written; what hangs below it neither.
         scene.find(6)->visible = scene.find(2)->visible = false;
         const SceneCounts fewer = count();
         QVERIFY(fewer.total() == exported(scene, pipeline));
         QCOMPARE(2 * fewer.of(ScenePart::Branches).faces, counts.of(ScenePart::Branches).faces);
-        QCOMPARE(fewer.of(ScenePart::Arms).faces, std::uint64_t(0));
+        QCOMPARE(fewer.of(NodeKind::Arm).faces, std::uint64_t(0));
         // A shape that changes is counted anew, one that moves as before.
         scene.find(3)->params.terrain.divisions /= 2;
         scene.find(4)->params.tree.translation = {1.0, 2.0, 3.0};
         counts = count();
         QVERIFY(counts.total() == exported(scene, pipeline));
-        QVERIFY(counts.of(ScenePart::Terrains).faces < fewer.of(ScenePart::Terrains).faces);
+        QVERIFY(counts.of(NodeKind::Terrain).faces < fewer.of(NodeKind::Terrain).faces);
     }
 
     void treesWithoutAResultAreSaid()

@@ -3,7 +3,7 @@
 #include "core/document/commands.h"
 #include "core/generators/grammar/variety.h"
 #include "core/params/presets.h"
-#include "core/scene/arm_demo.h"
+#include "core/scene/kinds/node_kinds.h"
 #include "core/scene/preset_scene.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/core_text.h"
@@ -29,17 +29,6 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
     , m_newTree(set->add({"edit.newTree", QT_TRANSLATE_NOOP("Actions", "&New tree"), "new-tree",
                           QKeySequence(Qt::Key_Space),
                           QT_TRANSLATE_NOOP("Actions", "Grow another random tree from the same grammar")}))
-    , m_addGroup(set->add({"edit.addGroup", QT_TRANSLATE_NOOP("Actions", "&Group"), "group", {}}))
-    , m_addArm(set->add({"edit.addArm",
-                         QT_TRANSLATE_NOOP("Actions", "&Arm"),
-                         "group",
-                         {},
-                         QT_TRANSLATE_NOOP("Actions", "Add an articulated arm that reaches for targets")}))
-    , m_addTerrain(set->add({"edit.addTerrain",
-                             QT_TRANSLATE_NOOP("Actions", "&Terrain"),
-                             "group",
-                             {},
-                             QT_TRANSLATE_NOOP("Actions", "Add a terrain that gives an arm targets")}))
     , m_duplicate(
           set->add({"edit.duplicate", QT_TRANSLATE_NOOP("Actions", "&Duplicate"), "duplicate",
                     QKeySequence(Qt::CTRL | Qt::Key_D),
@@ -67,9 +56,12 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
     connect(stack, &QUndoStack::undoTextChanged, this, &EditActions::updateUndoTexts);
     connect(stack, &QUndoStack::redoTextChanged, this, &EditActions::updateUndoTexts);
     connect(m_newTree, &QAction::triggered, this, &EditActions::newTree);
-    connect(m_addGroup, &QAction::triggered, this, &EditActions::addGroup);
-    connect(m_addArm, &QAction::triggered, this, [this] { addArmDemo(0); });
-    connect(m_addTerrain, &QAction::triggered, this, [this] { addArmDemo(1); });
+    for (const NodeKindRow* row : nodeKinds()) {
+        if (*row->addId == '\0')
+            continue;
+        m_addKinds += set->add({row->addId, row->addText, row->icon, {}, row->addTip, "core"});
+        connect(m_addKinds.back(), &QAction::triggered, this, [this, row] { addKind(*row); });
+    }
     connect(m_duplicate, &QAction::triggered, this, &EditActions::duplicateSelected);
     connect(m_rename, &QAction::triggered, this, &EditActions::renameRequested);
     connect(m_delete, &QAction::triggered, this, &EditActions::removeSelected);
@@ -102,7 +94,7 @@ void EditActions::fillMenu(QMenu* menu)
         m_addPrimitives.emplace_back(add, item.label);
     }
     m_addMenu->addSeparator();
-    m_addMenu->addActions({m_addArm, m_addTerrain, m_addGroup});
+    m_addMenu->addActions(m_addKinds);
     menu->addSeparator();
     menu->addActions(nodeActions());
     menu->addAction(m_straighten);
@@ -218,19 +210,13 @@ void EditActions::addTree(const QString& preset)
     addNode(std::move(*tree));
 }
 
-/// As in the demo: 0 the arm, 1 the terrain.
-void EditActions::addArmDemo(std::size_t which)
-{
-    Node node = armDemo().nodes()[which];
-    node.name = (which == 0 ? tr("Arm") : tr("Terrain")).toStdString();
-    addNode(std::move(node));
-}
-
-void EditActions::addGroup()
+void EditActions::addKind(const NodeKindRow& row)
 {
     Node node;
-    node.kind = NodeKind::Group;
-    node.name = tr("Group").toStdString();
+    node.kind = row.kind;
+    node.name = coreText(row.label).toStdString();
+    if (row.begin)
+        row.begin(node.params);
     addNode(std::move(node));
 }
 

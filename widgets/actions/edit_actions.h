@@ -13,6 +13,7 @@ class QMenu;
 namespace ramure {
 
 class ActionSet;
+struct NodeKindRow;
 
 class EditActions : public QObject
 {
@@ -33,10 +34,9 @@ public:
 
     void newTree();
     void addTree(const QString& preset);
-    void addGroup();
+    void addKind(const NodeKindRow& row);
     /// \param shape name of an item of primitive.shape, \param label what the node is called.
     void addPrimitive(const char* shape, const QString& label);
-    void addArmDemo(std::size_t which);
 
 signals:
     void renameRequested();
@@ -67,8 +67,7 @@ private:
     QAction* m_undo;
     QAction* m_redo;
     QAction* m_newTree;
-    QAction* m_addGroup;
-    QAction *m_addArm, *m_addTerrain;
+    QList<QAction*> m_addKinds; ///< those that begin with nothing but their kind
     QAction* m_duplicate;
     QAction* m_rename;
     QAction* m_delete;

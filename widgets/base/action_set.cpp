@@ -90,7 +90,9 @@ void ActionSet::translate(const Entry& entry)
 {
     if (!entry.spec.text)
         return; // its maker translates it
-    const auto text = [](const char* english) { return QCoreApplication::translate("Actions", english); };
+    const auto text = [&entry](const char* english) {
+        return QCoreApplication::translate(entry.spec.context, english);
+    };
     const QString shown = entry.text.isEmpty() ? text(entry.spec.text) : entry.text;
     entry.action->setText(shown);
     QString tip = entry.spec.tip ? text(entry.spec.tip) : shown;

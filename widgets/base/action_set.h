@@ -14,10 +14,11 @@ namespace ramure {
 struct ActionSpec
 {
     const char* id;   ///< "file.open"; the action's objectName
-    const char* text; ///< English, with a mnemonic, context "Actions"
+    const char* text; ///< English, with a mnemonic
     const char* icon; ///< of resources/icons, or null
     QKeySequence shortcut;
-    const char* tip = nullptr; ///< English, context "Actions"; null: the text serves
+    const char* tip = nullptr;       ///< as the text; null: the text serves
+    const char* context = "Actions"; ///< of both for the translator
 };
 
 class ActionSet : public QObject

@@ -117,8 +117,7 @@ bool Viewport::beginAimAnyway(const PickView& view, const glm::dvec2& pixel)
     double least = std::numeric_limits<double>::infinity();
     const auto scene = d->picker.latest();
     for (const Node& node : d->document->scene().nodes()) {
-        if (!(isObject(node.kind) || node.kind == NodeKind::Terrain) ||
-            d->document->scene().isLocked(node.id) || !d->aimAt(node.id, scene))
+        if (!isObject(node.kind) || d->document->scene().isLocked(node.id) || !d->aimAt(node.id, scene))
             continue;
         const auto point = d->aimedPoint(view, pixel);
         const double away = point ? glm::distance(*point, view.camera.eye()) : least;

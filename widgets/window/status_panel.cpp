@@ -1,7 +1,9 @@
 #include "widgets/window/status_panel.h"
 
+#include "core/scene/kinds/node_kinds.h"
 #include "core/session/analysis.h"
 #include "core/session/recompute.h"
+#include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
 #include <QEvent>
 #include <QHBoxLayout>
@@ -287,11 +289,11 @@ void StatusPanel::showCounts(const SceneTotals& totals)
 /// Part by part.
 QString StatusPanel::countsTip(const SceneCounts& counts)
 {
-    const std::pair<ScenePart, QString> names[scenePartCount] = {
-        {ScenePart::Branches, tr("Branches")},     {ScenePart::Leaves, tr("Leaves")},
-        {ScenePart::Apples, tr("Apples")},         {ScenePart::Arms, tr("Arms")},
-        {ScenePart::Terrains, tr("Terrains")},     {ScenePart::Primitives, tr("Primitives")},
-        {ScenePart::Meshes, tr("Imported meshes")}};
+    std::vector<std::pair<PartCount, QString>> parts = {{counts.of(ScenePart::Branches), tr("Branches")},
+                                                        {counts.of(ScenePart::Leaves), tr("Leaves")},
+                                                        {counts.of(ScenePart::Apples), tr("Apples")}};
+    for (const NodeKindRow* row : nodeKinds())
+        parts.emplace_back(counts.of(row->kind), coreText(row->many));
     const QLocale locale;
     const auto line = [](const QString& name, const QString& vertices, const QString& faces) {
         const QString cell = QStringLiteral("<td align=right>&nbsp;&nbsp;%1</td>");
@@ -299,8 +301,8 @@ QString StatusPanel::countsTip(const SceneCounts& counts)
                QStringLiteral("</tr>");
     };
     QString rows = line({}, tr("vertices"), tr("faces"));
-    for (const auto& [part, name] : names)
-        if (const PartCount& count = counts.of(part); count.vertices > 0)
+    for (const auto& [count, name] : parts)
+        if (count.vertices > 0)
             rows += line(name, locale.toString(qulonglong(count.vertices)),
                          locale.toString(qulonglong(count.faces)));
     return QStringLiteral("<p>%1</p><table>%2</table>")

@@ -1,6 +1,7 @@
 // Every panel and dialog in both languages, light and dark, at 1x and 2x: no text is cut off. With
 // RAMURE_PICTURES set to a folder the pictures are written there, to be looked at.
 #include "core/document/commands.h"
+#include "core/scene/kinds/node_kinds.h"
 #include "core/session/recompute.h"
 #include "tests/widgets/base/fixture.h"
 #include "tests/widgets/gallery/text_fit.h"
@@ -294,7 +295,7 @@ private slots:
         m_window->showWelcome();
         for (auto* welcome : m_window->findChildren<QFrame*>(QStringLiteral("welcome")))
             welcome->hide();
-        m_window->edits()->addGroup();
+        m_window->edits()->addKind(kindRow(NodeKind::Group));
         m_document->undoStack()->undo();
         panels();
         openMenus(m_window->menuBar()->actions(), QStringLiteral("menu-"));

@@ -1,3 +1,4 @@
+#include "core/scene/kinds/node_kinds.h"
 #include "core/session/recompute.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/edit_actions.h"
@@ -148,7 +149,7 @@ private slots:
 
     void otherNodesAreNamedToo()
     {
-        m_window->edits()->addGroup();
+        m_window->edits()->addKind(kindRow(NodeKind::Group));
         QCOMPARE(text("edit.delete"), QStringLiteral("Delete group"));
         select({tree(), m_document->scene().nodes().back().id}, {});
         QCOMPARE(text("edit.delete"), QStringLiteral("Delete 2 nodes"));

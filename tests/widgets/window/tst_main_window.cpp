@@ -1,3 +1,4 @@
+#include "core/scene/kinds/node_kinds.h"
 #include "core/session/recompute.h"
 #include "tests/support/failing_disk.h"
 #include "tests/widgets/base/fixture.h"
@@ -209,7 +210,7 @@ private slots:
     {
         QVERIFY(m_window->windowTitle().contains(QStringLiteral("[*]")));
         QVERIFY(!m_window->isWindowModified());
-        m_window->edits()->addGroup();
+        m_window->edits()->addKind(kindRow(NodeKind::Group));
         QVERIFY(m_window->isWindowModified());
         QTemporaryDir folder;
         m_chooser.answer = folder.filePath(QStringLiteral("oak.ramure"));
@@ -251,7 +252,7 @@ private slots:
 
     void closingAsksAboutUnsavedChanges()
     {
-        m_window->edits()->addGroup();
+        m_window->edits()->addKind(kindRow(NodeKind::Group));
         m_chooser.unsaved = Chooser::Unsaved::Cancel;
         QVERIFY(!m_window->close());
         QCOMPARE(m_chooser.questions, 1);
@@ -265,7 +266,7 @@ private slots:
         m_chooser.answer = folder.filePath(QStringLiteral("oak.ramure"));
         action("file.save")->trigger();
         const auto before = test::filesIn(folder.path());
-        m_window->edits()->addGroup();
+        m_window->edits()->addKind(kindRow(NodeKind::Group));
         const auto nodes = m_document->scene().nodes();
         m_chooser.unsaved = Chooser::Unsaved::Save;
         for (const bool byMenu : {false, true}) {

@@ -132,7 +132,6 @@ private:
     [[nodiscard]] std::size_t countToTell(const SceneRow& row) const;
     [[nodiscard]] const Item& item(NodeId node) const { return m_items.at(node); }
     /// Of the name, %1 stands for it.
-    [[nodiscard]] static QString toolTipOf(NodeKind kind);
     [[nodiscard]] QVariant nodeData(const Node& node, int column, int role) const;
     [[nodiscard]] QVariant axisData(const BranchRows& rows, Index axis, int column, int role) const;
     [[nodiscard]] QVariant branchData(const BranchRows& rows, Index branch, int column, int role) const;

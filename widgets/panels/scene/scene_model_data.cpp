@@ -1,5 +1,7 @@
 // What the rows of the scene model say, and how they are edited and dragged.
 #include "core/document/commands.h"
+#include "core/scene/kinds/node_kinds.h"
+#include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
 #include "widgets/panels/scene/scene_model.h"
 #include <QIODevice>
@@ -55,44 +57,6 @@ QVariant SceneModel::data(const QModelIndex& index, int role) const
     return node ? nodeData(*node, index.column(), role) : QVariant();
 }
 
-static const char* iconOf(NodeKind kind)
-{
-    switch (kind) {
-    case NodeKind::Group:
-        return "group";
-    case NodeKind::Tree:
-        return "tree";
-    case NodeKind::Arm:
-        return "arm";
-    case NodeKind::Terrain:
-        return "terrain";
-    case NodeKind::Mesh:
-        return "mode-mesh";
-    case NodeKind::Primitive:
-        break;
-    }
-    return "cube";
-}
-
-QString SceneModel::toolTipOf(NodeKind kind)
-{
-    switch (kind) {
-    case NodeKind::Group:
-        break;
-    case NodeKind::Tree:
-        return tr("Tree: %1");
-    case NodeKind::Primitive:
-        return tr("Primitive: %1");
-    case NodeKind::Mesh:
-        return tr("Imported mesh: %1");
-    case NodeKind::Arm:
-        return tr("Arm: %1");
-    case NodeKind::Terrain:
-        return tr("Terrain: %1");
-    }
-    return tr("Group: %1");
-}
-
 QVariant SceneModel::nodeData(const Node& node, int column, int role) const
 {
     const bool shown = m_document->scene().isShown(node.id);
@@ -101,9 +65,10 @@ QVariant SceneModel::nodeData(const Node& node, int column, int role) const
         if (role == Qt::DisplayRole || role == Qt::EditRole)
             return QString::fromStdString(node.name);
         if (role == Qt::DecorationRole)
-            return icon(iconOf(node.kind));
+            return icon(kindRow(node.kind).icon);
         if (role == Qt::ToolTipRole)
-            return toolTipOf(node.kind).arg(QString::fromStdString(node.name)) + branchCount(node.id);
+            return coreText(kindRow(node.kind).tip).arg(QString::fromStdString(node.name)) +
+                   branchCount(node.id);
         break;
     case VisibleColumn:
         if (role == Qt::DecorationRole)

@@ -3,7 +3,6 @@
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
 #include "core/surface/primitives/primitive_mesh.h"
-#include "core/surface/primitives/terrain.h"
 #include "widgets/view/render/scene_part_cache.h"
 #include <algorithm>
 #include <cmath>
@@ -73,25 +72,6 @@ struct SeenArm
     ArmShape shape;
     double margin = 0.0;
 };
-
-void addTerrain(RenderScene& scene, ScenePartCache& cache, const Node& node, const NodeParams& params,
-                const glm::dmat4& world)
-{
-    const TerrainParams& r = params.terrain;
-    const std::shared_ptr<const TriangleMesh> none;
-    MeshItem item;
-    item.mesh = cache.get<TriangleMesh>(ScenePart::Terrain, none, none,
-                                        {double(r.seed), r.size, r.height, r.roughness, double(r.divisions)},
-                                        [&] { return buildTerrain(r).value_or(TriangleMesh{}); });
-    if (item.mesh->empty())
-        return;
-    item.box = cache.box(item.mesh);
-    item.material = nodeMaterial(node, params);
-    item.world = world;
-    item.node = node.id;
-    item.pickable = !node.locked;
-    scene.meshes.push_back(std::move(item));
-}
 
 /// Where the tip is to go.
 void addTarget(RenderScene& scene, ScenePartCache& cache, const Node& node, const NodeParams& params,
@@ -164,22 +144,13 @@ glm::dmat4 armTargetPlace(const glm::dvec3& target)
     return armUpright() * glm::translate(glm::dmat4(1.0), target);
 }
 
-bool addArmOrTerrain(RenderScene& scene, ScenePartCache& cache, const Node& node, const glm::dmat4& world,
-                     const SceneView& view)
+void addArm(RenderScene& scene, ScenePartCache& cache, const Node& node, const glm::dmat4& world,
+            const SceneView& view)
 {
-    if (node.kind != NodeKind::Terrain && node.kind != NodeKind::Arm)
-        return false;
-    const NodeParams* params = &node.params;
-    NodeParams moved;
-    if (node.animation.movesParams()) {
-        moved = paramsAt(node.params, node.animation, view.timeSeconds);
-        params = &moved;
-    }
-    if (node.kind == NodeKind::Terrain)
-        addTerrain(scene, cache, node, *params, world);
-    else
-        addArm(scene, cache, node, *params, world, view.mode);
-    return true;
+    if (!node.animation.movesParams())
+        return addArm(scene, cache, node, node.params, world, view.mode);
+    const NodeParams params = paramsAt(node.params, node.animation, view.timeSeconds);
+    addArm(scene, cache, node, params, world, view.mode);
 }
 
 } // namespace ramure

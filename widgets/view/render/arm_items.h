@@ -13,10 +13,10 @@ class ScenePartCache;
 /// Where the mark of a target stands in the arm's node.
 glm::dmat4 armTargetPlace(const glm::dvec3& target);
 
-/// Appends an arm in the pose of its joints, upright in its node, or a terrain. False for other nodes.
-/// What cannot be made (a mesh that no arm can wear) is left out.
+/// Appends an arm in the pose of its joints, upright in its node. What cannot be made (a mesh that no arm can
+/// wear) is left out.
 /// \param world of the node's own geometry
-bool addArmOrTerrain(RenderScene& scene, ScenePartCache& cache, const Node& node, const glm::dmat4& world,
-                     const SceneView& view);
+void addArm(RenderScene& scene, ScenePartCache& cache, const Node& node, const glm::dmat4& world,
+            const SceneView& view);
 
 } // namespace ramure

@@ -1,5 +1,6 @@
 #include "widgets/view/render/ground_height.h"
 
+#include "core/scene/kinds/node_kinds.h"
 #include "core/scene/world_transforms.h"
 #include "widgets/view/render/framing_points.h"
 #include <algorithm>
@@ -8,11 +9,6 @@
 
 namespace ramure {
 namespace {
-
-bool movesGround(NodeKind kind)
-{
-    return kind == NodeKind::Primitive || kind == NodeKind::Mesh || kind == NodeKind::Terrain;
-}
 
 /// Looks at the points only where the corners of the box are low enough to matter.
 double lowestOf(const MeshItem& item, const glm::dmat4& world, double below)
@@ -63,7 +59,7 @@ double GroundHeight::of(const Scene& scene, const RenderScene& built)
     for (std::size_t i = 0; i < scene.nodes().size(); ++i) {
         const Node& node = scene.nodes()[i];
         moves = moves || node.animation.movesNode();
-        if (const auto item = items.find(node.id); item != items.end() && movesGround(node.kind))
+        if (const auto item = items.find(node.id); item != items.end() && isObject(node.kind))
             objects.emplace_back(i, item->second);
     }
     m_height = 0.0;

@@ -283,27 +283,20 @@ struct TreeItems
     }
 };
 
-/// Appends primitives and imported meshes. Equal primitives share one mesh.
+/// Appends nodes that are one mesh each. Those that are equal share it.
 struct ObjectItems
 {
     ScenePartCache& cache;
     RenderScene& scene;
     double timeSeconds;
-    std::shared_ptr<const TriangleMesh> none; ///< primitives come from numbers alone
 
     std::shared_ptr<const TriangleMesh> meshOf(const Node& node, const NodeParams& params)
     {
-        const auto make = [&] {
-            const auto mesh = objectMesh(node, params);
-            return mesh ? *mesh : TriangleMesh();
-        };
-        if (node.kind == NodeKind::Mesh)
-            return cache.get<TriangleMesh>(ScenePart::Object, node.mesh.pointer(), none, {}, make);
-        const PrimitiveParams& p = params.primitive;
-        return cache.get<TriangleMesh>(ScenePart::Object, none, none,
-                                       {double(p.shape), p.radius, p.height, p.size.x, p.size.y, p.size.z,
-                                        double(p.sides), double(p.axis)},
-                                       make);
+        return cache.get<TriangleMesh>(ScenePart::Object, node.mesh.pointer(), node.mesh.pointer(),
+                                       ownNumbers(node.kind, params), [&] {
+                                           const SharedMesh mesh = objectMesh(node, params);
+                                           return mesh ? mesh : std::make_shared<const TriangleMesh>();
+                                       });
     }
     void add(const Node& node, const glm::dmat4& world)
     {
@@ -395,21 +388,17 @@ RenderScene SceneBuilder::build(const Scene& scene, const ResultOf& resultOf, co
     m_cache->beginBuild();
     RenderScene built;
     const std::vector<NodeTransforms> places = worldTransformsAt(scene, view.timeSeconds);
-    ObjectItems objects{*m_cache, built, view.timeSeconds, {}};
+    ObjectItems objects{*m_cache, built, view.timeSeconds};
     for (std::size_t i = 0; i < places.size(); ++i) {
         const Node& node = scene.nodes()[i];
         if (node.kind == NodeKind::Group || !scene.isShown(node.id))
             continue;
-        if (addArmOrTerrain(built, *m_cache, node, places[i].geometry, view))
-            continue;
-        if (isObject(node.kind)) {
+        if (node.kind == NodeKind::Arm)
+            addArm(built, *m_cache, node, places[i].geometry, view);
+        else if (isObject(node.kind))
             objects.add(node, places[i].geometry);
-            continue;
-        }
-        const TreeResult* tree = resultOf(node.id);
-        if (!tree)
-            continue;
-        TreeItems{*m_cache, built, view, node, *tree, places[i].geometry}.all();
+        else if (const TreeResult* tree = resultOf(node.id))
+            TreeItems{*m_cache, built, view, node, *tree, places[i].geometry}.all();
     }
     built.ground = m_ground->of(scene, built);
     outlineSelected(built, *m_cache, scene, resultOf, view);

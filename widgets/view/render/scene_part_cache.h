@@ -31,7 +31,6 @@ enum class ScenePart : std::uint8_t {
     ArmSkin,
     ArmRods,
     ArmTarget,
-    Terrain,
     Object,
     Outlined,
 };

@@ -1,0 +1,14 @@
+#include "core/scene/kinds/node_kinds.h"
+
+namespace ramure {
+
+extern const NodeKindRow treeKind, primitiveKind, meshKind, armKind, terrainKind, groupKind;
+
+std::span<const NodeKindRow* const> nodeKinds()
+{
+    static constexpr const NodeKindRow* table[] = {&treeKind, &primitiveKind, &meshKind,
+                                                   &armKind,  &terrainKind,   &groupKind};
+    return table;
+}
+
+} // namespace ramure
