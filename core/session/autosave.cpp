@@ -1,6 +1,7 @@
 #include "core/session/autosave.h"
 
 #include "core/document/project_json.h"
+#include "core/session/job.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -11,7 +12,6 @@
 #include <QTimer>
 #include <QUuid>
 #include <algorithm>
-#include <thread>
 
 namespace ramure {
 
@@ -81,7 +81,7 @@ struct Autosave::Private
     void claim();
     void tick();
     void tell(const Expected<void>& result);
-    void finished(quint64 number, quint64 revision, const Expected<void>& result);
+    void finished(quint64 revision, const Expected<void>& result);
     void discard();
 
     Autosave* q;
@@ -90,11 +90,9 @@ struct Autosave::Private
     std::shared_ptr<QLockFile> lock;
     QTimer timer;
     quint64 savedRevision = 0; ///< that the recovery file holds; 0 = there is none
-    bool writing = false;
-    quint64 writes = 0;        ///< begun by the timer; what an older one tells is no longer news
     bool discardLater = false; ///< what is being written is no longer wanted
     bool failing = false;
-    std::jthread writer;
+    Job writer;
 };
 
 /// The folder with the lock: there may have been no room for them yet, or somebody has cleared them away.
@@ -111,17 +109,20 @@ void Autosave::Private::claim()
 /// Writing waits for the disk, so another thread does it; it gets a copy of the scene.
 void Autosave::Private::tick()
 {
-    if (!isDue() || writing)
+    if (!isDue() || writer.isRunning())
         return;
     claim();
-    writing = true;
-    writer = std::jthread([this, number = ++writes, revision = document->revision(), file = path,
-                           project = withNote(document->project(), document->filePath())] {
-        const Expected<void> result = saveProjectFile(project, file);
-        QMetaObject::invokeMethod(
-            q, [this, number, revision, result] { finished(number, revision, result); },
-            Qt::QueuedConnection);
-    });
+    writer.start(
+        [file = path,
+         project = withNote(document->project(), document->filePath())](const Progress& progress) {
+            auto result = saveProjectFile(project, file);
+            if (progress.cancelled())
+                QFile::remove(file);
+            return result;
+        },
+        [this, revision = document->revision()](const Expected<void>& result) {
+            finished(revision, result);
+        });
 }
 
 void Autosave::Private::tell(const Expected<void>& result)
@@ -134,11 +135,8 @@ void Autosave::Private::tell(const Expected<void>& result)
         emit q->failed(result.error());
 }
 
-void Autosave::Private::finished(quint64 number, quint64 revision, const Expected<void>& result)
+void Autosave::Private::finished(quint64 revision, const Expected<void>& result)
 {
-    if (number != writes)
-        return;
-    writing = false;
     const bool unwanted = std::exchange(discardLater, false);
     tell(result);
     if (!result)
@@ -154,7 +152,7 @@ void Autosave::Private::finished(quint64 number, quint64 revision, const Expecte
 /// The interface must not wait for the disk: what is on its way is removed when it has arrived.
 void Autosave::Private::discard()
 {
-    discardLater = writing;
+    discardLater = writer.isRunning();
     QFile::remove(path);
     savedRevision = 0;
 }
@@ -178,8 +176,7 @@ Autosave::Autosave(Document* document, const QString& folder, QObject* parent)
 
 Autosave::~Autosave()
 {
-    if (m_private->writer.joinable())
-        m_private->writer.join();
+    m_private->writer.cancel(); // before the file goes: what is finished later is removed there
     m_private->discard();
 }
 
@@ -203,14 +200,7 @@ QString Autosave::recoveryPath() const
 
 Expected<void> Autosave::saveNow()
 {
-    if (m_private->writer.joinable())
-        m_private->writer.join();
-    if (std::exchange(m_private->writing, false)) {
-        ++m_private->writes;
-        m_private->savedRevision = 0;
-        if (std::exchange(m_private->discardLater, false))
-            QFile::remove(m_private->path);
-    }
+    m_private->writer.wait();
     if (!m_private->isDue())
         return {};
     m_private->claim();

@@ -84,11 +84,10 @@ struct Job::Shared
 std::mutex Job::Shared::allMutex;
 std::vector<Job::Shared*> Job::Shared::all;
 
-static std::optional<Error> outcomeOf(const std::function<std::optional<Error>(const Progress&)>& work,
-                                      const Progress& progress)
+Error caughtError()
 {
     try {
-        return work(progress);
+        throw;
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::Limit, RAMURE_NOOP("there is not enough memory for this")).value();
     } catch (const std::exception& exception) {
@@ -122,7 +121,12 @@ void Job::Shared::serve()
                     emit owner->progress(fraction);
             });
         };
-        std::optional<Error> error = outcomeOf(request->work, {request->stop.get_token(), tell});
+        std::optional<Error> error;
+        try {
+            error = request->work({request->stop.get_token(), tell});
+        } catch (...) {
+            error = caughtError();
+        }
         request->work = {}; // what it owned goes here, not on the thread of the interface
         lock.lock();
         running.reset();

@@ -117,6 +117,9 @@ private:
     std::thread m_thread;
 };
 
+/// The exception that is being handled, as an error: Limit where memory did not suffice, else Invalid.
+Error caughtError();
+
 template <class Work, class Take> void Job::start(Work work, Take take, Running running, int lane)
 {
     using Result = std::invoke_result_t<Work&, const Progress&>;
