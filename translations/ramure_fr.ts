@@ -2306,10 +2306,6 @@
         <translation>un nombre entier de 1 à 4294967295 est attendu ici</translation>
     </message>
     <message>
-        <source>there is not enough memory for this tree</source>
-        <translation>la mémoire ne suffit pas pour cet arbre</translation>
-    </message>
-    <message>
         <source>the new parent is flat: a scale is zero</source>
         <translation>le nouveau parent est plat&#xa0;: une échelle est nulle</translation>
     </message>

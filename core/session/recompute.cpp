@@ -1,5 +1,6 @@
 #include "core/session/recompute.h"
 
+#include "core/session/job.h"
 #include "core/session/recompute_worker.h"
 
 #include <QEventLoop>
@@ -59,11 +60,22 @@ struct Recompute::Private
     Private(Recompute* recompute, Document* doc, Evaluation evaluation)
         : q(recompute)
         , document(doc)
-        , worker(std::move(evaluation), listener())
+        , worker(std::make_shared<RecomputeWorker>(
+              std::move(evaluation),
+              [this, post = job.mailbox()](TreeOutcome outcome) { // from the thread to the interface's
+                  post([this, kept = std::move(outcome)] { take(kept); });
+              }))
     {
     }
 
-    RecomputeWorker::Listener listener();
+    void post(JobKind kind, const std::vector<const Node*>& trees);
+    void confirm();
+    bool stop(JobKind kind, std::chrono::milliseconds grace = {});
+    [[nodiscard]] bool isWorking() const
+    {
+        return job.isRunning(static_cast<int>(JobKind::Draft)) ||
+               job.isRunning(static_cast<int>(JobKind::Full));
+    }
     void documentChanged(const Change& change);
     void schedule(bool atOnce);
     void startFull();
@@ -85,25 +97,46 @@ struct Recompute::Private
     bool runsDirect = false;   ///< the full job posted last stands for a draft
     quint64 resetRevision = 0; ///< results of the document before New or Open are nobody's
     std::map<NodeId, FullTimes> times;
-    RecomputeWorker worker; ///< last: its thread calls the listener
+    Job job;                                 ///< a lane for each kind
+    std::shared_ptr<RecomputeWorker> worker; ///< only the thread uses it
 };
 
-/// From the worker's thread into the interface's.
-RecomputeWorker::Listener Recompute::Private::listener()
+/// Replaces what waits of this kind; what runs goes on. No trees: nothing waits any more.
+void Recompute::Private::post(JobKind kind, const std::vector<const Node*>& trees)
 {
-    const auto post = [this](auto&& call) {
-        QMetaObject::invokeMethod(q, std::move(call), Qt::QueuedConnection);
-    };
-    return {
-        [this, post](TreeOutcome outcome) { post([this, kept = std::move(outcome)] { take(kept); }); },
-        [this, post](double fraction) { post([this, fraction] { emit q->progress(fraction); }); },
-        [this, post] {
-            post([this] {
-                worker.acknowledge();
-                updateBusy();
-            });
+    const int lane = static_cast<int>(kind);
+    job.withdraw(lane);
+    if (trees.empty())
+        return;
+    job.start(
+        [with = worker, kind, list = jobs(trees), count = treeCount()](const Progress& progress) {
+            with->run(kind, list, count, progress);
+            return Expected<void>();
         },
-    };
+        [this, kind](const Expected<void>& /*done*/) {
+            if (kind == JobKind::Full && worker->confirms())
+                confirm();
+            updateBusy();
+        },
+        Job::Running::GoesOn, lane);
+}
+
+void Recompute::Private::confirm()
+{
+    job.start(
+        [with = worker](const Progress& progress) {
+            with->confirmAll({progress.stop, {}});
+            return Expected<void>();
+        },
+        [](const Expected<void>& /*done*/) {}, Job::Running::GoesOn, static_cast<int>(JobKind::Confirm));
+}
+
+/// Takes back what waits and stops what runs, unless it is younger than \p grace. True where something that
+/// ran was told to stop.
+bool Recompute::Private::stop(JobKind kind, std::chrono::milliseconds grace)
+{
+    job.withdraw(static_cast<int>(kind));
+    return job.cancel(static_cast<int>(kind), grace);
 }
 
 Recompute::Recompute(Document* document, QObject* parent)
@@ -115,6 +148,7 @@ Recompute::Recompute(Document* document, Evaluation evaluation, QObject* parent)
     : QObject(parent)
     , m_private(std::make_unique<Private>(this, document, std::move(evaluation)))
 {
+    connect(&m_private->job, &Job::progress, this, &Recompute::progress);
     m_private->rest.setSingleShot(true);
     connect(&m_private->rest, &QTimer::timeout, this, [this] {
         m_private->startFull();
@@ -145,7 +179,7 @@ void Recompute::setDirectLimit(int milliseconds)
 void Recompute::cancel()
 {
     m_private->rest.stop();
-    m_private->worker.stop({JobKind::Full});
+    m_private->stop(JobKind::Full);
     m_private->updateBusy();
 }
 
@@ -173,7 +207,8 @@ void Recompute::Private::documentChanged(const Change& change)
         resetRevision = change.revision;
         times.clear();
         rest.stop();
-        worker.stop({JobKind::Draft, JobKind::Full, JobKind::Confirm});
+        for (const JobKind kind : {JobKind::Draft, JobKind::Full, JobKind::Confirm})
+            stop(kind);
     }
     if (change.has(changeReset | changeStructure))
         return schedule(true);
@@ -226,15 +261,16 @@ void Recompute::Private::schedule(bool atOnce)
     std::vector<const Node*> trees = staleTrees();
     if (trees.empty())
         return updateBusy();
-    const bool stopped = worker.stop({JobKind::Full, JobKind::Confirm},
-                                     runsDirect && restMs > 0 ? directGrace : std::chrono::milliseconds{});
-    if (stopped && runsDirect)
+    const bool fullStopped =
+        stop(JobKind::Full, runsDirect && restMs > 0 ? directGrace : std::chrono::milliseconds{});
+    const bool confirmStopped = stop(JobKind::Confirm);
+    if ((fullStopped || confirmStopped) && runsDirect)
         for (const Node* tree : trees)
             times[tree->id].noteTooSlow();
     runsDirect = isDirect(trees);
     if (runsDirect) {
         rest.stop();
-        worker.post(JobKind::Draft, {}, 0);
+        post(JobKind::Draft, {});
         startFull();
     } else {
         if (atOnce)
@@ -245,7 +281,7 @@ void Recompute::Private::schedule(bool atOnce)
             const NodeResult* have = document->result(tree->id);
             return have && have->revision >= document->shapeRevision(tree->id); // its draft is there
         });
-        worker.post(JobKind::Draft, jobs(trees), treeCount());
+        post(JobKind::Draft, trees);
     }
     updateBusy();
 }
@@ -253,12 +289,12 @@ void Recompute::Private::schedule(bool atOnce)
 void Recompute::Private::startFull()
 {
     if (document)
-        worker.post(JobKind::Full, jobs(staleTrees()), treeCount());
+        post(JobKind::Full, staleTrees());
 }
 
 void Recompute::Private::updateBusy()
 {
-    const bool now = rest.isActive() || worker.isBusy();
+    const bool now = rest.isActive() || isWorking();
     if (now == busy)
         return;
     busy = now;
