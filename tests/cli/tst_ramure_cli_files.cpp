@@ -61,16 +61,37 @@ private slots:
     }
     /// A file that may not grow (ulimit -f, in KiB) ended the program and left half a file beside the old
     /// one.
+    void limitOfFilesIsAnErrorThatKeepsTheOldOne_data()
+    {
+        QTest::addColumn<QString>("kibibytes");
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QStringList>("command"); // the file's path follows
+        QTest::newRow("OBJ") << "20"
+                             << "limit.obj" << QStringList{"export", "preset:SmallTree", "-o"};
+        QTest::newRow("PLY") << "20"
+                             << "limit.ply" << QStringList{"export", "preset:SmallTree", "-o"};
+        QTest::newRow("figures") << "20"
+                                 << "limit.csv"
+                                 << QStringList{"simulate", "preset:TinyTree", "--steps", "1000", "--csv"};
+        QTest::newRow("project") << "0"
+                                 << "limit.ramure" << QStringList{"import", "cone.obj", "-o"};
+    }
     void limitOfFilesIsAnErrorThatKeepsTheOldOne()
     {
-        for (const char* name : {"limit.obj", "limit.ply"}) {
-            test::write(path(name), "old");
-            const auto run = test::runProgram("bash", {"-c", "ulimit -f 20; exec \"$@\"", "bash", RAMURE_CLI,
-                                                       "export", "preset:SmallTree", "-o", path(name)});
-            QVERIFY(isRefused(run, path(name) + ": cannot be written: File too large"));
-            QCOMPARE(test::bytesOf(path(name)), QByteArray("old"));
-        }
-        QCOMPARE(QDir(m_folder.path()).entryList({"limit*"}).size(), 2);
+        QFETCH(QString, kibibytes);
+        QFETCH(QString, name);
+        QFETCH(QStringList, command);
+        QTemporaryDir folder;
+        const QString file = folder.filePath(name), cone = folder.filePath("cone.obj");
+        test::write(file, "old");
+        test::write(cone, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        command.replaceInStrings("cone.obj", cone);
+        const auto run = test::runProgram(
+            "bash", QStringList{"-c", "ulimit -f " + kibibytes + "; exec \"$@\"", "bash", RAMURE_CLI} +
+                        command + QStringList{file});
+        QVERIFY(isRefused(run, file + ": cannot be written: File too large"));
+        QCOMPARE(test::bytesOf(file), QByteArray("old"));
+        QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 2);
     }
     static QJsonObject reportAt(const QString& file)
     {
