@@ -7,7 +7,7 @@
 /// (Sanitizers start too late for such a choice.)
 #pragma once
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(RAMURE_SANITIZED)
 #define RAMURE_WIDE_CLONE [[gnu::target_clones("avx2", "default")]]
 #define RAMURE_WIDEST_CLONE [[gnu::target_clones("arch=x86-64-v4", "avx2", "default")]]
 #else

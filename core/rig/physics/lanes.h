@@ -8,7 +8,7 @@
 
 // One copy of a function for processors with AVX2, one for all: the results are the same, contraction being
 // off. Sanitizers cannot live with the way the copy is chosen.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(RAMURE_SANITIZED)
 #define RAMURE_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))
 #else
 #define RAMURE_VECTOR_CLONES

@@ -29,7 +29,7 @@ private slots:
 
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef RAMURE_SANITIZED
 constexpr std::uint64_t slowness = 20; // the sanitizers look for faults of memory, not for rare shapes
 #else
 constexpr std::uint64_t slowness = 1;

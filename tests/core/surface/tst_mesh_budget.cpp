@@ -37,7 +37,7 @@ private:
 
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef RAMURE_SANITIZED
 constexpr std::uint64_t slowness = 20;
 #else
 constexpr std::uint64_t slowness = 1;

@@ -23,7 +23,7 @@ private:
 
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
+#ifdef RAMURE_SANITIZED
 constexpr std::int64_t stepsPlayed = 200; // ten times slower
 constexpr int framesLookedAt = 20;
 #else
