@@ -137,7 +137,8 @@ bool exportTo(const QString& path, const Document& document)
     options.texture = true;
     if (const auto format = findFormat(path.toStdString(), FormatUse::Write))
         options.parts = usualParts(**format);
-    const auto done = exportScene(document.scene(), options, documentSource(document), path.toStdString());
+    const auto done =
+        exportScene(Evaluator(documentSource(document)).at(document.scene()), options, path.toStdString());
     if (!done) {
         complain(QString::fromStdString(done.error().message()));
         return false;

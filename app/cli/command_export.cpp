@@ -5,9 +5,9 @@
 #include "app/cli/work.h"
 #include "core/base/file_writer.h"
 #include "core/document/mesh_report_json.h"
+#include "core/evaluate/evaluator.h"
 #include "core/io/formats/file_format.h"
 #include "core/session/exporter.h"
-#include "core/session/moving_source.h"
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -137,7 +137,7 @@ TreeSource notingSource(TreePipeline& pipeline)
     };
 }
 
-Expected<void> exportAt(const Scene& scene, const Request& request, double timeSeconds, MovingSource& moving,
+Expected<void> exportAt(const Scene& scene, const Request& request, double timeSeconds, Evaluator& evaluator,
                         const QStringList& files, const Progress& progress)
 {
     const auto count = static_cast<double>(files.size());
@@ -149,10 +149,8 @@ Expected<void> exportAt(const Scene& scene, const Request& request, double timeS
         options.write.ascii = request.ascii;
         options.texture = request.texture;
         options.space = request.space;
-        options.timeSeconds = timeSeconds;
-        options.arms = &moving.arms();
         const double from = static_cast<double>(i) / count;
-        const auto written = exportScene(scene, options, moving.at(timeSeconds), systemPath(file),
+        const auto written = exportScene(evaluator.at(scene, timeSeconds), options, systemPath(file),
                                          progress.part(from, from + 1.0 / count));
         if (!written)
             return written;
@@ -162,10 +160,10 @@ Expected<void> exportAt(const Scene& scene, const Request& request, double timeS
 
 /// A set of files for each frame.
 Expected<void> exportMoments(const Scene& scene, const Request& request, const Moments& moments,
-                             MovingSource& moving, const Progress& progress)
+                             Evaluator& evaluator, const Progress& progress)
 {
     if (!moments.isSequence())
-        return exportAt(scene, request, moments.timeSeconds, moving, request.files, progress);
+        return exportAt(scene, request, moments.timeSeconds, evaluator, request.files, progress);
     const auto count = static_cast<double>(moments.frames.size());
     for (std::size_t i = 0; i < moments.frames.size(); ++i) {
         const std::int64_t frame = moments.frames[i];
@@ -173,7 +171,7 @@ Expected<void> exportMoments(const Scene& scene, const Request& request, const M
         for (const QString& file : request.files)
             files << numberedFile(file, frame);
         const double from = static_cast<double>(i) / count;
-        const auto written = exportAt(scene, request, moments.timeOf(frame), moving, files,
+        const auto written = exportAt(scene, request, moments.timeOf(frame), evaluator, files,
                                       progress.part(from, from + 1.0 / count));
         if (!written)
             return written;
@@ -251,23 +249,23 @@ std::string faultOf(const CheckedMesh& checked)
 }
 
 Expected<void> writeFiles(const Input& input, const Request& request, const Moments& moments,
-                          MovingSource& moving, const Progress& progress)
+                          Evaluator& evaluator, const Progress& progress)
 {
-    return input.scene() ? exportMoments(*input.scene(), request, moments, moving, progress)
+    return input.scene() ? exportMoments(*input.scene(), request, moments, evaluator, progress)
                          : exportMesh(*input.mesh(), request, progress);
 }
 
 Expected<int> checkAndWrite(const Input& input, const QString& name, const Request& request,
                             const Moments& moments, TreePipeline& pipeline, const Progress& progress)
 {
-    MovingSource moving(notingSource(pipeline), moments.timeline);
+    Evaluator evaluator(notingSource(pipeline), moments.timeline);
     if (!request.needsCheck()) {
-        const auto written = writeFiles(input, request, moments, moving, progress);
+        const auto written = writeFiles(input, request, moments, evaluator, progress);
         return written ? Expected<int>(exitGood) : fail(written.error());
     }
     MeshChecks checks{moments.timeSeconds, !request.report.isEmpty()};
     checks.placed = true;
-    const auto checked = checkMeshes(input, moving, checks, progress.part(0.0, 0.6));
+    const auto checked = checkMeshes(input, evaluator, checks, progress.part(0.0, 0.6));
     if (!checked)
         return fail(checked.error());
     if (request.requireValid)
@@ -284,7 +282,7 @@ Expected<int> checkAndWrite(const Input& input, const QString& name, const Reque
             return fail(opened.error());
         report.emplace(std::move(*opened));
     }
-    const auto written = writeFiles(input, request, moments, moving, progress.part(0.6, 1.0));
+    const auto written = writeFiles(input, request, moments, evaluator, progress.part(0.6, 1.0));
     if (!written)
         return fail(written.error());
     if (report) {

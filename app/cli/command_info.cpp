@@ -6,8 +6,6 @@
 #include "core/math/box.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
-#include "core/scene/world_transforms.h"
-#include "core/session/moving_arms.h"
 #include <QJsonArray>
 #include <QJsonObject>
 #include <algorithm>
@@ -123,13 +121,13 @@ QString textOf(const TreeFacts& tree)
 }
 
 /// At rest, but with the parameters of the time.
-Expected<std::vector<TreeFacts>> factsOfTrees(const std::vector<const Node*>& trees, double timeSeconds)
+Expected<std::vector<TreeFacts>> factsOfTrees(EvaluatedScene& scene, const std::vector<const Node*>& trees)
 {
     TreePipeline pipeline;
     std::vector<TreeFacts> out;
     for (const Node* node : trees) {
         Node now = *node;
-        now.params = paramsAt(node->params, node->animation, timeSeconds);
+        now.params = scene.params(*node);
         const auto result = evaluateTree(pipeline, now, trees.size() > 1, Stage::Simplified);
         if (!result)
             return fail(result.error());
@@ -148,31 +146,31 @@ QJsonArray jsonMatrix(const glm::dmat4& matrix)
     return rows;
 }
 
-/// What is known of an arm, a terrain, a primitive or an imported mesh. Errors: those of objectSolid.
-Expected<void> addShapeFacts(QJsonObject& entry, const Node& node, double timeSeconds)
+/// What is known of an arm, a terrain, a primitive or an imported mesh. Errors: those of
+/// EvaluatedScene::solid.
+Expected<void> addShapeFacts(QJsonObject& entry, const Node& node, EvaluatedScene& scene)
 {
-    const NodeParams params = paramsAt(node.params, node.animation, timeSeconds);
+    const auto mesh = scene.solid(node);
+    if (!mesh)
+        return fail(mesh.error());
     if (node.kind == NodeKind::Arm) {
-        const ArmChain chain(params.joints);
-        entry.insert(QStringLiteral("joints"), qint64(params.joints.size()));
+        const ArmChain chain(scene.params(node).joints);
+        entry.insert(QStringLiteral("joints"), qint64(chain.jointCount()));
         entry.insert(QStringLiteral("reach"), chain.reach());
         entry.insert(QStringLiteral("tip"), jsonVector(chain.tip()));
     }
-    const auto mesh = objectSolid(node, params);
-    if (!mesh)
-        return fail(mesh.error());
     entry.insert(QStringLiteral("vertices"), qint64(*mesh ? (*mesh)->vertexCount() : 0));
     entry.insert(QStringLiteral("faces"), qint64(*mesh ? (*mesh)->faceCount() : 0));
     return {};
 }
 
 /// Every node with its place at a time.
-Expected<QJsonArray> jsonNodes(const Scene& scene, double timeSeconds)
+Expected<QJsonArray> jsonNodes(EvaluatedScene& now)
 {
     QJsonArray list;
-    const std::vector<NodeTransforms> transforms = worldTransformsAt(scene, timeSeconds);
+    const std::vector<NodeTransforms>& transforms = now.transforms();
     for (std::size_t i = 0; i < transforms.size(); ++i) {
-        const Node& node = scene.nodes()[i];
+        const Node& node = now.scene().nodes()[i];
         QJsonObject entry{{QStringLiteral("id"), qint64{node.id}},
                           {QStringLiteral("name"), fromText(node.name)},
                           {QStringLiteral("kind"), json::kindName(node.kind)},
@@ -184,11 +182,8 @@ Expected<QJsonArray> jsonNodes(const Scene& scene, double timeSeconds)
         if (node.kind != NodeKind::Group)
             entry.insert(QStringLiteral("geometry"), jsonMatrix(transforms[i].geometry));
         if (isShape(node.kind))
-            if (auto added = addShapeFacts(entry, node, timeSeconds); !added) {
-                Error error = std::move(added.error());
-                error.path = node.name + (error.path.empty() ? "" : ": " + error.path);
-                return fail(std::move(error));
-            }
+            if (auto added = addShapeFacts(entry, node, now); !added)
+                return fail(std::move(added.error()));
         list.append(entry);
     }
     return list;
@@ -247,22 +242,21 @@ QString textOfTrees(const TreeFacts& sum, const std::vector<TreeFacts>& trees)
     return texts + QStringLiteral("%1 trees\n%2").arg(trees.size()).arg(textOf(sum));
 }
 
-Expected<void> showScene(const Scene& given, double timeSeconds, const Checked& checked, bool json)
+Expected<void> showScene(EvaluatedScene now, const Checked& checked, bool json)
 {
-    const auto turned = MovingArms().at(given, timeSeconds);
-    if (!turned)
-        return fail(turned.error());
-    const Scene& scene = *turned;
+    if (auto posed = now.poseArms(); !posed)
+        return posed;
+    const Scene& scene = now.scene();
     const auto nodes = treesOrShapes(scene);
     if (!nodes)
         return fail(nodes.error());
-    const auto trees = factsOfTrees(*nodes, timeSeconds);
+    const auto trees = factsOfTrees(now, *nodes);
     if (!trees)
         return fail(trees.error());
     TreeFacts sum;
     for (std::size_t i = 0; i < trees->size(); ++i) {
         const TreeFacts& tree = (*trees)[i];
-        const glm::dmat4 world = worldTransformAt(scene, (*nodes)[i]->id, timeSeconds).geometry;
+        const glm::dmat4 world = now.transforms(*(*nodes)[i]).geometry;
         sum.symbols += tree.symbols;
         add(sum.full, tree.full, world);
         add(sum.simplified, tree.simplified, world);
@@ -271,7 +265,7 @@ Expected<void> showScene(const Scene& given, double timeSeconds, const Checked& 
         return print((trees->empty() ? QString() : textOfTrees(sum, *trees)) + objectsText(scene) +
                      verdictRow(checked));
     QJsonObject all = trees->empty() ? QJsonObject() : jsonTrees(sum, *trees);
-    const auto list = jsonNodes(scene, timeSeconds);
+    const auto list = jsonNodes(now);
     if (!list)
         return fail(list.error());
     all.insert(QStringLiteral("nodes"), *list);
@@ -348,17 +342,17 @@ Expected<int> run(const CommandLine& line)
     if (!moments)
         return fail(moments.error());
     Checked checked;
+    TreePipeline pipeline;
+    Evaluator evaluator(pipelineSource(pipeline), moments->timeline);
     if (line.has("verdict")) {
-        TreePipeline pipeline;
-        MovingSource moving(pipelineSource(pipeline), moments->timeline);
-        auto found = checkMeshes(*input, moving, {moments->timeSeconds, true, true}, {});
+        auto found = checkMeshes(*input, evaluator, {moments->timeSeconds, true, true}, {});
         if (!found)
             return fail(found.error());
         checked = std::move(*found);
     }
-    const auto shown = input->scene()
-                           ? showScene(*input->scene(), moments->timeSeconds, checked, line.has("json"))
-                           : showMesh(*input->mesh(), checked, line.has("json"));
+    const auto shown = input->scene() ? showScene(evaluator.at(*input->scene(), moments->timeSeconds),
+                                                  checked, line.has("json"))
+                                      : showMesh(*input->mesh(), checked, line.has("json"));
     if (!shown)
         return fail(shown.error());
     return exitGood;

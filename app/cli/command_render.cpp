@@ -3,7 +3,7 @@
 #include "app/cli/moments.h"
 #include "app/cli/virtual_display.h"
 #include "app/cli/work.h"
-#include "core/session/moving_source.h"
+#include "core/evaluate/evaluator.h"
 #include "widgets/view/render/offscreen_renderer.h"
 #include "widgets/view/render/picture_file.h"
 #include "widgets/view/render/scene_builder.h"
@@ -88,9 +88,9 @@ Expected<Request> requestOf(const CommandLine& line)
     return out;
 }
 
-Expected<RenderScene> treeScene(const Scene& scene, DisplayMode mode, const TreeSource& source,
-                                double timeSeconds)
+Expected<RenderScene> treeScene(EvaluatedScene& now, DisplayMode mode)
 {
+    const Scene& scene = now.scene();
     const auto nodes = treesOrShapes(scene);
     if (!nodes)
         return fail(nodes.error());
@@ -98,29 +98,28 @@ Expected<RenderScene> treeScene(const Scene& scene, DisplayMode mode, const Tree
     for (const Node* node : *nodes) {
         if (!scene.isShown(node->id))
             continue;
-        auto result = evaluateTree(source, *node, nodes->size() > 1, rowOf(mode).stage);
+        auto result = evaluateTree(now, *node, nodes->size() > 1, rowOf(mode).stage);
         if (!result)
             return fail(result.error());
         results.emplace(node->id, std::move(*result));
     }
     SceneView view;
     view.mode = mode;
-    view.timeSeconds = timeSeconds;
     const auto resultOf = [&](NodeId id) {
         const auto found = results.find(id);
         return found == results.end() ? nullptr : &found->second;
     };
-    return SceneBuilder().build(scene, resultOf, view);
+    return SceneBuilder().build(now, resultOf, view);
 }
 
 Expected<RenderScene> sceneOf(const Input& input, const CommandLine& line, DisplayMode mode,
-                              MovingSource& moving, double timeSeconds, const Progress& progress)
+                              Evaluator& evaluator, double timeSeconds, const Progress& progress)
 {
     if (input.scene()) {
-        const auto turned = moving.arms().at(*input.scene(), timeSeconds, progress);
-        if (!turned)
-            return fail(turned.error());
-        return treeScene(*turned, mode, moving.at(timeSeconds), timeSeconds);
+        EvaluatedScene now = evaluator.at(*input.scene(), timeSeconds);
+        if (auto posed = now.poseArms(progress); !posed)
+            return fail(std::move(posed.error()));
+        return treeScene(now, mode);
     }
     if (line.has("mode") && mode != DisplayMode::Mesh)
         return fail(ErrorCode::Invalid, "--mode needs a tree: the input is a mesh");
@@ -186,14 +185,14 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Reques
                        const Moments& moments, const Progress& progress)
 {
     TreePipeline pipeline;
-    MovingSource moving(pipelineSource(pipeline), moments.timeline);
+    Evaluator evaluator(pipelineSource(pipeline), moments.timeline);
     Painter painter;
     std::optional<Camera> camera;
     const std::vector<std::int64_t> frames =
         moments.isSequence() ? moments.frames : std::vector<std::int64_t>{0};
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const double time = moments.isSequence() ? moments.timeOf(frames[i]) : moments.timeSeconds;
-        const auto scene = sceneOf(input, line, request.mode, moving, time, progress);
+        const auto scene = sceneOf(input, line, request.mode, evaluator, time, progress);
         if (!scene)
             return fail(scene.error());
         if (!camera) {

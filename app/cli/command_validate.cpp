@@ -2,7 +2,6 @@
 #include "app/cli/mesh_check.h"
 #include "app/cli/moments.h"
 #include "app/cli/work.h"
-#include "core/session/moving_source.h"
 #include <numbers>
 
 namespace ramure::cli {
@@ -181,9 +180,9 @@ Expected<int> run(const CommandLine& line)
                 return fail(separated.error());
             begun = 0.6;
         }
-        MovingSource moving(pipelineSource(pipeline), moments->timeline);
+        Evaluator evaluator(pipelineSource(pipeline), moments->timeline);
         const MeshChecks checks{moments->timeSeconds, crossings, !line.has("node"), line.has("texture")};
-        return checkMeshes(*input, moving, checks, progress.part(begun, 1.0));
+        return checkMeshes(*input, evaluator, checks, progress.part(begun, 1.0));
     }();
     if (!checked)
         return fail(checked.error());

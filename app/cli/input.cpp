@@ -178,21 +178,23 @@ Expected<void> keepNodes(Input& input, const QStringList& names)
     return {};
 }
 
+static Expected<TreeResult> told(Expected<TreeResult> result, const Node& node, bool isOneOfSeveral)
+{
+    if (!result && isOneOfSeveral)
+        return fail(named(node, std::move(result.error())));
+    return result;
+}
+
 Expected<TreeResult> evaluateTree(TreePipeline& pipeline, const Node& node, bool isOneOfSeveral, Stage last,
                                   const Progress& progress)
 {
-    return evaluateTree(pipelineSource(pipeline), node, isOneOfSeveral, last, progress);
+    return told(pipeline.evaluate(node.params, last, progress), node, isOneOfSeveral);
 }
 
-Expected<TreeResult> evaluateTree(const TreeSource& source, const Node& node, bool isOneOfSeveral, Stage last,
+Expected<TreeResult> evaluateTree(EvaluatedScene& scene, const Node& node, bool isOneOfSeveral, Stage last,
                                   const Progress& progress)
 {
-    auto result = source(node, last, progress);
-    if (!result && isOneOfSeveral) {
-        Error& error = result.error();
-        error.path = node.name + (error.path.empty() ? "" : ": " + error.path);
-    }
-    return result;
+    return told(scene.tree(node, last, progress), node, isOneOfSeveral);
 }
 
 } // namespace ramure::cli

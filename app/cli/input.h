@@ -39,7 +39,7 @@ Expected<void> keepNodes(Input& input, const QStringList& names);
 Expected<TreeResult> evaluateTree(TreePipeline& pipeline, const Node& node, bool isOneOfSeveral, Stage last,
                                   const Progress& progress = {});
 
-Expected<TreeResult> evaluateTree(const TreeSource& source, const Node& node, bool isOneOfSeveral, Stage last,
+Expected<TreeResult> evaluateTree(EvaluatedScene& scene, const Node& node, bool isOneOfSeveral, Stage last,
                                   const Progress& progress = {});
 
 } // namespace ramure::cli

@@ -45,10 +45,10 @@ Expected<void> checkPlaced(CheckedMesh& checked, const TriangleMesh& mesh, const
     return {};
 }
 
-Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, const TreeSource& source,
+Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, EvaluatedScene& scene,
                                 const MeshChecks& checks, const glm::dmat4& world, const Progress& progress)
 {
-    const auto result = evaluateTree(source, node, isOneOfSeveral, Stage::Mesh, progress.part(0.0, 0.4));
+    const auto result = evaluateTree(scene, node, isOneOfSeveral, Stage::Mesh, progress.part(0.0, 0.4));
     if (!result)
         return fail(result.error());
     const BranchMesh& branches = *result->branches;
@@ -96,36 +96,27 @@ Expected<CheckedMesh> checkFile(const ReadMesh& mesh, bool crossings, const Prog
 }
 
 /// An arm, a terrain, a primitive or an imported mesh.
-Expected<CheckedMesh> checkMoving(const Node& node, MovingSource& moving, const MeshChecks& checks,
-                                  const glm::dmat4& world, const Progress& progress)
+Expected<CheckedMesh> checkNode(const Node& node, EvaluatedScene& scene, const MeshChecks& checks,
+                                const glm::dmat4& world, const Progress& progress)
 {
-    const auto named = [&node](Error error) {
-        error.path = node.name + (error.path.empty() ? "" : ": " + error.path);
-        return fail(std::move(error));
-    };
-    NodeParams params = paramsAt(node.params, node.animation, checks.timeSeconds);
-    if (node.kind == NodeKind::Arm) {
-        auto joints = moving.arms().jointsAt(node, checks.timeSeconds, progress.part(0.0, 0.2));
-        if (!joints)
-            return named(std::move(joints.error()));
-        params.joints = std::move(*joints);
-    }
-    auto check = checkShape(node, params, checks.crossings, progress.part(0.2, 0.8));
+    if (auto posed = scene.pose(node, progress.part(0.0, 0.2)); !posed)
+        return fail(std::move(posed.error()));
+    auto check = checkShape(node, scene.params(node), checks.crossings, progress.part(0.2, 0.8));
     if (!check)
-        return named(std::move(check.error()));
+        return fail(named(node, std::move(check.error())));
     const std::shared_ptr<const TriangleMesh> mesh = check->mesh;
     CheckedMesh checked = checkedMesh(std::move(*check), checks.crossings);
     checked.name = node.name;
     checked.kind = node.kind;
     if (checks.placed && world != glm::dmat4(1.0))
         if (const auto placed = checkPlaced(checked, *mesh, world, progress.part(0.8, 1.0)); !placed)
-            return named(placed.error());
+            return fail(named(node, placed.error()));
     return checked;
 }
 
 } // namespace
 
-Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, MovingSource& moving,
+Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, Evaluator& evaluator,
                                                const MeshChecks& checks, const Progress& progress)
 {
     std::vector<CheckedMesh> out;
@@ -145,15 +136,14 @@ Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, MovingSource&
             nodes->push_back(&node);
     if (!checks.hidden)
         std::erase_if(*nodes, [&](const Node* node) { return !scene.isShown(node->id); });
-    const TreeSource source = moving.at(checks.timeSeconds);
+    EvaluatedScene now = evaluator.at(scene, checks.timeSeconds);
     const auto count = static_cast<double>(nodes->size());
     for (const Node* node : *nodes) {
         const double from = static_cast<double>(out.size()) / count;
         const Progress part = progress.part(from, from + 1.0 / count);
-        const glm::dmat4 world =
-            checks.placed ? worldTransformAt(scene, node->id, checks.timeSeconds).geometry : glm::dmat4(1.0);
-        auto checked = isShape(node->kind) ? checkMoving(*node, moving, checks, world, part)
-                                           : checkTree(*node, nodes->size() > 1, source, checks, world, part);
+        const glm::dmat4 world = checks.placed ? now.transforms(*node).geometry : glm::dmat4(1.0);
+        auto checked = isShape(node->kind) ? checkNode(*node, now, checks, world, part)
+                                           : checkTree(*node, nodes->size() > 1, now, checks, world, part);
         if (!checked)
             return fail(checked.error());
         out.push_back(std::move(*checked));

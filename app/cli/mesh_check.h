@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/cli/input.h"
-#include "core/session/moving_source.h"
+#include "core/evaluate/evaluator.h"
 #include "core/surface/check/mesh_analysis.h"
 #include "core/surface/check/texture_report.h"
 #include "core/surface/check/verdict.h"
@@ -49,8 +49,8 @@ struct MeshChecks
 
 /// Is each mesh closed, manifold and oriented, does OpenMesh agree, and has a tree as many pieces as roots;
 /// its quality and its hash. Open surfaces (isOpenSurface) may have a boundary.
-/// Errors: those of the trees, of MovingArms and objectSolid; Cancelled.
-Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, MovingSource& moving,
+/// Errors: those of EvaluatedScene; Cancelled.
+Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, Evaluator& evaluator,
                                                const MeshChecks& checks, const Progress& progress);
 
 /// Moves colliding branches of all trees apart (core/pipeline/separate_branches.h); says on the standard

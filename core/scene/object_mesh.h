@@ -16,7 +16,7 @@ bool isOpenSurface(const Node& node);
 /// Null for other nodes, for meshes without triangles and for terrains that cannot be made.
 std::shared_ptr<const TriangleMesh> objectMesh(const Node& node, const NodeParams& params);
 /// For files and checks: primitives closed and without normals, imported meshes as they were read, terrains,
-/// arms in the pose of their joints (core/session/moving_arms.h turns them for a time). Null where there is
+/// arms in the pose of their joints (core/evaluate/evaluator.h turns them for a time). Null where there is
 /// nothing. Errors: those of buildTerrain, armCylinder and checkArmMesh.
 Expected<std::shared_ptr<const TriangleMesh>> objectSolid(const Node& node, const NodeParams& params);
 

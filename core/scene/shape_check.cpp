@@ -60,4 +60,9 @@ Expected<ShapeCheck> checkShape(const Node& node, const NodeParams& params, bool
     return checked;
 }
 
+Expected<ShapeCheck> checkShapeAtRest(const Node& node, bool crossings, const Progress& progress)
+{
+    return checkShape(node, paramsAt(node.params, node.animation, 0.0), crossings, progress);
+}
+
 } // namespace ramure

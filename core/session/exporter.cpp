@@ -5,8 +5,6 @@
 #include "core/io/formats/material_file.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
-#include "core/scene/world_transforms.h"
-#include "core/session/moving_arms.h"
 #include "core/session/scene_counts.h"
 #include "core/surface/foliage/foliage_texture.h"
 #include "core/surface/mesher/rough_model.h"
@@ -48,12 +46,13 @@ void nameShapes(std::vector<Candidate>& shapes, const std::vector<Candidate>& tr
     }
 }
 
-Expected<std::vector<Candidate>> candidates(const Scene& scene, const ExportOptions& options)
+Expected<std::vector<Candidate>> candidates(EvaluatedScene& now, const ExportOptions& options)
 {
+    const Scene& scene = now.scene();
     for (const NodeId id : options.nodes)
         if (!scene.find(id))
             return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(id)});
-    const std::vector<NodeTransforms> transforms = worldTransformsAt(scene, options.timeSeconds);
+    const std::vector<NodeTransforms>& transforms = now.transforms();
     const glm::dmat4 intoFile = options.space.matrix();
     std::vector<Candidate> trees, objects;
     for (std::size_t i = 0; i < transforms.size(); ++i) {
@@ -183,11 +182,10 @@ void addLines(LinePart& lines, const Skeleton& skeleton, const glm::dmat4& world
 }
 
 /// Which of several nodes an error is about.
-Error named(Error error, const Candidate& tree)
+Error named(Error error, const Candidate& node)
 {
-    if (!tree.suffix.empty() || tree.node->kind != NodeKind::Tree)
-        error.path = tree.node->name + (error.path.empty() ? "" : ": " + error.path);
-    return error;
+    const bool isOnlyTree = node.suffix.empty() && node.node->kind == NodeKind::Tree;
+    return isOnlyTree ? error : named(*node.node, std::move(error));
 }
 
 Stage lastStage(const ExportOptions& options)
@@ -217,38 +215,32 @@ void tint(std::vector<glm::u8vec3>& colours, const glm::dvec3& colour)
         c = glm::u8vec3(glm::dvec3(c) * colour + 0.5);
 }
 
-/// Anything but a tree as it is at the time, under the name of its node.
-Expected<void> addShape(ExportSet& set, const Candidate& shape, const ExportOptions& options,
-                        const Progress& progress)
+/// Anything but a tree, under the name of its node.
+Expected<void> addShape(ExportSet& set, const Candidate& shape, EvaluatedScene& scene,
+                        const ExportOptions& options, const Progress& progress)
 {
     const Node& node = *shape.node;
-    NodeParams params = paramsAt(node.params, node.animation, options.timeSeconds);
-    if (node.kind == NodeKind::Arm) {
-        MovingArms fresh;
-        auto joints = (options.arms ? *options.arms : fresh).jointsAt(node, options.timeSeconds, progress);
-        if (!joints)
-            return fail(named(std::move(joints.error()), shape));
-        params.joints = std::move(*joints);
-    }
     if (options.model == ExportModel::Skeleton) {
+        if (auto posed = scene.pose(node, progress); !posed)
+            return posed;
         if (node.kind == NodeKind::Arm)
-            addChain(*set.lines, params, shape.world);
+            addChain(*set.lines, scene.params(node), shape.world);
         return {};
     }
-    const auto mesh = objectSolid(node, params);
+    const auto mesh = scene.solid(node, progress);
     if (!mesh)
-        return fail(named(mesh.error(), shape));
+        return fail(mesh.error());
     if (!*mesh || (*mesh)->empty())
         return {};
     const auto placed = std::make_shared<TriangleMesh>(transformed(**mesh, shape.world));
-    tint(placed->colours, params.surface.color);
+    tint(placed->colours, scene.params(node).surface.color);
     set.meshes.push_back(
-        {shape.suffix, placed, surfaceMaterial(glm::u8vec3(params.surface.color * 255.0 + 0.5))});
+        {shape.suffix, placed, surfaceMaterial(glm::u8vec3(scene.params(node).surface.color * 255.0 + 0.5))});
     return {};
 }
 
-Expected<void> addTree(ExportSet& set, const Candidate& tree, const ExportOptions& options,
-                       const TreeSource& source, const Progress& progress)
+Expected<void> addTree(ExportSet& set, const Candidate& tree, EvaluatedScene& scene,
+                       const ExportOptions& options, const Progress& progress)
 {
     const glm::dmat4& world = tree.world;
     if (!(std::abs(glm::determinant(glm::dmat3(world))) > 0.0))
@@ -259,14 +251,14 @@ Expected<void> addTree(ExportSet& set, const Candidate& tree, const ExportOption
                            "tree.scale"},
                           tree));
     if (isShape(tree.node->kind))
-        return addShape(set, tree, options, progress);
-    const auto result = source(*tree.node, lastStage(options), progress);
+        return addShape(set, tree, scene, options, progress);
+    const auto result = scene.tree(*tree.node, lastStage(options), progress);
     if (!result)
         return fail(named(result.error(), tree));
     if (options.model == ExportModel::Skeleton)
         addLines(*set.lines, result->simplified->skeleton, world);
     if (options.model == ExportModel::Mesh && options.texture) {
-        const auto meshes = texturedMeshes(*result, tree.node->params, options.parts, progress);
+        const auto meshes = texturedMeshes(*result, scene.params(*tree.node), options.parts, progress);
         if (!meshes)
             return fail(named(meshes.error(), tree));
         addMeshes(set, *meshes, world, tree.suffix);
@@ -275,7 +267,7 @@ Expected<void> addTree(ExportSet& set, const Candidate& tree, const ExportOption
     }
     if (options.model != ExportModel::Rough)
         return {};
-    const auto meshes = roughMeshes(*result, tree.node->params, options.parts, progress);
+    const auto meshes = roughMeshes(*result, scene.params(*tree.node), options.parts, progress);
     if (!meshes)
         return fail(named(meshes.error(), tree));
     addMeshes(set, *meshes, world, tree.suffix);
@@ -291,13 +283,6 @@ std::vector<MeshPart> ExportSet::parts() const
     for (const Entry& entry : meshes)
         out.push_back({entry.name, entry.mesh.get(), entry.material});
     return out;
-}
-
-TreeSource pipelineSource(TreePipeline& pipeline)
-{
-    return [&pipeline](const Node& node, Stage last, const Progress& progress) {
-        return pipeline.evaluate(node.params, last, progress);
-    };
 }
 
 static Expected<TreeResult> currentResult(const Document& document, NodeId id)
@@ -324,7 +309,7 @@ TreeSource documentSource(const Document& document)
     };
 }
 
-Expected<ExportSet> collectExport(const Scene& scene, const ExportOptions& options, const TreeSource& source,
+Expected<ExportSet> collectExport(EvaluatedScene scene, const ExportOptions& options,
                                   const Progress& progress)
 {
     const auto trees = candidates(scene, options);
@@ -339,7 +324,7 @@ Expected<ExportSet> collectExport(const Scene& scene, const ExportOptions& optio
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         const Candidate& tree = (*trees)[i];
         const double from = static_cast<double>(i) / count;
-        const auto added = addTree(set, tree, options, source, progress.part(from, from + 1.0 / count));
+        const auto added = addTree(set, tree, scene, options, progress.part(from, from + 1.0 / count));
         if (!added)
             return fail(added.error());
     }
@@ -364,12 +349,12 @@ Expected<void> writeExport(const ExportSet& set, const std::string& path, const 
     return (*format)->write(path, {parts, set.lines ? &*set.lines : nullptr}, options, progress);
 }
 
-Expected<void> exportScene(const Scene& scene, const ExportOptions& options, const TreeSource& source,
-                           const std::string& path, const Progress& progress)
+Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, const std::string& path,
+                           const Progress& progress)
 {
     if (const auto format = findFormat(path, FormatUse::Write); !format)
         return fail(format.error());
-    const auto set = collectExport(scene, options, source, progress.part(0.0, 0.5));
+    const auto set = collectExport(std::move(scene), options, progress.part(0.0, 0.5));
     if (!set)
         return fail(set.error());
     WriteOptions head = options.write;

@@ -1,16 +1,14 @@
 /// \file
-/// What the editor's export and the command line share: from a scene and the results of its trees to named
+/// What the editor's export and the command line share: from a scene at a time to named
 /// meshes in world space, and on to files. Arms, terrains, primitives and imported meshes are part of it.
 #pragma once
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
+#include "core/evaluate/evaluator.h"
 #include "core/io/file_space.h"
 #include "core/io/mesh_file.h"
-#include "core/pipeline/tree_pipeline.h"
-#include "core/scene/scene.h"
 #include "core/surface/mesh/transformed.h"
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,7 +17,6 @@
 namespace ramure {
 
 class Document;
-class MovingArms;
 struct FileFormat;
 
 enum class ExportModel : std::uint8_t {
@@ -36,10 +33,6 @@ struct ExportOptions
     std::uint8_t parts = exportAll; ///< bits of ExportPart
     std::vector<NodeId> nodes;      ///< these and the trees below them; empty = the whole scene
     bool hidden = false;            ///< also nodes that are not shown
-    double timeSeconds =
-        0.0; ///< where tracks have moved the nodes to; trees come from the source as they are
-    /// Runs of the arms, for sequences: no frame is computed twice. Not owned; null: none are kept.
-    MovingArms* arms = nullptr;
     bool texture = false; ///< trees with texture coordinates; the rough model and the skeleton have none
     WriteOptions write;
     FileSpace space; ///< the axes and the unit of the file
@@ -62,19 +55,14 @@ struct ExportSet
     [[nodiscard]] std::vector<MeshPart> parts() const; ///< valid as long as this set
 };
 
-/// Gives the result of a tree node, with all stages up to \p last.
-using TreeSource =
-    std::function<Expected<TreeResult>(const Node& node, Stage last, const Progress& progress)>;
-/// Evaluates what is asked for; \p pipeline must outlive the source.
-TreeSource pipelineSource(TreePipeline& pipeline);
 /// The results the document has. Error Invalid: a tree's result is missing, a draft, older than its
 /// parameters, or its parameters gave an error (that error).
 TreeSource documentSource(const Document& document);
 
-/// Errors: those of \p source (path = name of the tree and the parameter key, where there are several trees);
-/// those of objectSolid and MovingArms (path = name of the node and what it is about); Unknown (a node of the
-/// options); Invalid (nothing to export, a node flattened by a zero scale); Cancelled.
-Expected<ExportSet> collectExport(const Scene& scene, const ExportOptions& options, const TreeSource& source,
+/// The scene at its time. Errors: those of its trees (path = name of the tree and the parameter key, where
+/// there are several trees); those of EvaluatedScene::solid; Unknown (a node of the options); Invalid
+/// (nothing to export, a node flattened by a zero scale); Cancelled.
+Expected<ExportSet> collectExport(EvaluatedScene scene, const ExportOptions& options,
                                   const Progress& progress = {});
 
 /// Writes a format of core/io/formats/file_format.h, by the ending of \p path. Errors: Unknown (another
@@ -82,8 +70,8 @@ Expected<ExportSet> collectExport(const Scene& scene, const ExportOptions& optio
 Expected<void> writeExport(const ExportSet& set, const std::string& path, const WriteOptions& options = {},
                            const Progress& progress = {});
 /// collectExport and writeExport; the ending is checked before anything is computed.
-Expected<void> exportScene(const Scene& scene, const ExportOptions& options, const TreeSource& source,
-                           const std::string& path, const Progress& progress = {});
+Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, const std::string& path,
+                           const Progress& progress = {});
 /// What a file of this format gets where nobody chose: of one that has no objects the one closed mesh alone.
 std::uint8_t usualParts(const FileFormat& format);
 

@@ -1,6 +1,6 @@
 #include "core/session/motion_worker.h"
 
-#include "core/evaluate/arm_run.h"
+#include "core/evaluate/evaluator.h"
 #include "core/rig/physics/animated_physics.h"
 #include "core/scene/object_mesh.h"
 #include "core/session/tree_actor.h"
@@ -115,14 +115,15 @@ void MotionWorker::loop(const std::stop_token& quit)
 /// Where the nodes are, and the objects whose parameters move.
 static void placeNodes(MotionFrame& frame, const Scene& scene)
 {
-    const std::vector<NodeTransforms> transforms = worldTransformsAt(scene, frame.timeSeconds);
+    EvaluatedScene evaluated(scene, frame.timeSeconds);
+    const std::vector<NodeTransforms>& transforms = evaluated.transforms();
     frame.transforms.reserve(transforms.size());
     for (std::size_t i = 0; i < transforms.size(); ++i) {
         const Node& node = scene.nodes()[i];
         frame.transforms.emplace(node.id, transforms[i]);
         if (node.kind == NodeKind::Tree || !node.animation.movesParams())
             continue;
-        const NodeParams now = paramsAt(node.params, node.animation, frame.timeSeconds);
+        const NodeParams& now = evaluated.params(node);
         const bool sameShape = now.primitive == node.params.primitive && now.terrain == node.params.terrain;
         ObjectNow& object = frame.objects[node.id];
         object = {sameShape ? nullptr : objectMesh(node, now), now.surface, std::nullopt};

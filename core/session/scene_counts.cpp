@@ -20,10 +20,10 @@ PartCount countOf(const TriangleMesh* mesh)
 
 /// An arm has as many faces in every pose, and a shape wherever it stands: what follows the mouse is not
 /// built again for its numbers.
-Node counted(const Node& node)
+Node counted(const Node& node, const NodeParams& params)
 {
     Node out = node;
-    out.params = paramsAt(node.params, node.animation, 0.0);
+    out.params = params;
     out.animation = {};
     out.params.tree = {};
     out.params.local = {};
@@ -69,14 +69,15 @@ SceneCounts SceneCounter::count(const Scene& scene, const ExportOptions& options
         add(counts.parts[static_cast<std::size_t>(part)], more);
     };
     std::map<NodeId, Known> before = std::exchange(m_shapes, {});
+    EvaluatedScene now(scene);
     for (const Node& node : scene.nodes()) {
         if (!isExported(scene, options, node))
             continue;
         if (isShape(node.kind)) {
-            Node shape = counted(node);
+            Node shape = counted(node, now.params(node));
             const auto known = before.find(node.id);
             if (known == before.end() || !sameShape(known->second.node, shape)) {
-                const auto mesh = objectSolid(shape, shape.params);
+                const auto mesh = now.solid(node);
                 const PartCount made = mesh ? countOf(mesh->get()) : PartCount();
                 m_shapes[node.id] = {std::move(shape), made};
             } else {

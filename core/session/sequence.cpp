@@ -1,7 +1,6 @@
 #include "core/session/sequence.h"
 
 #include "core/io/formats/file_format.h"
-#include "core/session/moving_source.h"
 #include "core/session/scene_counts.h"
 
 #include <algorithm>
@@ -60,18 +59,15 @@ Expected<void> exportSequence(const Scene& scene, const ExportOptions& options, 
 {
     if (auto fine = checkSequence(frames); !fine)
         return fine;
-    MovingSource moving(withoutReport(rest), scene.timeline());
+    Evaluator evaluator(withoutReport(rest), scene.timeline());
     const auto count = static_cast<double>(frames.count());
     for (std::int64_t i = 0; i < frames.count(); ++i) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         const std::int64_t frame = frames.frame(i);
         const double from = static_cast<double>(i) / count;
-        ExportOptions now = options;
-        now.timeSeconds = frames.timeOf(frame);
-        now.arms = &moving.arms();
-        if (auto written = exportScene(scene, now, moving.at(now.timeSeconds), numberedFile(path, frame),
-                                       progress.part(from, from + 1.0 / count));
+        if (auto written = exportScene(evaluator.at(scene, frames.timeOf(frame)), options,
+                                       numberedFile(path, frame), progress.part(from, from + 1.0 / count));
             !written)
             return written;
     }

@@ -10,7 +10,7 @@ namespace {
 
 Expected<ShapeCheck> checkAtRest(const Node& node, const Progress& progress)
 {
-    return checkShape(node, paramsAt(node.params, node.animation, 0.0), true, progress);
+    return checkShapeAtRest(node, true, progress);
 }
 
 /// Does the check of one hold for the other too? Where a node stands and what it is called does not count.

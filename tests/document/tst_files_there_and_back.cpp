@@ -46,7 +46,7 @@ private:
     }
     Expected<void> write(const Scene& scene, const std::string& to, const ExportOptions& options = {})
     {
-        return exportScene(scene, options, pipelineSource(m_pipeline), to);
+        return exportScene(Evaluator(pipelineSource(m_pipeline)).at(scene), options, to);
     }
     static Scene sceneOf(const BlenderImport& made) { return *Scene::fromNodes(made.nodes); }
 
@@ -85,7 +85,7 @@ private slots:
         QVERIFY2(made, test::why(made));
         QVERIFY2(made->notes.empty(), made->notes.empty() ? "" : made->notes[0].message().c_str());
         QCOMPARE(made->nodes.size(), std::size_t(1));
-        const auto set = collectExport(m_scene, {}, pipelineSource(m_pipeline));
+        const auto set = collectExport(Evaluator(pipelineSource(m_pipeline)).at(m_scene), {});
         QVERIFY(set);
         ColourCounts meant;
         std::vector<glm::u8vec3> order;
@@ -115,7 +115,7 @@ private slots:
         auto made = importBlender(path("Oak.obj"));
         QVERIFY2(made, test::why(made));
         made->nodes[0].params.surface.color = {1.0, 0.5, 0.0};
-        const auto set = collectExport(sceneOf(*made), {}, pipelineSource(m_pipeline));
+        const auto set = collectExport(Evaluator(pipelineSource(m_pipeline)).at(sceneOf(*made)), {});
         QVERIFY2(set, test::why(set));
         const glm::u8vec3 before = made->nodes[0].mesh->colours[0], after = set->meshes[0].mesh->colours[0];
         QCOMPARE(int(after.r), int(before.r));

@@ -144,7 +144,7 @@ private slots:
         const auto noTrees = [](const Node&, Stage, const Progress&) -> Expected<TreeResult> {
             return fail(ErrorCode::Invalid, "no trees");
         };
-        const auto set = collectExport(document.scene(), {}, noTrees);
+        const auto set = collectExport(Evaluator(noTrees).at(document.scene()), {});
         QVERIFY(set);
         QCOMPARE(set->meshes.size(), std::size_t(2)); // the box itself is hidden
         QCOMPARE(set->meshes[0].name, std::string("Arm"));

@@ -76,7 +76,7 @@ private slots:
 private:
     Expected<ExportSet> collect(const Scene& scene, const ExportOptions& options = {})
     {
-        return collectExport(scene, options, pipelineSource(m_pipeline));
+        return collectExport(Evaluator(pipelineSource(m_pipeline)).at(scene), options);
     }
     TreePipeline m_pipeline;
 };
@@ -114,7 +114,7 @@ void TestExporter::unknownEndingsComputeNothing()
         asked = true;
         return TreeResult{};
     };
-    const auto done = exportScene(oneTree(), {}, source, path.toStdString());
+    const auto done = exportScene(Evaluator(source).at(oneTree()), {}, path.toStdString());
     QVERIFY(!done);
     QCOMPARE(done.error().code, ErrorCode::Unknown);
     QVERIFY(!asked);
@@ -134,7 +134,8 @@ void TestExporter::cancelled()
 {
     std::stop_source stop;
     stop.request_stop();
-    const auto set = collectExport(oneTree(), {}, pipelineSource(m_pipeline), {stop.get_token(), {}});
+    const auto set =
+        collectExport(Evaluator(pipelineSource(m_pipeline)).at(oneTree()), {}, {stop.get_token(), {}});
     QCOMPARE(set.error().code, ErrorCode::Cancelled);
 }
 
@@ -151,7 +152,9 @@ void TestExporter::documentsOnlyGiveWhatIsReady()
 {
     Document document;
     document.reset(oneTree(), {});
-    const auto get = [&] { return collectExport(document.scene(), {}, documentSource(document)); };
+    const auto get = [&] {
+        return collectExport(Evaluator(documentSource(document)).at(document.scene()), {});
+    };
     QCOMPARE(get().error().code, ErrorCode::Invalid);
     NodeResult result;
     result.tree = *m_pipeline.evaluate(document.scene().find(1)->params);
@@ -166,7 +169,7 @@ void TestExporter::documentsOnlyGiveWhatIsReady()
     const Scene scene = document.scene();
     QVERIFY(edit::setParam(document, {1}, *findParam("turtle.alpha"), 0.3));
     QVERIFY(!get());
-    QVERIFY(collectExport(scene, {}, before)); // what was taken stays good
+    QVERIFY(collectExport(Evaluator(before).at(scene), {})); // what was taken stays good
     result.revision = document.revision();
     result.error = Error{};
     result.error->code = ErrorCode::Limit;
@@ -218,7 +221,7 @@ void TestExporter::partsAreChosen()
         asked = last;
         return m_pipeline.evaluate(node.params, last, progress);
     };
-    QVERIFY(collectExport(oneTree(), options, spy));
+    QVERIFY(collectExport(Evaluator(spy).at(oneTree()), options));
     QCOMPARE(asked, Stage::Mesh); // no leaves are grown for nothing
 }
 
@@ -363,7 +366,7 @@ void TestExporter::writesFiles()
                                 forward = forward && fraction >= last;
                                 last = fraction;
                             }};
-    const auto done = exportScene(oneTree(), options, pipelineSource(m_pipeline),
+    const auto done = exportScene(Evaluator(pipelineSource(m_pipeline)).at(oneTree()), options,
                                   folder.filePath(name).toStdString(), progress);
     QVERIFY2(done, test::why(done));
     QVERIFY(forward && last <= 1.0);

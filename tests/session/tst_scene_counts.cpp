@@ -27,7 +27,7 @@ private:
     static PartCount exported(const Scene& scene, TreePipeline& pipeline)
     {
         PartCount count;
-        const auto set = collectExport(scene, {}, pipelineSource(pipeline));
+        const auto set = collectExport(Evaluator(pipelineSource(pipeline)).at(scene), {});
         for (const ExportSet::Entry& entry : set->meshes) {
             count.vertices += entry.mesh->vertexCount();
             count.faces += entry.mesh->faceCount();

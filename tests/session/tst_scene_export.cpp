@@ -1,8 +1,8 @@
+#include "core/evaluate/evaluator.h"
 #include "core/params/presets.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/arm_demo.h"
 #include "core/session/exporter.h"
-#include "core/session/moving_arms.h"
 #include "core/session/sequence.h"
 #include "core/surface/proof/validate.h"
 #include "tests/support/solids.h"
@@ -76,35 +76,33 @@ private slots:
     {
         Node arm = nodeOf(NodeKind::Arm, 1, "Crane");
         arm.params.joints[1].length = -1.0;
-        auto set = collectExport(*Scene::fromNodes({arm}), {}, noTrees);
+        auto set = collectExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {});
         QVERIFY(!set);
         QCOMPARE(set.error().path, std::string("Crane: joints[1].length"));
         arm = nodeOf(NodeKind::Arm, 1, "Crane");
         arm.params.armSkin.radius = 0.0;
-        QCOMPARE(collectExport(*Scene::fromNodes({arm}), {}, noTrees).error().path,
+        QCOMPARE(collectExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {}).error().path,
                  std::string("Crane: armSkin.radius"));
         TriangleMesh lost;
         lost.positions = {{0, 0, 0}, {1, 0, 0}};
         lost.triangles = {{0, 1, 7}};
         arm = nodeOf(NodeKind::Arm, 1, "Crane");
         arm.mesh = SharedValue<TriangleMesh>(lost);
-        QCOMPARE(collectExport(*Scene::fromNodes({arm}), {}, noTrees).error().path,
+        QCOMPARE(collectExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {}).error().path,
                  std::string("Crane: mesh"));
         Node land = nodeOf(NodeKind::Terrain, 1, "Land");
         land.params.terrain.size = -2.0;
-        QCOMPARE(collectExport(*Scene::fromNodes({land}), {}, noTrees).error().path,
+        QCOMPARE(collectExport(Evaluator(noTrees).at(*Scene::fromNodes({land})), {}).error().path,
                  std::string("Land: terrain.size"));
         land.params.terrain.size = 2.0;
         land.params.tree.scale.x = 0.0;
-        QCOMPARE(collectExport(*Scene::fromNodes({land}), {}, noTrees).error().path,
+        QCOMPARE(collectExport(Evaluator(noTrees).at(*Scene::fromNodes({land})), {}).error().path,
                  std::string("Land: tree.scale"));
-        ExportOptions never;
-        never.timeSeconds = std::numeric_limits<double>::quiet_NaN();
-        QVERIFY(!collectExport(*Scene::fromNodes({nodeOf(NodeKind::Arm, 1, "A")}), never, noTrees));
-        ExportOptions late;
-        late.timeSeconds = 1e9;
-        QVERIFY(!collectExport(*Scene::fromNodes({nodeOf(NodeKind::Arm, 1, "A")}), late, noTrees));
-        QVERIFY(!collectExport(*Scene::fromNodes({nodeOf(NodeKind::Group, 1, "G")}), {}, noTrees));
+        for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 1e9})
+            QVERIFY(!collectExport(
+                Evaluator(noTrees).at(*Scene::fromNodes({nodeOf(NodeKind::Arm, 1, "A")}), bad), {}));
+        QVERIFY(
+            !collectExport(Evaluator(noTrees).at(*Scene::fromNodes({nodeOf(NodeKind::Group, 1, "G")})), {}));
     }
 
     void everyNodeIsAnObjectWithItsName()
@@ -115,7 +113,7 @@ private slots:
              nodeOf(NodeKind::Primitive, 5, "Box"), nodeOf(NodeKind::Mesh, 6, "leaves"),
              nodeOf(NodeKind::Primitive, 7, "Box_2"), nodeOf(NodeKind::Group, 8, "Nothing")});
         TreePipeline pipeline;
-        const auto set = collectExport(*scene, {}, pipelineSource(pipeline));
+        const auto set = collectExport(Evaluator(pipelineSource(pipeline)).at(*scene), {});
         QVERIFY(set);
         std::vector<std::string> names;
         for (const MeshPart& part : set->parts())
@@ -129,7 +127,7 @@ private slots:
         // Without the tree's parts nothing but the nodes is left.
         ExportOptions two;
         two.nodes = {3, 6};
-        const auto chosen = collectExport(*scene, two, noTrees);
+        const auto chosen = collectExport(Evaluator(noTrees).at(*scene), two);
         QVERIFY(chosen);
         QCOMPARE(chosen->meshes.size(), std::size_t(2));
         QCOMPARE(chosen->meshes[1].name, std::string("leaves")); // no tree takes the name
@@ -141,7 +139,7 @@ private slots:
         arm.params.arm.follows = false;
         arm.params.tree.translation = {10.0, 1.0, -3.0};
         arm.params.tree.scale = glm::dvec3(2.0);
-        const auto set = collectExport(*Scene::fromNodes({arm}), {}, noTrees);
+        const auto set = collectExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {});
         QVERIFY(set);
         const TriangleMesh& mesh = *meshOf(*set, "Crane");
         const auto report = validateMesh(mesh);
@@ -158,50 +156,40 @@ private slots:
         Scene scene = armDemo();
         Node& arm = *scene.find(1);
         const glm::dvec3 target(arm.params.arm.target.x, arm.params.arm.target.z, -arm.params.arm.target.y);
-        ExportOptions options;
-        const auto tipAway = [&](double seconds) {
-            options.timeSeconds = seconds;
-            return nearest(*meshOf(*collectExport(scene, options, noTrees), "Arm"), target);
+        const auto at = [&scene](double seconds) {
+            return *meshOf(*collectExport(Evaluator(noTrees).at(scene, seconds), {}), "Arm");
         };
-        QVERIFY(tipAway(0.0) > 0.5);
-        QVERIFY(tipAway(5.0) < 1e-3); // the centre of the end is the tip
+        QVERIFY(nearest(at(0.0), target) > 0.5);
+        QVERIFY(nearest(at(5.0), target) < 1e-3); // the centre of the end is the tip
         // It stands still where it does not follow.
         arm.params.arm.follows = false;
-        options.timeSeconds = 0.0;
-        const auto rest = collectExport(scene, options, noTrees);
-        options.timeSeconds = 5.0;
-        QCOMPARE(*meshOf(*collectExport(scene, options, noTrees), "Arm"), *meshOf(*rest, "Arm"));
+        QCOMPARE(at(5.0), at(0.0));
     }
 
     void aRunThatIsKeptGivesTheSame()
     {
         const Scene scene = armDemo();
-        MovingArms kept;
-        for (const double seconds : {0.5, 1.0, 0.25, 3.0, 0.0}) {
-            ExportOptions fresh;
-            fresh.timeSeconds = seconds;
-            ExportOptions going = fresh;
-            going.arms = &kept;
-            QCOMPARE(*meshOf(*collectExport(scene, going, noTrees), "Arm"),
-                     *meshOf(*collectExport(scene, fresh, noTrees), "Arm"));
-        }
+        Evaluator kept;
+        for (const double seconds : {0.5, 1.0, 0.25, 3.0, 0.0})
+            QCOMPARE(*meshOf(*collectExport(kept.at(scene, seconds), {}), "Arm"),
+                     *meshOf(*collectExport(Evaluator().at(scene, seconds), {}), "Arm"));
         // Another target is another run.
         Scene other = scene;
         other.find(1)->params.arm.target = {0.5, 0.5, 2.0};
-        const auto joints = kept.jointsAt(*other.find(1), 5.0);
+        const auto joints = kept.joints(*other.find(1), 5.0);
         QVERIFY(joints);
         QVERIFY(glm::distance(ArmChain(*joints).tip(), glm::dvec3(0.5, 0.5, 2.0)) < 1e-3);
-        const auto turned = kept.at(other, 5.0);
-        QVERIFY(turned);
-        QCOMPARE(turned->find(1)->params.joints, *joints);
-        QCOMPARE(*turned->find(2), *other.find(2));
+        EvaluatedScene turned = kept.at(other, 5.0);
+        QVERIFY(turned.poseArms());
+        QCOMPARE(turned.params(*other.find(1)).joints, *joints);
+        QCOMPARE(turned.params(*other.find(2)), other.find(2)->params);
     }
 
     void anArmWithoutSkinIsItsJointsAndRods()
     {
         Node arm = nodeOf(NodeKind::Arm, 1, "Crane");
         arm.params.armSkin.shown = false;
-        const auto set = collectExport(*Scene::fromNodes({arm}), {}, noTrees);
+        const auto set = collectExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {});
         QVERIFY(set);
         const auto report = validateMesh(*meshOf(*set, "Crane"));
         QVERIFY(report && report->valid);
@@ -213,12 +201,13 @@ private slots:
     {
         ExportOptions options;
         options.model = ExportModel::Skeleton;
-        const auto set = collectExport(armDemo(), options, noTrees);
+        const auto set = collectExport(Evaluator(noTrees).at(armDemo()), options);
         QVERIFY(set && set->lines);
         QCOMPARE(set->lines->lines.size(), std::size_t(3));
         QVERIFY(glm::distance(set->lines->positions.back(), glm::vec3(1.7177032, 3.4335330, -2.0079169)) <
                 1e-5F);
-        QVERIFY(!collectExport(*Scene::fromNodes({nodeOf(NodeKind::Terrain, 1, "L")}), options, noTrees));
+        QVERIFY(!collectExport(Evaluator(noTrees).at(*Scene::fromNodes({nodeOf(NodeKind::Terrain, 1, "L")})),
+                               options));
     }
 
     void sequencesFollowTheArm()

@@ -1,8 +1,8 @@
 #include "core/document/commands.h"
+#include "core/evaluate/evaluator.h"
 #include "core/params/presets.h"
 #include "core/rig/pose/skin.h"
 #include "core/scene/loop_blend.h"
-#include "core/session/moving_source.h"
 #include "core/session/player.h"
 #include "core/session/recompute.h"
 #include "tests/support/suite.h"
@@ -167,10 +167,10 @@ void TestSeamless::armsGoOnWithoutAJump()
     QVERIFY(distance(jumping.back(), jumping.front()) > 0.01);
     QVERIFY(distance(smooth.back(), smooth.front()) < 0.05 * distance(jumping.back(), jumping.front()));
     // Files have the same joints.
-    MovingArms arms(loop);
+    Evaluator arms({}, loop);
     for (const qint64 frame : {20, 36, 47}) {
         seek(frame);
-        const auto joints = arms.jointsAt(*m_document->scene().find(arm), loop.timeOf(frame));
+        const auto joints = arms.joints(*m_document->scene().find(arm), loop.timeOf(frame));
         QVERIFY(joints);
         for (std::size_t i = 0; i < joints->size(); ++i)
             QCOMPARE(motion(arm).arm->angles[2 * i], (*joints)[i].phi.angleRad);
@@ -184,9 +184,9 @@ void TestSeamless::branchesKeepTheirLengths()
     node.kind = NodeKind::Tree;
     node.params = *presetParams("SmallTree");
     TreePipeline pipeline;
-    MovingSource moving(pipelineSource(pipeline), loop);
+    Evaluator moving(pipelineSource(pipeline), loop);
     const auto rest = pipelineSource(pipeline)(node, Stage::Foliage, {});
-    const auto now = moving.at(loop.timeOf(38))(node, Stage::Foliage, {});
+    const auto now = moving.tree(node, Stage::Foliage, loop.timeOf(38));
     QVERIFY(rest && now && now->report->valid);
     const Skeleton &before = rest->simplified->skeleton, &bones = now->simplified->skeleton;
     double moved = 0.0;
@@ -204,12 +204,12 @@ void TestSeamless::filesAreWhatThePlayerShows()
     const NodeId tree = add(NodeKind::Tree);
     setLoop(true);
     TreePipeline pipeline;
-    MovingSource moving(pipelineSource(pipeline), m_document->scene().timeline());
+    Evaluator moving(pipelineSource(pipeline), m_document->scene().timeline());
     for (const qint64 frame : {47, 30, 20}) {
         seek(frame);
         const NodeMotion& shown = motion(tree);
         const auto now =
-            moving.at(m_player->timeSeconds())(*m_document->scene().find(tree), Stage::Foliage, {});
+            moving.tree(*m_document->scene().find(tree), Stage::Foliage, m_player->timeSeconds());
         QVERIFY(now);
         QVERIFY(now->branches->mesh ==
                 deformed(shown.mesh->mesh, *shown.branches, *shown.bones, shown.method));

@@ -1,6 +1,6 @@
+#include "core/evaluate/evaluator.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
-#include "core/session/moving_source.h"
 #include "core/session/sequence.h"
 #include "tests/support/suite.h"
 #include <QDir>
@@ -86,10 +86,10 @@ private slots:
                                        QStringLiteral("tree_0050.mtl"), QStringLiteral("tree_0050.obj")}));
         QVERIFY(bytes(QStringLiteral("tree_0010.obj")) != bytes(QStringLiteral("tree_0050.obj")));
         for (const int frame : {50, 10, 30}) {
-            MovingSource moving(pipelineSource(m_pipeline));
+            Evaluator moving(pipelineSource(m_pipeline));
             QVERIFY(QDir(m_folder->path()).mkpath(QStringLiteral("one")));
             const QString file = QStringLiteral("tree_%1.obj").arg(frame, 4, 10, QLatin1Char('0'));
-            QVERIFY(exportScene(m_scene, {}, moving.at(frame / 30.0),
+            QVERIFY(exportScene(moving.at(m_scene, frame / 30.0), {},
                                 name(QStringLiteral("one/") + file).toStdString()));
             QVERIFY(bytes(QStringLiteral("one/") + file) == bytes(file));
         }
@@ -104,7 +104,7 @@ private slots:
                     options.texture = texture;
                     options.write.ascii = ascii;
                     const TreeSource rest = pipelineSource(m_pipeline);
-                    QVERIFY(exportScene(m_scene, options, rest, path(file)));
+                    QVERIFY(exportScene(Evaluator(rest).at(m_scene), options, path(file)));
                     const auto real = double(QFileInfo(name(QLatin1String(file))).size());
                     const auto said = double(estimatedFileBytes(m_scene, options, rest, path(file)));
                     QVERIFY2(said > 0.75 * real && said < 1.3 * real,

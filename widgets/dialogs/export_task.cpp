@@ -2,7 +2,7 @@
 
 #include "core/document/document.h"
 #include "core/rig/physics/animated_physics.h"
-#include "core/session/moving_source.h"
+#include "core/session/exporter.h"
 #include <map>
 
 namespace ramure {
@@ -24,17 +24,15 @@ TreeSource snapshotOf(const Document& document)
     };
 }
 
-void ExportTask::startExport(const Document& document, const ExportOptions& asked, const QString& path,
+void ExportTask::startExport(const Document& document, const ExportOptions& options, const QString& path,
                              double timeSeconds)
 {
     if (isRunning())
         return;
-    start([asked, timeSeconds, scene = document.scene(), source = snapshotOf(document),
+    start([options, timeSeconds, scene = document.scene(), source = snapshotOf(document),
            file = path.toStdString()](const Progress& progress) {
-        MovingSource moving(source, scene.timeline());
-        ExportOptions options = asked;
-        options.timeSeconds = timeSeconds;
-        return exportScene(scene, options, moving.at(timeSeconds), file, progress);
+        Evaluator evaluator(source, scene.timeline());
+        return exportScene(evaluator.at(scene, timeSeconds), options, file, progress);
     });
 }
 

@@ -1,7 +1,6 @@
 #include "widgets/dialogs/sequence_task.h"
 
 #include "core/document/document.h"
-#include "core/session/moving_source.h"
 #include "widgets/dialogs/export_task.h"
 #include "widgets/view/render/offscreen_renderer.h"
 #include "widgets/view/render/picture_file.h"
@@ -22,18 +21,17 @@ struct Pictures
     std::vector<PictureShot> shots;
 };
 
-Expected<RenderScene> sceneAt(const Pictures& pictures, double timeSeconds, MovingSource& moving,
+Expected<RenderScene> sceneAt(const Pictures& pictures, double timeSeconds, Evaluator& evaluator,
                               const Progress& progress)
 {
-    const auto turned = moving.arms().at(pictures.scene, timeSeconds, progress);
-    if (!turned)
-        return fail(turned.error());
-    const TreeSource source = moving.at(timeSeconds);
+    EvaluatedScene now = evaluator.at(pictures.scene, timeSeconds);
+    if (auto posed = now.poseArms(progress); !posed)
+        return fail(std::move(posed.error()));
     std::map<NodeId, TreeResult> results;
     for (const Node& node : pictures.scene.nodes()) {
         if (node.kind != NodeKind::Tree || !pictures.scene.isShown(node.id))
             continue;
-        auto result = source(node, Stage::Foliage, progress);
+        auto result = now.tree(node, Stage::Foliage, progress);
         if (!result)
             return fail(std::move(result.error()));
         results.emplace(node.id, std::move(*result));
@@ -42,21 +40,20 @@ Expected<RenderScene> sceneAt(const Pictures& pictures, double timeSeconds, Movi
         const auto found = results.find(id);
         return found == results.end() ? nullptr : &found->second;
     };
-    SceneView view = pictures.look.view;
-    view.timeSeconds = timeSeconds;
-    return SceneBuilder().build(*turned, resultOf, view);
+    return SceneBuilder().build(now, resultOf, pictures.look.view);
 }
 
 Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, const Progress& progress)
 {
-    MovingSource moving(pictures.rest, pictures.scene.timeline());
+    Evaluator evaluator(pictures.rest, pictures.scene.timeline());
     std::optional<RenderScene> scene;
     const auto count = static_cast<double>(pictures.shots.size());
     for (std::size_t i = 0; i < pictures.shots.size(); ++i) {
         const PictureShot& shot = pictures.shots[i];
         const double from = static_cast<double>(i) / count;
         if (!scene || shot.timeSeconds != pictures.shots[i - 1].timeSeconds) {
-            auto built = sceneAt(pictures, shot.timeSeconds, moving, progress.part(from, from + 0.5 / count));
+            auto built =
+                sceneAt(pictures, shot.timeSeconds, evaluator, progress.part(from, from + 0.5 / count));
             if (!built)
                 return fail(std::move(built.error()));
             scene = std::move(*built);

@@ -1,7 +1,6 @@
 #include "widgets/view/arm_ghosts.h"
 
 #include "core/rig/arm/arm_chain.h"
-#include "core/session/moving_arms.h"
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,7 +17,7 @@ bool ArmGhosts::operator==(const ArmGhosts& other) const
 
 ArmGhostMaker::ArmGhostMaker(QObject* parent)
     : QObject(parent)
-    , m_arms(std::make_shared<MovingArms>())
+    , m_arms(std::make_shared<Evaluator>())
 {
 }
 
@@ -54,14 +53,14 @@ void ArmGhostMaker::show(std::vector<ArmGhosts> wanted)
         });
 }
 
-std::vector<ArmGhostMaker::Made> ArmGhostMaker::made(const std::vector<ArmGhosts>& wanted, MovingArms& arms,
+std::vector<ArmGhostMaker::Made> ArmGhostMaker::made(const std::vector<ArmGhosts>& wanted, Evaluator& arms,
                                                      const Progress& progress)
 {
     std::vector<Made> all;
     for (const ArmGhosts& ghosts : wanted) {
-        const auto now = arms.jointsAt(ghosts.arm, ghosts.now, progress);
+        const auto now = arms.joints(ghosts.arm, ghosts.now, progress);
         for (const ArmGhosts::Copy& copy : ghosts.copies) {
-            const auto joints = arms.jointsAt(ghosts.arm, copy.seconds, progress);
+            const auto joints = arms.joints(ghosts.arm, copy.seconds, progress);
             if (progress.cancelled())
                 return {};
             if (!now || !joints || (*joints == *now && isNear(copy.geometry, ghosts.geometryNow)))

@@ -4,7 +4,7 @@
 /// to be followed there.
 #pragma once
 
-#include "core/scene/scene.h"
+#include "core/evaluate/evaluator.h"
 #include "core/session/job.h"
 #include "widgets/view/render/render_scene.h"
 #include <QObject>
@@ -12,8 +12,6 @@
 #include <vector>
 
 namespace ramure {
-
-class MovingArms;
 
 /// One arm, and when and where copies of it are wanted.
 struct ArmGhosts
@@ -58,12 +56,12 @@ private:
         std::shared_ptr<const PointSet> joints;
         glm::dmat4 place{1.0};
     };
-    static std::vector<Made> made(const std::vector<ArmGhosts>& wanted, MovingArms& arms,
+    static std::vector<Made> made(const std::vector<ArmGhosts>& wanted, Evaluator& arms,
                                   const Progress& progress);
 
     std::vector<ArmGhosts> m_wanted;
     std::vector<Made> m_made;
-    std::shared_ptr<MovingArms> m_arms; ///< of the thread
+    std::shared_ptr<Evaluator> m_arms; ///< of the thread
     Job m_work{nullptr, Job::Manner::Polite};
 };
 

@@ -1,5 +1,6 @@
 // What the hand reaches for with Ctrl: a branch of a tree at rest, whose limb follows; a place on a surface,
 // which becomes the target of an arm.
+#include "core/evaluate/evaluator.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
 #include "core/session/auto_key.h"
@@ -221,14 +222,12 @@ std::vector<glm::dvec3> Viewport::Private::targets() const
 {
     std::vector<glm::dvec3> found;
     const Scene& all = document->scene();
+    EvaluatedScene now(all, timeNow());
     for (const Node& node : all.nodes()) {
         if (node.kind != NodeKind::Arm || !node.params.arm.follows || !all.isShown(node.id))
             continue;
-        const glm::dvec3 target = node.animation.movesParams()
-                                      ? paramsAt(node.params, node.animation, timeNow()).arm.target
-                                      : node.params.arm.target;
-        found.emplace_back(worldTransformAt(all, node.id, timeNow()).geometry * armUpright() *
-                           glm::dvec4(target, 1.0));
+        found.emplace_back(now.transforms(node).geometry * armUpright() *
+                           glm::dvec4(now.params(node).arm.target, 1.0));
     }
     return found;
 }

@@ -1,7 +1,6 @@
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/world_transforms.h"
-#include "core/session/moving_arms.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/view/gizmo_trail.h"
 #include "widgets/view/tools/typed_number.h"
@@ -269,8 +268,8 @@ void TestGizmoTrail::armsHaveGhostsToo()
         GizmoTrail trail;
         trail.show(scene, {arm}, how, 0, true);
         QTRY_VERIFY_WITH_TIMEOUT(!trail.isBusy(), 20'000);
-        MovingArms arms;
-        const auto now = arms.jointsAt(node, 0.0);
+        Evaluator arms;
+        const auto now = arms.joints(node, 0.0);
         QVERIFY(now);
         RenderScene shown;
         trail.addTo(shown, noTrees);
@@ -279,7 +278,7 @@ void TestGizmoTrail::armsHaveGhostsToo()
         std::size_t expected = 0, drawnLines = 0;
         for (const int place : {3, 2, 1}) { // the furthest away first
             const double seconds = scene.timeline().timeOf(place * 10);
-            const auto joints = arms.jointsAt(node, seconds);
+            const auto joints = arms.joints(node, seconds);
             QVERIFY(joints);
             if (*joints == *now)
                 continue;

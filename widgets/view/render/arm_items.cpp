@@ -112,6 +112,8 @@ void addShape(RenderScene& scene, const std::shared_ptr<const SeenArm>& seen, co
     scene.meshes.push_back(std::move(item));
 }
 
+} // namespace
+
 void addArm(RenderScene& scene, ScenePartCache& cache, const Node& node, const NodeParams& params,
             const glm::dmat4& world, DisplayMode mode)
 {
@@ -137,20 +139,9 @@ void addArm(RenderScene& scene, ScenePartCache& cache, const Node& node, const N
         addTarget(scene, cache, node, params, chain.reach(), world);
 }
 
-} // namespace
-
 glm::dmat4 armTargetPlace(const glm::dvec3& target)
 {
     return armUpright() * glm::translate(glm::dmat4(1.0), target);
-}
-
-void addArm(RenderScene& scene, ScenePartCache& cache, const Node& node, const glm::dmat4& world,
-            const SceneView& view)
-{
-    if (!node.animation.movesParams())
-        return addArm(scene, cache, node, node.params, world, view.mode);
-    const NodeParams params = paramsAt(node.params, node.animation, view.timeSeconds);
-    addArm(scene, cache, node, params, world, view.mode);
 }
 
 } // namespace ramure

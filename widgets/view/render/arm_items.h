@@ -14,9 +14,8 @@ class ScenePartCache;
 glm::dmat4 armTargetPlace(const glm::dvec3& target);
 
 /// Appends an arm in the pose of its joints, upright in its node. What cannot be made (a mesh that no arm can
-/// wear) is left out.
-/// \param world of the node's own geometry
-void addArm(RenderScene& scene, ScenePartCache& cache, const Node& node, const glm::dmat4& world,
-            const SceneView& view);
+/// wear) is left out. \param params of the time; \param world of the node's own geometry
+void addArm(RenderScene& scene, ScenePartCache& cache, const Node& node, const NodeParams& params,
+            const glm::dmat4& world, DisplayMode mode);
 
 } // namespace ramure

@@ -1,6 +1,6 @@
 #include "widgets/view/render/framing_points.h"
 
-#include "core/scene/world_transforms.h"
+#include "core/evaluate/evaluator.h"
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -58,9 +58,9 @@ std::vector<glm::dvec3> framingPoints(const Scene& scene, const RenderScene& bui
     const std::vector<double> moments = momentsOf(scene);
     const std::size_t most = mostPoints / (items.size() * moments.size());
     for (const double seconds : moments) {
-        const std::vector<NodeTransforms> places = worldTransformsAt(scene, seconds);
+        EvaluatedScene now(scene, seconds);
         for (const auto& [node, item] : items)
-            addPoints(*item, places[node].geometry * item->inNode, most, points);
+            addPoints(*item, now.transforms()[node].geometry * item->inNode, most, points);
     }
     return points;
 }

@@ -1,7 +1,7 @@
 #include "widgets/view/render/ground_height.h"
 
+#include "core/evaluate/evaluator.h"
 #include "core/scene/kinds/node_kinds.h"
-#include "core/scene/world_transforms.h"
 #include "widgets/view/render/framing_points.h"
 #include <algorithm>
 #include <limits>
@@ -69,9 +69,9 @@ double GroundHeight::of(const Scene& scene, const RenderScene& built)
     if (!moves)
         moments.resize(1);
     for (const double seconds : moments) {
-        const std::vector<NodeTransforms> places = worldTransformsAt(scene, seconds);
+        EvaluatedScene now(scene, seconds);
         for (const auto& [index, item] : objects)
-            m_height = lowestOf(*item, places[index].geometry, m_height);
+            m_height = lowestOf(*item, now.transforms()[index].geometry, m_height);
     }
     return m_height;
 }

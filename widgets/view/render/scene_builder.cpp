@@ -1,7 +1,6 @@
 #include "widgets/view/render/scene_builder.h"
 
 #include "core/scene/object_mesh.h"
-#include "core/scene/world_transforms.h"
 #include "core/surface/check/texture_report.h"
 #include "core/surface/mesh/normals.h"
 #include "core/surface/mesher/rough_model.h"
@@ -288,7 +287,6 @@ struct ObjectItems
 {
     ScenePartCache& cache;
     RenderScene& scene;
-    double timeSeconds;
 
     std::shared_ptr<const TriangleMesh> meshOf(const Node& node, const NodeParams& params)
     {
@@ -298,20 +296,14 @@ struct ObjectItems
                                            return mesh ? mesh : std::make_shared<const TriangleMesh>();
                                        });
     }
-    void add(const Node& node, const glm::dmat4& world)
+    void add(const Node& node, const NodeParams& params, const glm::dmat4& world)
     {
-        const NodeParams* params = &node.params;
-        NodeParams moved;
-        if (node.animation.movesParams()) {
-            moved = paramsAt(node.params, node.animation, timeSeconds);
-            params = &moved;
-        }
         MeshItem item;
-        item.mesh = meshOf(node, *params);
+        item.mesh = meshOf(node, params);
         if (item.mesh->empty())
             return;
         item.box = cache.box(item.mesh);
-        item.material = nodeMaterial(node, *params);
+        item.material = nodeMaterial(node, params);
         item.world = world;
         item.node = node.id;
         item.pickable = !node.locked;
@@ -385,20 +377,27 @@ SceneBuilder::~SceneBuilder() = default;
 
 RenderScene SceneBuilder::build(const Scene& scene, const ResultOf& resultOf, const SceneView& view)
 {
+    EvaluatedScene now(scene, view.timeSeconds);
+    return build(now, resultOf, view);
+}
+
+RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, const SceneView& view)
+{
+    const Scene& scene = now.scene();
     m_cache->beginBuild();
     RenderScene built;
-    const std::vector<NodeTransforms> places = worldTransformsAt(scene, view.timeSeconds);
-    ObjectItems objects{*m_cache, built, view.timeSeconds};
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    ObjectItems objects{*m_cache, built};
+    for (std::size_t i = 0; i < scene.nodes().size(); ++i) {
         const Node& node = scene.nodes()[i];
         if (node.kind == NodeKind::Group || !scene.isShown(node.id))
             continue;
+        const glm::dmat4& world = now.transforms()[i].geometry;
         if (node.kind == NodeKind::Arm)
-            addArm(built, *m_cache, node, places[i].geometry, view);
+            addArm(built, *m_cache, node, now.params(node), world, view.mode);
         else if (isObject(node.kind))
-            objects.add(node, places[i].geometry);
+            objects.add(node, now.params(node), world);
         else if (const TreeResult* tree = resultOf(node.id))
-            TreeItems{*m_cache, built, view, node, *tree, places[i].geometry}.all();
+            TreeItems{*m_cache, built, view, node, *tree, world}.all();
     }
     built.ground = m_ground->of(scene, built);
     outlineSelected(built, *m_cache, scene, resultOf, view);

@@ -3,8 +3,7 @@
 /// it was made from, so that building again after a small change makes only what is new.
 #pragma once
 
-#include "core/pipeline/tree_pipeline.h"
-#include "core/scene/scene.h"
+#include "core/evaluate/evaluator.h"
 #include "widgets/view/render/display_mode.h"
 #include "widgets/view/render/render_scene.h"
 #include <functional>
@@ -58,6 +57,8 @@ public:
     SceneBuilder& operator=(const SceneBuilder&) = delete;
 
     /// Never fails: what is missing or cannot be made is left out.
+    RenderScene build(EvaluatedScene& scene, const ResultOf& resultOf, const SceneView& view);
+    /// As tracks alone have it at the view's time.
     RenderScene build(const Scene& scene, const ResultOf& resultOf, const SceneView& view);
 
 private:

@@ -1,7 +1,7 @@
 #include "widgets/view/tools/arm_rings.h"
 
+#include "core/evaluate/evaluator.h"
 #include "core/rig/arm/arm_chain.h"
-#include "core/scene/world_transforms.h"
 #include <QPainter>
 #include <QPolygonF>
 #include <algorithm>
@@ -64,9 +64,10 @@ std::vector<ArmRing> armRings(const Scene& scene, NodeId arm, double timeSeconds
     const Node* node = scene.find(arm);
     if (!node || node->kind != NodeKind::Arm)
         return rings;
-    const NodeParams params = paramsAt(node->params, node->animation, timeSeconds);
+    EvaluatedScene now(scene, timeSeconds);
+    const NodeParams& params = now.params(*node);
     const ArmChain chain(params.joints);
-    const glm::dmat4 world = worldTransformAt(scene, arm, timeSeconds).geometry * armUpright();
+    const glm::dmat4 world = now.transforms(*node).geometry * armUpright();
     const glm::dmat3 turn(world);
     const double scale = std::cbrt(std::abs(glm::determinant(turn)));
     const double thick = std::max(params.arm.jointRadius, params.armSkin.shown ? params.armSkin.radius : 0.0);

@@ -1,7 +1,8 @@
 #include "core/document/commands.h"
+#include "core/evaluate/evaluator.h"
+#include "core/session/exporter.h"
 #include "core/params/presets.h"
 #include "core/rig/pose/skin.h"
-#include "core/session/moving_source.h"
 #include "core/session/player.h"
 #include "core/session/recompute.h"
 #include "tests/support/suite.h"
@@ -11,7 +12,7 @@
 using namespace ramure;
 
 /// Trees at a time, for files: the same as what the player shows.
-class TestMovingSource : public QObject
+class TestEvaluator : public QObject
 {
     Q_OBJECT
 
@@ -39,54 +40,54 @@ static Node treeNode(const char* preset)
     return node;
 }
 
-void TestMovingSource::badTimesAreErrors()
+void TestEvaluator::badTimesAreErrors()
 {
     TreePipeline pipeline;
-    MovingSource source(pipelineSource(pipeline));
+    Evaluator source(pipelineSource(pipeline));
     const Node node = treeNode("TinyTree");
     for (const double time : {std::nan(""), std::numeric_limits<double>::infinity(), 1e12}) {
-        const auto tree = source.at(time)(node, Stage::Foliage, {});
+        const auto tree = source.tree(node, Stage::Foliage, time);
         QVERIFY(!tree);
         QCOMPARE(tree.error().code, ErrorCode::Invalid);
     }
 }
 
-void TestMovingSource::errorsOfTheRestAreHandedOn()
+void TestEvaluator::errorsOfTheRestAreHandedOn()
 {
     TreePipeline pipeline;
-    MovingSource source(pipelineSource(pipeline));
+    Evaluator source(pipelineSource(pipeline));
     Node node = treeNode("TinyTree");
     node.params.grammar.axiom.assign(1, '[');
-    const auto tree = source.at(1.0)(node, Stage::Foliage, {});
+    const auto tree = source.tree(node, Stage::Foliage, 1.0);
     QVERIFY(!tree);
     std::stop_source stop;
     stop.request_stop();
-    const auto stopped = source.at(1.0)(treeNode("TinyTree"), Stage::Foliage, {stop.get_token(), {}});
+    const auto stopped = source.tree(treeNode("TinyTree"), Stage::Foliage, 1.0, {stop.get_token(), {}});
     QVERIFY(!stopped);
     QCOMPARE(stopped.error().code, ErrorCode::Cancelled);
 }
 
-void TestMovingSource::zeroIsRest()
+void TestEvaluator::zeroIsRest()
 {
     TreePipeline pipeline;
-    MovingSource source(pipelineSource(pipeline));
+    Evaluator source(pipelineSource(pipeline));
     const Node node = treeNode("TinyTree");
     const auto rest = pipelineSource(pipeline)(node, Stage::Foliage, {});
-    const auto now = source.at(0.0)(node, Stage::Foliage, {});
+    const auto now = source.tree(node, Stage::Foliage, 0.0);
     QVERIFY(rest && now);
     QCOMPARE(now->branches, rest->branches);
-    const auto before = source.at(-3.0)(node, Stage::Foliage, {});
+    const auto before = source.tree(node, Stage::Foliage, -3.0);
     QCOMPARE(before->branches, rest->branches);
 }
 
 /// Lengths stay; every end of a branch is where its parent's end is, in both skeletons.
-void TestMovingSource::partsMoveTogether()
+void TestEvaluator::partsMoveTogether()
 {
     TreePipeline pipeline;
-    MovingSource source(pipelineSource(pipeline));
+    Evaluator source(pipelineSource(pipeline));
     const Node node = treeNode("SmallTree");
     const auto rest = pipelineSource(pipeline)(node, Stage::Foliage, {});
-    const auto now = source.at(1.5)(node, Stage::Foliage, {});
+    const auto now = source.tree(node, Stage::Foliage, 1.5);
     QVERIFY(rest && now);
     const Skeleton& skeleton = now->simplified->skeleton;
     double moved = 0.0;
@@ -107,7 +108,7 @@ void TestMovingSource::partsMoveTogether()
     QCOMPARE(now->leaves->triangles, rest->leaves->triangles);
 }
 
-void TestMovingSource::itIsWhatThePlayerShows()
+void TestEvaluator::itIsWhatThePlayerShows()
 {
     Document document;
     Recompute recompute(&document);
@@ -121,41 +122,41 @@ void TestMovingSource::itIsWhatThePlayerShows()
     const NodeMotion& shown = *player.motion()->of(*id);
 
     TreePipeline pipeline;
-    MovingSource source(pipelineSource(pipeline));
-    const auto now = source.at(player.timeSeconds())(node, Stage::Foliage, {});
+    Evaluator source(pipelineSource(pipeline));
+    const auto now = source.tree(node, Stage::Foliage, player.timeSeconds());
     QVERIFY(now);
     const TriangleMesh meant = deformed(shown.mesh->mesh, *shown.branches, *shown.bones, shown.method);
     QVERIFY(now->branches->mesh == meant);
     QVERIFY(*now->leaves == deformed(*shown.leavesMesh, *shown.leaves, *shown.bones, shown.method));
 }
 
-void TestMovingSource::anyOrderOfTimes()
+void TestEvaluator::anyOrderOfTimes()
 {
     TreePipeline pipeline;
     const Node node = treeNode("TinyTree");
-    MovingSource ahead(pipelineSource(pipeline)), back(pipelineSource(pipeline));
+    Evaluator ahead(pipelineSource(pipeline)), back(pipelineSource(pipeline));
     std::map<double, std::shared_ptr<const BranchMesh>> meshes;
     for (const double time : {0.3, 0.6, 0.9})
-        meshes[time] = ahead.at(time)(node, Stage::Mesh, {})->branches;
+        meshes[time] = ahead.tree(node, Stage::Mesh, time)->branches;
     for (const double time : {0.9, 0.3, 0.6})
-        QVERIFY(back.at(time)(node, Stage::Mesh, {})->branches->mesh == meshes[time]->mesh);
+        QVERIFY(back.tree(node, Stage::Mesh, time)->branches->mesh == meshes[time]->mesh);
 }
 
-void TestMovingSource::movedMeshesAreValid_data()
+void TestEvaluator::movedMeshesAreValid_data()
 {
     QTest::addColumn<QString>("preset");
     for (const char* preset : {"SmallTree", "FanTree", "TinyTree", "Fern2D"})
         QTest::newRow(preset) << preset;
 }
 
-void TestMovingSource::movedMeshesAreValid()
+void TestEvaluator::movedMeshesAreValid()
 {
     QFETCH(QString, preset);
     TreePipeline pipeline;
-    MovingSource source(pipelineSource(pipeline));
+    Evaluator source(pipelineSource(pipeline));
     const Node node = treeNode(qPrintable(preset));
     for (const double time : {0.5, 2.0}) {
-        const auto now = source.at(time)(node, Stage::Mesh, {});
+        const auto now = source.tree(node, Stage::Mesh, time);
         QVERIFY(now);
         const MeshReport& report = *now->report;
         QCOMPARE(report.boundaryEdges + report.nonManifoldEdges + report.nonManifoldVertices +
@@ -165,17 +166,17 @@ void TestMovingSource::movedMeshesAreValid()
     }
 }
 
-void TestMovingSource::exportTakesIt()
+void TestEvaluator::exportTakesIt()
 {
     Scene scene;
     QVERIFY(scene.insert({treeNode("TinyTree")}, noNode, 0));
     TreePipeline pipeline;
-    MovingSource source(pipelineSource(pipeline));
+    Evaluator source(pipelineSource(pipeline));
     for (const ExportModel model : {ExportModel::Mesh, ExportModel::Rough, ExportModel::Skeleton}) {
         ExportOptions options;
         options.model = model;
-        const auto rest = collectExport(scene, options, source.at(0.0));
-        const auto now = collectExport(scene, options, source.at(1.0));
+        const auto rest = collectExport(source.at(scene, 0.0), options);
+        const auto now = collectExport(source.at(scene, 1.0), options);
         QVERIFY(rest && now);
         QCOMPARE(now->meshes.size(), rest->meshes.size());
         for (std::size_t i = 0; i < now->meshes.size(); ++i) {
@@ -185,16 +186,16 @@ void TestMovingSource::exportTakesIt()
     }
 }
 
-void TestMovingSource::textureStaysThatOfTheRest()
+void TestEvaluator::textureStaysThatOfTheRest()
 {
     Scene scene;
     QVERIFY(scene.insert({treeNode("TinyTree")}, noNode, 0));
     TreePipeline pipeline;
-    MovingSource source(pipelineSource(pipeline));
+    Evaluator source(pipelineSource(pipeline));
     ExportOptions options;
     options.texture = true;
-    const auto rest = collectExport(scene, options, source.at(0.0));
-    const auto now = collectExport(scene, options, source.at(1.0));
+    const auto rest = collectExport(source.at(scene, 0.0), options);
+    const auto now = collectExport(source.at(scene, 1.0), options);
     QVERIFY(rest && now);
     QCOMPARE(now->meshes.size(), rest->meshes.size());
     for (std::size_t i = 0; i < now->meshes.size(); ++i) {
@@ -204,12 +205,12 @@ void TestMovingSource::textureStaysThatOfTheRest()
         QVERIFY(moved.uv == still.uv && moved.uvTriangles == still.uvTriangles);
     }
     const Node& node = scene.nodes().front();
-    QVERIFY(!source.at(0.0)(node, Stage::Mesh, {})->restBranches);
-    const auto tree = source.at(1.0)(node, Stage::Mesh, {});
+    QVERIFY(!source.tree(node, Stage::Mesh, 0.0)->restBranches);
+    const auto tree = source.tree(node, Stage::Mesh, 1.0);
     QVERIFY(tree && tree->restBranches);
     QVERIFY(tree->restBranches->mesh.positions != tree->branches->mesh.positions);
 }
 
-QTEST_GUILESS_MAIN(TestMovingSource)
+QTEST_GUILESS_MAIN(TestEvaluator)
 
-#include "tst_moving_source.moc"
+#include "tst_evaluator.moc"

@@ -1,0 +1,147 @@
+#include "core/evaluate/evaluator.h"
+
+#include "core/rig/arm/arm_chain.h"
+#include "core/scene/object_mesh.h"
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ramure {
+
+TreeSource pipelineSource(TreePipeline& pipeline)
+{
+    return [&pipeline](const Node& node, Stage last, const Progress& progress) {
+        return pipeline.evaluate(node.params, last, progress);
+    };
+}
+
+Error named(const Node& node, Error error)
+{
+    error.path = node.name + (error.path.empty() ? "" : ": " + error.path);
+    return error;
+}
+
+EvaluatedScene::EvaluatedScene(const Scene& scene, double seconds)
+    : m_scene(&scene)
+    , m_seconds(seconds)
+{
+}
+
+const std::vector<NodeTransforms>& EvaluatedScene::transforms()
+{
+    if (m_transforms.size() != m_scene->nodes().size())
+        m_transforms = worldTransformsAt(*m_scene, m_seconds);
+    return m_transforms;
+}
+
+NodeTransforms EvaluatedScene::transforms(const Node& node)
+{
+    return worldTransformAt(*m_scene, node.id, m_seconds);
+}
+
+const NodeParams& EvaluatedScene::params(const Node& node)
+{
+    const auto known = m_params.find(node.id);
+    if (known != m_params.end())
+        return known->second;
+    if (!node.animation.movesParams())
+        return node.params;
+    return m_params.emplace(node.id, paramsAt(node.params, node.animation, m_seconds)).first->second;
+}
+
+Expected<void> EvaluatedScene::pose(const Node& arm, const Progress& progress)
+{
+    if (!m_evaluator || arm.kind != NodeKind::Arm)
+        return {};
+    auto joints = m_evaluator->joints(arm, m_seconds, progress);
+    if (!joints)
+        return fail(named(arm, std::move(joints.error())));
+    if (const NodeParams& now = params(arm); now.joints != *joints)
+        m_params.insert_or_assign(arm.id, now).first->second.joints = std::move(*joints);
+    return {};
+}
+
+Expected<void> EvaluatedScene::poseArms(const Progress& progress)
+{
+    for (const Node& node : m_scene->nodes())
+        if (auto posed = pose(node, progress); !posed)
+            return posed;
+    return {};
+}
+
+Expected<std::shared_ptr<const TriangleMesh>> EvaluatedScene::solid(const Node& node,
+                                                                    const Progress& progress)
+{
+    if (auto posed = pose(node, progress); !posed)
+        return fail(std::move(posed.error()));
+    auto mesh = objectSolid(node, params(node));
+    if (!mesh)
+        return fail(named(node, std::move(mesh.error())));
+    return mesh;
+}
+
+Expected<TreeResult> EvaluatedScene::tree(const Node& node, Stage last, const Progress& progress)
+{
+    return m_evaluator->tree(node, last, m_seconds, progress);
+}
+
+Evaluator::Evaluator(TreeSource rest, const TimelineSettings& timeline)
+    : m_rest(std::move(rest))
+    , m_timeline(timeline)
+{
+}
+
+EvaluatedScene Evaluator::at(const Scene& scene, double seconds)
+{
+    EvaluatedScene now(scene, seconds);
+    now.m_evaluator = this;
+    return now;
+}
+
+Expected<std::vector<ArmJoint>> Evaluator::joints(const Node& arm, double seconds, const Progress& progress)
+{
+    if (auto checked = checkArm(arm.params.joints); !checked)
+        return fail(std::move(checked.error()));
+    const bool turns = seconds > 0.0 && arm.params.arm.follows;
+    if (!turns && !arm.animation.movesParams() && !std::isnan(seconds))
+        return arm.params.joints;
+    ArmRun& run = m_arms[arm.id];
+    run.set(arm.params, arm.animation);
+    auto moment = run.momentAt(seconds, m_timeline, progress);
+    if (!moment)
+        return fail(std::move(moment.error()));
+    return std::move(moment->joints);
+}
+
+Expected<TreeResult> Evaluator::tree(const Node& node, Stage last, double seconds, const Progress& progress)
+{
+    if (!node.animation.movesParams())
+        return moved(node, node.params.physics, last, seconds, progress);
+    Node now = node;
+    now.params = paramsAt(node.params, node.animation, seconds);
+    return moved(now, node.params.physics, last, seconds, progress);
+}
+
+/// \p now has the parameters of the time; \p physics is without, since each step has its own.
+Expected<TreeResult> Evaluator::moved(const Node& now, const PhysicsParams& physics, Stage last,
+                                      double seconds, const Progress& progress)
+{
+    if (seconds <= 0.0)
+        return m_rest(now, last, progress);
+    // Apples weigh: they must be known even where nobody asked for them.
+    auto tree = m_rest(now, std::max(last, Stage::Foliage), progress.part(0.0, 0.4));
+    if (!tree)
+        return tree;
+    TreeRun& run = m_trees[now.id];
+    if (auto set = run.setTree(*tree, now.params); !set)
+        return fail(std::move(set.error()));
+    if (!std::isfinite(seconds) || seconds > run.cache().timeAt(maxPhysicsSteps))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("the time lies beyond what the physics counts"));
+    run.setPhysics(physics, now.animation, seconds);
+    const auto motion = run.motionAt(seconds, m_timeline, progress.part(0.4, 0.9));
+    if (!motion)
+        return fail(motion.error());
+    return movedTree(std::move(*tree), *motion, progress.part(0.9, 1.0));
+}
+
+} // namespace ramure
