@@ -1,9 +1,7 @@
 #include "core/session/motion_worker.h"
 
-#include "core/evaluate/evaluator.h"
 #include "core/rig/physics/animated_physics.h"
 #include "core/scene/object_mesh.h"
-#include "core/session/tree_actor.h"
 
 #include <algorithm>
 #include <chrono>
@@ -16,26 +14,6 @@ using Clock = std::chrono::steady_clock;
 
 /// The band is looked through at most so often while frames follow each other.
 static constexpr std::chrono::milliseconds bandRest{200};
-
-std::optional<Error> MotionWorker::runArms(const MotionRequest& request, MotionFrame& frame,
-                                           const Progress& progress)
-{
-    std::erase_if(m_arms, [&](const auto& run) {
-        return std::ranges::none_of(request.arms,
-                                    [&](const MotionArm& arm) { return arm.node == run.first; });
-    });
-    std::optional<Error> problem;
-    for (const MotionArm& arm : request.arms) {
-        ArmRun& run = m_arms[arm.node];
-        run.set(arm.params, arm.animation);
-        auto motion = run.motionAt(frame.timeSeconds, request.timeline, progress);
-        if (motion)
-            frame.nodes.insert_or_assign(arm.node, std::move(*motion));
-        else if (motion.error().code != ErrorCode::Cancelled)
-            problem = std::move(motion.error());
-    }
-    return problem;
-}
 
 MotionWorker::MotionWorker(Listener listener)
     : m_listener(std::move(listener))
@@ -113,34 +91,47 @@ void MotionWorker::loop(const std::stop_token& quit)
 }
 
 /// Where the nodes are, and the objects whose parameters move.
-static void placeNodes(MotionFrame& frame, const Scene& scene)
+static void placeNodes(MotionFrame& frame, EvaluatedScene& now)
 {
-    EvaluatedScene evaluated(scene, frame.timeSeconds);
-    const std::vector<NodeTransforms>& transforms = evaluated.transforms();
-    frame.transforms.reserve(transforms.size());
-    for (std::size_t i = 0; i < transforms.size(); ++i) {
-        const Node& node = scene.nodes()[i];
-        frame.transforms.emplace(node.id, transforms[i]);
+    for (std::size_t i = 0; i < now.scene().nodes().size(); ++i) {
+        const Node& node = now.scene().nodes()[i];
+        frame.transforms.emplace(node.id, now.transforms()[i]);
         if (node.kind == NodeKind::Tree || !node.animation.movesParams())
             continue;
-        const NodeParams& now = evaluated.params(node);
-        const bool sameShape = now.primitive == node.params.primitive && now.terrain == node.params.terrain;
+        const NodeParams& params = now.params(node);
+        const bool isSame =
+            params.primitive == node.params.primitive && params.terrain == node.params.terrain;
         ObjectNow& object = frame.objects[node.id];
-        object = {sameShape ? nullptr : objectMesh(node, now), now.surface, std::nullopt};
+        object = {isSame ? nullptr : objectMesh(node, params), params.surface, std::nullopt};
         if (node.kind == NodeKind::Arm)
-            object.target = now.arm.target;
+            object.target = params.arm.target;
     }
 }
 
-/// The tree as its tracks shape it now.
-Expected<void> MotionWorker::reshape(MotionTree& tree, MotionFrame& frame, const Progress& progress)
+/// Into the frame what a run makes of its node.
+static Expected<void> move(NodeId node, NodeRun& run, const MotionRequest& request, MotionFrame& frame,
+                           const Progress& progress)
 {
-    if (!movesShape(tree.animation))
+    auto motion = run.motionAt(frame.timeSeconds, request.timeline, progress);
+    if (!motion)
+        return fail(std::move(motion.error()));
+    frame.nodes.insert_or_assign(node, std::move(*motion));
+    return {};
+}
+
+/// The tree as its tracks shape it now; its physics knows its tracks itself.
+Expected<void> MotionWorker::reshape(MotionTree& tree, EvaluatedScene& now, MotionFrame& frame,
+                                     const Progress& progress)
+{
+    const Node* node = movesShape(tree.animation) ? now.scene().find(tree.node) : nullptr;
+    if (!node)
         return {};
-    tree.params = paramsAt(tree.params, tree.animation, frame.timeSeconds);
+    const PhysicsParams physics = tree.params.physics;
+    tree.params = now.params(*node);
     auto made = m_pipeline.evaluate(tree.params, Stage::Foliage, progress);
     if (!made)
         return fail(std::move(made.error()));
+    tree.params.physics = physics;
     tree.tree = *made;
     frame.trees.emplace(tree.node, std::move(*made));
     return {};
@@ -149,49 +140,60 @@ Expected<void> MotionWorker::reshape(MotionTree& tree, MotionFrame& frame, const
 Expected<void> MotionWorker::moveTree(const MotionTree& tree, const MotionRequest& request,
                                       MotionFrame& frame, const Progress& progress)
 {
-    std::unique_ptr<TreeActor>& actor = m_actors[tree.node];
-    if (!actor)
-        actor = std::make_unique<TreeActor>();
-    if (auto ready = actor->prepare(tree, request, request.memoryBytes / request.trees.size()); !ready) {
+    TreeActor& actor = m_actors[tree.node];
+    if (auto ready = actor.prepare(tree, request, request.memoryBytes / request.trees.size()); !ready) {
         m_actors.erase(tree.node);
         return ready;
     }
-    if (auto baked = actor->takeBake(tree, progress.part(0.0, 0.5));
+    if (auto baked = actor.takeBake(tree, progress.part(0.0, 0.5));
         !baked && baked.error().code != ErrorCode::Cancelled)
         m_listener.bakeRefused(std::move(baked.error()));
-    auto motion = actor->run().motionAt(frame.timeSeconds, request.timeline, progress);
-    if (!motion)
-        return fail(std::move(motion.error()));
-    frame.nodes.emplace(tree.node, std::move(*motion));
-    return {};
+    return move(tree.node, actor.run(), request, frame, progress);
+}
+
+Expected<void> MotionWorker::moveArm(const MotionArm& arm, const MotionRequest& request, MotionFrame& frame,
+                                     const Progress& progress)
+{
+    ArmRun& run = m_arms[arm.node];
+    run.set(arm.params, arm.animation);
+    return move(arm.node, run, request, frame, progress);
+}
+
+/// Runs of nodes that are no longer asked for go.
+template <class Run, class Asked>
+static void keepAsked(std::map<NodeId, Run>& runs, const std::vector<Asked>& asked)
+{
+    std::erase_if(runs, [&asked](const auto& run) {
+        return std::ranges::none_of(asked, [&run](const Asked& one) { return one.node == run.first; });
+    });
 }
 
 void MotionWorker::run(const MotionRequest& request, const Progress& progress)
 {
-    std::erase_if(m_actors, [&](const auto& actor) {
-        return std::none_of(request.trees.begin(), request.trees.end(),
-                            [&](const MotionTree& tree) { return tree.node == actor.first; });
-    });
+    keepAsked(m_actors, request.trees);
+    keepAsked(m_arms, request.arms);
     auto frame = std::make_shared<MotionFrame>();
     frame->frame = request.frame;
     frame->document = request.document;
     frame->timeSeconds = request.timeline.timeOf(request.frame);
-    if (request.scene)
-        placeNodes(*frame, *request.scene);
-    const auto count = static_cast<double>(request.trees.size());
+    const Scene nothingMoves;
+    EvaluatedScene now(request.scene ? *request.scene : nothingMoves, frame->timeSeconds);
+    placeNodes(*frame, now);
     std::optional<Error> problem;
-    for (std::size_t i = 0; i < request.trees.size() && !progress.cancelled(); ++i) {
-        MotionTree tree = request.trees[i];
-        const double from = static_cast<double>(i) / count;
-        const Progress part = progress.part(from, from + 1.0 / count);
-        auto done = reshape(tree, *frame, part);
-        if (done)
-            done = moveTree(tree, request, *frame, part);
+    const auto note = [&problem](Expected<void> done) {
         if (!done && done.error().code != ErrorCode::Cancelled)
             problem = std::move(done.error());
+        return done.has_value();
+    };
+    const auto count = static_cast<double>(request.trees.size());
+    for (std::size_t i = 0; i < request.trees.size() && !progress.cancelled(); ++i) {
+        MotionTree tree = request.trees[i];
+        const Progress part = progress.part(double(i) / count, double(i + 1) / count);
+        if (note(reshape(tree, now, *frame, part)))
+            note(moveTree(tree, request, *frame, part));
     }
-    if (auto failed = runArms(request, *frame, progress))
-        problem = std::move(failed);
+    for (const MotionArm& arm : request.arms)
+        note(moveArm(arm, request, *frame, progress));
     if (!progress.cancelled())
         m_listener.frame(std::move(frame));
     if (problem)
@@ -204,7 +206,7 @@ BakeState MotionWorker::bakeState() const
 {
     BakeState worst = BakeState::None;
     for (const auto& [node, actor] : m_actors)
-        worst = std::max(worst, actor->bakeState());
+        worst = std::max(worst, actor.bakeState());
     return worst;
 }
 
@@ -219,7 +221,7 @@ void MotionWorker::sendBand(const MotionRequest& request)
     std::vector<FrameState> states(static_cast<std::size_t>(timeline.lastFrame - timeline.firstFrame + 1),
                                    FrameState::Cached);
     for (const auto& [node, actor] : m_actors)
-        actor->addBand(timeline, states);
+        actor.addBand(timeline, states);
     std::vector<FrameRange> band;
     for (std::size_t i = 0; i < states.size(); ++i) {
         const std::int64_t frame = timeline.firstFrame + std::int64_t(i);

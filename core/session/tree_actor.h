@@ -4,7 +4,7 @@
 
 #include "core/evaluate/tree_run.h"
 #include "core/rig/physics/physics_bake.h"
-#include "core/session/motion_worker.h"
+#include "core/session/motion_request.h"
 
 namespace ramure {
 
