@@ -4,6 +4,7 @@
 #include "core/base/kept_memory.h"
 #include "core/io/formats/file_format.h"
 #include "core/session/exporter.h"
+#include "core/session/job.h"
 #include "core/session/recompute.h"
 #include "widgets/actions/dialog_chooser.h"
 #include "widgets/actions/file_actions.h"
@@ -26,6 +27,7 @@
 #include <QIcon>
 #include <QTimer>
 #include <cstdio>
+#include <cstdlib>
 #include <ctime>
 #include <utility>
 
@@ -209,21 +211,9 @@ void greet(MainWindow& window, Recovery& recovery, const Preferences& preference
         welcome();
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+/// From the first window to the last.
+int edit(QApplication& application, const Arguments& arguments)
 {
-    keepFreedMemory();
-    makeFileLimitAnError();
-    prepareOpenGl();
-    QApplication application(argc, argv);
-    QCoreApplication::setApplicationName(QStringLiteral("ramure"));
-    QCoreApplication::setOrganizationName(QStringLiteral("Ramure"));
-    QCoreApplication::setApplicationVersion(QStringLiteral(RAMURE_VERSION));
-    QGuiApplication::setApplicationDisplayName(QString());
-    QGuiApplication::setDesktopFileName(QStringLiteral("org.ramure.Ramure"));
-    const Arguments arguments = readArguments(application);
-
     Preferences preferences;
     const Language language(&preferences);
     new Theme(&application, &preferences);
@@ -260,5 +250,29 @@ int main(int argc, char** argv)
         QCoreApplication::exit(code);
     });
     QApplication::exec();
+    return code;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+    keepFreedMemory();
+    makeFileLimitAnError();
+    prepareOpenGl();
+    QApplication application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("ramure"));
+    QCoreApplication::setOrganizationName(QStringLiteral("Ramure"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(RAMURE_VERSION));
+    QGuiApplication::setApplicationDisplayName(QString());
+    QGuiApplication::setDesktopFileName(QStringLiteral("org.ramure.Ramure"));
+    // What runs in the background ends all at once when the last window is closed, not one after the other.
+    QObject::connect(&application, &QCoreApplication::aboutToQuit, &Job::stopAll);
+    const Arguments arguments = readArguments(application);
+    const int code = edit(application, arguments);
+    if (Job::abandonedCount() > 0) { // it uses what the end of the program takes apart
+        std::fflush(nullptr);
+        std::_Exit(code);
+    }
     return code;
 }
