@@ -312,6 +312,16 @@
     </message>
 </context>
 <context>
+    <name>ramure::LimbTool</name>
+    <message numerus="yes">
+        <source>%n branch(es) follow</source>
+        <translation>
+            <numerusform>%n branch follows</numerusform>
+            <numerusform>%n branches follow</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::MainWindow</name>
     <message numerus="yes">
         <source>Writing %Ln file(s)</source>
@@ -461,16 +471,6 @@
         <translation>
             <numerusform>%n frame dropped</numerusform>
             <numerusform>%n frames dropped</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>ramure::Viewport</name>
-    <message numerus="yes">
-        <source>%n branch(es) follow</source>
-        <translation>
-            <numerusform>%n branch follows</numerusform>
-            <numerusform>%n branches follow</numerusform>
         </translation>
     </message>
 </context>

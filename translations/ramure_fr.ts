@@ -2065,121 +2065,6 @@
     </message>
 </context>
 <context>
-    <name>ViewportHint</name>
-    <message>
-        <source>Everything in the box is selected · Shift: added</source>
-        <translation>Tout ce qui est dans le cadre est sélectionné · Maj : ajouté</translation>
-    </message>
-    <message>
-        <source>The branch is pulled · release: it swings back</source>
-        <translation>La branche est tirée · relâcher : elle revient</translation>
-    </message>
-    <message>
-        <source>Length: strength of the wind · release: done</source>
-        <translation>Longueur : force du vent · relâcher : terminer</translation>
-    </message>
-    <message>
-        <source>The limb and what is thick follow · wheel: how many branches · Esc: back</source>
-        <translation>La branche maîtresse et ce qui est épais suivent · molette : combien de branches · Échap : annuler</translation>
-    </message>
-    <message>
-        <source>The limb follows · wheel: how many branches · Shift: trunk and root, too · Esc: back</source>
-        <translation>La branche maîtresse suit · molette : combien de branches · Maj : tronc et racine aussi · Échap : annuler</translation>
-    </message>
-    <message>
-        <source>The arm reaches for the point under the cursor · release: done</source>
-        <translation>Le bras va vers le point sous le curseur · relâcher : terminer</translation>
-    </message>
-    <message>
-        <source>The joint turns · release: done</source>
-        <translation>L’articulation tourne · relâcher : terminer</translation>
-    </message>
-    <message>
-        <source>Alt: drag turns (with Shift: moves, with Ctrl: zooms) · middle: moves · right: zooms</source>
-        <translation>Alt : glisser tourne (avec Maj : déplace, avec Ctrl : zoome) · milieu : déplace · droite : zoome</translation>
-    </message>
-    <message>
-        <source>Alt: drag turns (with Shift: moves, with Ctrl: zooms) · right: zooms</source>
-        <translation>Alt : glisser tourne (avec Maj : déplace, avec Ctrl : zoome) · droite : zoome</translation>
-    </message>
-    <message>
-        <source>Ctrl: drag pulls the branch</source>
-        <translation>Ctrl : glisser tire la branche</translation>
-    </message>
-    <message>
-        <source>Ctrl: drag bends the limb (with Shift: trunk and root, too)</source>
-        <translation>Ctrl : glisser plie la branche maîtresse (avec Maj : tronc et racine aussi)</translation>
-    </message>
-    <message>
-        <source>Ctrl: click or drag sets the target of the arm</source>
-        <translation>Ctrl : un clic ou glisser place la cible du bras</translation>
-    </message>
-    <message>
-        <source>Ctrl + middle: zoom</source>
-        <translation>Ctrl + milieu : zoom</translation>
-    </message>
-    <message>
-        <source>Shift: drag adds a box</source>
-        <translation>Maj : glisser ajoute un cadre</translation>
-    </message>
-    <message>
-        <source>Shift: click adds or takes away, drag adds a box</source>
-        <translation>Maj : un clic ajoute ou retire, glisser ajoute un cadre</translation>
-    </message>
-    <message>
-        <source>Shift + middle: move the view</source>
-        <translation>Maj + milieu : déplacer la vue</translation>
-    </message>
-    <message>
-        <source>Drag: pull the branch · double click an apple: it falls</source>
-        <translation>Glisser : tirer la branche · double clic sur une pomme : elle tombe</translation>
-    </message>
-    <message>
-        <source>Click: branch and tree · Ctrl + drag: bend the limb</source>
-        <translation>Clic : branche et arbre · Ctrl + glisser : plier la branche maîtresse</translation>
-    </message>
-    <message>
-        <source>Click: select · Ctrl + click: target of the arm</source>
-        <translation>Clic : sélectionner · Ctrl + clic : cible du bras</translation>
-    </message>
-    <message>
-        <source>Click: select</source>
-        <translation>Clic : sélectionner</translation>
-    </message>
-    <message>
-        <source>Drag: turn the joint</source>
-        <translation>Glisser : tourner l’articulation</translation>
-    </message>
-    <message>
-        <source>%1: move, rotate, scale %2</source>
-        <translation>%1 : déplacer, tourner, redimensionner %2</translation>
-    </message>
-    <message>
-        <source>drag: box</source>
-        <translation>glisser : cadre</translation>
-    </message>
-    <message>
-        <source>Shift: add</source>
-        <translation>Maj : ajouter</translation>
-    </message>
-    <message>
-        <source>Alt + drag: turn the view</source>
-        <translation>Alt + glisser : tourner la vue</translation>
-    </message>
-    <message>
-        <source>middle or Alt: turn the view</source>
-        <translation>milieu ou Alt : tourner la vue</translation>
-    </message>
-    <message>
-        <source>right: menu</source>
-        <translation>droite : menu</translation>
-    </message>
-    <message>
-        <source>Click: select nothing</source>
-        <translation>Clic : ne rien sélectionner</translation>
-    </message>
-</context>
-<context>
     <name>core</name>
     <message>
         <source>&quot;%1&quot; has no branches</source>
@@ -5836,6 +5721,21 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::JointTool</name>
+    <message>
+        <source>The joint turns · release: done</source>
+        <translation>L’articulation tourne · relâcher : terminer</translation>
+    </message>
+    <message>
+        <source>Drag: turn the joint</source>
+        <translation>Glisser : tourner l’articulation</translation>
+    </message>
+    <message>
+        <source>Turn joint %1</source>
+        <translation>Tourner l&apos;articulation %1</translation>
+    </message>
+</context>
+<context>
     <name>ramure::KeyActions</name>
     <message>
         <source>Easings</source>
@@ -6126,6 +6026,44 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::LimbTool</name>
+    <message>
+        <source>A limb is bent at the first frame; while it plays it is pulled.</source>
+        <translation>Une branche se plie à la première image ; pendant la lecture elle se tire.</translation>
+    </message>
+    <message>
+        <source>The limb and what is thick follow · wheel: how many branches · Esc: back</source>
+        <translation>La branche maîtresse et ce qui est épais suivent · molette : combien de branches · Échap : annuler</translation>
+    </message>
+    <message>
+        <source>The limb follows · wheel: how many branches · Shift: trunk and root, too · Esc: back</source>
+        <translation>La branche maîtresse suit · molette : combien de branches · Maj : tronc et racine aussi · Échap : annuler</translation>
+    </message>
+    <message>
+        <source>Ctrl + drag: bend the limb</source>
+        <translation>Ctrl + glisser : plier la branche maîtresse</translation>
+    </message>
+    <message>
+        <source>Ctrl: drag bends the limb (with Shift: trunk and root, too)</source>
+        <translation>Ctrl : glisser plie la branche maîtresse (avec Maj : tronc et racine aussi)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n branch(es) follow</source>
+        <translation>
+            <numerusform>%n branche suit</numerusform>
+            <numerusform>%n branches suivent</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The root stays; with Shift it follows</source>
+        <translation>La racine reste ; avec Maj elle suit</translation>
+    </message>
+    <message>
+        <source>out of reach: %1 m short</source>
+        <translation>hors d&apos;atteinte : il manque %1 m</translation>
+    </message>
+</context>
+<context>
     <name>ramure::MainWindow</name>
     <message>
         <source>Exported to %1</source>
@@ -6236,6 +6174,13 @@ OpenGL&#xa0;: %4
     <message>
         <source>The preferences cannot be stored. They hold until the program ends.</source>
         <translation>Les préférences ne peuvent pas être enregistrées. Elles valent jusqu’à la fin du programme.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::MenuTool</name>
+    <message>
+        <source>right: menu</source>
+        <translation>droite : menu</translation>
     </message>
 </context>
 <context>
@@ -6757,6 +6702,21 @@ OpenGL&#xa0;: %4
     <message>
         <source>Insert a key</source>
         <translation>Insérer une clé</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::PullTool</name>
+    <message>
+        <source>The branch is pulled · release: it swings back</source>
+        <translation>La branche est tirée · relâcher : elle revient</translation>
+    </message>
+    <message>
+        <source>Drag: pull the branch · double click an apple: it falls</source>
+        <translation>Glisser : tirer la branche · double clic sur une pomme : elle tombe</translation>
+    </message>
+    <message>
+        <source>Ctrl: drag pulls the branch</source>
+        <translation>Ctrl : glisser tire la branche</translation>
     </message>
 </context>
 <context>
@@ -7303,6 +7263,41 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::SelectTool</name>
+    <message>
+        <source>Everything in the box is selected · Shift: added</source>
+        <translation>Tout ce qui est dans le cadre est sélectionné · Maj : ajouté</translation>
+    </message>
+    <message>
+        <source>Shift: click adds or takes away, drag adds a box</source>
+        <translation>Maj : un clic ajoute ou retire, glisser ajoute un cadre</translation>
+    </message>
+    <message>
+        <source>Shift: drag adds a box</source>
+        <translation>Maj : glisser ajoute un cadre</translation>
+    </message>
+    <message>
+        <source>Click: branch and tree</source>
+        <translation>Clic : branche et arbre</translation>
+    </message>
+    <message>
+        <source>Click: select</source>
+        <translation>Clic : sélectionner</translation>
+    </message>
+    <message>
+        <source>Click: select nothing</source>
+        <translation>Clic : ne rien sélectionner</translation>
+    </message>
+    <message>
+        <source>Shift: add</source>
+        <translation>Maj : ajouter</translation>
+    </message>
+    <message>
+        <source>drag: box</source>
+        <translation>glisser : cadre</translation>
+    </message>
+</context>
+<context>
     <name>ramure::SeparateDialog</name>
     <message>
         <source>Move colliding branches apart</source>
@@ -7636,6 +7631,21 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::TargetTool</name>
+    <message>
+        <source>The arm reaches for the point under the cursor · release: done</source>
+        <translation>Le bras va vers le point sous le curseur · relâcher : terminer</translation>
+    </message>
+    <message>
+        <source>Ctrl + click: target of the arm</source>
+        <translation>Ctrl + clic : cible du bras</translation>
+    </message>
+    <message>
+        <source>Ctrl: click or drag sets the target of the arm</source>
+        <translation>Ctrl : un clic ou glisser place la cible du bras</translation>
+    </message>
+</context>
+<context>
     <name>ramure::TimelinePanel</name>
     <message numerus="yes">
         <source>%n frame(s) dropped</source>
@@ -7934,33 +7944,6 @@ OpenGL&#xa0;: %4
         <translation>Vue 3D</translation>
     </message>
     <message>
-        <source>Change the wind</source>
-        <translation>Modifier le vent</translation>
-    </message>
-    <message>
-        <source>out of reach: %1 m short</source>
-        <translation>hors d&apos;atteinte : il manque %1 m</translation>
-    </message>
-    <message>
-        <source>Turn joint %1</source>
-        <translation>Tourner l&apos;articulation %1</translation>
-    </message>
-    <message>
-        <source>A limb is bent at the first frame; while it plays it is pulled.</source>
-        <translation>Une branche se plie à la première image ; pendant la lecture elle se tire.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n branch(es) follow</source>
-        <translation>
-            <numerusform>%n branche suit</numerusform>
-            <numerusform>%n branches suivent</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The root stays; with Shift it follows</source>
-        <translation>La racine reste ; avec Maj elle suit</translation>
-    </message>
-    <message>
         <source>There is no tree for a wind to blow on.</source>
         <translation>Il n&apos;y a pas d&apos;arbre sur lequel le vent pourrait souffler.</translation>
     </message>
@@ -8017,6 +8000,17 @@ OpenGL&#xa0;: %4
     <message>
         <source>Show this page at the start</source>
         <translation>Afficher cette page au démarrage</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::WindTool</name>
+    <message>
+        <source>Length: strength of the wind · release: done</source>
+        <translation>Longueur : force du vent · relâcher : terminer</translation>
+    </message>
+    <message>
+        <source>Change the wind</source>
+        <translation>Modifier le vent</translation>
     </message>
 </context>
 <context>

@@ -327,15 +327,14 @@ void TestGizmo::pathsAndGhostsAreSeen()
     timeline.lastFrame = 48;
     scene.setTimeline(timeline);
     Window window(scene);
-    window.view->frameBox([] {
-        Box box;
-        box.add(glm::dvec3(-1, 0, -1));
-        box.add(glm::dvec3(4, 5, 5));
-        return box;
-    }());
+    Box box;
+    box.add(glm::dvec3(-1, 0, -1));
+    box.add(glm::dvec3(4, 5, 5));
+    Camera camera = window.view->camera();
+    camera.frame(box, window.pick().aspect());
+    window.view->setCamera(camera);
     window.player.seek(20);
     QVERIFY(window.player.waitForIdle(20'000));
-    test::whenStill(60, [&] { return window.view->camera(); });
     window.select({1});
     window.waitForPicture();
     const QImage plain = window.view->grabFramebuffer();

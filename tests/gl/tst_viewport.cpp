@@ -345,7 +345,7 @@ private slots:
         window.waitForPicture();
         QVERIFY(window.view->grabFramebuffer() != plain);
         window.view->setInspectedSection(window.tree(0), 9999, 1);
-        window.view->clearInspectedSection();
+        window.view->setInspectedSection(noNode, 0, 0);
         window.waitForPicture();
         QCOMPARE(window.view->grabFramebuffer(), plain);
 

@@ -14,7 +14,6 @@
 namespace ramure {
 namespace {
 
-constexpr int flightMs = 180;
 constexpr int hoverRestMs = 25;
 
 /// The box of the selected branches, else of the selected nodes' trees; world.
@@ -66,7 +65,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     : QOpenGLWidget(parent)
     , d(std::make_unique<Private>(this, document, settings))
 {
-    d->camera.orthographic = settings->orthographic();
+    d->flight.setOrthographic(settings->orthographic());
     QSurfaceFormat wanted = format();
     wanted.setVersion(3, 3);
     wanted.setProfile(QSurfaceFormat::CoreProfile);
@@ -95,32 +94,30 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     connect(&d->picker, &BackgroundPicker::readyChanged, this, [this] {
         d->tools.picks().tryAgain();
         if (underMouse())
-            hoverAt(d->hoverPosition);
+            hoverAt(d->cursor);
     });
-    d->flight.setDuration(flightMs);
-    d->flight.setStartValue(0.0);
-    d->flight.setEndValue(1.0);
-    d->flight.setEasingCurve(QEasingCurve::OutCubic);
-    connect(&d->flight, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
-        d->camera = mixed(d->from, d->to, value.toDouble());
+    connect(&d->flight, &CameraFlight::moved, this, [this] {
         emit cameraChanged();
+        update();
+    });
+    connect(&d->reach, &ArmReach::moved, this, [this] {
+        d->reachPose.forget();
         update();
     });
     d->hoverRest.setSingleShot(true);
     d->hoverRest.setInterval(hoverRestMs);
-    connect(&d->hoverRest, &QTimer::timeout, this, [this] { hoverAt(d->hoverPosition); });
-    beginReaching();
+    connect(&d->hoverRest, &QTimer::timeout, this, [this] { hoverAt(d->cursor); });
     connect(settings->gizmo(), &GizmoSettings::changed, this, [this] {
         updateTrail();
         update();
     });
     connect(&d->trail, &GizmoTrail::changed, this, qOverload<>(&QWidget::update));
-    connectLimb();
     wishScene();
 }
 
 Viewport::~Viewport()
 {
+    d->document->disconnect(this);
     releaseRenderer();
 }
 
@@ -136,7 +133,7 @@ void Viewport::releaseRenderer()
 
 const Camera& Viewport::camera() const
 {
-    return d->camera;
+    return d->camera();
 }
 
 bool Viewport::isPickPending() const
@@ -180,10 +177,11 @@ void Viewport::initializeGL()
 
 void Viewport::resizeGL(int, int)
 {
-    if (!d->framed || d->scene->box.empty() || d->flight.state() == QAbstractAnimation::Running)
+    if (!d->framed || d->scene->box.empty() || d->flight.isFlying())
         return;
-    d->camera.frame(framingPoints(d->document->scene(), *d->scene), double(width()) / std::max(1, height()));
-    emit cameraChanged();
+    Camera to = d->camera();
+    to.frame(framingPoints(d->document->scene(), *d->scene), d->view().aspect());
+    d->flight.setCamera(to);
 }
 
 void Viewport::paintGL()
@@ -198,7 +196,7 @@ void Viewport::paintGL()
     }
     d->updateShown();
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
-    d->renderer->draw(*d->shown, d->camera, pixels, defaultFramebufferObject(),
+    d->renderer->draw(d->shownScene(), d->camera(), pixels, defaultFramebufferObject(),
                       d->options(devicePixelRatioF()));
     const RenderStats stats = d->renderer->stats();
     for (auto& block : d->renderer->takeReleased())
@@ -215,48 +213,36 @@ void Viewport::paintGL()
 void Viewport::paintOverlay()
 {
     QPainter painter(this);
+    const PickView view = d->view();
     paintTextureLegend(painter, size(), d->settings->displayMode(), d->scene->texture);
-    d->defect.paintLabel(painter, {d->camera, glm::dvec2(std::max(1, width()), std::max(1, height()))});
-    paintMotion(painter);
-    d->trail.paintPlayhead(painter, d->view(), d->context.seconds());
-    if (d->gesture == Gesture::Select && d->dragging) {
-        const QColor colour = palette().color(QPalette::Highlight);
-        painter.setPen(QPen(colour, 1.0, Qt::DashLine));
-        painter.setBrush(QColor(colour.red(), colour.green(), colour.blue(), 40));
-        painter.drawRect(QRectF(d->pressed, d->last).normalized());
-    }
-    d->tools.paint(painter, d->view());
+    d->defect.paintLabel(painter, view);
+    painter.setRenderHint(QPainter::Antialiasing);
+    d->trail.paintPlayhead(painter, view, d->context.seconds());
+    d->tools.paint(painter, view);
 }
 
 void Viewport::setCamera(const Camera& camera)
 {
-    d->flight.stop();
     d->frameNext = false;
-    d->framed = false;
-    d->camera = camera;
+    d->setCamera(camera);
     d->settings->setOrthographic(camera.orthographic);
-    emit cameraChanged();
-    update();
 }
 
 void Viewport::moveCamera(const Camera& to)
 {
-    d->flight.stop();
     if (!isVisible()) {
         setCamera(to);
         return;
     }
     d->frameNext = false;
     d->framed = false;
-    d->from = d->camera;
-    d->to = to;
-    d->flight.start();
+    d->flight.flyTo(to);
 }
 
 void Viewport::frameBox(const Box& box)
 {
-    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
-    to.frame(box, double(width()) / std::max(1, height()));
+    Camera to = d->flight.goal();
+    to.frame(box, d->view().aspect());
     moveCamera(to);
 }
 
@@ -267,8 +253,8 @@ void Viewport::frameAll()
         return;
     }
     const std::vector<glm::dvec3> points = framingPoints(d->document->scene(), *d->scene);
-    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
-    to.frame(points, double(width()) / std::max(1, height()));
+    Camera to = d->flight.goal();
+    to.frame(points, d->view().aspect());
     if (!points.empty()) {
         moveCamera(to);
         d->framed = true;
@@ -288,14 +274,14 @@ void Viewport::frameSelection()
 
 void Viewport::setAxisView(AxisView view)
 {
-    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    Camera to = d->flight.goal();
     to.setAxisView(view);
     moveCamera(to);
 }
 
 void Viewport::turnOpposite()
 {
-    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    Camera to = d->flight.goal();
     // Straight above and straight below, left stays left.
     const bool straight = std::abs(to.pitchRad) > 0.5 * std::numbers::pi - 1e-6;
     to.orbit(straight ? 0.0 : std::numbers::pi, -2.0 * to.pitchRad);
@@ -310,7 +296,7 @@ void Viewport::flyTo(const Camera& camera)
 
 void Viewport::orbitBy(double yawRad, double pitchRad)
 {
-    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    Camera to = d->flight.goal();
     to.orbit(yawRad, pitchRad);
     moveCamera(to);
 }
@@ -319,7 +305,7 @@ void Viewport::zoomBy(double factor)
 {
     if (!(factor > 0.0))
         return;
-    Camera to = d->flight.state() == QAbstractAnimation::Running ? d->to : d->camera;
+    Camera to = d->flight.goal();
     to.zoom(factor, to.target);
     moveCamera(to);
 }

@@ -20,8 +20,6 @@
 #include <functional>
 #include <memory>
 
-class QPainter;
-
 namespace ramure {
 
 class ArmReach;
@@ -29,9 +27,7 @@ class AutoKey;
 class Document;
 class HintSource;
 class Player;
-class PickScene;
 struct PickHit;
-struct PickView;
 struct Change;
 struct DefectPlace;
 
@@ -93,7 +89,6 @@ public slots:
     void setCamera(const ramure::Camera& camera); ///< at once, without animation
     void frameAll();                              ///< Home: with all places that keys move it to
     void frameSelection();                        ///< F: branches, else nodes, else all, as they stand now
-    void frameBox(const ramure::Box& box);        ///< world
     void setAxisView(ramure::AxisView view);
     void turnOpposite();                      ///< to the other side, from above to below
     void flyTo(const ramure::Camera& camera); ///< as setCamera, on the way there
@@ -109,9 +104,8 @@ public slots:
     /// leaves them where their originals are.
     void beginMovingCopies();
     void copyScreenshot();
-    /// The section's plane, circle and frame are shown until cleared.
+    /// The section's plane, circle and frame are shown, until noNode is given.
     void setInspectedSection(ramure::NodeId node, ramure::Index branch, ramure::Index section);
-    void clearInspectedSection();
     /// Of this tree only these branches are shown, until noNode or no branch is given.
     void setIsolated(ramure::NodeId node, const std::vector<ramure::Index>& branches);
     /// Shown as if the mouse were over them, until noNode is given: of a row that it is over elsewhere.
@@ -144,7 +138,6 @@ protected:
     void leaveEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
-    void keyReleaseEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     bool event(QEvent* event) override;
 
@@ -157,40 +150,15 @@ private:
     void finishScene();
     void showScene();
     void rebuildHighlights();
-    void moveCamera(const Camera& to);
-    void dragTo(QPointF position);
-    void hoverAt(QPointF position);
-    void paintOverlay();
-    void noteInput(QEvent* event);
-    void updateHint();
-    bool beginMotionGesture(const PickView& view, const glm::dvec2& pixel);
-    bool beginPull(const PickView& view, const glm::dvec2& pixel);
-    void dragMotion(const PickView& view, const glm::dvec2& pixel);
-    void letGo();
-    bool shakeOffAt(const PickView& view, const glm::dvec2& pixel);
-    void paintMotion(QPainter& painter);
-    void explainWind(bool visible);
-    bool beginReach(const PickView& view, const glm::dvec2& pixel);
-    void connectLimb();
-    bool beginLimb(const PickHit& hit);
-    void showLimb();
-    void applyLimb();
-    void finishLimb(bool keep);
-    void forgetLimbAtRest();
-    bool isPosedDraft(const Change& change) const;
-    bool limbKey(QKeyEvent* event, bool pressed);
-    void lengthenLimb(int branches);
-    void paintReach(QPainter& painter, QPointF hand);
-    void beginReaching();
-    bool beginAim(const PickView& view, const glm::dvec2& pixel, NodeId surface,
-                  std::shared_ptr<const PickScene> scene);
-    bool beginAimAnyway(const PickView& view, const glm::dvec2& pixel);
-    void aimAt(const PickView& view, const glm::dvec2& pixel);
-    void paintArm(QPainter& painter);
-    bool beginRing(const PickView& view, const glm::dvec2& pixel);
-    void turnRing(const PickView& view, const glm::dvec2& pixel);
-    void updateTrail();
     void releaseRenderer();
+    void paintOverlay();
+    void updateTrail();
+    void explainWind(bool visible);
+    void moveCamera(const Camera& to);
+    void frameBox(const Box& box);
+    void hoverAt(QPointF position);
+    void hover(const PickHit& hit);
+    bool giveToTools(QEvent* event);
 
     struct Private;
     std::unique_ptr<Private> d;

@@ -1,58 +1,127 @@
+// Mouse and keys go to the tools; the viewport is their host.
+#include "core/document/joined_steps.h"
 #include "widgets/view/viewport_private.h"
-#include <QGuiApplication>
+#include <QContextMenuEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
-#include <QStyleHints>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ramure {
 namespace {
 
-glm::dvec2 asVector(QPointF point)
+/// Of keys the state after them: the event has that before.
+Qt::KeyboardModifiers heldAfter(const QInputEvent& event)
 {
-    return {point.x(), point.y()};
-}
-
-PickView pickView(const Camera& camera, QSize size)
-{
-    return {camera, glm::dvec2(std::max(1, size.width()), std::max(1, size.height()))};
+    Qt::KeyboardModifiers held = event.modifiers();
+    if (event.type() != QEvent::KeyPress && event.type() != QEvent::KeyRelease)
+        return held;
+    const bool pressed = event.type() == QEvent::KeyPress;
+    switch (static_cast<const QKeyEvent&>(event).key()) {
+    case Qt::Key_Shift:
+        return held.setFlag(Qt::ShiftModifier, pressed);
+    case Qt::Key_Control:
+        return held.setFlag(Qt::ControlModifier, pressed);
+    case Qt::Key_Alt:
+        return held.setFlag(Qt::AltModifier, pressed);
+    default:
+        return held;
+    }
 }
 
 } // namespace
 
+PickView Viewport::Private::view() const
+{
+    return {camera(), glm::dvec2(std::max(1, widget->width()), std::max(1, widget->height()))};
+}
+
+ToolPoint Viewport::Private::pointAt(QPointF position) const
+{
+    return {view(), position, Qt::NoButton, held, position};
+}
+
+ToolPoint Viewport::Private::pointOf(const QMouseEvent& event) const
+{
+    return {view(), event.position(), event.button(), event.modifiers(), event.position()};
+}
+
+void Viewport::Private::setCamera(const Camera& moved)
+{
+    framed = false;
+    flight.setCamera(moved);
+}
+
+std::shared_ptr<const PickScene> Viewport::Private::pickScene(std::chrono::milliseconds patience)
+{
+    if (isStale())
+        return nullptr;
+    return patience.count() > 0 ? picker.readyWithin(patience) : picker.ready();
+}
+
+bool Viewport::Private::pickBox(QPointF cornerA, QPointF cornerB,
+                                std::function<void(const std::vector<PickedBranches>&)> done)
+{
+    return picker.pickBox(view(), {cornerA.x(), cornerA.y()}, {cornerB.x(), cornerB.y()}, std::move(done));
+}
+
+void Viewport::Private::updateHint()
+{
+    hints.say(tools.hint(pointAt(cursor)));
+    hints.setGesture(tools.goesOn());
+}
+
+HintSource* Viewport::hints() const
+{
+    return &d->hints;
+}
+
+void Viewport::setGestureKeys(std::function<QString()> keys)
+{
+    d->context.gestureKeys = std::move(keys);
+    d->updateHint();
+}
+
+bool Viewport::isTransforming() const
+{
+    return d->tools.tool<GizmoTool>().isBusy();
+}
+
+void Viewport::beginTransform(TransformTool tool)
+{
+    if (d->tools.current())
+        return;
+    QPointF at = mapFromGlobal(QCursor::pos());
+    if (!rect().contains(at.toPoint()))
+        at = QPointF(rect().center());
+    if (!d->tools.tool<GizmoTool>().beginByKeys(tool, d->pointAt(at)))
+        return;
+    d->cursor = at;
+    d->hoverRest.stop();
+    setFocus(Qt::OtherFocusReason);
+}
+
+void Viewport::beginMovingCopies()
+{
+    beginTransform(TransformTool::Move);
+    if (isTransforming())
+        joinToLastStep(*d->document, d->tools.tool<GizmoTool>().gesture());
+}
+
 void Viewport::mousePressEvent(QMouseEvent* event)
 {
-    if (d->gesture != Gesture::None)
-        return; // a second button during a gesture
-    if (d->tools.press(d->pointOf(*event)))
-        return d->hoverRest.stop();
-    d->gesture = event->button() == Qt::LeftButton ? Gesture::Select : Gesture::None;
-    d->button = event->button();
-    d->pressed = d->last = event->position();
-    d->dragging = false;
-    if (d->gesture == Gesture::Select && event->modifiers() == Qt::NoModifier)
-        beginMotionGesture(pickView(d->camera, size()), asVector(event->position()));
-    else if (d->gesture == Gesture::Select && event->modifiers().testFlag(Qt::ControlModifier)) {
-        if (beginReach(pickView(d->camera, size()), asVector(event->position())) && d->limb)
-            d->limb->setWhole(event->modifiers().testFlag(Qt::ShiftModifier));
-    }
-    if (d->gesture != Gesture::None && d->gesture != Gesture::Select)
-        d->flight.stop();
     d->hoverRest.stop();
+    d->tools.press(d->pointOf(*event));
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event)
 {
-    d->hoverPosition = event->position();
+    d->cursor = event->position();
     if (d->tools.move(d->pointOf(*event)))
         return;
-    if (d->limb)
-        d->limb->setWhole(event->modifiers().testFlag(Qt::ShiftModifier));
-    if (d->gesture != Gesture::None) {
-        dragTo(event->position());
-        return;
-    }
     if (d->tools.hover(d->pointOf(*event)))
         hoverAt(event->position()); // no branch is meant now
     else if (!d->hoverRest.isActive())
@@ -60,74 +129,22 @@ void Viewport::mouseMoveEvent(QMouseEvent* event)
     setCursor(d->tools.cursor());
 }
 
-void Viewport::dragTo(QPointF position)
-{
-    if (d->gesture == Gesture::Pull || d->gesture == Gesture::Wind) {
-        dragMotion(pickView(d->camera, size()), asVector(position));
-        d->last = position;
-        return update();
-    }
-    if (!d->dragging) {
-        const bool far =
-            (position - d->pressed).manhattanLength() >= QGuiApplication::styleHints()->startDragDistance();
-        const bool waits = d->gesture == Gesture::Select || d->gesture == Gesture::Limb;
-        if (waits && !far)
-            return;
-        d->dragging = true;
-    }
-    if (d->gesture == Gesture::Ring) {
-        turnRing(pickView(d->camera, size()), asVector(position));
-        d->last = position;
-        return update();
-    }
-    if (d->gesture == Gesture::Aim) {
-        aimAt(pickView(d->camera, size()), asVector(position));
-        d->last = position;
-        return update();
-    }
-    if (d->gesture == Gesture::Limb) {
-        d->limb->dragTo(pickView(d->camera, size()), asVector(position));
-        d->last = position;
-        return showLimb();
-    }
-    d->last = position;
-    update();
-}
-
 void Viewport::mouseReleaseEvent(QMouseEvent* event)
 {
     d->tools.release(d->pointOf(*event));
-    if (event->button() != d->button)
-        return;
-    if (d->gesture == Gesture::None) {
-        d->button = Qt::NoButton;
-        const QPointF way = event->position() - d->pressed;
-        if (event->button() == Qt::RightButton &&
-            way.manhattanLength() < QGuiApplication::styleHints()->startDragDistance())
-            d->tools.picks().menu(event->position());
-        return;
-    }
-    // A branch that was clicked, not dragged, is selected.
-    const Gesture gesture = d->gesture == Gesture::Limb && !d->dragging ? Gesture::Select : d->gesture;
-    if (gesture == Gesture::Pull || gesture == Gesture::Wind || gesture == Gesture::Limb ||
-        gesture == Gesture::Aim || gesture == Gesture::Ring)
-        return letGo();
-    finishLimb(true); // nothing was bent
-    d->gesture = Gesture::None;
-    d->button = Qt::NoButton;
-    if (gesture == Gesture::Select && d->dragging)
-        d->tools.picks().box(d->pressed, event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
-    else if (gesture == Gesture::Select)
-        d->tools.picks().click(event->position(), event->modifiers().testFlag(Qt::ShiftModifier));
-    d->dragging = false;
-    update();
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event)
 {
-    if (event->button() != Qt::LeftButton ||
-        !shakeOffAt(pickView(d->camera, size()), asVector(event->position())))
+    if (!d->tools.doubleClick(d->pointOf(*event)))
         mousePressEvent(event);
+}
+
+void Viewport::wheelEvent(QWheelEvent* event)
+{
+    const QPoint turn = event->angleDelta();
+    event->accept();
+    d->tools.wheel(d->pointAt(event->position()), turn.y() != 0 ? turn.y() : turn.x());
 }
 
 void Viewport::hoverAt(QPointF position)
@@ -135,52 +152,52 @@ void Viewport::hoverAt(QPointF position)
     const bool before = d->tools.isHovering();
     const bool taken = d->tools.hover(d->pointAt(position));
     if (taken != before)
-        updateHint();
+        d->updateHint();
     std::optional<PickHit> hit;
     if (!taken && !d->isStale()) {
         const auto scene = d->picker.ready();
         if (!scene)
             return; // readyChanged asks again
-        hit = scene->pick(pickView(d->camera, size()), asVector(position));
+        hit = scene->pick(d->view(), {position.x(), position.y()});
     }
-    const PickHit now = hit.value_or(PickHit());
-    if (now.node == d->hoverNode && now.branch == d->hoverBranch)
-        return;
-    d->hoverNode = now.node;
-    d->hoverBranch = now.branch;
-    d->highlightsStale = true;
-    emit hovered(now.node, now.branch);
-    updateHint();
-    update();
+    hover(hit.value_or(PickHit()));
 }
 
-void Viewport::wheelEvent(QWheelEvent* event)
+void Viewport::hover(const PickHit& hit)
 {
-    if (d->gesture == Gesture::Limb)
-        return lengthenLimb(event->angleDelta().y() > 0 ? 1 : -1);
-    const double turn = event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
-    event->accept();
-    d->tools.wheel(d->pointAt(event->position()), turn);
+    if (hit.node == d->context.hoverNode && hit.branch == d->context.hoverBranch)
+        return;
+    d->context.hoverNode = hit.node;
+    d->context.hoverBranch = hit.branch;
+    d->highlightsStale = true;
+    emit hovered(hit.node, hit.branch);
+    d->updateHint();
+    update();
 }
 
 void Viewport::leaveEvent(QEvent* event)
 {
     d->hoverRest.stop();
     d->tools.leave();
-    if (d->hoverNode != noNode) {
-        d->hoverNode = noNode;
-        d->hoverBranch = noIndex;
-        d->highlightsStale = true;
-        emit hovered(noNode, noIndex);
-        update();
-    }
+    hover({});
     QOpenGLWidget::leaveEvent(event);
+}
+
+/// Of the mouse only a click without a drag asks for the menu, when the button is let go; of the menu key the
+/// selection.
+void Viewport::contextMenuEvent(QContextMenuEvent* event)
+{
+    event->accept();
+    if (event->reason() == QContextMenuEvent::Mouse || d->tools.current())
+        return;
+    const Selection& selection = d->document->selection();
+    const bool branch = selection.activeBranch != noIndex;
+    emit menuRequested(mapToGlobal(rect().center()), branch ? selection.branchNode : selection.activeNode(),
+                       selection.activeBranch);
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event)
 {
-    if (limbKey(event, true))
-        return;
     const auto isKey = [event](Qt::Key key) { return event->key() == key ? 1.0 : 0.0; };
     const double yaw = isKey(Qt::Key_Right) - isKey(Qt::Key_Left);
     const double pitch = isKey(Qt::Key_Up) - isKey(Qt::Key_Down);
@@ -190,37 +207,55 @@ void Viewport::keyPressEvent(QKeyEvent* event)
     QOpenGLWidget::keyPressEvent(event);
 }
 
+void Viewport::focusOutEvent(QFocusEvent* event)
+{
+    if (event->reason() != Qt::ActiveWindowFocusReason)
+        d->tools.focusLost();
+    QOpenGLWidget::focusOutEvent(event);
+}
+
+/// \return whether the event needs nothing else
+bool Viewport::giveToTools(QEvent* event)
+{
+    switch (event->type()) {
+    case QEvent::ShortcutOverride: // what a gesture takes is no shortcut
+        return d->tools.takesKey(*static_cast<QKeyEvent*>(event));
+    case QEvent::KeyPress: // here: Tab, too
+        return d->tools.key(*static_cast<QKeyEvent*>(event), true);
+    case QEvent::KeyRelease:
+        return d->tools.key(*static_cast<QKeyEvent*>(event), false);
+    case QEvent::NativeGesture: {
+        const auto* gesture = static_cast<QNativeGestureEvent*>(event);
+        if (gesture->gestureType() != Qt::ZoomNativeGesture)
+            return false;
+        const PickView view = d->view();
+        const QPointF at = gesture->position();
+        Camera to = view.camera;
+        to.zoom(std::exp(-gesture->value()),
+                to.pointAtTargetDepth(view.ndc({at.x(), at.y()}), view.aspect()));
+        d->setCamera(to);
+        return true;
+    }
+    case QEvent::LanguageChange:
+        setAccessibleName(tr("3D view"));
+        d->updateHint();
+        update(); // the labels of the cube
+        return false;
+    default:
+        return false;
+    }
+}
+
 bool Viewport::event(QEvent* event)
 {
-    if (event->type() == QEvent::ShortcutOverride && d->tools.takesKey(*static_cast<QKeyEvent*>(event))) {
+    const bool given = giveToTools(event);
+    if (given)
         event->accept();
-        return true;
+    const bool taken = given || QOpenGLWidget::event(event);
+    if (event->isInputEvent() && event->type() != QEvent::ShortcutOverride) {
+        d->held = heldAfter(*static_cast<QInputEvent*>(event));
+        d->updateHint();
     }
-    // While a limb is bent keys are no shortcuts.
-    if (d->limb && event->type() == QEvent::ShortcutOverride) {
-        event->accept();
-        return true;
-    }
-    if (event->type() == QEvent::KeyPress && d->tools.key(*static_cast<QKeyEvent*>(event), true))
-        return true; // Tab, too
-    if (event->type() == QEvent::NativeGesture) {
-        const auto* gesture = static_cast<QNativeGestureEvent*>(event);
-        if (gesture->gestureType() == Qt::ZoomNativeGesture) {
-            const PickView view = pickView(d->camera, size());
-            Camera to = d->camera;
-            to.zoom(std::exp(-gesture->value()),
-                    to.pointAtTargetDepth(view.ndc(asVector(gesture->position())), view.aspect()));
-            d->setCamera(to);
-            return true;
-        }
-    }
-    if (event->type() == QEvent::LanguageChange) {
-        setAccessibleName(tr("3D view"));
-        updateHint();
-        update(); // the labels of the cube
-    }
-    const bool taken = QOpenGLWidget::event(event);
-    noteInput(event);
     return taken;
 }
 

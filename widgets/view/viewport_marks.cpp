@@ -13,18 +13,21 @@ void Viewport::setInspectedSection(NodeId node, Index branch, Index section)
     wishScene();
 }
 
-void Viewport::clearInspectedSection()
-{
-    setInspectedSection(noNode, 0, 0);
-}
-
 void Viewport::setIsolated(NodeId node, const std::vector<Index>& branches)
 {
-    if (d->isolatedNode == node && d->isolatedBranches == branches)
+    if (d->isolated == Private::Branches{node, branches})
         return;
-    d->isolatedNode = node;
-    d->isolatedBranches = branches;
+    d->isolated = {node, branches};
     wishScene();
+}
+
+void Viewport::pointAt(NodeId node, const std::vector<Index>& branches)
+{
+    if (d->pointed == Private::Branches{node, branches})
+        return;
+    d->pointed = {node, branches};
+    d->highlightsStale = true;
+    update();
 }
 
 void Viewport::showDefect(NodeId node, const DefectPlace& place)
@@ -37,7 +40,7 @@ void Viewport::showDefect(NodeId node, const DefectPlace& place)
     const TreeResult* tree = d->resultOf(node);
     const double reach = defectReach(place, tree ? tree->simplified.get() : nullptr,
                                      worldTransformAt(d->document->scene(), node, 0.0).geometry, box);
-    moveCamera(defectView(*d->scene, place, reach, d->camera, double(width()) / std::max(1, height()),
+    moveCamera(defectView(*d->scene, place, reach, d->camera(), double(width()) / std::max(1, height()),
                           d->settings->groundVisible()));
     update();
 }

@@ -17,7 +17,7 @@ QImage Viewport::screenshot()
     options.smoothing = false;
     options.outline = false;
     d->updateShown();
-    auto image = renderImage(*d->shown, d->camera, pixels, options);
+    auto image = renderImage(d->shownScene(), d->camera(), pixels, options);
     return image ? *image : QImage();
 }
 

@@ -57,19 +57,38 @@ SceneView Viewport::Private::sceneView() const
     view.branches = selection.branches;
     view.activeBranch = selection.activeBranch;
     // What is pointed at elsewhere goes before what the mouse left behind here.
-    view.hoverNode = pointedNode != noNode ? pointedNode : hoverNode;
-    if (pointedNode != noNode)
-        view.hoverBranches = pointedBranches;
-    else if (hoverBranch != noIndex)
-        view.hoverBranches = {hoverBranch};
-    view.hoverThrough = pointedNode != noNode && !pointedBranches.empty();
-    if (pointedNode != noNode && pointedBranches.empty())
-        view.hoverNodes = withAllBelow(document->scene(), pointedNode);
+    view.hoverNode = pointed.node != noNode ? pointed.node : context.hoverNode;
+    if (pointed.node != noNode)
+        view.hoverBranches = pointed.branches;
+    else if (context.hoverBranch != noIndex)
+        view.hoverBranches = {context.hoverBranch};
+    view.hoverThrough = pointed.node != noNode && !pointed.branches.empty();
+    if (pointed.node != noNode && pointed.branches.empty())
+        view.hoverNodes = withAllBelow(document->scene(), pointed.node);
     view.inspected = inspected;
-    view.isolatedNode = isolatedNode;
-    view.isolatedBranches = isolatedBranches;
-    view.timeSeconds = player ? player->timeSeconds() : 0.0;
+    view.isolatedNode = isolated.node;
+    view.isolatedBranches = isolated.branches;
+    view.timeSeconds = context.seconds();
     return view;
+}
+
+const TreeResult* Viewport::Private::resultOf(NodeId id) const
+{
+    if (wishedMotion)
+        if (const auto now = wishedMotion->trees.find(id); now != wishedMotion->trees.end())
+            return &now->second;
+    const NodeResult* result = document->result(id);
+    return result ? &result->tree : nullptr;
+}
+
+/// The draft of a bent tree is worse than its pose.
+bool Viewport::Private::isPosedDraft(const Change& change) const
+{
+    if (!context.limbPose || change.kinds != changeResults ||
+        change.nodes != std::vector{context.limbPose->node()})
+        return false;
+    const NodeResult* result = document->result(context.limbPose->node());
+    return result && result->draft;
 }
 
 SceneWish Viewport::Private::wish()
@@ -86,8 +105,8 @@ SceneWish Viewport::Private::wish()
         }
     }
     wishedBlocks = blocksOf(*document);
-    if (const NodeResult* bent = limbPose ? document->result(limbPose->node()) : nullptr)
-        limbPose->noteWish(wish.serial, bent->revision);
+    if (const NodeResult* bent = context.limbPose ? document->result(context.limbPose->node()) : nullptr)
+        context.limbPose->noteWish(wish.serial, bent->revision);
     return wish;
 }
 
@@ -98,22 +117,19 @@ void Viewport::onDocumentChanged(const Change& change)
     else if (change.has(changeResults))
         d->trail.forgetSkeletons();
     if (change.has(changeSelection | changeStructure | changeReset))
-        updateHint();
+        d->updateHint();
     if (change.has(changeReset)) {
-        d->flight.stop();
         // From where the last document was looked at means nothing for this one.
-        d->camera = Camera();
-        d->camera.orthographic = d->settings->orthographic();
-        emit cameraChanged();
+        Camera camera;
+        camera.orthographic = d->settings->orthographic();
+        d->flight.setCamera(camera);
         d->frameNext = true;
         d->frameAfter = d->wishes;
         d->framing = Private::Framing::None;
-        d->hoverNode = noNode;
-        d->hoverBranch = noIndex;
-        d->pointedNode = noNode;
+        d->context.hoverNode = noNode;
+        d->context.hoverBranch = noIndex;
+        d->pointed = {};
         d->inspected = {};
-        finishLimb(false);
-        d->limbPose.reset();
         clearDefect();
     }
     // A new shape comes with its result: before it, the same picture would be drawn again.
@@ -123,7 +139,7 @@ void Viewport::onDocumentChanged(const Change& change)
     });
     const bool waitsForResult = trees && change.firstStale < Stage::Placement &&
                                 !change.has(~quint32(changeFile | changeParams | changeBranches));
-    if (change.kinds == changeFile || waitsForResult || isPosedDraft(change))
+    if (change.kinds == changeFile || waitsForResult || d->isPosedDraft(change))
         return;
     // A second opinion on a mesh changes no picture.
     if (change.kinds == changeResults && blocksOf(*d->document) == d->wishedBlocks)
@@ -133,11 +149,7 @@ void Viewport::onDocumentChanged(const Change& change)
 
 void Viewport::onSettingsChanged()
 {
-    if (d->camera.orthographic != d->settings->orthographic()) {
-        d->camera.orthographic = d->settings->orthographic();
-        d->to.orthographic = d->camera.orthographic;
-        emit cameraChanged();
-    }
+    d->flight.setOrthographic(d->settings->orthographic());
     wishScene();
     update();
 }
@@ -205,17 +217,16 @@ void Viewport::showScene()
     d->sceneIsNew = true;
     d->times.buildMs = built.buildMs;
     d->times.revision = built.revision;
-    if (d->limbPose)
-        d->limbPose->noteShown(built.serial);
-    forgetLimbAtRest();
+    if (d->context.limbPose)
+        d->context.limbPose->noteShown(built.serial);
+    d->context.forgetLimbAtRest();
     d->updateShown();
     if (d->frameNext && built.serial > d->frameAfter && !d->scene->box.empty()) {
         d->frameNext = false;
-        d->flight.stop();
         d->framed = true;
-        d->camera.frame(framingPoints(d->document->scene(), *d->scene),
-                        double(width()) / std::max(1, height()));
-        emit cameraChanged();
+        Camera camera = d->camera();
+        camera.frame(framingPoints(d->document->scene(), *d->scene), d->view().aspect());
+        d->flight.setCamera(camera);
     }
     if (!d->isStale()) {
         const auto framing = std::exchange(d->framing, Private::Framing::None);
@@ -225,16 +236,6 @@ void Viewport::showScene()
             frameSelection();
         d->tools.picks().tryAgain();
     }
-    update();
-}
-
-void Viewport::pointAt(NodeId node, const std::vector<Index>& branches)
-{
-    if (d->pointedNode == node && d->pointedBranches == branches)
-        return;
-    d->pointedNode = node;
-    d->pointedBranches = branches;
-    d->highlightsStale = true;
     update();
 }
 

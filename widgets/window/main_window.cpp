@@ -176,7 +176,8 @@ void MainWindow::connectViewport(Viewport* view)
     connect(m_scene, &ScenePanel::pointedAt, view, &Viewport::pointAt);
     connect(view, &Viewport::hovered, m_scene, &ScenePanel::showPointed);
     connect(m_inspector, &BranchInspector::sectionInspected, view, &Viewport::setInspectedSection);
-    connect(m_inspector, &BranchInspector::sectionLeft, view, &Viewport::clearInspectedSection);
+    connect(m_inspector, &BranchInspector::sectionLeft, view,
+            [view] { view->setInspectedSection(noNode, 0, 0); });
     connect(m_validation, &ValidationPanel::defectActivated, view, &Viewport::showDefect);
     connect(m_validation, &ValidationPanel::defectLeft, view, &Viewport::clearDefect);
 }

@@ -38,7 +38,7 @@ signals:
     /// The section to show in the viewport: Viewport::setInspectedSection. Sent anew whenever its place may
     /// have moved, only while the inspector is visible.
     void sectionInspected(ramure::NodeId node, ramure::Index branch, ramure::Index section);
-    /// Nothing to show any more: Viewport::clearInspectedSection.
+    /// Nothing to show any more: Viewport::setInspectedSection with noNode.
     void sectionLeft();
     /// For the status bar: what was copied, why an edit was refused.
     void messageRaised(const QString& text);

@@ -51,7 +51,7 @@ void LimbPose::noteShown(quint64 serial)
 
 bool LimbPose::isRest() const
 {
-    return m_bends == m_edits[m_shown].bends;
+    return !m_held && m_bends == m_edits[m_shown].bends;
 }
 
 std::shared_ptr<const MotionFrame> LimbPose::motion(const std::shared_ptr<const MotionFrame>& frame)

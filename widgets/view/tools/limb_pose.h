@@ -26,6 +26,9 @@ public:
     /// That scene is shown.
     void noteShown(quint64 serial);
 
+    /// The hand has it: then it needs the pose, whatever is shown.
+    void setHeld(bool held) { m_held = held; }
+    [[nodiscard]] bool isHeld() const { return m_held; }
     /// Of the document's latest edit.
     [[nodiscard]] const std::vector<glm::dvec3>& latest() const { return m_edits.back().bends; }
     /// The scene that is shown needs no pose.
@@ -48,6 +51,7 @@ private:
     std::vector<std::pair<quint64, std::size_t>> m_wishes; ///< serial, number of the edit
     std::size_t m_shown = 0;                               ///< number of the edit that is seen
     std::vector<glm::dvec3> m_bends;
+    bool m_held = false;
     std::shared_ptr<const MotionFrame> m_motion, m_motionOf; ///< made; null: to be made. Made from
 };
 

@@ -35,6 +35,12 @@ struct ToolContext
     NodeId hoverNode = noNode; ///< under the cursor while nothing goes on
     Index hoverBranch = noIndex;
 
+    /// Its mesh is shown by now.
+    void forgetLimbAtRest()
+    {
+        if (limbPose && limbPose->isRest())
+            limbPose.reset();
+    }
     [[nodiscard]] bool isPlaying() const { return player && player->isPlaying(); }
     [[nodiscard]] double seconds() const { return player ? player->timeSeconds() : 0.0; }
     /// While everything moves nobody looks what is under the cursor: it may be a branch.

@@ -21,6 +21,7 @@ ToolManager::ToolManager(ToolContext& context)
 
 ToolManager::~ToolManager()
 {
+    m_context.document.disconnect(&m_picks); // a gesture that ends here is no news
     m_context.picks = nullptr;
 }
 

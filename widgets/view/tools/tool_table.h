@@ -12,11 +12,27 @@ using ToolMaker = std::unique_ptr<Tool> (*)(ToolContext& context);
 std::unique_ptr<Tool> makeCubeTool(ToolContext& context);
 std::unique_ptr<Tool> makeNavigationTool(ToolContext& context);
 std::unique_ptr<Tool> makeGizmoTool(ToolContext& context);
+std::unique_ptr<Tool> makeJointTool(ToolContext& context);
+std::unique_ptr<Tool> makeWindTool(ToolContext& context);
+std::unique_ptr<Tool> makePullTool(ToolContext& context);
+std::unique_ptr<Tool> makeLimbTool(ToolContext& context);
+std::unique_ptr<Tool> makeTargetTool(ToolContext& context);
+std::unique_ptr<Tool> makeSelectTool(ToolContext& context);
+std::unique_ptr<Tool> makeMenuTool(ToolContext& context);
 
+// clang-format off
 inline constexpr ToolMaker toolTable[] = {
     makeCubeTool,
     makeNavigationTool,
     makeGizmoTool,
+    makeJointTool,
+    makeWindTool,
+    makePullTool,
+    makeLimbTool,
+    makeTargetTool,
+    makeSelectTool,
+    makeMenuTool,
 };
+// clang-format on
 
 } // namespace ramure

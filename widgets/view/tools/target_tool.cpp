@@ -1,0 +1,240 @@
+// The target of an arm is set and dragged on a surface; where targets are, and how the arm does.
+#include "core/evaluate/evaluator.h"
+#include "core/rig/arm/arm_chain.h"
+#include "core/scene/object_mesh.h"
+#include "core/scene/world_transforms.h"
+#include "core/surface/mesh/mesh_rays.h"
+#include "widgets/base/core_text.h"
+#include "widgets/view/tools/arm_overlay.h"
+#include "widgets/view/tools/tool_table.h"
+#include <QCoreApplication>
+#include <limits>
+#include <utility>
+
+namespace ramure {
+namespace {
+
+/// Triangles that are sorted for rays within a few milliseconds.
+constexpr Index fewTriangles = 40'000;
+
+/// From the world into the arm's own space.
+glm::dvec3 inArmSpace(const Scene& scene, NodeId arm, double timeSeconds, const glm::dvec3& world)
+{
+    const glm::dmat4 place = worldTransformAt(scene, arm, timeSeconds).geometry * armUpright();
+    return glm::dvec3(glm::inverse(place) * glm::dvec4(world, 1.0));
+}
+
+class TargetTool : public Tool
+{
+    Q_DECLARE_TR_FUNCTIONS(ramure::TargetTool)
+public:
+    using Tool::Tool;
+
+    bool press(const ToolPoint& point) override;
+    void drag(const ToolPoint& point) override { aim(point); }
+    void release(const ToolPoint&) override;
+    void cancel() override;
+
+    [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override
+    {
+        return tr("The arm reaches for the point under the cursor · release: done");
+    }
+    void offer(ToolOffers& offers) const override;
+    void paint(QPainter& painter, const PickView& view) override;
+
+private:
+    [[nodiscard]] NodeId armForTarget() const;
+    bool beginOn(const ToolPoint& point, NodeId surface, std::shared_ptr<const PickScene> scene);
+    bool beginAnyway(const ToolPoint& point);
+    const MeshItem* lookAt(NodeId surface, std::shared_ptr<const PickScene> scene);
+    [[nodiscard]] const MeshItem* itemOf(NodeId surface) const;
+    [[nodiscard]] std::optional<glm::dvec3> met(const ToolPoint& point) const;
+    void aim(const ToolPoint& point);
+    void letGo();
+
+    NodeId m_arm = noNode;
+    NodeId m_surface = noNode;                ///< on which the target moves
+    std::shared_ptr<const PickScene> m_scene; ///< in which it is met; null: m_rays
+    MeshRays m_rays;                          ///< of a small surface that no pick scene has yet
+    GestureId m_gesture = 0;
+};
+
+/// The active one, else the first that is shown.
+NodeId TargetTool::armForTarget() const
+{
+    const Scene& all = m_context.document.scene();
+    const auto isFree = [&](const Node* node) {
+        return node && node->kind == NodeKind::Arm && all.isShown(node->id) && !all.isLocked(node->id);
+    };
+    if (const Node* active = all.find(m_context.document.selection().activeNode()); isFree(active))
+        return active->id;
+    for (const Node& node : all.nodes())
+        if (isFree(&node))
+            return node.id;
+    return noNode;
+}
+
+bool TargetTool::press(const ToolPoint& point)
+{
+    if (point.button != Qt::LeftButton || !point.held.testFlag(Qt::ControlModifier))
+        return false;
+    const auto scene = m_context.host.pickScene(pickPatience);
+    if (!scene)
+        return beginAnyway(point);
+    const auto hit = scene->pick(point.view, point.pixel());
+    const Node* node = hit ? m_context.document.scene().find(hit->node) : nullptr;
+    return node && node->kind != NodeKind::Tree && beginOn(point, hit->node, scene);
+}
+
+/// The surface is met without what stands before it, the arm above all.
+bool TargetTool::beginOn(const ToolPoint& point, NodeId surface, std::shared_ptr<const PickScene> scene)
+{
+    m_arm = armForTarget();
+    if (m_arm == noNode || m_arm == surface || !lookAt(surface, std::move(scene)) || !met(point))
+        return false;
+    m_gesture = newGesture();
+    m_context.document.holdGesture(m_gesture);
+    aim(point);
+    return true;
+}
+
+/// What is picked in is still being made (while everything moves it never is): surfaces are met in that of a
+/// moment ago, in their place of now. The nearest of them counts.
+bool TargetTool::beginAnyway(const ToolPoint& point)
+{
+    NodeId nearest = noNode;
+    double least = std::numeric_limits<double>::infinity();
+    const auto scene = m_context.host.latestPickScene();
+    const Scene& all = m_context.document.scene();
+    for (const Node& node : all.nodes()) {
+        if (!isObject(node.kind) || all.isLocked(node.id) || !lookAt(node.id, scene))
+            continue;
+        const auto at = met(point);
+        const double away = at ? glm::distance(*at, point.view.camera.eye()) : least;
+        if (away < least) {
+            least = away;
+            nearest = node.id;
+        }
+    }
+    return nearest != noNode && beginOn(point, nearest, scene);
+}
+
+/// What shows the surface, where it is now.
+const MeshItem* TargetTool::itemOf(NodeId surface) const
+{
+    for (const MeshItem& item : m_context.host.shownScene().meshes)
+        if (item.node == surface && !item.isMark)
+            return &item;
+    return nullptr;
+}
+
+/// Looks for the surface of a node that can be met at once. \p scene may be null. \return its item
+const MeshItem* TargetTool::lookAt(NodeId surface, std::shared_ptr<const PickScene> scene)
+{
+    const MeshItem* item = itemOf(surface);
+    m_surface = noNode;
+    m_scene = nullptr;
+    // What is bent is another mesh there.
+    if (item && scene && scene->hasSurface(surface, item->motion.moves() ? nullptr : item->mesh.get()))
+        m_scene = std::move(scene);
+    if (!item || (!m_scene && (item->motion.moves() || item->mesh->faceCount() > fewTriangles)))
+        return nullptr;
+    if (!m_scene && m_rays.mesh() != item->mesh)
+        m_rays = MeshRays(item->mesh);
+    m_surface = surface;
+    return item;
+}
+
+/// Where the ray under the cursor meets the surface, world: in its place of now, wherever tracks have moved
+/// it to.
+std::optional<glm::dvec3> TargetTool::met(const ToolPoint& point) const
+{
+    const MeshItem* item = itemOf(m_surface);
+    if (!item)
+        return std::nullopt;
+    const PickView& view = point.view;
+    if (m_scene)
+        return m_scene->meet(view, point.pixel(), m_surface, item->world);
+    const ViewRay ray = view.camera.ray(view.ndc(point.pixel()), view.aspect());
+    const glm::dmat4 inverse = glm::inverse(item->world);
+    const auto hit = m_rays.nearest(
+        {glm::dvec3(inverse * glm::dvec4(ray.origin, 1.0)), glm::dmat3(inverse) * ray.direction});
+    if (!hit)
+        return std::nullopt;
+    return glm::dvec3(item->world * glm::dvec4(hit->point, 1.0));
+}
+
+void TargetTool::aim(const ToolPoint& point)
+{
+    const auto world = met(point);
+    if (!world)
+        return;
+    const glm::dvec3 target = inArmSpace(m_context.document.scene(), m_arm, m_context.seconds(), *world);
+    const ParamDef& def = *findParam("arm.target");
+    const auto done = m_context.keys && m_context.keys->takes({m_arm}, def)
+                          ? m_context.keys->set({m_arm}, def, target, std::nullopt, m_gesture)
+                          : m_context.reach.aim(m_arm, target, m_gesture);
+    if (!done)
+        m_context.host.raiseMessage(errorText(done.error()));
+    m_context.host.repaint();
+}
+
+void TargetTool::release(const ToolPoint&)
+{
+    m_context.document.keepGesture(m_gesture);
+    letGo();
+}
+
+void TargetTool::cancel()
+{
+    m_context.document.giveUpGesture(m_gesture);
+    letGo();
+}
+
+void TargetTool::letGo()
+{
+    m_context.host.dispose(std::exchange(m_scene, nullptr));
+}
+
+void TargetTool::offer(ToolOffers& offers) const
+{
+    const Node* node = m_context.document.scene().find(m_context.hoverNode);
+    if (m_context.isOverBranch() || !node || node->kind == NodeKind::Tree || node->kind == NodeKind::Arm ||
+        armForTarget() == noNode)
+        return;
+    if (offers.held() == Qt::NoModifier)
+        offers.add(ToolOffers::Drag, tr("Ctrl + click: target of the arm"));
+    else if (offers.held() == Qt::ControlModifier)
+        offers.add(ToolOffers::Drag, tr("Ctrl: click or drag sets the target of the arm"));
+}
+
+/// The targets of all arms in sight that follow one; and how the arm does: in the player's frame, or the one
+/// that is on its way.
+void TargetTool::paint(QPainter& painter, const PickView& view)
+{
+    const Scene& all = m_context.document.scene();
+    EvaluatedScene now(all, m_context.seconds());
+    for (const Node& node : all.nodes()) {
+        if (node.kind != NodeKind::Arm || !node.params.arm.follows || !all.isShown(node.id))
+            continue;
+        paintTarget(painter, view,
+                    glm::dvec3(now.transforms(node).geometry * armUpright() *
+                               glm::dvec4(now.params(node).arm.target, 1.0)));
+    }
+    const auto motion =
+        m_context.player && m_context.player->frame() > 0 ? m_context.player->motion() : nullptr;
+    const NodeMotion* played = motion ? motion->of(armForTarget()) : nullptr;
+    if (played && played->arm)
+        return paintArmStatus(painter, sizeOf(view), *played->arm);
+    if (const ArmProgress* progress = m_context.reach.progress(); progress && !motion)
+        paintArmStatus(painter, sizeOf(view), *progress);
+}
+
+} // namespace
+
+std::unique_ptr<Tool> makeTargetTool(ToolContext& context)
+{
+    return std::make_unique<TargetTool>(context);
+}
+
+} // namespace ramure
