@@ -94,6 +94,14 @@ Expected<void> ArmReach::aim(NodeId arm, const glm::dvec3& target, GestureId ges
     return reachFor(arm, target, gesture);
 }
 
+std::optional<Expected<void>> ArmReach::editTarget(NodeId arm, const ParamValue& target, GestureId gesture)
+{
+    const Node* node = m_document->scene().find(arm);
+    if (!node || !node->params.arm.follows)
+        return std::nullopt;
+    return aim(arm, std::get<glm::dvec3>(target), gesture);
+}
+
 /// An arm that is on its way already goes on from where it is.
 void ArmReach::start(NodeId arm)
 {

@@ -9,6 +9,7 @@
 #include "core/rig/arm/arm_motion.h"
 #include <QObject>
 #include <memory>
+#include <optional>
 
 namespace ramure {
 
@@ -28,6 +29,8 @@ public:
     /// As reachFor where the timeline stands at rest and no keys hold the arm; elsewhere only the target is
     /// set, as the arm follows it along the timeline by itself. Errors: those of reachFor.
     Expected<void> aim(NodeId arm, const glm::dvec3& target, GestureId gesture);
+    /// An edit of "arm.target": as aim, where the arm follows its target; nothing where it does not.
+    std::optional<Expected<void>> editTarget(NodeId arm, const ParamValue& target, GestureId gesture);
     /// Whose timeline it is; null: it stands at rest. Not owned.
     void setPlayer(const Player* player) { m_player = player; }
     /// Null where no arm has been sent anywhere yet.

@@ -1,5 +1,6 @@
 #include "widgets/window/main_window.h"
 
+#include "core/session/arm_reach.h"
 #include "core/session/analysis.h"
 #include "core/session/auto_key.h"
 #include "core/session/player.h"
@@ -44,6 +45,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <functional>
 
 namespace ramure {
 namespace {
@@ -170,7 +172,8 @@ void MainWindow::connectViewport(Viewport* view)
     m_hints->addSource(view, view->hints());
     m_arm->setReach(view->armReach());
     m_timeline->setReach(view->armReach());
-    m_properties->setReach(view->armReach());
+    m_properties->setOwnEdit(*findParam("arm.target"),
+                             std::bind_front(&ArmReach::editTarget, view->armReach()));
     connect(m_isolation, &Isolation::changed, view,
             [this, view] { view->setIsolated(m_isolation->node(), m_isolation->branches()); });
     connect(m_scene, &ScenePanel::pointedAt, view, &Viewport::pointAt);

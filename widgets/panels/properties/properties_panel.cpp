@@ -3,7 +3,6 @@
 #include "core/document/commands.h"
 #include "core/params/param_relevance.h"
 #include "core/params/presets.h"
-#include "core/session/arm_reach.h"
 #include "core/session/auto_key.h"
 #include "core/session/player.h"
 #include "widgets/base/core_text.h"
@@ -293,44 +292,47 @@ void PropertiesPanel::applyPreferences()
         section->setFolded(folded.contains(QString::fromLatin1(section->group())));
 }
 
-/// The target of one arm that follows it: the arm is seen on its way there.
-bool PropertiesPanel::isReached(const ParamDef& def) const
+/// Nothing where the parameter is to be set as any other. \param axis of the value that is meant; -1: all
+std::optional<Expected<void>> PropertiesPanel::editedItsOwnWay(const ParamDef& def, const ParamValue& value,
+                                                               int axis, quint64 gesture)
 {
-    return m_reach && m_nodes.size() == 1 && &def == findParam("arm.target") &&
-           m_document->scene().find(m_nodes.front())->params.arm.follows;
+    const auto own = m_ownEdits.find(&def);
+    if (m_nodes.size() != 1 || own == m_ownEdits.end())
+        return std::nullopt;
+    if (axis < 0)
+        return own->second(m_nodes.front(), value, gesture);
+    ParamValue whole = def.get(m_document->scene().find(m_nodes.front())->params);
+    std::get<glm::dvec3>(whole)[axis] = std::get<double>(value);
+    return own->second(m_nodes.front(), whole, gesture);
 }
 
 void PropertiesPanel::setValue(ParamRow* row, const ParamValue& value, quint64 gesture)
 {
-    const bool keyed = m_keys && m_keys->takes(m_nodes, row->def());
-    const auto done = keyed ? m_keys->set(m_nodes, row->def(), value, std::nullopt, gesture)
-                      : isReached(row->def())
-                          ? m_reach->aim(m_nodes.front(), std::get<glm::dvec3>(value), gesture)
-                          : edit::setParam(*m_document, m_nodes, row->def(), value, gesture);
-    if (!done) {
-        showRow(row);
-        row->showRefusal(errorText(done.error()));
-    }
+    const ParamDef& def = row->def();
+    if (m_keys && m_keys->takes(m_nodes, def))
+        return report(row, m_keys->set(m_nodes, def, value, std::nullopt, gesture));
+    const auto own = editedItsOwnWay(def, value, -1, gesture);
+    report(row, own ? *own : edit::setParam(*m_document, m_nodes, def, value, gesture));
 }
 
 void PropertiesPanel::setComponent(ParamRow* row, int axis, double value, quint64 gesture)
 {
-    Expected<void> done;
-    if (m_keys && m_keys->takes(m_nodes, row->def())) {
-        ParamValue whole = m_keys->value(m_nodes.front(), row->def());
+    const ParamDef& def = row->def();
+    if (m_keys && m_keys->takes(m_nodes, def)) {
+        ParamValue whole = m_keys->value(m_nodes.front(), def);
         std::get<glm::dvec3>(whole)[axis] = value;
-        done = m_keys->set(m_nodes, row->def(), whole, axis, gesture);
-    } else if (isReached(row->def())) {
-        glm::dvec3 target = m_document->scene().find(m_nodes.front())->params.arm.target;
-        target[axis] = value;
-        done = m_reach->aim(m_nodes.front(), target, gesture);
-    } else {
-        done = edit::setComponent(*m_document, m_nodes, row->def(), axis, value, gesture);
+        return report(row, m_keys->set(m_nodes, def, whole, axis, gesture));
     }
-    if (!done) {
-        showRow(row);
-        row->showRefusal(errorText(done.error()));
-    }
+    const auto own = editedItsOwnWay(def, value, axis, gesture);
+    report(row, own ? *own : edit::setComponent(*m_document, m_nodes, def, axis, value, gesture));
+}
+
+void PropertiesPanel::report(ParamRow* row, const Expected<void>& done)
+{
+    if (done)
+        return;
+    showRow(row);
+    row->showRefusal(errorText(done.error()));
 }
 
 /// Trees of several presets may each get another value, which no one edit can say.

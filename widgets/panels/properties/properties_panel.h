@@ -6,6 +6,9 @@
 #include "widgets/base/number_format.h"
 #include "widgets/panels/properties/group_clipboard.h"
 #include <QWidget>
+#include <functional>
+#include <map>
+#include <optional>
 
 class QLabel;
 class QLineEdit;
@@ -13,7 +16,6 @@ class QScrollArea;
 
 namespace ramure {
 
-class ArmReach;
 class AutoKey;
 class GenerationsView;
 class GroupSection;
@@ -32,8 +34,9 @@ public:
     [[nodiscard]] const std::vector<NodeId>& nodes() const { return m_nodes; }
     /// Parameters that may have keys get buttons, and show what they are at the frame on show. Not owned.
     void setKeys(AutoKey* keys);
-    /// Sends an arm to the target that is typed; may be null. Not owned.
-    void setReach(ArmReach* reach) { m_reach = reach; }
+    /// What an edit of one node's parameter does instead of setting it; nothing where it does nothing else.
+    using OwnEdit = std::function<std::optional<Expected<void>>(NodeId, const ParamValue&, quint64 gesture)>;
+    void setOwnEdit(const ParamDef& def, OwnEdit edit) { m_ownEdits[&def] = std::move(edit); }
     [[nodiscard]] QSize sizeHint() const override { return {360, 640}; }
     /// As wide as the widest row in sight needs.
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -61,11 +64,13 @@ private:
     void focusFirstFound();
     void setValue(ParamRow* row, const ParamValue& value, quint64 gesture);
     void setComponent(ParamRow* row, int axis, double value, quint64 gesture);
-    [[nodiscard]] bool isReached(const ParamDef& def) const;
+    [[nodiscard]] std::optional<Expected<void>> editedItsOwnWay(const ParamDef& def, const ParamValue& value,
+                                                                int axis, quint64 gesture);
     void copyGroup(const GroupSection* section);
     void pasteGroup(const GroupSection* section);
     void resetGroup(const GroupSection* section);
     void report(const GroupSection* section, const Expected<void>& done);
+    void report(ParamRow* row, const Expected<void>& done);
     [[nodiscard]] std::vector<ParamValue> valuesOf(const ParamDef& def) const;
     void showRow(ParamRow* row);
     void resetRow(ParamRow* row);
@@ -76,7 +81,7 @@ private:
     Document* m_document;
     Preferences* m_preferences;
     AutoKey* m_keys = nullptr;
-    ArmReach* m_reach = nullptr;
+    std::map<const ParamDef*, OwnEdit> m_ownEdits;
     std::vector<NodeId> m_nodes;
     std::vector<std::string> m_presets; ///< that m_nodes came from
     std::uint8_t m_kinds = 0;           ///< bits of the kinds of m_nodes

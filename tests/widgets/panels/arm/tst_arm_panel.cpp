@@ -15,6 +15,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QToolButton>
+#include <functional>
 #include <glm/geometric.hpp>
 
 using namespace ramure;
@@ -255,7 +256,7 @@ void TestArmPanel::aTypedTargetSendsTheArm()
     Desk desk;
     Preferences preferences;
     PropertiesPanel properties(&desk.document, &preferences);
-    properties.setReach(&desk.reach);
+    properties.setOwnEdit(*findParam("arm.target"), std::bind_front(&ArmReach::editTarget, &desk.reach));
     Selection selection;
     selection.nodes = {1};
     desk.document.setSelection(selection);
