@@ -5311,8 +5311,8 @@ OpenGL&#xa0;: %4
         <translation>Images PNG</translation>
     </message>
     <message>
-        <source>This format has no objects: leaves and apples would be mixed into the one closed mesh of the branches. Tick them to write them all the same.</source>
-        <translation>Ce format ne connaît pas d’objets : feuilles et pommes seraient mêlées au seul maillage fermé des branches. Cochez-les pour les écrire quand même.</translation>
+        <source>%1 has no objects: leaves and apples would be mixed into the one closed mesh of the branches. Tick them to write them all the same.</source>
+        <translation>%1 ne connaît pas d’objets : feuilles et pommes seraient mêlées au seul maillage fermé des branches. Cochez-les pour les écrire quand même.</translation>
     </message>
 </context>
 <context>

@@ -357,6 +357,10 @@ void ExportDialog::updateWidgets()
         widget->setEnabled(!running);
     for (QCheckBox* box : {m_branches, m_leaves, m_apples})
         box->setEnabled(!running && !lines);
+    if (format())
+        m_partsNote->setText(tr("%1 has no objects: leaves and apples would be mixed into the one closed "
+                                "mesh of the branches. Tick them to write them all the same.")
+                                 .arg(coreText(format()->name)));
     m_partsNote->setVisible(format() && !holds(holdsObjects) && !lines &&
                             !(m_leaves->isChecked() && m_apples->isChecked()));
     m_texture->setEnabled(!running && holds(holdsTexture) &&
@@ -481,9 +485,6 @@ void ExportDialog::retranslate()
     m_branches->setText(tr("Branches"));
     m_leaves->setText(tr("Leaves"));
     m_apples->setText(tr("Apples"));
-    m_partsNote->setText(
-        tr("This format has no objects: leaves and apples would be mixed into the one closed mesh "
-           "of the branches. Tick them to write them all the same."));
     m_selection->setText(tr("Only what is selected"));
     m_texture->setText(tr("Texture coordinates"));
     m_texture->setToolTip(
@@ -508,8 +509,7 @@ void ExportDialog::retranslate()
     m_model->setAccessibleName(labels[1]);
     m_path->setAccessibleName(labels[FileRow]);
     m_progress->setAccessibleName(tr("Progress of the export"));
-    updateSummary();
-    showFaults();
+    updateWidgets();
 }
 
 } // namespace ramure

@@ -3,6 +3,7 @@
 #include "tests/support/suite.h"
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/viewport_host.h"
+#include <QFile>
 #include <QLabel>
 #include <QMainWindow>
 #include <QSignalSpy>
@@ -68,8 +69,13 @@ private slots:
     }
     void displayModesHaveNames()
     {
-        for (const DisplayModeRow& row : displayModes())
+        for (const DisplayModeRow& row : displayModes()) {
             QCOMPARE(displayModeFromName(row.name()), row.mode);
+            QVERIFY2(
+                QFile::exists(
+                    QStringLiteral(RAMURE_SOURCE_DIR "/resources/icons/%1.svg").arg(QLatin1String(row.icon))),
+                row.name());
+        }
         QVERIFY(!displayModeFromName("Mesh"));
         QVERIFY(!displayModeFromName(""));
     }

@@ -65,7 +65,6 @@ private slots:
         QAction* mode = window.actionSet()->find(QStringLiteral("view.fake"));
         QVERIFY(mode);
         QCOMPARE(mode->shortcut(), QKeySequence(Qt::ALT | Qt::Key_2));
-        QVERIFY(!mode->icon().isNull());
         QVERIFY(mode->toolTip().contains(QStringLiteral("Nothing at all")));
         QVERIFY(!mode->isChecked());
         settings->setDisplayMode(fakeMode);
