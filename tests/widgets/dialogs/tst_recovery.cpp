@@ -181,9 +181,8 @@ private slots:
             document.undoStack()->setClean();
         }
         recovery.autosave()->setInterval(0);
+        test::letHappen(30); // what is on its way may still arrive, but goes then
         QTRY_VERIFY(files().isEmpty());
-        test::letHappen(30);
-        QVERIFY(files().isEmpty());
     }
 
     void theDialogSaysWhatWasChosen()
