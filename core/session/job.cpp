@@ -87,7 +87,7 @@ std::vector<Job::Shared*> Job::Shared::all;
 Error caughtError()
 {
     try {
-        throw;
+        std::rethrow_exception(std::current_exception());
     } catch (const std::bad_alloc&) {
         return fail(ErrorCode::Limit, RAMURE_NOOP("there is not enough memory for this")).value();
     } catch (const std::exception& exception) {
