@@ -222,7 +222,8 @@ std::vector<Recoverable> recoverableProjects(const QString& folder)
         Recoverable entry;
         entry.recoveryPath = file.absoluteFilePath();
         entry.claim = lockOf(entry.recoveryPath);
-        if (!entry.claim->tryLock(0))
+        // On a disk that is full nothing can be claimed: work is offered all the same.
+        if (!entry.claim->tryLock(0) && entry.claim->error() == QLockFile::LockFailedError)
             continue; // its program runs
         const auto project = loadProjectFile(entry.recoveryPath);
         if (!project)

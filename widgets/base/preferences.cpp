@@ -37,6 +37,7 @@ const QString stateKey = QStringLiteral("window/state");
 
 Preferences::Preferences(QObject* parent)
     : QObject(parent)
+    , m_rest(this)
 {
     constexpr int restMs = 200; // changes come in groups
     m_rest.setSingleShot(true);
