@@ -8,7 +8,7 @@
 namespace ramure {
 namespace {
 
-constexpr int leastRows = 6; ///< in sight, below the header
+constexpr int leastRows = 7; ///< in sight, below the header: six of them whole
 
 } // namespace
 
