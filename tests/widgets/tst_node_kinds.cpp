@@ -1,5 +1,6 @@
 #include "core/document/project_file.h"
 #include "core/document/project_json.h"
+#include "core/evaluate/evaluator.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/scene/object_mesh.h"
 #include "core/session/recompute.h"
@@ -120,7 +121,8 @@ private slots:
         TreePipeline pipeline;
         QCOMPARE(SceneCounter().count(scene, {}, pipelineSource(pipeline)).of(fakeNodeKind).faces,
                  std::uint64_t(1));
-        QCOMPARE(collectExport(scene, {}, pipelineSource(pipeline))->meshes[0].name, std::string("F"));
+        QCOMPARE(collectExport(Evaluator(pipelineSource(pipeline)).at(scene), {})->meshes[0].name,
+                 std::string("F"));
     }
     void itIsAddedAndSaidByItsWords()
     {
