@@ -27,7 +27,8 @@ struct ToolBench : ToolHost
     std::optional<AxisView> side;
     QStringList messages;
     int repaints = 0;
-    std::function<void()> box; ///< a box that is looked at: to be answered by calling it
+    /// Says what is in the box that is looked at.
+    std::function<void(const std::vector<PickedBranches>&)> answerBox;
 
     [[nodiscard]] PickView view() const override { return {camera, size}; }
     void setCamera(const Camera& to) override { camera = to; }
@@ -46,11 +47,9 @@ struct ToolBench : ToolHost
     {
         return std::make_shared<const PickScene>(*scene, nullptr);
     }
-    bool pickBox(QPointF a, QPointF b, std::function<void(const std::vector<PickedBranches>&)> done) override
+    bool pickBox(QPointF, QPointF, std::function<void(const std::vector<PickedBranches>&)> done) override
     {
-        box = [this, a, b, done = std::move(done)] {
-            done(latestPickScene()->inRectangle(view(), {a.x(), a.y()}, {b.x(), b.y()}));
-        };
+        answerBox = std::move(done);
         return ready;
     }
     void dispose(std::shared_ptr<const void>) override {}

@@ -78,12 +78,12 @@ void TestPendingPick::aBoxIsAnsweredLater()
     Bench bench;
     bench.picks.box({0.0, 0.0}, {800.0, 600.0}, false);
     QVERIFY(bench.picks.isPending() && bench.selected().empty());
-    const auto answer = bench.box;
+    const auto answer = bench.answerBox;
     bench.picks.forget();
-    answer(); // nobody asks any more
+    answer({{2, {0}}}); // nobody asks any more
     QVERIFY(bench.selected().empty());
     bench.picks.box({0.0, 0.0}, {800.0, 600.0}, false);
-    bench.box();
+    bench.answerBox({{1, {0}}, {2, {0}}});
     QVERIFY(!bench.picks.isPending());
     QCOMPARE(bench.selected().size(), std::size_t(2));
 }

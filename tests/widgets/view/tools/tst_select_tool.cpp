@@ -71,8 +71,8 @@ void TestSelectTool::aDragSelectsByABox()
     const Camera before = bench.camera;
     bench.drag({1.0, 1.0}, {700.0, 599.0});
     QVERIFY(bench.selected().empty());
-    bench.box();
-    QVERIFY(!bench.selected().empty());
+    bench.answerBox({{1, {0}}});
+    QCOMPARE(bench.selected(), std::vector<NodeId>{1});
     QCOMPARE(bench.camera, before);
     bench.press({1.0, 1.0});
     bench.move({300.0, 300.0});
@@ -95,7 +95,7 @@ void TestSelectTool::escapeGivesTheBoxUp()
     bench.move({799.0, 599.0});
     QVERIFY(bench.key(Qt::Key_Escape));
     bench.release({799.0, 599.0});
-    QVERIFY(!bench.box && !bench.tools.picks().isPending());
+    QVERIFY(!bench.answerBox && !bench.tools.picks().isPending());
     QCOMPARE(bench.selected(), std::vector<NodeId>{1}); // Esc cleared no selection
 }
 
