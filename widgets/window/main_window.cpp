@@ -1,7 +1,7 @@
 #include "widgets/window/main_window.h"
 
-#include "core/session/arm_reach.h"
 #include "core/session/analysis.h"
+#include "core/session/arm_reach.h"
 #include "core/session/auto_key.h"
 #include "core/session/player.h"
 #include "widgets/actions/edit_actions.h"

@@ -106,13 +106,11 @@ Expected<void> checkBrackets(std::size_t count, SymbolAt&& symbolAt, PlaceAt&& p
         if (symbolAt(i) != ']')
             continue;
         if (open.empty())
-            return failAt(placeAt(i), ErrorCode::Invalid,
-                          RAMURE_NOOP("this \"]\" has no \"[\" before it"));
+            return failAt(placeAt(i), ErrorCode::Invalid, RAMURE_NOOP("this \"]\" has no \"[\" before it"));
         open.pop_back();
     }
     if (!open.empty())
-        return failAt(placeAt(open.back()), ErrorCode::Invalid,
-                      RAMURE_NOOP("this \"[\" is never closed"));
+        return failAt(placeAt(open.back()), ErrorCode::Invalid, RAMURE_NOOP("this \"[\" is never closed"));
     return {};
 }
 
@@ -163,11 +161,10 @@ public:
     {
         const bool startsWithArrow = arrowAt(0) && !arrowAt(1);
         if (startsWithArrow)
-            return failAt(placeAt(0), ErrorCode::Syntax,
-                          RAMURE_NOOP("there is no symbol before \"->\""));
+            return failAt(placeAt(0), ErrorCode::Syntax, RAMURE_NOOP("there is no symbol before \"->\""));
         if (!arrowAt(1))
-            return failAt(placeAt(1), ErrorCode::Syntax,
-                          RAMURE_NOOP("\"->\" must follow the symbol %1"), {nameOf(m_line[0].symbol)});
+            return failAt(placeAt(1), ErrorCode::Syntax, RAMURE_NOOP("\"->\" must follow the symbol %1"),
+                          {nameOf(m_line[0].symbol)});
         m_rule.symbol = m_line[0].symbol;
         const Glyphs right = m_line.subspan(3);
         const bool hasChoices =
@@ -223,8 +220,7 @@ private:
                           RAMURE_NOOP("a second colon; write `: for the symbol"));
         const std::string head = textOf({choice.begin(), colon});
         const Glyphs text(colon + 1, choice.end());
-        return head == "default" ? takeDefault(text, placeAt(from))
-                                 : takeChoice(head, text, placeAt(from));
+        return head == "default" ? takeDefault(text, placeAt(from)) : takeChoice(head, text, placeAt(from));
     }
 
     Expected<void> takeDefault(Glyphs text, const Place& place)
@@ -316,8 +312,7 @@ Expected<void> checkText(const std::string& text, int line)
 {
     const auto placeAt = [line](std::size_t i) { return Place{line, static_cast<int>(i) + 1}; };
     if (const std::size_t at = text.find('\n'); at != std::string::npos)
-        return failAt(placeAt(at), ErrorCode::Invalid,
-                      RAMURE_NOOP("a line feed cannot be a symbol"));
+        return failAt(placeAt(at), ErrorCode::Invalid, RAMURE_NOOP("a line feed cannot be a symbol"));
     return checkBrackets(
         text.size(), [&](std::size_t i) { return text[i]; }, placeAt);
 }

@@ -1,8 +1,8 @@
 #include "widgets/panels/validation/report_view.h"
 
 #include <QHeaderView>
-#include <QScrollBar>
 #include <QKeyEvent>
+#include <QScrollBar>
 #include <algorithm>
 
 namespace ramure {
