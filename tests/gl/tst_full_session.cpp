@@ -162,6 +162,7 @@ private slots:
 
             // A branch by a click.
             const QRect view = viewOf(window);
+            QVERIFY(eventually([&] { return trunkIn(test::screenPicture(view)).has_value(); }));
             const QImage before = test::stillPicture(view);
             const QImage panels = test::stillPicture(panelsOf(window));
             const auto trunk = trunkIn(before);

@@ -36,6 +36,8 @@ struct Viewport::Private final : ToolHost
     /// The camera shows all, and nobody has moved it since: it still does when the view gets another size.
     bool framed = false;
     quint64 frameAfter = 0; ///< serial number of a wish: scenes up to it are of another document
+    /// From where the last document was looked at means nothing for this one.
+    bool cameraIsOfLast = false;
     enum class Framing : std::uint8_t { None, All, Selection };
     Framing framing = Framing::None; ///< waits for the scene of now
 

@@ -119,10 +119,7 @@ void Viewport::onDocumentChanged(const Change& change)
     if (change.has(changeSelection | changeStructure | changeReset))
         d->updateHint();
     if (change.has(changeReset)) {
-        // From where the last document was looked at means nothing for this one.
-        Camera camera;
-        camera.orthographic = d->settings->orthographic();
-        d->flight.setCamera(camera);
+        d->cameraIsOfLast = true; // and stays as long as the last document is seen
         d->frameNext = true;
         d->frameAfter = d->wishes;
         d->framing = Private::Framing::None;
@@ -221,6 +218,11 @@ void Viewport::showScene()
         d->context.limbPose->noteShown(built.serial);
     d->context.forgetLimbAtRest();
     d->updateShown();
+    if (built.serial > d->frameAfter && std::exchange(d->cameraIsOfLast, false)) {
+        Camera camera;
+        camera.orthographic = d->settings->orthographic();
+        d->flight.setCamera(camera);
+    }
     if (d->frameNext && built.serial > d->frameAfter && !d->scene->box.empty()) {
         d->frameNext = false;
         d->framed = true;

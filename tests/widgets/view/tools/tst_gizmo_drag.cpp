@@ -73,13 +73,12 @@ struct Desk
     }
     void begin(TransformTool tool, std::optional<GizmoHandle> handle, double seconds = 0.0, bool keys = false)
     {
-        glm::dvec2 at = handle ? glm::dvec2(0.0) : glm::dvec2(500.0, 300.0);
+        hand = {500.0, 300.0};
         if (handle) {
             const auto grip = gizmoGrip(view, place(seconds), tool, *handle);
-            at = {grip->x(), grip->y()};
+            hand = {grip->x(), grip->y()};
         }
-        hand = at;
-        drag = GizmoDrag::begin(document, settings, tool, handle, seconds, keys, view, at);
+        drag = GizmoDrag::begin(document, settings, tool, handle, seconds, keys, view, hand);
     }
     void by(glm::dvec2 pixels, GizmoModifiers modifiers = {})
     {
@@ -92,9 +91,8 @@ struct Desk
         auto result = GizmoDrag::KeyResult::Ignored;
         for (const char c : QByteArray(text)) {
             const bool capital = c >= 'A' && c <= 'Z';
-            const int key = c == '\t'   ? int(Qt::Key_Tab)
-                            : c == '\b' ? int(Qt::Key_Backspace)
-                                        : QChar(c).toUpper().unicode();
+            const int other = c == '\b' ? int(Qt::Key_Backspace) : QChar(c).toUpper().unicode();
+            const int key = c == '\t' ? int(Qt::Key_Tab) : other;
             result = drag->key(key, QString(QLatin1Char(c)), capital ? Qt::ShiftModifier : Qt::NoModifier);
         }
         return result;
