@@ -3067,10 +3067,6 @@
         <translation>Nombre approximatif de triangles de toutes les branches réunies, à 5&#xa0;% près. Les branches épaisses et courbées en reçoivent plus, les fines et les droites moins, et les deux nombres ci-dessus ne comptent plus. 0&#xa0;: pas de budget.</translation>
     </message>
     <message>
-        <source>there is not enough memory to move this tree</source>
-        <translation>il n&apos;y a pas assez de mémoire pour animer cet arbre</translation>
-    </message>
-    <message>
         <source>the time lies beyond what the physics counts</source>
         <translation>ce moment dépasse ce que la physique peut compter</translation>
     </message>

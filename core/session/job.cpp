@@ -182,8 +182,7 @@ Job::~Job()
 void Job::begin(std::shared_ptr<Request> request, Running running)
 {
     if (running == Running::Stops) {
-        cancel(request->lane);
-        drop(request->lane, nullptr);
+        stopUntold(request->lane);
     } else {
         takeBack(request->lane);
     }
@@ -212,14 +211,6 @@ void Job::begin(std::shared_ptr<Request> request, Running running)
     updateRunning();
 }
 
-/// Its end will not be told. \param one of the lane; null: all of them.
-void Job::drop(int lane, const Request* one)
-{
-    std::erase_if(m_pending, [lane, one](const std::shared_ptr<Request>& request) {
-        return request->lane == lane && (!one || request.get() == one);
-    });
-}
-
 bool Job::takeBack(int lane)
 {
     std::shared_ptr<Request> request; // goes when the mutex is free again
@@ -231,7 +222,7 @@ bool Job::takeBack(int lane)
         }
     }
     if (request)
-        drop(lane, request.get());
+        std::erase(m_pending, request);
     return request != nullptr;
 }
 
@@ -258,10 +249,16 @@ bool Job::cancel(int lane, std::chrono::milliseconds grace)
     return runs && m_shared->running->stop.request_stop();
 }
 
-void Job::forget(int lane)
+void Job::stopUntold(int lane)
 {
     cancel(lane);
-    drop(lane, nullptr);
+    std::erase_if(m_pending,
+                  [lane](const std::shared_ptr<Request>& request) { return request->lane == lane; });
+}
+
+void Job::forget(int lane)
+{
+    stopUntold(lane);
     updateRunning();
 }
 

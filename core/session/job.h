@@ -105,7 +105,7 @@ private:
 
     void begin(std::shared_ptr<Request> request, Running running);
     void finish(const std::shared_ptr<Request>& request, std::optional<Error>&& error);
-    void drop(int lane, const Request* one);
+    void stopUntold(int lane);
     bool takeBack(int lane);
     bool takeMessage();
     void updateRunning();

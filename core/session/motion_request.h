@@ -30,8 +30,7 @@ struct MotionArm
 struct MotionRequest
 {
     std::int64_t frame = 0;
-    int document = 0;        ///< counted by the player: what comes late from one that was left is of no use
-    std::int64_t ticket = 0; ///< likewise, growing: told again when the request is through
+    int document = 0; ///< counted by the player: what comes late from one that was left is of no use
     TimelineSettings timeline;
     std::vector<MotionTree> trees;
     std::vector<MotionArm> arms;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <new>
 #include <utility>
 
 namespace ramure {
@@ -17,77 +16,16 @@ static constexpr std::chrono::milliseconds bandRest{200};
 
 MotionWorker::MotionWorker(Listener listener)
     : m_listener(std::move(listener))
-    , m_thread([this](const std::stop_token& quit) { loop(quit); })
 {
 }
 
-MotionWorker::~MotionWorker()
+void takeOverHand(MotionRequest& next, const MotionRequest& skipped)
 {
-    m_thread.request_stop();
-    stop();
-    m_thread.join();
-}
-
-void MotionWorker::post(MotionRequest request, bool interrupt)
-{
-    const std::scoped_lock lock(m_mutex);
-    if (m_waiting) { // an apple let go must not be forgotten with the frame that nobody saw
-        request.forgetHand = request.forgetHand || m_waiting->forgetHand;
-        for (const MotionTree& skipped : m_waiting->trees)
-            for (MotionTree& tree : request.trees)
-                if (tree.node == skipped.node)
-                    tree.shaken.insert(tree.shaken.begin(), skipped.shaken.begin(), skipped.shaken.end());
-    }
-    m_waiting = std::move(request);
-    if (interrupt && m_running)
-        m_running->request_stop();
-    m_wake.notify_one();
-}
-
-void MotionWorker::stop()
-{
-    const std::scoped_lock lock(m_mutex);
-    m_waiting.reset();
-    if (m_running)
-        m_running->request_stop();
-}
-
-bool MotionWorker::isBusy() const
-{
-    const std::scoped_lock lock(m_mutex);
-    return m_waiting || m_running;
-}
-
-void MotionWorker::loop(const std::stop_token& quit)
-{
-    for (;;) {
-        MotionRequest request;
-        std::stop_source stop;
-        {
-            std::unique_lock lock(m_mutex);
-            m_wake.wait(lock, quit, [this] { return m_waiting.has_value(); });
-            if (quit.stop_requested())
-                return;
-            request = std::move(*m_waiting);
-            m_waiting.reset();
-            m_running = stop;
-        }
-        try {
-            run(request, {stop.get_token(), m_listener.progress});
-        } catch (const std::bad_alloc&) {
-            m_actors.clear();
-            m_listener.failed(
-                fail(ErrorCode::Limit, RAMURE_NOOP("there is not enough memory to move this tree")).value());
-        }
-        bool idle = false;
-        {
-            const std::scoped_lock lock(m_mutex);
-            m_running.reset();
-            idle = !m_waiting;
-        }
-        if (idle)
-            m_listener.idle(request.ticket);
-    }
+    next.forgetHand = next.forgetHand || skipped.forgetHand;
+    for (const MotionTree& from : skipped.trees)
+        for (MotionTree& tree : next.trees)
+            if (tree.node == from.node)
+                tree.shaken.insert(tree.shaken.begin(), from.shaken.begin(), from.shaken.end());
 }
 
 /// Where the nodes are, and the objects whose parameters move.

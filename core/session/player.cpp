@@ -1,6 +1,7 @@
 #include "core/session/player.h"
 
 #include "core/session/baker.h"
+#include "core/session/job.h"
 #include "core/session/motion_worker.h"
 
 #include <QElapsedTimer>
@@ -17,8 +18,8 @@ struct Player::Private
     Private(Player* player, Document* doc)
         : q(player)
         , document(doc)
-        , worker(listener())
     {
+        worker = std::make_shared<MotionWorker>(listener());
     }
 
     MotionWorker::Listener listener();
@@ -28,7 +29,7 @@ struct Player::Private
     void request(bool interrupt);
     void take(std::shared_ptr<const MotionFrame> made);
     void rewindClock();
-    void worked(std::int64_t ticket);
+    void worked(const Expected<void>& done);
     void stopWork();
     void setBusy(bool now);
     void findBakes();
@@ -51,7 +52,6 @@ struct Player::Private
     double speed = 1.0;
     PlayPace pace = PlayPace::RealTime;
     std::size_t memoryBytes = std::size_t(1) << 30;
-    std::int64_t tickets = 0, awaited = 0; ///< requests so far, and the one that computing waits for
     bool forgetHand = false;
     bool wanted = false; ///< another frame was asked for while one was computed
     std::map<NodeId, std::optional<Pull>> pulls;
@@ -66,15 +66,15 @@ struct Player::Private
     int bakeVersion = 0;
     int documents = 0; ///< opened so far
     BakeState bakeState = BakeState::None;
-    MotionWorker worker; ///< last: its thread calls the listener
+    std::shared_ptr<MotionWorker> worker;         ///< only the thread uses it
+    std::shared_ptr<const MotionRequest> waiting; ///< posted last, until its end
+    Job job;
 };
 
 /// From the worker's thread into the interface's.
 MotionWorker::Listener Player::Private::listener()
 {
-    const auto post = [this](auto&& call) {
-        QMetaObject::invokeMethod(q, std::move(call), Qt::QueuedConnection);
-    };
+    const Job::Mailbox post = job.mailbox();
     return {
         [this, post](std::shared_ptr<const MotionFrame> made) { post([this, made] { take(made); }); },
         [this, post](int of, std::vector<FrameRange> made) {
@@ -85,7 +85,6 @@ MotionWorker::Listener Player::Private::listener()
                 emit q->bandChanged();
             });
         },
-        [this, post](double fraction) { post([this, fraction] { emit q->progress(fraction); }); },
         [this, post](const Error& error) { post([this, error] { emit q->failed(error); }); },
         [this, post](const Error& error) { post([this, error] { emit q->bakeRefused(error); }); },
         [this, post](BakeState state) {
@@ -94,7 +93,6 @@ MotionWorker::Listener Player::Private::listener()
                     emit q->bakeStateChanged(state);
             });
         },
-        [this, post](std::int64_t ticket) { post([this, ticket] { worked(ticket); }); },
     };
 }
 
@@ -105,6 +103,7 @@ Player::Player(Document* document, QObject* parent)
     d->frame = document->scene().timeline().firstFrame;
     d->ticks.setTimerType(Qt::PreciseTimer);
     connect(&d->ticks, &QTimer::timeout, this, [this] { d->tick(); });
+    connect(&d->job, &Job::progress, this, &Player::progress);
     d->busyRest.setSingleShot(true);
     d->busyRest.setInterval(150);
     connect(&d->busyRest, &QTimer::timeout, this, [this] { d->setBusy(d->computing); });
@@ -384,7 +383,6 @@ void Player::Private::request(bool interrupt)
     MotionRequest next;
     next.frame = frame;
     next.document = documents;
-    next.ticket = awaited = ++tickets;
     next.timeline = timeline();
     next.trees = trees();
     next.arms = arms();
@@ -397,7 +395,17 @@ void Player::Private::request(bool interrupt)
     computing = true;
     if (!busyRest.isActive())
         busyRest.start();
-    worker.post(std::move(next), interrupt);
+    if (job.withdraw())
+        takeOverHand(next, *waiting);
+    if (interrupt)
+        job.cancel(); // what it computed is kept
+    waiting = std::make_shared<const MotionRequest>(std::move(next));
+    job.start(
+        [with = worker, what = waiting](const Progress& progress) {
+            with->run(*what, progress);
+            return Expected<void>();
+        },
+        [this](const Expected<void>& done) { worked(done); }, Job::Running::GoesOn);
 }
 
 void Player::Private::take(std::shared_ptr<const MotionFrame> made)
@@ -408,11 +416,16 @@ void Player::Private::take(std::shared_ptr<const MotionFrame> made)
     emit q->motionChanged();
 }
 
-/// The worker is through with this request; the frame it made has come before.
-void Player::Private::worked(std::int64_t ticket)
+/// A request is through; the frame it made has come before.
+void Player::Private::worked(const Expected<void>& done)
 {
-    if (ticket < awaited)
-        return;
+    if (!done) { // out of memory: what is half made goes
+        worker = std::make_shared<MotionWorker>(listener());
+        emit q->failed(done.error());
+    }
+    if (job.isRunning())
+        return; // a later one
+    waiting.reset();
     computing = false;
     setBusy(false);
     if (wanted)
@@ -422,9 +435,9 @@ void Player::Private::worked(std::int64_t ticket)
 /// What waited is gone and nobody will tell of it; what still runs says when it ends.
 void Player::Private::stopWork()
 {
-    worker.stop();
-    awaited = 0;
-    computing = worker.isBusy();
+    job.withdraw();
+    job.cancel();
+    computing = job.isRunning();
     if (!computing)
         setBusy(false);
 }

@@ -264,6 +264,9 @@ constexpr Rule rules[] = {
      R"(\b(paramsAt|worldTransformsAt|objectSolid)\s*\()"},
     // Memory that runs out is the one thing the language itself throws for.
     {"no exceptions across modules", "core/.*", R"(\bthrow\b(?!\s+std::bad_alloc))"},
+    {"work on another thread is a Job's",
+     R"((core/(?!session/job\.|base/parallel)|widgets/|app/(?!cli/work\.)).*)",
+     R"(std::(jthread|async|thread(?!::))\b)"},
     {"tests wait for what is to happen, not for a time", R"(tests/(?!support/waits\.h).*)",
      R"((qWait|[sS]leep(_for|_until)?)\()"},
     {"suites skip through RAMURE_CANNOT_RUN", R"(tests/(?!support/cannot_run\.h).*)", R"(\bQSKIP\b)"},
