@@ -3,6 +3,7 @@
 #include "core/rig/physics/animated_physics.h"
 #include "core/scene/object_mesh.h"
 
+#include <QScopeGuard>
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -108,8 +109,15 @@ static void keepAsked(std::map<NodeId, Run>& runs, const std::vector<Asked>& ask
 
 void MotionWorker::run(const MotionRequest& request, const Progress& progress)
 {
+    auto halfMade = qScopeGuard([this] { // memory ran out
+        m_actors.clear();
+        m_arms.clear();
+    });
     keepAsked(m_actors, request.trees);
     keepAsked(m_arms, request.arms);
+    if (request.forgetHand) // even where the request is cancelled before it comes to a tree
+        for (auto& [node, actor] : m_actors)
+            actor.forgetHand();
     auto frame = std::make_shared<MotionFrame>();
     frame->frame = request.frame;
     frame->document = request.document;
@@ -138,6 +146,7 @@ void MotionWorker::run(const MotionRequest& request, const Progress& progress)
         m_listener.failed(*problem);
     m_listener.bakes(bakeState());
     sendBand(request);
+    halfMade.dismiss();
 }
 
 BakeState MotionWorker::bakeState() const

@@ -40,13 +40,14 @@ struct Player::Private
     [[nodiscard]] const TimelineSettings& timeline() const { return document->scene().timeline(); }
     [[nodiscard]] std::vector<MotionTree> trees();
     [[nodiscard]] std::vector<MotionArm> arms() const;
+    [[nodiscard]] bool movesAsAsked(NodeId tree) const;
 
     Player* q;
     Document* document;
     QTimer ticks;
     QTimer busyRest;
     QElapsedTimer clock;
-    bool playing = false, busy = false, computing = false;
+    bool playing = false, busy = false;
     double travelled = 0.0; ///< frames since the first one, while playing
     std::int64_t frame = 0, dropped = 0;
     double speed = 1.0;
@@ -66,8 +67,8 @@ struct Player::Private
     int bakeVersion = 0;
     int documents = 0; ///< opened so far
     BakeState bakeState = BakeState::None;
-    std::shared_ptr<MotionWorker> worker;         ///< only the thread uses it
-    std::shared_ptr<const MotionRequest> waiting; ///< posted last, until its end
+    std::shared_ptr<MotionWorker> worker;       ///< only the thread uses it
+    std::shared_ptr<const MotionRequest> asked; ///< last; null: nothing yet of this document
     Job job;
 };
 
@@ -106,7 +107,7 @@ Player::Player(Document* document, QObject* parent)
     connect(&d->job, &Job::progress, this, &Player::progress);
     d->busyRest.setSingleShot(true);
     d->busyRest.setInterval(150);
-    connect(&d->busyRest, &QTimer::timeout, this, [this] { d->setBusy(d->computing); });
+    connect(&d->busyRest, &QTimer::timeout, this, [this] { d->setBusy(d->job.isRunning()); });
     connect(document, &Document::changed, this, [this](const Change& change) { d->documentChanged(change); });
     if (hasTracks(document->scene()))
         d->request(true);
@@ -141,7 +142,7 @@ const std::vector<FrameRange>& Player::band() const
 
 bool Player::isBusy() const
 {
-    return d->computing;
+    return d->job.isRunning();
 }
 
 double Player::speed() const
@@ -221,12 +222,12 @@ bool Player::waitForIdle(int timeoutMs)
     QElapsedTimer waited;
     waited.start();
     connect(&poll, &QTimer::timeout, &loop, [&] {
-        if ((!d->computing && !d->wanted) || waited.hasExpired(timeoutMs))
+        if ((!d->job.isRunning() && !d->wanted) || waited.hasExpired(timeoutMs))
             loop.quit();
     });
     poll.start(1);
     loop.exec();
-    return !d->computing && !d->wanted;
+    return !d->job.isRunning() && !d->wanted;
 }
 
 void Player::play()
@@ -315,7 +316,7 @@ void Player::Private::setFrame(std::int64_t next)
 /// The clock adds up seconds, never counts ticks (ANIMATION 4.9).
 void Player::Private::tick()
 {
-    if (pace == PlayPace::EveryFrame && (computing || wanted))
+    if (pace == PlayPace::EveryFrame && (job.isRunning() || wanted))
         return; // the next frame's time begins when this one is there
     const double seconds = std::min(double(clock.nsecsElapsed()) * 1e-9, mostSecondsAtOnce);
     const double ahead = seconds * timeline().framesPerSecond * speed;
@@ -371,11 +372,23 @@ std::vector<MotionArm> Player::Private::arms() const
     return list;
 }
 
+/// A check that is through has changed the report of a tree, not how it moves.
+bool Player::Private::movesAsAsked(NodeId tree) const
+{
+    const NodeResult* result = document->result(tree);
+    const auto isSame = [&](const MotionTree& one) {
+        const TreeResult &before = one.tree, &now = result->tree;
+        return one.node == tree && before.simplified == now.simplified && before.branches == now.branches &&
+               before.foliage == now.foliage && before.leaves == now.leaves && before.apples == now.apples;
+    };
+    return asked && result && std::ranges::any_of(asked->trees, isSame);
+}
+
 /// One frame at a time: while one is computed, the newest wish waits here, where the hand may still change
 /// it.
 void Player::Private::request(bool interrupt)
 {
-    if (computing && !interrupt) {
+    if (job.isRunning() && !interrupt) {
         wanted = true;
         return;
     }
@@ -392,16 +405,15 @@ void Player::Private::request(bool interrupt)
     next.memoryBytes = memoryBytes;
     next.live = playing;
     next.forgetHand = std::exchange(forgetHand, false);
-    computing = true;
     if (!busyRest.isActive())
         busyRest.start();
     if (job.withdraw())
-        takeOverHand(next, *waiting);
+        takeOverHand(next, *asked);
     if (interrupt)
         job.cancel(); // what it computed is kept
-    waiting = std::make_shared<const MotionRequest>(std::move(next));
+    asked = std::make_shared<const MotionRequest>(std::move(next));
     job.start(
-        [with = worker, what = waiting](const Progress& progress) {
+        [with = worker, what = asked](const Progress& progress) {
             with->run(*what, progress);
             return Expected<void>();
         },
@@ -419,14 +431,10 @@ void Player::Private::take(std::shared_ptr<const MotionFrame> made)
 /// A request is through; the frame it made has come before.
 void Player::Private::worked(const Expected<void>& done)
 {
-    if (!done) { // out of memory: what is half made goes
-        worker = std::make_shared<MotionWorker>(listener());
+    if (!done) // out of memory
         emit q->failed(done.error());
-    }
     if (job.isRunning())
         return; // a later one
-    waiting.reset();
-    computing = false;
     setBusy(false);
     if (wanted)
         request(false);
@@ -437,8 +445,7 @@ void Player::Private::stopWork()
 {
     job.withdraw();
     job.cancel();
-    computing = job.isRunning();
-    if (!computing)
+    if (!job.isRunning())
         setBusy(false);
 }
 
@@ -461,6 +468,7 @@ void Player::Private::documentChanged(const Change& change)
         q->pause();
         stopWork();
         ++documents;
+        asked.reset();
         pulls.clear();
         shaken.clear();
         forgetHand = true;
@@ -485,8 +493,12 @@ void Player::Private::documentChanged(const Change& change)
                         (!motion->transforms.empty() || hasTracks(document->scene()));
     if (placed)
         return request(!playing);
-    if (!isAtRest() && (physics || change.has(changeResults | changeStructure | changeNodeState |
-                                              changeTimeline | changeJoints | changeTracks)))
+    const bool shapes = change.has(changeResults) && !std::ranges::all_of(change.nodes, [this](NodeId tree) {
+                            return movesAsAsked(tree);
+                        });
+    if (!isAtRest() &&
+        (physics || shapes ||
+         change.has(changeStructure | changeNodeState | changeTimeline | changeJoints | changeTracks)))
         request(!playing);
 }
 

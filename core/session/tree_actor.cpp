@@ -11,14 +11,9 @@ Expected<void> TreeActor::prepare(const MotionTree& wanted, const MotionRequest&
     const auto isOther = m_run.setTree(wanted.tree, wanted.params);
     if (!isOther)
         return fail(isOther.error());
-    m_lookAtBake = m_lookAtBake || *isOther || request.forgetHand;
+    m_lookAtBake = m_lookAtBake || *isOther;
     PhysicsCache& cache = m_run.cache();
     cache.setMemoryLimit(memoryBytes);
-    if (request.forgetHand) {
-        PhysicsScript calm = cache.script();
-        calm.clear();
-        cache.setScript(calm);
-    }
     const double seconds = request.timeline.timeOf(request.frame);
     if (m_run.setPhysics(wanted.params.physics, wanted.animation, seconds, request.live))
         m_lookAtBake = true;
@@ -28,6 +23,14 @@ Expected<void> TreeActor::prepare(const MotionTree& wanted, const MotionRequest&
     for (const Index apple : wanted.shaken)
         cache.shakeOff(apple, cache.step());
     return {};
+}
+
+void TreeActor::forgetHand()
+{
+    PhysicsScript calm = m_run.cache().script();
+    calm.clear();
+    m_run.cache().setScript(calm);
+    m_lookAtBake = true;
 }
 
 /// The run is, from its beginning on, the one that the file says it holds.

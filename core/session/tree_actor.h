@@ -14,6 +14,7 @@ public:
     Expected<void> prepare(const MotionTree& wanted, const MotionRequest& request, std::size_t memoryBytes);
     /// The baked run in place of what is computed, where it is of use. Error: why it is not; it is told once.
     Expected<void> takeBake(const MotionTree& wanted, const Progress& progress);
+    void forgetHand(); ///< \pre prepare() went well
     [[nodiscard]] BakeState bakeState() const;
     void addBand(const TimelineSettings& timeline, std::vector<FrameState>& states) const;
 

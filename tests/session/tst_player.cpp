@@ -32,6 +32,7 @@ private slots:
     void bandTellsCachedStaleAndMissing();
     void physicsEditsChangeTheFrameOnShow();
     void shapeEditsChangeTheFrameOnShow();
+    void checksMoveNothing();
     void hiddenTreesDoNotMove();
     void removedTreesAreForgotten();
     void openingAnotherDocumentStops();
@@ -287,6 +288,23 @@ void TestPlayer::shapeEditsChangeTheFrameOnShow()
     QVERIFY(m_player->waitForIdle(20000));
     QTRY_COMPARE(motion(tree).mesh, m_document->result(tree)->tree.branches);
     QVERIFY(motion(tree).moves());
+}
+
+/// The second opinion on a mesh comes late, and while playing at the pace of every frame it must not show a
+/// frame twice.
+void TestPlayer::checksMoveNothing()
+{
+    const NodeId tree = addTree("TinyTree");
+    seek(24);
+    NodeResult checked = *m_document->result(tree);
+    checked.tree.report = std::make_shared<MeshReport>(*checked.tree.report);
+    m_document->setResult(tree, checked);
+    QVERIFY(!m_player->isBusy());
+    checked.tree.branches = std::make_shared<BranchMesh>(*checked.tree.branches);
+    m_document->setResult(tree, checked);
+    QVERIFY(m_player->isBusy());
+    QVERIFY(m_player->waitForIdle(20000));
+    QCOMPARE(motion(tree).mesh, checked.tree.branches);
 }
 
 void TestPlayer::hiddenTreesDoNotMove()
