@@ -2431,20 +2431,8 @@
         <translation>Annulé</translation>
     </message>
     <message>
-        <source>Length divisions must be between 2 and 64</source>
-        <translation>Les divisions en longueur doivent être entre 2 et 64</translation>
-    </message>
-    <message>
-        <source>Radial divisions must be between 3 and 128</source>
-        <translation>Les divisions radiales doivent être entre 3 et 128</translation>
-    </message>
-    <message>
         <source>There must be one roll per branch</source>
         <translation>Il faut un roulis par branche</translation>
-    </message>
-    <message>
-        <source>A roll or the near-twin ratio is not a usable number</source>
-        <translation>Un roulis ou le rapport des jumelles proches n’est pas un nombre utilisable</translation>
     </message>
     <message>
         <source>The mesh would have more than 2^31 faces</source>
@@ -3139,34 +3127,6 @@
         <translation>Le temps doit être un nombre de secondes, au plus un jour</translation>
     </message>
     <message>
-        <source>The skin&apos;s radius must be above 0</source>
-        <translation>Le rayon de la peau doit être supérieur à 0</translation>
-    </message>
-    <message>
-        <source>The skin needs at least one cell along the arm</source>
-        <translation>La peau a besoin d&apos;au moins une maille le long du bras</translation>
-    </message>
-    <message>
-        <source>The skin needs at least three cells around and at most ten million vertices</source>
-        <translation>La peau a besoin d&apos;au moins trois mailles autour et d&apos;au plus dix millions de sommets</translation>
-    </message>
-    <message>
-        <source>A terrain must be larger than 0</source>
-        <translation>Un terrain doit être plus grand que 0</translation>
-    </message>
-    <message>
-        <source>The height of a terrain must be a number</source>
-        <translation>La hauteur d&apos;un terrain doit être un nombre</translation>
-    </message>
-    <message>
-        <source>The roughness of a terrain lies between 0 and 1</source>
-        <translation>La rugosité d&apos;un terrain est comprise entre 0 et 1</translation>
-    </message>
-    <message>
-        <source>A terrain has 1 to 1024 cells along a side</source>
-        <translation>Un terrain a de 1 à 1024 mailles par côté</translation>
-    </message>
-    <message>
         <source>there is not enough memory for this</source>
         <translation>il n’y a pas assez de mémoire pour cela</translation>
     </message>
@@ -3567,14 +3527,6 @@
         <translation>Colore la peau selon les segments qu&apos;elle suit.</translation>
     </message>
     <message>
-        <source>The reach of forks must be between 0 and 4</source>
-        <translation>La portée des fourches doit être comprise entre 0 et 4</translation>
-    </message>
-    <message>
-        <source>The softness of forks must be between 0 and 1</source>
-        <translation>La douceur des fourches doit être comprise entre 0 et 1</translation>
-    </message>
-    <message>
         <source>Forks</source>
         <translation>Fourches</translation>
     </message>
@@ -3915,10 +3867,6 @@
         <translation>rien ne peut varier : aucune règle ne comporte de hasard, et la variation des angles, longueurs et rayons est de 0 %</translation>
     </message>
     <message>
-        <source>a variation must lie between 0 and 1</source>
-        <translation>une variation doit être comprise entre 0 et 1</translation>
-    </message>
-    <message>
         <source>Variation</source>
         <translation>Variation</translation>
     </message>
@@ -4157,6 +4105,14 @@
     <message>
         <source>Tree: %1</source>
         <translation>Arbre&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>A branch is divided into %1 to %2 cross-sections of %3 to %4 points</source>
+        <translation>Une branche est divisée en %1 à %2 sections de %3 à %4 points</translation>
+    </message>
+    <message>
+        <source>A roll is not a usable number</source>
+        <translation>Un roulis n’est pas un nombre utilisable</translation>
     </message>
 </context>
 <context>

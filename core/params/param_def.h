@@ -80,6 +80,8 @@ struct ParamDef
     ParamValue (*get)(const NodeParams&);
     void (*assign)(NodeParams&, const ParamValue&); ///< no check; the alternative must be the row's type
     std::span<const EnumItem> items{};              ///< of a choice, at least two; of others none
+    /// False: beside the other values no stage looks at this one, and results stay as they are. Null: always.
+    bool (*matters)(const NodeParams&) = nullptr;
 };
 
 /// All rows, in the order in which the interface shows them.
@@ -110,5 +112,12 @@ Expected<ParamValue> parseValue(const ParamDef& def, std::string_view text, bool
 
 /// Checks every value of \p params against the table; the first error.
 Expected<void> checkParams(const NodeParams& params);
+/// The same for what takes one part alone: checkPart(&NodeParams::terrain, terrain).
+template <class Part> Expected<void> checkPart(Part NodeParams::*part, const Part& value)
+{
+    NodeParams params;
+    params.*part = value;
+    return checkParams(params);
+}
 
 } // namespace ramure

@@ -111,9 +111,16 @@ constexpr std::uint8_t terrainOnly = kindBit(NodeKind::Terrain);
 constexpr std::uint8_t everyKind = 0xFF;
 constexpr std::uint8_t shapedKinds = everyKind & ~kindBit(NodeKind::Group);
 
+using Condition = bool(const NodeParams&);
+constexpr Condition* growsByChance = [](const NodeParams& p) { return p.grammar.stochastic; };
+constexpr Condition* mergesRuns = [](const NodeParams& p) { return p.simplify.enabled; };
+constexpr Condition* hasNoBudget = [](const NodeParams& p) { return p.mesh.targetTriangles == 0; };
+constexpr Condition* softensForks = [](const NodeParams& p) { return p.mesh.forkSoftness > 0.0; };
+
 template <auto Group, auto Member>
 constexpr ParamDef row(const Words& words, ParamUnit unit, const Range& range, Stage stage,
-                       std::uint8_t flags = paramNone, std::uint8_t kinds = treeOnly)
+                       std::uint8_t flags = paramNone, std::uint8_t kinds = treeOnly,
+                       Condition* matters = nullptr)
 {
     using Access = Field<Group, Member>;
     return {words.key,
@@ -133,7 +140,8 @@ constexpr ParamDef row(const Words& words, ParamUnit unit, const Range& range, S
             kinds,
             &Access::get,
             &Access::assign,
-            itemsOf<typename Access::Value>};
+            itemsOf<typename Access::Value>,
+            matters};
 }
 
 constexpr const char* grammarGroup = RAMURE_NOOP("Grammar");
@@ -180,7 +188,7 @@ constexpr std::array table{
     row<&NodeParams::grammar, &GrammarParams::seed>(
         {"grammar.seed", grammarGroup, RAMURE_NOOP("Seed of the tree"),
          RAMURE_NOOP("Names one tree among all that chance can give. The same seed always grows the same tree.")},
-        ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Symbols, paramSeed),
+        ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Symbols, paramSeed, treeOnly, growsByChance),
 
     row<&NodeParams::turtle, &TurtleParams::theta>(
         {"turtle.theta", turtleGroup, RAMURE_NOOP("Turn"),
@@ -202,16 +210,16 @@ constexpr std::array table{
         {"variation.angle", variationGroup, RAMURE_NOOP("Angles"),
          RAMURE_NOOP("How far each turn of a tree grown by chance may lie from the angle above, by seed. 0: every turn is the "
                      "same.")},
-        ParamUnit::Share, {0, 0.9, 0, 0.3, 0.01, 3}, Stage::Skeleton),
+        ParamUnit::Share, {0, 0.9, 0, 0.3, 0.01, 3}, Stage::Skeleton, paramNone, treeOnly, growsByChance),
     row<&NodeParams::variation, &VariationParams::length>(
         {"variation.length", variationGroup, RAMURE_NOOP("Lengths"),
          RAMURE_NOOP("How far each piece of branch of a tree grown by chance may be longer or shorter than the step, by seed.")},
-        ParamUnit::Share, {0, 0.9, 0, 0.3, 0.01, 3}, Stage::Skeleton),
+        ParamUnit::Share, {0, 0.9, 0, 0.3, 0.01, 3}, Stage::Skeleton, paramNone, treeOnly, growsByChance),
     row<&NodeParams::variation, &VariationParams::radius>(
         {"variation.radius", variationGroup, RAMURE_NOOP("Radii"),
          RAMURE_NOOP("How far each piece of branch of a tree grown by chance may taper more or less than the taper says, by "
                      "seed. No branch gets thicker towards its tip.")},
-        ParamUnit::Share, {0, 0.9, 0, 0.3, 0.01, 3}, Stage::Skeleton),
+        ParamUnit::Share, {0, 0.9, 0, 0.3, 0.01, 3}, Stage::Skeleton, paramNone, treeOnly, growsByChance),
 
     row<&NodeParams::simplify, &SimplifyParams::enabled>(
         {"simplify.enabled", simplifyGroup, RAMURE_NOOP("Merge straight runs"),
@@ -222,7 +230,7 @@ constexpr std::array table{
         {"simplify.rotationThreshold", simplifyGroup, RAMURE_NOOP("Straight below"),
          RAMURE_NOOP("Pieces that turn by less than this angle count as straight and are merged. Larger angles remove "
                      "bends too.")},
-        ParamUnit::Radian, {0, pi, 0, 0.5, 0.001, 6}, Stage::Simplified, paramAdvanced),
+        ParamUnit::Radian, {0, pi, 0, 0.5, 0.001, 6}, Stage::Simplified, paramAdvanced, treeOnly, mergesRuns),
 
     row<&NodeParams::sections, &SectionParams::lengthDivisions>(
         {"sections.lengthDivisions", sectionsGroup, RAMURE_NOOP("Along the branch"),
@@ -231,7 +239,7 @@ constexpr std::array table{
     row<&NodeParams::sections, &SectionParams::radialDivisions>(
         {"sections.radialDivisions", sectionsGroup, RAMURE_NOOP("Around the branch"),
          RAMURE_NOOP("Points of each cross-section. More make rounder branches.")},
-        ParamUnit::Count, {3, 64, 3, 32, 1, 0}, Stage::Mesh),
+        ParamUnit::Count, {3, 64, 3, 32, 1, 0}, Stage::Mesh, paramNone, treeOnly, hasNoBudget),
     row<&NodeParams::mesh, &MeshParams::targetTriangles>(
         {"mesh.targetTriangles", sectionsGroup, RAMURE_NOOP("Triangle budget"),
          RAMURE_NOOP("About how many triangles all branches may take together, within 5 %. Thick and bent branches get "
@@ -247,7 +255,7 @@ constexpr std::array table{
         {"mesh.forkReach", forksGroup, RAMURE_NOOP("Reach"),
          RAMURE_NOOP("How far from the crease the branches of a fork begin to swell, as a share of the thinner one's "
                      "radius.")},
-        ParamUnit::Ratio, {0, 4, 0, 2, 0.05, 3}, Stage::Mesh),
+        ParamUnit::Ratio, {0, 4, 0, 2, 0.05, 3}, Stage::Mesh, paramNone, treeOnly, softensForks),
     row<&NodeParams::mesh, &MeshParams::clampOvershoot>(
         {"mesh.clampOvershoot", forksGroup, RAMURE_NOOP("Calm short branches"),
          RAMURE_NOOP("A branch much shorter than its parent swings out in a wide bow before it turns to its own direction. "

@@ -2,6 +2,7 @@
 /// The stages of a tree's computation, in their order. A parameter names the first stage it affects.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace ramure {
@@ -17,5 +18,6 @@ enum class Stage : std::uint8_t {
     Motion,     ///< how it moves: nothing at rest changes
     Texture,    ///< how its surface is mapped: made when asked for, no geometry changes
 };
+inline constexpr std::size_t stageCount = 9;
 
 } // namespace ramure

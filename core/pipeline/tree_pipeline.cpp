@@ -2,10 +2,10 @@
 
 #include "core/generators/grammar/rewrite.h"
 #include "core/generators/grammar/turtle.h"
-#include "core/math/stage_hash.h"
 #include "core/params/param_def.h"
 #include "core/pipeline/draft_tubes.h"
 #include "core/pipeline/stage_cache.h"
+#include "core/pipeline/stage_hashes.h"
 #include "core/skeleton/bend.h"
 #include "core/surface/mesher/mesh_divisions.h"
 #include "core/surface/mesher/mesh_scratch.h"
@@ -192,15 +192,7 @@ Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams
                                       std::span<const double> rolls, MeshScratch& scratch,
                                       const Progress& progress)
 {
-    BranchMeshOptions options;
-    options.lengthDivisions = static_cast<int>(params.sections.lengthDivisions);
-    options.radialDivisions = static_cast<int>(params.sections.radialDivisions);
-    options.targetTriangles = static_cast<Index>(params.mesh.targetTriangles);
-    options.forkReach = params.mesh.forkReach;
-    options.forkSoftness = params.mesh.forkSoftness;
-    options.clampOvershoot = params.mesh.clampOvershoot;
-    options.nearTwinRatio = params.mesh.nearTwinRatio;
-    options.rollRad = rolls;
+    const BranchMeshOptions options{params.sections, params.mesh, true, rolls};
     auto made = buildCheckedBranchMesh(skeleton, options, progress, &scratch);
     if (!made)
         return fail(std::move(made.error()));
@@ -247,56 +239,6 @@ struct TreePipeline::Cache
 
 namespace {
 
-/// The hashes of all stages of one set of parameters. What a stage does not look at does not go in: the seed
-/// without chance, the threshold without simplification.
-struct StageHashes
-{
-    std::uint64_t symbols, skeleton, simplified, sections, branches, foliage;
-
-    explicit StageHashes(const NodeParams& p)
-    {
-        const GrammarParams& g = p.grammar;
-        StageHash grammar(1);
-        grammar.add(std::string_view(g.axiom))
-            .add(std::string_view(g.rules))
-            .add(g.iterations)
-            .add(g.stochastic);
-        if (g.stochastic)
-            grammar.add(g.seed);
-        symbols = grammar.value();
-        StageHash turtle(symbols);
-        turtle.add(p.turtle.theta).add(p.turtle.alpha).add(p.turtle.decay);
-        if (g.stochastic) // the seed is in it already
-            turtle.add(p.variation.angle).add(p.variation.length).add(p.variation.radius);
-        skeleton = turtle.value();
-        StageHash simplify(skeleton);
-        simplify.add(p.simplify.enabled);
-        if (p.simplify.enabled)
-            simplify.add(p.simplify.rotationThreshold);
-        for (const auto& [key, branch] : p.branches)
-            if (branch.bendRad != glm::dvec3(0.0))
-                simplify.add(key).add(branch.bendRad.x).add(branch.bendRad.y).add(branch.bendRad.z);
-        simplified = simplify.value();
-        StageHash rolls(simplified);
-        for (const auto& [key, branch] : p.branches)
-            rolls.add(key).add(branch.rollRad);
-        sections = StageHash(rolls).add(p.sections.lengthDivisions).value();
-        StageHash mesh(sections);
-        if (p.mesh.targetTriangles > 0)
-            mesh = rolls.add(p.mesh.targetTriangles).add(std::string_view("budget"));
-        else
-            mesh.add(p.sections.radialDivisions);
-        mesh.add(p.mesh.clampOvershoot).add(p.mesh.nearTwinRatio).add(p.mesh.forkSoftness);
-        if (p.mesh.forkSoftness > 0.0)
-            mesh.add(p.mesh.forkReach);
-        branches = mesh.value();
-        const FoliageParams& f = p.foliage;
-        StageHash foliageHash(simplified);
-        foliage =
-            foliageHash.add(f.leavesCutoff).add(f.leavesDensity).add(f.applesProbability).add(f.seed).value();
-    }
-};
-
 /// The result from the cache, or made and kept.
 template <class T, class Make>
 Expected<std::shared_ptr<const T>> cached(StageCache<T>& cache, std::uint64_t hash, const Progress& progress,
@@ -337,7 +279,7 @@ public:
     }
     Expected<TreeResult> runDraft()
     {
-        if (m_cache.branches.find(m_hashes.branches))
+        if (m_cache.branches.find(m_hashes[Stage::Mesh]))
             return run(Stage::Foliage);
         if (auto done = upTo(Stage::Simplified); !done)
             return fail(std::move(done.error()));
@@ -375,13 +317,13 @@ private:
     }
     Expected<void> symbols()
     {
-        return cached(m_cache.symbols, m_hashes.symbols, m_progress,
+        return cached(m_cache.symbols, m_hashes[Stage::Symbols], m_progress,
                       [&] { return growSymbols(m_params.grammar, m_progress.part(0.0, 0.05)); })
             .map([&](auto made) { m_result.symbols = std::move(made); });
     }
     Expected<void> skeleton()
     {
-        return cached(m_cache.skeleton, m_hashes.skeleton, m_progress,
+        return cached(m_cache.skeleton, m_hashes[Stage::Skeleton], m_progress,
                       [&] { return growSkeleton(*m_result.symbols, m_params, m_progress.part(0.05, 0.1)); })
             .map([&](auto made) { m_result.skeleton = std::move(made); });
     }
@@ -391,7 +333,7 @@ private:
         const Skeleton& skeleton = *m_result.skeleton;
         if (auto ok = checkBeforeMerging(skeleton, m_params); m_meshes && !ok)
             return ok;
-        return cached(m_cache.simplified, m_hashes.simplified, m_progress,
+        return cached(m_cache.simplified, m_hashes[Stage::Simplified], m_progress,
                       [&]() -> Expected<SimplifiedSkeleton> {
                           Expected<SimplifiedSkeleton> merged =
                               params.enabled
@@ -409,7 +351,7 @@ private:
         if (auto ok = checkMeshSize(skeleton.size(), m_params); !ok)
             return ok;
         const int divisions = static_cast<int>(m_params.sections.lengthDivisions);
-        return cached(m_cache.sections, m_hashes.sections, m_progress,
+        return cached(m_cache.sections, m_hashes[Stage::Sections], m_progress,
                       [&]() -> Expected<SectionSet> {
                           return buildSections(skeleton, divisions, rollsOf(m_params, skeleton));
                       })
@@ -418,7 +360,7 @@ private:
     Expected<void> branches()
     {
         const Skeleton& skeleton = m_result.simplified->skeleton;
-        return cached(m_cache.branches, m_hashes.branches, m_progress,
+        return cached(m_cache.branches, m_hashes[Stage::Mesh], m_progress,
                       [&] {
                           return meshBranches(skeleton, m_params, rollsOf(m_params, skeleton),
                                               m_cache.scratch, m_progress.part(0.2, 0.9));
@@ -430,7 +372,7 @@ private:
     }
     Expected<void> foliage()
     {
-        return cached(m_cache.foliage, m_hashes.foliage, m_progress,
+        return cached(m_cache.foliage, m_hashes[Stage::Foliage], m_progress,
                       [&] {
                           return meshFoliage(m_result.simplified->skeleton, m_params,
                                              m_progress.part(0.9, 1.0));

@@ -3,6 +3,7 @@
 #include "core/base/wide_clone.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
+#include "core/params/param_def.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -263,14 +264,6 @@ Expected<void> checkTurtle(const TurtleParams& params)
     return {};
 }
 
-Expected<void> checkChance(const VariationParams& shares)
-{
-    for (const double share : {shares.angle, shares.length, shares.radius})
-        if (!(share >= 0.0 && share <= 1.0))
-            return fail(ErrorCode::Invalid, RAMURE_NOOP("a variation must lie between 0 and 1"));
-    return {};
-}
-
 template <bool byChance>
 Expected<Skeleton> draw(std::string_view symbols, const TurtleParams& params, const TurtleChance& chance,
                         const Progress& progress)
@@ -306,7 +299,7 @@ Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& param
 Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& params, const TurtleChance& chance,
                              const Progress& progress)
 {
-    if (auto ok = checkChance(chance.variation); !ok)
+    if (auto ok = checkPart(&NodeParams::variation, chance.variation); !ok)
         return fail(ok.error());
     return chance.variation == VariationParams{0.0, 0.0, 0.0} ? draw<false>(symbols, params, {}, progress)
                                                               : draw<true>(symbols, params, chance, progress);

@@ -19,7 +19,7 @@ inline constexpr std::size_t maxBracketDepth = 1'000'000;
 /// What chance does to a tree: how far its branches vary, by which seed.
 struct TurtleChance
 {
-    VariationParams variation; ///< shares, each from 0 to 1
+    VariationParams variation;
     std::uint64_t seed = 1;
 };
 
@@ -31,7 +31,7 @@ Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& param
 /// Likewise, and each turn, length and taper lies anywhere within its share around what \p params say. What a
 /// branch draws depends on the seed and on its key alone, not on what else there is. Radii stay continuous
 /// and never grow along a branch, unless the taper is above 1. Without any variation the skeleton is the same
-/// to the bit as above. Error: Invalid (a share outside 0 .. 1).
+/// to the bit as above. Errors: those of checkPart.
 Expected<Skeleton> runTurtle(std::string_view symbols, const TurtleParams& params, const TurtleChance& chance,
                              const Progress& progress = {});
 

@@ -1,6 +1,7 @@
 #include "core/rig/arm/arm_skin.h"
 
 #include "core/math/reproducible.h"
+#include "core/params/param_def.h"
 #include "core/rig/arm/arm_chain.h"
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,6 @@ namespace ramure {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr std::int64_t mostVertices = 10'000'000;
 
 /// Where segments begin along the straight arm, and where the last one ends.
 std::vector<double> heightsOf(std::span<const ArmJoint> joints)
@@ -24,13 +24,6 @@ Index segmentAt(const std::vector<double>& heights, double z)
 {
     const auto after = std::upper_bound(heights.begin() + 1, heights.end() - 1, z);
     return static_cast<Index>(after - heights.begin() - 1);
-}
-
-tl::unexpected<Error> wrong(const char* text, const char* path)
-{
-    tl::unexpected<Error> error = fail(ErrorCode::Invalid, text);
-    error.value().path = path;
-    return error;
 }
 
 /// Rings of vertices, then the triangles between them.
@@ -127,15 +120,8 @@ Expected<TriangleMesh> armCylinder(std::span<const ArmJoint> joints, const ArmSk
 {
     if (const auto checked = checkArm(joints); !checked)
         return fail(checked.error());
-    if (!std::isfinite(params.radius) || params.radius <= 0.0)
-        return wrong(RAMURE_NOOP("The skin's radius must be above 0"), "armSkin.radius");
-    if (params.lengthDivisions < 1 || params.lengthDivisions > mostVertices)
-        return wrong(RAMURE_NOOP("The skin needs at least one cell along the arm"),
-                     "armSkin.lengthDivisions");
-    if (params.radialDivisions < 3 || params.radialDivisions > mostVertices / (params.lengthDivisions + 4))
-        return wrong(
-            RAMURE_NOOP("The skin needs at least three cells around and at most ten million vertices"),
-            "armSkin.radialDivisions");
+    if (auto checked = checkPart(&NodeParams::armSkin, params); !checked)
+        return fail(std::move(checked.error()));
     const std::vector<double> heights = heightsOf(joints);
     return Roll(params, heights).made();
 }

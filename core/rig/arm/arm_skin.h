@@ -11,8 +11,7 @@ namespace ramure {
 
 /// A regular grid rolled up, with flat ends; as long as the arm. Each vertex's \c branch is the segment it is
 /// nearest to. Texture coordinates: once around, and in circumferences along.
-/// Errors: Invalid (checkArm; a radius not above 0; fewer than 3 divisions around or 1 along; more than ten
-/// million vertices), path "armSkin.radius" and so on.
+/// Errors: those of checkArm and checkPart.
 Expected<TriangleMesh> armCylinder(std::span<const ArmJoint> joints, const ArmSkinParams& params);
 
 /// Binds a mesh that surrounds the straight arm, its foot at the origin. Rigid: every vertex follows the

@@ -3,6 +3,7 @@
 #include "core/base/large_buffer.h"
 #include "core/base/parallel.h"
 #include "core/math/reproducible.h"
+#include "core/params/param_def.h"
 #include "core/surface/mesh/mesh_cleanup.h"
 #include "core/surface/mesh/normals.h"
 #include "core/surface/mesher/branch_mesher.h"
@@ -22,27 +23,24 @@ constexpr std::size_t grain = 65536; ///< vertices
 
 Expected<void> checkOptions(const Skeleton& skeleton, const BranchMeshOptions& options)
 {
-    if (options.lengthDivisions < 2 || options.lengthDivisions > 64)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("Length divisions must be between 2 and 64"));
-    if (options.radialDivisions < 3 || options.radialDivisions > 128)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("Radial divisions must be between 3 and 128"));
+    if (options.lengthDivisions < leastSections || options.lengthDivisions > mostSections ||
+        options.radialDivisions < leastSides || options.radialDivisions > mostSides)
+        return fail(ErrorCode::Invalid,
+                    RAMURE_NOOP("A branch is divided into %1 to %2 cross-sections of %3 to %4 points"),
+                    {std::to_string(leastSections), std::to_string(mostSections), std::to_string(leastSides),
+                     std::to_string(mostSides)});
     if (!options.rollRad.empty() && options.rollRad.size() != skeleton.size())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("There must be one roll per branch"));
-    const bool finite = std::all_of(options.rollRad.begin(), options.rollRad.end(),
-                                    [](double roll) { return std::isfinite(roll); });
-    if (!finite || !std::isfinite(options.nearTwinRatio) || options.nearTwinRatio < 0.0)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("A roll or the near-twin ratio is not a usable number"));
-    if (!(options.forkReach >= 0.0 && options.forkReach <= 4.0))
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("The reach of forks must be between 0 and 4"));
-    if (!(options.forkSoftness >= 0.0 && options.forkSoftness <= 1.0))
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("The softness of forks must be between 0 and 1"));
+    if (!std::ranges::all_of(options.rollRad, [](double roll) { return std::isfinite(roll); }))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("A roll is not a usable number"));
+    const auto wanted = static_cast<double>(options.targetTriangles);
     const bool hasBudget = options.targetTriangles > 0;
-    const double along = hasBudget ? leastSections : options.lengthDivisions;
-    const double around = hasBudget ? leastSides : options.radialDivisions;
+    const auto along = static_cast<double>(hasBudget ? leastSections : options.lengthDivisions);
+    const auto around = static_cast<double>(hasBudget ? leastSides : options.radialDivisions);
     const double faces = 2.0 * skeleton.size() * (along + 2.0) * (around + 8.0);
-    if (std::max(faces, 1.1 * options.targetTriangles) > 2147483648.0)
+    if (std::max(faces, 1.1 * wanted) > 2147483648.0)
         return fail(ErrorCode::Limit, RAMURE_NOOP("The mesh would have more than 2^31 faces"));
-    return {};
+    return checkPart<MeshParams>(&NodeParams::mesh, options);
 }
 
 /// A mesh, its skeleton, and the triangles the clean-up should look at.
@@ -64,7 +62,9 @@ public:
     }
     Expected<Built> byDivisions(const Progress& progress)
     {
-        return build({m_options.lengthDivisions, m_options.radialDivisions}, progress);
+        return build(
+            {static_cast<int>(m_options.lengthDivisions), static_cast<int>(m_options.radialDivisions)},
+            progress);
     }
     Expected<Built> byBudget(const Progress& progress);
 
@@ -100,7 +100,7 @@ BudgetFit fitOf(double triangles, double wanted, double fineness, double finest)
 Expected<Built> Builder::byBudget(const Progress& progress)
 {
     const MeshBudget budget(m_normal);
-    const double wanted = m_options.targetTriangles;
+    const auto wanted = static_cast<double>(m_options.targetTriangles);
     std::optional<Built> best;
     double correction = 1.0, bestMiss = 0.0;
     for (int trial = 0; trial < mostTrials; ++trial) {

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
+#include "core/params/node_params.h"
 #include "core/skeleton/sections.h"
 #include "core/skeleton/skeleton.h"
 #include "core/surface/mesh/triangle_mesh.h"
@@ -18,28 +19,15 @@ namespace ramure {
 
 class MeshScratch;
 
-struct BranchMeshOptions
+/// The parameters, which say what they mean and how far they go. Where targetTriangles is set, the divisions
+/// have no say: each branch is divided by its thickness along it and its bend, so that all depart about
+/// equally from a smooth surface. Up to 128 points around a branch are built, more than a parameter may ask.
+struct BranchMeshOptions : SectionParams, MeshParams
 {
-    int lengthDivisions = 4; ///< cross-sections per branch, both ends included; 2..64
-    int radialDivisions = 8; ///< points per cross-section; 3..128
-    /// About how many triangles the mesh shall have, 0 = as the divisions say. Where it is set, the divisions
-    /// have no say: each branch is divided by its thickness along it and its bend, so that all depart about
-    /// equally from a smooth surface, within their limits above.
-    Index targetTriangles = 0;
-    /// Siblings closer than this share of their added radii at the shorter one's end become one (0 = exact
-    /// ones only).
-    double nearTwinRatio = 0.25;
-    /// Clamp the curve's start tangent to 1.5 times the branch's length (off: SPEC A4 as written).
-    bool clampOvershoot = false;
-    /// How far a fork reaches: up to this distance from each other, as a share of the thinner one's radius,
-    /// tubes of a fork grow towards each other; 0..4.
-    double forkReach = 0.9;
-    /// How soft a fork is: 0 leaves the crease where tubes meet, 1 rounds it fully.
-    double forkSoftness = 0.7;
     /// Without, mesh.normals stays empty.
     bool withNormals = true;
     /// An extra turn of each branch's frames about its tangent, radians, one per branch; empty = none.
-    std::span<const double> rollRad;
+    std::span<const double> rollRad{};
 };
 
 /// What was changed on the mesher's copy of the skeleton so that a mesh exists; the skeleton itself stays as
@@ -115,7 +103,8 @@ struct BranchMesh
 /// \param skeleton any skeleton with finite numbers; radii >= 0; may be empty only as an error.
 /// \param scratch memory to use again, from one mesh to the next; may be null.
 /// Works on as many threads as parallelThreads() says; the result is the same on any number of them.
-/// Errors: Invalid (empty, non-finite, more than 2^31 faces), Cancelled.
+/// Errors: Invalid (an empty skeleton, non-finite numbers, options out of range), Limit (more than 2^31
+/// faces), Cancelled.
 Expected<BranchMesh> buildBranchMesh(const Skeleton& skeleton, const BranchMeshOptions& options,
                                      const Progress& progress = {}, MeshScratch* scratch = nullptr);
 

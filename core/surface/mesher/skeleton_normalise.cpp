@@ -111,7 +111,8 @@ void Normaliser::measure()
     // Far from the origin floats are coarse: nothing may be finer than a few of their steps.
     const double floatStep = farthest * 0x1.0p-23;
     m_tinyLength = std::max(tinyLengthOfScene * m_out.scene, 16.0 * floatStep);
-    m_tinyRadius = std::max(tinyRadiusOfScene * m_out.scene, 4.0 * floatStep * m_options.radialDivisions);
+    m_tinyRadius =
+        std::max(tinyRadiusOfScene * m_out.scene, 4.0 * floatStep * double(m_options.radialDivisions));
     if (farthest > 4.0 * m_out.scene)
         m_out.origin = 0.5 * (low + high);
 }

@@ -2,6 +2,7 @@
 
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
+#include "core/params/param_def.h"
 #include "core/surface/mesh/normals.h"
 #include <cmath>
 #include <glm/vec2.hpp>
@@ -12,7 +13,6 @@ namespace {
 constexpr int octaves = 8;
 constexpr double hillsPerSide = 2.0; ///< of the first octave
 constexpr double mostGradient = 1.4; ///< noise of one octave lies within about 0.7
-constexpr std::int64_t mostDivisions = 1024;
 
 double fade(double t)
 {
@@ -62,32 +62,12 @@ private:
     std::vector<glm::dvec2> m_slopes;
 };
 
-tl::unexpected<Error> wrong(const char* text, const char* path)
-{
-    tl::unexpected<Error> error = fail(ErrorCode::Invalid, text);
-    error.value().path = path;
-    return error;
-}
-
-Expected<void> check(const TerrainParams& params)
-{
-    if (!std::isfinite(params.size) || params.size <= 0.0)
-        return wrong(RAMURE_NOOP("A terrain must be larger than 0"), "terrain.size");
-    if (!std::isfinite(params.height))
-        return wrong(RAMURE_NOOP("The height of a terrain must be a number"), "terrain.height");
-    if (!std::isfinite(params.roughness) || params.roughness < 0.0 || params.roughness > 1.0)
-        return wrong(RAMURE_NOOP("The roughness of a terrain lies between 0 and 1"), "terrain.roughness");
-    if (params.divisions < 1 || params.divisions > mostDivisions)
-        return wrong(RAMURE_NOOP("A terrain has 1 to 1024 cells along a side"), "terrain.divisions");
-    return {};
-}
-
 } // namespace
 
 Expected<TriangleMesh> buildTerrain(const TerrainParams& params)
 {
-    if (const auto checked = check(params); !checked)
-        return fail(checked.error());
+    if (auto checked = checkPart(&NodeParams::terrain, params); !checked)
+        return fail(std::move(checked.error()));
     TriangleMesh mesh;
     const auto cells = static_cast<Index>(params.divisions);
     std::vector<Octave> all;

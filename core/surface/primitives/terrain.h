@@ -12,8 +12,7 @@
 
 namespace ramure {
 
-/// The grid with normals and texture coordinates 0..1. Errors: Invalid (a size not above 0, divisions not in
-/// 1..1024, numbers that are not finite), path "terrain.size" and so on.
+/// The grid with normals and texture coordinates 0..1. Errors: those of checkPart.
 Expected<TriangleMesh> buildTerrain(const TerrainParams& params);
 
 } // namespace ramure

@@ -1,0 +1,60 @@
+#include "core/pipeline/stage_hashes.h"
+
+#include "core/math/stage_hash.h"
+#include "core/params/param_def.h"
+
+namespace ramure {
+namespace {
+
+void add(StageHash& hash, const ParamValue& value)
+{
+    const auto addHeld = [&hash]<class T>(const T& held) {
+        if constexpr (std::is_same_v<T, std::string>)
+            hash.add(std::string_view(held));
+        else if constexpr (std::is_same_v<T, EnumValue>)
+            hash.add(std::string_view(held.name));
+        else if constexpr (std::is_same_v<T, glm::dvec3>)
+            hash.add(held.x).add(held.y).add(held.z);
+        else
+            hash.add(held);
+    };
+    std::visit(addHeld, value);
+}
+
+} // namespace
+
+StageHashes::StageHashes(const NodeParams& params)
+{
+    const auto of = [this](Stage stage) -> std::uint64_t& {
+        return m_hashes[static_cast<std::size_t>(stage)];
+    };
+    for (const ParamDef& def : paramTable()) {
+        const bool isOfPipeline = def.stage < Stage::Placement || def.stage == Stage::Texture;
+        if (!isOfPipeline || !hasParam(NodeKind::Tree, def) || (def.matters && !def.matters(params)))
+            continue;
+        StageHash hash(of(def.stage));
+        add(hash, def.get(params));
+        of(def.stage) = hash.value();
+    }
+    // So far each has its own parameters alone: now what comes before it too.
+    const auto follow = [&of](Stage stage, std::uint64_t before) {
+        of(stage) = StageHash(before).add(of(stage)).value();
+    };
+    follow(Stage::Skeleton, of(Stage::Symbols));
+    follow(Stage::Simplified, of(Stage::Skeleton));
+    StageHash bent(of(Stage::Simplified));
+    for (const auto& [key, branch] : params.branches)
+        if (branch.bendRad != glm::dvec3(0.0))
+            bent.add(key).add(branch.bendRad.x).add(branch.bendRad.y).add(branch.bendRad.z);
+    of(Stage::Simplified) = bent.value();
+    StageHash rolled = bent;
+    for (const auto& [key, branch] : params.branches)
+        rolled.add(key).add(branch.rollRad);
+    follow(Stage::Sections, rolled.value());
+    // A mesh for a budget has sections of its own.
+    follow(Stage::Mesh, params.mesh.targetTriangles > 0 ? rolled.value() : of(Stage::Sections));
+    follow(Stage::Foliage, of(Stage::Simplified));
+    follow(Stage::Texture, of(Stage::Mesh));
+}
+
+} // namespace ramure

@@ -1,0 +1,28 @@
+/// \file
+/// What the stages of a tree are made from, each as one number: equal numbers, equal results. Made from the
+/// parameter table, whose rows say the first stage that they affect.
+#pragma once
+
+#include "core/params/node_params.h"
+#include "core/params/stage.h"
+#include <array>
+
+namespace ramure {
+
+class StageHashes
+{
+public:
+    explicit StageHashes(const NodeParams& params);
+
+    /// Of all inputs of a stage, those of the stages before it included. Placement and Motion have none here:
+    /// the pipeline does not make them.
+    [[nodiscard]] std::uint64_t operator[](Stage stage) const
+    {
+        return m_hashes[static_cast<std::size_t>(stage)];
+    }
+
+private:
+    std::array<std::uint64_t, stageCount> m_hashes{};
+};
+
+} // namespace ramure

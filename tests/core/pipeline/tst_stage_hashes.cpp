@@ -1,0 +1,130 @@
+#include "core/params/param_def.h"
+#include "core/pipeline/stage_hashes.h"
+#include "tests/support/suite.h"
+
+using namespace ramure;
+
+namespace {
+
+/// Another one, inside the range of the row.
+ParamValue otherValue(const ParamDef& def, const NodeParams& params)
+{
+    const ParamValue now = def.get(params);
+    if (const auto* flag = std::get_if<bool>(&now))
+        return !*flag;
+    if (const auto* whole = std::get_if<std::int64_t>(&now))
+        return *whole + (double(*whole) < def.hardMax ? 1 : -1);
+    if (const auto* real = std::get_if<double>(&now))
+        return *real == def.hardMax ? def.hardMin : def.hardMax;
+    if (const auto* text = std::get_if<std::string>(&now))
+        return *text + " ";
+    if (const auto* choice = std::get_if<EnumValue>(&now))
+        return EnumValue{def.items[choice->name == def.items[0].name].name};
+    return std::get<glm::dvec3>(now) * 0.5 + glm::dvec3(0.5);
+}
+
+NodeParams withOther(const ParamDef& def, NodeParams params)
+{
+    def.assign(params, otherValue(def, params));
+    return params;
+}
+
+/// The parameters beside which the row does, or does not, matter: the defaults, or those but for one value.
+std::optional<NodeParams> paramsWhere(const ParamDef& def, bool matters)
+{
+    const auto fits = [&](const NodeParams& params) {
+        return matters == (!def.matters || def.matters(params));
+    };
+    if (fits({}))
+        return NodeParams();
+    for (const ParamDef& other : paramTable())
+        if (const NodeParams params = withOther(other, {}); &other != &def && fits(params))
+            return params;
+    return std::nullopt;
+}
+
+bool isMade(Stage stage)
+{
+    return stage != Stage::Placement && stage != Stage::Motion;
+}
+
+} // namespace
+
+class TestStageHashes : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+    void everyRowChangesItsStage_data();
+    void everyRowChangesItsStage();
+    void whatDoesNotMatterChangesNothing_data() { everyRowChangesItsStage_data(); }
+    void whatDoesNotMatterChangesNothing();
+    void branchesChangeTheirStages();
+    void budgetsNeedNoSections();
+};
+
+void TestStageHashes::everyRowChangesItsStage_data()
+{
+    QTest::addColumn<int>("row");
+    for (const ParamDef& def : paramTable())
+        QTest::newRow(def.key) << int(paramId(def));
+}
+
+void TestStageHashes::everyRowChangesItsStage()
+{
+    QFETCH(int, row);
+    const ParamDef& def = paramTable()[std::size_t(row)];
+    const auto params = paramsWhere(def, true);
+    QVERIFY(params);
+    const StageHashes before(*params), after(withOther(def, *params));
+    const bool isOfTrees = hasParam(NodeKind::Tree, def) && isMade(def.stage);
+    QCOMPARE(before[def.stage] != after[def.stage], isOfTrees);
+    for (std::size_t stage = 0; stage < stageCount; ++stage)
+        if (Stage(stage) < def.stage || !isOfTrees)
+            QCOMPARE(after[Stage(stage)], before[Stage(stage)]);
+}
+
+void TestStageHashes::whatDoesNotMatterChangesNothing()
+{
+    QFETCH(int, row);
+    const ParamDef& def = paramTable()[std::size_t(row)];
+    const auto params = paramsWhere(def, false);
+    QCOMPARE(params.has_value(), def.matters != nullptr);
+    if (!params)
+        return;
+    const StageHashes before(*params), after(withOther(def, *params));
+    for (std::size_t stage = 0; stage < stageCount; ++stage)
+        QCOMPARE(after[Stage(stage)], before[Stage(stage)]);
+}
+
+void TestStageHashes::branchesChangeTheirStages()
+{
+    const StageHashes plain{NodeParams()};
+    NodeParams params;
+    params.branches[7].rollRad = 0.5;
+    const StageHashes rolled(params);
+    QCOMPARE(rolled[Stage::Simplified], plain[Stage::Simplified]);
+    QCOMPARE(rolled[Stage::Foliage], plain[Stage::Foliage]);
+    for (const Stage stage : {Stage::Sections, Stage::Mesh, Stage::Texture})
+        QVERIFY(rolled[stage] != plain[stage]);
+    params.branches[7].bendRad.y = 0.5;
+    const StageHashes bent(params);
+    QCOMPARE(bent[Stage::Skeleton], plain[Stage::Skeleton]);
+    for (const Stage stage :
+         {Stage::Simplified, Stage::Sections, Stage::Mesh, Stage::Foliage, Stage::Texture})
+        QVERIFY(bent[stage] != plain[stage]);
+}
+
+void TestStageHashes::budgetsNeedNoSections()
+{
+    NodeParams params;
+    params.mesh.targetTriangles = 5000;
+    const StageHashes before(params);
+    params.sections.lengthDivisions += 1;
+    const StageHashes after(params);
+    QVERIFY(after[Stage::Sections] != before[Stage::Sections]);
+    QCOMPARE(after[Stage::Mesh], before[Stage::Mesh]);
+}
+
+QTEST_GUILESS_MAIN(TestStageHashes)
+#include "tst_stage_hashes.moc"
