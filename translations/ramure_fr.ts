@@ -2999,10 +2999,6 @@
         <translation>Le maillage ne dit pas quels triangles appartiennent à quel tube</translation>
     </message>
     <message>
-        <source>The size of a texture tile is not a usable number</source>
-        <translation>La taille d’un carreau de texture n&apos;est pas un nombre utilisable</translation>
-    </message>
-    <message>
         <source>The texture tile is too small for the tree</source>
         <translation>Le carreau de texture est trop petit pour l’arbre</translation>
     </message>

@@ -69,12 +69,10 @@ Expected<CheckedMesh> checkTree(const Node& node, bool isOneOfSeveral, Evaluated
     checked.report.valid = verdictOn(checked.report, nullptr, branches.roots) != MeshVerdict::Broken;
     checked.crossingsKnown = checks.crossings;
     if (checks.texture) {
-        const BranchMesh& rest = result->restBranches ? *result->restBranches : branches;
-        const auto coordinates = textureCoordinates(
-            rest, {node.params.texture.tileSize, node.params.texture.seamsAround}, progress.part(0.9, 1.0));
+        const auto coordinates = result->texture->coordinates(node.params.texture, progress.part(0.9, 1.0));
         if (!coordinates)
             return fail(coordinates.error());
-        checked.texture = textureReport(branches, *coordinates);
+        checked.texture = textureReport(branches, **coordinates);
     }
     return checked;
 }

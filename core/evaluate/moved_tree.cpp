@@ -65,7 +65,7 @@ Expected<void> moveMeshes(TreeResult& tree, const NodeMotion& motion, const Prog
             return fail(std::move(report.error()));
         tree.report = std::make_shared<const MeshReport>(std::move(*report));
     }
-    tree.restBranches = std::exchange(tree.branches, std::move(moved));
+    tree.branches = std::move(moved);
     tree.leaves = movedPiece(tree.leaves, motion.leaves, motion);
     tree.apples = movedPiece(tree.apples, motion.apples, motion);
     return {};

@@ -48,7 +48,7 @@ private:
 };
 
 /// The tree as it stands in a motion: skeletons, sections, meshes and foliage in their place of then, the
-/// report that of the moved mesh, restBranches the mesh at rest. \pre \p tree is at rest, and the motion its.
+/// report that of the moved mesh. \pre \p tree is at rest, and the motion its.
 /// Errors: Cancelled.
 Expected<TreeResult> movedTree(TreeResult tree, const NodeMotion& motion, const Progress& progress);
 

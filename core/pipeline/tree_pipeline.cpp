@@ -20,6 +20,7 @@ struct MeshedBranches
 {
     std::shared_ptr<const BranchMesh> mesh;
     std::shared_ptr<const MeshReport> report;
+    std::shared_ptr<const TextureStage> texture;
 };
 
 struct MeshedFoliage
@@ -196,8 +197,9 @@ Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams
     auto made = buildCheckedBranchMesh(skeleton, options, progress, &scratch);
     if (!made)
         return fail(std::move(made.error()));
-    return MeshedBranches{scratch.share(std::move(made->mesh)),
-                          std::make_shared<const MeshReport>(std::move(made->report))};
+    const auto mesh = scratch.share(std::move(made->mesh));
+    return MeshedBranches{mesh, std::make_shared<const MeshReport>(std::move(made->report)),
+                          std::make_shared<const TextureStage>(mesh)};
 }
 
 Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& params,
@@ -368,6 +370,7 @@ private:
             .map([&](auto made) {
                 m_result.branches = made->mesh;
                 m_result.report = made->report;
+                m_result.texture = made->texture;
             });
     }
     Expected<void> foliage()

@@ -7,6 +7,7 @@
 #include "core/base/progress.h"
 #include "core/params/node_params.h"
 #include "core/params/stage.h"
+#include "core/pipeline/texture_stage.h"
 #include "core/skeleton/sections.h"
 #include "core/skeleton/simplify.h"
 #include "core/surface/foliage/foliage.h"
@@ -26,8 +27,8 @@ struct TreeResult
         simplified;                             ///< equal to the skeleton where simplify.enabled is off
     std::shared_ptr<const SectionSet> sections; ///< of the simplified skeleton
     std::shared_ptr<const BranchMesh> branches; ///< branch ids are those of the simplified skeleton
-    /// The branch mesh at rest where branches is in a pose: what texture coordinates are made of. Else null.
-    std::shared_ptr<const BranchMesh> restBranches;
+    /// Of the branch mesh, as it is at rest.
+    std::shared_ptr<const TextureStage> texture;
     std::shared_ptr<const MeshReport> report; ///< of the branch mesh; OpenMesh asked only if wanted
     /// Drafts only, in place of branches and report: open tubes to look at.
     std::shared_ptr<const TriangleMesh> draftTubes;

@@ -8,7 +8,6 @@
 #include "core/session/scene_counts.h"
 #include "core/surface/foliage/foliage_texture.h"
 #include "core/surface/mesher/rough_model.h"
-#include "core/surface/texture/texture_coordinates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,17 +122,12 @@ Expected<TreeMeshes> texturedMeshes(const TreeResult& tree, const NodeParams& pa
     const TreeMeshes plain = fineMeshes(tree, parts);
     TreeMeshes meshes;
     if (plain.branches) {
-        const BranchMesh& rest = tree.restBranches ? *tree.restBranches : *tree.branches;
-        auto made = textureCoordinates(rest, {params.texture.tileSize, params.texture.seamsAround}, progress);
-        if (!made) {
-            Error error = std::move(made.error());
-            if (error.code == ErrorCode::Invalid)
-                error.path = "texture.tileSize";
-            return fail(std::move(error));
-        }
+        const auto made = tree.texture->coordinates(params.texture, progress);
+        if (!made)
+            return fail(made.error());
         const auto branches = std::make_shared<TriangleMesh>(*plain.branches);
-        branches->uv = std::move(made->uv);
-        branches->uvTriangles = std::move(made->corners);
+        branches->uv = (*made)->uv;
+        branches->uvTriangles = (*made)->corners;
         meshes.branches = branches;
     }
     if (plain.leaves) {

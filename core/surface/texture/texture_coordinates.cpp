@@ -1,6 +1,7 @@
 #include "core/surface/texture/texture_coordinates.h"
 
 #include "core/base/parallel.h"
+#include "core/params/param_def.h"
 #include "core/surface/texture/texture_tube.h"
 #include <algorithm>
 #include <array>
@@ -339,7 +340,7 @@ double tileFor(const BranchMesh& mesh, double wanted)
     return turn * thinnest / leastAround;
 }
 
-Expected<void> check(const BranchMesh& mesh, const TextureOptions& options)
+Expected<void> check(const BranchMesh& mesh, const TextureParams& params)
 {
     const bool usable = !mesh.tubes.empty() && mesh.axes.size() == mesh.tubes.size() &&
                         mesh.tubes.front().firstTriangle == 0 &&
@@ -347,29 +348,31 @@ Expected<void> check(const BranchMesh& mesh, const TextureOptions& options)
     if (!usable)
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("The mesh does not say which triangles belong to which tube"));
-    if (!std::isfinite(options.tileSize) || options.tileSize < 0.0)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("The size of a texture tile is not a usable number"));
+    if (auto checked = checkPart(&NodeParams::texture, params); !checked)
+        return checked;
     double thickest = 0.0;
     for (const TubeAxis& axis : mesh.axes)
         thickest = std::max({thickest, axis.a0, axis.a1});
-    if (turn * thickest > mostAround * tileFor(mesh, options.tileSize))
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("The texture tile is too small for the tree"));
-    return {};
+    if (turn * thickest <= mostAround * tileFor(mesh, params.tileSize))
+        return {};
+    auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("The texture tile is too small for the tree"));
+    error.value().path = "texture.tileSize";
+    return error;
 }
 
 } // namespace
 
-Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const TextureOptions& options,
+Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const TextureParams& params,
                                                 const Progress& progress)
 {
-    if (auto checked = check(mesh, options); !checked)
+    if (auto checked = check(mesh, params); !checked)
         return fail(checked.error());
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
-    const double tileSize = tileFor(mesh, options.tileSize), triangles = double(mesh.mesh.faceCount());
+    const double tileSize = tileFor(mesh, params.tileSize), triangles = double(mesh.mesh.faceCount());
     double before = 0.0, last = 1.0;
     for (const Attempt& attempt : attempts) {
-        const TubeTexture::Options effort{tileSize, options.seamsAround, attempt.rounds, attempt.thorough};
+        const TubeTexture::Options effort{tileSize, params.seamsAround, attempt.rounds, attempt.thorough};
         CoordinateBuilder builder(mesh, effort);
         if (!builder.run(progress.part(before, attempt.part)))
             break;

@@ -20,13 +20,6 @@
 
 namespace ramure {
 
-struct TextureOptions
-{
-    /// m, the side of one tile; 0 = the largest tile of which a few still go around the thinnest branch.
-    double tileSize = 0.0;
-    bool seamsAround = true; ///< seams may open around bends; else the picture is stretched there
-};
-
 /// Coordinates per corner of a triangle: positions are never split, equal coordinates of a vertex are stored
 /// once.
 struct TextureCoordinates
@@ -43,9 +36,10 @@ struct TextureCoordinates
 /// The mesh with one vertex per coordinate, for what knows no other texture coordinates: graphics cards.
 TriangleMesh splitByTexture(const BranchMesh& mesh, const TextureCoordinates& coordinates);
 
-/// Errors: Invalid (a tile size that is negative, not finite or too small for the tree; triangles without
-/// tubes), Cancelled.
-Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const TextureOptions& options,
+/// A tile size of 0 is the largest of which a few still go around the thinnest branch; without seams around,
+/// the picture is stretched at bends. Errors: those of checkPart; Invalid (a tile too small for the tree,
+/// path "texture.tileSize"; triangles without tubes); Cancelled.
+Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const TextureParams& params,
                                                 const Progress& progress = {});
 
 } // namespace ramure

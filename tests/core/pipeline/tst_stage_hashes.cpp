@@ -15,7 +15,7 @@ ParamValue otherValue(const ParamDef& def, const NodeParams& params)
     if (const auto* whole = std::get_if<std::int64_t>(&now))
         return *whole + (double(*whole) < def.hardMax ? 1 : -1);
     if (const auto* real = std::get_if<double>(&now))
-        return *real == def.hardMax ? def.hardMin : def.hardMax;
+        return *real == def.hardMin ? def.hardMax : def.hardMin;
     if (const auto* text = std::get_if<std::string>(&now))
         return *text + " ";
     if (const auto* choice = std::get_if<EnumValue>(&now))

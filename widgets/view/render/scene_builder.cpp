@@ -36,21 +36,17 @@ constexpr std::size_t mostCurves = 2000;
 struct TexturedMesh
 {
     TriangleMesh mesh; ///< empty where there are no coordinates
-    std::vector<Index> vertex;
+    std::shared_ptr<const TextureCoordinates> coordinates;
     TextureReport report;
-    double tileSize = 0.0;
 };
 
-/// \param rest the mesh whose coordinates it has: that of the tree at rest.
-TexturedMesh texturedMesh(const BranchMesh& branches, const BranchMesh& rest, const TextureOptions& options)
+TexturedMesh texturedMesh(const BranchMesh& branches, const TextureStage& texture,
+                          const TextureParams& params)
 {
-    auto made = textureCoordinates(rest, options);
+    const auto made = texture.coordinates(params);
     if (!made)
         return {};
-    TexturedMesh textured{
-        splitByTexture(branches, *made), {}, textureReport(branches, *made), made->tileSize};
-    textured.vertex = std::move(made->vertex);
-    return textured;
+    return {splitByTexture(branches, **made), *made, textureReport(branches, **made)};
 }
 
 /// Appends the items of one tree.
@@ -124,12 +120,11 @@ struct TreeItems
     {
         if (!tree.branches)
             return addMesh(tree.draftTubes, openBark());
-        const TextureOptions options{node.params.texture.tileSize, node.params.texture.seamsAround};
-        const std::vector<double> numbers{options.tileSize, options.seamsAround ? 1.0 : 0.0};
-        const std::shared_ptr<const BranchMesh>& rest = tree.restBranches ? tree.restBranches : tree.branches;
-        const auto made = cache.get<TexturedMesh>(ScenePart::Textured, tree.branches, rest, numbers, [&] {
-            return texturedMesh(*tree.branches, *rest, options);
-        });
+        const TextureParams& params = node.params.texture;
+        const std::vector<double> numbers{params.tileSize, params.seamsAround ? 1.0 : 0.0};
+        const auto made =
+            cache.get<TexturedMesh>(ScenePart::Textured, tree.branches, tree.texture, numbers,
+                                    [&] { return texturedMesh(*tree.branches, *tree.texture, params); });
         if (made->mesh.empty())
             return fine();
         const std::size_t before = scene.meshes.size();
@@ -138,11 +133,12 @@ struct TreeItems
             return; // nothing of it is shown
         MeshItem& item = scene.meshes.back();
         item.paint = paint;
-        item.tileSize = static_cast<float>(made->tileSize);
+        const double tileSize = made->coordinates->tileSize;
+        item.tileSize = static_cast<float>(tileSize);
         if (item.mesh.get() == &made->mesh)
-            item.split = {{tree.branches, &tree.branches->mesh}, {made, &made->vertex}};
+            item.split = {{tree.branches, &tree.branches->mesh}, {made, &made->coordinates->vertex}};
         TextureSummary& all = scene.texture;
-        all.tileSize = all.triangles == 0 ? made->tileSize : std::min(all.tileSize, made->tileSize);
+        all.tileSize = all.triangles == 0 ? tileSize : std::min(all.tileSize, tileSize);
         all.triangles += made->report.triangles;
         all.stretched += made->report.stretched;
         all.mirrored += made->report.mirrored;

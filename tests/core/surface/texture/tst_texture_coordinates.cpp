@@ -289,7 +289,7 @@ void TestTextureCoordinates::seamsStayClosedOnDemand()
 {
     QFETCH(QString, preset);
     const BranchMesh mesh = meshOf(preset);
-    TextureOptions options;
+    TextureParams options;
     options.seamsAround = false;
     const auto made = textureCoordinates(mesh, options);
     QVERIFY(made);

@@ -258,7 +258,6 @@ private slots:
         auto bent = std::make_shared<BranchMesh>(*tree.branches);
         for (glm::vec3& place : bent->mesh.positions)
             place.x += 0.3F * place.y * place.y;
-        tree.restBranches = tree.branches;
         tree.branches = bent;
         const RenderScene moved = trees.build(in(DisplayMode::Checker));
         QVERIFY(moved.meshes[0].mesh->uv == rest.meshes[0].mesh->uv);

@@ -1,0 +1,34 @@
+#include "core/pipeline/texture_stage.h"
+
+#include "core/pipeline/stage_hashes.h"
+
+namespace ramure {
+
+TextureStage::TextureStage(std::shared_ptr<const BranchMesh> rest)
+    : m_rest(std::move(rest))
+{
+    m_kept.setCapacity(2);
+}
+
+Expected<std::shared_ptr<const TextureCoordinates>> TextureStage::coordinates(const TextureParams& params,
+                                                                              const Progress& progress) const
+{
+    NodeParams all;
+    all.texture = params;
+    const std::uint64_t hash = StageHashes(all)[Stage::Texture];
+    {
+        const std::lock_guard lock(m_mutex);
+        if (auto kept = m_kept.find(hash))
+            return kept;
+    }
+    // Nobody waits for another one's computation, which only that one can cancel.
+    auto made = textureCoordinates(*m_rest, params, progress);
+    if (!made)
+        return fail(std::move(made.error()));
+    const auto result = std::make_shared<const TextureCoordinates>(std::move(*made));
+    const std::lock_guard lock(m_mutex);
+    m_kept.keep(hash, result, 0);
+    return result;
+}
+
+} // namespace ramure

@@ -1,0 +1,28 @@
+/// \file
+/// The stage of texture coordinates: made when somebody asks for them, then kept beside the mesh that they
+/// are of. Views, files and checks all ask it.
+#pragma once
+
+#include "core/pipeline/stage_cache.h"
+#include "core/surface/texture/texture_coordinates.h"
+#include <mutex>
+
+namespace ramure {
+
+class TextureStage
+{
+public:
+    /// \param rest of a tree at rest: it keeps its texture while it moves.
+    explicit TextureStage(std::shared_ptr<const BranchMesh> rest);
+
+    /// From any thread; two that ask at once may both compute. Errors: those of textureCoordinates.
+    Expected<std::shared_ptr<const TextureCoordinates>> coordinates(const TextureParams& params,
+                                                                    const Progress& progress = {}) const;
+
+private:
+    std::shared_ptr<const BranchMesh> m_rest;
+    mutable std::mutex m_mutex;
+    mutable StageCache<TextureCoordinates> m_kept; ///< by the hash of the parameters
+};
+
+} // namespace ramure
