@@ -8,6 +8,7 @@
 #include "core/evaluate/evaluator.h"
 #include "core/io/formats/file_format.h"
 #include "core/session/exporter.h"
+#include "core/surface/mesh/transformed.h"
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -190,20 +191,17 @@ Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Pr
         }
         return request.space.isOwn() ? object : transformed(object, request.space.matrix());
     };
-    std::vector<TriangleMesh> objects;
-    for (const ReadObject& object : mesh.objects)
-        objects.push_back(placed(object.mesh));
-    std::vector<MeshPart> parts;
-    for (std::size_t i = 0; i < objects.size(); ++i)
-        parts.push_back({mesh.objects[i].name, &objects[i], barkMaterial()});
-    const TriangleMesh joined = placed(mesh.joined());
-    const std::string comment = request.space.comment();
+    std::vector<ReadObject> objects = mesh.objects;
+    for (ReadObject& object : objects)
+        object.mesh = placed(std::move(object.mesh));
+    const ExportScene parts = sceneOfMeshes(std::move(objects), barkMaterial());
     // Where all is one mesh, vertices that the objects share stay shared.
-    const std::vector<MeshPart> whole{{"mesh", &joined, barkMaterial()}};
+    const ExportScene whole = sceneOfMeshes({{"mesh", placed(mesh.joined()), {}}}, barkMaterial());
+    const WriteOptions options{request.ascii, request.space.comment()};
     for (const QString& file : request.files) {
         const FileFormat& format = formatOf(request, file);
-        const auto written = format.write(systemPath(file), {(format.holds & holdsObjects) ? parts : whole},
-                                          {request.ascii, comment}, progress);
+        const auto written =
+            format.write(systemPath(file), (format.holds & holdsObjects) ? parts : whole, options, progress);
         if (!written)
             return written;
     }

@@ -7,6 +7,7 @@
 #include "core/scene/shape_check.h"
 #include "core/scene/world_transforms.h"
 #include "core/session/exporter.h"
+#include "core/surface/mesh/transformed.h"
 #include <QJsonArray>
 #include <algorithm>
 

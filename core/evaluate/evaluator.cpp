@@ -85,6 +85,17 @@ Expected<TreeResult> EvaluatedScene::tree(const Node& node, Stage last, const Pr
     return m_evaluator->tree(node, last, m_seconds, progress);
 }
 
+Expected<PosedTree> EvaluatedScene::posedTree(const Node& node, Stage last, bool bones,
+                                              const Progress& progress)
+{
+    return m_evaluator->posedTree(node, last, m_seconds, bones, progress);
+}
+
+EvaluatedScene EvaluatedScene::at(double seconds) const
+{
+    return m_evaluator->at(*m_scene, seconds);
+}
+
 Evaluator::Evaluator(TreeSource rest, const TimelineSettings& timeline)
     : m_rest(std::move(rest))
     , m_timeline(timeline)
@@ -115,33 +126,48 @@ Expected<std::vector<ArmJoint>> Evaluator::joints(const Node& arm, double second
 
 Expected<TreeResult> Evaluator::tree(const Node& node, Stage last, double seconds, const Progress& progress)
 {
+    const bool rests = seconds <= 0.0;
+    auto posed = posedTree(node, last, seconds, false, rests ? progress : progress.part(0.0, 0.9));
+    if (!posed)
+        return fail(std::move(posed.error()));
+    if (rests)
+        return std::move(posed->rest);
+    return movedTree(std::move(posed->rest), posed->motion, progress.part(0.9, 1.0));
+}
+
+Expected<PosedTree> Evaluator::posedTree(const Node& node, Stage last, double seconds, bool bones,
+                                         const Progress& progress)
+{
+    const PhysicsParams& physics = node.params.physics;
     if (!node.animation.movesParams())
-        return moved(node, node.params.physics, last, seconds, progress);
+        return posed(node, physics, last, seconds, bones, progress);
     Node now = node;
     now.params = paramsAt(node.params, node.animation, seconds);
-    return moved(now, node.params.physics, last, seconds, progress);
+    return posed(now, physics, last, seconds, bones, progress);
 }
 
 /// \p now has the parameters of the time; \p physics is without, since each step has its own.
-Expected<TreeResult> Evaluator::moved(const Node& now, const PhysicsParams& physics, Stage last,
-                                      double seconds, const Progress& progress)
+Expected<PosedTree> Evaluator::posed(const Node& now, const PhysicsParams& physics, Stage last,
+                                     double seconds, bool bones, const Progress& progress)
 {
-    if (seconds <= 0.0)
-        return m_rest(now, last, progress);
+    if (seconds <= 0.0 && !bones)
+        return m_rest(now, last, progress).map([](TreeResult&& rest) {
+            return PosedTree{std::move(rest), {}};
+        });
     // Apples weigh: they must be known even where nobody asked for them.
-    auto tree = m_rest(now, std::max(last, Stage::Foliage), progress.part(0.0, 0.4));
+    auto tree = m_rest(now, std::max(last, Stage::Foliage), progress.part(0.0, 0.45));
     if (!tree)
-        return tree;
+        return fail(std::move(tree.error()));
     TreeRun& run = m_trees[now.id];
     if (auto set = run.setTree(*tree, now.params); !set)
         return fail(std::move(set.error()));
     if (!std::isfinite(seconds) || seconds > run.cache().timeAt(maxPhysicsSteps))
         return fail(ErrorCode::Invalid, RAMURE_NOOP("the time lies beyond what the physics counts"));
     run.setPhysics(physics, now.animation, seconds);
-    const auto motion = run.motionAt(seconds, m_timeline, progress.part(0.4, 0.9));
+    auto motion = run.motionAt(seconds, m_timeline, progress.part(0.45, 1.0));
     if (!motion)
-        return fail(motion.error());
-    return movedTree(std::move(*tree), *motion, progress.part(0.9, 1.0));
+        return fail(std::move(motion.error()));
+    return PosedTree{std::move(*tree), std::move(*motion)};
 }
 
 } // namespace ramure

@@ -21,6 +21,13 @@ TreeSource pipelineSource(TreePipeline& pipeline);
 /// The name of the node stands before what an error is about.
 Error named(const Node& node, Error error);
 
+/// A tree as it rests, and the motion that it is in; without bones it rests.
+struct PosedTree
+{
+    TreeResult rest;
+    NodeMotion motion;
+};
+
 class Evaluator;
 
 /// A scene at a time. Each part is made when it is asked for, so that transforms alone are cheap. Valid as
@@ -46,8 +53,12 @@ public:
     /// The shape of anything but a tree, arms posed, in the node's own space; null where there is nothing.
     /// Errors: those of pose() and objectSolid, named.
     Expected<std::shared_ptr<const TriangleMesh>> solid(const Node& node, const Progress& progress = {});
-    /// Errors: those of Evaluator::tree. \pre an evaluator with a source made this.
+    /// Errors: those of Evaluator::tree. \pre an evaluator with a source made this; likewise of the next two.
     Expected<TreeResult> tree(const Node& node, Stage last, const Progress& progress = {});
+    /// \param bones also where it rests.
+    Expected<PosedTree> posedTree(const Node& node, Stage last, bool bones, const Progress& progress = {});
+    /// The same scene at another time.
+    [[nodiscard]] EvaluatedScene at(double seconds) const;
 
 private:
     friend class Evaluator;
@@ -77,10 +88,13 @@ public:
     /// rest. Errors: those of the rest; Invalid for a time that is no number or beyond maxPhysicsSteps;
     /// Cancelled.
     Expected<TreeResult> tree(const Node& node, Stage last, double seconds, const Progress& progress = {});
+    /// The same, not deformed yet. \param bones also where it rests.
+    Expected<PosedTree> posedTree(const Node& node, Stage last, double seconds, bool bones,
+                                  const Progress& progress = {});
 
 private:
-    Expected<TreeResult> moved(const Node& now, const PhysicsParams& physics, Stage last, double seconds,
-                               const Progress& progress);
+    Expected<PosedTree> posed(const Node& now, const PhysicsParams& physics, Stage last, double seconds,
+                              bool bones, const Progress& progress);
 
     TreeSource m_rest;
     TimelineSettings m_timeline;

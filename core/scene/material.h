@@ -20,6 +20,7 @@ struct Material
     float glint = 0.22f;     ///< strength of the highlights
     float through = 0.0f;    ///< share of the light from behind that shines through: of leaves
     float variety = 0.0f;    ///< how far the colour goes from branch to branch
+    bool operator==(const Material&) const = default;
 };
 
 Material barkMaterial();

@@ -4,9 +4,11 @@
 #include "core/io/formats/file_format.h"
 #include "core/io/formats/material_file.h"
 #include "core/rig/arm/arm_chain.h"
+#include "core/rig/arm/arm_shape.h"
 #include "core/scene/object_mesh.h"
 #include "core/session/scene_counts.h"
 #include "core/surface/foliage/foliage_texture.h"
+#include "core/surface/mesh/transformed.h"
 #include "core/surface/mesher/rough_model.h"
 
 #include <algorithm>
@@ -24,6 +26,7 @@ namespace {
 struct Candidate
 {
     const Node* node;
+    Index number;       ///< of the node in the scene
     std::string suffix; ///< of a tree: of its parts' names; of another node its own name in the file
     glm::dmat4 world{1.0};
 };
@@ -60,6 +63,7 @@ Expected<std::vector<Candidate>> candidates(EvaluatedScene& now, const ExportOpt
             (isShape(node.kind) ? objects : trees)
                 .push_back(
                     {&node,
+                     static_cast<Index>(i),
                      {},
                      options.space.isOwn() ? transforms[i].geometry : intoFile * transforms[i].geometry});
     }
@@ -115,48 +119,44 @@ Expected<TreeMeshes> roughMeshes(const TreeResult& tree, const NodeParams& param
     return meshes;
 }
 
-/// Copies with texture coordinates: those of the tree at rest, which it keeps while it moves.
-Expected<TreeMeshes> texturedMeshes(const TreeResult& tree, const NodeParams& params, std::uint8_t parts,
-                                    const Progress& progress)
+/// Makes copies with texture coordinates.
+Expected<void> addTexture(TreeMeshes& meshes, const TextureStage& texture, const NodeParams& params,
+                          const Progress& progress)
 {
-    const TreeMeshes plain = fineMeshes(tree, parts);
-    TreeMeshes meshes;
-    if (plain.branches) {
-        const auto made = tree.texture->coordinates(params.texture, progress);
+    if (meshes.branches) {
+        const auto made = texture.coordinates(params.texture, progress);
         if (!made)
             return fail(made.error());
-        const auto branches = std::make_shared<TriangleMesh>(*plain.branches);
+        const auto branches = std::make_shared<TriangleMesh>(*meshes.branches);
         branches->uv = (*made)->uv;
         branches->uvTriangles = (*made)->corners;
         meshes.branches = branches;
     }
-    if (plain.leaves) {
-        const auto leaves = std::make_shared<TriangleMesh>(*plain.leaves);
+    if (meshes.leaves) {
+        const auto leaves = std::make_shared<TriangleMesh>(*meshes.leaves);
         addLeafTexture(*leaves);
         meshes.leaves = leaves;
     }
-    if (plain.apples) {
-        const auto apples = std::make_shared<TriangleMesh>(*plain.apples);
+    if (meshes.apples) {
+        const auto apples = std::make_shared<TriangleMesh>(*meshes.apples);
         addAppleTexture(*apples);
         meshes.apples = apples;
     }
-    return meshes;
+    return {};
 }
 
-void addMeshes(ExportSet& set, const TreeMeshes& meshes, const glm::dmat4& world, const std::string& suffix)
+/// \param motion whose skins the meshes have; none: they are as they stand.
+void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes, const NodeMotion& motion)
 {
     const auto add = [&](const char* name, const std::shared_ptr<const TriangleMesh>& mesh,
-                         Material material) {
-        if (!mesh || mesh->empty())
-            return;
-        const bool inPlace = world == glm::dmat4(1.0);
-        set.meshes.push_back({name + suffix,
-                              inPlace ? mesh : std::make_shared<TriangleMesh>(transformed(*mesh, world)),
-                              std::move(material)});
+                         const std::shared_ptr<const Skin>& skin, const Material& material) {
+        if (mesh && !mesh->empty())
+            out.meshes.push_back({name + tree.suffix, tree.number, mesh, materialIn(out, material), skin});
     };
-    add("branches", meshes.branches, barkMaterial());
-    add("leaves", meshes.leaves, leavesMaterial());
-    add("apples", meshes.apples, applesMaterial());
+    add("branches", meshes.branches, motion.branches, barkMaterial());
+    add("leaves", meshes.leaves, motion.leaves, leavesMaterial());
+    add("apples", meshes.apples, motion.apples, applesMaterial());
+    out.moments.front().bones[tree.number] = motion.bones;
 }
 
 /// Children share their parent's end point, so that the lines hang together.
@@ -209,75 +209,155 @@ void tint(std::vector<glm::u8vec3>& colours, const glm::dvec3& colour)
         c = glm::u8vec3(glm::dvec3(c) * colour + 0.5);
 }
 
+/// The mesh of anything but trees; of an arm as it rests, with its skin.
+Expected<ExportMesh> shapeMesh(const Node& node, EvaluatedScene& scene, const Progress& progress)
+{
+    ExportMesh out;
+    if (node.kind != NodeKind::Arm)
+        return scene.solid(node, progress).map([&](std::shared_ptr<const TriangleMesh> mesh) {
+            out.mesh = std::move(mesh);
+            return out;
+        });
+    const NodeParams& params = scene.params(node);
+    auto made = armSolid(params, node.mesh.pointer().get(), shownArmPart(params));
+    if (!made)
+        return fail(named(node, std::move(made.error())));
+    const auto shape = std::make_shared<const ArmShape>(std::move(*made));
+    out.mesh = {shape, &shape->mesh};
+    out.skin = {shape, &shape->skin};
+    return out;
+}
+
 /// Anything but a tree, under the name of its node.
-Expected<void> addShape(ExportSet& set, const Candidate& shape, EvaluatedScene& scene,
+Expected<void> addShape(ExportScene& out, const Candidate& shape, EvaluatedScene& scene,
                         const ExportOptions& options, const Progress& progress)
 {
     const Node& node = *shape.node;
+    if (auto posed = scene.pose(node, progress); !posed)
+        return posed;
+    const NodeParams& params = scene.params(node);
     if (options.model == ExportModel::Skeleton) {
-        if (auto posed = scene.pose(node, progress); !posed)
-            return posed;
         if (node.kind == NodeKind::Arm)
-            addChain(*set.lines, scene.params(node), shape.world);
+            addChain(*out.lines, params, shape.world);
         return {};
     }
-    const auto mesh = scene.solid(node, progress);
-    if (!mesh)
-        return fail(mesh.error());
-    if (!*mesh || (*mesh)->empty())
+    auto made = shapeMesh(node, scene, progress);
+    if (!made)
+        return fail(std::move(made.error()));
+    if (!made->mesh || made->mesh->empty())
         return {};
-    const auto placed = std::make_shared<TriangleMesh>(transformed(**mesh, shape.world));
-    tint(placed->colours, scene.params(node).surface.color);
-    set.meshes.push_back(
-        {shape.suffix, placed, surfaceMaterial(glm::u8vec3(scene.params(node).surface.color * 255.0 + 0.5))});
+    made->name = shape.suffix;
+    made->node = shape.number;
+    made->material = materialIn(out, surfaceMaterial(glm::u8vec3(params.surface.color * 255.0 + 0.5)));
+    // Files have normals of length 1, also where a mesh is not moved.
+    const bool isInPlace = shape.world == glm::dmat4(1.0) && !made->skin;
+    if (isInPlace || !made->mesh->colours.empty()) {
+        TriangleMesh own = isInPlace ? transformed(*made->mesh, shape.world) : *made->mesh;
+        tint(own.colours, params.surface.color);
+        made->mesh = std::make_shared<const TriangleMesh>(std::move(own));
+    }
+    if (made->skin)
+        out.moments.front().bones[shape.number] = armMotion(params, params.joints).bones;
+    out.meshes.push_back(std::move(*made));
     return {};
 }
 
-Expected<void> addTree(ExportSet& set, const Candidate& tree, EvaluatedScene& scene,
+/// The continuous mesh, with its skin where it moves.
+Expected<void> addFineTree(ExportScene& out, const Candidate& tree, EvaluatedScene& scene,
+                           const ExportOptions& options, const Progress& progress)
+{
+    const auto posed = scene.posedTree(*tree.node, lastStage(options), !options.clip.empty(), progress);
+    if (!posed)
+        return fail(posed.error());
+    TreeMeshes meshes = fineMeshes(posed->rest, options.parts);
+    if (options.texture)
+        if (auto done = addTexture(meshes, *posed->rest.texture, scene.params(*tree.node), progress); !done)
+            return done;
+    addMeshes(out, tree, meshes, posed->motion);
+    return {};
+}
+
+Expected<void> addTree(ExportScene& out, const Candidate& tree, EvaluatedScene& scene,
                        const ExportOptions& options, const Progress& progress)
 {
-    const glm::dmat4& world = tree.world;
-    if (!(std::abs(glm::determinant(glm::dmat3(world))) > 0.0))
+    if (options.model == ExportModel::Mesh)
+        return addFineTree(out, tree, scene, options, progress);
+    const auto result = scene.tree(*tree.node, lastStage(options), progress);
+    if (!result)
+        return fail(result.error());
+    if (options.model == ExportModel::Skeleton) {
+        addLines(*out.lines, result->simplified->skeleton, tree.world);
+        return {};
+    }
+    const auto meshes = roughMeshes(*result, scene.params(*tree.node), options.parts, progress);
+    if (!meshes)
+        return fail(meshes.error());
+    addMeshes(out, tree, *meshes, {});
+    return {};
+}
+
+Expected<void> addNode(ExportScene& out, const Candidate& node, EvaluatedScene& scene,
+                       const ExportOptions& options, const Progress& progress)
+{
+    if (!(std::abs(glm::determinant(glm::dmat3(node.world))) > 0.0))
         return fail(named({ErrorCode::Invalid,
                            RAMURE_NOOP("a scale of zero leaves nothing to export"),
                            {},
                            {},
                            "tree.scale"},
-                          tree));
-    if (isShape(tree.node->kind))
-        return addShape(set, tree, scene, options, progress);
-    const auto result = scene.tree(*tree.node, lastStage(options), progress);
-    if (!result)
-        return fail(named(result.error(), tree));
-    if (options.model == ExportModel::Skeleton)
-        addLines(*set.lines, result->simplified->skeleton, world);
-    if (options.model == ExportModel::Mesh && options.texture) {
-        const auto meshes = texturedMeshes(*result, scene.params(*tree.node), options.parts, progress);
-        if (!meshes)
-            return fail(named(meshes.error(), tree));
-        addMeshes(set, *meshes, world, tree.suffix);
-    } else if (options.model == ExportModel::Mesh) {
-        addMeshes(set, fineMeshes(*result, options.parts), world, tree.suffix);
+                          node));
+    if (isShape(node.node->kind))
+        return addShape(out, node, scene, options, progress);
+    return addTree(out, node, scene, options, progress).map_error([&](Error error) {
+        return named(std::move(error), node);
+    });
+}
+
+/// Where everything is, and with which bones what has some.
+Expected<void> addMoment(ExportScene& out, EvaluatedScene now, const std::vector<Candidate>& nodes,
+                         const Progress& progress)
+{
+    ExportMoment moment{now.seconds(), now.transforms(), {}};
+    moment.bones.resize(out.nodes.size());
+    for (const Candidate& each : nodes) {
+        const Node& node = *each.node;
+        if (!out.moments.front().bones[each.number])
+            continue;
+        if (isShape(node.kind)) {
+            if (auto posed = now.pose(node, progress); !posed)
+                return posed;
+            moment.bones[each.number] = armMotion(now.params(node), now.params(node).joints).bones;
+            continue;
+        }
+        auto posed = now.posedTree(node, Stage::Foliage, true, progress);
+        if (!posed)
+            return fail(named(std::move(posed.error()), each));
+        moment.bones[each.number] = std::move(posed->motion.bones);
     }
-    if (options.model != ExportModel::Rough)
-        return {};
-    const auto meshes = roughMeshes(*result, scene.params(*tree.node), options.parts, progress);
-    if (!meshes)
-        return fail(named(meshes.error(), tree));
-    addMeshes(set, *meshes, world, tree.suffix);
+    out.moments.push_back(std::move(moment));
     return {};
 }
 
-} // namespace
-
-std::vector<MeshPart> ExportSet::parts() const
+/// All nodes, without meshes, at the scene's time.
+ExportScene bareScene(EvaluatedScene& now, const ExportOptions& options)
 {
-    std::vector<MeshPart> out;
-    out.reserve(meshes.size());
-    for (const Entry& entry : meshes)
-        out.push_back({entry.name, entry.mesh.get(), entry.material});
+    ExportScene out;
+    std::map<NodeId, Index> numbers;
+    for (const Node& node : now.scene().nodes()) {
+        const auto parent = numbers.find(node.parent);
+        numbers.emplace(node.id, static_cast<Index>(out.nodes.size()));
+        out.nodes.push_back({node.name, parent == numbers.end() ? noIndex : parent->second,
+                             now.params(node).skin.method, node.kind == NodeKind::Arm});
+    }
+    out.moments.push_back({now.seconds(), now.transforms(), {}});
+    out.moments.back().bones.resize(out.nodes.size());
+    out.space = options.space;
+    if (options.model == ExportModel::Skeleton)
+        out.lines = LinePart{"skeleton", {}, {}};
     return out;
 }
+
+} // namespace
 
 static Expected<TreeResult> currentResult(const Document& document, NodeId id)
 {
@@ -303,29 +383,32 @@ TreeSource documentSource(const Document& document)
     };
 }
 
-Expected<ExportSet> collectExport(EvaluatedScene scene, const ExportOptions& options,
-                                  const Progress& progress)
+Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& options,
+                                    const Progress& progress)
 {
-    const auto trees = candidates(scene, options);
-    if (!trees)
-        return fail(trees.error());
-    ExportSet set;
-    if (options.model == ExportModel::Skeleton)
-        set.lines = LinePart{"skeleton", {}, {}};
-    const auto count = static_cast<double>(trees->size());
-    for (std::size_t i = 0; i < trees->size(); ++i) {
+    const auto nodes = candidates(scene, options);
+    if (!nodes)
+        return fail(nodes.error());
+    ExportScene out = bareScene(scene, options);
+    const auto count = static_cast<double>(nodes->size() + options.clip.size());
+    double done = 0.0;
+    const auto next = [&] {
+        const double from = std::exchange(done, done + 1.0) / count;
+        return progress.part(from, done / count);
+    };
+    for (const Candidate& node : *nodes) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        const Candidate& tree = (*trees)[i];
-        const double from = static_cast<double>(i) / count;
-        const auto added = addTree(set, tree, scene, options, progress.part(from, from + 1.0 / count));
-        if (!added)
-            return fail(added.error());
+        if (auto added = addNode(out, node, scene, options, next()); !added)
+            return fail(std::move(added.error()));
     }
-    if (set.meshes.empty() && !(set.lines && !set.lines->lines.empty()))
+    if (out.meshes.empty() && !(out.lines && !out.lines->lines.empty()))
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("the chosen parts are empty: there is nothing to export"));
-    return set;
+    for (const double seconds : options.clip)
+        if (auto added = addMoment(out, scene.at(seconds), *nodes, next()); !added)
+            return fail(std::move(added.error()));
+    return out;
 }
 
 std::uint8_t usualParts(const FileFormat& format)
@@ -333,27 +416,18 @@ std::uint8_t usualParts(const FileFormat& format)
     return (format.holds & holdsObjects) ? exportAll : exportBranches;
 }
 
-Expected<void> writeExport(const ExportSet& set, const std::string& path, const WriteOptions& options,
-                           const Progress& progress)
-{
-    const auto format = findFormat(path, FormatUse::Write, options.ascii);
-    if (!format)
-        return fail(format.error());
-    const std::vector<MeshPart> parts = set.parts();
-    return (*format)->write(path, {parts, set.lines ? &*set.lines : nullptr}, options, progress);
-}
-
 Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, const std::string& path,
                            const Progress& progress)
 {
-    if (const auto format = findFormat(path, FormatUse::Write); !format)
+    const auto format = findFormat(path, FormatUse::Write, options.write.ascii);
+    if (!format)
         return fail(format.error());
-    const auto set = collectExport(std::move(scene), options, progress.part(0.0, 0.5));
-    if (!set)
-        return fail(set.error());
+    const auto collected = collectExport(std::move(scene), options, progress.part(0.0, 0.5));
+    if (!collected)
+        return fail(collected.error());
     WriteOptions head = options.write;
     head.comment = options.space.comment();
-    return writeExport(*set, path, head, progress.part(0.5, 1.0));
+    return (*format)->write(path, *collected, head, progress.part(0.5, 1.0));
 }
 
 } // namespace ramure

@@ -1,16 +1,12 @@
 /// \file
-/// What the editor's export and the command line share: from a scene at a time to named
-/// meshes in world space, and on to files. Arms, terrains, primitives and imported meshes are part of it.
+/// What the editor's export and the command line share: from a scene at a time to nodes with meshes, and on
+/// to files. Arms, terrains, primitives and imported meshes are part of it.
 #pragma once
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/evaluate/evaluator.h"
-#include "core/io/file_space.h"
-#include "core/io/mesh_file.h"
-#include "core/surface/mesh/transformed.h"
-#include <memory>
-#include <optional>
+#include "core/io/export_scene.h"
 #include <string>
 #include <vector>
 
@@ -33,43 +29,26 @@ struct ExportOptions
     std::uint8_t parts = exportAll; ///< bits of ExportPart
     std::vector<NodeId> nodes;      ///< these and the trees below them; empty = the whole scene
     bool hidden = false;            ///< also nodes that are not shown
-    bool texture = false; ///< trees with texture coordinates; the rough model and the skeleton have none
+    bool texture = false;     ///< trees with texture coordinates; the rough model and the skeleton have none
+    std::vector<double> clip; ///< s, further times: trees and arms of ExportModel::Mesh then have skins
     WriteOptions write;
     FileSpace space; ///< the axes and the unit of the file
-};
-
-/// Named meshes in the space of the file. Owns, or shares with the results, what parts() points to.
-struct ExportSet
-{
-    struct Entry
-    {
-        std::string name; ///< "branches", "leaves", "apples"; of several trees "branches_1", "branches_2"
-                          ///< ...; of another node its name, where that is taken with a number: "Box_2"
-        std::shared_ptr<const TriangleMesh> mesh;
-        Material material;
-    };
-    std::vector<Entry> meshes; ///< none is empty; branches, leaves, apples of the first tree, then the next,
-                               ///< then all other nodes that have a shape
-    std::optional<LinePart> lines; ///< of ExportModel::Skeleton: all trees and arms in one
-
-    [[nodiscard]] std::vector<MeshPart> parts() const; ///< valid as long as this set
 };
 
 /// The results the document has. Error Invalid: a tree's result is missing, a draft, older than its
 /// parameters, or its parameters gave an error (that error).
 TreeSource documentSource(const Document& document);
 
-/// The scene at its time. Errors: those of its trees (path = name of the tree and the parameter key, where
-/// there are several trees); those of EvaluatedScene::solid; Unknown (a node of the options); Invalid
-/// (nothing to export, a node flattened by a zero scale); Cancelled.
-Expected<ExportSet> collectExport(EvaluatedScene scene, const ExportOptions& options,
-                                  const Progress& progress = {});
+/// The scene at its time and at those of the clip. Shapes, and what parameters make of them, are those of its
+/// time. Errors: those of its trees (path = name of the tree and the parameter key, where there are several
+/// trees); those of EvaluatedScene::solid; Unknown (a node of the options); Invalid (nothing to export, a
+/// node flattened by a zero scale); Cancelled.
+Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& options,
+                                    const Progress& progress = {});
 
-/// Writes a format of core/io/formats/file_format.h, by the ending of \p path. Errors: Unknown (another
-/// ending), and those of core/io; the old file is intact then.
-Expected<void> writeExport(const ExportSet& set, const std::string& path, const WriteOptions& options = {},
-                           const Progress& progress = {});
-/// collectExport and writeExport; the ending is checked before anything is computed.
+/// Writes a format of core/io/formats/file_format.h, by the ending of \p path, which is checked before
+/// anything is computed. Errors: Unknown (another ending), those of collectExport and of core/io; the old
+/// file is intact then.
 Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, const std::string& path,
                            const Progress& progress = {});
 /// What a file of this format gets where nobody chose: of one that has no objects the one closed mesh alone.

@@ -1,8 +1,8 @@
 #include "core/document/project_file.h"
 #include "core/io/formats/blender_scene.h"
 #include "core/params/presets.h"
-#include "core/session/exporter.h"
 #include "core/surface/proof/validate.h"
+#include "tests/support/flat_export.h"
 #include "tests/support/suite.h"
 
 #include <QFile>
@@ -85,7 +85,7 @@ private slots:
         QVERIFY2(made, test::why(made));
         QVERIFY2(made->notes.empty(), made->notes.empty() ? "" : made->notes[0].message().c_str());
         QCOMPARE(made->nodes.size(), std::size_t(1));
-        const auto set = collectExport(Evaluator(pipelineSource(m_pipeline)).at(m_scene), {});
+        const auto set = test::flatExport(Evaluator(pipelineSource(m_pipeline)).at(m_scene), {});
         QVERIFY(set);
         ColourCounts meant;
         std::vector<glm::u8vec3> order;
@@ -115,7 +115,7 @@ private slots:
         auto made = importBlender(path("Oak.obj"));
         QVERIFY2(made, test::why(made));
         made->nodes[0].params.surface.color = {1.0, 0.5, 0.0};
-        const auto set = collectExport(Evaluator(pipelineSource(m_pipeline)).at(sceneOf(*made)), {});
+        const auto set = test::flatExport(Evaluator(pipelineSource(m_pipeline)).at(sceneOf(*made)), {});
         QVERIFY2(set, test::why(set));
         const glm::u8vec3 before = made->nodes[0].mesh->colours[0], after = set->meshes[0].mesh->colours[0];
         QCOMPARE(int(after.r), int(before.r));

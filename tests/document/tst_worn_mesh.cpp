@@ -3,7 +3,7 @@
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/arm_demo.h"
 #include "core/scene/world_transforms.h"
-#include "core/session/exporter.h"
+#include "tests/support/flat_export.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"
 
@@ -144,7 +144,7 @@ private slots:
         const auto noTrees = [](const Node&, Stage, const Progress&) -> Expected<TreeResult> {
             return fail(ErrorCode::Invalid, "no trees");
         };
-        const auto set = collectExport(Evaluator(noTrees).at(document.scene()), {});
+        const auto set = test::flatExport(Evaluator(noTrees).at(document.scene()), {});
         QVERIFY(set);
         QCOMPARE(set->meshes.size(), std::size_t(2)); // the box itself is hidden
         QCOMPARE(set->meshes[0].name, std::string("Arm"));

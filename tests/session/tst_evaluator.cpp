@@ -2,9 +2,9 @@
 #include "core/evaluate/evaluator.h"
 #include "core/params/presets.h"
 #include "core/rig/pose/skin.h"
-#include "core/session/exporter.h"
 #include "core/session/player.h"
 #include "core/session/recompute.h"
+#include "tests/support/flat_export.h"
 #include "tests/support/suite.h"
 #include <cmath>
 #include <limits>
@@ -175,8 +175,8 @@ void TestEvaluator::exportTakesIt()
     for (const ExportModel model : {ExportModel::Mesh, ExportModel::Rough, ExportModel::Skeleton}) {
         ExportOptions options;
         options.model = model;
-        const auto rest = collectExport(source.at(scene, 0.0), options);
-        const auto now = collectExport(source.at(scene, 1.0), options);
+        const auto rest = test::flatExport(source.at(scene, 0.0), options);
+        const auto now = test::flatExport(source.at(scene, 1.0), options);
         QVERIFY(rest && now);
         QCOMPARE(now->meshes.size(), rest->meshes.size());
         for (std::size_t i = 0; i < now->meshes.size(); ++i) {
@@ -194,8 +194,8 @@ void TestEvaluator::textureStaysThatOfTheRest()
     Evaluator source(pipelineSource(pipeline));
     ExportOptions options;
     options.texture = true;
-    const auto rest = collectExport(source.at(scene, 0.0), options);
-    const auto now = collectExport(source.at(scene, 1.0), options);
+    const auto rest = test::flatExport(source.at(scene, 0.0), options);
+    const auto now = test::flatExport(source.at(scene, 1.0), options);
     QVERIFY(rest && now);
     QCOMPARE(now->meshes.size(), rest->meshes.size());
     for (std::size_t i = 0; i < now->meshes.size(); ++i) {

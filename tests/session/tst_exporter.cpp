@@ -1,8 +1,9 @@
 #include "core/document/commands.h"
 #include "core/params/presets.h"
-#include "core/session/exporter.h"
 #include "core/surface/foliage/foliage.h"
+#include "core/surface/mesh/transformed.h"
 #include "core/surface/mesher/rough_model.h"
+#include "tests/support/flat_export.h"
 #include "tests/support/suite.h"
 
 #include <QDir>
@@ -31,7 +32,7 @@ static Scene oneTree(const PlacementParams& place = {})
     node.params.tree = place;
     return *Scene::fromNodes({node});
 }
-static std::vector<std::string> namesOf(const ExportSet& set)
+static std::vector<std::string> namesOf(const FlatScene& set)
 {
     std::vector<std::string> names;
     for (const MeshPart& part : set.parts())
@@ -74,9 +75,9 @@ private slots:
     void writesFiles();
 
 private:
-    Expected<ExportSet> collect(const Scene& scene, const ExportOptions& options = {})
+    Expected<FlatScene> collect(const Scene& scene, const ExportOptions& options = {})
     {
-        return collectExport(Evaluator(pipelineSource(m_pipeline)).at(scene), options);
+        return test::flatExport(Evaluator(pipelineSource(m_pipeline)).at(scene), options);
     }
     TreePipeline m_pipeline;
 };
@@ -153,7 +154,7 @@ void TestExporter::documentsOnlyGiveWhatIsReady()
     Document document;
     document.reset(oneTree(), {});
     const auto get = [&] {
-        return collectExport(Evaluator(documentSource(document)).at(document.scene()), {});
+        return test::flatExport(Evaluator(documentSource(document)).at(document.scene()), {});
     };
     QCOMPARE(get().error().code, ErrorCode::Invalid);
     NodeResult result;
@@ -169,7 +170,7 @@ void TestExporter::documentsOnlyGiveWhatIsReady()
     const Scene scene = document.scene();
     QVERIFY(edit::setParam(document, {1}, *findParam("turtle.alpha"), 0.3));
     QVERIFY(!get());
-    QVERIFY(collectExport(Evaluator(before).at(scene), {})); // what was taken stays good
+    QVERIFY(test::flatExport(Evaluator(before).at(scene), {})); // what was taken stays good
     result.revision = document.revision();
     result.error = Error{};
     result.error->code = ErrorCode::Limit;
@@ -188,7 +189,6 @@ void TestExporter::oneTreeIsShared()
     QCOMPARE(set->meshes[0].mesh.get(), &tree->branches->mesh); // out of the cache, and not copied
     QCOMPARE(set->meshes[1].mesh, tree->leaves);
     QCOMPARE(set->meshes[2].mesh, tree->apples);
-    QVERIFY(!set->lines);
 }
 
 void TestExporter::severalTreesGetNumbers()
@@ -221,7 +221,7 @@ void TestExporter::partsAreChosen()
         asked = last;
         return m_pipeline.evaluate(node.params, last, progress);
     };
-    QVERIFY(collectExport(Evaluator(spy).at(oneTree()), options));
+    QVERIFY(test::flatExport(Evaluator(spy).at(oneTree()), options));
     QCOMPARE(asked, Stage::Mesh); // no leaves are grown for nothing
 }
 
@@ -284,7 +284,7 @@ void TestExporter::mirroredTreesStayOutward()
 {
     const auto set = collect(oneTree());
     const glm::dmat4 mirror = glm::scale(glm::dmat4(1.0), {-1.0, 1.5, 1.0});
-    for (const ExportSet::Entry& entry : set->meshes)
+    for (const FlatScene::Entry& entry : set->meshes)
         if (entry.name != "leaves") { // leaves are flat and have no inside
             const auto report = validateMesh(transformed(*entry.mesh, mirror));
             QVERIFY2(report && report->valid, entry.name.c_str());
@@ -329,7 +329,7 @@ void TestExporter::skeletonLines()
     ExportOptions options;
     options.model = ExportModel::Skeleton;
     const Scene scene = *Scene::fromNodes({makeTree(1), makeTree(2)});
-    const auto set = collect(scene, options);
+    const auto set = collectExport(Evaluator(pipelineSource(m_pipeline)).at(scene), options);
     QVERIFY2(set, test::why(set));
     QVERIFY(set->lines && set->meshes.empty());
     const auto tree = m_pipeline.evaluate(scene.find(1)->params);

@@ -1,6 +1,7 @@
 #include "core/params/presets.h"
 #include "core/scene/kinds/node_kinds.h"
 #include "core/session/scene_counts.h"
+#include "tests/support/flat_export.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"
 
@@ -27,8 +28,8 @@ private:
     static PartCount exported(const Scene& scene, TreePipeline& pipeline)
     {
         PartCount count;
-        const auto set = collectExport(Evaluator(pipelineSource(pipeline)).at(scene), {});
-        for (const ExportSet::Entry& entry : set->meshes) {
+        const auto set = test::flatExport(Evaluator(pipelineSource(pipeline)).at(scene), {});
+        for (const FlatScene::Entry& entry : set->meshes) {
             count.vertices += entry.mesh->vertexCount();
             count.faces += entry.mesh->faceCount();
         }

@@ -2,9 +2,9 @@
 #include "core/params/presets.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/arm_demo.h"
-#include "core/session/exporter.h"
 #include "core/session/sequence.h"
 #include "core/surface/proof/validate.h"
+#include "tests/support/flat_export.h"
 #include "tests/support/solids.h"
 #include "tests/support/suite.h"
 
@@ -39,7 +39,7 @@ Expected<TreeResult> noTrees(const Node& node, Stage, const Progress&)
     return fail(ErrorCode::Invalid, "%1 is no tree", {node.name});
 }
 
-const TriangleMesh* meshOf(const ExportSet& set, const std::string& name)
+const TriangleMesh* meshOf(const FlatScene& set, const std::string& name)
 {
     for (const MeshPart& part : set.parts())
         if (part.name == name)
@@ -76,33 +76,33 @@ private slots:
     {
         Node arm = nodeOf(NodeKind::Arm, 1, "Crane");
         arm.params.joints[1].length = -1.0;
-        auto set = collectExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {});
+        auto set = test::flatExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {});
         QVERIFY(!set);
         QCOMPARE(set.error().path, std::string("Crane: joints[1].length"));
         arm = nodeOf(NodeKind::Arm, 1, "Crane");
         arm.params.armSkin.radius = 0.0;
-        QCOMPARE(collectExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {}).error().path,
+        QCOMPARE(test::flatExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {}).error().path,
                  std::string("Crane: armSkin.radius"));
         TriangleMesh lost;
         lost.positions = {{0, 0, 0}, {1, 0, 0}};
         lost.triangles = {{0, 1, 7}};
         arm = nodeOf(NodeKind::Arm, 1, "Crane");
         arm.mesh = SharedValue<TriangleMesh>(lost);
-        QCOMPARE(collectExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {}).error().path,
+        QCOMPARE(test::flatExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {}).error().path,
                  std::string("Crane: mesh"));
         Node land = nodeOf(NodeKind::Terrain, 1, "Land");
         land.params.terrain.size = -2.0;
-        QCOMPARE(collectExport(Evaluator(noTrees).at(*Scene::fromNodes({land})), {}).error().path,
+        QCOMPARE(test::flatExport(Evaluator(noTrees).at(*Scene::fromNodes({land})), {}).error().path,
                  std::string("Land: terrain.size"));
         land.params.terrain.size = 2.0;
         land.params.tree.scale.x = 0.0;
-        QCOMPARE(collectExport(Evaluator(noTrees).at(*Scene::fromNodes({land})), {}).error().path,
+        QCOMPARE(test::flatExport(Evaluator(noTrees).at(*Scene::fromNodes({land})), {}).error().path,
                  std::string("Land: tree.scale"));
         for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 1e9})
-            QVERIFY(!collectExport(
+            QVERIFY(!test::flatExport(
                 Evaluator(noTrees).at(*Scene::fromNodes({nodeOf(NodeKind::Arm, 1, "A")}), bad), {}));
-        QVERIFY(
-            !collectExport(Evaluator(noTrees).at(*Scene::fromNodes({nodeOf(NodeKind::Group, 1, "G")})), {}));
+        QVERIFY(!test::flatExport(Evaluator(noTrees).at(*Scene::fromNodes({nodeOf(NodeKind::Group, 1, "G")})),
+                                  {}));
     }
 
     void everyNodeIsAnObjectWithItsName()
@@ -113,7 +113,7 @@ private slots:
              nodeOf(NodeKind::Primitive, 5, "Box"), nodeOf(NodeKind::Mesh, 6, "leaves"),
              nodeOf(NodeKind::Primitive, 7, "Box_2"), nodeOf(NodeKind::Group, 8, "Nothing")});
         TreePipeline pipeline;
-        const auto set = collectExport(Evaluator(pipelineSource(pipeline)).at(*scene), {});
+        const auto set = test::flatExport(Evaluator(pipelineSource(pipeline)).at(*scene), {});
         QVERIFY(set);
         std::vector<std::string> names;
         for (const MeshPart& part : set->parts())
@@ -127,7 +127,7 @@ private slots:
         // Without the tree's parts nothing but the nodes is left.
         ExportOptions two;
         two.nodes = {3, 6};
-        const auto chosen = collectExport(Evaluator(noTrees).at(*scene), two);
+        const auto chosen = test::flatExport(Evaluator(noTrees).at(*scene), two);
         QVERIFY(chosen);
         QCOMPARE(chosen->meshes.size(), std::size_t(2));
         QCOMPARE(chosen->meshes[1].name, std::string("leaves")); // no tree takes the name
@@ -139,7 +139,7 @@ private slots:
         arm.params.arm.follows = false;
         arm.params.tree.translation = {10.0, 1.0, -3.0};
         arm.params.tree.scale = glm::dvec3(2.0);
-        const auto set = collectExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {});
+        const auto set = test::flatExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {});
         QVERIFY(set);
         const TriangleMesh& mesh = *meshOf(*set, "Crane");
         const auto report = validateMesh(mesh);
@@ -157,7 +157,7 @@ private slots:
         Node& arm = *scene.find(1);
         const glm::dvec3 target(arm.params.arm.target.x, arm.params.arm.target.z, -arm.params.arm.target.y);
         const auto at = [&scene](double seconds) {
-            return *meshOf(*collectExport(Evaluator(noTrees).at(scene, seconds), {}), "Arm");
+            return *meshOf(*test::flatExport(Evaluator(noTrees).at(scene, seconds), {}), "Arm");
         };
         QVERIFY(nearest(at(0.0), target) > 0.5);
         QVERIFY(nearest(at(5.0), target) < 1e-3); // the centre of the end is the tip
@@ -171,8 +171,8 @@ private slots:
         const Scene scene = armDemo();
         Evaluator kept;
         for (const double seconds : {0.5, 1.0, 0.25, 3.0, 0.0})
-            QCOMPARE(*meshOf(*collectExport(kept.at(scene, seconds), {}), "Arm"),
-                     *meshOf(*collectExport(Evaluator().at(scene, seconds), {}), "Arm"));
+            QCOMPARE(*meshOf(*test::flatExport(kept.at(scene, seconds), {}), "Arm"),
+                     *meshOf(*test::flatExport(Evaluator().at(scene, seconds), {}), "Arm"));
         // Another target is another run.
         Scene other = scene;
         other.find(1)->params.arm.target = {0.5, 0.5, 2.0};
@@ -189,12 +189,54 @@ private slots:
     {
         Node arm = nodeOf(NodeKind::Arm, 1, "Crane");
         arm.params.armSkin.shown = false;
-        const auto set = collectExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {});
+        const auto set = test::flatExport(Evaluator(noTrees).at(*Scene::fromNodes({arm})), {});
         QVERIFY(set);
         const auto report = validateMesh(*meshOf(*set, "Crane"));
         QVERIFY(report && report->valid);
         QCOMPARE(report->components, Index(7)); // three joints, three rods, the tip
         QVERIFY(farthest(*meshOf(*set, "Crane"), glm::dvec3(0.0)) < 4.4 + 0.2);
+    }
+
+    /// What bends on its way is in the scene once, with its skin; nothing is flattened before a format asks.
+    void aClipHasItsMomentsOnTheSameMeshes()
+    {
+        Scene scene = armDemo();
+        Node tree = nodeOf(NodeKind::Tree, 50, "Oak");
+        tree.params.tree.translation = {3.0, 0.0, 0.0};
+        QVERIFY(scene.insert({tree}, noNode, 0));
+        TreePipeline pipeline;
+        const auto source = pipelineSource(pipeline);
+        ExportOptions options;
+        options.texture = true;
+        QVERIFY(!collectExport(Evaluator(source).at(scene, std::nan("")), options));
+        options.clip = {0.5, std::nan("")};
+        QVERIFY(!collectExport(Evaluator(source).at(scene), options));
+        options.clip = {0.5, 1.5};
+        Evaluator evaluator(source);
+        const auto clip = collectExport(evaluator.at(scene), options);
+        QVERIFY2(clip, test::why(clip));
+        QCOMPARE(clip->nodes.size(), scene.nodes().size());
+        QCOMPARE(clip->moments.size(), std::size_t(3));
+        options.clip.clear();
+        for (const std::size_t moment : {0, 1, 2}) {
+            const ExportMoment& then = clip->moments[moment];
+            const auto alone = test::flatExport(Evaluator(source).at(scene, then.seconds), options);
+            QVERIFY(alone);
+            const FlatScene flat = flattened(*clip, moment);
+            QCOMPARE(flat.meshes.size(), alone->meshes.size());
+            for (std::size_t i = 0; i < flat.meshes.size(); ++i) {
+                const TriangleMesh &mesh = *flat.meshes[i].mesh, &other = *alone->meshes[i].mesh;
+                QCOMPARE(flat.meshes[i].name, alone->meshes[i].name);
+                QCOMPARE(flat.meshes[i].material, alone->meshes[i].material);
+                QCOMPARE(mesh.uv, other.uv);
+                if (then.seconds > 0.0)
+                    QCOMPARE(mesh, other);
+                for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+                    QVERIFY(glm::distance(mesh.positions[v], other.positions[v]) < 1e-5F);
+            }
+        }
+        const auto skinned = [](const ExportMesh& mesh) { return mesh.skin != nullptr; };
+        QVERIFY(std::ranges::count_if(clip->meshes, skinned) >= 3); // branches, leaves, the arm
     }
 
     void theSkeletonHasTheChain()
@@ -206,8 +248,8 @@ private slots:
         QCOMPARE(set->lines->lines.size(), std::size_t(3));
         QVERIFY(glm::distance(set->lines->positions.back(), glm::vec3(1.7177032, 3.4335330, -2.0079169)) <
                 1e-5F);
-        QVERIFY(!collectExport(Evaluator(noTrees).at(*Scene::fromNodes({nodeOf(NodeKind::Terrain, 1, "L")})),
-                               options));
+        QVERIFY(!test::flatExport(
+            Evaluator(noTrees).at(*Scene::fromNodes({nodeOf(NodeKind::Terrain, 1, "L")})), options));
     }
 
     void sequencesFollowTheArm()

@@ -5,6 +5,7 @@
 #include "core/scene/object_mesh.h"
 #include "core/session/recompute.h"
 #include "core/session/scene_counts.h"
+#include "tests/support/flat_export.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/edit_actions.h"
 #include "widgets/base/action_set.h"
@@ -121,7 +122,7 @@ private slots:
         TreePipeline pipeline;
         QCOMPARE(SceneCounter().count(scene, {}, pipelineSource(pipeline)).of(fakeNodeKind).faces,
                  std::uint64_t(1));
-        QCOMPARE(collectExport(Evaluator(pipelineSource(pipeline)).at(scene), {})->meshes[0].name,
+        QCOMPARE(test::flatExport(Evaluator(pipelineSource(pipeline)).at(scene), {})->meshes[0].name,
                  std::string("F"));
     }
     void itIsAddedAndSaidByItsWords()

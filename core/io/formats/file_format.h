@@ -4,7 +4,7 @@
 /// file_formats.cpp.
 #pragma once
 
-#include "core/io/mesh_file.h"
+#include "core/io/export_scene.h"
 
 namespace ramure {
 
@@ -17,13 +17,6 @@ enum FormatHolds : std::uint8_t {
     holdsTexture = 2,
     holdsSpace = 4, ///< any axes and unit
     holdsLines = 8, ///< a skeleton as line segments
-};
-
-/// A format takes of this what it holds.
-struct FileContent
-{
-    std::span<const MeshPart> parts;
-    const LinePart* lines = nullptr; ///< instead of the parts
 };
 
 /// Bytes of a vertex and of a triangle, about.
@@ -47,7 +40,8 @@ struct FileFormat
     /// As nodes of a scene. \see importObjects
     Expected<BlenderImport> (*import)(const std::string& path, const ImportOptions& options,
                                       const Progress& progress) = nullptr;
-    Expected<void> (*write)(const std::string& path, const FileContent& content, const WriteOptions& options,
+    /// Takes of the scene what the format holds.
+    Expected<void> (*write)(const std::string& path, const ExportScene& scene, const WriteOptions& options,
                             const Progress& progress) = nullptr;
     /// What is written for so many digits of a vertex number.
     FileRates (*rates)(bool texture, double digits) = nullptr;

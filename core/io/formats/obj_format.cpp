@@ -9,11 +9,11 @@ static Expected<ReadMesh> read(const std::string& path, const Progress& progress
     return reading::readObjFile(path, progress, materialsBeside(path));
 }
 
-static Expected<void> write(const std::string& path, const FileContent& content, const WriteOptions& options,
+static Expected<void> write(const std::string& path, const ExportScene& scene, const WriteOptions& options,
                             const Progress& progress)
 {
-    return content.lines ? writeObjLines(path, *content.lines, progress, options.comment)
-                         : writeObj(path, content.parts, progress, options.comment);
+    return scene.lines ? writeObjLines(path, *scene.lines, progress, options.comment)
+                       : writeObj(path, flattened(scene).parts(), progress, options.comment);
 }
 
 static FileRates rates(bool texture, double digits)

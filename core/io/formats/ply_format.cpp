@@ -4,11 +4,11 @@
 
 namespace ramure {
 
-static Expected<void> write(const std::string& path, const FileContent& content, const WriteOptions& options,
+static Expected<void> write(const std::string& path, const ExportScene& scene, const WriteOptions& options,
                             const Progress& progress)
 {
-    return content.lines ? writePlyLines(path, *content.lines, options)
-                         : writePly(path, content.parts, options, progress);
+    return scene.lines ? writePlyLines(path, *scene.lines, options)
+                       : writePly(path, flattened(scene).parts(), options, progress);
 }
 
 static FileRates textRates(bool texture, double digits)

@@ -126,19 +126,21 @@ Expected<ArmShape> armSolid(const NodeParams& params, const TriangleMesh* bound,
     return made(params, bound, part, true);
 }
 
+TriangleMesh upright(TriangleMesh mesh)
+{
+    for (std::vector<glm::vec3>* list : {&mesh.positions, &mesh.normals})
+        for (glm::vec3& v : *list)
+            v = glm::vec3(v.x, v.z, -v.y);
+    return mesh;
+}
+
 TriangleMesh posedArm(const ArmShape& shape, const NodeParams& params)
 {
     if (shape.mesh.positions.empty())
         return {};
     std::vector<RigidTransform> bones;
     ArmChain(params.joints).pose(bones);
-    TriangleMesh mesh = deformed(shape.mesh, shape.skin, bones, params.skin.method);
-    const auto stand = [](glm::vec3& v) { v = glm::vec3(v.x, v.z, -v.y); };
-    for (glm::vec3& p : mesh.positions)
-        stand(p);
-    for (glm::vec3& n : mesh.normals)
-        stand(n);
-    return mesh;
+    return upright(deformed(shape.mesh, shape.skin, bones, params.skin.method));
 }
 
 } // namespace ramure

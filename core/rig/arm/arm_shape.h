@@ -40,6 +40,8 @@ Expected<ArmShape> armShape(const NodeParams& params, const TriangleMesh* bound,
 /// was read. Errors as above.
 Expected<ArmShape> armSolid(const NodeParams& params, const TriangleMesh* bound, ArmPart part);
 
+/// From the arm's own space (Z up) into that of its node (Y up).
+TriangleMesh upright(TriangleMesh mesh);
 /// The shape in the pose of the arm's joints, skinned as its parameters say, upright in its node (Y up).
 TriangleMesh posedArm(const ArmShape& shape, const NodeParams& params);
 

@@ -49,7 +49,6 @@ public:
     /// The end to go on from, if there is one; it leaves the stack.
     [[nodiscard]] bool hasEnd(std::size_t above = 0) const { return m_ends.size() > above; }
     TubeEnd takeEnd();
-    [[nodiscard]] std::size_t endCount() const { return m_ends.size(); }
     /// All that grows on an end. False: stopped.
     bool growAll(const TubeEnd& end, MesherProgress& progress);
     /// The same where the end's ring is in another sink, at these places: copies of its points come first.

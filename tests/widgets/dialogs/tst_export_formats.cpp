@@ -26,13 +26,13 @@ static Expected<BlenderImport> importNothing(const std::string&, const ImportOpt
     return fail(ErrorCode::Io, "nothing");
 }
 
-static Expected<void> writeCount(const std::string& path, const FileContent& content, const WriteOptions&,
+static Expected<void> writeCount(const std::string& path, const ExportScene& scene, const WriteOptions&,
                                  const Progress&)
 {
     QFile file(QFile::decodeName(path.c_str()));
     if (!file.open(QIODevice::WriteOnly))
         return fail(ErrorCode::Io, "no file");
-    file.write(QByteArray::number(int(content.parts.size())));
+    file.write(QByteArray::number(int(scene.meshes.size())));
     return {};
 }
 

@@ -3,9 +3,10 @@
 #include "core/params/presets.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
-#include "core/session/exporter.h"
 #include "core/session/player.h"
 #include "core/session/recompute.h"
+#include "core/surface/mesh/transformed.h"
+#include "tests/support/flat_export.h"
 #include "tests/support/suite.h"
 #include "widgets/view/moving_scene.h"
 #include "widgets/view/render/scene_builder.h"
@@ -93,7 +94,7 @@ private:
     {
         ExportOptions options;
         options.nodes = {node};
-        const auto files = collectExport(now, options);
+        const auto files = test::flatExport(now, options);
         QVERIFY(files);
         const std::vector<TriangleMesh> shown = seen(picture, node);
         QCOMPARE(files->meshes.size(), shown.size());

@@ -17,7 +17,7 @@ static Expected<ReadMesh> readFake(const std::string& path, const Progress&)
     return mesh;
 }
 
-static Expected<void> writeFake(const std::string&, const FileContent&, const WriteOptions& options,
+static Expected<void> writeFake(const std::string&, const ExportScene&, const WriteOptions& options,
                                 const Progress&)
 {
     return options.ascii ? fail(ErrorCode::Invalid, "written") : Expected<void>();

@@ -1,0 +1,65 @@
+#include "core/io/export_scene.h"
+
+#include "core/rig/arm/arm_shape.h"
+#include "core/surface/mesh/transformed.h"
+#include <algorithm>
+
+namespace ramure {
+
+ExportScene sceneOfMeshes(std::vector<ReadObject> objects, const Material& material)
+{
+    ExportScene scene;
+    scene.materials = {material};
+    for (ReadObject& object : objects) {
+        const auto node = static_cast<Index>(scene.nodes.size());
+        scene.nodes.push_back({object.name});
+        scene.meshes.push_back(
+            {std::move(object.name), node, std::make_shared<const TriangleMesh>(std::move(object.mesh))});
+    }
+    scene.moments.push_back({0.0, std::vector<NodeTransforms>(scene.nodes.size()), {}});
+    scene.moments.back().bones.resize(scene.nodes.size());
+    return scene;
+}
+
+Index materialIn(ExportScene& scene, const Material& material)
+{
+    const auto known = std::ranges::find(scene.materials, material);
+    const auto number = static_cast<Index>(known - scene.materials.begin());
+    if (known == scene.materials.end())
+        scene.materials.push_back(material);
+    return number;
+}
+
+std::vector<MeshPart> FlatScene::parts() const
+{
+    std::vector<MeshPart> out;
+    out.reserve(meshes.size());
+    for (const Entry& entry : meshes)
+        out.push_back({entry.name, entry.mesh.get(), entry.material});
+    return out;
+}
+
+FlatScene flattened(const ExportScene& scene, std::size_t moment)
+{
+    FlatScene flat;
+    for (const ExportMesh& each : scene.meshes) {
+        const ExportMoment& now = scene.moments[moment];
+        const ExportNode& node = scene.nodes[each.node];
+        std::shared_ptr<const TriangleMesh> mesh = each.mesh;
+        const auto become = [&mesh](TriangleMesh&& other) {
+            mesh = std::make_shared<const TriangleMesh>(std::move(other));
+        };
+        if (const auto& bones = now.bones[each.node]; each.skin && bones)
+            become(deformed(*mesh, *each.skin, *bones, node.method));
+        const glm::dmat4& world = now.transforms[each.node].geometry;
+        const glm::dmat4 place = scene.space.isOwn() ? world : scene.space.matrix() * world;
+        if (node.isArm)
+            become(transformed(upright(*mesh), place));
+        else if (place != glm::dmat4(1.0))
+            become(transformed(*mesh, place));
+        flat.meshes.push_back({each.name, std::move(mesh), scene.materials[each.material]});
+    }
+    return flat;
+}
+
+} // namespace ramure

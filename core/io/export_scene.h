@@ -1,0 +1,73 @@
+/// \file
+/// What a format is given to write: nodes that stand in each other, their meshes, materials and skins, and a
+/// clip of how all that moves. A format without nodes asks for it flattened.
+#pragma once
+
+#include "core/io/file_space.h"
+#include "core/io/mesh_file.h"
+#include "core/rig/pose/skin.h"
+#include "core/scene/world_transforms.h"
+#include <memory>
+#include <optional>
+
+namespace ramure {
+
+struct ExportNode
+{
+    std::string name;
+    Index parent = noIndex; ///< stands before it; noIndex: the world
+    SkinMethod method = SkinMethod::DualQuaternion;
+    bool isArm = false; ///< its meshes and bones have Z up: armUpright() stands between them and the node
+};
+
+struct ExportMesh
+{
+    std::string name; ///< "branches", "leaves", "apples"; of several trees "branches_1", "branches_2" ...;
+                      ///< of another node its name, where that is taken with a number: "Box_2"
+    Index node = 0;
+    std::shared_ptr<const TriangleMesh> mesh; ///< never empty; as it rests, in the node's own space
+    Index material = 0;
+    std::shared_ptr<const Skin> skin{}; ///< to the node's bones; null: it follows the node alone
+};
+
+/// Where everything is at a time.
+struct ExportMoment
+{
+    double seconds = 0.0;
+    std::vector<NodeTransforms> transforms;                                ///< per node
+    std::vector<std::shared_ptr<const std::vector<RigidTransform>>> bones; ///< per node; null: it rests
+};
+
+struct ExportScene
+{
+    std::vector<ExportNode> nodes;  ///< all of the scene, in its order
+    std::vector<ExportMesh> meshes; ///< branches, leaves, apples of the first tree, then the next, then all
+                                    ///< other nodes that have a shape
+    std::vector<Material> materials;
+    std::vector<ExportMoment> moments; ///< at least one; more are a clip
+    FileSpace space;                   ///< what formats that hold one turn the world into
+    std::optional<LinePart> lines;     ///< instead of meshes: a skeleton, in the space of the file
+};
+
+/// Meshes that belong to no scene, as they are, each a node.
+ExportScene sceneOfMeshes(std::vector<ReadObject> objects, const Material& material);
+/// The number of a material, which is added where there is no such one yet.
+Index materialIn(ExportScene& scene, const Material& material);
+
+/// Named meshes in the space of the file.
+struct FlatScene
+{
+    struct Entry
+    {
+        std::string name;
+        std::shared_ptr<const TriangleMesh> mesh; ///< shared with the scene where nothing moves it
+        Material material;
+    };
+    std::vector<Entry> meshes;
+
+    [[nodiscard]] std::vector<MeshPart> parts() const; ///< valid as long as this
+};
+/// The meshes in their pose and in their place at one of the moments.
+FlatScene flattened(const ExportScene& scene, std::size_t moment = 0);
+
+} // namespace ramure
