@@ -16,8 +16,8 @@ ExportScene sceneOfMeshes(std::vector<ReadObject> objects, const Material& mater
         scene.meshes.push_back(
             {std::move(object.name), node, std::make_shared<const TriangleMesh>(std::move(object.mesh))});
     }
-    scene.moments.push_back({0.0, std::vector<NodeTransforms>(scene.nodes.size()), {}});
-    scene.moments.back().bones.resize(scene.nodes.size());
+    scene.frames.push_back({0.0, std::vector<NodeTransforms>(scene.nodes.size()), {}});
+    scene.frames.back().bones.resize(scene.nodes.size());
     return scene;
 }
 
@@ -39,11 +39,11 @@ std::vector<MeshPart> FlatScene::parts() const
     return out;
 }
 
-FlatScene flattened(const ExportScene& scene, std::size_t moment)
+FlatScene flattened(const ExportScene& scene, std::size_t frame)
 {
     FlatScene flat;
     for (const ExportMesh& each : scene.meshes) {
-        const ExportMoment& now = scene.moments[moment];
+        const ExportFrame& now = scene.frames[frame];
         const ExportNode& node = scene.nodes[each.node];
         std::shared_ptr<const TriangleMesh> mesh = each.mesh;
         const auto become = [&mesh](TriangleMesh&& other) {

@@ -31,7 +31,7 @@ struct ExportMesh
 };
 
 /// Where everything is at a time.
-struct ExportMoment
+struct ExportFrame
 {
     double seconds = 0.0;
     std::vector<NodeTransforms> transforms;                                ///< per node
@@ -44,9 +44,9 @@ struct ExportScene
     std::vector<ExportMesh> meshes; ///< branches, leaves, apples of the first tree, then the next, then all
                                     ///< other nodes that have a shape
     std::vector<Material> materials;
-    std::vector<ExportMoment> moments; ///< at least one; more are a clip
-    FileSpace space;                   ///< what formats that hold one turn the world into
-    std::optional<LinePart> lines;     ///< instead of meshes: a skeleton, in the space of the file
+    std::vector<ExportFrame> frames; ///< at least one; more are a clip
+    FileSpace space;                 ///< what formats that hold one turn the world into
+    std::optional<LinePart> lines;   ///< instead of meshes: a skeleton, in the space of the file
 };
 
 /// Meshes that belong to no scene, as they are, each a node.
@@ -67,7 +67,7 @@ struct FlatScene
 
     [[nodiscard]] std::vector<MeshPart> parts() const; ///< valid as long as this
 };
-/// The meshes in their pose and in their place at one of the moments.
-FlatScene flattened(const ExportScene& scene, std::size_t moment = 0);
+/// The meshes in their pose and in their place at one of the frames.
+FlatScene flattened(const ExportScene& scene, std::size_t frame = 0);
 
 } // namespace ramure

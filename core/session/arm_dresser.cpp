@@ -7,6 +7,7 @@
 #include "core/rig/arm/arm_shape.h"
 #include "core/scene/world_transforms.h"
 #include "core/session/exporter.h"
+#include "core/surface/mesh/transformed.h"
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <numbers>

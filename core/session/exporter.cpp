@@ -156,7 +156,7 @@ void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes
     add("branches", meshes.branches, motion.branches, barkMaterial());
     add("leaves", meshes.leaves, motion.leaves, leavesMaterial());
     add("apples", meshes.apples, motion.apples, applesMaterial());
-    out.moments.front().bones[tree.number] = motion.bones;
+    out.frames.front().bones[tree.number] = motion.bones;
 }
 
 /// Children share their parent's end point, so that the lines hang together.
@@ -257,7 +257,7 @@ Expected<void> addShape(ExportScene& out, const Candidate& shape, EvaluatedScene
         made->mesh = std::make_shared<const TriangleMesh>(std::move(own));
     }
     if (made->skin)
-        out.moments.front().bones[shape.number] = armMotion(params, params.joints).bones;
+        out.frames.front().bones[shape.number] = armMotion(params, params.joints).bones;
     out.meshes.push_back(std::move(*made));
     return {};
 }
@@ -314,27 +314,27 @@ Expected<void> addNode(ExportScene& out, const Candidate& node, EvaluatedScene& 
 }
 
 /// Where everything is, and with which bones what has some.
-Expected<void> addMoment(ExportScene& out, EvaluatedScene now, const std::vector<Candidate>& nodes,
-                         const Progress& progress)
+Expected<void> addFrame(ExportScene& out, EvaluatedScene now, const std::vector<Candidate>& nodes,
+                        const Progress& progress)
 {
-    ExportMoment moment{now.seconds(), now.transforms(), {}};
-    moment.bones.resize(out.nodes.size());
+    ExportFrame frame{now.seconds(), now.transforms(), {}};
+    frame.bones.resize(out.nodes.size());
     for (const Candidate& each : nodes) {
         const Node& node = *each.node;
-        if (!out.moments.front().bones[each.number])
+        if (!out.frames.front().bones[each.number])
             continue;
         if (isShape(node.kind)) {
             if (auto posed = now.pose(node, progress); !posed)
                 return posed;
-            moment.bones[each.number] = armMotion(now.params(node), now.params(node).joints).bones;
+            frame.bones[each.number] = armMotion(now.params(node), now.params(node).joints).bones;
             continue;
         }
         auto posed = now.posedTree(node, Stage::Foliage, true, progress);
         if (!posed)
             return fail(named(std::move(posed.error()), each));
-        moment.bones[each.number] = std::move(posed->motion.bones);
+        frame.bones[each.number] = std::move(posed->motion.bones);
     }
-    out.moments.push_back(std::move(moment));
+    out.frames.push_back(std::move(frame));
     return {};
 }
 
@@ -349,8 +349,8 @@ ExportScene bareScene(EvaluatedScene& now, const ExportOptions& options)
         out.nodes.push_back({node.name, parent == numbers.end() ? noIndex : parent->second,
                              now.params(node).skin.method, node.kind == NodeKind::Arm});
     }
-    out.moments.push_back({now.seconds(), now.transforms(), {}});
-    out.moments.back().bones.resize(out.nodes.size());
+    out.frames.push_back({now.seconds(), now.transforms(), {}});
+    out.frames.back().bones.resize(out.nodes.size());
     out.space = options.space;
     if (options.model == ExportModel::Skeleton)
         out.lines = LinePart{"skeleton", {}, {}};
@@ -406,7 +406,7 @@ Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& o
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("the chosen parts are empty: there is nothing to export"));
     for (const double seconds : options.clip)
-        if (auto added = addMoment(out, scene.at(seconds), *nodes, next()); !added)
+        if (auto added = addFrame(out, scene.at(seconds), *nodes, next()); !added)
             return fail(std::move(added.error()));
     return out;
 }

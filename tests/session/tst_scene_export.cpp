@@ -198,7 +198,7 @@ private slots:
     }
 
     /// What bends on its way is in the scene once, with its skin; nothing is flattened before a format asks.
-    void aClipHasItsMomentsOnTheSameMeshes()
+    void aClipHasItsFramesOnTheSameMeshes()
     {
         Scene scene = armDemo();
         Node tree = nodeOf(NodeKind::Tree, 50, "Oak");
@@ -216,13 +216,13 @@ private slots:
         const auto clip = collectExport(evaluator.at(scene), options);
         QVERIFY2(clip, test::why(clip));
         QCOMPARE(clip->nodes.size(), scene.nodes().size());
-        QCOMPARE(clip->moments.size(), std::size_t(3));
+        QCOMPARE(clip->frames.size(), std::size_t(3));
         options.clip.clear();
-        for (const std::size_t moment : {0, 1, 2}) {
-            const ExportMoment& then = clip->moments[moment];
+        for (const std::size_t frame : {0, 1, 2}) {
+            const ExportFrame& then = clip->frames[frame];
             const auto alone = test::flatExport(Evaluator(source).at(scene, then.seconds), options);
             QVERIFY(alone);
-            const FlatScene flat = flattened(*clip, moment);
+            const FlatScene flat = flattened(*clip, frame);
             QCOMPARE(flat.meshes.size(), alone->meshes.size());
             for (std::size_t i = 0; i < flat.meshes.size(); ++i) {
                 const TriangleMesh &mesh = *flat.meshes[i].mesh, &other = *alone->meshes[i].mesh;

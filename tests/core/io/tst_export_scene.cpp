@@ -38,15 +38,15 @@ private slots:
         ExportScene scene = box();
         const TriangleMesh& mesh = *scene.meshes[0].mesh;
         const glm::dmat4 place = glm::translate(glm::dmat4(1.0), {1.0, 2.0, 3.0});
-        scene.moments.push_back(scene.moments[0]);
-        scene.moments[1].transforms[0].geometry = place;
+        scene.frames.push_back(scene.frames[0]);
+        scene.frames[1].transforms[0].geometry = place;
         QCOMPARE(*flattened(scene, 0).meshes[0].mesh, mesh);
         QCOMPARE(*flattened(scene, 1).meshes[0].mesh, transformed(mesh, place));
         scene.space.up = UpAxis::Z;
         scene.space.unit = 1;
         QCOMPARE(*flattened(scene, 1).meshes[0].mesh, transformed(mesh, scene.space.matrix() * place));
     }
-    void skinsFollowTheBonesOfTheMoment()
+    void skinsFollowTheBonesOfTheFrame()
     {
         ExportScene scene = box();
         const TriangleMesh& mesh = *scene.meshes[0].mesh;
@@ -55,7 +55,7 @@ private slots:
         QCOMPARE(*flattened(scene).meshes[0].mesh, mesh); // no bones: it rests
         std::vector<RigidTransform> bones(1);
         bones[0].translation = {0.0, 5.0, 0.0};
-        scene.moments[0].bones[0] = std::make_shared<const std::vector<RigidTransform>>(bones);
+        scene.frames[0].bones[0] = std::make_shared<const std::vector<RigidTransform>>(bones);
         const TriangleMesh moved = deformed(mesh, skin, bones, scene.nodes[0].method);
         QVERIFY(moved.positions != mesh.positions);
         QCOMPARE(*flattened(scene).meshes[0].mesh, moved);
