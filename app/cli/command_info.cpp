@@ -256,7 +256,7 @@ Expected<void> showScene(EvaluatedScene now, const Checked& checked, bool json)
     TreeFacts sum;
     for (std::size_t i = 0; i < trees->size(); ++i) {
         const TreeFacts& tree = (*trees)[i];
-        const glm::dmat4 world = now.transforms(*(*nodes)[i]).geometry;
+        const glm::dmat4 world = now.transforms((*nodes)[i]->id).geometry;
         sum.symbols += tree.symbols;
         add(sum.full, tree.full, world);
         add(sum.simplified, tree.simplified, world);

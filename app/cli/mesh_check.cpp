@@ -5,7 +5,6 @@
 #include "core/pipeline/separate_branches.h"
 #include "core/scene/object_mesh.h"
 #include "core/scene/shape_check.h"
-#include "core/scene/world_transforms.h"
 #include "core/session/exporter.h"
 #include "core/surface/mesh/transformed.h"
 #include <QJsonArray>
@@ -140,7 +139,7 @@ Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, Evaluator& ev
     for (const Node* node : *nodes) {
         const double from = static_cast<double>(out.size()) / count;
         const Progress part = progress.part(from, from + 1.0 / count);
-        const glm::dmat4 world = checks.placed ? now.transforms(*node).geometry : glm::dmat4(1.0);
+        const glm::dmat4 world = checks.placed ? now.transforms(node->id).geometry : glm::dmat4(1.0);
         auto checked = isShape(node->kind) ? checkNode(*node, now, checks, world, part)
                                            : checkTree(*node, nodes->size() > 1, now, checks, world, part);
         if (!checked)

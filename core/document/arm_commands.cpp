@@ -53,17 +53,6 @@ struct ArmTarget
     bool operator==(const ArmTarget&) const = default;
 };
 
-/// The arm, where its joints may be set.
-Expected<const Node*> editableArm(const Scene& scene, NodeId id)
-{
-    if (auto allowed = checkEditable(scene, id); !allowed)
-        return fail(std::move(allowed.error()));
-    const Node* arm = scene.find(id);
-    if (arm->kind != NodeKind::Arm)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is no arm"), {arm->name});
-    return arm;
-}
-
 /// The tracks of joints from \p from on go \p by further; going back, those of that one are lost.
 NodeAnimation movedJointTracks(const NodeAnimation& animation, std::size_t from, int by)
 {
@@ -118,6 +107,16 @@ Expected<void> edit::setArmMesh(Document& document, NodeId arm, SharedValue<Tria
             return checked;
     pushSet<ArmMeshTarget>(document, {{{arm}, std::move(mesh)}}, text);
     return {};
+}
+
+Expected<const Node*> editableArm(const Scene& scene, NodeId id)
+{
+    if (auto allowed = checkEditable(scene, id); !allowed)
+        return fail(std::move(allowed.error()));
+    const Node* arm = scene.find(id);
+    if (arm->kind != NodeKind::Arm)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is no arm"), {arm->name});
+    return arm;
 }
 
 ArmState armState(const Node& arm)

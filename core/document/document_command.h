@@ -142,6 +142,8 @@ template <class T> void addOnce(std::vector<T>& list, const T& item)
 
 /// Errors: Unknown, Invalid (locked).
 Expected<void> checkEditable(const Scene& scene, NodeId id);
+/// An arm that may be changed. Errors: those of checkEditable; Invalid (no arm).
+Expected<const Node*> editableArm(const Scene& scene, NodeId id);
 /// The nodes, each once. Errors: those of checkEditable.
 Expected<std::vector<NodeId>> editable(const Scene& scene, const std::vector<NodeId>& ids);
 tl::unexpected<Error> unknownNode(NodeId id);

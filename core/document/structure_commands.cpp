@@ -1,6 +1,6 @@
 // Nodes that come, go and move.
 #include "core/document/document_command.h"
-#include "core/scene/world_transforms.h"
+#include "core/evaluate/evaluator.h"
 
 #include <glm/gtc/matrix_inverse.hpp>
 #include <map>
@@ -213,8 +213,9 @@ void selectNodes(Document& document, const std::vector<NodeId>& nodes)
 Expected<PlacementParams> keptPlacement(const Scene& scene, const Node& node, NodeId parent, double seconds)
 {
     const glm::dmat4 track = transformAt(node.animation, ChannelPart::GlobalTranslation, seconds);
-    const glm::dmat4 from = worldTransformAt(scene, node.parent, seconds).world * track;
-    const glm::dmat4 into = worldTransformAt(scene, parent, seconds).world * track;
+    const EvaluatedScene now(scene, seconds);
+    const glm::dmat4 from = now.transforms(node.parent).world * track;
+    const glm::dmat4 into = now.transforms(parent).world * track;
     if (from == into)
         return node.params.tree;
     if (glm::determinant(glm::dmat3(into)) == 0.0)

@@ -34,9 +34,9 @@ const std::vector<NodeTransforms>& EvaluatedScene::transforms()
     return m_transforms;
 }
 
-NodeTransforms EvaluatedScene::transforms(const Node& node)
+NodeTransforms EvaluatedScene::transforms(NodeId node) const
 {
-    return worldTransformAt(*m_scene, node.id, m_seconds);
+    return worldTransformAt(*m_scene, node, m_seconds);
 }
 
 const NodeParams& EvaluatedScene::params(const Node& node)

@@ -43,7 +43,7 @@ public:
     [[nodiscard]] double seconds() const { return m_seconds; }
     /// One per node, in the order of Scene::nodes().
     const std::vector<NodeTransforms>& transforms();
-    NodeTransforms transforms(const Node& node); ///< of one alone
+    [[nodiscard]] NodeTransforms transforms(NodeId node) const; ///< of one alone; unknown ids: identity
     /// With the values of tracks, and the joints of an arm that was posed; valid as long as this object.
     const NodeParams& params(const Node& node);
 

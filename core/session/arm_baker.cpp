@@ -1,5 +1,7 @@
 #include "core/session/arm_baker.h"
 
+#include "core/document/document_command.h"
+
 namespace ramure {
 
 ArmBaker::ArmBaker(Document* document, QObject* parent)
@@ -10,13 +12,10 @@ ArmBaker::ArmBaker(Document* document, QObject* parent)
 
 Expected<void> ArmBaker::start(NodeId arm, const ArmBakeOptions& options)
 {
-    const Node* node = m_document->scene().find(arm);
-    if (!node)
-        return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(arm)});
-    if (node->kind != NodeKind::Arm)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is no arm"), {node->name});
-    if (m_document->scene().isLocked(arm))
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is locked"), {node->name});
+    const auto editable = editableArm(m_document->scene(), arm);
+    if (!editable)
+        return fail(editable.error());
+    const Node* node = *editable;
     if (!node->params.arm.follows)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("the arm follows no target: there is no motion to bake"));
     if (m_job.isRunning())

@@ -1,11 +1,11 @@
 #include "core/session/arm_dresser.h"
 
 #include "core/document/document_command.h"
+#include "core/evaluate/evaluator.h"
 #include "core/math/drag_maths.h"
 #include "core/math/reproducible.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
-#include "core/scene/world_transforms.h"
 #include "core/session/exporter.h"
 #include "core/surface/mesh/transformed.h"
 #include <glm/geometric.hpp>
@@ -37,21 +37,12 @@ struct ArmDresser::Work
 
 namespace {
 
-Expected<const Node*> armToDress(const Scene& scene, NodeId id)
-{
-    if (auto allowed = checkEditable(scene, id); !allowed)
-        return fail(std::move(allowed.error()));
-    const Node* node = scene.find(id);
-    if (node->kind != NodeKind::Arm)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" is no arm"), {node->name});
-    return node;
-}
-
 /// From the space of a node with a mesh into the arm's own, both at rest.
 Expected<glm::dmat4> wayIntoArm(const Scene& scene, NodeId arm, NodeId worn)
 {
-    const glm::dmat4 place = worldTransformAt(scene, arm, 0.0).geometry * armUpright();
-    const glm::dmat4 from = worldTransformAt(scene, worn, 0.0).geometry;
+    const EvaluatedScene atRest(scene);
+    const glm::dmat4 place = atRest.transforms(arm).geometry * armUpright();
+    const glm::dmat4 from = atRest.transforms(worn).geometry;
     if (glm::determinant(glm::dmat3(place)) == 0.0 || glm::determinant(glm::dmat3(from)) == 0.0)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("a scale of zero leaves nothing to wear"));
     return glm::inverse(place) * from;
@@ -77,7 +68,7 @@ glm::dmat4 turnedAlong(const glm::dmat4& way, MeshAxis axis)
 Expected<std::shared_ptr<ArmDresser::Work>> ArmDresser::Work::of(const Scene& scene, NodeId arm, NodeId mesh,
                                                                  bool fitted, std::optional<MeshAxis> axis)
 {
-    const auto node = armToDress(scene, arm);
+    const auto node = editableArm(scene, arm);
     if (!node)
         return fail(node.error());
     const Node* from = scene.find(mesh);
@@ -169,7 +160,7 @@ Expected<void> ArmDresser::wear(NodeId arm, NodeId mesh, bool fitted, std::optio
 
 Expected<void> ArmDresser::fitAgain(NodeId arm)
 {
-    const auto node = armToDress(m_document->scene(), arm);
+    const auto node = editableArm(m_document->scene(), arm);
     if (!node)
         return fail(node.error());
     if (!(*node)->mesh)

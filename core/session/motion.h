@@ -3,9 +3,9 @@
 /// long as they draw it.
 #pragma once
 
+#include "core/evaluate/evaluator.h"
 #include "core/evaluate/node_motion.h"
 #include "core/pipeline/tree_pipeline.h"
-#include "core/scene/world_transforms.h"
 #include <map>
 #include <memory>
 #include <optional>
@@ -43,7 +43,7 @@ struct MotionFrame
     [[nodiscard]] glm::dmat4 geometryOf(const Scene& scene, NodeId node) const
     {
         const auto found = transforms.find(node);
-        return found == transforms.end() ? worldTransformAt(scene, node, timeSeconds).geometry
+        return found == transforms.end() ? EvaluatedScene(scene, timeSeconds).transforms(node).geometry
                                          : found->second.geometry;
     }
 };

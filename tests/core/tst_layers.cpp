@@ -258,10 +258,9 @@ constexpr Rule rules[] = {
     {"no random generator but our own", "core/.*", R"(std::(mt19937|random_device|\w+_distribution)\b)"},
     {"the same bytes on every processor: sines are of core/math/reproducible.h",
      R"(core/(?!math/reproducible\.).*)", sines},
-    // But for Blender's files, which have the scene at rest and its keys beside it.
     {"what a scene looks like at a time is asked of core/evaluate",
-     R"((core/(?!(scene|rig|evaluate)/|io/formats/blender_export\.)|widgets/|app/).*)",
-     R"(\b(paramsAt|worldTransformsAt|objectSolid)\s*\()"},
+     R"((core/(?!(scene|rig|evaluate)/)|widgets/|app/).*)",
+     R"(\b(paramsAt|worldTransforms?At|objectSolid)\s*\()"},
     // Memory that runs out is the one thing the language itself throws for.
     {"no exceptions across modules", "core/.*", R"(\bthrow\b(?!\s+std::bad_alloc))"},
     {"work on another thread is a Job's",

@@ -1,5 +1,5 @@
 #include "widgets/view/viewport.h"
-#include "core/scene/world_transforms.h"
+#include "core/evaluate/evaluator.h"
 #include "widgets/base/core_text.h"
 #include "widgets/view/render/framing_points.h"
 
@@ -17,14 +17,15 @@ namespace {
 constexpr int hoverRestMs = 25;
 
 /// The box of the selected branches, else of the selected nodes' trees; world.
-Box selectionBox(const Document& document, const RenderScene& scene)
+Box selectionBox(const Document& document, const RenderScene& scene, double timeSeconds)
 {
     const Selection& selection = document.selection();
     Box box;
     const NodeResult* result = document.result(selection.branchNode);
     if (result && result->tree.simplified) {
         const Skeleton& skeleton = result->tree.simplified->skeleton;
-        const glm::dmat4 world = worldTransformAt(document.scene(), selection.branchNode, 0.0).geometry;
+        const EvaluatedScene now(document.scene(), timeSeconds);
+        const glm::dmat4 world = now.transforms(selection.branchNode).geometry;
         for (const Index branch : selection.branches) {
             if (branch >= skeleton.size())
                 continue;
@@ -267,7 +268,7 @@ void Viewport::frameSelection()
         d->framing = Private::Framing::Selection;
         return;
     }
-    const Box box = selectionBox(*d->document, *d->scene);
+    const Box box = selectionBox(*d->document, *d->scene, d->context.seconds());
     if (!box.empty())
         frameBox(box);
 }

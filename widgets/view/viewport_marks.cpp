@@ -1,5 +1,5 @@
 // What panels point at in the viewport: one section, one defect.
-#include "core/scene/world_transforms.h"
+#include "core/evaluate/evaluator.h"
 #include "widgets/view/viewport_private.h"
 
 namespace ramure {
@@ -39,7 +39,7 @@ void Viewport::showDefect(NodeId node, const DefectPlace& place)
             box.add(item.box.transformed(item.world));
     const TreeResult* tree = d->resultOf(node);
     const double reach = defectReach(place, tree ? tree->simplified.get() : nullptr,
-                                     worldTransformAt(d->document->scene(), node, 0.0).geometry, box);
+                                     EvaluatedScene(d->document->scene()).transforms(node).geometry, box);
     moveCamera(defectView(*d->scene, place, reach, d->camera(), double(width()) / std::max(1, height()),
                           d->settings->groundVisible()));
     update();

@@ -1,9 +1,9 @@
 // Scenes into the format of blender_scene.h.
 #include "core/base/file_writer.h"
 #include "core/base/number_text.h"
+#include "core/evaluate/evaluator.h"
 #include "core/io/formats/blender_scene.h"
 #include "core/io/write_parts.h"
-#include "core/scene/object_mesh.h"
 #include "core/surface/mesh/transformed.h"
 
 #include <algorithm>
@@ -96,6 +96,7 @@ class Exporter
 public:
     Exporter(const Scene& scene, const std::string& folder)
         : m_scene(scene)
+        , m_atRest(scene)
         , m_folder(folder)
     {
     }
@@ -147,7 +148,7 @@ private:
                         [](const auto& entry) { return entry.first.part > ChannelPart::GlobalScale; }))
             note(node, RAMURE_NOOP("tracks of the own shape and of parameters have no place in the format"));
         const glm::dmat4 local = placementMatrix(node.params.local);
-        auto solid = objectSolid(node, node.params);
+        auto solid = m_atRest.solid(node);
         if (!solid)
             return fail(std::move(solid.error()));
         std::shared_ptr<const TriangleMesh> mesh = std::move(*solid);
@@ -213,6 +214,7 @@ private:
     }
 
     const Scene& m_scene;
+    EvaluatedScene m_atRest; ///< the files have the keys beside it
     std::string m_folder;
     FileNames m_names;
     std::map<NodeId, std::string> m_nameOf;

@@ -1,8 +1,8 @@
 #include "widgets/panels/validation/validation_panel.h"
 
 #include "core/document/document.h"
+#include "core/evaluate/evaluator.h"
 #include "core/scene/object_mesh.h"
-#include "core/scene/world_transforms.h"
 #include "core/session/analysis.h"
 #include "core/session/shape_checks.h"
 #include "widgets/base/empty_page.h"
@@ -324,7 +324,7 @@ void ValidationPanel::Private::activate(const QModelIndex& index)
     if (!source.branches)
         return;
     const TriangleMesh& mesh = source.branches->mesh;
-    const glm::dmat4 world = worldTransformAt(document->scene(), node, 0.0).geometry;
+    const glm::dmat4 world = EvaluatedScene(document->scene()).transforms(node).geometry;
     if (const Defect* defect = model->defect(index)) {
         const DefectPlace place = defectPlace(mesh, *defect, world);
         selectBranch(defectBranch(mesh, *defect));
@@ -351,7 +351,7 @@ void ValidationPanel::Private::showCollision(const Collision& collision, const Q
     const Skeleton& skeleton = simplified->skeleton;
     const double thick = std::max(skeleton.a0[collision.first], skeleton.a0[collision.second]);
     const DefectPlace place = pointPlace(collision.place, std::max(6.0 * thick, 4.0 * collision.depth),
-                                         worldTransformAt(document->scene(), node, 0.0).geometry);
+                                         EvaluatedScene(document->scene()).transforms(node).geometry);
     document->setSelection({{node}, node, {collision.first, collision.second}, collision.first});
     highlight(place, index);
 }

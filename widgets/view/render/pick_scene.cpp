@@ -64,10 +64,7 @@ std::optional<ScreenDistance> screenDistance(const PickView& view, const glm::dv
         else if (atB < least)
             b = glm::mix(b, a, (least - atB) / (atA - atB));
     }
-    const auto onScreen = [&](const glm::dvec3& p) -> glm::dvec2 {
-        const glm::dvec2 ndc = camera.project(p, view.aspect()).value_or(glm::dvec2(0.0));
-        return 0.5 * glm::dvec2(ndc.x + 1.0, 1.0 - ndc.y) * view.size;
-    };
+    const auto onScreen = [&](const glm::dvec3& p) { return view.pixel(p).value_or(0.5 * view.size); };
     const glm::dvec2 from = onScreen(a);
     const glm::dvec2 way = onScreen(b) - from;
     const double square = glm::dot(way, way);

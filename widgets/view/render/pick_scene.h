@@ -32,6 +32,12 @@ struct PickView
     {
         return {2.0 * pixel.x / size.x - 1.0, 1.0 - 2.0 * pixel.y / size.y};
     }
+    /// Where a point of the world is seen; nothing behind the eye.
+    [[nodiscard]] std::optional<glm::dvec2> pixel(const glm::dvec3& world) const
+    {
+        const auto at = camera.project(world, aspect());
+        return at ? std::optional(0.5 * glm::dvec2(at->x + 1.0, 1.0 - at->y) * size) : std::nullopt;
+    }
 };
 
 /// Branches of one node, ascending.

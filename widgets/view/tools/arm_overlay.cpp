@@ -162,10 +162,10 @@ QString armStatusText(const ArmProgress& progress)
 
 void paintTarget(QPainter& painter, const PickView& view, const glm::dvec3& world)
 {
-    const auto ndc = view.camera.project(world, view.aspect());
-    if (!ndc)
+    const auto pixel = view.pixel(world);
+    if (!pixel)
         return;
-    const QPointF at(0.5 * (ndc->x + 1.0) * view.size.x, 0.5 * (1.0 - ndc->y) * view.size.y);
+    const QPointF at(pixel->x, pixel->y);
     painter.setBrush(Qt::NoBrush);
     for (const QPen& pen : {QPen(QColor(10, 40, 16, 160), 4.0), QPen(QColor(90, 230, 120), 2.0)}) {
         painter.setPen(pen);

@@ -13,14 +13,6 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr int corners = 72; ///< of a whole ring
 
-std::optional<glm::dvec2> onScreen(const PickView& view, const glm::dvec3& point)
-{
-    const auto ndc = view.camera.project(point, view.aspect());
-    if (!ndc)
-        return std::nullopt;
-    return 0.5 * glm::dvec2(ndc->x + 1.0, 1.0 - ndc->y) * view.size;
-}
-
 double distanceTo(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& pixel)
 {
     const glm::dvec2 way = b - a;
@@ -34,7 +26,7 @@ QPolygonF arc(const PickView& view, const ArmRing& ring, double from, double to)
     QPolygonF points;
     const int count = std::max(2, int(std::ceil(corners * std::abs(to - from) / (2.0 * pi))));
     for (int i = 0; i <= count; ++i)
-        if (const auto at = onScreen(view, ring.at(from + (to - from) * i / count)))
+        if (const auto at = view.pixel(ring.at(from + (to - from) * i / count)))
             points << QPointF(at->x, at->y);
     return points;
 }
@@ -44,8 +36,8 @@ void paintLimits(QPainter& painter, const PickView& view, const ArmRing& ring)
 {
     for (const double limit : {ring.angle.minRad, ring.angle.maxRad}) {
         const glm::dvec3 way = ring.at(limit) - ring.centre;
-        const auto inner = onScreen(view, ring.centre + 0.85 * way);
-        const auto outer = onScreen(view, ring.centre + 1.15 * way);
+        const auto inner = view.pixel(ring.centre + 0.85 * way);
+        const auto outer = view.pixel(ring.centre + 1.15 * way);
         if (inner && outer)
             painter.drawLine(QPointF(inner->x, inner->y), QPointF(outer->x, outer->y));
     }
@@ -67,7 +59,7 @@ std::vector<ArmRing> armRings(const Scene& scene, NodeId arm, double timeSeconds
     EvaluatedScene now(scene, timeSeconds);
     const NodeParams& params = now.params(*node);
     const ArmChain chain(params.joints);
-    const glm::dmat4 world = now.transforms(*node).geometry * armUpright();
+    const glm::dmat4 world = now.transforms(arm).geometry * armUpright();
     const glm::dmat3 turn(world);
     const double scale = std::cbrt(std::abs(glm::determinant(turn)));
     const double thick = std::max(params.arm.jointRadius, params.armSkin.shown ? params.armSkin.radius : 0.0);
@@ -102,7 +94,7 @@ std::optional<std::size_t> ringUnder(const PickView& view, const glm::dvec2& pix
     for (std::size_t r = 0; r < rings.size(); ++r) {
         std::optional<glm::dvec2> last;
         for (int i = 0; i <= corners; ++i) {
-            const auto at = onScreen(view, rings[r].at(2.0 * pi * i / corners));
+            const auto at = view.pixel(rings[r].at(2.0 * pi * i / corners));
             if (at && last && distanceTo(*last, *at, pixel) < nearest) {
                 nearest = distanceTo(*last, *at, pixel);
                 found = r;
@@ -150,7 +142,7 @@ void paintRings(QPainter& painter, const PickView& view, const std::vector<ArmRi
         if (angle.limited)
             paintLimits(painter, view, ring);
         const bool held = angle.limited && (angle.angleRad <= angle.minRad || angle.angleRad >= angle.maxRad);
-        if (const auto knob = onScreen(view, ring.at(angle.angleRad))) {
+        if (const auto knob = view.pixel(ring.at(angle.angleRad))) {
             painter.setPen(QPen(QColor(20, 30, 40, 200), 1.0));
             painter.setBrush(held ? QColor(235, 60, 50) : colour);
             const double radius = held ? 6.0 : 4.5;

@@ -56,10 +56,8 @@ QColor gizmoColour(int axis)
 
 std::optional<QPointF> gizmoPixel(const PickView& view, const glm::dvec3& world)
 {
-    const auto ndc = view.camera.project(world, view.aspect());
-    if (!ndc)
-        return std::nullopt;
-    return QPointF(0.5 * (ndc->x + 1.0) * view.size.x, 0.5 * (1.0 - ndc->y) * view.size.y);
+    const auto at = view.pixel(world);
+    return at ? std::optional(QPointF(at->x, at->y)) : std::nullopt;
 }
 
 double gizmoMetres(const PickView& view, const GizmoPlace& place, double pixels)

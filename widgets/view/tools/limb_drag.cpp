@@ -1,5 +1,5 @@
 #include "widgets/view/tools/limb_drag.h"
-#include "core/scene/world_transforms.h"
+#include "core/evaluate/evaluator.h"
 
 #include "widgets/view/tools/motion_tools.h"
 #include <algorithm>
@@ -49,7 +49,7 @@ LimbDrag::LimbDrag(Document& document, const PickHit& hit, const Node& node,
     , m_atGrab(byBranch(m_skeleton->skeleton, bendsOf(node)))
     , m_bends(bendsOf(node))
     , m_limb(limb())
-    , m_world(worldTransformAt(document.scene(), hit.node, 0.0).geometry)
+    , m_world(EvaluatedScene(document.scene()).transforms(hit.node).geometry)
     , m_inverse(glm::inverse(m_world))
     , m_grabbed(hit.point)
     , m_hand(hit.point)

@@ -13,14 +13,6 @@ glm::dvec3 placed(const glm::dmat4& world, const glm::dvec3& point)
     return glm::dvec3(world * glm::dvec4(point, 1.0));
 }
 
-std::optional<glm::dvec2> onScreen(const PickView& view, const glm::dvec3& point)
-{
-    const auto ndc = view.camera.project(point, view.aspect());
-    if (!ndc)
-        return std::nullopt;
-    return 0.5 * glm::dvec2(ndc->x + 1.0, 1.0 - ndc->y) * view.size;
-}
-
 double depthOf(const PickView& view, const glm::dvec3& point)
 {
     return glm::dot(view.camera.eye() - point, view.camera.backward());
@@ -68,7 +60,7 @@ std::optional<GrabbedBranch> branchUnder(const PickView& view, const glm::dvec2&
             const RigidTransform& bone = (*motion.bones)[b];
             const glm::dvec3 from = placed(world, bone.point(skeleton.p0[b]));
             const glm::dvec3 to = placed(world, bone.point(skeleton.p1[b]));
-            const auto a = onScreen(view, from), c = onScreen(view, to);
+            const auto a = view.pixel(from), c = view.pixel(to);
             if (!a || !c)
                 continue;
             const glm::dvec2 way = *c - *a;
@@ -112,7 +104,7 @@ std::optional<AppleUnder> appleUnder(const PickView& view, const glm::dvec2& pix
         for (std::size_t apple = 0; apple < tree.foliage->apples.size(); ++apple) {
             const RigidTransform& bone = (*motion.bones)[tree.simplified->skeleton.size() + apple];
             const glm::dvec3 centre = placed(world, bone.point(tree.foliage->apples[apple].position));
-            const auto at = onScreen(view, centre);
+            const auto at = view.pixel(centre);
             const double depth = depthOf(view, centre);
             const double reach = radius / std::max(view.camera.metresPerPixel(centre, view.size.y), 1e-12);
             if (at && depth < front && glm::length(*at - pixel) <= std::max(reach, 4.0)) {
@@ -150,35 +142,36 @@ double shiftInto(double low, double high, double least, double most)
 
 } // namespace
 
-std::optional<WindArrow> windArrow(const Scene& scene, NodeId node, const glm::dvec3& foot, double reach)
+std::optional<WindArrow> windArrow(const EvaluatedScene& now, NodeId node, const glm::dvec3& foot,
+                                   double reach)
 {
-    const Node* tree = scene.find(node);
+    const Node* tree = now.scene().find(node);
     if (!tree || tree->kind != NodeKind::Tree)
         return std::nullopt;
     const PhysicsParams& physics = tree->params.physics;
     const double share = physics.windStrength / (physics.windStrength + halfReachAt);
-    const glm::dvec3 way = windWay(worldTransformAt(scene, node, 0.0).geometry, physics.windDirection);
+    const glm::dvec3 way = windWay(now.transforms(node).geometry, physics.windDirection);
     return WindArrow{node, foot, foot + share * reach * way, reach};
 }
 
-std::optional<WindArrow> windArrowOver(const Scene& scene, NodeId node, const Box& box, const PickView& view,
-                                       bool stay)
+std::optional<WindArrow> windArrowOver(const EvaluatedScene& now, NodeId node, const Box& box,
+                                       const PickView& view, bool stay)
 {
     if (box.empty())
         return std::nullopt;
     const glm::dvec3 top(box.centre().x, box.max.y + 0.03 * box.size().y, box.centre().z);
-    glm::dvec3 foot = placed(worldTransformAt(scene, node, 0.0).geometry, top);
+    glm::dvec3 foot = placed(now.transforms(node).geometry, top);
     if (depthOf(view, foot) <= tooNear * view.camera.distance && !view.camera.orthographic) {
         if (!stay)
             return std::nullopt;
         foot = view.camera.target;
     }
     const double pixel = view.camera.metresPerPixel(foot, view.size.y);
-    auto arrow = windArrow(scene, node, foot, reachShare * std::min(view.size.x, view.size.y) * pixel);
+    auto arrow = windArrow(now, node, foot, reachShare * std::min(view.size.x, view.size.y) * pixel);
     if (!arrow || !stay)
         return arrow;
     for (int round = 0; round < 3; ++round) { // what moves across the picture also changes its size a little
-        const auto a = onScreen(view, arrow->foot), b = onScreen(view, arrow->head);
+        const auto a = view.pixel(arrow->foot), b = view.pixel(arrow->head);
         if (!a || !b)
             break;
         const glm::dvec2 low = glm::min(*a, *b), high = glm::max(*a, *b);
@@ -192,10 +185,10 @@ std::optional<WindArrow> windArrowOver(const Scene& scene, NodeId node, const Bo
 }
 
 std::optional<WindValues> windAt(const PickView& view, const glm::dvec2& pixel, const WindArrow& arrow,
-                                 const Scene& scene)
+                                 const EvaluatedScene& now)
 {
     const ViewRay ray = view.camera.ray(view.ndc(pixel), view.aspect());
-    const glm::dmat4 world = worldTransformAt(scene, arrow.node, 0.0).geometry;
+    const glm::dmat4 world = now.transforms(arrow.node).geometry;
     const glm::dvec3 up =
         glm::normalize(glm::cross(windWay(world, 0.5 * std::numbers::pi), windWay(world, 0.0)));
     const bool flat = std::abs(glm::dot(ray.direction, up)) < edgeOn;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/document/document.h"
+#include "core/evaluate/evaluator.h"
 #include "core/session/motion.h"
 #include "widgets/view/render/pick_scene.h"
 #include <optional>
@@ -49,12 +50,13 @@ struct WindArrow
     double reach = 1.0; ///< m: as long as for a wind without end
 };
 /// As the tree has its wind now, from \p foot. Nothing for nodes that are no trees.
-std::optional<WindArrow> windArrow(const Scene& scene, NodeId node, const glm::dvec3& foot, double reach);
+std::optional<WindArrow> windArrow(const EvaluatedScene& now, NodeId node, const glm::dvec3& foot,
+                                   double reach);
 /// The same, standing on the tree as \p view sees it. \p stay: moved to where all of it is in the picture.
 /// \param box of the tree, its own space. Nothing where that is empty, or, for one that may not move, behind
 /// the eye.
-std::optional<WindArrow> windArrowOver(const Scene& scene, NodeId node, const Box& box, const PickView& view,
-                                       bool stay);
+std::optional<WindArrow> windArrowOver(const EvaluatedScene& now, NodeId node, const Box& box,
+                                       const PickView& view, bool stay);
 /// The arrow's parameters when its head is dragged under the cursor, in the horizontal plane of its foot:
 /// strength 0 to the most the table allows, and direction (rad about +Y from +X, in the tree's own space).
 /// Where that plane is seen from its edge, the head moves across the picture only.
@@ -64,7 +66,7 @@ struct WindValues
     double directionRad = 0.0;
 };
 std::optional<WindValues> windAt(const PickView& view, const glm::dvec2& pixel, const WindArrow& arrow,
-                                 const Scene& scene);
+                                 const EvaluatedScene& now);
 /// Why there is no wind to show in this scene: no tree, or none that is selected or has wind.
 enum class NoWind : std::uint8_t { NoTree, NoneChosen };
 /// The trees whose wind is shown: the active one, and all shown ones that have wind; at most \p most.

@@ -2,7 +2,6 @@
 #include "core/evaluate/evaluator.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
-#include "core/scene/world_transforms.h"
 #include "core/surface/mesh/mesh_rays.h"
 #include "widgets/base/core_text.h"
 #include "widgets/view/tools/arm_overlay.h"
@@ -20,7 +19,7 @@ constexpr Index fewTriangles = 40'000;
 /// From the world into the arm's own space.
 glm::dvec3 inArmSpace(const Scene& scene, NodeId arm, double timeSeconds, const glm::dvec3& world)
 {
-    const glm::dmat4 place = worldTransformAt(scene, arm, timeSeconds).geometry * armUpright();
+    const glm::dmat4 place = EvaluatedScene(scene, timeSeconds).transforms(arm).geometry * armUpright();
     return glm::dvec3(glm::inverse(place) * glm::dvec4(world, 1.0));
 }
 
@@ -218,7 +217,7 @@ void TargetTool::paint(QPainter& painter, const PickView& view)
         if (node.kind != NodeKind::Arm || !node.params.arm.follows || !all.isShown(node.id))
             continue;
         paintTarget(painter, view,
-                    glm::dvec3(now.transforms(node).geometry * armUpright() *
+                    glm::dvec3(now.transforms(node.id).geometry * armUpright() *
                                glm::dvec4(now.params(node).arm.target, 1.0)));
     }
     const auto motion =

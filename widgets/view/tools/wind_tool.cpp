@@ -80,13 +80,13 @@ std::vector<WindArrow> WindTool::arrows(const PickView& view) const
 {
     if (!m_context.host.isWindVisible())
         return {};
-    const Scene& scene = m_context.document.scene();
+    const EvaluatedScene now(m_context.document.scene(), m_context.seconds());
     if (isBusy()) { // it grows and turns under the hand, but stays where it was taken
-        const auto now = windArrow(scene, m_taken.node, m_taken.foot, m_taken.reach);
-        return now ? std::vector{*now} : std::vector<WindArrow>();
+        const auto held = windArrow(now, m_taken.node, m_taken.foot, m_taken.reach);
+        return held ? std::vector{*held} : std::vector<WindArrow>();
     }
     const NodeId active = m_context.document.selection().activeNode();
-    const auto trees = windyTrees(scene, active, mostArrows);
+    const auto trees = windyTrees(now.scene(), active, mostArrows);
     const auto* shown = std::get_if<std::vector<NodeId>>(&trees);
     if (!shown)
         return {};
@@ -94,7 +94,7 @@ std::vector<WindArrow> WindTool::arrows(const PickView& view) const
     for (const NodeId tree : *shown) {
         const bool stays = tree == active || shown->size() == 1;
         const Box box = treeBox(m_context.host.sceneAtRest(), tree);
-        if (const auto arrow = windArrowOver(scene, tree, box, view, stays))
+        if (const auto arrow = windArrowOver(now, tree, box, view, stays))
             arrows.push_back(*arrow);
     }
     return arrows;
@@ -119,7 +119,8 @@ bool WindTool::press(const ToolPoint& point)
 
 void WindTool::drag(const ToolPoint& point)
 {
-    const auto values = windAt(point.view, point.pixel(), m_taken, m_context.document.scene());
+    const auto values = windAt(point.view, point.pixel(), m_taken,
+                               EvaluatedScene(m_context.document.scene(), m_context.seconds()));
     if (values)
         edit::setParams(m_context.document, {m_taken.node},
                         {{findParam("physics.windStrength"), values->strength},

@@ -47,7 +47,7 @@ struct Bench : test::ToolBench
             box.add(item.box);
         for (const LineItem& item : scene->lines)
             box.add(item.lines->box);
-        const auto arrow = windArrowOver(document.scene(), 1, box, view(), true);
+        const auto arrow = windArrowOver(EvaluatedScene(document.scene()), 1, box, view(), true);
         return arrow ? pixelOf(arrow->head) : QPointF(-99.0, -99.0);
     }
     [[nodiscard]] double strength() const { return document.scene().find(1)->params.physics.windStrength; }
