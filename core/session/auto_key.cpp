@@ -1,5 +1,6 @@
 #include "core/session/auto_key.h"
 
+#include "core/document/document_command.h"
 #include "core/document/key_edits.h"
 #include "core/rig/tracks/keyed_track.h"
 #include "core/session/player.h"
@@ -240,7 +241,7 @@ Expected<void> AutoKey::insert(NodeId node, const std::vector<std::pair<Channel,
 {
     const Node* found = m_document->scene().find(node);
     if (!found)
-        return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(node)});
+        return unknownNode(node);
     std::vector<TrackEdit> edits;
     for (const auto& [channel, value] : values) {
         auto edit = keyed(*found, channel, now(), value);

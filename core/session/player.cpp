@@ -4,8 +4,8 @@
 #include "core/session/job.h"
 #include "core/session/motion_worker.h"
 
+#include <QDeadlineTimer>
 #include <QElapsedTimer>
-#include <QEventLoop>
 #include <QFile>
 #include <QPointer>
 #include <QTimer>
@@ -217,17 +217,10 @@ void Player::shakeOff(NodeId node, Index apple)
 
 bool Player::waitForIdle(int timeoutMs)
 {
-    QEventLoop loop;
-    QTimer poll;
-    QElapsedTimer waited;
-    waited.start();
-    connect(&poll, &QTimer::timeout, &loop, [&] {
-        if ((!d->job.isRunning() && !d->wanted) || waited.hasExpired(timeoutMs))
-            loop.quit();
-    });
-    poll.start(1);
-    loop.exec();
-    return !d->job.isRunning() && !d->wanted;
+    const QDeadlineTimer end(timeoutMs);
+    while (isBusy() && d->job.wait(std::chrono::milliseconds(end.remainingTime())))
+        continue; // another frame was wanted meanwhile
+    return !isBusy();
 }
 
 void Player::play()
@@ -288,7 +281,6 @@ void Player::seek(qint64 frame)
 void Player::cancel()
 {
     pause();
-    d->wanted = false;
     d->stopWork();
 }
 
@@ -316,7 +308,7 @@ void Player::Private::setFrame(std::int64_t next)
 /// The clock adds up seconds, never counts ticks (ANIMATION 4.9).
 void Player::Private::tick()
 {
-    if (pace == PlayPace::EveryFrame && (job.isRunning() || wanted))
+    if (pace == PlayPace::EveryFrame && job.isRunning())
         return; // the next frame's time begins when this one is there
     const double seconds = std::min(double(clock.nsecsElapsed()) * 1e-9, mostSecondsAtOnce);
     const double ahead = seconds * timeline().framesPerSecond * speed;
@@ -443,6 +435,7 @@ void Player::Private::worked(const Expected<void>& done)
 /// What waited is gone and nobody will tell of it; what still runs says when it ends.
 void Player::Private::stopWork()
 {
+    wanted = false;
     job.withdraw();
     job.cancel();
     if (!job.isRunning())

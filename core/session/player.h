@@ -56,7 +56,8 @@ public:
     /// While playing: one apple falls.
     void shakeOff(NodeId node, Index apple);
 
-    /// Blocks (with an event loop) until nothing is being computed; for the CLI and tests. False on time-out.
+    /// Blocks until nothing is being computed, and tells what came of it; for the CLI and tests. False on
+    /// time-out.
     bool waitForIdle(int timeoutMs);
 
 public slots:

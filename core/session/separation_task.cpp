@@ -1,6 +1,6 @@
 #include "core/session/separation_task.h"
 
-#include "core/document/commands.h"
+#include "core/document/document_command.h"
 
 namespace ramure {
 
@@ -17,7 +17,7 @@ Expected<void> SeparationTask::start(NodeId tree)
         return {};
     const Node* node = m_document->scene().find(tree);
     if (!node)
-        return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no node %1"), {std::to_string(tree)});
+        return unknownNode(tree);
     if (node->kind != NodeKind::Tree)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" has no branches"), {node->name});
     m_tree = tree;

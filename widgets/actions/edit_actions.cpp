@@ -186,8 +186,7 @@ void EditActions::report(const Error& error)
 
 void EditActions::newTree()
 {
-    if (const auto done = edit::newTree(*m_document, targetTrees(*m_document)); !done)
-        report(done.error());
+    reportFailure(edit::newTree(*m_document, targetTrees(*m_document)));
 }
 
 void EditActions::addNode(Node node)
@@ -198,8 +197,7 @@ void EditActions::addNode(Node node)
     const NodeId parent = active ? (active->kind == NodeKind::Group ? active->id : active->parent) : noNode;
     node.id = 1; // replaced by the document
     const int row = static_cast<int>(scene.children(parent).size());
-    if (const auto done = edit::insertNodes(*m_document, {std::move(node)}, parent, row); !done)
-        report(done.error());
+    reportFailure(edit::insertNodes(*m_document, {std::move(node)}, parent, row));
 }
 
 void EditActions::addTree(const QString& preset)
@@ -235,8 +233,7 @@ void EditActions::removeSelected()
     if (!m_document->selection().branches.empty())
         return emit messageRaised(
             tr("Branches cannot be cut yet. Esc selects the tree alone: then Del deletes it."));
-    if (const auto done = edit::removeNodes(*m_document, selected()); !done)
-        report(done.error());
+    reportFailure(edit::removeNodes(*m_document, selected()));
 }
 
 void EditActions::duplicateSelected()
@@ -269,9 +266,7 @@ std::map<std::uint64_t, glm::dvec3> EditActions::bentBranches() const
 
 void EditActions::straightenSelected()
 {
-    if (const auto done = edit::turnBranches(*m_document, m_document->selection().branchNode, bentBranches());
-        !done)
-        report(done.error());
+    reportFailure(edit::turnBranches(*m_document, m_document->selection().branchNode, bentBranches()));
 }
 
 void EditActions::toggleVisible()
@@ -279,8 +274,7 @@ void EditActions::toggleVisible()
     const Node* active = m_document->scene().find(m_document->selection().activeNode());
     if (!active)
         return;
-    if (const auto done = edit::setNodeVisible(*m_document, selected(), !active->visible); !done)
-        report(done.error());
+    reportFailure(edit::setNodeVisible(*m_document, selected(), !active->visible));
 }
 
 void EditActions::toggleLocked()
@@ -288,8 +282,7 @@ void EditActions::toggleLocked()
     const Node* active = m_document->scene().find(m_document->selection().activeNode());
     if (!active)
         return;
-    if (const auto done = edit::setNodeLocked(*m_document, selected(), !active->locked); !done)
-        report(done.error());
+    reportFailure(edit::setNodeLocked(*m_document, selected(), !active->locked));
 }
 
 bool SpaceKeeper::eventFilter(QObject* watched, QEvent* event)

@@ -59,6 +59,11 @@ private:
     void toggleLocked();
     void addNode(Node node);
     void report(const Error& error);
+    template <class Value> void reportFailure(const Expected<Value>& done)
+    {
+        if (!done)
+            report(done.error());
+    }
     [[nodiscard]] std::vector<NodeId> selected() const { return m_document->selection().nodes; }
 
     Document* m_document;

@@ -33,6 +33,17 @@ const QString columnsKey = QStringLiteral("scene/columns");
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
 
+// In the order of the enumerations; what is not stored is the first.
+const QStringList angleNames{QStringLiteral("degrees"), QStringLiteral("radians")};
+const QStringList themeNames{QStringLiteral("system"), QStringLiteral("light"), QStringLiteral("dark")};
+const QStringList navigationNames{QStringLiteral("blender"), QStringLiteral("maya")};
+const QStringList timeNames{QStringLiteral("frames"), QStringLiteral("seconds"), QStringLiteral("timecode")};
+
+template <class Enum> Enum named(const QVariant& stored, const QStringList& names)
+{
+    return static_cast<Enum>(std::max<qsizetype>(names.indexOf(stored.toString()), 0));
+}
+
 } // namespace
 
 Preferences::Preferences(QObject* parent)
@@ -88,28 +99,22 @@ void Preferences::write()
 
 AngleUnit Preferences::angleUnit() const
 {
-    return m_settings.value(angleKey) == QVariant(QStringLiteral("radians")) ? AngleUnit::Radians
-                                                                             : AngleUnit::Degrees;
+    return named<AngleUnit>(m_settings.value(angleKey), angleNames);
 }
 
 void Preferences::setAngleUnit(AngleUnit unit)
 {
-    store(angleKey, unit == AngleUnit::Radians ? QStringLiteral("radians") : QStringLiteral("degrees"));
+    store(angleKey, angleNames[static_cast<int>(unit)]);
 }
 
 ThemeChoice Preferences::theme() const
 {
-    const QString name = m_settings.value(themeKey).toString();
-    if (name == QLatin1String("light"))
-        return ThemeChoice::Light;
-    return name == QLatin1String("dark") ? ThemeChoice::Dark : ThemeChoice::System;
+    return named<ThemeChoice>(m_settings.value(themeKey), themeNames);
 }
 
 void Preferences::setTheme(ThemeChoice theme)
 {
-    store(themeKey, theme == ThemeChoice::Light  ? QStringLiteral("light")
-                    : theme == ThemeChoice::Dark ? QStringLiteral("dark")
-                                                 : QStringLiteral("system"));
+    store(themeKey, themeNames[static_cast<int>(theme)]);
 }
 
 QString Preferences::language() const
@@ -124,13 +129,12 @@ void Preferences::setLanguage(const QString& language)
 
 NavigationStyle Preferences::navigationStyle() const
 {
-    return m_settings.value(navigationKey) == QVariant(QStringLiteral("maya")) ? NavigationStyle::Maya
-                                                                               : NavigationStyle::Blender;
+    return named<NavigationStyle>(m_settings.value(navigationKey), navigationNames);
 }
 
 void Preferences::setNavigationStyle(NavigationStyle style)
 {
-    store(navigationKey, style == NavigationStyle::Maya ? QStringLiteral("maya") : QStringLiteral("blender"));
+    store(navigationKey, navigationNames[static_cast<int>(style)]);
 }
 
 bool Preferences::groundVisible() const
@@ -166,17 +170,12 @@ void Preferences::setAutosaveMinutes(int minutes)
 
 TimeDisplay Preferences::timeDisplay() const
 {
-    const QString name = m_settings.value(timeKey).toString();
-    if (name == QLatin1String("seconds"))
-        return TimeDisplay::Seconds;
-    return name == QLatin1String("timecode") ? TimeDisplay::Timecode : TimeDisplay::Frames;
+    return named<TimeDisplay>(m_settings.value(timeKey), timeNames);
 }
 
 void Preferences::setTimeDisplay(TimeDisplay display)
 {
-    store(timeKey, display == TimeDisplay::Seconds    ? QStringLiteral("seconds")
-                   : display == TimeDisplay::Timecode ? QStringLiteral("timecode")
-                                                      : QStringLiteral("frames"));
+    store(timeKey, timeNames[static_cast<int>(display)]);
 }
 
 int Preferences::motionMemoryMb() const

@@ -1,17 +1,15 @@
 #include "widgets/base/theme.h"
 
 #include <QFile>
+#include <cmath>
 
 namespace ramure {
-namespace {
 
-QColor mixed(const QColor& a, const QColor& b, double share)
+QColor blended(const QColor& a, const QColor& b, double share)
 {
-    const auto mix = [share](int x, int y) { return static_cast<int>(x + share * (y - x)); };
+    const auto mix = [share](int x, int y) { return int(std::lround(x + (y - x) * share)); };
     return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
 }
-
-} // namespace
 
 QString themeStyleSheet(const QPalette& palette)
 {
@@ -27,15 +25,15 @@ QString themeStyleSheet(const QPalette& palette)
         {"@window@", window},
         {"@base@", palette.color(QPalette::Base)},
         {"@text@", text},
-        {"@dim@", mixed(window, text, 0.6)},
-        {"@line@", mixed(window, text, dark ? 0.14 : 0.16)},
-        {"@field-line@", mixed(window, text, dark ? 0.2 : 0.26)},
-        {"@bar@", dark ? mixed(window, Qt::white, 0.045) : mixed(window, Qt::black, 0.045)},
-        {"@hover@", mixed(window, text, 0.1)},
-        {"@pressed@", mixed(window, text, 0.18)},
-        {"@groove@", mixed(window, text, 0.22)},
+        {"@dim@", blended(window, text, 0.6)},
+        {"@line@", blended(window, text, dark ? 0.14 : 0.16)},
+        {"@field-line@", blended(window, text, dark ? 0.2 : 0.26)},
+        {"@bar@", dark ? blended(window, Qt::white, 0.045) : blended(window, Qt::black, 0.045)},
+        {"@hover@", blended(window, text, 0.1)},
+        {"@pressed@", blended(window, text, 0.18)},
+        {"@groove@", blended(window, text, 0.22)},
         {"@accent@", accent},
-        {"@accent-soft@", mixed(window, accent, dark ? 0.45 : 0.3)},
+        {"@accent-soft@", blended(window, accent, dark ? 0.45 : 0.3)},
         {"@accent-text@", palette.color(QPalette::HighlightedText)},
         {"@error@", errorColour(palette)},
         {"@good@", goodColour(palette)},

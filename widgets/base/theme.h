@@ -17,6 +17,8 @@ bool isDark(const QPalette& palette);
 QColor errorColour(const QPalette& palette);
 QColor goodColour(const QPalette& palette);
 QColor warningColour(const QPalette& palette);
+/// From \p a, share 0, to \p b, share 1.
+QColor blended(const QColor& a, const QColor& b, double share);
 
 QPalette themePalette(bool dark);
 
@@ -27,8 +29,6 @@ class Theme : public QObject
 public:
     /// Both must outlive the theme.
     Theme(QApplication* application, Preferences* preferences);
-
-    [[nodiscard]] bool isDarkNow() const { return m_dark; }
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

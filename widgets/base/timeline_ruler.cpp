@@ -1,5 +1,6 @@
 #include "widgets/base/timeline_ruler.h"
 
+#include "widgets/base/theme.h"
 #include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -33,12 +34,6 @@ double tickStep(double least, double framesPerSecond, TimeDisplay display)
     const auto enough =
         std::find_if(steps.begin(), steps.end(), [least](double step) { return step >= least; });
     return enough == steps.end() ? steps.back() : *enough;
-}
-
-QColor blended(const QColor& a, const QColor& b, double share)
-{
-    const auto mix = [share](int x, int y) { return int(std::lround(x + (y - x) * share)); };
-    return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
 }
 
 } // namespace
@@ -126,6 +121,11 @@ void TimelineRuler::showFrames(double from, double to)
 {
     m_zoomed = true;
     setView(from, to);
+}
+
+void TimelineRuler::zoomAbout(double frame, double factor)
+{
+    showFrames(frame - (frame - m_from) * factor, frame + (m_to - frame) * factor);
 }
 
 void TimelineRuler::resizeEvent(QResizeEvent* event)
@@ -298,8 +298,7 @@ void TimelineRuler::mouseMoveEvent(QMouseEvent* event)
     }
     if (m_drag == Drag::Scroll) {
         const double frames = (m_dragX - x) / pixelsPerFrame();
-        m_zoomed = true;
-        setView(m_from + frames, m_to + frames);
+        scrollBy(frames);
     }
     m_dragX = x;
     dragTo(x);
@@ -347,15 +346,10 @@ void TimelineRuler::mouseDoubleClickEvent(QMouseEvent*)
 void TimelineRuler::wheelEvent(QWheelEvent* event)
 {
     const double notches = double(event->angleDelta().y() + event->angleDelta().x()) / 120.0;
-    m_zoomed = true;
-    if (event->modifiers() & Qt::ShiftModifier) {
-        const double frames = -notches * 0.1 * (m_to - m_from);
-        setView(m_from + frames, m_to + frames);
-    } else {
-        const double at = m_from + (event->position().x() - margin) / pixelsPerFrame();
-        const double factor = std::pow(0.8, notches);
-        setView(at - (at - m_from) * factor, at + (m_to - at) * factor);
-    }
+    if (event->modifiers() & Qt::ShiftModifier)
+        scrollBy(-notches * 0.1 * (m_to - m_from));
+    else
+        zoomAbout(framesAt(event->position().x()), std::pow(0.8, notches));
     event->accept();
 }
 

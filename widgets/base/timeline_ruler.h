@@ -36,6 +36,9 @@ public:
     [[nodiscard]] double to() const { return m_to; }
     /// Shows these frames, until a double click shows the range again.
     void showFrames(double from, double to);
+    void scrollBy(double frames) { showFrames(m_from + frames, m_to + frames); }
+    /// \p frame stays where it is, and the frames in sight become \p factor times as many.
+    void zoomAbout(double frame, double factor);
     void showRange() { fit(); }
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;

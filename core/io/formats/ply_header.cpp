@@ -200,14 +200,6 @@ int PlyElement::find(std::string_view propertyName) const
     return -1;
 }
 
-bool PlyElement::hasLists() const
-{
-    for (const PlyProperty& property : properties)
-        if (property.isList)
-            return true;
-    return false;
-}
-
 std::uint64_t PlyElement::smallestSize(PlyFormat format) const
 {
     std::uint64_t sum = 0;

@@ -38,7 +38,6 @@ struct PlyElement
 
     /// Number of the property, or -1.
     [[nodiscard]] int find(std::string_view propertyName) const;
-    [[nodiscard]] bool hasLists() const;
     /// Bytes that one of them takes at least: lists may be empty.
     [[nodiscard]] std::uint64_t smallestSize(PlyFormat format) const;
 };

@@ -145,36 +145,4 @@ const KeyShape& keyShape(const AnyTrack& track, std::size_t index)
     return std::visit([index](const auto& held) -> const KeyShape& { return held.keys()[index]; }, track);
 }
 
-Expected<AnyTrack> withShapes(const AnyTrack& track, std::span<const std::size_t> indices,
-                              std::span<const KeyShape> shapes)
-{
-    return std::visit(
-        [&](auto held) -> Expected<AnyTrack> {
-            using KeyType = typename decltype(held)::KeyKind;
-            std::vector<KeyType> keys;
-            keys.reserve(indices.size());
-            for (std::size_t i = 0; i < indices.size() && i < shapes.size(); ++i) {
-                if (indices[i] >= held.size())
-                    return fail(ErrorCode::Unknown, RAMURE_NOOP("there is no key %1"),
-                                {std::to_string(indices[i])});
-                keys.push_back(held.keys()[indices[i]]);
-                static_cast<KeyShape&>(keys.back()) = shapes[i];
-            }
-            if (auto done = held.replace(indices, std::span<const KeyType>(keys)); !done)
-                return fail(std::move(done.error()));
-            return AnyTrack(std::move(held));
-        },
-        track);
-}
-
-AnyTrack withoutKeys(const AnyTrack& track, std::span<const std::size_t> indices)
-{
-    return std::visit(
-        [&](auto held) {
-            held.erase(indices);
-            return AnyTrack(std::move(held));
-        },
-        track);
-}
-
 } // namespace ramure

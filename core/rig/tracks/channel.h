@@ -75,10 +75,6 @@ double restValue(const NodeParams& params, const Channel& channel);
 [[nodiscard]] std::size_t keyCount(const AnyTrack& track);
 [[nodiscard]] const KeyShape& keyShape(const AnyTrack& track, std::size_t index);
 [[nodiscard]] bool isEmpty(const AnyTrack& track);
-/// Changes of times, modes and handle types of some keys at once; values stay. As KeyTrack::replace.
-Expected<AnyTrack> withShapes(const AnyTrack& track, std::span<const std::size_t> indices,
-                              std::span<const KeyShape> shapes);
-[[nodiscard]] AnyTrack withoutKeys(const AnyTrack& track, std::span<const std::size_t> indices);
 /// \}
 
 } // namespace ramure

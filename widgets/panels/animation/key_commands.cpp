@@ -61,7 +61,6 @@ Ticks KeyCommands::frameTicks() const
 void KeyCommands::setSnapping(KeySnap snap)
 {
     m_snap = snap;
-    emit snappingChanged();
 }
 
 Ticks KeyCommands::snapped(Ticks time) const

@@ -65,7 +65,6 @@ public:
 
 signals:
     void messageRaised(const QString& text);
-    void snappingChanged();
 
 private:
     [[nodiscard]] Document& document() const { return *m_model->document(); }

@@ -28,7 +28,6 @@ public:
     void setFrame(qint64 frame);
     /// Every curve over the same height, whatever its values.
     void setNormalised(bool on);
-    [[nodiscard]] bool isNormalised() const { return m_normalised; }
     /// The selected keys, or all, in time and value.
     void fit();
     /// Of orientations the angle about X.

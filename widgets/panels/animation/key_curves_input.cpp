@@ -98,7 +98,7 @@ void KeyCurves::mouseMoveEvent(QMouseEvent* event)
         const double values = (m_at.y() - before.y()) * (m_high - m_low) / std::max(1, height());
         m_low += values;
         m_high += values;
-        m_ruler->showFrames(m_ruler->from() + frames, m_ruler->to() + frames);
+        m_ruler->scrollBy(frames);
     } else if (m_drag == Drag::Keys) {
         const Ticks way = ticksAt(m_at.x()) - ticksAt(m_press.x());
         const bool valueOnly = (event->modifiers() & Qt::ControlModifier) != 0;
@@ -206,8 +206,7 @@ void KeyCurves::wheelEvent(QWheelEvent* event)
 {
     const double factor = std::pow(0.8, double(event->angleDelta().y()) / 120.0);
     if (event->modifiers() & Qt::ControlModifier) {
-        const double at = m_ruler->framesAt(event->position().x());
-        m_ruler->showFrames(at - (at - m_ruler->from()) * factor, at + (m_ruler->to() - at) * factor);
+        m_ruler->zoomAbout(m_ruler->framesAt(event->position().x()), factor);
     } else {
         const double at = m_high - (m_high - m_low) * event->position().y() / std::max(1, height());
         if ((m_high - m_low) * factor < 1e12 && (m_high - m_low) * factor > 1e-9) {

@@ -39,7 +39,6 @@ public:
     [[nodiscard]] const std::vector<KeyRow>& rows() const { return m_rows; }
     /// All tracks in sight, those in folded rows too.
     [[nodiscard]] std::vector<TrackRef> tracks() const;
-    [[nodiscard]] bool showsAllNodes() const { return m_allNodes; }
     void setAllNodes(bool all);
     [[nodiscard]] bool isFolded(NodeId node) const { return m_folded.count(node) > 0; }
     void setFolded(NodeId node, bool folded);

@@ -1,5 +1,6 @@
 #include "widgets/panels/animation/key_sheet.h"
 
+#include "widgets/base/theme.h"
 #include "widgets/base/timeline_ruler.h"
 #include "widgets/panels/animation/key_texts.h"
 #include <QHelpEvent>
@@ -14,12 +15,6 @@ namespace {
 
 constexpr double keySide = 10.0;
 constexpr double leastGap = 4.0; ///< keys closer than this are one bar
-
-QColor blended(const QColor& a, const QColor& b, double share)
-{
-    const auto mix = [share](int x, int y) { return int(std::lround(x + (y - x) * share)); };
-    return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
-}
 
 } // namespace
 
@@ -37,7 +32,7 @@ KeySheet::KeySheet(KeyModel* model, KeyCommands* commands, TimelineRuler* ruler,
     connect(&m_edgeScroll, &QTimer::timeout, this, [this] {
         const double beyond = m_at.x() < 0.0 ? m_at.x() : std::max(0.0, m_at.x() - width());
         const double frames = 0.15 * (m_ruler->framesAt(beyond) - m_ruler->framesAt(0.0));
-        m_ruler->showFrames(m_ruler->from() + frames, m_ruler->to() + frames);
+        m_ruler->scrollBy(frames);
         dragTo(m_at, {});
     });
     connect(ruler, &TimelineRuler::viewChanged, this, qOverload<>(&QWidget::update));

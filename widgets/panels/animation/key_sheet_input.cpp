@@ -108,7 +108,7 @@ void KeySheet::dragTo(const QPointF& position, Qt::KeyboardModifiers modifiers)
 {
     if (m_drag == Drag::Scroll) {
         const double frames = m_ruler->framesAt(m_dragX) - m_ruler->framesAt(position.x());
-        m_ruler->showFrames(m_ruler->from() + frames, m_ruler->to() + frames);
+        m_ruler->scrollBy(frames);
         m_scroll->setValue(m_scroll->value() - int(std::lround(position.y() - m_press.y())));
         m_press.setY(position.y());
         m_dragX = position.x();
@@ -186,16 +186,12 @@ void KeySheet::giveUp()
 void KeySheet::wheelEvent(QWheelEvent* event)
 {
     const double notches = double(event->angleDelta().y() + event->angleDelta().x()) / 120.0;
-    const double from = m_ruler->from(), to = m_ruler->to();
-    if (event->modifiers() & Qt::ControlModifier) {
-        const double at = m_ruler->framesAt(event->position().x()), factor = std::pow(0.8, notches);
-        m_ruler->showFrames(at - (at - from) * factor, at + (to - at) * factor);
-    } else if ((event->modifiers() & Qt::ShiftModifier) || event->angleDelta().x() != 0) {
-        const double frames = -notches * 0.1 * (to - from);
-        m_ruler->showFrames(from + frames, to + frames);
-    } else {
+    if (event->modifiers() & Qt::ControlModifier)
+        m_ruler->zoomAbout(m_ruler->framesAt(event->position().x()), std::pow(0.8, notches));
+    else if ((event->modifiers() & Qt::ShiftModifier) || event->angleDelta().x() != 0)
+        m_ruler->scrollBy(-notches * 0.1 * (m_ruler->to() - m_ruler->from()));
+    else
         return KeyRowsView::wheelEvent(event);
-    }
     event->accept();
 }
 
@@ -268,12 +264,8 @@ bool KeySheet::keyStep(const QKeyEvent* event)
     case Qt::Key_Home:
         return fit(), true;
     case Qt::Key_Plus:
-    case Qt::Key_Minus: {
-        const double middle = 0.5 * (m_ruler->from() + m_ruler->to());
-        const double half = 0.5 * (m_ruler->to() - m_ruler->from()) * (forward ? 0.8 : 1.25);
-        m_ruler->showFrames(middle - half, middle + half);
-        return true;
-    }
+    case Qt::Key_Minus:
+        return m_ruler->zoomAbout(0.5 * (m_ruler->from() + m_ruler->to()), forward ? 0.8 : 1.25), true;
     default:
         return false;
     }

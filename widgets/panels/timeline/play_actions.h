@@ -31,7 +31,6 @@ public:
     /// Once, loop, ping-pong: one of them is on.
     [[nodiscard]] QList<QAction*> loops() const { return m_loops; }
     /// Checkable: the end of the loop blends into its beginning.
-    [[nodiscard]] QAction* seamlessAction() const { return m_seamless; }
     /// What happens at the last frame: loops, and whether the seam shows.
     void fillLoopMenu(QMenu* menu) const;
     void fillMenu(QMenu* menu) const;

@@ -24,7 +24,6 @@ public:
 
     /// The tree whose generations are shown; noNode: none, as with several selected.
     void setTree(NodeId tree);
-    [[nodiscard]] bool isUnfolded() const { return m_unfolded; }
     void setUnfolded(bool unfolded);
 
 protected:
