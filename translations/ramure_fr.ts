@@ -4110,6 +4110,314 @@
         <source>A roll is not a usable number</source>
         <translation>Un roulis n’est pas un nombre utilisable</translation>
     </message>
+    <message>
+        <source>Beech</source>
+        <translation>Hêtre</translation>
+    </message>
+    <message>
+        <source>Elm</source>
+        <translation>Orme</translation>
+    </message>
+    <message>
+        <source>Cherry</source>
+        <translation>Cerisier</translation>
+    </message>
+    <message>
+        <source>Magnolia</source>
+        <translation>Magnolia</translation>
+    </message>
+    <message>
+        <source>Boxwood</source>
+        <translation>Buis</translation>
+    </message>
+    <message>
+        <source>Birch</source>
+        <translation>Bouleau</translation>
+    </message>
+    <message>
+        <source>Apple</source>
+        <translation>Pommier</translation>
+    </message>
+    <message>
+        <source>Aspen</source>
+        <translation>Tremble</translation>
+    </message>
+    <message>
+        <source>Hazel</source>
+        <translation>Noisetier</translation>
+    </message>
+    <message>
+        <source>Linden</source>
+        <translation>Tilleul</translation>
+    </message>
+    <message>
+        <source>Redbud</source>
+        <translation>Arbre de Judée</translation>
+    </message>
+    <message>
+        <source>Willow</source>
+        <translation>Saule</translation>
+    </message>
+    <message>
+        <source>Olive</source>
+        <translation>Olivier</translation>
+    </message>
+    <message>
+        <source>Eucalyptus</source>
+        <translation>Eucalyptus</translation>
+    </message>
+    <message>
+        <source>Bamboo</source>
+        <translation>Bambou</translation>
+    </message>
+    <message>
+        <source>Grass</source>
+        <translation>Graminée</translation>
+    </message>
+    <message>
+        <source>Maple</source>
+        <translation>Érable</translation>
+    </message>
+    <message>
+        <source>Japanese maple</source>
+        <translation>Érable du Japon</translation>
+    </message>
+    <message>
+        <source>Plane tree</source>
+        <translation>Platane</translation>
+    </message>
+    <message>
+        <source>Sweetgum</source>
+        <translation>Copalme</translation>
+    </message>
+    <message>
+        <source>Oak</source>
+        <translation>Chêne</translation>
+    </message>
+    <message>
+        <source>Red oak</source>
+        <translation>Chêne rouge</translation>
+    </message>
+    <message>
+        <source>Hawthorn</source>
+        <translation>Aubépine</translation>
+    </message>
+    <message>
+        <source>Ginkgo</source>
+        <translation>Ginkgo</translation>
+    </message>
+    <message>
+        <source>Fan palm</source>
+        <translation>Palmier éventail</translation>
+    </message>
+    <message>
+        <source>Ash</source>
+        <translation>Frêne</translation>
+    </message>
+    <message>
+        <source>Rowan</source>
+        <translation>Sorbier</translation>
+    </message>
+    <message>
+        <source>Walnut</source>
+        <translation>Noyer</translation>
+    </message>
+    <message>
+        <source>Robinia</source>
+        <translation>Robinier</translation>
+    </message>
+    <message>
+        <source>Mimosa</source>
+        <translation>Mimosa</translation>
+    </message>
+    <message>
+        <source>Horse chestnut</source>
+        <translation>Marronnier</translation>
+    </message>
+    <message>
+        <source>Laburnum</source>
+        <translation>Cytise</translation>
+    </message>
+    <message>
+        <source>Fern</source>
+        <translation>Fougère</translation>
+    </message>
+    <message>
+        <source>Palm</source>
+        <translation>Palmier</translation>
+    </message>
+    <message>
+        <source>Yew</source>
+        <translation>If</translation>
+    </message>
+    <message>
+        <source>Fir</source>
+        <translation>Sapin</translation>
+    </message>
+    <message>
+        <source>Scots pine</source>
+        <translation>Pin sylvestre</translation>
+    </message>
+    <message>
+        <source>White pine</source>
+        <translation>Pin blanc</translation>
+    </message>
+    <message>
+        <source>Larch</source>
+        <translation>Mélèze</translation>
+    </message>
+    <message>
+        <source>Cypress</source>
+        <translation>Cyprès</translation>
+    </message>
+    <message>
+        <source>As the plant</source>
+        <translation>Comme la plante</translation>
+    </message>
+    <message>
+        <source>Alternate</source>
+        <translation>Alternes</translation>
+    </message>
+    <message>
+        <source>In two rows</source>
+        <translation>Sur deux rangs</translation>
+    </message>
+    <message>
+        <source>Spiral</source>
+        <translation>En spirale</translation>
+    </message>
+    <message>
+        <source>Opposite</source>
+        <translation>Opposées</translation>
+    </message>
+    <message>
+        <source>Crossed pairs</source>
+        <translation>Paires croisées</translation>
+    </message>
+    <message>
+        <source>Whorled</source>
+        <translation>Verticillées</translation>
+    </message>
+    <message>
+        <source>Leaf</source>
+        <translation>Feuille</translation>
+    </message>
+    <message>
+        <source>The plant whose leaves the twigs carry, each on its petiole. Faithful: flat triangles that float about the twigs, squares in the rough model.</source>
+        <translation>La plante dont les rameaux portent les feuilles, chacune sur son pétiole. Fidèle&#xa0;: des triangles plats qui flottent autour des rameaux, des carrés dans le modèle grossier.</translation>
+    </message>
+    <message>
+        <source>Internode</source>
+        <translation>Entre-nœud</translation>
+    </message>
+    <message>
+        <source>How far it is along a twig from one node with leaves to the next: 1 as the plant has it.</source>
+        <translation>Distance le long d’un rameau d’un nœud portant des feuilles au suivant&#xa0;: 1 comme la plante.</translation>
+    </message>
+    <message>
+        <source>Arrangement</source>
+        <translation>Disposition</translation>
+    </message>
+    <message>
+        <source>How the leaves of a twig follow each other. Alternate: one a node, two fifths of a turn apart; in two rows: left and right; spiral: 137.5° apart; opposite: pairs in one plane; crossed pairs: each across the last; whorled: several a node.</source>
+        <translation>Comment les feuilles d’un rameau se suivent. Alternes&#xa0;: une par nœud, à deux cinquièmes de tour&#xa0;; sur deux rangs&#xa0;: à gauche et à droite&#xa0;; en spirale&#xa0;: tous les 137,5°&#xa0;; opposées&#xa0;: des paires dans un même plan&#xa0;; paires croisées&#xa0;: chacune en travers de la précédente&#xa0;; verticillées&#xa0;: plusieurs par nœud.</translation>
+    </message>
+    <message>
+        <source>Leaves per node</source>
+        <translation>Feuilles par nœud</translation>
+    </message>
+    <message>
+        <source>How many leaves of a whorl stand around the twig.</source>
+        <translation>Combien de feuilles d’un verticille entourent le rameau.</translation>
+    </message>
+    <message>
+        <source>Angle to the twig</source>
+        <translation>Angle avec le rameau</translation>
+    </message>
+    <message>
+        <source>Between the twig and a petiole before it droops: 0 lies along the twig, a quarter turn stands away.</source>
+        <translation>Entre le rameau et un pétiole avant qu’il ne retombe&#xa0;: 0 le couche le long du rameau, un quart de tour l’en écarte.</translation>
+    </message>
+    <message>
+        <source>Droop</source>
+        <translation>Retombée</translation>
+    </message>
+    <message>
+        <source>How far the weight of a leaf pulls it down: 0 keeps the angle to the twig, 1 lets it hang.</source>
+        <translation>De combien le poids d’une feuille la tire vers le bas&#xa0;: 0 garde l’angle avec le rameau, 1 la laisse pendre.</translation>
+    </message>
+    <message>
+        <source>To the light</source>
+        <translation>Vers la lumière</translation>
+    </message>
+    <message>
+        <source>How far a petiole twists to turn the upper side of its leaf to the sky: 0 not at all, 1 as far as it goes.</source>
+        <translation>De combien un pétiole se tord pour tourner le dessus de sa feuille vers le ciel&#xa0;: 0 pas du tout, 1 autant qu’il peut.</translation>
+    </message>
+    <message>
+        <source>Leaf size</source>
+        <translation>Taille des feuilles</translation>
+    </message>
+    <message>
+        <source>1 as the plant has it on a tree with such a trunk; 0 leaves the twigs bare.</source>
+        <translation>1 comme la plante sur un arbre au tronc pareil&#xa0;; 0 laisse les rameaux nus.</translation>
+    </message>
+    <message>
+        <source>Size varies</source>
+        <translation>Variation de taille</translation>
+    </message>
+    <message>
+        <source>How far one leaf may be larger or smaller than the others.</source>
+        <translation>De combien une feuille peut être plus grande ou plus petite que les autres.</translation>
+    </message>
+    <message>
+        <source>Leaf width</source>
+        <translation>Largeur des feuilles</translation>
+    </message>
+    <message>
+        <source>1 as the plant has it, more makes broader leaves. Leaflets end where their neighbours begin.</source>
+        <translation>1 comme la plante, plus élargit les feuilles. Les folioles s’arrêtent où commencent leurs voisines.</translation>
+    </message>
+    <message>
+        <source>Petiole</source>
+        <translation>Pétiole</translation>
+    </message>
+    <message>
+        <source>Length of the stalk between bark and blade: 1 as the plant has it, 0 none.</source>
+        <translation>Longueur de la tige entre l’écorce et le limbe&#xa0;: 1 comme la plante, 0 aucune.</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Pli</translation>
+    </message>
+    <message>
+        <source>How far both halves of a blade rise from its midrib.</source>
+        <translation>De combien les deux moitiés du limbe se relèvent depuis sa nervure.</translation>
+    </message>
+    <message>
+        <source>Curl</source>
+        <translation>Enroulement</translation>
+    </message>
+    <message>
+        <source>How far a blade bends down from its foot to its tip, or up where it is negative.</source>
+        <translation>De combien un limbe se courbe vers le bas de son pied à sa pointe, ou vers le haut si c’est négatif.</translation>
+    </message>
+    <message>
+        <source>Cup</source>
+        <translation>Creux</translation>
+    </message>
+    <message>
+        <source>1 hollows a blade like a spoon, -1 arches it, 0 leaves its halves even.</source>
+        <translation>1 creuse un limbe comme une cuillère, -1 le bombe, 0 laisse ses moitiés droites.</translation>
+    </message>
+    <message>
+        <source>Leaf detail</source>
+        <translation>Détail des feuilles</translation>
+    </message>
+    <message>
+        <source>1 draws a leaf with the fewest triangles, 3 with the smoothest outline.</source>
+        <translation>1 dessine une feuille avec le moins de triangles, 3 avec le contour le plus fin.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -19,6 +19,7 @@ enum class RandomStream : std::uint64_t {
     Nudge = 6,
     BranchTurn = 7,
     BranchShape = 8,
+    TwigLeaves = 9,
     ArmStart = 20,
     Terrain = 21,
     Test = 1000

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/params/arm_params.h"
+#include "core/params/leaf_params.h"
 #include "core/params/physics_params.h"
 #include "core/params/primitive_params.h"
 #include "core/params/skin_params.h"
@@ -117,6 +118,7 @@ struct NodeParams
     SectionParams sections;
     MeshParams mesh;
     FoliageParams foliage;
+    LeafParams leaf;
     TextureParams texture;
     PlacementParams tree;
     PlacementParams local; ///< of its own geometry alone: not handed on to the children (SPEC B2)

@@ -1,7 +1,7 @@
 #include "core/params/param_relevance.h"
 
+#include "core/params/param_items.h"
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace ramure {
@@ -13,6 +13,15 @@ constexpr std::array angular{"box", "plane"};
 constexpr std::array standing{"cylinder", "sphere", "box", "cone", "plane"};
 constexpr std::array robust{"robust"};
 constexpr std::array transpose{"transpose"};
+constexpr std::array faithful{"faithful"};
+constexpr std::array whorled{"whorled"};
+/// All but the first, which is the faithful one.
+constexpr auto realLeaves = [] {
+    std::array<const char*, leafShapeCount - 1> names{};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        names[i] = itemsOf<LeafShape>[i + 1].name;
+    return names;
+}();
 
 constexpr std::array relevances{
     Relevance{"primitive.radius", "primitive.shape", round},
@@ -22,6 +31,21 @@ constexpr std::array relevances{
     Relevance{"primitive.axis", "primitive.shape", standing},
     Relevance{"physics.substeps", "physics.mode", robust},
     Relevance{"physics.settled", "physics.mode", robust},
+    Relevance{"foliage.leavesDensity", "foliage.leaf", faithful},
+    Relevance{"foliage.whorl", "foliage.arrangement", whorled},
+    Relevance{"foliage.internode", "foliage.leaf", realLeaves},
+    Relevance{"foliage.arrangement", "foliage.leaf", realLeaves},
+    Relevance{"foliage.leafAngle", "foliage.leaf", realLeaves},
+    Relevance{"foliage.leafDroop", "foliage.leaf", realLeaves},
+    Relevance{"foliage.leafLight", "foliage.leaf", realLeaves},
+    Relevance{"foliage.leafSize", "foliage.leaf", realLeaves},
+    Relevance{"foliage.leafVariation", "foliage.leaf", realLeaves},
+    Relevance{"foliage.leafWidth", "foliage.leaf", realLeaves},
+    Relevance{"foliage.petiole", "foliage.leaf", realLeaves},
+    Relevance{"foliage.leafFold", "foliage.leaf", realLeaves},
+    Relevance{"foliage.leafCurl", "foliage.leaf", realLeaves},
+    Relevance{"foliage.leafCup", "foliage.leaf", realLeaves},
+    Relevance{"foliage.leafDetail", "foliage.leaf", realLeaves},
     Relevance{"ik.gain", "ik.solver", transpose},
 };
 
@@ -39,7 +63,10 @@ bool isRelevant(const NodeParams& params, const ParamDef& def)
     const Relevance* relevance = relevanceOf(def);
     if (!relevance)
         return true;
-    const ParamValue chosen = findParam(relevance->chooser)->get(params);
+    const ParamDef& chooser = *findParam(relevance->chooser);
+    if (!isRelevant(params, chooser))
+        return false;
+    const ParamValue chosen = chooser.get(params);
     const auto* item = std::get_if<EnumValue>(&chosen);
     return !item ||
            std::ranges::any_of(relevance->items, [&](const char* name) { return item->name == name; });

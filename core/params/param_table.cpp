@@ -1,4 +1,4 @@
-#include "core/params/param_def.h"
+#include "core/params/param_items.h"
 
 #include <algorithm>
 #include <array>
@@ -27,37 +27,6 @@ struct Range
     double step = 0.0;
     int decimals = 0;
 };
-
-/// The items of each enumeration, in the order of its values.
-template <class T> constexpr std::array<EnumItem, 0> itemsOf{};
-template <>
-constexpr std::array itemsOf<PhysicsMode>{EnumItem{"faithful", RAMURE_NOOP("Faithful")},
-                                          EnumItem{"robust", RAMURE_NOOP("Robust")}};
-template <>
-constexpr std::array itemsOf<RestFrame>{EnumItem{"world", RAMURE_NOOP("World")},
-                                        EnumItem{"parent", RAMURE_NOOP("Parent")}};
-template <>
-constexpr std::array itemsOf<SkinMethod>{EnumItem{"rigid", RAMURE_NOOP("Rigid")},
-                                         EnumItem{"linear", RAMURE_NOOP("Linear blend")},
-                                         EnumItem{"dualQuaternion", RAMURE_NOOP("Dual quaternion")}};
-
-template <>
-constexpr std::array itemsOf<PrimitiveShape>{
-    EnumItem{"cylinder", RAMURE_NOOP("Cylinder")}, EnumItem{"sphere", RAMURE_NOOP("Sphere")},
-    EnumItem{"box", RAMURE_NOOP("Box")},           EnumItem{"cone", RAMURE_NOOP("Cone")},
-    EnumItem{"plane", RAMURE_NOOP("Plane")},       EnumItem{"frameCross", RAMURE_NOOP("Frame cross")}};
-template <>
-constexpr std::array itemsOf<PrimitiveAxis>{EnumItem{"x", RAMURE_NOOP("X")}, EnumItem{"y", RAMURE_NOOP("Y")},
-                                            EnumItem{"z", RAMURE_NOOP("Z")}};
-
-template <>
-constexpr std::array itemsOf<MeshAxis>{EnumItem{"longest", RAMURE_NOOP("The longest")},
-                                       EnumItem{"x", RAMURE_NOOP("X")}, EnumItem{"y", RAMURE_NOOP("Y")},
-                                       EnumItem{"z", RAMURE_NOOP("Z")}};
-
-template <>
-constexpr std::array itemsOf<ArmSolverKind>{EnumItem{"leastSquares", RAMURE_NOOP("Damped least squares")},
-                                            EnumItem{"transpose", RAMURE_NOOP("Jacobian transpose")}};
 
 template <class T> constexpr ParamType typeOf()
 {
@@ -115,6 +84,8 @@ using Condition = bool(const NodeParams&);
 constexpr Condition* growsByChance = [](const NodeParams& p) { return p.grammar.stochastic; };
 constexpr Condition* mergesRuns = [](const NodeParams& p) { return p.simplify.enabled; };
 constexpr Condition* hasNoBudget = [](const NodeParams& p) { return p.mesh.targetTriangles == 0; };
+constexpr Condition* isFaithful = [](const NodeParams& p) { return p.leaf.shape == LeafShape::Faithful; };
+constexpr Condition* isOfPlant = [](const NodeParams& p) { return p.leaf.shape != LeafShape::Faithful; };
 constexpr Condition* softensForks = [](const NodeParams& p) { return p.mesh.forkSoftness > 0.0; };
 
 template <auto Group, auto Member>
@@ -267,6 +238,11 @@ constexpr std::array table{
                      "would lie in each other all along. 0 joins only those in the same place.")},
         ParamUnit::Ratio, {0, 4, 0, 1, 0.05, 3}, Stage::Mesh, paramAdvanced),
 
+    row<&NodeParams::leaf, &LeafParams::shape>(
+        {"foliage.leaf", foliageGroup, RAMURE_NOOP("Leaf"),
+         RAMURE_NOOP("The plant whose leaves the twigs carry, each on its petiole. Faithful: flat triangles that float about "
+                     "the twigs, squares in the rough model.")},
+        ParamUnit::None, {}, Stage::Foliage),
     row<&NodeParams::foliage, &FoliageParams::leavesCutoff>(
         {"foliage.leavesCutoff", foliageGroup, RAMURE_NOOP("Twig thickness"),
          RAMURE_NOOP("Branches thinner than this share of the trunk's radius carry leaves and apples. 0 leaves the tree "
@@ -275,7 +251,66 @@ constexpr std::array table{
     row<&NodeParams::foliage, &FoliageParams::leavesDensity>(
         {"foliage.leavesDensity", foliageGroup, RAMURE_NOOP("Leaves per twig"),
          RAMURE_NOOP("How many leaves grow on each branch that is thin enough.")},
-        ParamUnit::Count, {0, 1000, 0, 50, 1, 0}, Stage::Foliage, paramAnimatable),
+        ParamUnit::Count, {0, 1000, 0, 50, 1, 0}, Stage::Foliage, paramAnimatable, treeOnly, isFaithful),
+    row<&NodeParams::leaf, &LeafParams::internode>(
+        {"foliage.internode", foliageGroup, RAMURE_NOOP("Internode"),
+         RAMURE_NOOP("How far it is along a twig from one node with leaves to the next: 1 as the plant has it.")},
+        ParamUnit::Factor, {0.01, 1000, 0.25, 4, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::arrangement>(
+        {"foliage.arrangement", foliageGroup, RAMURE_NOOP("Arrangement"),
+         RAMURE_NOOP("How the leaves of a twig follow each other. Alternate: one a node, two fifths of a turn apart; in two "
+                     "rows: left and right; spiral: 137.5° apart; opposite: pairs in one plane; crossed pairs: each across "
+                     "the last; whorled: several a node.")},
+        ParamUnit::None, {}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::whorl>(
+        {"foliage.whorl", foliageGroup, RAMURE_NOOP("Leaves per node"),
+         RAMURE_NOOP("How many leaves of a whorl stand around the twig.")},
+        ParamUnit::Count, {1, 24, 3, 12, 1, 0}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::angle>(
+        {"foliage.leafAngle", foliageGroup, RAMURE_NOOP("Angle to the twig"),
+         RAMURE_NOOP("Between the twig and a petiole before it droops: 0 lies along the twig, a quarter turn stands away.")},
+        ParamUnit::Radian, {0, pi, 0.2, pi / 2, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::droop>(
+        {"foliage.leafDroop", foliageGroup, RAMURE_NOOP("Droop"),
+         RAMURE_NOOP("How far the weight of a leaf pulls it down: 0 keeps the angle to the twig, 1 lets it hang.")},
+        ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 3}, Stage::Foliage, paramAnimatable, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::light>(
+        {"foliage.leafLight", foliageGroup, RAMURE_NOOP("To the light"),
+         RAMURE_NOOP("How far a petiole twists to turn the upper side of its leaf to the sky: 0 not at all, 1 as far as it "
+                     "goes.")},
+        ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::size>(
+        {"foliage.leafSize", foliageGroup, RAMURE_NOOP("Leaf size"),
+         RAMURE_NOOP("1 as the plant has it on a tree with such a trunk; 0 leaves the twigs bare.")},
+        ParamUnit::Factor, {0, 100, 0.2, 3, 0.05, 3}, Stage::Foliage, paramAnimatable, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::variation>(
+        {"foliage.leafVariation", foliageGroup, RAMURE_NOOP("Size varies"),
+         RAMURE_NOOP("How far one leaf may be larger or smaller than the others.")},
+        ParamUnit::Share, {0, 0.9, 0, 0.6, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::width>(
+        {"foliage.leafWidth", foliageGroup, RAMURE_NOOP("Leaf width"),
+         RAMURE_NOOP("1 as the plant has it, more makes broader leaves. Leaflets end where their neighbours begin.")},
+        ParamUnit::Factor, {0.05, 2, 0.3, 2, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::petiole>(
+        {"foliage.petiole", foliageGroup, RAMURE_NOOP("Petiole"),
+         RAMURE_NOOP("Length of the stalk between bark and blade: 1 as the plant has it, 0 none.")},
+        ParamUnit::Factor, {0, 10, 0, 3, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::fold>(
+        {"foliage.leafFold", foliageGroup, RAMURE_NOOP("Fold"),
+         RAMURE_NOOP("How far both halves of a blade rise from its midrib.")},
+        ParamUnit::Radian, {0, 1.3, 0, 1.2, 0.05, 3}, Stage::Foliage, paramAdvanced, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::curl>(
+        {"foliage.leafCurl", foliageGroup, RAMURE_NOOP("Curl"),
+         RAMURE_NOOP("How far a blade bends down from its foot to its tip, or up where it is negative.")},
+        ParamUnit::Radian, {-pi / 2, pi, -0.5, 2, 0.05, 3}, Stage::Foliage, paramAdvanced, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::cup>(
+        {"foliage.leafCup", foliageGroup, RAMURE_NOOP("Cup"),
+         RAMURE_NOOP("1 hollows a blade like a spoon, -1 arches it, 0 leaves its halves even.")},
+        ParamUnit::Ratio, {-1, 1, -1, 1, 0.05, 3}, Stage::Foliage, paramAdvanced, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::detail>(
+        {"foliage.leafDetail", foliageGroup, RAMURE_NOOP("Leaf detail"),
+         RAMURE_NOOP("1 draws a leaf with the fewest triangles, 3 with the smoothest outline.")},
+        ParamUnit::Count, {1, 3, 1, 3, 1, 0}, Stage::Foliage, paramAdvanced, treeOnly, isOfPlant),
     row<&NodeParams::foliage, &FoliageParams::applesProbability>(
         {"foliage.applesProbability", foliageGroup, RAMURE_NOOP("Apples"),
          RAMURE_NOOP("The chance that a branch which is thin enough carries an apple: 0 for none, 1 for one on each.")},

@@ -53,7 +53,7 @@ std::size_t bytesOf(const SectionSet& set)
 std::size_t bytesOf(const TriangleMesh& m)
 {
     return bytesOf(m.positions) + bytesOf(m.normals) + bytesOf(m.triangles) + bytesOf(m.branch) +
-           bytesOf(m.level) + bytesOf(m.uv) + bytesOf(m.uvTriangles);
+           bytesOf(m.level) + bytesOf(m.uv) + bytesOf(m.uvTriangles) + bytesOf(m.colours);
 }
 std::size_t bytesOf(const MeshedBranches& m)
 {
@@ -205,7 +205,7 @@ Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams
 Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& params,
                                     const Progress& progress)
 {
-    auto placed = placeFoliage(skeleton, params.foliage, params.turtle.alpha, progress);
+    auto placed = placeFoliage(skeleton, params.foliage, params.leaf, params.turtle.alpha, progress);
     if (!placed)
         return fail(std::move(placed.error()));
     const auto foliage = std::make_shared<const Foliage>(std::move(*placed));

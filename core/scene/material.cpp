@@ -1,6 +1,8 @@
 #include "core/scene/material.h"
 
+#include "core/params/param_def.h"
 #include "core/scene/object_mesh.h"
+#include "core/surface/foliage/leaf_table.h"
 
 namespace ramure {
 
@@ -9,12 +11,19 @@ Material barkMaterial()
     return {"bark", {0x8B, 0x5A, 0x2B}, false, false};
 }
 
-Material leavesMaterial()
+Material leavesMaterial(LeafShape shape)
 {
     Material leaves{"leaves", {0x3A, 0x5F, 0x0B}, true, true};
     leaves.glint = 0.05f;
     leaves.through = 0.5f;
     leaves.variety = 0.45f;
+    if (shape != LeafShape::Faithful) {
+        leaves.name.append("_").append(
+            findParam("foliage.leaf")->items[static_cast<std::size_t>(shape)].name);
+        leaves.colour = leafRow(shape).colour;
+        leaves.variety = 0.15f;
+        leaves.tones = true;
+    }
     return leaves;
 }
 

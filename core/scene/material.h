@@ -3,6 +3,7 @@
 /// Whoever draws or writes a surface asks here and guesses nothing.
 #pragma once
 
+#include "core/params/leaf_params.h"
 #include <glm/vec3.hpp>
 #include <string>
 
@@ -20,11 +21,13 @@ struct Material
     float glint = 0.22f;     ///< strength of the highlights
     float through = 0.0f;    ///< share of the light from behind that shines through: of leaves
     float variety = 0.0f;    ///< how far the colour goes from branch to branch
+    bool tones = false;      ///< the colours of triangles are its own, a little darker: it stays one material
     bool operator==(const Material&) const = default;
 };
 
 Material barkMaterial();
-Material leavesMaterial();
+/// Those of a plant have a name of their own, leaves_birch; the colours of their mesh are tones.
+Material leavesMaterial(LeafShape shape = LeafShape::Faithful);
 Material applesMaterial();
 /// Of a node that is no tree. \param params those of the time (paramsAt).
 Material nodeMaterial(const Node& node, const NodeParams& params);

@@ -107,7 +107,7 @@ Expected<TreeMeshes> roughMeshes(const TreeResult& tree, const NodeParams& param
             buildRoughBranches(skeleton, static_cast<int>(params.sections.radialDivisions)));
     if (!(parts & (exportLeaves | exportApples)))
         return meshes;
-    const auto foliage = placeFoliage(skeleton, params.foliage, alpha, progress);
+    const auto foliage = placeFoliage(skeleton, params.foliage, params.leaf, alpha, progress);
     if (!foliage)
         return fail(foliage.error());
     if (parts & exportLeaves)
@@ -134,7 +134,7 @@ Expected<void> addTexture(TreeMeshes& meshes, const TextureStage& texture, const
     }
     if (meshes.leaves) {
         const auto leaves = std::make_shared<TriangleMesh>(*meshes.leaves);
-        addLeafTexture(*leaves);
+        addLeafTexture(*leaves, leafForm(params.leaf));
         meshes.leaves = leaves;
     }
     if (meshes.apples) {
@@ -146,7 +146,8 @@ Expected<void> addTexture(TreeMeshes& meshes, const TextureStage& texture, const
 }
 
 /// \param motion whose skins the meshes have; none: they are as they stand.
-void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes, const NodeMotion& motion)
+void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes, LeafShape leaf,
+               const NodeMotion& motion)
 {
     const auto add = [&](const char* name, const std::shared_ptr<const TriangleMesh>& mesh,
                          const std::shared_ptr<const Skin>& skin, const Material& material) {
@@ -154,7 +155,7 @@ void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes
             out.meshes.push_back({name + tree.suffix, tree.number, mesh, materialIn(out, material), skin});
     };
     add("branches", meshes.branches, motion.branches, barkMaterial());
-    add("leaves", meshes.leaves, motion.leaves, leavesMaterial());
+    add("leaves", meshes.leaves, motion.leaves, leavesMaterial(leaf));
     add("apples", meshes.apples, motion.apples, applesMaterial());
     out.frames.front().bones[tree.number] = motion.bones;
 }
@@ -269,11 +270,12 @@ Expected<void> addFineTree(ExportScene& out, const Candidate& tree, EvaluatedSce
     const auto posed = scene.posedTree(*tree.node, lastStage(options), !options.clip.empty(), progress);
     if (!posed)
         return fail(posed.error());
+    const NodeParams& params = scene.params(*tree.node);
     TreeMeshes meshes = fineMeshes(posed->rest, options.parts);
     if (options.texture)
-        if (auto done = addTexture(meshes, *posed->rest.texture, scene.params(*tree.node), progress); !done)
+        if (auto done = addTexture(meshes, *posed->rest.texture, params, progress); !done)
             return done;
-    addMeshes(out, tree, meshes, posed->motion);
+    addMeshes(out, tree, meshes, params.leaf.shape, posed->motion);
     return {};
 }
 
@@ -289,10 +291,11 @@ Expected<void> addTree(ExportScene& out, const Candidate& tree, EvaluatedScene& 
         addLines(*out.lines, result->simplified->skeleton, tree.world);
         return {};
     }
-    const auto meshes = roughMeshes(*result, scene.params(*tree.node), options.parts, progress);
+    const NodeParams& params = scene.params(*tree.node);
+    const auto meshes = roughMeshes(*result, params, options.parts, progress);
     if (!meshes)
         return fail(meshes.error());
-    addMeshes(out, tree, *meshes, {});
+    addMeshes(out, tree, *meshes, params.leaf.shape, {});
     return {};
 }
 

@@ -20,8 +20,12 @@ inline NodeKind kindWith(const ParamDef& def)
 /// Chooses what gives \p def an effect.
 inline void makeRelevant(NodeParams& params, const ParamDef& def)
 {
-    if (const Relevance* relevance = relevanceOf(def); relevance && !isRelevant(params, def))
-        findParam(relevance->chooser)->assign(params, EnumValue{relevance->items[0]});
+    const Relevance* relevance = relevanceOf(def);
+    if (!relevance || isRelevant(params, def))
+        return;
+    const ParamDef& chooser = *findParam(relevance->chooser);
+    makeRelevant(params, chooser);
+    chooser.assign(params, EnumValue{relevance->items[0]});
 }
 
 } // namespace ramure::test

@@ -22,7 +22,8 @@ constexpr double perTurn = 0.6;       ///< what half a turn costs, against one s
 /// Leaves and apples hang in front of what is looked for.
 bool fades(const MeshItem& item)
 {
-    return item.material.name == leavesMaterial().name || item.material.name == applesMaterial().name;
+    return item.material.name.starts_with(leavesMaterial().name) ||
+           item.material.name == applesMaterial().name;
 }
 
 /// The opaque triangles near one point, asked along rays.

@@ -102,11 +102,18 @@ struct Run
     std::size_t begin, end;
 };
 
-/// Those of one colour together; all of them where there are no colours.
-std::vector<Run> runsOf(const TriangleMesh& mesh)
+/// Do triangles need materials of their own? Tones do not: leaves are one material.
+bool hasOwnColours(const MeshPart& part)
 {
+    return writing::hasColours(*part.mesh) && !part.material.tones;
+}
+
+/// Those of one colour together; all of them where there are no colours.
+std::vector<Run> runsOf(const MeshPart& part)
+{
+    const TriangleMesh& mesh = *part.mesh;
     const std::size_t count = mesh.triangles.size();
-    if (!writing::hasColours(mesh))
+    if (!hasOwnColours(part))
         return {{0, count}};
     std::vector<Run> runs;
     for (std::size_t i = 0; i < count; ++i) {
@@ -160,7 +167,7 @@ bool writePlainFaces(FileWriter& out, const TriangleMesh& mesh, const Run& run, 
 /// Of a triangle.
 Material materialOf(const MeshPart& part, std::size_t triangle)
 {
-    return writing::hasColours(*part.mesh) ? surfaceMaterial(part.mesh->colours[triangle]) : part.material;
+    return hasOwnColours(part) ? surfaceMaterial(part.mesh->colours[triangle]) : part.material;
 }
 
 /// One object.
@@ -174,7 +181,7 @@ bool writePart(FileWriter& out, const MeshPart& part, const Before& before, bool
         (hasTexture && !writeVectors("vt ", mesh.uv, ticker, out)) ||
         (hasNormals && !writeVectors("vn ", mesh.normals, ticker, out)))
         return false;
-    const std::vector<Run> runs = runsOf(mesh);
+    const std::vector<Run> runs = runsOf(part);
     CornerTexts corners(hasNormals, before.vertices - before.normals);
     for (const Run& run : runs) {
         if (hasMaterials)
@@ -207,7 +214,7 @@ void writeMaterials(FileWriter& out, std::span<const MeshPart> parts)
     out.append("# Ramure " RAMURE_VERSION "\n# Kd in sRGB\n");
     std::set<std::string> written;
     for (const MeshPart& part : parts)
-        for (const Run& run : runsOf(*part.mesh)) {
+        for (const Run& run : runsOf(part)) {
             const Material material = materialOf(part, run.begin);
             if (written.insert(material.name).second)
                 writeMaterial(out, material);

@@ -107,6 +107,11 @@ Vertices binaryVerticesOf(const Layout& layout)
     return all[(layout.normals ? 1 : 0) + (layout.branch ? 2 : 0) + (layout.level ? 4 : 0)];
 }
 
+glm::u8vec3 toned(const glm::u8vec3& colour, const glm::u8vec3& tone)
+{
+    return {(glm::uvec3(colour) * glm::uvec3(tone) + 127u) / 255u};
+}
+
 /// Of each vertex, from the last triangle that has it; empty where the triangles have no colours.
 std::vector<glm::u8vec3> vertexColours(const MeshPart& part)
 {
@@ -116,7 +121,8 @@ std::vector<glm::u8vec3> vertexColours(const MeshPart& part)
     std::vector<glm::u8vec3> out(mesh.positions.size(), part.material.colour);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (int k = 0; k < 3; ++k)
-            out[mesh.triangles[t][k]] = mesh.colours[t];
+            out[mesh.triangles[t][k]] =
+                part.material.tones ? toned(part.material.colour, mesh.colours[t]) : mesh.colours[t];
     return out;
 }
 

@@ -4,6 +4,8 @@
 #include "core/math/frame.h"
 #include "core/math/random.h"
 #include "core/surface/foliage/foliage_shapes.h"
+#include "core/surface/foliage/leaf_placement.h"
+#include "core/surface/foliage/leaf_table.h"
 #include <algorithm>
 #include <cmath>
 
@@ -75,13 +77,6 @@ private:
     double m_reach = 0.0;
 };
 
-tl::unexpected<Error> tooMany(const char* text, std::size_t limit, const char* path)
-{
-    auto error = fail(ErrorCode::Limit, text, {std::to_string(limit)});
-    error.value().path = path;
-    return error;
-}
-
 std::vector<Index> thinBranches(const Skeleton& skeleton, double below)
 {
     std::vector<Index> thin;
@@ -91,7 +86,7 @@ std::vector<Index> thinBranches(const Skeleton& skeleton, double below)
     return thin;
 }
 
-/// Copy number \p copy of a shape, at an item's place.
+/// Copy number \p copy of a shape, at an item's place. Shapes with colours give each copy its tone.
 void place(const FoliageItem& item, Index level, const std::vector<glm::vec3>& scaled,
            const TriangleMesh& shape, std::size_t copy, TriangleMesh& mesh)
 {
@@ -99,13 +94,15 @@ void place(const FoliageItem& item, Index level, const std::vector<glm::vec3>& s
     const glm::mat3 turn(glm::mat3_cast(item.orientation));
     const glm::vec3 centre(item.position);
     for (std::size_t i = 0; i < vertices; ++i) {
-        mesh.positions[first + i] = centre + turn * scaled[i];
+        mesh.positions[first + i] = centre + turn * (item.size * scaled[i]);
         mesh.normals[first + i] = turn * shape.normals[i];
         mesh.branch[first + i] = item.branch;
         mesh.level[first + i] = level;
     }
     for (std::size_t f = 0; f < faces; ++f)
         mesh.triangles[copy * faces + f] = shape.triangles[f] + static_cast<Index>(first);
+    for (std::size_t f = 0; f < shape.colours.size(); ++f)
+        mesh.colours[copy * faces + f] = glm::u8vec3(item.tone * glm::vec3(shape.colours[f]) + 0.5F);
 }
 
 /// A copy of \p shape, scaled, for every item.
@@ -122,6 +119,7 @@ TriangleMesh scatter(const Skeleton& skeleton, const std::vector<FoliageItem>& i
     mesh.branch.resize(items.size() * vertices);
     mesh.level.resize(items.size() * vertices);
     mesh.triangles.resize(items.size() * faces);
+    mesh.colours.resize(items.size() * shape.colours.size());
     parallelFor(items.size(), std::max<std::size_t>(1, verticesAtOnce / vertices),
                 [&](std::size_t begin, std::size_t end) {
                     for (std::size_t i = begin; i < end; ++i)
@@ -139,51 +137,86 @@ std::vector<std::uint8_t> tips(const Skeleton& skeleton)
     return isTip;
 }
 
+tl::unexpected<Error> tooMany(const char* text, std::size_t limit, const char* path)
+{
+    auto error = fail(ErrorCode::Limit, text, {std::to_string(limit)});
+    error.value().path = path;
+    return error;
+}
+
+/// The rule of SPEC A3.
+Expected<std::vector<FoliageItem>> placeFaithfully(const Placing& placing, std::size_t density,
+                                                   const Progress& progress)
+{
+    const std::vector<Index>& twigs = placing.twigs;
+    if (!twigs.empty() && density > maxLeaves / twigs.size())
+        return tooMany(RAMURE_NOOP("the tree would carry more than %1 leaves"), maxLeaves,
+                       "foliage.leavesDensity");
+    std::vector<FoliageItem> leaves(twigs.size() * density);
+    parallelFor(twigs.size(), branchesAtOnce, [&](std::size_t begin, std::size_t end) {
+        if (progress.cancelled())
+            return;
+        Placer placer(placing.skeleton, placing.isTip, placing.alpha);
+        for (std::size_t i = begin; i < end; ++i) {
+            placer.setBranch(twigs[i]);
+            Random random(placing.seed, RandomStream::Leaves, placing.skeleton.key[twigs[i]]);
+            for (std::size_t leaf = 0; leaf < density; ++leaf)
+                leaves[i * density + leaf] = placer.draw(random);
+        }
+    });
+    return leaves;
+}
+
+Expected<std::vector<FoliageItem>> placeApples(const Placing& placing, double probability)
+{
+    std::vector<FoliageItem> apples;
+    Placer placer(placing.skeleton, placing.isTip, placing.alpha);
+    for (const Index branch : placing.twigs) {
+        Random random(placing.seed, RandomStream::Apples, placing.skeleton.key[branch]);
+        if (random.unit() >= probability)
+            continue;
+        placer.setBranch(branch);
+        apples.push_back(placer.draw(random));
+        if (apples.size() > maxApples)
+            return tooMany(RAMURE_NOOP("the tree would carry more than %1 apples"), maxApples,
+                           "foliage.applesProbability");
+    }
+    return apples;
+}
+
 } // namespace
+
+Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& params, const LeafParams& leaf,
+                               double alpha, const Progress& progress)
+{
+    const Placing placing{skeleton, thinBranches(skeleton, alpha * params.leavesCutoff), tips(skeleton),
+                          alpha, static_cast<std::uint64_t>(params.seed)};
+    const auto density = static_cast<std::size_t>(std::max<std::int64_t>(params.leavesDensity, 0));
+    auto leaves = leaf.shape == LeafShape::Faithful ? placeFaithfully(placing, density, progress)
+                                                    : placeLeaves(placing, leaf, progress);
+    if (!leaves)
+        return fail(std::move(leaves.error()));
+    if (progress.cancelled())
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+    auto apples = placeApples(placing, params.applesProbability);
+    if (!apples)
+        return fail(std::move(apples.error()));
+    return Foliage{std::move(*leaves), std::move(*apples), leafForm(leaf)};
+}
 
 Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& params, double alpha,
                                const Progress& progress)
 {
-    const std::vector<Index> thin = thinBranches(skeleton, alpha * params.leavesCutoff);
-    const auto density = static_cast<std::size_t>(std::max<std::int64_t>(params.leavesDensity, 0));
-    if (!thin.empty() && density > maxLeaves / thin.size())
-        return tooMany(RAMURE_NOOP("the tree would carry more than %1 leaves"), maxLeaves,
-                       "foliage.leavesDensity");
-    const auto seed = static_cast<std::uint64_t>(params.seed);
-    Foliage foliage;
-    foliage.leaves.resize(thin.size() * density);
-    const std::vector<std::uint8_t> isTip = tips(skeleton);
-    parallelFor(thin.size(), branchesAtOnce, [&](std::size_t begin, std::size_t end) {
-        if (progress.cancelled())
-            return;
-        Placer placer(skeleton, isTip, alpha);
-        for (std::size_t i = begin; i < end; ++i) {
-            placer.setBranch(thin[i]);
-            Random random(seed, RandomStream::Leaves, skeleton.key[thin[i]]);
-            for (std::size_t leaf = 0; leaf < density; ++leaf)
-                foliage.leaves[i * density + leaf] = placer.draw(random);
-        }
-    });
-    if (progress.cancelled())
-        return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-    Placer placer(skeleton, isTip, alpha);
-    for (const Index branch : thin) {
-        Random random(seed, RandomStream::Apples, skeleton.key[branch]);
-        if (random.unit() >= params.applesProbability)
-            continue;
-        placer.setBranch(branch);
-        foliage.apples.push_back(placer.draw(random));
-        if (foliage.apples.size() > maxApples)
-            return tooMany(RAMURE_NOOP("the tree would carry more than %1 apples"), maxApples,
-                           "foliage.applesProbability");
-    }
-    return foliage;
+    return placeFoliage(skeleton, params, LeafParams(), alpha, progress);
 }
 
 TriangleMesh buildLeaves(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model)
 {
-    const TriangleMesh shape = model == FoliageModel::Rough ? unitSquare() : unitTriangle();
-    return scatter(skeleton, foliage.leaves, shape, alpha);
+    const bool rough = model == FoliageModel::Rough;
+    if (foliage.form.shape == LeafShape::Faithful)
+        return scatter(skeleton, foliage.leaves, rough ? unitSquare() : unitTriangle(), alpha);
+    return scatter(skeleton, foliage.leaves, rough ? leafCard(foliage.form) : leafMesh(foliage.form),
+                   alpha * leafRow(foliage.form.shape).length);
 }
 
 TriangleMesh buildApples(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model)

@@ -1,12 +1,14 @@
 /// \file
-/// Leaves and apples (SPEC A3, A6). Which branches carry them depends on radii only; where exactly on the
-/// branch's key and the foliage seed, so that no change elsewhere re-rolls them.
+/// Leaves and apples (SPEC A3, A6), and leaves as plants have them, each on its petiole. Which branches carry
+/// them depends on radii only; where exactly on the branch's key and the foliage seed, so that no change
+/// elsewhere re-rolls them.
 #pragma once
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/params/node_params.h"
 #include "core/skeleton/skeleton.h"
+#include "core/surface/foliage/leaf_shapes.h"
 #include "core/surface/mesh/triangle_mesh.h"
 #include <glm/gtc/quaternion.hpp>
 
@@ -16,18 +18,21 @@ namespace ramure {
 inline constexpr std::size_t maxLeaves = 4'000'000;
 inline constexpr std::size_t maxApples = 100'000;
 
-/// One leaf or apple: a rigid frame in tree space.
+/// One leaf or apple: a rigid frame in tree space. A leaf with a petiole stands at its foot, on the bark.
 struct FoliageItem
 {
     Index branch = noIndex;
     glm::dvec3 position{0.0};
     glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
+    float size = 1.0F; ///< of what all have
+    float tone = 1.0F; ///< brightness, of the brightest leaf's
 };
 
 struct Foliage
 {
     std::vector<FoliageItem> leaves;
     std::vector<FoliageItem> apples;
+    LeafForm form; ///< of all leaves
 };
 
 /// The rule of SPEC A3: a branch with a0 < alpha * leavesCutoff carries leavesDensity leaves, at random
@@ -40,13 +45,18 @@ struct Foliage
 /// = the parameter to lower), Cancelled.
 Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& params, double alpha,
                                const Progress& progress = {});
+/// The same branches and apples, with the leaves of a plant (core/surface/foliage/leaf_placement.h) where
+/// \p leaf names one.
+Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& params, const LeafParams& leaf,
+                               double alpha, const Progress& progress = {});
 
 enum class FoliageModel : std::uint8_t {
     Rough, ///< squares of side alpha, cubes of edge alpha
     Fine,  ///< equilateral triangles of side alpha, spheres of radius alpha / 2
 };
 
-/// A leaf is one flat face about its position, to be drawn on both sides; its normal is its own +Z.
+/// A faithful leaf is one flat face about its position, its normal its own +Z; a plant's is its leafMesh, in
+/// the rough model a card where its blade is. All are to be drawn on both sides.
 TriangleMesh buildLeaves(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model);
 /// Fine apples are one closed manifold each; the cubes have flat faces, so their corners stand there three
 /// times.

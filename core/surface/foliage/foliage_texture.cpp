@@ -56,16 +56,17 @@ std::vector<glm::vec2> globe(const TriangleMesh& sphere)
 
 } // namespace
 
-void addLeafTexture(TriangleMesh& leaves)
+void addLeafTexture(TriangleMesh& leaves, const LeafForm& form)
 {
-    const TriangleMesh leaf = unitTriangle();
-    const std::size_t corners = leaf.positions.size();
+    const bool faithful = form.shape == LeafShape::Faithful;
+    TriangleMesh leaf = faithful ? unitTriangle() : leafMesh(form);
+    if (faithful)
+        for (const glm::vec3& at : leaf.positions)
+            leaf.uv.emplace_back(at.x + 0.5f, at.y - leaf.positions[0].y);
     leaves.uvTriangles.clear();
     leaves.uv.resize(leaves.positions.size());
-    for (std::size_t v = 0; v < leaves.uv.size(); ++v) {
-        const glm::vec3& at = leaf.positions[v % corners];
-        leaves.uv[v] = {at.x + 0.5f, at.y - leaf.positions[0].y};
-    }
+    for (std::size_t v = 0; v < leaves.uv.size(); ++v)
+        leaves.uv[v] = leaf.uv[v % leaf.uv.size()];
 }
 
 void addAppleTexture(TriangleMesh& apples)

@@ -30,6 +30,13 @@ private slots:
             QVERIFY(material.twoSided && material.through == 0.0f && material.variety == 0.0f);
         }
     }
+    void leavesOfPlantsAreOneMaterialEach()
+    {
+        const Material birch = leavesMaterial(LeafShape::Birch), oak = leavesMaterial(LeafShape::Oak);
+        QCOMPARE(birch.name, std::string("leaves_birch"));
+        QVERIFY(birch.name != oak.name);
+        QVERIFY(birch.tones && birch.twoSided && birch.through > 0.0f && !leavesMaterial().tones);
+    }
     void aNodeHasItsColourAndIsOpenWhereItMayBe()
     {
         Node node;

@@ -58,7 +58,9 @@ TriangleMesh onlyBranches(const TriangleMesh& mesh, const BranchFlags& shown)
     if (mesh.branch.size() != mesh.positions.size())
         return mesh;
     Gathering gathering(mesh);
-    for (const glm::uvec3& triangle : mesh.triangles) {
+    const bool hasColours = mesh.colours.size() == mesh.triangles.size();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const glm::uvec3& triangle = mesh.triangles[t];
         bool any = false;
         for (int corner = 0; corner < 3; ++corner)
             any = any || isShown(shown, mesh.branch[triangle[corner]]);
@@ -68,6 +70,8 @@ TriangleMesh onlyBranches(const TriangleMesh& mesh, const BranchFlags& shown)
         const Index b = gathering.take(triangle.y);
         const Index c = gathering.take(triangle.z);
         gathering.made.triangles.emplace_back(a, b, c);
+        if (hasColours)
+            gathering.made.colours.push_back(mesh.colours[t]);
     }
     return std::move(gathering.made);
 }

@@ -103,6 +103,10 @@ struct TreeItems
             scene.points.push_back({std::move(points), world, node.id, false});
     }
 
+    [[nodiscard]] LeafShape leaf() const
+    {
+        return tree.foliage ? tree.foliage->form.shape : LeafShape::Faithful;
+    }
     void fine()
     {
         if (tree.branches)
@@ -110,7 +114,7 @@ struct TreeItems
         else
             addMesh(tree.draftTubes, openBark());
         if (view.leaves)
-            addMesh(tree.leaves, leavesMaterial());
+            addMesh(tree.leaves, leavesMaterial(leaf()));
         if (view.apples)
             addMesh(tree.apples, applesMaterial());
     }
@@ -161,7 +165,7 @@ struct TreeItems
             addMesh(cache.get<TriangleMesh>(
                         ScenePart::RoughLeaves, tree.simplified, tree.foliage, {alpha},
                         [&] { return buildLeaves(skeleton, *tree.foliage, alpha, FoliageModel::Rough); }),
-                    leavesMaterial());
+                    leavesMaterial(leaf()));
         if (view.apples)
             addMesh(cache.get<TriangleMesh>(
                         ScenePart::RoughApples, tree.simplified, tree.foliage, {alpha},

@@ -1,0 +1,93 @@
+/// \file
+/// The items of each enumeration among the parameters, in the order of its values. Of param_table.cpp and
+/// param_relevance.cpp.
+#pragma once
+
+#include "core/params/param_def.h"
+#include <array>
+
+namespace ramure {
+
+template <class T> inline constexpr std::array<EnumItem, 0> itemsOf{};
+template <>
+inline constexpr std::array itemsOf<PhysicsMode>{EnumItem{"faithful", RAMURE_NOOP("Faithful")},
+                                                 EnumItem{"robust", RAMURE_NOOP("Robust")}};
+template <>
+inline constexpr std::array itemsOf<RestFrame>{EnumItem{"world", RAMURE_NOOP("World")},
+                                               EnumItem{"parent", RAMURE_NOOP("Parent")}};
+template <>
+inline constexpr std::array itemsOf<SkinMethod>{EnumItem{"rigid", RAMURE_NOOP("Rigid")},
+                                                EnumItem{"linear", RAMURE_NOOP("Linear blend")},
+                                                EnumItem{"dualQuaternion", RAMURE_NOOP("Dual quaternion")}};
+
+template <>
+inline constexpr std::array itemsOf<PrimitiveShape>{
+    EnumItem{"cylinder", RAMURE_NOOP("Cylinder")}, EnumItem{"sphere", RAMURE_NOOP("Sphere")},
+    EnumItem{"box", RAMURE_NOOP("Box")},           EnumItem{"cone", RAMURE_NOOP("Cone")},
+    EnumItem{"plane", RAMURE_NOOP("Plane")},       EnumItem{"frameCross", RAMURE_NOOP("Frame cross")}};
+template <>
+inline constexpr std::array itemsOf<PrimitiveAxis>{
+    EnumItem{"x", RAMURE_NOOP("X")}, EnumItem{"y", RAMURE_NOOP("Y")}, EnumItem{"z", RAMURE_NOOP("Z")}};
+
+template <>
+inline constexpr std::array itemsOf<MeshAxis>{
+    EnumItem{"longest", RAMURE_NOOP("The longest")}, EnumItem{"x", RAMURE_NOOP("X")},
+    EnumItem{"y", RAMURE_NOOP("Y")}, EnumItem{"z", RAMURE_NOOP("Z")}};
+
+template <>
+inline constexpr std::array itemsOf<ArmSolverKind>{
+    EnumItem{"leastSquares", RAMURE_NOOP("Damped least squares")},
+    EnumItem{"transpose", RAMURE_NOOP("Jacobian transpose")}};
+
+template <>
+inline constexpr std::array itemsOf<LeafShape>{EnumItem{"faithful", RAMURE_NOOP("Faithful")},
+                                               EnumItem{"beech", RAMURE_NOOP("Beech")},
+                                               EnumItem{"elm", RAMURE_NOOP("Elm")},
+                                               EnumItem{"cherry", RAMURE_NOOP("Cherry")},
+                                               EnumItem{"magnolia", RAMURE_NOOP("Magnolia")},
+                                               EnumItem{"box", RAMURE_NOOP("Boxwood")},
+                                               EnumItem{"birch", RAMURE_NOOP("Birch")},
+                                               EnumItem{"apple", RAMURE_NOOP("Apple")},
+                                               EnumItem{"aspen", RAMURE_NOOP("Aspen")},
+                                               EnumItem{"hazel", RAMURE_NOOP("Hazel")},
+                                               EnumItem{"linden", RAMURE_NOOP("Linden")},
+                                               EnumItem{"redbud", RAMURE_NOOP("Redbud")},
+                                               EnumItem{"willow", RAMURE_NOOP("Willow")},
+                                               EnumItem{"olive", RAMURE_NOOP("Olive")},
+                                               EnumItem{"eucalyptus", RAMURE_NOOP("Eucalyptus")},
+                                               EnumItem{"bamboo", RAMURE_NOOP("Bamboo")},
+                                               EnumItem{"grass", RAMURE_NOOP("Grass")},
+                                               EnumItem{"maple", RAMURE_NOOP("Maple")},
+                                               EnumItem{"japaneseMaple", RAMURE_NOOP("Japanese maple")},
+                                               EnumItem{"plane", RAMURE_NOOP("Plane tree")},
+                                               EnumItem{"sweetgum", RAMURE_NOOP("Sweetgum")},
+                                               EnumItem{"oak", RAMURE_NOOP("Oak")},
+                                               EnumItem{"redOak", RAMURE_NOOP("Red oak")},
+                                               EnumItem{"hawthorn", RAMURE_NOOP("Hawthorn")},
+                                               EnumItem{"ginkgo", RAMURE_NOOP("Ginkgo")},
+                                               EnumItem{"fanPalm", RAMURE_NOOP("Fan palm")},
+                                               EnumItem{"ash", RAMURE_NOOP("Ash")},
+                                               EnumItem{"rowan", RAMURE_NOOP("Rowan")},
+                                               EnumItem{"walnut", RAMURE_NOOP("Walnut")},
+                                               EnumItem{"robinia", RAMURE_NOOP("Robinia")},
+                                               EnumItem{"mimosa", RAMURE_NOOP("Mimosa")},
+                                               EnumItem{"horseChestnut", RAMURE_NOOP("Horse chestnut")},
+                                               EnumItem{"laburnum", RAMURE_NOOP("Laburnum")},
+                                               EnumItem{"fern", RAMURE_NOOP("Fern")},
+                                               EnumItem{"palm", RAMURE_NOOP("Palm")},
+                                               EnumItem{"yew", RAMURE_NOOP("Yew")},
+                                               EnumItem{"fir", RAMURE_NOOP("Fir")},
+                                               EnumItem{"scotsPine", RAMURE_NOOP("Scots pine")},
+                                               EnumItem{"whitePine", RAMURE_NOOP("White pine")},
+                                               EnumItem{"larch", RAMURE_NOOP("Larch")},
+                                               EnumItem{"cypress", RAMURE_NOOP("Cypress")}};
+static_assert(itemsOf<LeafShape>.size() == leafShapeCount);
+
+template <>
+inline constexpr std::array itemsOf<LeafArrangement>{
+    EnumItem{"natural", RAMURE_NOOP("As the plant")},   EnumItem{"alternate", RAMURE_NOOP("Alternate")},
+    EnumItem{"distichous", RAMURE_NOOP("In two rows")}, EnumItem{"spiral", RAMURE_NOOP("Spiral")},
+    EnumItem{"opposite", RAMURE_NOOP("Opposite")},      EnumItem{"decussate", RAMURE_NOOP("Crossed pairs")},
+    EnumItem{"whorled", RAMURE_NOOP("Whorled")}};
+
+} // namespace ramure

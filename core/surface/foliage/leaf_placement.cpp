@@ -1,0 +1,240 @@
+#include "core/surface/foliage/leaf_placement.h"
+
+#include "core/base/parallel.h"
+#include "core/math/random.h"
+#include "core/math/reproducible.h"
+#include "core/skeleton/sections.h"
+#include "core/surface/foliage/leaf_table.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace ramure {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr std::size_t twigsAtOnce = 64;
+constexpr glm::dvec3 sky(0.0, 1.0, 0.0);
+
+/// How leaves go around a twig.
+struct Turns
+{
+    int perNode;
+    double fromNodeToNode; ///< rad
+    bool level;            ///< they lie left and right of a level twig
+};
+
+Turns turnsOf(LeafArrangement arrangement, int whorl)
+{
+    switch (arrangement) {
+    case LeafArrangement::Distichous:
+        return {1, pi, true};
+    case LeafArrangement::Spiral:
+        return {1, pi * (3.0 - 2.23606797749978969), false}; // the golden angle
+    case LeafArrangement::Opposite:
+        return {2, 0.0, true};
+    case LeafArrangement::Decussate:
+        return {2, 0.5 * pi, false};
+    case LeafArrangement::Whorled:
+        return {whorl, pi / whorl, false};
+    default:
+        return {1, 0.8 * pi, false};
+    }
+}
+
+/// The centre line of a twig by its length, with frames that do not turn about it.
+class TwigLine
+{
+public:
+    TwigLine(const Skeleton& skeleton, Index twig)
+        : m_radius0(skeleton.a0[twig])
+        , m_radius1(skeleton.a1[twig])
+    {
+        const BranchCurve curve = branchCurve(skeleton, twig);
+        for (std::size_t i = 0; i <= pieces; ++i) {
+            const CurvePoint at = hermite(curve.h0, curve.h1, curve.v0, curve.v1, double(i) / pieces);
+            m_points[i] = at.point;
+            m_frames[i] = i == 0 ? frameFromTangent(at.tangent) : transported(m_frames[i - 1], at.tangent);
+            m_lengths[i] = i == 0 ? 0.0 : m_lengths[i - 1] + glm::length(at.point - m_points[i - 1]);
+        }
+    }
+
+    [[nodiscard]] double length() const { return m_lengths[pieces]; }
+
+    struct Place
+    {
+        glm::dvec3 centre;
+        Frame frame;
+        double radius;
+    };
+    [[nodiscard]] Place at(const BranchCurve& curve, double along) const
+    {
+        std::size_t i = 1;
+        while (i < pieces && m_lengths[i] < along)
+            ++i;
+        const double piece = m_lengths[i] - m_lengths[i - 1];
+        const double share = piece > 0.0 ? std::clamp((along - m_lengths[i - 1]) / piece, 0.0, 1.0) : 1.0;
+        const double t = (double(i - 1) + share) / pieces;
+        const CurvePoint on = hermite(curve.h0, curve.h1, curve.v0, curve.v1, t);
+        return {on.point, transported(m_frames[i], on.tangent), (1.0 - t) * m_radius0 + t * m_radius1};
+    }
+
+private:
+    static constexpr std::size_t pieces = 12;
+    std::array<glm::dvec3, pieces + 1> m_points;
+    std::array<Frame, pieces + 1> m_frames;
+    std::array<double, pieces + 1> m_lengths{};
+    double m_radius0, m_radius1;
+};
+
+/// The leaves of one twig after the other.
+class Grower
+{
+public:
+    Grower(const Placing& placing, const LeafParams& params)
+        : m_placing(placing)
+        , m_params(params)
+        , m_internode(placing.alpha * leafRow(params.shape).internode * params.internode)
+        , m_turns(turnsOf(params.arrangement == LeafArrangement::Natural ? leafRow(params.shape).arrangement
+                                                                         : params.arrangement,
+                          static_cast<int>(params.whorl)))
+    {
+    }
+
+    /// How many leaves a twig has.
+    [[nodiscard]] double count(Index twig) const
+    {
+        const double room = TwigLine(m_placing.skeleton, twig).length() - firstNode(twig);
+        return nodes(room) * m_turns.perNode + (m_placing.isTip[twig] != 0 ? 1 : 0);
+    }
+
+    void grow(Index twig, std::vector<FoliageItem>& leaves) const
+    {
+        const Skeleton& skeleton = m_placing.skeleton;
+        const TwigLine line(skeleton, twig);
+        const BranchCurve curve = branchCurve(skeleton, twig);
+        const double from = firstNode(twig), count = nodes(line.length() - from);
+        Random random(m_placing.seed, RandomStream::TwigLeaves, skeleton.key[twig]);
+        const double start = 2.0 * pi * random.unit();
+        for (double node = 0.0; node < count; ++node) {
+            const double along = from + m_internode * (node + 0.3 * random.unit());
+            const TwigLine::Place place = line.at(curve, along);
+            const double turned = (m_turns.level ? levelAngle(place.frame, start) : start) +
+                                  std::remainder(node * m_turns.fromNodeToNode, 2.0 * pi);
+            // Young leaves near the tip are smaller.
+            const double share = along / line.length(), young = m_placing.isTip[twig] != 0 ? 0.35 : 0.0;
+            const double size = 1.0 - young * share * share * share;
+            for (int leaf = 0; leaf < m_turns.perNode; ++leaf)
+                leaves.push_back(leafAt(twig, place, turned + 2.0 * pi * leaf / m_turns.perNode,
+                                        m_params.angle, size, random));
+        }
+        if (m_placing.isTip[twig] != 0)
+            leaves.push_back(
+                leafAt(twig, line.at(curve, line.length()), start, 0.2 * m_params.angle, 0.75, random));
+    }
+
+private:
+    /// Past what the fork covers.
+    [[nodiscard]] double firstNode(Index twig) const
+    {
+        const Skeleton& skeleton = m_placing.skeleton;
+        const Index parent = skeleton.parent[twig];
+        return 1.5 * std::max(skeleton.a0[twig], parent == noIndex ? 0.0 : skeleton.a1[parent]);
+    }
+    [[nodiscard]] double nodes(double room) const
+    {
+        return room > 0.0 && m_internode > 0.0 ? std::floor(room / m_internode) : 0.0;
+    }
+    /// Where around the twig it is level; any angle where the twig stands upright.
+    static double levelAngle(const Frame& frame, double otherwise)
+    {
+        const glm::dvec3 side = glm::cross(frame.tangent, sky);
+        if (glm::length(side) < 0.2)
+            return otherwise;
+        return maths::atan2(glm::dot(side, frame.binormal), glm::dot(side, frame.normal));
+    }
+
+    FoliageItem leafAt(Index twig, const TwigLine::Place& place, double around, double angle, double size,
+                       Random& random) const
+    {
+        const auto [sine, cosine] = maths::sincos(around + random.range(-0.2, 0.2));
+        const glm::dvec3 out = cosine * place.frame.normal + sine * place.frame.binormal;
+        const auto [away, ahead] = maths::sincos(angle * random.range(0.85, 1.15));
+        const double twist = random.range(-0.3, 0.3), other = random.range(-1.0, 1.0), tone = random.unit();
+        FoliageItem leaf;
+        leaf.branch = twig;
+        leaf.position = place.centre + place.radius * out;
+        leaf.orientation = orientation(drooped(ahead * place.frame.tangent + away * out, out), out,
+                                       place.frame.tangent, twist);
+        leaf.size = static_cast<float>(m_params.size * size * (1.0 + m_params.variation * other));
+        leaf.tone = static_cast<float>(1.0 - 0.32 * tone);
+        return leaf;
+    }
+    /// Pulled down, but never into the bark.
+    [[nodiscard]] glm::dvec3 drooped(const glm::dvec3& way, const glm::dvec3& out) const
+    {
+        glm::dvec3 bent = way * (1.0 - m_params.droop) - sky * m_params.droop;
+        bent += out * std::max(0.15 - glm::dot(bent, out), 0.0);
+        return glm::normalize(bent);
+    }
+    /// The upper side looks towards the twig's tip, or as far to the sky as the light asks.
+    [[nodiscard]] glm::dquat orientation(const glm::dvec3& way, const glm::dvec3& out,
+                                         const glm::dvec3& tangent, double twist) const
+    {
+        const auto across = [&way](const glm::dvec3& v) { return v - glm::dot(v, way) * way; };
+        const glm::dvec3 natural = across(tangent - 0.01 * out);
+        glm::dvec3 upper = across((1.0 - m_params.light) * tangent + m_params.light * sky);
+        if (glm::length(upper) < 1e-3)
+            upper = natural;
+        if (glm::length(upper) < 1e-6)
+            upper = across(std::abs(way.x) < 0.8 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1));
+        upper = glm::normalize(upper);
+        const glm::dvec3 right = glm::cross(way, upper);
+        const auto [sine, cosine] = maths::sincos(twist);
+        const glm::dvec3 z = cosine * upper + sine * right;
+        return glm::normalize(glm::quat_cast(glm::dmat3(glm::cross(way, z), way, z)));
+    }
+
+    const Placing& m_placing;
+    const LeafParams& m_params;
+    double m_internode;
+    Turns m_turns;
+};
+
+} // namespace
+
+Expected<std::vector<FoliageItem>> placeLeaves(const Placing& placing, const LeafParams& params,
+                                               const Progress& progress)
+{
+    std::vector<FoliageItem> leaves;
+    const std::size_t faces = leafMesh(leafForm(params)).triangles.size();
+    if (!(params.size > 0.0) || faces == 0)
+        return leaves;
+    const Grower grower(placing, params);
+    double all = 0.0;
+    for (const Index twig : placing.twigs)
+        all += grower.count(twig);
+    const std::size_t most = std::min(maxLeaves, maxLeafFaces / faces);
+    if (all > static_cast<double>(most)) {
+        auto error = fail(ErrorCode::Limit, RAMURE_NOOP("the tree would carry more than %1 leaves"),
+                          {std::to_string(most)});
+        error.value().path = "foliage.internode";
+        return error;
+    }
+    std::vector<std::size_t> first{0};
+    for (const Index twig : placing.twigs)
+        first.push_back(first.back() + static_cast<std::size_t>(grower.count(twig)));
+    leaves.resize(first.back());
+    parallelFor(placing.twigs.size(), twigsAtOnce, [&](std::size_t begin, std::size_t end) {
+        std::vector<FoliageItem> own;
+        for (std::size_t i = begin; i < end && !progress.cancelled(); ++i) {
+            own.clear();
+            grower.grow(placing.twigs[i], own);
+            std::ranges::copy(own, leaves.begin() + static_cast<std::ptrdiff_t>(first[i]));
+        }
+    });
+    return leaves;
+}
+
+} // namespace ramure

@@ -1,0 +1,47 @@
+/// \file
+/// What sets the leaves of one plant apart, in few numbers: one row a shape.
+#pragma once
+
+#include "core/params/leaf_params.h"
+#include <glm/vec3.hpp>
+
+namespace ramure {
+
+enum class LeafFamily : std::uint8_t {
+    Blade,   ///< one blade on a midrib: elliptic to linear, heart-shaped, toothed, with lobes left and right
+    Star,    ///< one blade whose lobes leave its foot: maple, ginkgo, fan palm
+    Pinnate, ///< leaflets left and right of a rachis: ash, fern, palm; bipinnate where they have deep lobes
+    Fingers, ///< leaflets from one place, side by side: horse chestnut, laburnum
+    Tuft,    ///< needles from one place, all around
+};
+
+/// Lengths in shares of the whole leaf's where nothing else is said. "Blade" is a leaflet where there are
+/// some.
+struct LeafRow
+{
+    LeafShape shape;
+    LeafFamily family = LeafFamily::Blade;
+    double length = 0.45;    ///< of the leaf without its petiole, in steps of the tree
+    double internode = 0.16; ///< in steps of the tree
+    LeafArrangement arrangement = LeafArrangement::Alternate;
+    double petiole = 0.25;
+    double width = 0.5; ///< of a blade, as a share of its own length
+    /// The half width at the share u of a blade goes with u^base (1 - u)^tip: small numbers are blunt.
+    double base = 0.5, tip = 0.8;
+    double notch = 0.0;  ///< how far a blade reaches back beside its petiole
+    double teeth = 0.0;  ///< as a share of half the width
+    int lobes = 0;       ///< of a blade on each side; of a star in all
+    double depth = 0.0;  ///< of the bays between lobes, 0..1
+    bool pointed = true; ///< the lobes
+    /// rad: from the first lobe or finger to the last; between leaflet and rachis; of a tuft from its axis.
+    double spread = 1.0;
+    int leaflets = 0;     ///< pairs; of fingers and tufts in all
+    double leaflet = 0.3; ///< length of the longest
+    double dwindle = 0.3; ///< by how much the last leaflets, or the outermost lobes and fingers, are shorter
+    glm::u8vec3 colour{0x72, 0x99, 0x3C}; ///< sRGB, of the brightest leaf
+};
+
+/// \pre not Faithful.
+const LeafRow& leafRow(LeafShape shape);
+
+} // namespace ramure
