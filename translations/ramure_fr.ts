@@ -3087,16 +3087,8 @@
         <translation>une coordonnée de texture de %1 n’est pas un nombre fini</translation>
     </message>
     <message>
-        <source>Texture</source>
-        <translation>Texture</translation>
-    </message>
-    <message>
         <source>Bark tile</source>
         <translation>Carreau d’écorce</translation>
-    </message>
-    <message>
-        <source>Side of the piece of bark that a texture repeats. A whole number of them goes around every branch, so make it small against the twigs; 0 finds the largest that fits them.</source>
-        <translation>Côté du morceau d’écorce qu’une texture répète. Un nombre entier en fait le tour de chaque branche : choisissez-le petit par rapport aux rameaux ; 0 trouve le plus grand qui leur convienne.</translation>
     </message>
     <message>
         <source>An angle must be a number</source>
@@ -4417,6 +4409,106 @@
     <message>
         <source>1 draws a leaf with the fewest triangles, 3 with the smoothest outline.</source>
         <translation>1 dessine une feuille avec le moins de triangles, 3 avec le contour le plus fin.</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Unie</translation>
+    </message>
+    <message>
+        <source>Smooth, as of beech</source>
+        <translation>Lisse, comme du hêtre</translation>
+    </message>
+    <message>
+        <source>Plated, as of pine</source>
+        <translation>En plaques, comme du pin</translation>
+    </message>
+    <message>
+        <source>Furrowed, as of oak</source>
+        <translation>Crevassée, comme du chêne</translation>
+    </message>
+    <message>
+        <source>Scaly, as of spruce</source>
+        <translation>Écailleuse, comme de l’épicéa</translation>
+    </message>
+    <message>
+        <source>Peeling, as of eucalyptus</source>
+        <translation>Qui pèle, comme de l’eucalyptus</translation>
+    </message>
+    <message>
+        <source>Ringed, as of birch</source>
+        <translation>Annelée, comme du bouleau</translation>
+    </message>
+    <message>
+        <source>Fibrous, as of cedar</source>
+        <translation>Fibreuse, comme du cèdre</translation>
+    </message>
+    <message>
+        <source>Mosaic, as of plane</source>
+        <translation>En mosaïque, comme du platane</translation>
+    </message>
+    <message>
+        <source>Scars of fronds, as of palm</source>
+        <translation>Cicatrices de palmes, comme du palmier</translation>
+    </message>
+    <message>
+        <source>Thorny, as of kapok</source>
+        <translation>Épineuse, comme du kapokier</translation>
+    </message>
+    <message>
+        <source>Corky, as of cork oak</source>
+        <translation>Liégeuse, comme du chêne-liège</translation>
+    </message>
+    <message>
+        <source>Bark</source>
+        <translation>Écorce</translation>
+    </message>
+    <message>
+        <source>What the bark looks like. Its picture is made by the program and repeats without a seam.</source>
+        <translation>L’aspect de l’écorce. Son image est faite par le programme et se répète sans couture.</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Relief</translation>
+    </message>
+    <message>
+        <source>How deep cracks and furrows look: 1 as is usual for this bark, 0 flat.</source>
+        <translation>La profondeur apparente des fentes et des sillons : 1 comme d’habitude pour cette écorce, 0 plate.</translation>
+    </message>
+    <message>
+        <source>Lighter</source>
+        <translation>Plus claire</translation>
+    </message>
+    <message>
+        <source>Makes the bark lighter, or darker where it is negative.</source>
+        <translation>Éclaircit l’écorce, ou l’assombrit si la valeur est négative.</translation>
+    </message>
+    <message>
+        <source>Moss</source>
+        <translation>Mousse</translation>
+    </message>
+    <message>
+        <source>How much of the bark moss covers. It begins in the cracks.</source>
+        <translation>La part de l’écorce que la mousse couvre. Elle commence dans les fentes.</translation>
+    </message>
+    <message>
+        <source>Seed of the bark</source>
+        <translation>Graine de l’écorce</translation>
+    </message>
+    <message>
+        <source>Another seed draws another piece of the same bark.</source>
+        <translation>Une autre graine dessine un autre morceau de la même écorce.</translation>
+    </message>
+    <message>
+        <source>Side of the piece of bark that is repeated. A whole number of them goes around every branch. 0: half the way around the trunk, and with plain bark the largest that fits the twigs.</source>
+        <translation>Le côté du morceau d’écorce qui se répète. Un nombre entier en fait le tour de chaque branche. 0 : la moitié du tour du tronc et, pour une écorce unie, le plus grand qui convienne aux rameaux.</translation>
+    </message>
+    <message>
+        <source>A map of bark has %1 to %2 pixels a side</source>
+        <translation>Une image d’écorce a de %1 à %2 pixels de côté</translation>
+    </message>
+    <message>
+        <source>Plain bark has no maps</source>
+        <translation>Une écorce unie n’a pas d’images</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "core/params/arm_params.h"
+#include "core/params/bark_params.h"
 #include "core/params/leaf_params.h"
 #include "core/params/physics_params.h"
 #include "core/params/primitive_params.h"
@@ -85,7 +86,7 @@ struct FoliageParams
 /// Of the branches; used where texture coordinates are asked for, no geometry depends on them.
 struct TextureParams
 {
-    double tileSize = 0.0;   ///< m; 0 = as large as the thinnest branch allows
+    double tileSize = 0.0; ///< m; 0 = half way around the trunk, of plain bark as the thinnest branch allows
     bool seamsAround = true; ///< seams may open at strong bends
     bool operator==(const TextureParams&) const = default;
 };
@@ -119,6 +120,7 @@ struct NodeParams
     MeshParams mesh;
     FoliageParams foliage;
     LeafParams leaf;
+    BarkParams bark;
     TextureParams texture;
     PlacementParams tree;
     PlacementParams local; ///< of its own geometry alone: not handed on to the children (SPEC B2)

@@ -21,6 +21,22 @@ inline constexpr std::array itemsOf<SkinMethod>{EnumItem{"rigid", RAMURE_NOOP("R
                                                 EnumItem{"dualQuaternion", RAMURE_NOOP("Dual quaternion")}};
 
 template <>
+inline constexpr std::array itemsOf<BarkFamily>{
+    EnumItem{"plain", RAMURE_NOOP("Plain")},
+    EnumItem{"smooth", RAMURE_NOOP("Smooth, as of beech")},
+    EnumItem{"plated", RAMURE_NOOP("Plated, as of pine")},
+    EnumItem{"furrowed", RAMURE_NOOP("Furrowed, as of oak")},
+    EnumItem{"scaly", RAMURE_NOOP("Scaly, as of spruce")},
+    EnumItem{"peeling", RAMURE_NOOP("Peeling, as of eucalyptus")},
+    EnumItem{"ringed", RAMURE_NOOP("Ringed, as of birch")},
+    EnumItem{"fibrous", RAMURE_NOOP("Fibrous, as of cedar")},
+    EnumItem{"mosaic", RAMURE_NOOP("Mosaic, as of plane")},
+    EnumItem{"palmScars", RAMURE_NOOP("Scars of fronds, as of palm")},
+    EnumItem{"thorny", RAMURE_NOOP("Thorny, as of kapok")},
+    EnumItem{"corky", RAMURE_NOOP("Corky, as of cork oak")},
+    EnumItem{"bamboo", RAMURE_NOOP("Bamboo")}};
+
+template <>
 inline constexpr std::array itemsOf<PrimitiveShape>{
     EnumItem{"cylinder", RAMURE_NOOP("Cylinder")}, EnumItem{"sphere", RAMURE_NOOP("Sphere")},
     EnumItem{"box", RAMURE_NOOP("Box")},           EnumItem{"cone", RAMURE_NOOP("Cone")},

@@ -11,6 +11,8 @@ constexpr std::array round{"cylinder", "sphere", "cone", "frameCross"};
 constexpr std::array tall{"cylinder", "cone", "frameCross"};
 constexpr std::array angular{"box", "plane"};
 constexpr std::array standing{"cylinder", "sphere", "box", "cone", "plane"};
+constexpr std::array pictured{"smooth",  "plated", "furrowed",  "scaly",  "peeling", "ringed",
+                              "fibrous", "mosaic", "palmScars", "thorny", "corky",   "bamboo"};
 constexpr std::array robust{"robust"};
 constexpr std::array transpose{"transpose"};
 constexpr std::array faithful{"faithful"};
@@ -29,6 +31,10 @@ constexpr std::array relevances{
     Relevance{"primitive.size", "primitive.shape", angular},
     Relevance{"primitive.sides", "primitive.shape", round},
     Relevance{"primitive.axis", "primitive.shape", standing},
+    Relevance{"bark.depth", "bark.family", pictured},
+    Relevance{"bark.light", "bark.family", pictured},
+    Relevance{"bark.moss", "bark.family", pictured},
+    Relevance{"bark.seed", "bark.family", pictured},
     Relevance{"physics.substeps", "physics.mode", robust},
     Relevance{"physics.settled", "physics.mode", robust},
     Relevance{"foliage.leavesDensity", "foliage.leaf", faithful},

@@ -122,7 +122,7 @@ constexpr const char* simplifyGroup = RAMURE_NOOP("Simplification");
 constexpr const char* sectionsGroup = RAMURE_NOOP("Cross-sections");
 constexpr const char* forksGroup = RAMURE_NOOP("Forks");
 constexpr const char* foliageGroup = RAMURE_NOOP("Foliage");
-constexpr const char* textureGroup = RAMURE_NOOP("Texture");
+constexpr const char* barkGroup = RAMURE_NOOP("Bark");
 constexpr const char* placementGroup = RAMURE_NOOP("Placement");
 constexpr const char* localGroup = RAMURE_NOOP("Own shape");
 constexpr const char* primitiveGroup = RAMURE_NOOP("Primitive");
@@ -320,13 +320,33 @@ constexpr std::array table{
          RAMURE_NOOP("Another seed arranges leaves and apples anew; the branches stay as they are.")},
         ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Foliage, paramSeed),
 
+    row<&NodeParams::bark, &BarkParams::family>(
+        {"bark.family", barkGroup, RAMURE_NOOP("Bark"),
+         RAMURE_NOOP("What the bark looks like. Its picture is made by the program and repeats without a seam.")},
+        ParamUnit::None, {}, Stage::Texture),
+    row<&NodeParams::bark, &BarkParams::depth>(
+        {"bark.depth", barkGroup, RAMURE_NOOP("Depth"),
+         RAMURE_NOOP("How deep cracks and furrows look: 1 as is usual for this bark, 0 flat.")},
+        ParamUnit::Ratio, {0, 5, 0, 2, 0.05, 3}, Stage::Texture),
+    row<&NodeParams::bark, &BarkParams::light>(
+        {"bark.light", barkGroup, RAMURE_NOOP("Lighter"),
+         RAMURE_NOOP("Makes the bark lighter, or darker where it is negative.")},
+        ParamUnit::Share, {-1, 1, -0.5, 0.5, 0.01, 3}, Stage::Texture),
+    row<&NodeParams::bark, &BarkParams::moss>(
+        {"bark.moss", barkGroup, RAMURE_NOOP("Moss"),
+         RAMURE_NOOP("How much of the bark moss covers. It begins in the cracks.")},
+        ParamUnit::Share, {0, 1, 0, 1, 0.01, 3}, Stage::Texture),
+    row<&NodeParams::bark, &BarkParams::seed>(
+        {"bark.seed", barkGroup, RAMURE_NOOP("Seed of the bark"),
+         RAMURE_NOOP("Another seed draws another piece of the same bark.")},
+        ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Texture, paramSeed),
     row<&NodeParams::texture, &TextureParams::tileSize>(
-        {"texture.tileSize", textureGroup, RAMURE_NOOP("Bark tile"),
-         RAMURE_NOOP("Side of the piece of bark that a texture repeats. A whole number of them goes around every branch, "
-                     "so make it small against the twigs; 0 finds the largest that fits them.")},
+        {"texture.tileSize", barkGroup, RAMURE_NOOP("Bark tile"),
+         RAMURE_NOOP("Side of the piece of bark that is repeated. A whole number of them goes around every branch. 0: half "
+                     "the way around the trunk, and with plain bark the largest that fits the twigs.")},
         ParamUnit::Metre, {0, 1000, 0, 0.1, 0.001, 4}, Stage::Texture, paramAdvanced),
     row<&NodeParams::texture, &TextureParams::seamsAround>(
-        {"texture.seamsAround", textureGroup, RAMURE_NOOP("Seams open at bends"),
+        {"texture.seamsAround", barkGroup, RAMURE_NOOP("Seams open at bends"),
          RAMURE_NOOP("On: where a branch bends sharply, the two sides of its seam part, and 95 of 100 triangles keep the "
                      "shape of the picture. Off: the picture meets itself along the whole seam, but is stretched at "
                      "bends.")},

@@ -1,6 +1,8 @@
 #include "core/pipeline/texture_stage.h"
 
 #include "core/pipeline/stage_hashes.h"
+#include <algorithm>
+#include <numbers>
 
 namespace ramure {
 
@@ -29,6 +31,16 @@ Expected<std::shared_ptr<const TextureCoordinates>> TextureStage::coordinates(co
     const std::lock_guard lock(m_mutex);
     m_kept.keep(hash, result, 0);
     return result;
+}
+
+Expected<std::shared_ptr<const TextureCoordinates>> TextureStage::coordinates(const NodeParams& params,
+                                                                              const Progress& progress) const
+{
+    TextureParams texture = params.texture;
+    if (texture.tileSize == 0.0 && params.bark.family != BarkFamily::Plain)
+        for (const TubeAxis& axis : m_rest->axes)
+            texture.tileSize = std::max(texture.tileSize, std::numbers::pi * axis.a0);
+    return coordinates(texture, progress);
 }
 
 } // namespace ramure

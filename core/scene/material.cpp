@@ -2,13 +2,15 @@
 
 #include "core/params/param_def.h"
 #include "core/scene/object_mesh.h"
+#include "core/surface/bark/bark_maps.h"
 #include "core/surface/foliage/leaf_table.h"
 
 namespace ramure {
 
-Material barkMaterial()
+Material barkMaterial(const BarkParams& bark)
 {
-    return {"bark", {0x8B, 0x5A, 0x2B}, false, false};
+    return {"bark", bark.family == BarkFamily::Plain ? glm::u8vec3(0x8B, 0x5A, 0x2B) : meanColour(bark),
+            false, false};
 }
 
 Material leavesMaterial(LeafShape shape)

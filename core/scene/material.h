@@ -3,6 +3,7 @@
 /// Whoever draws or writes a surface asks here and guesses nothing.
 #pragma once
 
+#include "core/params/bark_params.h"
 #include "core/params/leaf_params.h"
 #include <glm/vec3.hpp>
 #include <string>
@@ -25,7 +26,8 @@ struct Material
     bool operator==(const Material&) const = default;
 };
 
-Material barkMaterial();
+/// Its colour is the mean of the picture that the bark has.
+Material barkMaterial(const BarkParams& bark = {});
 /// Those of a plant have a name of their own, leaves_birch; the colours of their mesh are tones.
 Material leavesMaterial(LeafShape shape = LeafShape::Faithful);
 Material applesMaterial();

@@ -124,7 +124,7 @@ Expected<void> addTexture(TreeMeshes& meshes, const TextureStage& texture, const
                           const Progress& progress)
 {
     if (meshes.branches) {
-        const auto made = texture.coordinates(params.texture, progress);
+        const auto made = texture.coordinates(params, progress);
         if (!made)
             return fail(made.error());
         const auto branches = std::make_shared<TriangleMesh>(*meshes.branches);
@@ -154,7 +154,7 @@ void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes
         if (mesh && !mesh->empty())
             out.meshes.push_back({name + tree.suffix, tree.number, mesh, materialIn(out, material), skin});
     };
-    add("branches", meshes.branches, motion.branches, barkMaterial());
+    add("branches", meshes.branches, motion.branches, barkMaterial(tree.node->params.bark));
     add("leaves", meshes.leaves, motion.leaves, leavesMaterial(leaf));
     add("apples", meshes.apples, motion.apples, applesMaterial());
     out.frames.front().bones[tree.number] = motion.bones;

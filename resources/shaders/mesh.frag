@@ -35,6 +35,30 @@ vec3 ownColour()
     return texelFetch(uColours, ivec2(gl_PrimitiveID % width, gl_PrimitiveID / width), 0).rgb;
 }
 
+uniform bool uHasBark;
+uniform sampler2D uBark;        // sRGB, occlusion
+uniform sampler2D uBarkNormals; // tangent space, roughness
+
+// The bark's colour, its normal turned by what stands out of it. The frame of the texture comes from what both do from
+// pixel to pixel (Schueler, "Followup: normal mapping without precomputed tangents", 2013).
+vec3 barkColour(inout vec3 normal)
+{
+    vec3 across = dFdx(v.relative), along = dFdy(v.relative);
+    vec2 du = dFdx(v.uv), dv = dFdy(v.uv);
+    vec3 p = cross(along, normal), q = cross(normal, across);
+    vec3 t = p * du.x + q * dv.x, b = p * du.y + q * dv.y;
+    float area = max(abs(dot(across, p)), 1e-20);
+    // Bark is as old as the branch is thick: where one tile is squeezed around a twig, there is little of it yet.
+    float around = area / max(length(t), 1e-20);
+    float age = smoothstep(0.03, 0.5, around / uTileSize);
+    vec4 old = texture(uBark, v.uv);
+    vec3 young = textureLod(uBark, v.uv, 20.0).rgb;
+    vec3 relief = texture(uBarkNormals, v.uv).xyz * 2.0 - 1.0;
+    float scale = inversesqrt(max(max(dot(t, t), dot(b, b)), 1e-30));
+    normal = normalize(age * scale * (t * relief.x + b * relief.y) + normal * max(relief.z, 0.1));
+    return mix(young, old.rgb * old.a, age);
+}
+
 vec3 shaded(vec3 albedo, vec3 normal)
 {
     float facing = dot(normal, uSun);
@@ -55,7 +79,8 @@ void main()
 {
     vec3 flatNormal = cross(dFdx(v.relative), dFdy(v.relative));
     vec3 normal = normalize(dot(v.normal, v.normal) > 1e-8 ? v.normal : (gl_FrontFacing ? flatNormal : -flatNormal));
-    vec3 paint = painted(v.uv, v.relative, uHasColours ? uColour * ownColour() : uColour);
+    vec3 own = uHasBark ? barkColour(normal) : uHasColours ? uColour * ownColour() : uColour;
+    vec3 paint = painted(v.uv, v.relative, own);
     vec3 albedo = toLinear(mix(paint, v.tint.rgb, v.tint.a)) * v.shade;
     if (!gl_FrontFacing) {
         normal = -normal;

@@ -170,6 +170,7 @@ constexpr const char* floors[] = {
     "core/surface/mesher",
     "core/surface/texture",
     "core/surface/foliage",
+    "core/surface/bark",
     "core/surface/primitives",
     "core/surface/check",
     "core/generators/grammar",

@@ -200,6 +200,45 @@ void GpuCache::bindColours(ShaderProgram& program, const GpuBlock& mesh)
     program.set("uHasColours", mesh.texture != 0);
 }
 
+/// Colour and occlusion in one texture; normal and roughness in the other.
+const GpuBlock& GpuCache::bark(const std::shared_ptr<const BarkMaps>& maps)
+{
+    const auto [block, isNew] = slot(maps);
+    if (!isNew)
+        return block;
+    const auto upload = [&, this](const std::vector<glm::u8vec3>& rgb,
+                                  const std::vector<std::uint8_t>& alpha) {
+        std::vector<glm::u8vec4> pixels(rgb.size());
+        std::transform(rgb.begin(), rgb.end(), alpha.begin(), pixels.begin(),
+                       [](const glm::u8vec3& c, std::uint8_t a) { return glm::u8vec4(c, a); });
+        GLuint texture = 0;
+        m_gl.glGenTextures(1, &texture);
+        m_gl.glBindTexture(GL_TEXTURE_2D, texture);
+        m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, maps->size, maps->size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                          pixels.data());
+        m_gl.glGenerateMipmap(GL_TEXTURE_2D);
+        m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+        m_stats.bytes += pixels.size() * sizeof(glm::u8vec4);
+        return texture;
+    };
+    block.texture = upload(maps->colour, maps->occlusion);
+    block.normals = upload(maps->normal, maps->roughness);
+    return block;
+}
+
+void GpuCache::bindBark(ShaderProgram& program, const std::shared_ptr<const BarkMaps>& maps)
+{
+    const GpuBlock* block = maps ? &bark(maps) : nullptr;
+    m_gl.glActiveTexture(GL_TEXTURE0 + barkUnit);
+    m_gl.glBindTexture(GL_TEXTURE_2D, block ? block->texture : restTexture());
+    m_gl.glActiveTexture(GL_TEXTURE0 + barkNormalsUnit);
+    m_gl.glBindTexture(GL_TEXTURE_2D, block ? block->normals : restTexture());
+    m_gl.glActiveTexture(GL_TEXTURE0);
+    program.set("uBark", int(barkUnit));
+    program.set("uBarkNormals", int(barkNormalsUnit));
+    program.set("uHasBark", block != nullptr);
+}
+
 /// Per vertex, three bones and their weights.
 struct VertexInfluence
 {
@@ -368,8 +407,9 @@ void GpuCache::free(GpuBlock& block)
         m_gl.glDeleteVertexArrays(1, &block.vertexArray);
     for (const GpuBuffer& buffer : block.buffers)
         m_pool.giveBack(buffer);
-    if (block.texture != 0)
-        m_gl.glDeleteTextures(1, &block.texture);
+    for (const GLuint texture : {block.texture, block.normals})
+        if (texture != 0)
+            m_gl.glDeleteTextures(1, &texture);
 }
 
 std::vector<std::shared_ptr<const void>> GpuCache::takeReleased()

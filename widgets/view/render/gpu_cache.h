@@ -20,6 +20,7 @@ struct GpuBlock
     GLuint vertexArray = 0;
     std::vector<GpuBuffer> buffers;
     GLuint texture = 0;               ///< of a mesh: the colours of its triangles
+    GLuint normals = 0;               ///< of bark: a second texture
     GLsizei count = 0;                ///< indices, instances, or entries
     std::shared_ptr<const void> skin; ///< of a mesh: whose influences its vertex array reads
     std::uint64_t usedIn = 0;
@@ -68,7 +69,10 @@ public:
     void bindBones(ShaderProgram& program, const ItemMotion& motion);
     /// The same for the colours of a mesh's triangles.
     void bindColours(ShaderProgram& program, const GpuBlock& mesh);
-    static constexpr GLenum bonesUnit = 3, coloursUnit = 4; ///< the texture units that they use
+    /// The same for its bark, which may be null.
+    void bindBark(ShaderProgram& program, const std::shared_ptr<const BarkMaps>& maps);
+    /// The texture units that they use.
+    static constexpr GLenum bonesUnit = 3, coloursUnit = 4, barkUnit = 5, barkNormalsUnit = 6;
 
     /// Frees what was not asked for since beginPicture.
     void freeUnused();
@@ -80,6 +84,7 @@ public:
 private:
     void fillMesh(GpuBlock& block, const TriangleMesh& mesh);
     void fillColours(GpuBlock& block, const std::vector<glm::u8vec3>& colours);
+    const GpuBlock& bark(const std::shared_ptr<const BarkMaps>& maps);
     /// A sampler must have a texture even where the program does not read it.
     GLuint restTexture();
     const GpuBlock& influences(const std::shared_ptr<const Skin>& skin);

@@ -9,6 +9,7 @@
 #include "core/rig/pose/skin.h"
 #include "core/scene/material.h"
 #include "core/scene/scene.h"
+#include "core/surface/bark/bark_maps.h"
 #include "core/surface/mesh/triangle_mesh.h"
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -95,7 +96,8 @@ struct MeshItem
     ItemMotion motion;                        ///< drawn so; the mesh itself stays as it is
     Material material;
     Paint paint = Paint::Material;
-    float tileSize = 1.0f;                         ///< m, for the checker's metres
+    std::shared_ptr<const BarkMaps> bark;          ///< in place of the material's colour; null: none
+    float tileSize = 1.0f;                         ///< m, for the checker's metres and for bark
     float opacity = 1.0f;                          ///< under 1: its nearest surface only, over all the rest
     std::shared_ptr<const OutlinedFaces> outlined; ///< null: nothing of it
     glm::dmat4 world{1.0};

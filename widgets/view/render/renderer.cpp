@@ -347,6 +347,7 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     const GpuBlock& block = m_cache.mesh(item.mesh, item.motion.skin);
     m_cache.bindBones(program, item.motion);
     m_cache.bindColours(program, block);
+    m_cache.bindBark(program, item.bark);
     const glm::dmat4 relative = picture.relative(item.world);
     setStates(program, picture.scene, item.node, !item.mesh->branch.empty());
     program.set("uClip", glm::mat4(picture.projectedView * relative));
@@ -512,8 +513,8 @@ void Renderer::resetState()
     m_gl.glDepthFunc(GL_LESS);
     m_gl.glDisable(GL_DEPTH_TEST);
     m_gl.glDisable(GL_BLEND);
-    for (const GLenum unit :
-         {shadowUnit, shadowDepthUnit, statesUnit, GpuCache::bonesUnit, GpuCache::coloursUnit}) {
+    for (const GLenum unit : {shadowUnit, shadowDepthUnit, statesUnit, GpuCache::bonesUnit,
+                              GpuCache::coloursUnit, GpuCache::barkUnit, GpuCache::barkNormalsUnit}) {
         m_gl.glActiveTexture(GL_TEXTURE0 + unit);
         m_gl.glBindTexture(GL_TEXTURE_2D, 0);
         m_gl.glBindSampler(unit, 0);

@@ -22,9 +22,9 @@ std::vector<double> asNumbers(const std::vector<Index>& indices)
 }
 
 /// Of cones and tubes without ends.
-Material openBark()
+Material openBark(const BarkParams& params = {})
 {
-    Material bark = barkMaterial();
+    Material bark = barkMaterial(params);
     bark.twoSided = true;
     return bark;
 }
@@ -32,7 +32,10 @@ Material openBark()
 /// More selected branches than these are no help to find one.
 constexpr std::size_t mostCurves = 2000;
 
-/// A branch mesh as the texture modes show it.
+/// Pixels a side of a tile of bark: as fine as the view can show, and quickly made.
+constexpr int shownBarkSize = 512;
+
+/// A branch mesh with texture coordinates.
 struct TexturedMesh
 {
     TriangleMesh mesh; ///< empty where there are no coordinates
@@ -40,8 +43,7 @@ struct TexturedMesh
     TextureReport report;
 };
 
-TexturedMesh texturedMesh(const BranchMesh& branches, const TextureStage& texture,
-                          const TextureParams& params)
+TexturedMesh texturedMesh(const BranchMesh& branches, const TextureStage& texture, const NodeParams& params)
 {
     const auto made = texture.coordinates(params);
     if (!made)
@@ -109,38 +111,69 @@ struct TreeItems
     }
     void fine()
     {
-        if (tree.branches)
-            addMesh({tree.branches, &tree.branches->mesh}, barkMaterial());
-        else
-            addMesh(tree.draftTubes, openBark());
+        if (!tree.branches)
+            addMesh(tree.draftTubes, openBark(node.params.bark));
+        else if (!pictured())
+            addMesh({tree.branches, &tree.branches->mesh}, barkMaterial(node.params.bark));
         if (view.leaves)
             addMesh(tree.leaves, leavesMaterial(leaf()));
         if (view.apples)
             addMesh(tree.apples, applesMaterial());
     }
-    /// The branches with their texture coordinates, without leaves in front; as a plain mesh where there are
-    /// none.
+    /// The branches with their texture coordinates, which may be none.
+    std::shared_ptr<const TexturedMesh> mapped()
+    {
+        const TextureParams& texture = node.params.texture;
+        const bool isPlain = node.params.bark.family == BarkFamily::Plain;
+        return cache.get<TexturedMesh>(
+            ScenePart::Textured, tree.branches, tree.texture,
+            {texture.tileSize, texture.seamsAround ? 1.0 : 0.0, isPlain ? 1.0 : 0.0},
+            [&] { return texturedMesh(*tree.branches, *tree.texture, node.params); });
+    }
+    /// Null where nothing of it is shown.
+    MeshItem* addMapped(const std::shared_ptr<const TexturedMesh>& made)
+    {
+        const std::size_t before = scene.meshes.size();
+        addMesh({made, &made->mesh}, barkMaterial(node.params.bark));
+        if (scene.meshes.size() == before)
+            return nullptr;
+        MeshItem& item = scene.meshes.back();
+        item.tileSize = static_cast<float>(made->coordinates->tileSize);
+        if (item.mesh.get() == &made->mesh)
+            item.split = {{tree.branches, &tree.branches->mesh}, {made, &made->coordinates->vertex}};
+        return &item;
+    }
+    /// The branches with a picture of bark; false where there is none.
+    bool pictured()
+    {
+        const BarkParams& bark = node.params.bark;
+        if (bark.family == BarkFamily::Plain)
+            return false;
+        const auto made = mapped();
+        if (made->mesh.empty())
+            return false;
+        const std::shared_ptr<const void> anybody; // trees of the same bark share it
+        const auto maps =
+            cache.get<BarkMaps>(ScenePart::Bark, anybody, anybody,
+                                {double(bark.family), bark.depth, bark.light, bark.moss, double(bark.seed)},
+                                [&] { return barkMaps(bark, shownBarkSize).value(); });
+        if (MeshItem* item = addMapped(made))
+            item->bark = maps;
+        return true;
+    }
+    /// Without leaves in front; as a plain mesh where there are no coordinates.
     void textured(Paint paint)
     {
         if (!tree.branches)
             return addMesh(tree.draftTubes, openBark());
-        const TextureParams& params = node.params.texture;
-        const std::vector<double> numbers{params.tileSize, params.seamsAround ? 1.0 : 0.0};
-        const auto made =
-            cache.get<TexturedMesh>(ScenePart::Textured, tree.branches, tree.texture, numbers,
-                                    [&] { return texturedMesh(*tree.branches, *tree.texture, params); });
+        const auto made = mapped();
         if (made->mesh.empty())
             return fine();
-        const std::size_t before = scene.meshes.size();
-        addMesh({made, &made->mesh}, barkMaterial());
-        if (scene.meshes.size() == before)
-            return; // nothing of it is shown
-        MeshItem& item = scene.meshes.back();
-        item.paint = paint;
+        MeshItem* item = addMapped(made);
+        if (!item)
+            return;
+        item->paint = paint;
         const double tileSize = made->coordinates->tileSize;
-        item.tileSize = static_cast<float>(tileSize);
-        if (item.mesh.get() == &made->mesh)
-            item.split = {{tree.branches, &tree.branches->mesh}, {made, &made->coordinates->vertex}};
         TextureSummary& all = scene.texture;
         all.tileSize = all.triangles == 0 ? tileSize : std::min(all.tileSize, tileSize);
         all.triangles += made->report.triangles;

@@ -28,6 +28,7 @@ enum class ScenePart : std::uint8_t {
     SelectedCurves,
     Isolated,
     Textured,
+    Bark,
     ArmSkin,
     ArmRods,
     ArmTarget,

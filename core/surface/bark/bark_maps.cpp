@@ -1,0 +1,165 @@
+#include "core/surface/bark/bark_maps.h"
+
+#include "core/surface/bark/bark_pattern.h"
+#include "core/surface/bark/tiled_noise.h"
+#include <algorithm>
+
+namespace ramure {
+namespace {
+
+using Heights = std::vector<float>;
+
+std::uint8_t byteOf(float value)
+{
+    return static_cast<std::uint8_t>(255.0f * glm::clamp(value, 0.0f, 1.0f) + 0.5f);
+}
+glm::u8vec3 bytesOf(const glm::vec3& colour)
+{
+    return {byteOf(colour.x), byteOf(colour.y), byteOf(colour.z)};
+}
+
+/// Means over squares of (2 radius + 1) pixels, around the edges.
+Heights blurred(const Heights& from, int size, int radius)
+{
+    Heights along(from.size()), both(from.size());
+    const float share = 1.0f / float(2 * radius + 1);
+    const auto pass = [&](const Heights& in, Heights& out, std::size_t line, std::size_t pixel) {
+        const auto n = static_cast<std::size_t>(size);
+        for (std::size_t l = 0; l < n; ++l) {
+            const auto at = [&](int i) { return in[l * line + std::size_t(wrapped(i, size)) * pixel]; };
+            float sum = 0.0f;
+            for (int i = -radius; i <= radius; ++i)
+                sum += at(i);
+            for (int i = 0; i < size; ++i) {
+                out[l * line + std::size_t(i) * pixel] = sum * share;
+                sum += at(i + radius + 1) - at(i - radius);
+            }
+        }
+    };
+    pass(from, along, std::size_t(size), 1);
+    pass(along, both, 1, std::size_t(size));
+    return both;
+}
+
+glm::vec3 mossed(glm::vec3 colour, const BarkParams& params, glm::vec2 at, float height, std::uint32_t seed)
+{
+    if (params.moss <= 0.0)
+        return colour;
+    // It begins in the cracks.
+    const float grows = 0.5f + 0.6f * fractalNoise(at, {3, 3}, 4, seed + 301u) + 0.4f * (0.5f - height);
+    const float bare = 1.15f - 1.3f * float(params.moss);
+    const glm::vec3 moss = glm::vec3(0.29f, 0.36f, 0.13f) * (0.85f + 0.3f * height);
+    return glm::mix(colour, moss, glm::smoothstep(bare, bare + 0.15f, grows));
+}
+
+/// A place of a bark as it is drawn.
+struct BarkPixel
+{
+    float height = 0.0f;
+    glm::vec3 colour{0.0f}; ///< sRGB, 0 .. 1 and beyond
+};
+
+class Bark
+{
+public:
+    explicit Bark(const BarkParams& params)
+        : m_params(params)
+        , m_look(barkLook(params.family))
+        , m_seed(latticeHash(int(params.seed & 0xFFFF), int((params.seed >> 16) & 0xFFFF), 17u))
+    {
+    }
+    [[nodiscard]] BarkPixel at(glm::vec2 place) const
+    {
+        const BarkSample sample = m_look.at(place, m_seed);
+        const float grain = gradientNoise(place, {64, 64}, m_seed + 401u);
+        const float height = glm::clamp(sample.height + 0.012f * grain, 0.0f, 1.0f);
+        glm::vec3 colour = glm::mix(m_look.crack, m_look.ridge, glm::smoothstep(0.05f, 0.85f, height));
+        colour *= 1.0f + m_look.variety * sample.tint + 0.06f * grain;
+        colour = mossed(glm::mix(colour, m_look.mark, sample.mark), m_params, place, height, m_seed);
+        return {height, colour * float(1.0 + m_params.light)};
+    }
+
+private:
+    const BarkParams& m_params;
+    const BarkLook& m_look;
+    std::uint32_t m_seed;
+};
+
+void addNormals(BarkMaps& maps, const Heights& heights)
+{
+    const int size = maps.size;
+    const float slope = 0.5f * maps.relief * float(size);
+    const auto at = [&](int x, int y) {
+        return heights[std::size_t(wrapped(y, size)) * std::size_t(size) + std::size_t(wrapped(x, size))];
+    };
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const glm::vec3 normal = glm::normalize(glm::vec3(slope * (at(x - 1, y) - at(x + 1, y)),
+                                                              slope * (at(x, y - 1) - at(x, y + 1)), 1.0f));
+            maps.normal.push_back(bytesOf(0.5f + 0.5f * normal));
+        }
+}
+
+/// What lies under its neighbourhood gets less light from the sky.
+void addOcclusion(BarkMaps& maps, const Heights& heights)
+{
+    const Heights close = blurred(heights, maps.size, std::max(1, maps.size / 128));
+    const Heights far = blurred(heights, maps.size, std::max(1, maps.size / 32));
+    const float depth = 24.0f * maps.relief;
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+        const float under = std::max(0.0f, close[i] - heights[i]) + std::max(0.0f, far[i] - heights[i]);
+        maps.occlusion.push_back(byteOf(1.0f - std::min(0.85f, depth * under)));
+    }
+}
+
+} // namespace
+
+Expected<BarkMaps> barkMaps(const BarkParams& params, int size, const Progress& progress)
+{
+    if (size < leastBarkSize || size > mostBarkSize)
+        return fail(ErrorCode::Limit, RAMURE_NOOP("A map of bark has %1 to %2 pixels a side"),
+                    {std::to_string(leastBarkSize), std::to_string(mostBarkSize)});
+    const BarkLook& look = barkLook(params.family);
+    if (!look.at)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("Plain bark has no maps"));
+    const Bark bark(params);
+    BarkMaps maps;
+    maps.size = size;
+    maps.relief = look.relief * float(params.depth);
+    const auto count = std::size_t(size) * std::size_t(size);
+    Heights heights;
+    heights.reserve(count);
+    maps.colour.reserve(count);
+    maps.roughness.reserve(count);
+    for (int y = 0; y < size; ++y) {
+        if (progress.cancelled())
+            return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
+        for (int x = 0; x < size; ++x) {
+            const glm::vec2 at = (glm::vec2(float(x), float(y)) + 0.5f) / float(size);
+            const auto [height, colour] = bark.at(at);
+            heights.push_back(height);
+            maps.colour.push_back(bytesOf(colour));
+            maps.height.push_back(byteOf(height));
+            maps.roughness.push_back(byteOf(glm::mix(1.0f, look.roughness, height)));
+        }
+        progress.report(double(y + 1) / double(size));
+    }
+    maps.normal.reserve(count);
+    maps.occlusion.reserve(count);
+    addNormals(maps, heights);
+    addOcclusion(maps, heights);
+    return maps;
+}
+
+glm::u8vec3 meanColour(const BarkParams& params)
+{
+    constexpr int places = 16; // each way
+    const Bark bark(params);
+    glm::vec3 sum(0.0f);
+    for (int y = 0; y < places; ++y)
+        for (int x = 0; x < places; ++x)
+            sum += bark.at((glm::vec2(float(x), float(y)) + 0.5f) / float(places)).colour;
+    return bytesOf(sum / float(places * places));
+}
+
+} // namespace ramure

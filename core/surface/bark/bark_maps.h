@@ -1,0 +1,32 @@
+/// \file
+/// Pictures of bark, made from a few numbers: one tile that repeats without a seam.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/params/bark_params.h"
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace ramure {
+
+/// Squares of the same size, rows from the foot up: x goes around the branch, y along it towards its tip.
+struct BarkMaps
+{
+    int size = 0;                    ///< pixels a side
+    std::vector<glm::u8vec3> colour; ///< sRGB
+    std::vector<glm::u8vec3> normal; ///< tangent space, x around, y along, z outward; 128 = 0
+    std::vector<std::uint8_t> height, occlusion, roughness;
+    float relief = 0.0f; ///< height 255 stands so far over height 0, in tiles
+};
+
+inline constexpr int leastBarkSize = 16, mostBarkSize = 8192;
+
+/// Errors: Invalid (a size out of range; the family Plain, which has no picture), Cancelled.
+Expected<BarkMaps> barkMaps(const BarkParams& params, int size, const Progress& progress = {});
+
+/// sRGB, of the colour map, about: from some of its places. \pre the family is not Plain.
+glm::u8vec3 meanColour(const BarkParams& params);
+
+} // namespace ramure

@@ -1,0 +1,190 @@
+#include "core/surface/bark/bark_pattern.h"
+
+#include "core/surface/bark/tiled_noise.h"
+#include <array>
+
+namespace ramure {
+namespace {
+
+using glm::ivec2;
+using glm::vec2;
+using Seed = std::uint32_t;
+
+float step(float from, float to, float x)
+{
+    return glm::smoothstep(from, to, x);
+}
+/// Moves a place about, so that borders wander.
+vec2 warped(vec2 p, ivec2 period, vec2 by, int octaves, Seed seed)
+{
+    return p + by * vec2(fractalNoise(p, period, octaves, seed + 101u),
+                         fractalNoise(p, period, octaves, seed + 201u));
+}
+/// Sharp crests where the noise passes zero.
+float ridged(vec2 p, ivec2 period, int octaves, Seed seed)
+{
+    float sum = 0.0f, strength = 1.0f, all = 0.0f;
+    for (int i = 0; i < octaves; ++i, strength *= 0.5f, period *= 2) {
+        sum += strength * (1.0f - std::abs(gradientNoise(p, period, seed + Seed(i))));
+        all += strength;
+    }
+    return sum / all;
+}
+float tintOf(std::uint32_t id)
+{
+    return 2.0f * share(id * 0x85EBCA6Bu) - 1.0f;
+}
+
+BarkSample smoothBark(vec2 p, Seed seed)
+{
+    const float wide = fractalNoise(p, {3, 4}, 3, seed);
+    const float wrinkles = fractalNoise(warped(p, {4, 4}, {0.0f, 0.02f}, 1, seed), {3, 28}, 2, seed + 11u);
+    const float lichen = fractalNoise(p, {4, 3}, 4, seed + 21u);
+    return {0.6f + 0.22f * wide + 0.18f * wrinkles, wide, 0.75f * step(0.18f, 0.42f, lichen)};
+}
+
+BarkSample platedBark(vec2 p, Seed seed)
+{
+    const vec2 at = warped(p, {4, 3}, {0.07f, 0.08f}, 4, seed);
+    const Cells plate = cellsAt(at, {5, 3}, 0.9f, seed);
+    const float edge = step(0.0f, 0.16f, plate.inside());
+    // Thin flakes lie on each other: terraces.
+    const float level = 4.0f * (0.5f + 0.6f * fractalNoise(at, {7, 5}, 4, seed + 31u)) + share(plate.id);
+    const float terrace = (std::floor(level) + step(0.8f, 1.0f, level - std::floor(level))) / 5.0f;
+    return {edge * (0.45f + 0.5f * terrace), 0.5f * tintOf(plate.id) + 1.1f * (terrace - 0.5f),
+            0.55f * edge * step(0.75f, 0.95f, terrace)};
+}
+
+BarkSample furrowedBark(vec2 p, Seed seed)
+{
+    const vec2 at = warped(p, {5, 4}, {0.05f, 0.12f}, 3, seed);
+    const Cells ridge = cellsAt(at, {7, 2}, 0.95f, seed);
+    const float crest = step(0.0f, 0.36f, ridge.inside());
+    const float across = fractalNoise(at, {9, 14}, 2, seed + 41u);
+    const float broken = step(-0.55f, -0.2f, across);
+    return {crest * (0.55f + 0.3f * broken + 0.15f * across), 0.5f * tintOf(ridge.id) + 0.5f * across, 0.0f};
+}
+
+BarkSample scalyBark(vec2 p, Seed seed)
+{
+    const Cells scale = cellsAt(warped(p, {7, 6}, {0.035f, 0.035f}, 3, seed), {9, 7}, 0.95f, seed);
+    const float edge = step(0.0f, 0.13f, scale.inside());
+    const float lifted =
+        0.5f - 0.5f * glm::clamp(scale.from.y * 1.6f, -1.0f, 1.0f); // the lower rim stands off
+    return {edge * (0.35f + 0.4f * lifted + 0.25f * share(scale.id * 7u)), tintOf(scale.id), 0.0f};
+}
+
+BarkSample peelingBark(vec2 p, Seed seed)
+{
+    const vec2 at = warped(p, {4, 3}, {0.07f, 0.15f}, 3, seed);
+    const Cells strip = cellsAt(at, {5, 2}, 0.8f, seed);
+    const bool gone = share(strip.id * 5u) < 0.45f;
+    const float rim = step(0.0f, 0.08f, strip.inside());
+    const float grain = fractalNoise(p, {26, 3}, 2, seed + 51u);
+    if (gone)
+        return {0.2f + 0.08f * grain, grain, 0.85f * step(0.0f, 0.1f, strip.inside())};
+    const float curl = 1.0f - step(0.05f, 0.3f, strip.inside()); // edges roll up
+    return {rim * (0.55f + 0.3f * curl + 0.12f * grain), tintOf(strip.id), 0.0f};
+}
+
+BarkSample ringedBark(vec2 p, Seed seed)
+{
+    const float film = fractalNoise(warped(p, {3, 6}, {0.0f, 0.015f}, 2, seed), {2, 26}, 2, seed);
+    // Lenticels: short dashes across, of different lengths.
+    const Cells dash = cellsAt(p, {5, 18}, 0.8f, seed + 61u);
+    const float length = 0.12f + 0.5f * share(dash.id * 3u);
+    const float dashes = step(1.0f, 0.55f, glm::length(dash.from / vec2(length, 0.16f))) *
+                         step(0.35f, 0.45f, share(dash.id * 11u));
+    // Where limbs were, and where the trunk has burst, bark is black and rough.
+    const Cells scar = cellsAt(warped(p, {6, 6}, {0.05f, 0.05f}, 3, seed), {2, 2}, 0.9f, seed + 71u);
+    const float black =
+        share(scar.id * 13u) < 0.35f ? step(0.34f, 0.16f, glm::length(scar.from * vec2(0.8f, 1.5f))) : 0.0f;
+    const float torn = black * fractalNoise(p, {12, 10}, 3, seed + 81u);
+    return {0.68f + 0.14f * film - 0.22f * dashes + 0.3f * torn - 0.2f * black, film,
+            glm::max(0.75f * dashes, black)};
+}
+
+BarkSample fibrousBark(vec2 p, Seed seed)
+{
+    const vec2 at = warped(p, {3, 3}, {0.05f, 0.0f}, 2, seed);
+    const float strands = ridged(at, {13, 2}, 3, seed);
+    const float gaps = step(-0.5f, 0.15f, fractalNoise(at, {9, 2}, 2, seed + 91u));
+    return {glm::clamp(1.5f * (strands - 0.35f), 0.0f, 1.0f) * (0.35f + 0.65f * gaps),
+            fractalNoise(at, {20, 2}, 2, seed + 95u), 0.0f};
+}
+
+BarkSample mosaicBark(vec2 p, Seed seed)
+{
+    // The oldest bark is what is left on top: two layers have come off in patches.
+    const float first = fractalNoise(p, {4, 3}, 4, seed), second = fractalNoise(p, {3, 4}, 4, seed + 115u);
+    const float old = step(0.02f, 0.05f, first), middle = step(-0.04f, -0.01f, second);
+    const float grain = fractalNoise(p, {10, 10}, 3, seed + 111u);
+    const float height = 0.3f + 0.22f * middle + 0.3f * old;
+    return {height + 0.05f * grain, 0.8f * (middle - old) + 0.4f * grain,
+            0.9f * (1.0f - glm::max(old, middle))};
+}
+
+BarkSample palmBark(vec2 p, Seed seed)
+{
+    const float y = 6.0f * (p.y + 0.02f * fractalNoise(p, {3, 3}, 2, seed));
+    const float in = y - std::floor(y);
+    const float fibres = fractalNoise(p, {34, 4}, 2, seed + 121u);
+    const float scar = step(0.0f, 0.1f, in) * (1.0f - 0.55f * in);
+    return {0.15f + 0.7f * scar + 0.12f * fibres, fibres, 0.6f * step(0.16f, 0.03f, in)};
+}
+
+BarkSample thornyBark(vec2 p, Seed seed)
+{
+    const BarkSample skin = smoothBark(p, seed);
+    const Cells thorn = cellsAt(p, {4, 4}, 0.7f, seed + 131u);
+    const float size = 0.16f + 0.14f * share(thorn.id * 3u);
+    const float cone = glm::max(0.0f, 1.0f - thorn.nearest / size);
+    return {0.4f * skin.height + 0.6f * cone, skin.tint, glm::max(0.4f * skin.mark, step(0.05f, 0.5f, cone))};
+}
+
+BarkSample corkyBark(vec2 p, Seed seed)
+{
+    const vec2 at = warped(p, {4, 3}, {0.07f, 0.1f}, 3, seed);
+    const float ridges = 1.0f - ridged(at, {5, 2}, 3, seed); // cracks where the noise passes zero
+    const float pores = fractalNoise(p, {24, 24}, 2, seed + 141u);
+    return {glm::clamp(2.2f * ridges, 0.0f, 1.0f) * 0.85f + 0.1f + 0.08f * pores, pores, 0.0f};
+}
+
+BarkSample bambooBark(vec2 p, Seed seed)
+{
+    const float away = std::abs(p.y - std::floor(p.y) - 0.5f);
+    const float ring = step(0.03f, 0.008f, away), groove = step(0.012f, 0.0f, std::abs(away - 0.035f));
+    const float streaks = fractalNoise(p, {36, 1}, 2, seed);
+    const float wax = p.y - std::floor(p.y) < 0.5f ? step(0.13f, 0.03f, away) : 0.0f;
+    return {0.55f + 0.4f * ring - 0.3f * groove + 0.05f * streaks, streaks, 0.6f * wax * (1.0f - ring)};
+}
+
+constexpr glm::vec3 rgb(int r, int g, int b)
+{
+    return glm::vec3(float(r), float(g), float(b)) / 255.0f;
+}
+
+const std::array<BarkLook, 13> looks{{
+    {nullptr, {}, {}, {}},
+    {smoothBark, rgb(98, 96, 90), rgb(146, 143, 134), rgb(172, 180, 160), 0.008f, 0.10f, 0.75f},
+    {platedBark, rgb(50, 40, 34), rgb(146, 108, 82), rgb(170, 156, 140), 0.045f, 0.16f, 0.90f},
+    {furrowedBark, rgb(42, 35, 29), rgb(138, 122, 102), rgb(138, 122, 102), 0.060f, 0.14f, 0.95f},
+    {scalyBark, rgb(64, 50, 42), rgb(140, 116, 98), rgb(140, 116, 98), 0.022f, 0.18f, 0.90f},
+    {peelingBark, rgb(74, 56, 44), rgb(150, 120, 96), rgb(214, 202, 176), 0.025f, 0.14f, 0.70f},
+    {ringedBark, rgb(170, 164, 152), rgb(232, 228, 218), rgb(42, 37, 34), 0.012f, 0.06f, 0.60f},
+    {fibrousBark, rgb(62, 46, 38), rgb(150, 120, 100), rgb(150, 120, 100), 0.040f, 0.16f, 0.95f},
+    {mosaicBark, rgb(112, 108, 88), rgb(134, 126, 104), rgb(204, 198, 166), 0.010f, 0.18f, 0.70f},
+    {palmBark, rgb(78, 66, 54), rgb(150, 134, 112), rgb(92, 76, 60), 0.040f, 0.12f, 0.95f},
+    {thornyBark, rgb(84, 90, 76), rgb(128, 130, 112), rgb(96, 76, 58), 0.070f, 0.10f, 0.80f},
+    {corkyBark, rgb(52, 44, 38), rgb(164, 146, 122), rgb(164, 146, 122), 0.070f, 0.12f, 1.00f},
+    {bambooBark, rgb(82, 92, 48), rgb(132, 142, 82), rgb(196, 200, 172), 0.030f, 0.08f, 0.45f},
+}};
+
+} // namespace
+
+const BarkLook& barkLook(BarkFamily family)
+{
+    return looks.at(static_cast<std::size_t>(family));
+}
+
+} // namespace ramure

@@ -1,0 +1,32 @@
+/// \file
+/// The families of bark: what lies at a place of a tile. x goes around the branch, y along it.
+#pragma once
+
+#include "core/params/bark_params.h"
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+namespace ramure {
+
+/// One place of a bark.
+struct BarkSample
+{
+    float height = 0.5f; ///< 0 the deepest crack .. 1 the highest ridge
+    float tint = 0.0f;   ///< -1 darker .. 1 lighter than bark of this height: of plates and scales
+    float mark = 0.0f;   ///< 0 .. 1: lenticels, lichen, young bark, which have a colour of their own
+};
+
+struct BarkLook
+{
+    BarkSample (*at)(glm::vec2 place, std::uint32_t seed) = nullptr; ///< place in tiles; periodic
+    glm::vec3 crack, ridge, mark;                                    ///< sRGB, 0 .. 1
+    float relief = 0.0f;    ///< from the deepest crack to the highest ridge, in tiles
+    float variety = 0.0f;   ///< how far tint reaches
+    float roughness = 0.9f; ///< of ridges; cracks are rough
+};
+
+/// Of every family but Plain, whose function is null.
+const BarkLook& barkLook(BarkFamily family);
+
+} // namespace ramure

@@ -1,0 +1,144 @@
+#include "core/surface/bark/bark_maps.h"
+#include "core/surface/bark/bark_pattern.h"
+#include "tests/support/suite.h"
+#include <algorithm>
+#include <set>
+
+using namespace ramure;
+
+namespace {
+
+BarkParams of(BarkFamily family)
+{
+    BarkParams params;
+    params.family = family;
+    return params;
+}
+
+int difference(const glm::u8vec3& a, const glm::u8vec3& b)
+{
+    return std::max({std::abs(a.x - b.x), std::abs(a.y - b.y), std::abs(a.z - b.z)});
+}
+
+/// The largest step from one row, or column, to the next, over rows first .. last - 1.
+int largestStep(const BarkMaps& maps, int line, int pixel, int first, int last)
+{
+    int largest = 0;
+    for (int i = first; i < last; ++i)
+        for (int j = 0; j < maps.size; ++j) {
+            const auto here = std::size_t(i * line + j * pixel);
+            const auto next = std::size_t(((i + 1) % maps.size) * line + j * pixel);
+            largest = std::max(largest, difference(maps.colour[here], maps.colour[next]));
+        }
+    return largest;
+}
+
+} // namespace
+
+class TestBarkMaps : public QObject
+{
+    Q_OBJECT
+
+private:
+    static void everyFamily()
+    {
+        QTest::addColumn<int>("family");
+        for (int i = 1; i <= int(BarkFamily::Bamboo); ++i)
+            QTest::addRow("%d", i) << i;
+    }
+
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void whatCannotBeMadeIsAnError()
+    {
+        QCOMPARE(barkMaps(of(BarkFamily::Plain), 64).error().code, ErrorCode::Invalid);
+        for (const int size : {-1, 0, leastBarkSize - 1, mostBarkSize + 1})
+            QCOMPARE(barkMaps(of(BarkFamily::Smooth), size).error().code, ErrorCode::Limit);
+        std::stop_source stop;
+        stop.request_stop();
+        QCOMPARE(barkMaps(of(BarkFamily::Smooth), 64, {stop.get_token(), {}}).error().code,
+                 ErrorCode::Cancelled);
+    }
+
+    void aTileMeetsItself_data() { everyFamily(); }
+    void aTileMeetsItself()
+    {
+        QFETCH(int, family);
+        const BarkLook& look = barkLook(BarkFamily(family));
+        for (int i = 0; i < 200; ++i) {
+            const glm::vec2 at(float(i) / 200.0f, float((i * 37) % 200) / 200.0f);
+            for (const glm::vec2 tile : {glm::vec2(1, 0), glm::vec2(0, 1), glm::vec2(-1, 2)}) {
+                const BarkSample here = look.at(at, 5u), there = look.at(at + tile, 5u);
+                QVERIFY(std::abs(here.height - there.height) <= 1.0f / 255.0f);
+            }
+        }
+        // Nor does a picture show where its edge is.
+        const auto maps = barkMaps(of(BarkFamily(family)), 64);
+        QVERIFY(maps);
+        for (const auto& [line, pixel] : {std::pair(64, 1), std::pair(1, 64)})
+            QVERIFY(largestStep(*maps, line, pixel, 63, 64) <=
+                    std::max(30, 2 * largestStep(*maps, line, pixel, 0, 63)));
+    }
+
+    void mapsAreWholeAndTheSameEachTime_data() { everyFamily(); }
+    void mapsAreWholeAndTheSameEachTime()
+    {
+        QFETCH(int, family);
+        const BarkParams params = of(BarkFamily(family));
+        const auto one = barkMaps(params, 48), two = barkMaps(params, 48);
+        QVERIFY(one && two);
+        constexpr std::size_t count = 48 * 48;
+        QCOMPARE(one->colour.size(), count);
+        QCOMPARE(one->height.size(), count);
+        QCOMPARE(one->occlusion.size(), count);
+        QCOMPARE(one->roughness.size(), count);
+        QCOMPARE(one->normal.size(), count);
+        QVERIFY(one->colour == two->colour && one->normal == two->normal && one->height == two->height);
+        // There is something to see, and normals look out of the surface.
+        const auto [low, high] = std::ranges::minmax(one->height);
+        QVERIFY(high - low > 20);
+        QVERIFY(std::ranges::all_of(one->normal, [](const glm::u8vec3& n) { return n.z > 128; }));
+        BarkParams other = params;
+        other.seed = 2;
+        QVERIFY(barkMaps(other, 48)->height != one->height);
+    }
+
+    void familiesDiffer()
+    {
+        std::set<std::vector<std::uint8_t>> seen;
+        for (int i = 1; i <= int(BarkFamily::Bamboo); ++i)
+            seen.insert(barkMaps(of(BarkFamily(i)), 32)->height);
+        QCOMPARE(seen.size(), std::size_t(BarkFamily::Bamboo));
+    }
+
+    void numbersDoWhatTheySay()
+    {
+        BarkParams params = of(BarkFamily::Furrowed);
+        const auto usual = meanColour(params);
+        params.light = 0.3;
+        QVERIFY(meanColour(params).x > usual.x);
+        params.light = -1.0;
+        QCOMPARE(meanColour(params), glm::u8vec3(0));
+        params.light = 0.0;
+        params.moss = 1.0;
+        const auto mossy = meanColour(params);
+        QVERIFY(mossy.y > mossy.x && mossy.y > mossy.z);
+        params.depth = 0.0;
+        for (const glm::u8vec3& normal : barkMaps(params, 32)->normal)
+            QCOMPARE(normal, glm::u8vec3(128, 128, 255));
+    }
+
+    void theMeanIsThatOfTheMap()
+    {
+        const BarkParams params = of(BarkFamily::Plated);
+        glm::vec3 sum(0.0f);
+        const auto maps = barkMaps(params, 128);
+        for (const glm::u8vec3& colour : maps->colour)
+            sum += glm::vec3(colour);
+        QVERIFY(difference(meanColour(params), glm::u8vec3(sum / float(maps->colour.size()))) <= 12);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestBarkMaps)
+#include "tst_bark_maps.moc"
