@@ -22,8 +22,9 @@ private slots:
         std::stop_source stop;
         stop.request_stop();
         const TreeResult result = tree();
-        QCOMPARE(result.texture->coordinates({}, {stop.get_token(), {}}).error().code, ErrorCode::Cancelled);
-        QVERIFY(result.texture->coordinates({}));
+        QCOMPARE(result.texture->coordinates(TextureParams(), {stop.get_token(), {}}).error().code,
+                 ErrorCode::Cancelled);
+        QVERIFY(result.texture->coordinates(TextureParams()));
     }
     void onlyMeshesHaveOne()
     {
@@ -33,14 +34,14 @@ private slots:
     void isComputedOnce()
     {
         const TreeResult result = tree();
-        const auto made = result.texture->coordinates({});
+        const auto made = result.texture->coordinates(TextureParams());
         QVERIFY2(made, test::why(made));
         QCOMPARE(**made, *textureCoordinates(*result.branches, {}));
-        QCOMPARE(*result.texture->coordinates({}), *made);
-        QCOMPARE(*tree().texture->coordinates({}), *made); // evaluated again: the same stage
+        QCOMPARE(*result.texture->coordinates(TextureParams()), *made);
+        QCOMPARE(*tree().texture->coordinates(TextureParams()), *made); // evaluated again: the same stage
         const auto other = result.texture->coordinates({.seamsAround = false});
         QVERIFY(other && **other != **made);
-        QCOMPARE(*result.texture->coordinates({}), *made);
+        QCOMPARE(*result.texture->coordinates(TextureParams()), *made);
     }
 
 private:
