@@ -5,6 +5,7 @@
 #include "core/pipeline/draft_tubes.h"
 #include "core/pipeline/stage_cache.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "tests/support/kind_with.h"
 #include "tests/support/suite.h"
 
 #include <cmath>
@@ -279,6 +280,7 @@ void TestTreePipeline::everyParameterMakesItsStageStale()
     const ParamDef& def = paramTable()[std::size_t(row)];
     NodeParams params = smallParams();
     params.grammar.stochastic = true; // so that the seed counts
+    test::makeRelevant(params, def);
     NodeParams changed = params;
     QVERIFY(setParam(changed, def, otherValue(def, params)));
     TreePipeline pipeline;
