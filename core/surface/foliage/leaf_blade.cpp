@@ -61,10 +61,10 @@ struct Outline
     }
 };
 
-/// What stands out from the edge of a blade between two of its stations, as points from the lower to the
-/// upper.
+/// What stands out from the straight edge between two stations, as points from the lower to the upper.
 struct Edge
 {
+    bool fine = false; ///< the rounding of a smooth outline, and teeth
     double teeth = 0.0;
     bool hasLobes = false, pointed = false;
 
@@ -72,28 +72,30 @@ struct Edge
                                                   const Outline& outline, bool last) const
     {
         const double rise = to.y - from.y;
+        const auto widthAt = [&](double share) { return outline.at(std::min(from.y + share * rise, 0.97)); };
         if (hasLobes && pointed)
-            return {{std::max(from.x, outline.at(std::min(from.y + 0.6 * rise, 0.97))), from.y + 0.8 * rise}};
-        if (hasLobes) {
-            const double low = outline.at(std::min(from.y + 0.35 * rise, 0.97)),
-                         high = outline.at(std::min(from.y + 0.75 * rise, 0.97));
-            return {{std::max(from.x, low), from.y + 0.30 * rise},
-                    {std::max(last ? 0.0 : to.x, 0.92 * high), from.y + 0.80 * rise}};
-        }
-        if (teeth <= 0.0 || last)
+            return last ? std::vector<glm::dvec2>{}
+                        : std::vector{glm::dvec2(std::max(from.x, widthAt(0.6)), from.y + 0.8 * rise)};
+        if (hasLobes)
+            return {{std::max(from.x, widthAt(0.35)), from.y + 0.30 * rise},
+                    {std::max(last ? 0.0 : to.x, 0.92 * widthAt(0.75)), from.y + 0.80 * rise}};
+        const double y = from.y + 0.55 * rise, chord = glm::mix(from.x, to.x, 0.55);
+        const double out = last || from.x <= 0.0 ? 0.0 : teeth * outline.half;
+        const double x = std::max(y > 0.02 ? outline.at(y) : 0.0, chord) + out;
+        if (!fine || x < chord + 0.04 * outline.half)
             return {};
-        return {{glm::mix(from.x, to.x, 0.7) + teeth * outline.half, from.y + 0.7 * rise}};
+        return {{x, y}};
     }
 };
 
 } // namespace
 
-FlatBlade bladeOf(const LeafRow& row, double width, int stations, bool teeth)
+FlatBlade bladeOf(const LeafRow& row, double width, int stations, bool fine)
 {
     const Outline outline{row.base, row.tip, 0.5 * row.width * width};
     const bool hasLobes = row.lobes > 0;
     const int count = hasLobes ? row.lobes : stations;
-    const Edge edge{teeth ? row.teeth : 0.0, hasLobes, row.pointed};
+    const Edge edge{fine, row.teeth, hasLobes, row.pointed};
     Halves halves;
     Index below = 0, besideBelow = 0; // the foot is on the midrib and on the edge
     glm::dvec2 from(0.0);
@@ -114,7 +116,7 @@ FlatBlade bladeOf(const LeafRow& row, double width, int stations, bool teeth)
             halves.triangle(below, side, middle);
         if (besideBelow != below)
             halves.triangle(below, besideBelow, side);
-        if (k > 1) {
+        if (k > 1 || !hasLobes) {
             Index at = noIndex;
             for (const glm::dvec2& point : edge.between(from, {x, y}, outline, last)) {
                 const Index out = halves.beside(point.x, point.y);
@@ -154,19 +156,19 @@ std::vector<RimPoint> lobedRim(const LeafRow& row, int detail)
     const auto length = [&](int lobe) {
         return 1.0 - row.dwindle * maths::pow(std::abs(lobe - middle) / middle, 1.3);
     };
-    const double shoulder = 1.0 - 0.4 * row.depth;
+    const double shoulder = 1.0 - 0.4 * row.depth, broad = 0.4 - 0.25 * row.depth;
     std::vector<RimPoint> rim{{0.5 * row.spread, 0.7 * (1.0 - row.depth) * length(0)}};
     for (int i = 0; i < row.lobes; ++i) {
         const double to = (middle - i) * gap, own = length(i);
         if (detail > 2)
-            rim.push_back({to + 0.36 * gap, 0.88 * shoulder * own});
+            rim.push_back({to + (0.5 * broad + 0.25) * gap, 0.88 * shoulder * own});
         if (detail > 1)
-            rim.push_back({to + 0.22 * gap, shoulder * own});
+            rim.push_back({to + broad * gap, shoulder * own});
         rim.push_back({to, own});
         if (detail > 1)
-            rim.push_back({to - 0.22 * gap, shoulder * own});
+            rim.push_back({to - broad * gap, shoulder * own});
         if (detail > 2)
-            rim.push_back({to - 0.36 * gap, 0.88 * shoulder * own});
+            rim.push_back({to - (0.5 * broad + 0.25) * gap, 0.88 * shoulder * own});
         const bool last = i + 1 == row.lobes;
         const double bay = last ? 0.7 * own : 0.5 * (own + length(i + 1));
         rim.push_back({to - 0.5 * gap, (1.0 - row.depth) * bay});

@@ -18,9 +18,9 @@ struct FlatBlade
     double halfWidth = 0.0;
 };
 
-/// A blade of the row's outline. \param stations between foot and tip, >= 1. \param teeth whether its edge
-/// has them. \param width of what the row says.
-FlatBlade bladeOf(const LeafRow& row, double width, int stations, bool teeth);
+/// A blade of the row's outline. \param stations between foot and tip, >= 1. \param fine whether its edge is
+/// rounded and has teeth. \param width of what the row says.
+FlatBlade bladeOf(const LeafRow& row, double width, int stations, bool fine);
 /// Two triangles, widest below its middle.
 FlatBlade needleOf(const LeafRow& row, double width);
 /// A blade whose lobes leave its foot. \param detail 1..3.

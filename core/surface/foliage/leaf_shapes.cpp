@@ -46,7 +46,8 @@ public:
     {
         switch (m_row.family) {
         case LeafFamily::Blade:
-            single(bladeOf(m_row, m_form.width, 2 * m_form.detail - 1, m_form.detail > 1));
+            single(
+                bladeOf(m_row, m_form.width, 2 * m_form.detail - 1, m_form.detail > 1 && m_row.width > 0.3));
             break;
         case LeafFamily::Star:
             single(starOf(m_row, m_form.width, m_form.detail));
@@ -154,7 +155,7 @@ private:
         LeafRow row = m_row;
         if (m_form.detail == 1)
             row.lobes = 0;
-        const FlatBlade flat = bladeOf(row, width, m_form.detail > 2 ? 3 : 1, m_form.detail > 1);
+        const FlatBlade flat = bladeOf(row, width, m_form.detail > 2 ? 3 : 1, m_form.detail > 2);
         blade(flat, BladeBend(m_form, flat.halfWidth, 0.35), pose, length);
     }
     void pinnate()
@@ -204,7 +205,7 @@ private:
             const auto [sine, cosine] = maths::sincos((i - middle) * gap);
             const glm::dvec3 way(sine, cosine, 0.0);
             const double length = 1.0 - m_row.dwindle * maths::pow(std::abs(i - middle) / middle, 1.5);
-            const FlatBlade flat = bladeOf(m_row, m_form.width, m_form.detail > 2 ? 3 : 1, m_form.detail > 1);
+            const FlatBlade flat = bladeOf(m_row, m_form.width, m_form.detail > 2 ? 3 : 1, m_form.detail > 2);
             blade(flat, BladeBend(m_form, flat.halfWidth, 0.5, wedge),
                   poseTowards(base.at(0.01 * way), base.along(way), base.z), length - 0.01);
         }

@@ -38,10 +38,10 @@ constexpr std::array<LeafRow, leafShapeCount - 1> rows{{
     {.shape = S::Sweetgum, .family = Star, .length = 0.55, .internode = 0.24, .arrangement = Spiral, .petiole = 0.75, .width = 1.00, .lobes = 5, .depth = 0.55, .spread = 4.0},
     // Lobes left and right
     {.shape = S::Oak, .length = 0.58, .internode = 0.18, .arrangement = Spiral, .petiole = 0.06, .width = 0.58, .base = 0.85, .tip = 0.42, .lobes = 4, .depth = 0.42, .pointed = false},
-    {.shape = S::RedOak, .length = 0.68, .internode = 0.21, .arrangement = Spiral, .petiole = 0.25, .width = 0.68, .base = 0.60, .tip = 0.50, .lobes = 3, .depth = 0.55},
-    {.shape = S::Hawthorn, .length = 0.32, .internode = 0.15, .arrangement = Alternate, .petiole = 0.25, .width = 0.85, .base = 0.70, .tip = 0.45, .lobes = 2, .depth = 0.45},
+    {.shape = S::RedOak, .length = 0.68, .internode = 0.21, .arrangement = Spiral, .petiole = 0.25, .width = 0.68, .base = 0.60, .tip = 0.50, .lobes = 4, .depth = 0.55},
+    {.shape = S::Hawthorn, .length = 0.32, .internode = 0.15, .arrangement = Alternate, .petiole = 0.25, .width = 0.85, .base = 0.70, .tip = 0.45, .lobes = 3, .depth = 0.45},
     // Fans
-    {.shape = S::Ginkgo, .family = Star, .length = 0.42, .internode = 0.17, .arrangement = Spiral, .petiole = 0.70, .width = 1.00, .depth = 0.30, .spread = 1.9, .colour = {0x86, 0xA8, 0x4A}},
+    {.shape = S::Ginkgo, .family = Star, .length = 0.42, .internode = 0.17, .arrangement = Spiral, .petiole = 0.70, .width = 1.00, .depth = 0.22, .spread = 1.9, .colour = {0x86, 0xA8, 0x4A}},
     {.shape = S::FanPalm, .family = Star, .length = 2.60, .internode = 0.30, .arrangement = Spiral, .petiole = 0.90, .width = 1.00, .lobes = 17, .depth = 0.35, .spread = 4.4, .dwindle = 0.15},
     // Pinnate
     {.shape = S::Ash, .family = Pinnate, .length = 1.10, .internode = 0.42, .arrangement = Decussate, .petiole = 0.18, .width = 0.38, .base = 0.55, .tip = 0.80, .spread = 1.1, .leaflets = 4, .leaflet = 0.34, .dwindle = 0.1},
