@@ -117,7 +117,7 @@ inline Node randomNode(NodeId id, NodeId parent, Random& random)
         node.mesh = SharedValue<TriangleMesh>(std::move(mesh));
     }
     if (random.below(4) == 0)
-        node.extras = R"({"future":[1,{"deep":0.1}],"params":{"bark.moss":0.25}})";
+        node.extras = R"({"future":[1,{"deep":0.1}],"params":{"snow.depth":0.25}})";
     return node;
 }
 

@@ -24,8 +24,8 @@ struct LeafForm
 LeafForm leafForm(const LeafParams& params);
 
 /// With normals, colours (shades of the row's, white for the blade) and texture coordinates: every blade and
-/// leaflet has the whole picture, its foot below. Nothing in it crosses, for all values of the parameters;
-/// leaflets end where their neighbours begin. Empty where the width is 0.
+/// leaflet has the whole picture, its foot below. As the plant has it nothing in it crosses; bent or widened
+/// to the limits, leaflets may. Empty where the width is 0.
 /// \pre the shape is not Faithful.
 TriangleMesh leafMesh(const LeafForm& form);
 /// Two triangles as long and wide as the blade, where it is. \pre as above.

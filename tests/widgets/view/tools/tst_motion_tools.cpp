@@ -94,8 +94,9 @@ void TestMotionTools::nothingIsUnderAnEmptyView()
     QVERIFY(!branchUnder(view, {-500.0, -500.0}, *m_document, *m_frame));
     QVERIFY(!branchUnder(view, {400.0, 300.0}, *m_document, MotionFrame{}));
     QVERIFY(!appleUnder(view, {400.0, 300.0}, *m_document, MotionFrame{}));
-    QVERIFY(!windArrow(m_document->scene(), noNode, {}, 1.0));
-    QVERIFY(!windArrowOver(m_document->scene(), m_tree, {}, viewOf(), true)); // no box: nothing to stand on
+    QVERIFY(!windArrow(EvaluatedScene(m_document->scene()), noNode, {}, 1.0));
+    QVERIFY(!windArrowOver(EvaluatedScene(m_document->scene()), m_tree, {}, viewOf(),
+                           true)); // no box: nothing to stand on
 }
 
 /// Whatever is found lies under the cursor, and the ends of branches find a branch.
@@ -173,7 +174,7 @@ void TestMotionTools::windArrowsGoThereAndBack()
     for (int i = 0; i < 50; ++i) {
         const double strength = random.range(0.1, 20.0), direction = random.range(-3.0, 3.0);
         setWind(strength, direction);
-        const auto arrow = windArrowOver(m_document->scene(), m_tree, box, view, false);
+        const auto arrow = windArrowOver(EvaluatedScene(m_document->scene()), m_tree, box, view, false);
         QVERIFY(arrow);
         const auto back = windAt(view, pixelOf(view, arrow->head), *arrow, m_document->scene());
         QVERIFY(back);
@@ -197,7 +198,8 @@ void TestMotionTools::windArrowsStayInThePicture()
                     view.camera.pitchRad = pitch;
                     view.camera.distance *= zoom;
                     view.camera.pan({0.4, -0.3}, view.aspect());
-                    const auto arrow = windArrowOver(m_document->scene(), m_tree, box, view, true);
+                    const auto arrow =
+                        windArrowOver(EvaluatedScene(m_document->scene()), m_tree, box, view, true);
                     QVERIFY(arrow);
                     for (const glm::dvec3& end : {arrow->foot, arrow->head}) {
                         const glm::dvec2 at = pixelOf(view, end);
