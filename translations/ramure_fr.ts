@@ -4415,50 +4415,6 @@
         <translation>Unie</translation>
     </message>
     <message>
-        <source>Smooth, as of beech</source>
-        <translation>Lisse, comme du hêtre</translation>
-    </message>
-    <message>
-        <source>Plated, as of pine</source>
-        <translation>En plaques, comme du pin</translation>
-    </message>
-    <message>
-        <source>Furrowed, as of oak</source>
-        <translation>Crevassée, comme du chêne</translation>
-    </message>
-    <message>
-        <source>Scaly, as of spruce</source>
-        <translation>Écailleuse, comme de l’épicéa</translation>
-    </message>
-    <message>
-        <source>Peeling, as of eucalyptus</source>
-        <translation>Qui pèle, comme de l’eucalyptus</translation>
-    </message>
-    <message>
-        <source>Ringed, as of birch</source>
-        <translation>Annelée, comme du bouleau</translation>
-    </message>
-    <message>
-        <source>Fibrous, as of cedar</source>
-        <translation>Fibreuse, comme du cèdre</translation>
-    </message>
-    <message>
-        <source>Mosaic, as of plane</source>
-        <translation>En mosaïque, comme du platane</translation>
-    </message>
-    <message>
-        <source>Scars of fronds, as of palm</source>
-        <translation>Cicatrices de palmes, comme du palmier</translation>
-    </message>
-    <message>
-        <source>Thorny, as of kapok</source>
-        <translation>Épineuse, comme du kapokier</translation>
-    </message>
-    <message>
-        <source>Corky, as of cork oak</source>
-        <translation>Liégeuse, comme du chêne-liège</translation>
-    </message>
-    <message>
         <source>Bark</source>
         <translation>Écorce</translation>
     </message>
@@ -4509,6 +4465,26 @@
     <message>
         <source>Plain bark has no maps</source>
         <translation>Une écorce unie n’a pas d’images</translation>
+    </message>
+    <message>
+        <source>Pine</source>
+        <translation>Pin</translation>
+    </message>
+    <message>
+        <source>Spruce</source>
+        <translation>Épicéa</translation>
+    </message>
+    <message>
+        <source>Cedar</source>
+        <translation>Cèdre</translation>
+    </message>
+    <message>
+        <source>Kapok</source>
+        <translation>Kapokier</translation>
+    </message>
+    <message>
+        <source>Cork oak</source>
+        <translation>Chêne-liège</translation>
     </message>
 </context>
 <context>

@@ -22,18 +22,12 @@ inline constexpr std::array itemsOf<SkinMethod>{EnumItem{"rigid", RAMURE_NOOP("R
 
 template <>
 inline constexpr std::array itemsOf<BarkFamily>{
-    EnumItem{"plain", RAMURE_NOOP("Plain")},
-    EnumItem{"smooth", RAMURE_NOOP("Smooth, as of beech")},
-    EnumItem{"plated", RAMURE_NOOP("Plated, as of pine")},
-    EnumItem{"furrowed", RAMURE_NOOP("Furrowed, as of oak")},
-    EnumItem{"scaly", RAMURE_NOOP("Scaly, as of spruce")},
-    EnumItem{"peeling", RAMURE_NOOP("Peeling, as of eucalyptus")},
-    EnumItem{"ringed", RAMURE_NOOP("Ringed, as of birch")},
-    EnumItem{"fibrous", RAMURE_NOOP("Fibrous, as of cedar")},
-    EnumItem{"mosaic", RAMURE_NOOP("Mosaic, as of plane")},
-    EnumItem{"palmScars", RAMURE_NOOP("Scars of fronds, as of palm")},
-    EnumItem{"thorny", RAMURE_NOOP("Thorny, as of kapok")},
-    EnumItem{"corky", RAMURE_NOOP("Corky, as of cork oak")},
+    EnumItem{"plain", RAMURE_NOOP("Plain")},  EnumItem{"smooth", RAMURE_NOOP("Beech")},
+    EnumItem{"plated", RAMURE_NOOP("Pine")},  EnumItem{"furrowed", RAMURE_NOOP("Oak")},
+    EnumItem{"scaly", RAMURE_NOOP("Spruce")}, EnumItem{"peeling", RAMURE_NOOP("Eucalyptus")},
+    EnumItem{"ringed", RAMURE_NOOP("Birch")}, EnumItem{"fibrous", RAMURE_NOOP("Cedar")},
+    EnumItem{"mosaic", RAMURE_NOOP("Plane")}, EnumItem{"palmScars", RAMURE_NOOP("Palm")},
+    EnumItem{"thorny", RAMURE_NOOP("Kapok")}, EnumItem{"corky", RAMURE_NOOP("Cork oak")},
     EnumItem{"bamboo", RAMURE_NOOP("Bamboo")}};
 
 template <>

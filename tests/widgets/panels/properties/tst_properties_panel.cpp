@@ -75,7 +75,7 @@ private:
 
     /// Types something else into the first editor of the row.
     /// \param part of the range, for numbers
-    void typeAnother(ParamRow* row, double part = 0.25)
+    void typeAnother(ParamRow* row, double part = 0.27)
     {
         if (auto* field = row->findChild<NumberField*>()) {
             const ParamDef& def = row->def();
@@ -567,6 +567,11 @@ private slots:
 
     void tabReachesEveryEditor()
     {
+        Node tree = test::treeNode(1, "Tree");
+        tree.params.leaf.shape = LeafShape::Birch;
+        tree.params.bark.family = BarkFamily::Ringed;
+        test::openNodes(*m_document, {tree});
+        showAdvanced();
         QSet<QWidget*> reached;
         QWidget* start = m_panel->findChild<QLineEdit*>();
         start->setFocus();
@@ -577,7 +582,7 @@ private slots:
             reached += QApplication::focusWidget();
         }
         for (const ParamDef& def : paramTable()) {
-            if (!hasParam(NodeKind::Tree, def))
+            if (!hasParam(NodeKind::Tree, def) || !isRelevant(tree.params, def))
                 continue;
             const bool hit = std::ranges::any_of(
                 reached, [&](QWidget* widget) { return m_panel->row(def)->editor()->isAncestorOf(widget); });

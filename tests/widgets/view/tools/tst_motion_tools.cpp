@@ -176,11 +176,13 @@ void TestMotionTools::windArrowsGoThereAndBack()
         setWind(strength, direction);
         const auto arrow = windArrowOver(EvaluatedScene(m_document->scene()), m_tree, box, view, false);
         QVERIFY(arrow);
-        const auto back = windAt(view, pixelOf(view, arrow->head), *arrow, m_document->scene());
+        const auto back =
+            windAt(view, pixelOf(view, arrow->head), *arrow, EvaluatedScene(m_document->scene()));
         QVERIFY(back);
         QVERIFY(std::abs(back->strength - strength) < 1e-6 * strength);
         QVERIFY(std::abs(std::remainder(back->directionRad - direction, 6.283185307179586)) < 1e-6);
-        const auto none = windAt(view, pixelOf(view, arrow->foot), *arrow, m_document->scene());
+        const auto none =
+            windAt(view, pixelOf(view, arrow->foot), *arrow, EvaluatedScene(m_document->scene()));
         QVERIFY(none && none->strength == 0.0);
     }
 }
