@@ -22,12 +22,12 @@ inline constexpr std::array itemsOf<SkinMethod>{EnumItem{"rigid", RAMURE_NOOP("R
 
 template <>
 inline constexpr std::array itemsOf<BarkFamily>{
-    EnumItem{"plain", RAMURE_NOOP("Plain")},  EnumItem{"smooth", RAMURE_NOOP("Beech")},
-    EnumItem{"plated", RAMURE_NOOP("Pine")},  EnumItem{"furrowed", RAMURE_NOOP("Oak")},
-    EnumItem{"scaly", RAMURE_NOOP("Spruce")}, EnumItem{"peeling", RAMURE_NOOP("Eucalyptus")},
-    EnumItem{"ringed", RAMURE_NOOP("Birch")}, EnumItem{"fibrous", RAMURE_NOOP("Cedar")},
-    EnumItem{"mosaic", RAMURE_NOOP("Plane")}, EnumItem{"palmScars", RAMURE_NOOP("Palm")},
-    EnumItem{"thorny", RAMURE_NOOP("Kapok")}, EnumItem{"corky", RAMURE_NOOP("Cork oak")},
+    EnumItem{"plain", RAMURE_NOOP("Plain")},       EnumItem{"smooth", RAMURE_NOOP("Beech")},
+    EnumItem{"plated", RAMURE_NOOP("Pine")},       EnumItem{"furrowed", RAMURE_NOOP("Oak")},
+    EnumItem{"scaly", RAMURE_NOOP("Spruce")},      EnumItem{"peeling", RAMURE_NOOP("Eucalyptus")},
+    EnumItem{"ringed", RAMURE_NOOP("Birch")},      EnumItem{"fibrous", RAMURE_NOOP("Cedar")},
+    EnumItem{"mosaic", RAMURE_NOOP("Plane tree")}, EnumItem{"palmScars", RAMURE_NOOP("Palm")},
+    EnumItem{"thorny", RAMURE_NOOP("Kapok")},      EnumItem{"corky", RAMURE_NOOP("Cork oak")},
     EnumItem{"bamboo", RAMURE_NOOP("Bamboo")}};
 
 template <>
