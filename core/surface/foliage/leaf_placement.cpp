@@ -91,9 +91,6 @@ public:
             for (std::size_t i = 1; i <= pieces; ++i)
                 if (glm::length(m_points[i] - foot) < glm::length(m_points[nearest] - foot))
                     nearest = i;
-            if (round == 0 &&
-                glm::length(m_points[nearest] - foot) > 0.995 * radiusAt(double(nearest) / pieces))
-                return foot;
             double low = (double(nearest) - 1.0) / pieces, high = (double(nearest) + 1.0) / pieces;
             low = std::max(low, 0.0);
             high = std::min(high, 1.0);
@@ -106,7 +103,8 @@ public:
             }
             const double t = 0.5 * (low + high);
             const glm::dvec3 centre = pointAt(curve, t), out = foot - centre;
-            if (glm::length(out) < 1e-9 * radiusAt(t))
+            const double share = glm::length(out) / radiusAt(t);
+            if (share > 0.995 || share < 1e-9)
                 return foot;
             foot = centre + radiusAt(t) * glm::normalize(out);
         }
@@ -170,9 +168,11 @@ public:
                 leaves.back().position = line.outOfTheWood(curve, leaves.back().position);
             }
         }
-        if (m_placing.isTip[twig] != 0)
+        if (m_placing.isTip[twig] != 0) {
             leaves.push_back(
                 leafAt(twig, line.at(curve, line.length()), start, 0.2 * m_params.angle, 0.75, random));
+            leaves.back().position = line.outOfTheWood(curve, leaves.back().position);
+        }
     }
 
 private:
