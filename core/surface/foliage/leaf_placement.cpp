@@ -77,47 +77,10 @@ public:
         const double share = piece > 0.0 ? std::clamp((along - m_lengths[i - 1]) / piece, 0.0, 1.0) : 1.0;
         const double t = (double(i - 1) + share) / pieces;
         const CurvePoint on = hermite(curve.h0, curve.h1, curve.v0, curve.v1, t);
-        return {on.point, transported(m_frames[i], on.tangent), radiusAt(t)};
-    }
-
-    /// Where a branch bends sharply, a foot at its radius from one place of the centre line lies in the wood
-    /// about another: such a foot moves out to the surface.
-    [[nodiscard]] glm::dvec3 outOfTheWood(const BranchCurve& curve, glm::dvec3 foot) const
-    {
-        constexpr int rounds = 4;
-        for (int round = 0; round < rounds; ++round) {
-            const auto away = [&](double t) { return glm::length(pointAt(curve, t) - foot); };
-            std::size_t nearest = 0;
-            for (std::size_t i = 1; i <= pieces; ++i)
-                if (glm::length(m_points[i] - foot) < glm::length(m_points[nearest] - foot))
-                    nearest = i;
-            double low = (double(nearest) - 1.0) / pieces, high = (double(nearest) + 1.0) / pieces;
-            low = std::max(low, 0.0);
-            high = std::min(high, 1.0);
-            for (int halving = 0; halving < 24; ++halving) {
-                const double third = (high - low) / 3.0;
-                if (away(low + third) < away(high - third))
-                    high -= third;
-                else
-                    low += third;
-            }
-            const double t = 0.5 * (low + high);
-            const glm::dvec3 centre = pointAt(curve, t), out = foot - centre;
-            const double share = glm::length(out) / radiusAt(t);
-            if (share > 0.995 || share < 1e-9)
-                return foot;
-            foot = centre + radiusAt(t) * glm::normalize(out);
-        }
-        return foot;
+        return {on.point, transported(m_frames[i], on.tangent), (1.0 - t) * m_radius0 + t * m_radius1};
     }
 
 private:
-    static glm::dvec3 pointAt(const BranchCurve& curve, double t)
-    {
-        return hermite(curve.h0, curve.h1, curve.v0, curve.v1, t).point;
-    }
-    [[nodiscard]] double radiusAt(double t) const { return (1.0 - t) * m_radius0 + t * m_radius1; }
-
     static constexpr std::size_t pieces = 12;
     std::array<glm::dvec3, pieces + 1> m_points;
     std::array<Frame, pieces + 1> m_frames;
@@ -162,17 +125,13 @@ public:
             // Young leaves near the tip are smaller.
             const double share = along / line.length(), young = m_placing.isTip[twig] != 0 ? 0.35 : 0.0;
             const double size = 1.0 - young * share * share * share;
-            for (int leaf = 0; leaf < m_turns.perNode; ++leaf) {
+            for (int leaf = 0; leaf < m_turns.perNode; ++leaf)
                 leaves.push_back(leafAt(twig, place, turned + 2.0 * pi * leaf / m_turns.perNode,
                                         m_params.angle, size, random));
-                leaves.back().position = line.outOfTheWood(curve, leaves.back().position);
-            }
         }
-        if (m_placing.isTip[twig] != 0) {
+        if (m_placing.isTip[twig] != 0)
             leaves.push_back(
                 leafAt(twig, line.at(curve, line.length()), start, 0.2 * m_params.angle, 0.75, random));
-            leaves.back().position = line.outOfTheWood(curve, leaves.back().position);
-        }
     }
 
 private:

@@ -52,18 +52,25 @@ double between(double a, double b)
 double offTheBark(const Skeleton& skeleton, const FoliageItem& leaf)
 {
     const BranchCurve curve = branchCurve(skeleton, leaf.branch);
-    double nearest = std::numeric_limits<double>::infinity(), radius = 0.0;
+    const auto away = [&](double t) {
+        return glm::length(hermite(curve.h0, curve.h1, curve.v0, curve.v1, t).point - leaf.position);
+    };
     constexpr int steps = 4000;
-    for (int i = 0; i <= steps; ++i) {
-        const double t = double(i) / steps;
-        const double away =
-            glm::length(hermite(curve.h0, curve.h1, curve.v0, curve.v1, t).point - leaf.position);
-        if (away < nearest) {
-            nearest = away;
-            radius = (1.0 - t) * skeleton.a0[leaf.branch] + t * skeleton.a1[leaf.branch];
-        }
+    int nearest = 0;
+    for (int i = 1; i <= steps; ++i)
+        if (away(double(i) / steps) < away(double(nearest) / steps))
+            nearest = i;
+    // The thinnest twigs are thinner than a step is long.
+    double low = std::max(nearest - 1.0, 0.0) / steps, high = std::min(nearest + 1.0, double(steps)) / steps;
+    for (int i = 0; i < 60; ++i) {
+        const double third = (high - low) / 3.0;
+        if (away(low + third) < away(high - third))
+            high -= third;
+        else
+            low += third;
     }
-    return std::abs(nearest - radius) / radius;
+    const double radius = (1.0 - low) * skeleton.a0[leaf.branch] + low * skeleton.a1[leaf.branch];
+    return std::abs(away(low) - radius) / radius;
 }
 
 } // namespace
