@@ -14,7 +14,7 @@ Expected<ShapeCheck> checkAtRest(const Node& node, const Progress& progress)
 }
 
 /// Does the check of one hold for the other too? Where a node stands and what it is called does not count.
-bool sameShape(const Node& a, const Node& b)
+bool checksAlike(const Node& a, const Node& b)
 {
     NodeParams placed = a.params;
     placed.tree = b.params.tree;
@@ -164,7 +164,7 @@ void ShapeChecks::Private::look()
             set(State::None);
         return;
     }
-    if (looked && sameShape(*looked, *now))
+    if (looked && checksAlike(*looked, *now))
         return;
     looked = *now;
     job.forget();
