@@ -141,7 +141,18 @@ template <class Settle> void settleComponents(std::vector<OrientationKey>& keys,
     }
 }
 
-void settleKeys(std::vector<Key>& keys, bool goesRound)
+void settleTurns(std::vector<Key>&)
+{
+}
+
+void settleTurns(std::vector<OrientationKey>& keys)
+{
+    for (OrientationKey& key : keys)
+        settleLength(key);
+    settleSigns(keys);
+}
+
+void settleAllHandles(std::vector<Key>& keys, bool goesRound)
 {
     if (goesRound)
         settleHandlesOfLoop(keys, keys.back().value - keys.front().value);
@@ -149,12 +160,9 @@ void settleKeys(std::vector<Key>& keys, bool goesRound)
         settleHandles(keys);
 }
 
-void settleKeys(std::vector<OrientationKey>& keys, bool goesRound)
+void settleAllHandles(std::vector<OrientationKey>& keys, bool goesRound)
 {
-    for (OrientationKey& key : keys)
-        settleLength(key);
-    settleSigns(keys);
-    settleComponents(keys, [goesRound](std::vector<Key>& curve) { settleKeys(curve, goesRound); });
+    settleComponents(keys, [goesRound](std::vector<Key>& curve) { settleAllHandles(curve, goesRound); });
 }
 
 /// Handles after a change of the keys first .. last of a track that does not go round.
@@ -188,13 +196,13 @@ glm::dvec3 turnBeforeKey(const KeyList<OrientationKey>& keys, std::size_t index)
 }
 
 /// After a change of the keys first .. last: makes them units and gives signs, to them and to those behind
-/// as far as these hang on them; handles turn round with their keys. Returns the keys behind that turned
-/// round while the one before them did not, or the other way about.
-std::vector<std::size_t> settleSignsIn(KeyList<OrientationKey>& keys, std::size_t first, std::size_t last)
+/// as far as these hang on them; handles turn round with their keys. \p seams: the keys behind that turned
+/// round while the one before them did not, or the other way about, are added.
+void settleSignsIn(KeyList<OrientationKey>& keys, std::size_t first, std::size_t last,
+                   std::vector<std::size_t>& seams)
 {
     glm::dvec3 turnBefore = turnBeforeKey(keys, first);
     std::vector<OrientationKey> fresh;
-    std::vector<std::size_t> seams;
     std::size_t changed = last;
     bool turnedBefore = false;
     for (std::size_t i = first; i < keys.size(); ++i) {
@@ -214,7 +222,6 @@ std::vector<std::size_t> settleSignsIn(KeyList<OrientationKey>& keys, std::size_
             break; // this key and the one before stay: so does the turn between, and all that follows
     }
     keys.overwrite(first, fresh);
-    return seams;
 }
 
 template <class KeyType> Expected<void> checkKeys(std::span<const KeyType> keys)
@@ -265,7 +272,8 @@ template <class KeyType> void KeyTrack<KeyType>::settle(std::vector<KeyType> key
     const auto sameTime = [](const KeyType& a, const KeyType& b) { return a.time == b.time; };
     const auto kept = std::unique(keys.rbegin(), keys.rend(), sameTime);
     keys.erase(keys.begin(), kept.base());
-    settleKeys(keys, isRound(*this, keys));
+    settleTurns(keys);
+    settleAllHandles(keys, isRound(*this, keys)); // the signs of the ends tell
     m_keys.assign(keys);
 }
 
@@ -297,7 +305,7 @@ template <class KeyType> Expected<void> KeyTrack<KeyType>::insert(KeyType key)
     if (wasRound)
         settleEnds(); // the other end may have had this side for its neighbour
     else
-        settleAround(at, at);
+        settleAround({{at, at}});
     return {};
 }
 
@@ -320,10 +328,12 @@ template <class KeyType> void KeyTrack<KeyType>::erase(std::span<const std::size
     }
     for (std::size_t i = gone.size(); i-- > 0;)
         m_keys.splice(gone[i], gone[i] + 1, {});
+    std::vector<Range> ranges;
     for (std::size_t i = 0; i < gone.size() && !m_keys.empty(); ++i) {
         const std::size_t at = std::min(gone[i] - i, m_keys.size() - 1);
-        settleAround(at > 0 ? at - 1 : 0, at);
+        ranges.emplace_back(at > 0 ? at - 1 : 0, at);
     }
+    settleAround(std::move(ranges));
 }
 
 template <class KeyType>
@@ -342,10 +352,13 @@ Expected<void> KeyTrack<KeyType>::replace(std::span<const std::size_t> indices, 
         if (wasRound)
             settleEnds();
         else if (indices.size() > few)
-            settleAround(indices.front(), indices.back());
-        else
+            settleAround({{indices.front(), indices.back()}});
+        else {
+            std::vector<Range> ranges;
             for (const std::size_t index : indices)
-                settleAround(index, index);
+                ranges.emplace_back(index, index);
+            settleAround(std::move(ranges));
+        }
     } else if (indices.size() > few || wasRound) {
         replaceMany(indices, keys);
     } else {
@@ -393,10 +406,12 @@ void KeyTrack<KeyType>::replaceFew(std::span<const std::size_t> indices, std::sp
         m_keys.splice(at, end, std::span<const KeyType>(&key, 1));
     }
     std::sort(times.begin(), times.end()); // signs of orientations hang on those before them
+    std::vector<Range> ranges;
     for (const Ticks time : times) {
         const std::size_t at = std::min(lowerBound(time), m_keys.size() - 1);
-        settleAround(at > 0 ? at - 1 : 0, at);
+        ranges.emplace_back(at > 0 ? at - 1 : 0, at);
     }
+    settleAround(std::move(ranges));
 }
 
 /// Every key stays between its neighbours.
@@ -418,25 +433,37 @@ bool KeyTrack<KeyType>::keepsOrder(std::span<const std::size_t> indices, std::sp
     return true;
 }
 
-template <class KeyType> void KeyTrack<KeyType>::settleAround(std::size_t first, std::size_t last)
+/// All signs come before any handle: one that stands in line with the other of its key keeps its length only
+/// up to rounding when that turns, so it is to turn once, to where it stays.
+template <class KeyType> void KeyTrack<KeyType>::settleAround(std::vector<Range> ranges)
 {
     if (goesRound())
         return settleEnds();
     if constexpr (std::is_same_v<KeyType, OrientationKey>) {
-        const std::vector<std::size_t> seams = settleSignsIn(m_keys, first, last);
+        std::vector<std::size_t> seams;
+        for (const auto& [first, last] : ranges)
+            settleSignsIn(m_keys, first, last, seams);
         if (seams.size() > few || goesRound()) // the ends may have come together by it
             return settleEnds();
         for (const std::size_t seam : seams)
-            settleHandlesIn(m_keys, seam - 1, seam);
+            ranges.emplace_back(seam - 1, seam);
     }
-    settleHandlesIn(m_keys, first, last);
+    // What reaches into one another settles as one, for the same reason.
+    std::sort(ranges.begin(), ranges.end());
+    for (auto next = ranges.begin(); next != ranges.end();) {
+        auto [first, last] = *next;
+        auto end = handlesReach(m_keys, first, last).second;
+        while (++next != ranges.end() && handlesReach(m_keys, next->first, next->second).first <= end) {
+            last = std::max(last, next->second);
+            end = std::max(end, handlesReach(m_keys, next->first, next->second).second);
+        }
+        settleHandlesIn(m_keys, first, last);
+    }
 }
 
 template <class KeyType> void KeyTrack<KeyType>::settleEnds()
 {
-    std::vector<KeyType> keys = m_keys.toVector();
-    settleKeys(keys, goesRound());
-    m_keys.assign(keys);
+    settle(m_keys.toVector());
 }
 
 template class KeyTrack<Key>;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ramure {
@@ -91,7 +92,8 @@ public:
 
 private:
     void settle(std::vector<KeyType> keys);
-    void settleAround(std::size_t first, std::size_t last);
+    using Range = std::pair<std::size_t, std::size_t>; ///< first and last
+    void settleAround(std::vector<Range> ranges);
     [[nodiscard]] bool keepsOrder(std::span<const std::size_t> indices, std::span<const KeyType> keys) const;
     void replaceFew(std::span<const std::size_t> indices, std::span<const KeyType> keys);
     void replaceMany(std::span<const std::size_t> indices, std::span<const KeyType> keys);

@@ -31,8 +31,8 @@ OrientationTrack trackOf(std::vector<OrientationKey> keys)
 glm::dquat randomTurn(Random& random)
 {
     for (;;) {
-        const glm::dquat q(random.range(-1.0, 1.0), random.range(-1.0, 1.0), random.range(-1.0, 1.0),
-                           random.range(-1.0, 1.0));
+        const glm::dquat q{random.range(-1.0, 1.0), random.range(-1.0, 1.0), random.range(-1.0, 1.0),
+                           random.range(-1.0, 1.0)}; // braces: the same order with every compiler
         if (glm::dot(q, q) > 0.01)
             return glm::normalize(q);
     }
@@ -129,11 +129,19 @@ private slots:
         QVERIFY(std::abs(glm::dot(long_->keys()[0].value, long_->keys()[0].value) - 1.0) < 1e-12);
     }
     /// An edit settles only what is around it: as if the track were made anew.
+    void editsOfLongTracksAreAsMadeAnew_data()
+    {
+        QTest::addColumn<std::uint32_t>("seed");
+        // Of all but the first, several edited keys reach into one another: their handles turned twice once.
+        for (const std::uint32_t seed : {31u, 46u, 79u, 107u, 180u, 305u, 319u})
+            QTest::addRow("%u", seed) << seed;
+    }
     void editsOfLongTracksAreAsMadeAnew()
     {
-        Random random(31, RandomStream::Test);
+        QFETCH(const std::uint32_t, seed);
+        Random random(seed, RandomStream::Test);
         const auto turnedBy = [&](const glm::dquat& q, double most) {
-            const glm::dvec3 axis(random.range(-1.0, 1.0), random.range(-1.0, 1.0), 1.1);
+            const glm::dvec3 axis{random.range(-1.0, 1.0), random.range(-1.0, 1.0), 1.1};
             return q * about(axis, random.range(-most, most));
         };
         const auto typed = [&](OrientationKey key) {
@@ -155,7 +163,7 @@ private slots:
             keys.push_back(typed(keyAt(0.1 * i, value, KeyMode::Bezier)));
         }
         OrientationTrack track = trackOf(keys);
-        for (int edit = 0; edit < 600; ++edit) {
+        for (int edit = 0; edit < 110; ++edit) {
             std::vector<std::size_t> indices;
             for (auto n = 1 + random.below(3) * random.below(3); n-- > 0;)
                 indices.push_back(random.below(static_cast<std::uint32_t>(track.size())));
