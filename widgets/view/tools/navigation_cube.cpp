@@ -7,7 +7,7 @@ namespace ramure {
 namespace {
 
 constexpr double side = 92.0;   ///< of the square that holds the cube, logical pixels
-constexpr double margin = 12.0; ///< to the picture's edge
+constexpr double inset = 12.0; ///< to the picture's edge
 constexpr double scale = 27.0;  ///< half an edge of the cube
 
 struct CubeSide
@@ -50,7 +50,7 @@ QPolygonF outline(const Camera& camera, QPointF centre, const CubeSide& of)
 
 QRectF NavigationCube::place(QSize picture)
 {
-    return {picture.width() - side - margin, margin, side, side};
+    return {picture.width() - side - inset, inset, side, side};
 }
 
 std::optional<AxisView> NavigationCube::sideAt(const Camera& camera, QSize picture, QPointF point)
