@@ -21,23 +21,32 @@ glm::u8vec3 bytesOf(const glm::vec3& colour)
 /// Means over squares of (2 radius + 1) pixels, around the edges.
 Heights blurred(const Heights& from, int size, int radius)
 {
-    Heights along(from.size()), both(from.size());
+    const auto n = static_cast<std::size_t>(size);
     const float share = 1.0f / float(2 * radius + 1);
-    const auto pass = [&](const Heights& in, Heights& out, std::size_t line, std::size_t pixel) {
-        const auto n = static_cast<std::size_t>(size);
-        for (std::size_t l = 0; l < n; ++l) {
-            const auto at = [&](int i) { return in[l * line + std::size_t(wrapped(i, size)) * pixel]; };
-            float sum = 0.0f;
-            for (int i = -radius; i <= radius; ++i)
-                sum += at(i);
-            for (int i = 0; i < size; ++i) {
-                out[l * line + std::size_t(i) * pixel] = sum * share;
-                sum += at(i + radius + 1) - at(i - radius);
-            }
+    Heights along(from.size()), both(from.size()), sums(n);
+    for (std::size_t row = 0; row < from.size(); row += n) {
+        const auto at = [&](int x) { return from[row + std::size_t(wrapped(x, size))]; };
+        float sum = 0.0f;
+        for (int x = -radius; x <= radius; ++x)
+            sum += at(x);
+        for (int x = 0; x < size; ++x) {
+            along[row + std::size_t(x)] = sum * share;
+            sum += at(x + radius + 1) - at(x - radius);
         }
-    };
-    pass(from, along, std::size_t(size), 1);
-    pass(along, both, 1, std::size_t(size));
+    }
+    // All columns side by side, as they lie in memory.
+    const auto rowAt = [&](int y) { return &along[std::size_t(wrapped(y, size)) * n]; };
+    for (int y = -radius; y <= radius; ++y)
+        for (std::size_t x = 0; x < n; ++x)
+            sums[x] += rowAt(y)[x];
+    for (int y = 0; y < size; ++y) {
+        const float *const comes = rowAt(y + radius + 1), *const goes = rowAt(y - radius);
+        float* const to = &both[std::size_t(y) * n];
+        for (std::size_t x = 0; x < n; ++x) {
+            to[x] = sums[x] * share;
+            sums[x] += comes[x] - goes[x];
+        }
+    }
     return both;
 }
 

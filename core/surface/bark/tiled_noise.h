@@ -3,6 +3,7 @@
 /// everywhere. Places are in tiles; a period says how many lattice cells a tile has each way.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -14,8 +15,17 @@ namespace ramure {
 
 inline int wrapped(int i, int period)
 {
+    if (static_cast<unsigned>(i) < static_cast<unsigned>(period)) // nearly always: a division less
+        return i;
     const int rest = i % period;
     return rest < 0 ? rest + period : rest;
+}
+
+/// Of what fits into an int: without a call of the C library.
+inline int floorOf(float x)
+{
+    const int towardsZero = static_cast<int>(x);
+    return towardsZero - (x < static_cast<float>(towardsZero) ? 1 : 0);
 }
 
 inline std::uint32_t latticeHash(int x, int y, std::uint32_t seed)
@@ -39,9 +49,9 @@ inline float gradientNoise(glm::vec2 at, glm::ivec2 period, std::uint32_t seed)
     static constexpr std::array<glm::vec2, 8> slopes{
         {{1, 0}, {d, d}, {0, 1}, {-d, d}, {-1, 0}, {-d, -d}, {0, -1}, {d, -d}}};
     const glm::vec2 place = at * glm::vec2(period);
-    const glm::vec2 base = glm::floor(place);
-    const glm::vec2 in = place - base;
-    const int x0 = wrapped(int(base.x), period.x), y0 = wrapped(int(base.y), period.y);
+    const glm::ivec2 base(floorOf(place.x), floorOf(place.y));
+    const glm::vec2 in = place - glm::vec2(base);
+    const int x0 = wrapped(base.x, period.x), y0 = wrapped(base.y, period.y);
     const int x1 = x0 + 1 == period.x ? 0 : x0 + 1, y1 = y0 + 1 == period.y ? 0 : y0 + 1;
     const auto corner = [&](int x, int y, float dx, float dy) {
         return glm::dot(slopes[latticeHash(x, y, seed) >> 29], in - glm::vec2(dx, dy));
@@ -78,22 +88,22 @@ struct Cells
 inline Cells cellsAt(glm::vec2 at, glm::ivec2 period, float jitter, std::uint32_t seed)
 {
     const glm::vec2 place = at * glm::vec2(period);
-    const glm::vec2 base = glm::floor(place);
+    const glm::ivec2 base(floorOf(place.x), floorOf(place.y));
     Cells found;
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx) {
             const std::uint32_t id =
-                latticeHash(wrapped(int(base.x) + dx, period.x), wrapped(int(base.y) + dy, period.y), seed);
+                latticeHash(wrapped(base.x + dx, period.x), wrapped(base.y + dy, period.y), seed);
             const glm::vec2 strewn(share(id) - 0.5f, share(id * 0x9E3779B9u) - 0.5f);
-            const glm::vec2 from = place - (base + glm::vec2(float(dx), float(dy)) + 0.5f + jitter * strewn);
+            const glm::vec2 from = place - (glm::vec2(base) + glm::vec2(float(dx), float(dy)) + 0.5f + jitter * strewn);
             const float distance = glm::dot(from, from);
-            if (distance < found.nearest) {
-                found.second = found.nearest;
-                found.nearest = distance;
-                found.id = id;
-                found.from = from;
-            } else if (distance < found.second)
-                found.second = distance;
+            // Choices, not branches: which one is nearer cannot be foretold.
+            const bool nearer = distance < found.nearest;
+            found.second = std::min(found.second, nearer ? found.nearest : distance);
+            found.nearest = nearer ? distance : found.nearest;
+            found.id = nearer ? id : found.id;
+            found.from.x = nearer ? from.x : found.from.x;
+            found.from.y = nearer ? from.y : found.from.y;
         }
     found.nearest = std::sqrt(found.nearest);
     found.second = std::sqrt(found.second);
