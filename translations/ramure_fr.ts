@@ -4486,6 +4486,10 @@
         <source>Cork oak</source>
         <translation>Chêne-liège</translation>
     </message>
+    <message>
+        <source>the picture could not be made: %1</source>
+        <translation>l’image n’a pas pu être faite : %1</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -5569,10 +5573,6 @@ OpenGL&#xa0;: %4
         <translation>Coordonnées de texture</translation>
     </message>
     <message>
-        <source>Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one repeat of the bark, in metres, is the tree&apos;s parameter &quot;Bark tile&quot;.</source>
-        <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’une pomme. La taille d’une répétition de l’écorce, en mètres, est le paramètre «&#xa0;Carreau d’écorce&#xa0;» de l’arbre.</translation>
-    </message>
-    <message>
         <source>PNG pictures of the view</source>
         <translation>Images PNG de la vue</translation>
     </message>
@@ -5637,6 +5637,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>%1 has no objects: leaves and apples would be mixed into the one closed mesh of the branches. Tick them to write them all the same.</source>
         <translation>%1 ne connaît pas d’objets : feuilles et pommes seraient mêlées au seul maillage fermé des branches. Cochez-les pour les écrire quand même.</translation>
+    </message>
+    <message>
+        <source>Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one repeat of the bark, in metres, is the tree&apos;s parameter &quot;Bark tile&quot;. Beside an .obj, the pictures of the bark are written too.</source>
+        <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’une pomme. La taille d’une répétition de l’écorce, en mètres, est le paramètre «&#xa0;Carreau d’écorce&#xa0;» de l’arbre. À côté d’un .obj, les images de l’écorce sont écrites aussi.</translation>
     </message>
 </context>
 <context>

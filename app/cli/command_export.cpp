@@ -8,6 +8,7 @@
 #include "core/evaluate/evaluator.h"
 #include "core/io/formats/file_format.h"
 #include "core/session/exporter.h"
+#include "core/surface/bark/bark_maps.h"
 #include "core/surface/mesh/transformed.h"
 #include <QFileInfo>
 #include <QJsonArray>
@@ -66,12 +67,24 @@ struct Request
     bool ascii = false;
     bool needsTree = false; ///< an option that says something about trees was given
     bool texture = true;
+    int mapSize = WriteOptions().mapSize;
     FileSpace space;
     bool requireValid = false;
     QString report; ///< file, or empty
 
     [[nodiscard]] bool needsCheck() const { return requireValid || !report.isEmpty(); }
 };
+
+Expected<int> mapSizeFrom(const CommandLine& line)
+{
+    bool isNumber = false;
+    const int size = line.value("map-size").toInt(&isNumber);
+    if (!isNumber || (size != 0 && (size < leastBarkSize || size > mostBarkSize)))
+        return fail(ErrorCode::Invalid, "--map-size \"%1\": 0, or %2 to %3 pixels expected",
+                    {line.value("map-size").toStdString(), std::to_string(leastBarkSize),
+                     std::to_string(mostBarkSize)});
+    return size;
+}
 
 Expected<Request> requestOf(const CommandLine& line)
 {
@@ -82,6 +95,10 @@ Expected<Request> requestOf(const CommandLine& line)
         return fail(ErrorCode::Invalid, "--texture and --no-texture exclude each other");
     out.texture = !line.has("no-texture");
     out.needsTree = line.has("part") || line.has("model") || line.has("texture");
+    const auto mapSize = mapSizeFrom(line);
+    if (!mapSize)
+        return fail(mapSize.error());
+    out.mapSize = *mapSize;
     const auto space = fileSpaceFrom(line);
     if (!space)
         return fail(space.error());
@@ -148,6 +165,7 @@ Expected<void> exportAt(const Scene& scene, const Request& request, double timeS
         options.model = request.model;
         options.parts = request.parts.value_or(usualParts(formatOf(request, file)));
         options.write.ascii = request.ascii;
+        options.write.mapSize = request.mapSize;
         options.texture = request.texture;
         options.space = request.space;
         const double from = static_cast<double>(i) / count;
@@ -310,7 +328,12 @@ void addOptions(CommandLine& line)
                             ".obj, a list texcoord per face of .ply. Parameter texture.tileSize (metres) is "
                             "the size of one repeat of the bark. A "
                             "tree that moves keeps the coordinates it has at rest."));
-    line.add({QStringLiteral("no-texture")}, QStringLiteral("Without texture coordinates."));
+    line.add({QStringLiteral("no-texture")}, QStringLiteral("Without texture coordinates and pictures."));
+    line.addDefault(
+        {QStringLiteral("map-size")},
+        QStringLiteral("Pixels a side, 16 to 8192, of the pictures of bark that are written beside "
+                       "an .obj and named in its .mtl; 0: none, the bark has its mean colour."),
+        QStringLiteral("PIXELS"), QString::number(WriteOptions().mapSize));
     addSpaceOptions(line);
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes a format that has both as text, not binary."));
     addMomentOptions(line, MomentOptions::Sequence);

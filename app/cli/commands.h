@@ -24,11 +24,12 @@ extern const Command validateCommand;
 extern const Command simulateCommand;
 extern const Command ikCommand;
 extern const Command renderCommand;
+extern const Command texturesCommand;
 
 /// In the order of the help.
 inline constexpr std::array allCommands = {&listCommand,   &infoCommand,     &importCommand,
                                            &exportCommand, &validateCommand, &simulateCommand,
-                                           &ikCommand,     &renderCommand};
+                                           &ikCommand,     &renderCommand,   &texturesCommand};
 
 /// An option that stands in a command's place.
 struct ProgramOption

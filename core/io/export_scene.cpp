@@ -23,11 +23,18 @@ ExportScene sceneOfMeshes(std::vector<ReadObject> objects, const Material& mater
 
 Index materialIn(ExportScene& scene, const Material& material)
 {
-    const auto known = std::ranges::find(scene.materials, material);
-    const auto number = static_cast<Index>(known - scene.materials.begin());
-    if (known == scene.materials.end())
-        scene.materials.push_back(material);
-    return number;
+    Material wanted = material;
+    for (int number = 2;; ++number) {
+        const auto same = std::ranges::find(scene.materials, wanted.name, &Material::name);
+        const auto at = static_cast<Index>(same - scene.materials.begin());
+        if (same == scene.materials.end())
+            scene.materials.push_back(wanted);
+        else if (*same != wanted) {
+            wanted.name = material.name + "_" + std::to_string(number);
+            continue;
+        }
+        return at;
+    }
 }
 
 std::vector<MeshPart> FlatScene::parts() const

@@ -51,7 +51,8 @@ struct ExportScene
 
 /// Meshes that belong to no scene, as they are, each a node.
 ExportScene sceneOfMeshes(std::vector<ReadObject> objects, const Material& material);
-/// The number of a material, which is added where there is no such one yet.
+/// The number of a material, which is added where there is no such one yet; of different ones with one name
+/// the second is "bark_oak_2".
 Index materialIn(ExportScene& scene, const Material& material);
 
 /// Named meshes in the space of the file.

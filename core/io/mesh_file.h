@@ -34,15 +34,16 @@ struct WriteOptions
 {
     bool ascii = false;    ///< where the format has a form of text beside a binary one
     std::string comment{}; ///< one line in the head of the file, after the program's name; empty: none
+    int mapSize = 1024;    ///< pixels a side of the pictures of materials beside the file; 0: none
 };
 
-/// \param comment one line in the head of the file, after the program's name; empty: none.
-/// Writes PATH and, beside it, the .mtl with the same stem. Files are written under a temporary name and
-/// renamed, so that an error or a cancel leaves the old ones intact. Devices and pipes are written directly,
-/// without an .mtl. Texture coordinates stand in vt lines: they are split there, positions never. Errors: Io
-/// (with file), Invalid (a number is not finite), Cancelled.
+/// Writes PATH and, beside it, the .mtl with the same stem, and the pictures of barks whose meshes have
+/// texture coordinates (core/io/material_maps.h). Files are written under a temporary name and renamed, so
+/// that an error or a cancel leaves the old ones intact. Devices and pipes are written directly, without an
+/// .mtl. Texture coordinates stand in vt lines: they are split there, positions never. Errors: Io (with
+/// file), Invalid (a number is not finite), Cancelled.
 Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts,
-                        const Progress& progress = {}, const std::string& comment = {});
+                        const Progress& progress = {}, const WriteOptions& options = {});
 Expected<void> writeObjLines(const std::string& path, const LinePart& lines, const Progress& progress = {},
                              const std::string& comment = {});
 /// The parts joined into one vertex list with properties x y z nx ny nz red green blue branch level; normals

@@ -9,8 +9,14 @@ namespace ramure {
 
 Material barkMaterial(const BarkParams& bark)
 {
-    return {"bark", bark.family == BarkFamily::Plain ? glm::u8vec3(0x8B, 0x5A, 0x2B) : meanColour(bark),
-            false, false};
+    Material out{"bark", {0x8B, 0x5A, 0x2B}, false, false};
+    if (bark.family != BarkFamily::Plain) {
+        out.name.append("_").append(
+            findParam("bark.family")->items[static_cast<std::size_t>(bark.family)].name);
+        out.colour = meanColour(bark);
+        out.bark = bark;
+    }
+    return out;
 }
 
 Material leavesMaterial(LeafShape shape)

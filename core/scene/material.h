@@ -23,6 +23,7 @@ struct Material
     float through = 0.0f;    ///< share of the light from behind that shines through: of leaves
     float variety = 0.0f;    ///< how far the colour goes from branch to branch
     bool tones = false;      ///< the colours of triangles are its own, a little darker: it stays one material
+    BarkParams bark{};       ///< of bark: its pictures, where it has a family
     bool operator==(const Material&) const = default;
 };
 

@@ -147,6 +147,51 @@ private slots:
         QCOMPARE(test::bytesOf(path("2.ply")), test::bytesOf(path("branches.ply")));
         QCOMPARE(test::bytesOf(path("1.obj")).replace("1.mtl", "all.mtl"), test::bytesOf(path("all.obj")));
     }
+    void texturesRefusesBadInput()
+    {
+        const QString folder = path("maps");
+        QVERIFY(isRefused(runCli({"textures", "preset:TinyTree"}), "missing -o FOLDER"));
+        QVERIFY(isRefused(runCli({"textures", "preset:TinyTree", "-o", folder}), "bark.family"));
+        const QStringList birch = {"textures", "preset:TinyTree", "--set", "bark.family=ringed", "-o"};
+        for (const char* size : {"0", "15", "8193", "much"})
+            QVERIFY(
+                isRefused(runCli(birch + QStringList{folder, "--size", size}), "16 to 8192 pixels expected"));
+        QVERIFY(!QFile::exists(folder));
+        test::write(path("file"), "no folder");
+        QVERIFY(isRefused(runCli(birch + QStringList{path("file") + "/maps"}), "the folder cannot be made"));
+        QVERIFY(runCli({"export", "preset:TinyTree", "-o", path("mesh.obj")}).code == 0);
+        QVERIFY(isRefused(runCli({"textures", path("mesh.obj"), "-o", folder}), "only trees have a bark"));
+    }
+    void texturesAndExportWriteTheSamePictures()
+    {
+        const QStringList tree = {"preset:TinyTree", "--set", "bark.family=ringed"};
+        const auto files = [](const QString& folder) {
+            return QDir(folder).entryList({QStringLiteral("*.png")}, QDir::Files);
+        };
+        const QString maps = path("bark/maps");
+        const test::CliRun run =
+            runCli(QStringList{"textures"} + tree + QStringList{"-o", maps, "--size", "64", "--json"});
+        QVERIFY2(run.code == 0, qPrintable(run.err));
+        const QJsonObject said = run.json();
+        QCOMPARE(said.value("files").toArray().size(), 5);
+        QCOMPARE(said.value("written").toArray(), said.value("files").toArray());
+        QCOMPARE(files(maps).size(), 5);
+        QVERIFY(QDir().mkpath(path("export")));
+        QCOMPARE(runCli(QStringList{"export"} + tree +
+                        QStringList{"-o", path("export/birch.obj"), "--map-size", "64", "--frames", "0:2"})
+                     .code,
+                 0);
+        QCOMPARE(files(path("export")), files(maps)); // once for all frames
+        for (const QString& file : files(maps))
+            QCOMPARE(test::bytesOf(path("export/") + file), test::bytesOf(maps + u'/' + file));
+        QCOMPARE(
+            runCli(QStringList{"export"} + tree + QStringList{"-o", path("plain.obj"), "--map-size", "0"})
+                .code,
+            0);
+        QCOMPARE(files(m_folder.path()), QStringList());
+        QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "-o", path("x.obj"), "--map-size", "9"}),
+                          "--map-size"));
+    }
     void exportPlacesTheTree()
     {
         const QStringList base = {"export", "preset:TinyTree", "--part", "branches", "-o"};

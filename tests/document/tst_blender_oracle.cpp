@@ -1,7 +1,9 @@
 // Headless Blender says what it makes of a scene; the exported files must give the same. Skipped where there
 // is no Blender.
 #include "core/io/formats/blender_scene.h"
+#include "core/io/mesh_file.h"
 #include "core/scene/world_transforms.h"
+#include "core/surface/bark/bark_maps.h"
 #include "tests/support/cannot_run.h"
 #include "tests/support/suite.h"
 
@@ -107,6 +109,49 @@ private slots:
             }
         }
         QVERIFY2(worst < 1e-3, qPrintable(QString::number(worst))); // 0.1 % of the range
+    }
+    /// The pictures of a bark are read, and stand where they belong.
+    void anExportedBarkIsMadeOfItsPictures()
+    {
+        TriangleMesh mesh;
+        mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}};
+        mesh.triangles = {{0, 1, 2}};
+        mesh.uv = {{0, 0}, {1, 0}, {1, 1}};
+        BarkParams bark;
+        bark.family = BarkFamily::Furrowed;
+        const MeshPart part{"branches", &mesh, barkMaterial(bark)};
+        WriteOptions options;
+        options.mapSize = 32;
+        const QString obj = m_folder.filePath(QStringLiteral("bark.obj")),
+                      said = m_folder.filePath(QStringLiteral("bark.json"));
+        QVERIFY(writeObj(obj.toStdString(), {&part, 1}, {}, options));
+        QProcess process;
+        process.setProcessChannelMode(QProcess::MergedChannels);
+        process.start(QStringLiteral("blender"),
+                      {QStringLiteral("-b"), QStringLiteral("--factory-startup"), QStringLiteral("--python"),
+                       QStringLiteral(RAMURE_TEST_DATA "/blender_materials.py"), QStringLiteral("--"), obj,
+                       said});
+        QVERIFY(process.waitForFinished(120'000));
+        QFile file(said);
+        QVERIFY2(file.open(QIODevice::ReadOnly), process.readAll().constData());
+        const QJsonObject material = QJsonDocument::fromJson(file.readAll()).object();
+        QCOMPARE(material.value(QStringLiteral("name")).toString(), QStringLiteral("bark_furrowed"));
+        const QJsonObject links = material.value(QStringLiteral("links")).toObject();
+        const QJsonObject colour = links.value(QStringLiteral("BSDF_PRINCIPLED Base Color")).toObject(),
+                          normal = links.value(QStringLiteral("NORMAL_MAP Color")).toObject();
+        QCOMPARE(links.value(QStringLiteral("BSDF_PRINCIPLED Normal"))[QStringLiteral("from")].toString(),
+                 QStringLiteral("NORMAL_MAP"));
+        for (const QJsonObject& picture : {colour, normal}) {
+            QCOMPARE(picture.value(QStringLiteral("size")).toArray(), (QJsonArray{32, 32}));
+            QVERIFY(picture.value(QStringLiteral("hasData")).toBool());
+        }
+        QCOMPARE(colour.value(QStringLiteral("space")).toString(), QStringLiteral("sRGB"));
+        QCOMPARE(normal.value(QStringLiteral("space")).toString(), QStringLiteral("Non-Color"));
+        // Blender's rows go up as the bark's do.
+        const BarkMaps maps = *barkMaps(bark, 32);
+        const QJsonArray lowest = colour.value(QStringLiteral("lowest")).toArray();
+        for (int c = 0; c < 3; ++c)
+            QVERIFY(std::abs(lowest[c].toDouble() - maps.colour[0][c] / 255.0) < 0.003);
     }
 };
 

@@ -487,9 +487,10 @@ void ExportDialog::retranslate()
     m_apples->setText(tr("Apples"));
     m_selection->setText(tr("Only what is selected"));
     m_texture->setText(tr("Texture coordinates"));
-    m_texture->setToolTip(
-        tr("Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one "
-           "repeat of the bark, in metres, is the tree's parameter \"Bark tile\"."));
+    m_texture->setToolTip(tr(
+        "Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one "
+        "repeat of the bark, in metres, is the tree's parameter \"Bark tile\". Beside an .obj, the pictures "
+        "of the bark are written too."));
     const QString whole =
         tr("Trees, arms as they are at the moment, terrains, primitives and imported meshes "
            "are written where they stand in the world, each under a name of its own.");

@@ -78,6 +78,9 @@ MaterialColours parseMaterials(std::string_view text, const std::string& file)
         const std::string_view word = content.substr(0, gap), rest = trimmed(content.substr(gap));
         if (word == "newmtl")
             name = rest;
+        if (word == "map_Kd" && out.notes.size() < mostNotes)
+            out.notes.push_back(file + ", line " + std::to_string(line) + ": the picture \"" +
+                                reading::excerpt(rest) + "\" is not read");
         if (word != "Kd")
             continue;
         if (const auto colour = colourOf(rest))

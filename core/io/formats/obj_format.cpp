@@ -13,7 +13,7 @@ static Expected<void> write(const std::string& path, const ExportScene& scene, c
                             const Progress& progress)
 {
     return scene.lines ? writeObjLines(path, *scene.lines, progress, options.comment)
-                       : writeObj(path, flattened(scene).parts(), progress, options.comment);
+                       : writeObj(path, flattened(scene).parts(), progress, options);
 }
 
 static FileRates rates(bool texture, double digits)
@@ -27,7 +27,8 @@ const FileFormat objFormat = {
     .ending = "obj",
     .name = RAMURE_NOOP("Wavefront OBJ"),
     .choice = RAMURE_NOOP("Wavefront OBJ, with materials"),
-    .help = "with an .mtl beside it: objects branches, leaves, apples, with normals",
+    .help =
+        "with an .mtl and the pictures of the bark beside it: objects branches, leaves, apples, with normals",
     .holds = holdsObjects | holdsTexture | holdsSpace | holdsLines,
     .beside = "mtl",
     .read = &read,

@@ -1,4 +1,5 @@
 #include "core/io/formats/material_file.h"
+#include "core/io/material_maps.h"
 #include "core/io/write_parts.h"
 #include <algorithm>
 #include <cstring>
@@ -197,19 +198,39 @@ bool writePart(FileWriter& out, const MeshPart& part, const Before& before, bool
 
 /// Colours in an .mtl have no stated space. Programs show Kd as it is, so that it holds the sRGB value that
 /// the user chose, divided by 255, and not a linear one.
-void writeMaterial(FileWriter& out, const Material& material)
+///
+/// With pictures Kd is white: programs multiply it with them. The picture of the normals stands there twice,
+/// as Blender reads it (map_Bump) and as most others do (norm).
+void writeMaterial(FileWriter& out, const Material& material, int mapSize)
 {
+    const auto mapLine = [&](const char* word, MaterialMap map) {
+        out.append(std::string(word) + " " + mapFileName(material.bark, mapSize, map) + "\n");
+    };
     char buffer[16 + 3 * maxFloatText];
     char* end = appendText(buffer, "Kd ");
-    end = writing::appendVector(end, glm::vec3(material.colour) / 255.0f);
+    end = writing::appendVector(end, mapSize > 0 ? glm::vec3(1.0f) : glm::vec3(material.colour) / 255.0f);
     out.append("\nnewmtl " + oneLine(material.name) + "\n");
     if (material.twoSided)
         out.append("# seen from both sides\n");
     out.append({buffer, static_cast<std::size_t>(end - buffer)});
     out.append(material.phong ? "\nKs 0.2 0.2 0.2\nNs 30\nillum 2\n" : "\nKs 0 0 0\nillum 1\n");
+    if (mapSize <= 0)
+        return;
+    mapLine("map_Kd", MaterialMap::Colour);
+    mapLine("map_Bump", MaterialMap::Normal);
+    mapLine("norm", MaterialMap::Normal);
+    mapLine("map_Pr", MaterialMap::Roughness);
+    mapLine("map_ao", MaterialMap::Occlusion);
+    mapLine("disp", MaterialMap::Height);
 }
 
-void writeMaterials(FileWriter& out, std::span<const MeshPart> parts)
+bool hasMaps(const MeshPart& part, const WriteOptions& options)
+{
+    return options.mapSize > 0 && part.material.bark.family != BarkFamily::Plain &&
+           writing::hasTexture(*part.mesh);
+}
+
+void writeMaterials(FileWriter& out, std::span<const MeshPart> parts, const WriteOptions& options)
 {
     out.append("# Ramure " RAMURE_VERSION "\n# Kd in sRGB\n");
     std::set<std::string> written;
@@ -217,7 +238,7 @@ void writeMaterials(FileWriter& out, std::span<const MeshPart> parts)
         for (const Run& run : runsOf(part)) {
             const Material material = materialOf(part, run.begin);
             if (written.insert(material.name).second)
-                writeMaterial(out, material);
+                writeMaterial(out, material, hasMaps(part, options) ? options.mapSize : 0);
         }
 }
 
@@ -240,7 +261,7 @@ tl::unexpected<Error> cancelled(const std::string& path)
 } // namespace
 
 Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts, const Progress& progress,
-                        const std::string& comment)
+                        const WriteOptions& options)
 {
     if (const auto finite = writing::checkFinite(parts, path); !finite)
         return finite;
@@ -248,7 +269,7 @@ Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts
     if (!out)
         return fail(out.error());
     const std::string library = materialPath(path);
-    out->append(head(comment));
+    out->append(head(options.comment));
     if (out->isRegular()) // a device has nothing beside it
         out->append("mtllib " + oneLine(std::filesystem::path(library).filename().string()) + "\n");
     Ticker ticker(progress, elementCount(parts));
@@ -267,7 +288,13 @@ Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts
     auto materials = FileWriter::open(library);
     if (!materials)
         return fail(materials.error());
-    writeMaterials(*materials, parts);
+    writeMaterials(*materials, parts, options);
+    for (const MeshPart& part : parts)
+        if (hasMaps(part, options))
+            if (const auto maps = writeMaps(std::filesystem::path(path).parent_path().string(),
+                                            part.material.bark, options.mapSize, progress.part(1.0, 1.0));
+                !maps)
+                return fail(maps.error());
     return FileWriter::commitTogether({&*materials, &*out});
 }
 

@@ -21,6 +21,8 @@ struct BarkMaps
     float relief = 0.0f; ///< height 255 stands so far over height 0, in tiles
 };
 
+/// Raised when the same parameters give other pictures than before.
+inline constexpr int barkVersion = 1;
 inline constexpr int leastBarkSize = 16, mostBarkSize = 8192;
 
 /// Errors: Invalid (a size out of range; the family Plain, which has no picture), Cancelled.

@@ -25,6 +25,20 @@ private slots:
         QCOMPARE(materialIn(scene, barkMaterial()), Index(0));
         QCOMPARE(scene.materials.size(), std::size_t(2));
     }
+    void differentMaterialsHaveDifferentNames()
+    {
+        ExportScene scene;
+        BarkParams bark;
+        bark.family = BarkFamily::Furrowed;
+        for (int seed = 1; seed <= 3; ++seed) {
+            bark.seed = seed;
+            QCOMPARE(materialIn(scene, barkMaterial(bark)), Index(seed - 1));
+        }
+        QCOMPARE(materialIn(scene, barkMaterial(bark)), Index(2));
+        QCOMPARE(scene.materials[0].name, std::string("bark_furrowed"));
+        QCOMPARE(scene.materials[1].name, std::string("bark_furrowed_2"));
+        QCOMPARE(scene.materials[2].name, std::string("bark_furrowed_3"));
+    }
     void meshesInPlaceAreShared()
     {
         const ExportScene scene = box();

@@ -1,0 +1,117 @@
+#include "app/cli/commands.h"
+#include "app/cli/input.h"
+#include "app/cli/work.h"
+#include "core/evaluate/evaluator.h"
+#include "core/io/material_maps.h"
+#include "core/surface/bark/bark_maps.h"
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonObject>
+
+namespace ramure::cli {
+
+namespace {
+
+constexpr CommandText text = {
+    "textures", "writes the pictures of the bark", "INPUT",
+    "Writes the pictures of the bark of every tree as PNG files.",
+    "Of each bark there are five: colour (sRGB), normal (OpenGL's way: green points along the branch), "
+    "height, "
+    "occlusion and roughness. They repeat without a seam; one repeat is as large as the parameter "
+    "texture.tileSize says. A number in the name stands for all that a picture hangs on: one that is there "
+    "already is kept. `export` writes the same files beside an .obj."};
+
+/// Of the trees that are shown, each bark once.
+Expected<std::vector<BarkParams>> barksOf(const Scene& scene)
+{
+    const auto trees = treesOf(scene);
+    if (!trees)
+        return fail(trees.error());
+    TreePipeline pipeline;
+    Evaluator evaluator(pipelineSource(pipeline), {});
+    EvaluatedScene now = evaluator.at(scene, 0.0);
+    std::vector<BarkParams> barks;
+    for (const Node* tree : *trees)
+        if (const BarkParams& bark = now.params(*tree).bark; scene.isShown(tree->id) &&
+                                                             bark.family != BarkFamily::Plain &&
+                                                             std::ranges::find(barks, bark) == barks.end())
+            barks.push_back(bark);
+    if (barks.empty())
+        return fail(ErrorCode::Invalid,
+                    "no tree that is shown has a bark with pictures: --set bark.family=oak, "
+                    "for example");
+    return barks;
+}
+
+Expected<int> sizeFrom(const CommandLine& line)
+{
+    bool isNumber = false;
+    const int size = line.value("size").toInt(&isNumber);
+    if (!isNumber || size < leastBarkSize || size > mostBarkSize)
+        return fail(
+            ErrorCode::Invalid, "--size \"%1\": %2 to %3 pixels expected",
+            {line.value("size").toStdString(), std::to_string(leastBarkSize), std::to_string(mostBarkSize)});
+    return size;
+}
+
+void addOptions(CommandLine& line)
+{
+    line.add({QStringLiteral("o"), QStringLiteral("output")},
+             QStringLiteral("Writes into this folder, which is made where there is none."),
+             QStringLiteral("FOLDER"));
+    line.addDefault({QStringLiteral("size")}, QStringLiteral("Pixels a side, 16 to 8192."),
+                    QStringLiteral("PIXELS"), QStringLiteral("1024"));
+    line.addInputOptions();
+    line.addNodeOption();
+    line.add({QStringLiteral("json")},
+             QStringLiteral("Prints one JSON object: the names of all files, and of those written now."));
+}
+
+Expected<int> run(const CommandLine& line)
+{
+    const QString folder = line.value("output");
+    if (folder.isEmpty())
+        return fail(ErrorCode::Invalid,
+                    "missing -o FOLDER: `ramure-cli textures --help` shows what it takes");
+    const auto size = sizeFrom(line);
+    if (!size)
+        return fail(size.error());
+    auto input = loadInput(line.arguments().front(), line.values("set"));
+    if (!input)
+        return fail(input.error());
+    if (const auto kept = keepNodes(*input, line.values("node")); !kept)
+        return fail(kept.error());
+    if (!input->scene())
+        return fail(ErrorCode::Invalid, "\"%1\" is a mesh: only trees have a bark",
+                    {line.arguments().front().toStdString()});
+    const auto barks = barksOf(*input->scene());
+    if (!barks)
+        return fail(barks.error());
+    if (!QDir().mkpath(folder))
+        return fail(ErrorCode::Io, "%1: the folder cannot be made", {systemPath(folder)});
+    const Work work("textures");
+    QJsonArray all, written;
+    for (std::size_t i = 0; i < barks->size(); ++i) {
+        const double count = double(barks->size());
+        const auto names = writeMaps(systemPath(folder), (*barks)[i], *size,
+                                     work.progress().part(double(i) / count, double(i + 1) / count));
+        if (!names)
+            return fail(names.error());
+        for (const std::string& name : *names)
+            written.append(fromText(name));
+        for (std::size_t map = 0; map < mapNames.size(); ++map)
+            all.append(fromText(mapFileName((*barks)[i], *size, static_cast<MaterialMap>(map))));
+    }
+    if (line.has("json"))
+        if (const auto printed =
+                printJson(QJsonObject{{QStringLiteral("files"), all}, {QStringLiteral("written"), written}});
+            !printed)
+            return fail(printed.error());
+    return exitGood;
+}
+
+} // namespace
+
+const Command texturesCommand{text, &addOptions, &run};
+
+} // namespace ramure::cli

@@ -1,0 +1,27 @@
+/// \file
+/// The pictures of materials as files: colour, normal, height, occlusion and roughness of a bark.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/params/bark_params.h"
+#include <array>
+#include <string>
+#include <vector>
+
+namespace ramure {
+
+enum class MaterialMap : std::uint8_t { Colour, Normal, Height, Occlusion, Roughness };
+inline constexpr std::array mapNames = {"colour", "normal", "height", "occlusion", "roughness"};
+
+/// "bark_furrowed_1f3a9c04_1024_normal.png": the number stands for all that the picture hangs on, so that
+/// frames of a sequence and neighbours in a folder share what is the same and never take each other's.
+std::string mapFileName(const BarkParams& bark, int size, MaterialMap map);
+
+/// Writes the five pictures of a bark into a folder. Where all are there already, nothing is made: whoever
+/// painted over them keeps that. Returns the names of those that were written. Errors: Invalid (plain bark),
+/// Limit (the size), Io (with file), Cancelled.
+Expected<std::vector<std::string>> writeMaps(const std::string& folder, const BarkParams& bark, int size,
+                                             const Progress& progress = {});
+
+} // namespace ramure
