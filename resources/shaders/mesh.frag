@@ -14,8 +14,6 @@ uniform float uLineWidth; // pixels
 #endif
 
 uniform vec3 uColour;      // sRGB
-uniform bool uHasColours;  // each triangle has its own, tinted by uColour
-uniform sampler2D uColours;
 uniform float uShininess;  // 0 = Lambert
 uniform float uGlint;      // strength of the highlight
 uniform float uThrough;    // share of the light that shines through, for leaves
@@ -29,10 +27,20 @@ out vec4 fragment;
 // beside it.
 const float standing = 1.2;
 
+#ifdef COLOURS
+uniform bool uHasColours; // each triangle has its own, tinted by uColour
+uniform sampler2D uColours;
+#endif
+
+// Reading gl_PrimitiveID has its price: softpipe draws nothing where no geometry shader writes it.
 vec3 ownColour()
 {
+#ifdef COLOURS
     int width = textureSize(uColours, 0).x;
-    return texelFetch(uColours, ivec2(gl_PrimitiveID % width, gl_PrimitiveID / width), 0).rgb;
+    if (uHasColours)
+        return uColour * texelFetch(uColours, ivec2(gl_PrimitiveID % width, gl_PrimitiveID / width), 0).rgb;
+#endif
+    return uColour;
 }
 
 uniform bool uHasBark;
@@ -79,7 +87,7 @@ void main()
 {
     vec3 flatNormal = cross(dFdx(v.relative), dFdy(v.relative));
     vec3 normal = normalize(dot(v.normal, v.normal) > 1e-8 ? v.normal : (gl_FrontFacing ? flatNormal : -flatNormal));
-    vec3 own = uHasBark ? barkColour(normal) : uHasColours ? uColour * ownColour() : uColour;
+    vec3 own = uHasBark ? barkColour(normal) : ownColour();
     vec3 paint = painted(v.uv, v.relative, own);
     vec3 albedo = toLinear(mix(paint, v.tint.rgb, v.tint.a)) * v.shade;
     if (!gl_FrontFacing) {

@@ -191,6 +191,7 @@ struct Context
 
     Context()
     {
+        context.setFormat(openGlFormat());
         context.create();
         surface.setFormat(context.format());
         surface.create();

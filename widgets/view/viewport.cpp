@@ -2,6 +2,7 @@
 #include "core/evaluate/evaluator.h"
 #include "widgets/base/core_text.h"
 #include "widgets/view/render/framing_points.h"
+#include "widgets/view/render/gl_setup.h"
 
 #include "widgets/view/texture_legend.h"
 #include "widgets/view/viewport_private.h"
@@ -67,9 +68,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     , d(std::make_unique<Private>(this, document, settings))
 {
     d->flight.setOrthographic(settings->orthographic());
-    QSurfaceFormat wanted = format();
-    wanted.setVersion(3, 3);
-    wanted.setProfile(QSurfaceFormat::CoreProfile);
+    QSurfaceFormat wanted = openGlFormat();
     wanted.setDepthBufferSize(24);
     wanted.setSamples(4);
     setFormat(wanted);

@@ -5,17 +5,23 @@
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
-#include <QSurfaceFormat>
 
 namespace ramure {
+
+QSurfaceFormat openGlFormat()
+{
+    QSurfaceFormat format = QSurfaceFormat::defaultFormat();
+    format.setRenderableType(QSurfaceFormat::OpenGL);
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setOption(QSurfaceFormat::DebugContext, qEnvironmentVariableIsSet("RAMURE_GL_DEBUG"));
+    return format;
+}
 
 void prepareOpenGl()
 {
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QSurfaceFormat format;
-    format.setRenderableType(QSurfaceFormat::OpenGL);
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
+    QSurfaceFormat format = openGlFormat();
     format.setDepthBufferSize(24);
     format.setSamples(4);
     QSurfaceFormat::setDefaultFormat(format);
@@ -41,11 +47,8 @@ OpenGlProbe probeOpenGl()
         if (platform == QLatin1String(without))
             return refuse(QT_TRANSLATE_NOOP("render", "This display cannot show OpenGL."));
     }
-    QSurfaceFormat format = QSurfaceFormat::defaultFormat();
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
     QOpenGLContext context;
-    context.setFormat(format);
+    context.setFormat(openGlFormat());
     if (!context.create())
         return refuse(QT_TRANSLATE_NOOP("render", "The graphics driver gives no OpenGL."));
     if (context.isOpenGLES() || context.format().version() < std::pair(3, 3))

@@ -4,8 +4,13 @@
 
 #include <QByteArray>
 #include <QString>
+#include <QSurfaceFormat>
 
 namespace ramure {
+
+/// What every context here asks for: the default format, and 3.3 core. With RAMURE_GL_DEBUG in the
+/// environment the driver also tells of errors and deprecated calls: they become warnings.
+QSurfaceFormat openGlFormat();
 
 /// Shared contexts and the default surface format (3.3 core, 24-bit depth, 4 samples). Call in main() before
 /// the application object is made.

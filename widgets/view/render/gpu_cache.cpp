@@ -14,7 +14,7 @@ const void* offset(std::size_t bytes)
     return reinterpret_cast<const void*>(bytes);
 }
 
-constexpr int stateWidth = 2048; ///< of the textures of branch states and bones; every OpenGL 3.3 has it
+constexpr int stateWidth = 2048; ///< of the textures of branch states, triangles' colours and bones
 
 } // namespace
 
@@ -22,6 +22,7 @@ GpuCache::GpuCache(Gl& gl)
     : m_gl(gl)
     , m_pool(gl)
 {
+    m_gl.glGetIntegerv(GL_MAX_TEXTURE_SIZE, &m_largestTexture);
 }
 
 GpuCache::~GpuCache()
@@ -30,6 +31,12 @@ GpuCache::~GpuCache()
         free(block);
     if (m_restTexture != 0)
         m_gl.glDeleteTextures(1, &m_restTexture);
+}
+
+std::size_t GpuCache::textureRows(std::size_t texels, int largest)
+{
+    const std::size_t rows = std::max<std::size_t>(1, (texels + stateWidth - 1) / stateWidth);
+    return std::max<std::size_t>(rows, stateWidth) <= static_cast<std::size_t>(largest) ? rows : 0;
 }
 
 std::pair<GpuBlock&, bool> GpuCache::slot(const std::shared_ptr<const void>& source)
@@ -91,6 +98,12 @@ const GpuBlock& GpuCache::mesh(const std::shared_ptr<const TriangleMesh>& mesh,
     GpuBlock& block = meshBlock(mesh);
     attachSkin(block, skin);
     return drawn(block);
+}
+
+bool GpuCache::hasColours(const std::shared_ptr<const TriangleMesh>& mesh) const
+{
+    const auto found = m_blocks.find(mesh.get());
+    return found != m_blocks.end() && found->second.texture != 0;
 }
 
 const GpuBlock& GpuCache::lines(const std::shared_ptr<const LineSet>& lines)
@@ -164,7 +177,9 @@ void GpuCache::fillMesh(GpuBlock& block, const TriangleMesh& mesh)
 /// A texture: the colours of the triangles, row after row.
 void GpuCache::fillColours(GpuBlock& block, const std::vector<glm::u8vec3>& colours)
 {
-    const std::size_t rows = (colours.size() + stateWidth - 1) / stateWidth;
+    const std::size_t rows = textureRows(colours.size(), m_largestTexture);
+    if (rows == 0)
+        return;
     std::vector<glm::u8vec3> padded(colours);
     padded.resize(rows * stateWidth);
     m_gl.glGenTextures(1, &block.texture);
@@ -290,7 +305,9 @@ const GpuBlock& GpuCache::bones(const std::shared_ptr<const std::vector<RigidTra
     const auto [block, isNew] = slot(bones);
     if (!isNew)
         return block;
-    const std::size_t rows = std::max<std::size_t>(1, (2 * bones->size() + stateWidth - 1) / stateWidth);
+    const std::size_t rows = textureRows(2 * bones->size(), m_largestTexture);
+    if (rows == 0)
+        return block;
     m_boneRows.resize(rows * stateWidth);
     for (std::size_t b = 0; b < bones->size(); ++b) {
         const RigidTransform& bone = (*bones)[b];
@@ -360,7 +377,9 @@ const GpuBlock& GpuCache::states(const std::shared_ptr<const BranchStates>& stat
     const auto [block, isNew] = slot(states);
     if (!isNew)
         return block;
-    const std::size_t rows = std::max<std::size_t>(1, (states->size() + stateWidth - 1) / stateWidth);
+    const std::size_t rows = textureRows(states->size(), m_largestTexture);
+    if (rows == 0)
+        return block;
     BranchStates padded(*states);
     padded.resize(rows * stateWidth);
     m_gl.glGenTextures(1, &block.texture);
@@ -380,7 +399,7 @@ void GpuCache::bindBones(ShaderProgram& program, const ItemMotion& motion)
 {
     const GpuBlock* block = motion.moves() ? &bones(motion.bones) : nullptr;
     m_gl.glActiveTexture(GL_TEXTURE0 + bonesUnit);
-    m_gl.glBindTexture(GL_TEXTURE_2D, block ? block->texture : restTexture());
+    m_gl.glBindTexture(GL_TEXTURE_2D, block && block->texture != 0 ? block->texture : restTexture());
     m_gl.glActiveTexture(GL_TEXTURE0);
     program.set("uBones", int(bonesUnit));
     program.set("uBoneCount", block ? block->count : 0);

@@ -60,6 +60,8 @@ public:
     /// \p skin may be null.
     const GpuBlock& mesh(const std::shared_ptr<const TriangleMesh>& mesh,
                          const std::shared_ptr<const Skin>& skin);
+    /// Have the triangles of this mesh, which was asked for, colours of their own?
+    [[nodiscard]] bool hasColours(const std::shared_ptr<const TriangleMesh>& mesh) const;
     /// A texture: per bone the rotation (x, y, z, w) and the translation.
     const GpuBlock& bones(const std::shared_ptr<const std::vector<RigidTransform>>& bones);
     const GpuBlock& lines(const std::shared_ptr<const LineSet>& lines);
@@ -71,6 +73,9 @@ public:
     void bindColours(ShaderProgram& program, const GpuBlock& mesh);
     /// The same for its bark, which may be null.
     void bindBark(ShaderProgram& program, const std::shared_ptr<const BarkMaps>& maps);
+    /// How many rows of a texture hold \p texels where the card's largest has \p largest a side; 0 where it
+    /// cannot: then triangles have no colours, branches no states, bones rest.
+    static std::size_t textureRows(std::size_t texels, int largest);
     /// The texture units that they use.
     static constexpr GLenum bonesUnit = 3, coloursUnit = 4, barkUnit = 5, barkNormalsUnit = 6;
 
@@ -105,6 +110,7 @@ private:
     std::map<const void*, GpuBlock> m_blocks;
     std::vector<glm::vec4> m_boneRows; ///< kept between pictures
     std::vector<std::shared_ptr<const void>> m_released;
+    GLint m_largestTexture = 0;
     GLuint m_restTexture = 0; ///< for what has no bones or colours
     UploadStats m_stats;
     std::uint64_t m_picture = 0;

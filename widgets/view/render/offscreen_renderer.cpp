@@ -1,5 +1,6 @@
 #include "widgets/view/render/offscreen_renderer.h"
 
+#include "widgets/view/render/gl_setup.h"
 #include "widgets/view/render/renderer.h"
 #include <QGuiApplication>
 #include <QOffscreenSurface>
@@ -12,15 +13,6 @@ namespace ramure {
 namespace {
 
 constexpr int maxSide = 16384;
-
-QSurfaceFormat wantedFormat()
-{
-    QSurfaceFormat format = QSurfaceFormat::defaultFormat();
-    format.setRenderableType(QSurfaceFormat::OpenGL);
-    format.setVersion(3, 3);
-    format.setProfile(QSurfaceFormat::CoreProfile);
-    return format;
-}
 
 QOpenGLFramebufferObjectFormat targetFormat(int samples)
 {
@@ -45,7 +37,7 @@ OffscreenRenderer::OffscreenRenderer()
 {
     if (!qobject_cast<QGuiApplication*>(QCoreApplication::instance()))
         return;
-    d->surface.setFormat(wantedFormat());
+    d->surface.setFormat(openGlFormat());
     d->surface.create();
 }
 

@@ -3,6 +3,7 @@
 #include "core/base/stopwatch.h"
 #include "widgets/view/render/gl_setup.h"
 #include <QOpenGLContext>
+#include <QOpenGLDebugLogger>
 #include <QOpenGLVersionFunctionsFactory>
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,25 @@ glm::vec3 srgb(const glm::u8vec3& bytes)
 double gridStep(double height)
 {
     return std::pow(10.0, std::floor(std::log10(std::max(height, 1e-6) / 4.0)));
+}
+
+/// Where the context was asked to tell (see openGlFormat), what the driver finds wrong becomes a warning.
+std::unique_ptr<QOpenGLDebugLogger> listen(const QOpenGLContext& context)
+{
+    if (!context.format().testOption(QSurfaceFormat::DebugContext))
+        return nullptr;
+    auto logger = std::make_unique<QOpenGLDebugLogger>();
+    QObject::connect(logger.get(), &QOpenGLDebugLogger::messageLogged,
+                     [](const QOpenGLDebugMessage& message) {
+                         using M = QOpenGLDebugMessage;
+                         if (M::Types(M::ErrorType | M::DeprecatedBehaviorType | M::UndefinedBehaviorType |
+                                      M::PortabilityType)
+                                 .testFlag(message.type()))
+                             qWarning("OpenGL: %s", qPrintable(message.message()));
+                     });
+    if (logger->initialize())
+        logger->startLogging(QOpenGLDebugLogger::SynchronousLogging);
+    return logger;
 }
 
 } // namespace
@@ -79,69 +99,50 @@ Expected<std::unique_ptr<Renderer>> Renderer::make()
     if (!gl || !gl->initializeOpenGLFunctions())
         return fail(ErrorCode::Unknown, RAMURE_NOOP("No OpenGL 3.3 context is available here"));
     std::unique_ptr<Renderer> made(new Renderer(*gl));
+    made->m_messages = listen(*context);
     if (auto compiled = made->compile(); !compiled)
         return fail(std::move(compiled.error()));
     return made;
 }
 
+std::vector<std::pair<Renderer::Program, ShaderSources>> Renderer::programs()
+{
+    const std::vector<const char*> mesh{"states.glsl", "skin.glsl", "skin_mesh.glsl", "mesh.vert"};
+    const std::vector<const char*> surface{"colour.glsl", "lighting.glsl", "texture.glsl", "mesh.frag"};
+    return {
+        {&Renderer::m_mesh, {mesh, nullptr, surface}},
+        {&Renderer::m_meshColours, {mesh, nullptr, surface, "#define COLOURS\n"}},
+        {&Renderer::m_meshWire, {mesh, "mesh.geom", surface, "#define COLOURS\n#define WIRE\n"}},
+        {&Renderer::m_shadow, {{"skin.glsl", "skin_mesh.glsl", "shadow.vert"}, nullptr, {"shadow.frag"}}},
+        {&Renderer::m_world, {{"world.vert"}, nullptr, {"colour.glsl", "lighting.glsl", "world.frag"}}},
+        {&Renderer::m_line, {{"states.glsl", "skin.glsl", "line.vert"}, nullptr, {"line.frag"}}},
+        {&Renderer::m_point, {{"states.glsl", "skin.glsl", "point.vert"}, nullptr, {"point.frag"}}},
+        {&Renderer::m_smooth, {{"world.vert"}, nullptr, {"smooth.frag"}}},
+        {&Renderer::m_ghost, {{"ghost.vert"}, nullptr, {"ghost.frag"}}},
+        {&Renderer::m_outlineRows, {{"world.vert"}, nullptr, {"outline_spread.frag"}, "#define ROWS\n"}},
+        {&Renderer::m_outlineColumns, {{"world.vert"}, nullptr, {"outline_spread.frag"}}},
+        {&Renderer::m_outlineInk, {{"world.vert"}, nullptr, {"outline_ink.frag"}}},
+    };
+}
+
 Expected<void> Renderer::compile()
 {
     m_software = isSoftwareRenderer(reinterpret_cast<const char*>(m_gl.glGetString(GL_RENDERER)));
-    const std::vector<const char*> surface{"colour.glsl", "lighting.glsl", "texture.glsl", "mesh.frag"};
-    const auto add = [this](std::unique_ptr<ShaderProgram>& program,
-                            const ShaderSources& sources) -> Expected<void> {
+    for (const auto& [program, sources] : programs()) {
         auto made = ShaderProgram::make(m_gl, sources);
         if (!made)
             return fail(std::move(made.error()));
-        program = std::move(*made);
-        return {};
-    };
-    return add(m_mesh, {{"states.glsl", "skin.glsl", "skin_mesh.glsl", "mesh.vert"}, nullptr, surface, ""})
-        .and_then([&] {
-            return add(m_meshWire, {{"states.glsl", "skin.glsl", "skin_mesh.glsl", "mesh.vert"},
-                                    "mesh.geom",
-                                    surface,
-                                    "#define WIRE\n"});
-        })
-        .and_then([&] {
-            return add(m_shadow,
-                       {{"skin.glsl", "skin_mesh.glsl", "shadow.vert"}, nullptr, {"shadow.frag"}, ""});
-        })
-        .and_then([&] {
-            return add(m_world,
-                       {{"world.vert"}, nullptr, {"colour.glsl", "lighting.glsl", "world.frag"}, ""});
-        })
-        .and_then([&] {
-            return add(m_line, {{"states.glsl", "skin.glsl", "line.vert"}, nullptr, {"line.frag"}, ""});
-        })
-        .and_then([&] {
-            return add(m_point, {{"states.glsl", "skin.glsl", "point.vert"}, nullptr, {"point.frag"}, ""});
-        })
-        .and_then([&] {
-            return add(m_smooth, {{"world.vert"}, nullptr, {"smooth.frag"}, ""});
-        })
-        .and_then([&] {
-            return add(m_ghost, {{"ghost.vert"}, nullptr, {"ghost.frag"}, ""});
-        })
-        .and_then([&] {
-            return add(m_outlineRows, {{"world.vert"}, nullptr, {"outline_spread.frag"}, "#define ROWS\n"});
-        })
-        .and_then([&] {
-            return add(m_outlineColumns, {{"world.vert"}, nullptr, {"outline_spread.frag"}, ""});
-        })
-        .and_then([&] {
-            return add(m_outlineInk, {{"world.vert"}, nullptr, {"outline_ink.frag"}, ""});
-        })
-        .map([&] {
-            m_gl.glGenVertexArrays(1, &m_emptyArray);
-            m_gl.glGenTextures(1, &m_noStates);
-            m_gl.glBindTexture(GL_TEXTURE_2D, m_noStates);
-            const std::uint32_t none = 0;
-            m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R8UI, 1, 1, 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, &none);
-            m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-            m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-            m_gl.glBindTexture(GL_TEXTURE_2D, 0);
-        });
+        this->*program = std::move(*made);
+    }
+    m_gl.glGenVertexArrays(1, &m_emptyArray);
+    m_gl.glGenTextures(1, &m_noStates);
+    m_gl.glBindTexture(GL_TEXTURE_2D, m_noStates);
+    const std::uint32_t none = 0;
+    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R8UI, 1, 1, 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, &none);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    m_gl.glBindTexture(GL_TEXTURE_2D, 0);
+    return {};
 }
 
 void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
@@ -163,7 +164,7 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
         drawWorld(picture);
     if (options.shading == ShadingMode::Solid) // the wireframe's other program would not give the same depths
         drawDepth(picture);
-    drawMeshes(picture);
+    drawMeshes(picture, options.shading, false);
     m_gl.glEnable(GL_BLEND);
     m_gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     drawGhosts(picture);
@@ -268,7 +269,7 @@ void Renderer::setStates(ShaderProgram& program, const RenderScene& scene, NodeI
     for (const Highlight& highlight : scene.highlights) {
         if (highlight.node == node && node != noNode && (hasBranches || highlight.whole)) {
             const GpuBlock& block = m_cache.states(highlight.states);
-            texture = block.texture;
+            texture = block.texture != 0 ? block.texture : m_noStates;
             count = block.count;
         }
     }
@@ -329,9 +330,8 @@ void Renderer::drawDepth(const Picture& picture)
     m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-ShaderProgram& Renderer::beginMeshes(const Picture& picture, ShadingMode shading)
+void Renderer::beginMeshes(ShaderProgram& program, const Picture& picture, ShadingMode shading)
 {
-    ShaderProgram& program = shading == ShadingMode::Solid ? *m_mesh : *m_meshWire;
     program.bind();
     setLight(program, picture);
     program.set("uViewport", picture.viewport);
@@ -339,7 +339,6 @@ ShaderProgram& Renderer::beginMeshes(const Picture& picture, ShadingMode shading
     program.set("uLineWidth", float(1.2 * picture.options.pixelRatio));
     program.set("uBackward",
                 glm::vec4(glm::vec3(picture.camera.backward()), picture.camera.orthographic ? 1.0f : 0.0f));
-    return program;
 }
 
 void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const MeshItem& item)
@@ -368,12 +367,19 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     m_gl.glFrontFace(GL_CCW);
 }
 
-void Renderer::drawMeshes(const Picture& picture)
+/// Those that are opaque, or those that are not. Where triangles have colours of their own they are counted,
+/// which costs software rasterisers time: only for the meshes that have some.
+void Renderer::drawMeshes(const Picture& picture, ShadingMode shading, bool faded)
 {
-    ShaderProgram& program = beginMeshes(picture, picture.options.shading);
-    for (const MeshItem& item : picture.scene.meshes)
-        if (item.opacity >= 1.0f)
-            drawMesh(program, picture, item);
+    for (const bool coloured : {false, true}) {
+        ShaderProgram& program = shading != ShadingMode::Solid ? *m_meshWire
+                                 : coloured                    ? *m_meshColours
+                                                               : *m_mesh;
+        beginMeshes(program, picture, shading);
+        for (const MeshItem& item : picture.scene.meshes)
+            if ((item.opacity < 1.0f) == faded && m_cache.hasColours(item.mesh) == coloured)
+                drawMesh(program, picture, item);
+    }
 }
 
 /// Over everything else, but only what is nearest of it: a hundred leaves hide no more than one.
@@ -391,10 +397,7 @@ void Renderer::drawFaded(const Picture& picture)
         if (isFaded(item) && !wire)
             drawMeshDepth(picture, item);
     m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    ShaderProgram& program = beginMeshes(picture, wire ? ShadingMode::Wire : ShadingMode::Solid);
-    for (const MeshItem& item : picture.scene.meshes)
-        if (isFaded(item))
-            drawMesh(program, picture, item);
+    drawMeshes(picture, wire ? ShadingMode::Wire : ShadingMode::Solid, true);
 }
 
 /// What is selected is masked as if nothing stood before it, and a line is drawn around the mask.

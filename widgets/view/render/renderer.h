@@ -11,6 +11,8 @@
 #include "widgets/view/render/smoothing.h"
 #include <QSize>
 
+class QOpenGLDebugLogger;
+
 namespace ramure {
 
 /// Of the last picture, and since the start.
@@ -27,6 +29,9 @@ struct RenderStats
 class Renderer
 {
 public:
+    /// Every program that a renderer compiles: what is not listed here is never given to a driver.
+    using Program = std::unique_ptr<ShaderProgram> Renderer::*;
+    static std::vector<std::pair<Program, ShaderSources>> programs();
     /// Compiles the programs in the current context, which must be OpenGL 3.3 core or later.
     /// Error: Unknown (context, shader), with the driver's words.
     static Expected<std::unique_ptr<Renderer>> make();
@@ -56,8 +61,8 @@ private:
     void castShadows(Picture& picture);
     void drawWorld(const Picture& picture);
     void drawDepth(const Picture& picture);
-    void drawMeshes(const Picture& picture);
-    ShaderProgram& beginMeshes(const Picture& picture, ShadingMode shading);
+    void drawMeshes(const Picture& picture, ShadingMode shading, bool faded);
+    void beginMeshes(ShaderProgram& program, const Picture& picture, ShadingMode shading);
     void drawMesh(ShaderProgram& program, const Picture& picture, const MeshItem& item);
     void drawMeshDepth(const Picture& picture, const MeshItem& item);
     void drawFaded(const Picture& picture);
@@ -70,11 +75,13 @@ private:
     void resetState();
 
     Gl& m_gl;
+    std::unique_ptr<QOpenGLDebugLogger> m_messages; ///< null in a context that does not tell
     GpuCache m_cache;
     ShadowMap m_shadowMap;
     Smoothing m_smoothing;
     Outline m_outline;
-    std::unique_ptr<ShaderProgram> m_mesh, m_meshWire, m_shadow, m_world, m_line, m_point, m_smooth, m_ghost;
+    std::unique_ptr<ShaderProgram> m_mesh, m_meshColours, m_meshWire, m_shadow, m_world, m_line, m_point,
+        m_smooth, m_ghost;
     std::unique_ptr<ShaderProgram> m_outlineRows, m_outlineColumns, m_outlineInk;
     GLuint m_emptyArray = 0;
     GLuint m_noStates = 0; ///< a texture of one plain branch

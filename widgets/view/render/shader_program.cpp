@@ -25,6 +25,15 @@ QByteArray source(const std::vector<const char*>& names, const char* defines)
 
 } // namespace
 
+ShaderTexts composed(const ShaderSources& sources)
+{
+    initShaderResources();
+    ShaderTexts texts{source(sources.vertex, sources.defines), {}, source(sources.fragment, sources.defines)};
+    if (sources.geometry)
+        texts.geometry = source({sources.geometry}, sources.defines);
+    return texts;
+}
+
 ShaderProgram::ShaderProgram(Gl& gl)
     : m_gl(gl)
 {
@@ -32,17 +41,13 @@ ShaderProgram::ShaderProgram(Gl& gl)
 
 Expected<std::unique_ptr<ShaderProgram>> ShaderProgram::make(Gl& gl, const ShaderSources& sources)
 {
-    initShaderResources();
+    const ShaderTexts texts = composed(sources);
     std::unique_ptr<ShaderProgram> made(new ShaderProgram(gl));
     QOpenGLShaderProgram& program = made->m_program;
-    bool good =
-        program.addShaderFromSourceCode(QOpenGLShader::Vertex, source(sources.vertex, sources.defines));
-    if (good && sources.geometry)
-        good = program.addShaderFromSourceCode(QOpenGLShader::Geometry,
-                                               source({sources.geometry}, sources.defines));
-    good = good && program.addShaderFromSourceCode(QOpenGLShader::Fragment,
-                                                   source(sources.fragment, sources.defines));
-    good = good && program.link();
+    const bool good =
+        program.addShaderFromSourceCode(QOpenGLShader::Vertex, texts.vertex) &&
+        (!sources.geometry || program.addShaderFromSourceCode(QOpenGLShader::Geometry, texts.geometry)) &&
+        program.addShaderFromSourceCode(QOpenGLShader::Fragment, texts.fragment) && program.link();
     if (!good)
         return fail(ErrorCode::Unknown, RAMURE_NOOP("The graphics driver refuses a shader: %1"),
                     {program.log().toStdString()});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include <QByteArray>
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLShaderProgram>
 #include <glm/mat3x3.hpp>
@@ -25,6 +26,13 @@ struct ShaderSources
     std::vector<const char*> fragment;
     const char* defines = ""; ///< lines put after the version
 };
+
+/// What a driver is given to compile; \c geometry is empty where there is none.
+struct ShaderTexts
+{
+    QByteArray vertex, geometry, fragment;
+};
+ShaderTexts composed(const ShaderSources& sources);
 
 /// All functions need the context current that compiled the program. Unknown uniform names are ignored: the
 /// compiler removes those that a variant does not use.
