@@ -58,7 +58,7 @@ int componentsOf(const QString& declarations)
 int outputsOf(const QByteArray& stage)
 {
     static const QRegularExpression out(
-        QStringLiteral("\\bout\\s+(\\w+\\s*\\{([^}]*)\\}|\\w+\\s+\\w+\\s*;)"));
+        QStringLiteral("\\bout\\s+(\\w+\\s*\\{([^}]*)\\}|\\w+\\s+\\w+(\\[\\d+\\])?\\s*;)"));
     int sum = 4;
     for (auto each = out.globalMatch(QString::fromUtf8(stage)); each.hasNext();) {
         const QRegularExpressionMatch found = each.next();
@@ -102,7 +102,9 @@ private slots:
         QTest::addColumn<int>("index");
         int index = 0;
         for (const auto& [program, sources] : Renderer::programs()) {
-            QTest::addRow("%d %s %s", index, sources.fragment.back(), sources.defines) << index;
+            QTest::addRow("%d %s %s", index, sources.fragment.back(),
+                          QByteArray(sources.defines).simplified().constData())
+                << index;
             ++index;
         }
     }
