@@ -867,6 +867,14 @@
         <source>Add objects to the scene: meshes, and keys from Blender</source>
         <translation>Ajouter des objets à la scène : maillages, et clés venues de Blender</translation>
     </message>
+    <message>
+        <source>L&amp;ight and backdrop…</source>
+        <translation>Lum&amp;ière et fond…</translation>
+    </message>
+    <message>
+        <source>Where the sun stands, and what lies behind the trees</source>
+        <translation>Où se tient le soleil, et ce qu’il y a derrière les arbres</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -6351,6 +6359,61 @@ OpenGL&#xa0;: %4
     <message>
         <source>Key value %1</source>
         <translation>Valeur de clé %1</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::LightDialog</name>
+    <message>
+        <source>Light and backdrop</source>
+        <translation>Lumière et fond</translation>
+    </message>
+    <message>
+        <source>Landscape</source>
+        <translation>Paysage</translation>
+    </message>
+    <message>
+        <source>Light studio</source>
+        <translation>Studio clair</translation>
+    </message>
+    <message>
+        <source>Dark studio</source>
+        <translation>Studio sombre</translation>
+    </message>
+    <message>
+        <source>What lies behind and below the trees: sky and meadow, or one colour that takes their shadow</source>
+        <translation>Ce qu’il y a derrière et sous les arbres : ciel et pré, ou une seule couleur qui reçoit leur ombre</translation>
+    </message>
+    <message>
+        <source>Where the sun stands, in degrees clockwise from the north (−Z): 90 is the east (X)</source>
+        <translation>Où se tient le soleil, en degrés dans le sens des aiguilles d’une montre depuis le nord (−Z) : 90 est l’est (X)</translation>
+    </message>
+    <message>
+        <source>Height of the sun over the horizon, 2 to 90 degrees: a low one is warm</source>
+        <translation>Hauteur du soleil au-dessus de l’horizon, de 2 à 90 degrés : un soleil bas est chaud</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>&amp;Backdrop</source>
+        <translation>&amp;Fond</translation>
+    </message>
+    <message>
+        <source>Sun &amp;from</source>
+        <translation>Soleil &amp;depuis</translation>
+    </message>
+    <message>
+        <source>Sun &amp;height</source>
+        <translation>&amp;Hauteur du soleil</translation>
+    </message>
+    <message>
+        <source>Usual light</source>
+        <translation>Lumière habituelle</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
     </message>
 </context>
 <context>

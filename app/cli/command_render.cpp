@@ -22,6 +22,8 @@ constexpr CommandText text = {"render", "draws a picture", "INPUT",
                               "Without a display a virtual X server (Xvfb) is started for the time it takes. "
                               "The camera shows all that is visible."};
 
+/// In the order of Backdrop; then without any.
+constexpr std::string_view backgroundNames[] = {"landscape", "light", "dark", "none"};
 constexpr int smallestSide = 16;
 constexpr int largestSide = 8192;
 
@@ -44,8 +46,81 @@ struct Request
     QString file;
     QSize size;
     DisplayMode mode = DisplayMode::Mesh;
-    int turntable = 0; ///< pictures all around; 0 = one from the front
+    int turntable = 0;            ///< pictures all around; 0 = one from the front
+    std::optional<Camera> camera; ///< else one that shows all that is visible
+    RenderOptions options;
 };
+
+/// So many numbers with commas between them. \param form what is expected, for the error
+Expected<std::vector<double>> numbersOf(const CommandLine& line, const char* option, qsizetype least,
+                                        qsizetype most, const char* form)
+{
+    const QStringList words = line.value(option).split(u',');
+    std::vector<double> numbers;
+    for (const QString& word : words) {
+        bool isNumber = false;
+        numbers.push_back(word.toDouble(&isNumber));
+        if (!isNumber || !(std::abs(numbers.back()) <= 1e6)) {
+            numbers.clear();
+            break;
+        }
+    }
+    const auto count = static_cast<qsizetype>(numbers.size());
+    if (count < least || count > most)
+        return fail(ErrorCode::Invalid, "--%1 \"%2\": %3 expected",
+                    {option, line.value(option).toStdString(), form});
+    return numbers;
+}
+
+Expected<Camera> cameraOf(const CommandLine& line)
+{
+    const char* form = "EX,EY,EZ,TX,TY,TZ[,ANGLE], metres and degrees,";
+    const auto numbers = numbersOf(line, "camera", 6, 7, form);
+    if (!numbers)
+        return fail(numbers.error());
+    const std::vector<double>& n = *numbers;
+    const glm::dvec3 eye(n[0], n[1], n[2]), target(n[3], n[4], n[5]), away = eye - target;
+    const double angle = n.size() > 6 ? n[6] : glm::degrees(Camera().fovRad);
+    const double distance = glm::length(away);
+    if (distance < 1e-3 || angle < 1.0 || angle > 150.0)
+        return fail(
+            ErrorCode::Invalid,
+            "--camera \"%1\": the eye must be a millimetre or more from the target, the angle 1 to 150 "
+            "degrees",
+            {line.value("camera").toStdString()});
+    Camera camera;
+    camera.target = target;
+    camera.distance = distance;
+    camera.pitchRad = std::asin(std::clamp(away.y / distance, -1.0, 1.0));
+    camera.yawRad = std::atan2(away.x, away.z);
+    camera.fovRad = glm::radians(angle);
+    return camera;
+}
+
+Expected<RenderOptions> optionsOf(const CommandLine& line)
+{
+    RenderOptions options;
+    if (line.has("sun")) {
+        const auto sun = numbersOf(line, "sun", 2, 2, "DIRECTION,HEIGHT in degrees");
+        if (!sun)
+            return fail(sun.error());
+        if ((*sun)[1] < SceneLight::leastHeightDeg || (*sun)[1] > 90.0)
+            return fail(ErrorCode::Invalid, "--sun \"%1\": its height must be 2 to 90 degrees",
+                        {line.value("sun").toStdString()});
+        options.light.azimuthDeg = (*sun)[0];
+        options.light.heightDeg = (*sun)[1];
+    }
+    const QString background = line.value("background");
+    const auto known = std::ranges::find(backgroundNames, background.toStdString());
+    if (known == std::end(backgroundNames))
+        return fail(ErrorCode::Unknown, "--background \"%1\": landscape, light, dark or none expected",
+                    {background.toStdString()});
+    const auto number = static_cast<int>(known - std::begin(backgroundNames));
+    options.world = number < backdropCount;
+    if (options.world)
+        options.light.backdrop = static_cast<Backdrop>(number);
+    return options;
+}
 
 constexpr int mostTurns = 10'000;
 
@@ -76,14 +151,24 @@ Expected<Request> requestOf(const CommandLine& line)
         return fail(ErrorCode::Unknown, "--mode \"%1\": %2 expected",
                     {line.value("mode").toStdString(), commaList(modeNames()).toStdString()});
     out.mode = *mode;
+    const auto options = optionsOf(line);
+    if (!options)
+        return fail(options.error());
+    out.options = *options;
+    if (line.has("camera")) {
+        const auto camera = cameraOf(line);
+        if (!camera)
+            return fail(camera.error());
+        out.camera = *camera;
+    }
     if (line.has("turntable")) {
         bool whole = false;
         out.turntable = line.value("turntable").toInt(&whole);
         if (!whole || out.turntable < 2 || out.turntable > mostTurns)
             return fail(ErrorCode::Invalid, "--turntable \"%1\": a whole number from 2 to %2 expected",
                         {line.value("turntable").toStdString(), std::to_string(mostTurns)});
-        if (line.has("frames"))
-            return fail(ErrorCode::Invalid, "--turntable or --frames, not both");
+        if (line.has("frames") || line.has("camera"))
+            return fail(ErrorCode::Invalid, "--turntable goes with neither --frames nor --camera");
     }
     return out;
 }
@@ -139,9 +224,10 @@ public:
         m_application.emplace(m_argc, m_argv);
         return {};
     }
-    Expected<void> draw(const RenderScene& scene, const Camera& camera, QSize size, const QString& file)
+    Expected<void> draw(const RenderScene& scene, const Camera& camera, const Request& request,
+                        const QString& file)
     {
-        const auto image = renderImage(scene, camera, size);
+        const auto image = renderImage(scene, camera, request.size, request.options);
         if (!image)
             return fail(image.error());
         return savePicture(*image, systemPath(file));
@@ -170,7 +256,7 @@ Expected<void> drawTurntable(Painter& painter, const RenderScene& scene, Camera 
     const double start = camera.yawRad;
     for (int i = 0; i < request.turntable; ++i) {
         camera.yawRad = start + 2.0 * std::numbers::pi * i / request.turntable;
-        if (auto drawn = painter.draw(scene, camera, request.size, numberedFile(request.file, i)); !drawn)
+        if (auto drawn = painter.draw(scene, camera, request, numberedFile(request.file, i)); !drawn)
             return drawn;
         progress.report(double(i + 1) / request.turntable);
         if (progress.cancelled())
@@ -198,12 +284,12 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Reques
         if (!camera) {
             if (auto begun = painter.begin(); !begun)
                 return begun;
-            camera = cameraFor(*scene, request.size);
+            camera = request.camera ? *request.camera : cameraFor(*scene, request.size);
         }
         if (request.turntable > 0)
             return drawTurntable(painter, *scene, *camera, request, progress);
         const QString file = moments.isSequence() ? numberedFile(request.file, frames[i]) : request.file;
-        if (auto drawn = painter.draw(*scene, *camera, request.size, file); !drawn)
+        if (auto drawn = painter.draw(*scene, *camera, request, file); !drawn)
             return drawn;
         progress.report(double(i + 1) / double(frames.size()));
         if (progress.cancelled())
@@ -232,6 +318,18 @@ void addOptions(CommandLine& line)
         {QStringLiteral("turntable")},
         QStringLiteral("So many pictures all around, 2 to 10000; the number goes before the file's ending."),
         QStringLiteral("N"));
+    line.add({QStringLiteral("camera")},
+             QStringLiteral("Where the camera stands and what it looks at, in metres, and its vertical angle "
+                            "in degrees (40 without it). Without this option it shows all that is visible."),
+             QStringLiteral("EX,EY,EZ,TX,TY,TZ[,ANGLE]"));
+    line.add({QStringLiteral("sun")},
+             QStringLiteral("Where the sun stands: degrees clockwise from the north (-Z; 90 is the east, X), "
+                            "and its height over the horizon, 2 to 90; 136,46 without it."),
+             QStringLiteral("DIRECTION,HEIGHT"));
+    line.addDefault({QStringLiteral("background")},
+                    QStringLiteral("landscape (sky and meadow), light or dark (a studio of one colour that "
+                                   "takes shadows) or none (transparent)."),
+                    QStringLiteral("landscape|light|dark|none"), QStringLiteral("landscape"));
     line.addInputOptions();
     line.addNodeOption();
 }

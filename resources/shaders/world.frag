@@ -15,6 +15,7 @@ uniform float uGridStep;   // 0 = no grid
 uniform float uPixelRatio;  // device pixels per logical one
 uniform float uMottle;     // size of the ground's patches, m
 uniform mat4 uClip;        // eye-relative -> clip space
+uniform vec3 uStudio;      // sRGB; one colour instead of sky and meadow; below 0: none
 
 out vec4 fragment;
 
@@ -57,6 +58,10 @@ float gridLines(vec2 at, vec2 width, float spacing)
 
 vec3 ground(vec3 relative, vec2 at, vec2 width)
 {
+    if (uStudio.r >= 0.0) { // in full light exactly the colour behind it: there is no horizon
+        vec3 full = uSkyLight + uSunLight * uSun.y;
+        return toLinear(uStudio) * mix(uSkyLight / full, vec3(1.0), sunlight(relative, vec3(0.0, 1.0, 0.0)));
+    }
     float broad = max(width.x, width.y);
     float mottle = (noise(at / uMottle) - 0.5) * (1.0 - smoothstep(0.2, 0.7, broad / uMottle));
     float fine = uMottle * 0.11;
@@ -87,7 +92,9 @@ void main()
     vec3 direction = normalize(uOrthographic ? uForward : uForward + ndc.x * uAcross + ndc.y * uAlong);
     float height = uEye.y + offset.y - uGround;
     // In orthographic views the sky must not change with the pixel's ray, all of which are parallel.
-    vec3 colour = toLinear(uOrthographic ? mix(haze, skyBlue, clamp(0.5 + 0.5 * ndc.y, 0.0, 1.0)) : sky(direction));
+    vec3 colour = toLinear(uStudio.r >= 0.0 ? uStudio
+                           : uOrthographic  ? mix(haze, skyBlue, clamp(0.5 + 0.5 * ndc.y, 0.0, 1.0))
+                                            : sky(direction));
     float depth = 1.0;
 
     float steps = height / max(-direction.y, 1e-5);
@@ -107,7 +114,7 @@ void main()
         vec4 clip = uClip * vec4(relative, 1.0);
         if (uGroundShown || strength > 0.4)
             depth = clamp(0.5 + 0.5 * clip.z / clip.w, 0.0, 1.0);
-    } else if (uGroundShown && uOrthographic && height < 0.0 && abs(direction.y) <= 1e-5) {
+    } else if (uStudio.r < 0.0 && uGroundShown && uOrthographic && height < 0.0 && abs(direction.y) <= 1e-5) {
         colour = mix(toLinear(groundGreen), colour, 1.0 - exp(2.0 * height / uFade));
     }
     gl_FragDepth = depth;

@@ -1,10 +1,7 @@
 #include "core/io/mesh_file.h"
 #include "tests/cli/cli_support.h"
-#include "tests/support/cannot_run.h"
 #include <QDir>
-#include <QImage>
 #include <QJsonArray>
-#include <QStandardPaths>
 #include <csignal>
 #include <unistd.h>
 
@@ -12,7 +9,7 @@ using namespace ramure;
 using test::isRefused;
 using test::runCli;
 
-/// Export, validate and render: what goes in and out as files.
+/// Export and validate: what goes in and out as files.
 class TestRamureCliFiles : public QObject
 {
     Q_OBJECT
@@ -146,51 +143,6 @@ private slots:
                  0);
         QCOMPARE(test::bytesOf(path("2.ply")), test::bytesOf(path("branches.ply")));
         QCOMPARE(test::bytesOf(path("1.obj")).replace("1.mtl", "all.mtl"), test::bytesOf(path("all.obj")));
-    }
-    void texturesRefusesBadInput()
-    {
-        const QString folder = path("maps");
-        QVERIFY(isRefused(runCli({"textures", "preset:TinyTree"}), "missing -o FOLDER"));
-        QVERIFY(isRefused(runCli({"textures", "preset:TinyTree", "-o", folder}), "bark.family"));
-        const QStringList birch = {"textures", "preset:TinyTree", "--set", "bark.family=ringed", "-o"};
-        for (const char* size : {"0", "15", "8193", "much"})
-            QVERIFY(
-                isRefused(runCli(birch + QStringList{folder, "--size", size}), "16 to 8192 pixels expected"));
-        QVERIFY(!QFile::exists(folder));
-        test::write(path("file"), "no folder");
-        QVERIFY(isRefused(runCli(birch + QStringList{path("file") + "/maps"}), "the folder cannot be made"));
-        QVERIFY(runCli({"export", "preset:TinyTree", "-o", path("mesh.obj")}).code == 0);
-        QVERIFY(isRefused(runCli({"textures", path("mesh.obj"), "-o", folder}), "only trees have a bark"));
-    }
-    void texturesAndExportWriteTheSamePictures()
-    {
-        const QStringList tree = {"preset:TinyTree", "--set", "bark.family=ringed"};
-        const auto files = [](const QString& folder) {
-            return QDir(folder).entryList({QStringLiteral("*.png")}, QDir::Files);
-        };
-        const QString maps = path("bark/maps");
-        const test::CliRun run =
-            runCli(QStringList{"textures"} + tree + QStringList{"-o", maps, "--size", "64", "--json"});
-        QVERIFY2(run.code == 0, qPrintable(run.err));
-        const QJsonObject said = run.json();
-        QCOMPARE(said.value("files").toArray().size(), 5);
-        QCOMPARE(said.value("written").toArray(), said.value("files").toArray());
-        QCOMPARE(files(maps).size(), 5);
-        QVERIFY(QDir().mkpath(path("export")));
-        QCOMPARE(runCli(QStringList{"export"} + tree +
-                        QStringList{"-o", path("export/birch.obj"), "--map-size", "64", "--frames", "0:2"})
-                     .code,
-                 0);
-        QCOMPARE(files(path("export")), files(maps)); // once for all frames
-        for (const QString& file : files(maps))
-            QCOMPARE(test::bytesOf(path("export/") + file), test::bytesOf(maps + u'/' + file));
-        QCOMPARE(
-            runCli(QStringList{"export"} + tree + QStringList{"-o", path("plain.obj"), "--map-size", "0"})
-                .code,
-            0);
-        QCOMPARE(files(m_folder.path()), QStringList());
-        QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "-o", path("x.obj"), "--map-size", "9"}),
-                          "--map-size"));
     }
     void exportPlacesTheTree()
     {
@@ -548,63 +500,6 @@ private slots:
         QCOMPARE(all["trees"].toArray().size(), 2);
         QCOMPARE(all["duplicateVertices"].toInt(), 0); // the trees stand in one place, and are two meshes
         QVERIFY(runCli({"validate", path("grove.ramure")}).out.contains("2 trees"));
-    }
-
-    void renderNeedsADisplayAndFindsOne()
-    {
-        QProcessEnvironment bare = QProcessEnvironment::systemEnvironment();
-        bare.remove("DISPLAY");
-        bare.remove("WAYLAND_DISPLAY");
-        QProcessEnvironment without = bare;
-        without.insert("PATH", m_folder.path());
-        QVERIFY(isRefused(runCli({"render", "preset:TinyTree", "-o", path("x.png")}, without), "Xvfb"));
-        QVERIFY(!QFile::exists(path("x.png")));
-        if (QStandardPaths::findExecutable("Xvfb").isEmpty())
-            RAMURE_CANNOT_RUN("Xvfb is not installed");
-        QByteArray before;
-        for (const char* mode : {"skeleton", "simplified", "rough", "sections", "mesh"}) {
-            const test::CliRun run = runCli({"render", "preset:TinyTree", "-o", path("x.png"), "--size",
-                                             "200x150", "--mode", QLatin1String(mode)},
-                                            bare);
-            QVERIFY2(run.code == 0 && run.err.isEmpty(), qPrintable(run.err));
-            QCOMPARE(QImage(path("x.png")).size(), QSize(200, 150));
-            QVERIFY(test::bytesOf(path("x.png")) != before);
-            before = test::bytesOf(path("x.png"));
-        }
-        test::write(path("cone.obj"),
-                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-        QCOMPARE(runCli({"render", path("cone.obj"), "-o", path("cone.png"), "--size", "64x64"}, bare).code,
-                 0);
-        QVERIFY(isRefused(runCli({"render", path("cone.obj"), "-o", path("c.png"), "--mode", "rough"}, bare),
-                          "needs a tree"));
-        QVERIFY(
-            isRefused(runCli({"render", "preset:TinyTree", "-o", path("none/x.png")}, bare), "none/x.png"));
-        QVERIFY(QFile::link(QStringLiteral("/dev/full"), path("full.png")));
-        QVERIFY(
-            isRefused(runCli({"render", "preset:TinyTree", "-o", path("full.png"), "--size", "64x64"}, bare),
-                      "No space left on device"));
-    }
-    /// It blocked the signal that ends it: every picture took five seconds more, and a killed program left it
-    /// behind.
-    void displayEndsWithTheProgram()
-    {
-        if (QStandardPaths::findExecutable("Xvfb").isEmpty())
-            RAMURE_CANNOT_RUN("Xvfb is not installed");
-        QProcess process;
-        QProcessEnvironment bare = QProcessEnvironment::systemEnvironment();
-        bare.remove("DISPLAY");
-        bare.remove("WAYLAND_DISPLAY");
-        process.setProcessEnvironment(bare);
-        process.start(QStringLiteral(RAMURE_CLI), {"render", "preset:TinyTree", "-o", path("turn.png"),
-                                                   "--size", "16x16", "--turntable", "10000"});
-        QTRY_VERIFY_WITH_TIMEOUT(!QDir(m_folder.path()).entryList({"turn*.png"}).isEmpty(), 60'000);
-        const QByteArray server =
-            test::bytesOf(QStringLiteral("/proc/%1/task/%1/children").arg(process.processId())).trimmed();
-        const QString command = QStringLiteral("/proc/%1/cmdline").arg(QString::fromLatin1(server));
-        QVERIFY(test::bytesOf(command).contains("Xvfb"));
-        process.kill();
-        QVERIFY(process.waitForFinished());
-        QTRY_VERIFY_WITH_TIMEOUT(test::bytesOf(command).isEmpty(), 30'000);
     }
 };
 

@@ -4,6 +4,7 @@
 #include "widgets/base/action_set.h"
 #include "widgets/base/language.h"
 #include "widgets/base/preferences.h"
+#include "widgets/view/light_dialog.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include <QActionGroup>
@@ -25,11 +26,12 @@ ViewActions::ViewActions(Document* document, ViewportHost* host, Preferences* pr
     addMoves(set);
     addModes(set);
     addSwitches(set);
+    addLight(set);
     addPreferences(set);
     // Without OpenGL there is nothing to frame and no mode to see.
     if (!host->viewport()) {
         QList<QAction*> dead = m_axes + m_moves + m_modes->actions() + m_shading->actions() + m_switches;
-        dead += {m_frameAll, m_frameSelection};
+        dead += {m_frameAll, m_frameSelection, m_light};
         for (QAction* action : dead)
             action->setEnabled(false);
     }
@@ -200,6 +202,31 @@ void ViewActions::addSwitches(ActionSet* set)
         settings->orthographic(), &ViewSettings::setOrthographic, &ViewSettings::orthographicChanged);
 }
 
+void ViewActions::addLight(ActionSet* set)
+{
+    m_light =
+        set->add({"view.light",
+                  QT_TRANSLATE_NOOP("Actions", "L&ight and backdrop…"),
+                  nullptr,
+                  {},
+                  QT_TRANSLATE_NOOP("Actions", "Where the sun stands, and what lies behind the trees")});
+    ViewSettings* settings = m_host->settings();
+    settings->restoreLight(m_preferences->viewLight());
+    connect(settings, &ViewSettings::lightChanged, this,
+            [this, settings] { m_preferences->setViewLight(settings->savedLight()); });
+    connect(m_light, &QAction::triggered, this, [this, settings] {
+        QWidget* window = m_host->window();
+        auto* dialog = window->findChild<LightDialog*>();
+        if (!dialog) {
+            dialog = new LightDialog(settings, window);
+            dialog->setAttribute(Qt::WA_DeleteOnClose);
+        }
+        dialog->show();
+        dialog->raise();
+        dialog->activateWindow();
+    });
+}
+
 void ViewActions::addPreferences(ActionSet* set)
 {
     m_themes = new QActionGroup(this);
@@ -272,6 +299,7 @@ void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* 
     menu->addSeparator();
     menu->addActions(m_switches);
     menu->addActions(m_trail);
+    menu->addAction(m_light);
     menu->addSeparator();
     menu->addActions(panels);
     menu->addAction(resetLayout);

@@ -46,6 +46,7 @@ private:
     void addMoves(ActionSet* set);
     void addModes(ActionSet* set);
     void addSwitches(ActionSet* set);
+    void addLight(ActionSet* set);
     void addPreferences(ActionSet* set);
     void takePreferences();
 
@@ -54,6 +55,7 @@ private:
     BookmarkActions* m_bookmarks;
     QAction* m_frameAll = nullptr;
     QAction* m_frameSelection = nullptr;
+    QAction* m_light = nullptr;
     QList<QAction*> m_axes;
     QList<QAction*> m_moves;
     QActionGroup* m_modes = nullptr;

@@ -28,6 +28,7 @@ const QString exportSpaceKey = QStringLiteral("files/exportSpace");
 const QString findsKey = QStringLiteral("window/recentFinds");
 const QString tourKey = QStringLiteral("window/tourSeen");
 const QString foldedKey = QStringLiteral("properties/folded");
+const QString lightKey = QStringLiteral("view/light");
 const QString toolsKey = QStringLiteral("window/tools");
 const QString columnsKey = QStringLiteral("scene/columns");
 const QString geometryKey = QStringLiteral("window/geometry");
@@ -279,6 +280,17 @@ FileSpace Preferences::exportSpace() const
 void Preferences::setExportSpace(const FileSpace& space)
 {
     store(exportSpaceKey, QString::fromStdString(space.comment()));
+}
+
+QVariantMap Preferences::viewLight() const
+{
+    return m_settings.value(lightKey).toMap();
+}
+
+void Preferences::setViewLight(const QVariantMap& light)
+{
+    if (light != viewLight())
+        store(lightKey, light);
 }
 
 QVariantMap Preferences::toolSettings() const

@@ -84,6 +84,10 @@ public:
     [[nodiscard]] QVariantMap toolSettings() const;
     void setToolSettings(const QVariantMap& settings);
 
+    /// Where the sun of the view stands, see ViewSettings::savedLight.
+    [[nodiscard]] QVariantMap viewLight() const;
+    void setViewLight(const QVariantMap& light);
+
     /// What the palette found and was asked to do, the latest first (paletteName).
     [[nodiscard]] QStringList recentFinds() const;
     void addRecentFind(const QString& name);

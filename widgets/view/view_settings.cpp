@@ -69,6 +69,31 @@ void ViewSettings::setOutlineVisible(bool on)
     set(m_outlineVisible, on, &ViewSettings::outlineVisibleChanged);
 }
 
+void ViewSettings::setLight(SceneLight light)
+{
+    set(m_light, light, &ViewSettings::lightChanged);
+}
+
+QVariantMap ViewSettings::savedLight() const
+{
+    return {{QStringLiteral("sunFrom"), m_light.azimuthDeg},
+            {QStringLiteral("sunHeight"), m_light.heightDeg},
+            {QStringLiteral("backdrop"), int(m_light.backdrop)}};
+}
+
+void ViewSettings::restoreLight(const QVariantMap& saved)
+{
+    const auto number = [&saved](const char* key, double least, double most, double now) {
+        bool good = false;
+        const double value = saved.value(QLatin1String(key)).toDouble(&good);
+        return good && value >= least && value <= most ? value : now;
+    };
+    const SceneLight usual;
+    setLight({number("sunFrom", 0.0, 360.0, usual.azimuthDeg),
+              number("sunHeight", SceneLight::leastHeightDeg, 90.0, usual.heightDeg),
+              static_cast<Backdrop>(int(number("backdrop", 0.0, backdropCount - 1, 0.0)))});
+}
+
 void ViewSettings::setWindVisible(bool on)
 {
     set(m_windVisible, on, &ViewSettings::windVisibleChanged);

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "widgets/base/navigation_style.h"
-#include "widgets/view/render/display_mode.h"
+#include "widgets/view/render/renderer_options.h"
 #include <QObject>
+#include <QVariantMap>
 
 namespace ramure {
 
@@ -30,6 +31,10 @@ public:
     [[nodiscard]] bool orthographic() const { return m_orthographic; }
     [[nodiscard]] bool windVisible() const { return m_windVisible; }
     [[nodiscard]] bool outlineVisible() const { return m_outlineVisible; }
+    [[nodiscard]] SceneLight light() const { return m_light; }
+    /// For the preferences; restoring leaves out what is no number or out of range.
+    [[nodiscard]] QVariantMap savedLight() const;
+    void restoreLight(const QVariantMap& saved);
 
 public slots:
     void setDisplayMode(ramure::DisplayMode mode);
@@ -43,6 +48,7 @@ public slots:
     void setOrthographic(bool on);
     void setWindVisible(bool on);
     void setOutlineVisible(bool on);
+    void setLight(ramure::SceneLight light);
 
 signals:
     void displayModeChanged(ramure::DisplayMode mode);
@@ -56,6 +62,7 @@ signals:
     void orthographicChanged(bool on);
     void windVisibleChanged(bool on);
     void outlineVisibleChanged(bool on);
+    void lightChanged(ramure::SceneLight light);
     /// After any of the above.
     void changed();
 
@@ -74,6 +81,7 @@ private:
     bool m_orthographic = false;
     bool m_windVisible = false;
     bool m_outlineVisible = true; ///< around what is selected
+    SceneLight m_light;
 };
 
 } // namespace ramure

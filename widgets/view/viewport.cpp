@@ -58,6 +58,7 @@ RenderOptions Viewport::Private::options(double pixelRatio) const
     options.grid = settings->gridVisible();
     options.ground = settings->groundVisible();
     options.outline = settings->outlineVisible();
+    options.light = settings->light();
     options.pixelRatio = pixelRatio;
     options.smoothing = software;
     return options;

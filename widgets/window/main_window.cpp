@@ -256,6 +256,7 @@ void MainWindow::showExportDialog()
         PictureLook look;
         look.camera = view->camera();
         look.options.shading = settings->shadingMode();
+        look.options.light = settings->light();
         look.view.mode = settings->displayMode();
         look.view.leaves = settings->leavesVisible();
         look.view.apples = settings->applesVisible();

@@ -26,6 +26,20 @@ glm::vec3 srgb(const glm::u8vec3& bytes)
     return glm::vec3(bytes) / 255.0f;
 }
 
+/// sRGB; below 0: the landscape.
+glm::vec3 studioColour(Backdrop backdrop)
+{
+    switch (backdrop) {
+    case Backdrop::Landscape:
+        break;
+    case Backdrop::LightStudio:
+        return {0.93f, 0.93f, 0.92f};
+    case Backdrop::DarkStudio:
+        return {0.155f, 0.165f, 0.175f};
+    }
+    return glm::vec3(-1.0f);
+}
+
 /// Side of a small cell, m: a power of ten, so that ten small cells make a large one.
 double gridStep(double height)
 {
@@ -198,8 +212,11 @@ Renderer::Picture Renderer::arrange(const RenderScene& scene, const Camera& came
     Box box = scene.box;
     box.add(scene.trailBox);
     picture.projectedView = camera.projectionMatrix(picture.aspect, camera.depthRange(box)) * rotation;
-    picture.sun = glm::normalize(options.sun);
-    picture.sunLight = (glm::vec3(1.0f) - skyLight) / float(std::max(picture.sun.y, 0.2));
+    picture.sun = options.light.sun();
+    // A low sun has lost its blue on a long way through the air.
+    const glm::vec3 warmth = glm::mix(glm::vec3(1.0f, 0.62f, 0.34f), glm::vec3(1.0f),
+                                      float(glm::smoothstep(0.0, 30.0, options.light.heightDeg)));
+    picture.sunLight = warmth * (glm::vec3(1.0f) - skyLight) / float(std::max(picture.sun.y, 0.2));
     return picture;
 }
 
@@ -297,6 +314,7 @@ void Renderer::drawWorld(const Picture& picture)
     m_world->set("uEye", glm::vec3(camera.eye()));
     m_world->set("uGround", float(picture.scene.ground));
     m_world->set("uGroundShown", picture.options.ground);
+    m_world->set("uStudio", studioColour(picture.options.light.backdrop));
     m_world->set("uCentre", glm::vec2(box.centre().x, box.centre().z));
     m_world->set("uFade", float(12.0 * reach + 4.0 * height + 2.0 * camera.distance));
     const double step = gridStep(camera.heightAtTarget());

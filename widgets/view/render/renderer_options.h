@@ -3,9 +3,38 @@
 #pragma once
 
 #include "widgets/view/render/display_mode.h"
+#include <cmath>
+#include <cstdint>
+#include <glm/trigonometric.hpp>
 #include <glm/vec3.hpp>
 
 namespace ramure {
+
+/// What lies behind and below the scene.
+enum class Backdrop : std::uint8_t {
+    Landscape,   ///< sky and meadow
+    LightStudio, ///< one colour that takes shadows
+    DarkStudio,
+};
+inline constexpr int backdropCount = 3;
+
+struct SceneLight
+{
+    static constexpr double leastHeightDeg = 2.0; ///< lower, shadows have no end
+
+    double azimuthDeg = 136.0; ///< of the sun, clockwise from the north (-Z): 90 is the east (+X)
+    double heightDeg = 46.0;   ///< of the sun over the horizon, leastHeightDeg .. 90
+    Backdrop backdrop = Backdrop::Landscape;
+
+    /// Unit, towards the sun.
+    [[nodiscard]] glm::dvec3 sun() const
+    {
+        const double azimuth = glm::radians(azimuthDeg), height = glm::radians(heightDeg);
+        return {std::sin(azimuth) * std::cos(height), std::sin(height),
+                -std::cos(azimuth) * std::cos(height)};
+    }
+    bool operator==(const SceneLight&) const = default;
+};
 
 struct RenderOptions
 {
@@ -20,7 +49,7 @@ struct RenderOptions
     double pixelRatio = 1.0; ///< device pixels per logical pixel: line widths
     int shadowTaps = 0;      ///< per pixel; 0 = 20 on hardware, 12 on a software rasteriser; under 12 the
                              ///< shadow is equally sharp everywhere
-    glm::dvec3 sun{0.48, 0.72, 0.50}; ///< towards the sun, any length > 0
+    SceneLight light;
 };
 
 } // namespace ramure

@@ -1,0 +1,88 @@
+#include "tests/support/suite.h"
+#include "widgets/base/preferences.h"
+#include "widgets/view/light_dialog.h"
+#include "widgets/view/view_settings.h"
+#include <QComboBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+
+using namespace ramure;
+
+class TestLightDialog : public QObject
+{
+    Q_OBJECT
+
+    ViewSettings m_settings;
+
+private slots:
+    void init()
+    {
+        test::failOnAnyWarning();
+        m_settings.setLight({});
+    }
+    void whatIsNoLightIsNotRestored_data()
+    {
+        QTest::addColumn<QVariantMap>("saved");
+        QTest::addRow("nothing") << QVariantMap();
+        QTest::addRow("words") << QVariantMap{{"sunFrom", "east"}, {"sunHeight", "low"}, {"backdrop", "?"}};
+        QTest::addRow("out of range") << QVariantMap{{"sunFrom", 361.0}, {"sunHeight", 1.0}, {"backdrop", 3}};
+        QTest::addRow("below") << QVariantMap{{"sunFrom", -1.0}, {"sunHeight", -90.0}, {"backdrop", -1}};
+        QTest::addRow("no number") << QVariantMap{{"sunFrom", qQNaN()}, {"sunHeight", qInf()}};
+    }
+    void whatIsNoLightIsNotRestored()
+    {
+        QFETCH(const QVariantMap, saved);
+        m_settings.restoreLight(saved);
+        QCOMPARE(m_settings.light(), SceneLight());
+    }
+    void theSunStandsWhereItIsSaidToStand()
+    {
+        const auto near = [](const glm::dvec3& a, const glm::dvec3& b) {
+            return glm::distance(a, b) < 1e-12;
+        };
+        QVERIFY(near(SceneLight({0.0, 90.0}).sun(), {0.0, 1.0, 0.0}));
+        const double half = std::sqrt(0.5);
+        QVERIFY(near(SceneLight({0.0, 45.0}).sun(), {0.0, half, -half}));
+        QVERIFY(near(SceneLight({90.0, 45.0}).sun(), {half, half, 0.0}));
+        QVERIFY(near(SceneLight({180.0, 45.0}).sun(), {0.0, half, half}));
+    }
+    void itAppliesAtOnceAndIsRemembered()
+    {
+        LightDialog dialog(&m_settings);
+        QSignalSpy changed(&m_settings, &ViewSettings::changed);
+        dialog.findChild<QSpinBox*>("sunDirection")->setValue(270);
+        dialog.findChild<QSpinBox*>("sunHeight")->setValue(8);
+        dialog.findChild<QComboBox*>("backdrop")->setCurrentIndex(2);
+        const SceneLight light{270.0, 8.0, Backdrop::DarkStudio};
+        QCOMPARE(m_settings.light(), light);
+        QCOMPARE(changed.size(), 3);
+        ViewSettings other;
+        other.restoreLight(m_settings.savedLight());
+        QCOMPARE(other.light(), light);
+        Preferences preferences;
+        preferences.setViewLight(m_settings.savedLight());
+        other.setLight({});
+        other.restoreLight(preferences.viewLight());
+        QCOMPARE(other.light(), light);
+    }
+    void itFollowsTheViewAndGoesBackToTheUsual()
+    {
+        LightDialog dialog(&m_settings);
+        auto* usual = dialog.findChildren<QPushButton*>().front();
+        QVERIFY(!usual->isEnabled());
+        m_settings.setLight({12.4, 30.0, Backdrop::LightStudio});
+        QCOMPARE(dialog.findChild<QSpinBox*>("sunDirection")->value(), 12);
+        QCOMPARE(dialog.findChildren<QSlider*>()[1]->value(), 30);
+        QCOMPARE(m_settings.light().azimuthDeg, 12.4); // being shown changes nothing
+        for (QPushButton* button : dialog.findChildren<QPushButton*>())
+            if (button->isEnabled() && button->text() == QStringLiteral("Usual light"))
+                button->click();
+        QCOMPARE(m_settings.light(), SceneLight());
+        QVERIFY(!usual->isEnabled());
+    }
+};
+
+QTEST_MAIN(TestLightDialog)
+#include "tst_light_dialog.moc"
