@@ -98,6 +98,7 @@ struct Bench
     }
     ~Bench()
     {
+        context.makeCurrent(&surface); // another bench's may be
         renderer.reset();
         target.reset();
     }
