@@ -59,8 +59,9 @@ float gridLines(vec2 at, vec2 width, float spacing)
 vec3 ground(vec3 relative, vec2 at, vec2 width)
 {
     if (uStudio.r >= 0.0) { // in full light exactly the colour behind it: there is no horizon
-        vec3 full = uSkyLight + uSunLight * uSun.y;
-        return toLinear(uStudio) * mix(uSkyLight / full, vec3(1.0), sunlight(relative, vec3(0.0, 1.0, 0.0)));
+        const vec3 eye = vec3(0.2126, 0.7152, 0.0722); // brightness alone: shadows are grey
+        float shaded = dot(eye, uSkyLight) / dot(eye, uSkyLight + uSunLight * uSun.y);
+        return toLinear(uStudio) * mix(shaded, 1.0, sunlight(relative, vec3(0.0, 1.0, 0.0)));
     }
     float broad = max(width.x, width.y);
     float mottle = (noise(at / uMottle) - 0.5) * (1.0 - smoothstep(0.2, 0.7, broad / uMottle));
@@ -79,7 +80,7 @@ vec3 grid(vec3 colour, vec2 at, vec2 width, out float strength)
     float major = gridLines(at, width, 10.0 * uGridStep);
     vec2 axis = 1.0 - smoothstep(0.7 * width, 1.9 * width, abs(at));
     strength = max(max(minor, major), max(axis.x, axis.y));
-    float dark = uGroundShown ? 1.0 : 0.0;
+    float dark = uGroundShown && uStudio.r < 0.5 ? 1.0 : 0.0;
     colour = mix(colour, mix(vec3(0.30), vec3(0.75), dark), mix(0.20, 0.10, dark) * minor);
     colour = mix(colour, mix(vec3(0.22), vec3(0.85), dark), mix(0.30, 0.16, dark) * major);
     colour = mix(colour, vec3(0.55, 0.05, 0.05), 0.7 * axis.y);

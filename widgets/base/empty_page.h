@@ -10,6 +10,7 @@ namespace ramure {
 
 class EmptyPage : public QWidget
 {
+    Q_OBJECT
 public:
     explicit EmptyPage(QWidget* parent);
 

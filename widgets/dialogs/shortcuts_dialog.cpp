@@ -3,6 +3,7 @@
 #include "widgets/base/action_set.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/preferences.h"
+#include "widgets/base/silence.h"
 #include "widgets/dialogs/gesture_keys.h"
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
@@ -67,6 +68,11 @@ ShortcutsDialog::ShortcutsDialog(ActionSet* set, const QList<QMenu*>& menus, Pre
         select(m_listed.front().action->objectName());
     m_search->setFocus();
     resize(startSize);
+}
+
+ShortcutsDialog::~ShortcutsDialog()
+{
+    silenceChildren(this);
 }
 
 void ShortcutsDialog::build()

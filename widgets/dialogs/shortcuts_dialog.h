@@ -23,6 +23,7 @@ public:
     /// Nothing is owned; all must outlive the dialog. Changes are applied and stored at once.
     ShortcutsDialog(ActionSet* set, const QList<QMenu*>& menus, Preferences* preferences,
                     QWidget* parent = nullptr);
+    ~ShortcutsDialog() override;
 
     /// Selects the row of this action; a search that hides it is cleared.
     void select(const QString& actionId);

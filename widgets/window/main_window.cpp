@@ -15,6 +15,7 @@
 #include "widgets/base/core_text.h"
 #include "widgets/base/message_banner.h"
 #include "widgets/base/preferences.h"
+#include "widgets/base/silence.h"
 #include "widgets/base/targets.h"
 #include "widgets/dialogs/export_dialog.h"
 #include "widgets/dialogs/sequence_task.h"
@@ -106,7 +107,10 @@ MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* pr
     restoreLayout();
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow()
+{
+    silenceChildren(this);
+}
 
 void MainWindow::connectPanels()
 {
