@@ -3,6 +3,7 @@
 #include "core/session/arm_reach.h"
 #include "core/session/player.h"
 #include "widgets/base/number_field.h"
+#include "widgets/base/silence.h"
 #include "widgets/base/timeline_ruler.h"
 #include "widgets/panels/timeline/bake_actions.h"
 #include "widgets/panels/timeline/physics_plot.h"
@@ -75,6 +76,11 @@ TimelinePanel::TimelinePanel(Document* document, Player* player, PlayActions* ac
     showSettings();
     showFrame();
     showBusy(false);
+}
+
+TimelinePanel::~TimelinePanel()
+{
+    silenceChildren(this);
 }
 
 void TimelinePanel::buildTransport()

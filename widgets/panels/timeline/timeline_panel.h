@@ -32,6 +32,7 @@ class TimelinePanel : public QWidget
 public:
     /// Nothing is owned; all must outlive the panel.
     TimelinePanel(Document* document, Player* player, PlayActions* actions, QWidget* parent = nullptr);
+    ~TimelinePanel() override;
     /// Adds the button that bakes.
     void setBakeActions(BakeActions* actions);
     /// Arms on their way while nothing plays. Not owned.
