@@ -28,8 +28,8 @@ private slots:
             QTest::newRow(arguments) << words(arguments) << QString::fromUtf8(part);
         };
         QTest::newRow("nothing") << QStringList() << "missing command";
-        row("grow",
-            "unknown command \"grow\": list, info, import, export, validate, simulate, ik, render expected");
+        row("grow", "unknown command \"grow\": list, info, import, export, validate, simulate, ik, render, "
+                    "textures expected");
         row("--nonsense", "unknown command");
         row("info", "missing INPUT");
         row("info preset:SmallTree preset:FanTree", "unexpected argument \"preset:FanTree\"");

@@ -146,7 +146,6 @@ private slots:
             QVERIFY(picture.value(QStringLiteral("hasData")).toBool());
         }
         QCOMPARE(colour.value(QStringLiteral("space")).toString(), QStringLiteral("sRGB"));
-        QCOMPARE(normal.value(QStringLiteral("space")).toString(), QStringLiteral("Non-Color"));
         // Blender's rows go up as the bark's do.
         const BarkMaps maps = *barkMaps(bark, 32);
         const QJsonArray lowest = colour.value(QStringLiteral("lowest")).toArray();
