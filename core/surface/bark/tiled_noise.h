@@ -95,7 +95,8 @@ inline Cells cellsAt(glm::vec2 at, glm::ivec2 period, float jitter, std::uint32_
             const std::uint32_t id =
                 latticeHash(wrapped(base.x + dx, period.x), wrapped(base.y + dy, period.y), seed);
             const glm::vec2 strewn(share(id) - 0.5f, share(id * 0x9E3779B9u) - 0.5f);
-            const glm::vec2 from = place - (glm::vec2(base) + glm::vec2(float(dx), float(dy)) + 0.5f + jitter * strewn);
+            const glm::vec2 from =
+                place - (glm::vec2(base) + glm::vec2(float(dx), float(dy)) + 0.5f + jitter * strewn);
             const float distance = glm::dot(from, from);
             // Choices, not branches: which one is nearer cannot be foretold.
             const bool nearer = distance < found.nearest;

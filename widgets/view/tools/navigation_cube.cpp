@@ -6,9 +6,9 @@
 namespace ramure {
 namespace {
 
-constexpr double side = 92.0;   ///< of the square that holds the cube, logical pixels
+constexpr double side = 92.0;  ///< of the square that holds the cube, logical pixels
 constexpr double inset = 12.0; ///< to the picture's edge
-constexpr double scale = 27.0;  ///< half an edge of the cube
+constexpr double scale = 27.0; ///< half an edge of the cube
 
 struct CubeSide
 {
