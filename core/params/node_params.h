@@ -1,7 +1,8 @@
 /// \file
 /// All parameters of a scene node as plain structs, those of every kind of node in one: a row of the
 /// parameter table says which kinds it is for. The member initialisers are the defaults, stated nowhere else;
-/// what a parameter means, its unit and its range stand in param_table.cpp.
+/// what a parameter means, its unit and its range stand in its rows (growth_rows.h, dress_rows.h,
+/// node_rows.h).
 #pragma once
 
 #include "core/params/arm_params.h"

@@ -1,5 +1,5 @@
 /// \file
-/// The items of each enumeration among the parameters, in the order of its values. Of param_table.cpp and
+/// The items of each enumeration among the parameters, in the order of its values. Of the rows and
 /// param_relevance.cpp.
 #pragma once
 

@@ -1,0 +1,128 @@
+/// \file
+/// Rows of what a tree wears: leaves, fruit, bark and its texture. Internal to param_table.cpp.
+#pragma once
+
+#include "core/params/param_rows.h"
+
+namespace ramure::rows {
+
+// Every text stands in one line per clause; the columns of a table read better than those of the formatter.
+// clang-format off
+inline constexpr std::array dressRows{
+    row<&NodeParams::leaf, &LeafParams::shape>(
+        {"foliage.leaf", foliageGroup, RAMURE_NOOP("Leaf"),
+         RAMURE_NOOP("The plant whose leaves the twigs carry, each on its petiole. Faithful: flat triangles that float about "
+                     "the twigs, squares in the rough model.")},
+        ParamUnit::None, {}, Stage::Foliage),
+    row<&NodeParams::foliage, &FoliageParams::leavesCutoff>(
+        {"foliage.leavesCutoff", foliageGroup, RAMURE_NOOP("Twig thickness"),
+         RAMURE_NOOP("Branches thinner than this share of the trunk's radius carry leaves and apples. 0 leaves the tree "
+                     "bare.")},
+        ParamUnit::Ratio, {0, 10, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable),
+    row<&NodeParams::foliage, &FoliageParams::leavesDensity>(
+        {"foliage.leavesDensity", foliageGroup, RAMURE_NOOP("Leaves per twig"),
+         RAMURE_NOOP("How many leaves grow on each branch that is thin enough.")},
+        ParamUnit::Count, {0, 1000, 0, 50, 1, 0}, Stage::Foliage, paramAnimatable, treeOnly, isFaithful),
+    row<&NodeParams::leaf, &LeafParams::internode>(
+        {"foliage.internode", foliageGroup, RAMURE_NOOP("Internode"),
+         RAMURE_NOOP("How far it is along a twig from one node with leaves to the next: 1 as the plant has it.")},
+        ParamUnit::Factor, {0.01, 1000, 0.25, 4, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::arrangement>(
+        {"foliage.arrangement", foliageGroup, RAMURE_NOOP("Arrangement"),
+         RAMURE_NOOP("How the leaves of a twig follow each other. Alternate: one a node, two fifths of a turn apart; in two "
+                     "rows: left and right; spiral: 137.5° apart; opposite: pairs in one plane; crossed pairs: each across "
+                     "the last; whorled: several a node.")},
+        ParamUnit::None, {}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::whorl>(
+        {"foliage.whorl", foliageGroup, RAMURE_NOOP("Leaves per node"),
+         RAMURE_NOOP("How many leaves of a whorl stand around the twig.")},
+        ParamUnit::Count, {1, 24, 3, 12, 1, 0}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::angle>(
+        {"foliage.leafAngle", foliageGroup, RAMURE_NOOP("Angle to the twig"),
+         RAMURE_NOOP("Between the twig and a petiole before it droops: 0 lies along the twig, a quarter turn stands away.")},
+        ParamUnit::Radian, {0, pi, 0.2, pi / 2, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::droop>(
+        {"foliage.leafDroop", foliageGroup, RAMURE_NOOP("Droop"),
+         RAMURE_NOOP("How far the weight of a leaf pulls it down: 0 keeps the angle to the twig, 1 lets it hang.")},
+        ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 3}, Stage::Foliage, paramAnimatable, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::light>(
+        {"foliage.leafLight", foliageGroup, RAMURE_NOOP("To the light"),
+         RAMURE_NOOP("How far a petiole twists to turn the upper side of its leaf to the sky: 0 not at all, 1 as far as it "
+                     "goes.")},
+        ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::size>(
+        {"foliage.leafSize", foliageGroup, RAMURE_NOOP("Leaf size"),
+         RAMURE_NOOP("1 as the plant has it on a tree with such a trunk; 0 leaves the twigs bare.")},
+        ParamUnit::Factor, {0, 100, 0.2, 3, 0.05, 3}, Stage::Foliage, paramAnimatable, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::variation>(
+        {"foliage.leafVariation", foliageGroup, RAMURE_NOOP("Size varies"),
+         RAMURE_NOOP("How far one leaf may be larger or smaller than the others.")},
+        ParamUnit::Share, {0, 0.9, 0, 0.6, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::width>(
+        {"foliage.leafWidth", foliageGroup, RAMURE_NOOP("Leaf width"),
+         RAMURE_NOOP("1 as the plant has it, more makes broader leaves. Leaflets end where their neighbours begin.")},
+        ParamUnit::Factor, {0.05, 2, 0.3, 2, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::petiole>(
+        {"foliage.petiole", foliageGroup, RAMURE_NOOP("Petiole"),
+         RAMURE_NOOP("Length of the stalk between bark and blade: 1 as the plant has it, 0 none.")},
+        ParamUnit::Factor, {0, 10, 0, 3, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::fold>(
+        {"foliage.leafFold", foliageGroup, RAMURE_NOOP("Fold"),
+         RAMURE_NOOP("How far both halves of a blade rise from its midrib.")},
+        ParamUnit::Radian, {0, 1.3, 0, 1.2, 0.05, 3}, Stage::Foliage, paramAdvanced, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::curl>(
+        {"foliage.leafCurl", foliageGroup, RAMURE_NOOP("Curl"),
+         RAMURE_NOOP("How far a blade bends down from its foot to its tip, or up where it is negative.")},
+        ParamUnit::Radian, {-pi / 2, pi, -0.5, 2, 0.05, 3}, Stage::Foliage, paramAdvanced, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::cup>(
+        {"foliage.leafCup", foliageGroup, RAMURE_NOOP("Cup"),
+         RAMURE_NOOP("1 hollows a blade like a spoon, -1 arches it, 0 leaves its halves even.")},
+        ParamUnit::Ratio, {-1, 1, -1, 1, 0.05, 3}, Stage::Foliage, paramAdvanced, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::detail>(
+        {"foliage.leafDetail", foliageGroup, RAMURE_NOOP("Leaf detail"),
+         RAMURE_NOOP("1 draws a leaf with the fewest triangles, 3 with the smoothest outline.")},
+        ParamUnit::Count, {1, 3, 1, 3, 1, 0}, Stage::Foliage, paramAdvanced, treeOnly, isOfPlant),
+    row<&NodeParams::foliage, &FoliageParams::applesProbability>(
+        {"foliage.applesProbability", foliageGroup, RAMURE_NOOP("Apples"),
+         RAMURE_NOOP("The chance that a branch which is thin enough carries an apple: 0 for none, 1 for one on each.")},
+        ParamUnit::Ratio, {0, 1, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable),
+    row<&NodeParams::foliage, &FoliageParams::seed>(
+        {"foliage.seed", foliageGroup, RAMURE_NOOP("Seed of the leaves"),
+         RAMURE_NOOP("Another seed arranges leaves and apples anew; the branches stay as they are.")},
+        ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Foliage, paramSeed),
+
+    row<&NodeParams::bark, &BarkParams::family>(
+        {"bark.family", barkGroup, RAMURE_NOOP("Bark"),
+         RAMURE_NOOP("What the bark looks like. Its picture is made by the program and repeats without a seam.")},
+        ParamUnit::None, {}, Stage::Texture),
+    row<&NodeParams::bark, &BarkParams::depth>(
+        {"bark.depth", barkGroup, RAMURE_NOOP("Depth"),
+         RAMURE_NOOP("How deep cracks and furrows look: 1 as is usual for this bark, 0 flat.")},
+        ParamUnit::Ratio, {0, 5, 0, 2, 0.05, 3}, Stage::Texture),
+    row<&NodeParams::bark, &BarkParams::light>(
+        {"bark.light", barkGroup, RAMURE_NOOP("Lighter"),
+         RAMURE_NOOP("Makes the bark lighter, or darker where it is negative.")},
+        ParamUnit::Share, {-1, 1, -0.5, 0.5, 0.01, 3}, Stage::Texture),
+    row<&NodeParams::bark, &BarkParams::moss>(
+        {"bark.moss", barkGroup, RAMURE_NOOP("Moss"),
+         RAMURE_NOOP("How much of the bark moss covers. It begins in the cracks.")},
+        ParamUnit::Share, {0, 1, 0, 1, 0.01, 3}, Stage::Texture),
+    row<&NodeParams::bark, &BarkParams::seed>(
+        {"bark.seed", barkGroup, RAMURE_NOOP("Seed of the bark"),
+         RAMURE_NOOP("Another seed draws another piece of the same bark.")},
+        ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Texture, paramSeed),
+    row<&NodeParams::texture, &TextureParams::tileSize>(
+        {"texture.tileSize", barkGroup, RAMURE_NOOP("Bark tile"),
+         RAMURE_NOOP("Side of the piece of bark that is repeated. A whole number of them goes around every branch. 0: half "
+                     "the way around the trunk, and with plain bark the largest that fits the twigs.")},
+        ParamUnit::Metre, {0, 1000, 0, 0.1, 0.001, 4}, Stage::Texture, paramAdvanced),
+    row<&NodeParams::texture, &TextureParams::seamsAround>(
+        {"texture.seamsAround", barkGroup, RAMURE_NOOP("Seams open at bends"),
+         RAMURE_NOOP("On: where a branch bends sharply, the two sides of its seam part, and 95 of 100 triangles keep the "
+                     "shape of the picture. Off: the picture meets itself along the whole seam, but is stretched at "
+                     "bends.")},
+        ParamUnit::None, {}, Stage::Texture, paramAdvanced),
+};
+// clang-format on
+
+} // namespace ramure::rows

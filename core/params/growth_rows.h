@@ -1,0 +1,115 @@
+/// \file
+/// Rows from the grammar to the mesh: what makes the branches of a tree. Internal to param_table.cpp.
+#pragma once
+
+#include "core/params/param_rows.h"
+
+namespace ramure::rows {
+
+// Every text stands in one line per clause; the columns of a table read better than those of the formatter.
+// clang-format off
+inline constexpr std::array growthRows{
+    row<&NodeParams::grammar, &GrammarParams::axiom>(
+        {"grammar.axiom", grammarGroup, RAMURE_NOOP("Axiom"),
+         RAMURE_NOOP("The seed the tree grows from: the symbols that stand there before any rule is used.")},
+        ParamUnit::None, {}, Stage::Symbols, paramGrammar),
+    row<&NodeParams::grammar, &GrammarParams::rules>(
+        {"grammar.rules", grammarGroup, RAMURE_NOOP("Rules"),
+         RAMURE_NOOP("How symbols grow, one rule a line: \"A -> [+A]B\" puts [+A]B in the place of every A. "
+                     "Several outcomes by chance: \"B -> 0.7: B | 0.3: BB\".")},
+        ParamUnit::None, {}, Stage::Symbols, paramGrammar | paramMultiline),
+    row<&NodeParams::grammar, &GrammarParams::iterations>(
+        {"grammar.iterations", grammarGroup, RAMURE_NOOP("Iterations"),
+         RAMURE_NOOP("How often the rules are used. Each round makes the tree finer; the number of branches grows "
+                     "quickly.")},
+        ParamUnit::Count, {0, 30, 0, 12, 1, 0}, Stage::Symbols),
+    row<&NodeParams::grammar, &GrammarParams::stochastic>(
+        {"grammar.stochastic", grammarGroup, RAMURE_NOOP("By chance"),
+         RAMURE_NOOP("Let chance choose among the outcomes of a rule and vary the branches, so that every seed gives "
+                     "another tree. Off: each rule always gives its default, and nothing varies.")},
+        ParamUnit::None, {}, Stage::Symbols),
+    row<&NodeParams::grammar, &GrammarParams::seed>(
+        {"grammar.seed", grammarGroup, RAMURE_NOOP("Seed of the tree"),
+         RAMURE_NOOP("Names one tree among all that chance can give. The same seed always grows the same tree.")},
+        ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Symbols, paramSeed, treeOnly, growsByChance),
+
+    row<&NodeParams::turtle, &TurtleParams::theta>(
+        {"turtle.theta", turtleGroup, RAMURE_NOOP("Turn"),
+         RAMURE_NOOP("The angle of every turn a symbol asks for. Small angles give slender trees, large ones "
+                     "spreading trees.")},
+        ParamUnit::Radian, {-2 * pi, 2 * pi, 0, pi / 3, 0.01, 4}, Stage::Skeleton, paramAnimatable),
+    row<&NodeParams::turtle, &TurtleParams::alpha>(
+        {"turtle.alpha", turtleGroup, RAMURE_NOOP("Step"),
+         RAMURE_NOOP("Length of each piece of branch, and the radius of the trunk at the ground. Leaves and apples "
+                     "take their size from it too: it scales the whole tree.")},
+        ParamUnit::Metre, {1e-4, 1000, 0.01, 1, 0.01, 4}, Stage::Skeleton, paramAnimatable),
+    row<&NodeParams::turtle, &TurtleParams::decay>(
+        {"turtle.decay", turtleGroup, RAMURE_NOOP("Taper"),
+         RAMURE_NOOP("What remains of the radius at the end of each piece of branch. 1 keeps branches as thick as "
+                     "the trunk.")},
+        ParamUnit::Ratio, {0.01, 1, 0.5, 1, 0.01, 4}, Stage::Skeleton, paramAnimatable),
+
+    row<&NodeParams::variation, &VariationParams::angle>(
+        {"variation.angle", variationGroup, RAMURE_NOOP("Angles"),
+         RAMURE_NOOP("How far each turn of a tree grown by chance may lie from the angle above, by seed. 0: every turn is the "
+                     "same.")},
+        ParamUnit::Share, {0, 0.9, 0, 0.3, 0.01, 3}, Stage::Skeleton, paramNone, treeOnly, growsByChance),
+    row<&NodeParams::variation, &VariationParams::length>(
+        {"variation.length", variationGroup, RAMURE_NOOP("Lengths"),
+         RAMURE_NOOP("How far each piece of branch of a tree grown by chance may be longer or shorter than the step, by seed.")},
+        ParamUnit::Share, {0, 0.9, 0, 0.3, 0.01, 3}, Stage::Skeleton, paramNone, treeOnly, growsByChance),
+    row<&NodeParams::variation, &VariationParams::radius>(
+        {"variation.radius", variationGroup, RAMURE_NOOP("Radii"),
+         RAMURE_NOOP("How far each piece of branch of a tree grown by chance may taper more or less than the taper says, by "
+                     "seed. No branch gets thicker towards its tip.")},
+        ParamUnit::Share, {0, 0.9, 0, 0.3, 0.01, 3}, Stage::Skeleton, paramNone, treeOnly, growsByChance),
+
+    row<&NodeParams::simplify, &SimplifyParams::enabled>(
+        {"simplify.enabled", simplifyGroup, RAMURE_NOOP("Merge straight runs"),
+         RAMURE_NOOP("Make one branch of pieces that follow each other without a turn. The shape stays, the mesh gets "
+                     "lighter.")},
+        ParamUnit::None, {}, Stage::Simplified),
+    row<&NodeParams::simplify, &SimplifyParams::rotationThreshold>(
+        {"simplify.rotationThreshold", simplifyGroup, RAMURE_NOOP("Straight below"),
+         RAMURE_NOOP("Pieces that turn by less than this angle count as straight and are merged. Larger angles remove "
+                     "bends too.")},
+        ParamUnit::Radian, {0, pi, 0, 0.5, 0.001, 6}, Stage::Simplified, paramAdvanced, treeOnly, mergesRuns),
+
+    row<&NodeParams::sections, &SectionParams::lengthDivisions>(
+        {"sections.lengthDivisions", sectionsGroup, RAMURE_NOOP("Along the branch"),
+         RAMURE_NOOP("Cross-sections of each branch, both ends included. More make smoother bends.")},
+        ParamUnit::Count, {2, 64, 2, 16, 1, 0}, Stage::Sections),
+    row<&NodeParams::sections, &SectionParams::radialDivisions>(
+        {"sections.radialDivisions", sectionsGroup, RAMURE_NOOP("Around the branch"),
+         RAMURE_NOOP("Points of each cross-section. More make rounder branches.")},
+        ParamUnit::Count, {3, 64, 3, 32, 1, 0}, Stage::Mesh, paramNone, treeOnly, hasNoBudget),
+    row<&NodeParams::mesh, &MeshParams::targetTriangles>(
+        {"mesh.targetTriangles", sectionsGroup, RAMURE_NOOP("Triangle budget"),
+         RAMURE_NOOP("About how many triangles all branches may take together, within 5 %. Thick and bent branches get "
+                     "more of them, thin and straight ones fewer, and the two numbers above have no say. 0 sets no "
+                     "budget.")},
+        ParamUnit::Count, {0, 20'000'000, 0, 500'000, 1000, 0}, Stage::Mesh),
+    row<&NodeParams::mesh, &MeshParams::forkSoftness>(
+        {"mesh.forkSoftness", forksGroup, RAMURE_NOOP("Softness"),
+         RAMURE_NOOP("How far wood grows over the creases between the branches of a fork: 0 leaves them sharp, 1 rounds "
+                     "them fully.")},
+        ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 3}, Stage::Mesh),
+    row<&NodeParams::mesh, &MeshParams::forkReach>(
+        {"mesh.forkReach", forksGroup, RAMURE_NOOP("Reach"),
+         RAMURE_NOOP("How far from the crease the branches of a fork begin to swell, as a share of the thinner one's "
+                     "radius.")},
+        ParamUnit::Ratio, {0, 4, 0, 2, 0.05, 3}, Stage::Mesh, paramNone, treeOnly, softensForks),
+    row<&NodeParams::mesh, &MeshParams::clampOvershoot>(
+        {"mesh.clampOvershoot", forksGroup, RAMURE_NOOP("Calm short branches"),
+         RAMURE_NOOP("A branch much shorter than its parent swings out in a wide bow before it turns to its own direction. "
+                     "On: the bow is no larger than one and a half times the branch.")},
+        ParamUnit::None, {}, Stage::Mesh),
+    row<&NodeParams::mesh, &MeshParams::nearTwinRatio>(
+        {"mesh.nearTwinRatio", forksGroup, RAMURE_NOOP("Join twins below"),
+         RAMURE_NOOP("Branches of a fork become one where their ends are closer than this share of their added radii: they "
+                     "would lie in each other all along. 0 joins only those in the same place.")},
+        ParamUnit::Ratio, {0, 4, 0, 1, 0.05, 3}, Stage::Mesh, paramAdvanced),
+};
+// clang-format on
+
+} // namespace ramure::rows

@@ -1,0 +1,144 @@
+/// \file
+/// How a row of the parameter table is written: where its value is, its words, unit and range. Internal to
+/// param_table.cpp and the tables of rows that it joins.
+#pragma once
+
+#include "core/params/param_items.h"
+
+#include <array>
+#include <numbers>
+#include <type_traits>
+
+namespace ramure::rows {
+
+inline constexpr double pi = std::numbers::pi;
+/// Whole numbers up to here survive a round trip through a double, hence through any JSON reader.
+inline constexpr double maxSeed = 9007199254740991.0;
+
+struct Words
+{
+    const char* key;
+    const char* group;
+    const char* label;
+    const char* tooltip;
+};
+
+struct Range
+{
+    double hardMin = 0.0, hardMax = 0.0;
+    double softMin = 0.0, softMax = 0.0;
+    double step = 0.0;
+    int decimals = 0;
+};
+
+template <class T> constexpr ParamType typeOf()
+{
+    static_assert(std::is_enum_v<T> == !itemsOf<T>.empty(), "an enumeration has items");
+    if constexpr (std::is_same_v<T, bool>)
+        return ParamType::Bool;
+    else if constexpr (std::is_same_v<T, std::int64_t>)
+        return ParamType::Int;
+    else if constexpr (std::is_same_v<T, double>)
+        return ParamType::Real;
+    else if constexpr (std::is_same_v<T, std::string>)
+        return ParamType::Text;
+    else if constexpr (std::is_enum_v<T>)
+        return ParamType::Enum;
+    else {
+        static_assert(std::is_same_v<T, glm::dvec3>,
+                      "a parameter must be one of the alternatives of ParamValue");
+        return ParamType::Vec3;
+    }
+}
+
+/// The way to one value: a member of NodeParams and a member of that.
+template <auto Group, auto Member> struct Field
+{
+    using Value = std::remove_cvref_t<decltype((std::declval<NodeParams&>().*Group).*Member)>;
+    static ParamValue get(const NodeParams& params)
+    {
+        if constexpr (std::is_enum_v<Value>)
+            return EnumValue{itemsOf<Value>[static_cast<std::size_t>((params.*Group).*Member)].name};
+        else
+            return ParamValue((params.*Group).*Member);
+    }
+    static void assign(NodeParams& params, const ParamValue& value)
+    {
+        if constexpr (std::is_enum_v<Value>) {
+            const auto* name = std::get_if<EnumValue>(&value);
+            for (std::size_t i = 0; name && i < itemsOf<Value>.size(); ++i)
+                if (name->name == itemsOf<Value>[i].name)
+                    (params.*Group).*Member = static_cast<Value>(i);
+        } else if (const auto* held = std::get_if<Value>(&value))
+            (params.*Group).*Member = *held;
+    }
+};
+
+inline constexpr std::uint8_t treeOnly = kindBit(NodeKind::Tree);
+inline constexpr std::uint8_t primitiveOnly = kindBit(NodeKind::Primitive);
+inline constexpr std::uint8_t objectKinds = kindBit(NodeKind::Primitive) | kindBit(NodeKind::Mesh);
+inline constexpr std::uint8_t armOnly = kindBit(NodeKind::Arm);
+inline constexpr std::uint8_t terrainOnly = kindBit(NodeKind::Terrain);
+/// All but groups, which have no geometry.
+inline constexpr std::uint8_t everyKind = 0xFF;
+inline constexpr std::uint8_t shapedKinds = everyKind & ~kindBit(NodeKind::Group);
+
+using Condition = bool(const NodeParams&);
+inline constexpr Condition* growsByChance = [](const NodeParams& p) { return p.grammar.stochastic; };
+inline constexpr Condition* mergesRuns = [](const NodeParams& p) { return p.simplify.enabled; };
+inline constexpr Condition* hasNoBudget = [](const NodeParams& p) { return p.mesh.targetTriangles == 0; };
+inline constexpr Condition* isFaithful = [](const NodeParams& p) {
+    return p.leaf.shape == LeafShape::Faithful;
+};
+inline constexpr Condition* isOfPlant = [](const NodeParams& p) {
+    return p.leaf.shape != LeafShape::Faithful;
+};
+inline constexpr Condition* softensForks = [](const NodeParams& p) { return p.mesh.forkSoftness > 0.0; };
+
+template <auto Group, auto Member>
+constexpr ParamDef row(const Words& words, ParamUnit unit, const Range& range, Stage stage,
+                       std::uint8_t flags = paramNone, std::uint8_t kinds = treeOnly,
+                       Condition* matters = nullptr)
+{
+    using Access = Field<Group, Member>;
+    return {words.key,
+            words.group,
+            words.label,
+            words.tooltip,
+            typeOf<typename Access::Value>(),
+            unit,
+            range.hardMin,
+            range.hardMax,
+            range.softMin,
+            range.softMax,
+            range.step,
+            range.decimals,
+            stage,
+            flags,
+            kinds,
+            &Access::get,
+            &Access::assign,
+            itemsOf<typename Access::Value>,
+            matters};
+}
+
+inline constexpr const char* grammarGroup = RAMURE_NOOP("Grammar");
+inline constexpr const char* turtleGroup = RAMURE_NOOP("Turtle");
+inline constexpr const char* variationGroup = RAMURE_NOOP("Variation");
+inline constexpr const char* simplifyGroup = RAMURE_NOOP("Simplification");
+inline constexpr const char* sectionsGroup = RAMURE_NOOP("Cross-sections");
+inline constexpr const char* forksGroup = RAMURE_NOOP("Forks");
+inline constexpr const char* foliageGroup = RAMURE_NOOP("Foliage");
+inline constexpr const char* barkGroup = RAMURE_NOOP("Bark");
+inline constexpr const char* placementGroup = RAMURE_NOOP("Placement");
+inline constexpr const char* localGroup = RAMURE_NOOP("Own shape");
+inline constexpr const char* primitiveGroup = RAMURE_NOOP("Primitive");
+inline constexpr const char* surfaceGroup = RAMURE_NOOP("Surface");
+inline constexpr const char* physicsGroup = RAMURE_NOOP("Physics");
+inline constexpr const char* skinGroup = RAMURE_NOOP("Skin");
+inline constexpr const char* armGroup = RAMURE_NOOP("Arm");
+inline constexpr const char* ikGroup = RAMURE_NOOP("Inverse kinematics");
+inline constexpr const char* armSkinGroup = RAMURE_NOOP("Skin of the arm");
+inline constexpr const char* terrainGroup = RAMURE_NOOP("Terrain");
+
+} // namespace ramure::rows
