@@ -2623,10 +2623,6 @@
         <translation>Pommes</translation>
     </message>
     <message>
-        <source>The chance that a branch which is thin enough carries an apple: 0 for none, 1 for one on each.</source>
-        <translation>La chance qu’une branche assez fine porte une pomme&#xa0;: 0 pour aucune, 1 pour une sur chacune.</translation>
-    </message>
-    <message>
         <source>Another seed arranges leaves and apples anew; the branches stay as they are.</source>
         <translation>Une autre graine redispose feuilles et pommes&#xa0;; les branches restent telles quelles.</translation>
     </message>
@@ -4497,6 +4493,74 @@
     <message>
         <source>the picture could not be made: %1</source>
         <translation>l’image n’a pas pu être faite : %1</translation>
+    </message>
+    <message>
+        <source>The chance that a branch which is thin enough carries an apple, or what else is chosen as fruit: 0 for none, 1 for one on each.</source>
+        <translation>La probabilité qu&apos;une branche assez fine porte une pomme, ou l&apos;autre fruit choisi : 0 pour aucune, 1 pour une sur chacune.</translation>
+    </message>
+    <message>
+        <source>Fruit</source>
+        <translation>Fruit</translation>
+    </message>
+    <message>
+        <source>What the twigs carry beside leaves: fruit hang on their stalks, blossom looks at the light. Faithful: a sphere about the twig, a cube in the rough model.</source>
+        <translation>Ce que les rameaux portent outre les feuilles : les fruits pendent à leur queue, les fleurs regardent la lumière. Fidèle : une sphère autour du rameau, un cube dans le modèle grossier.</translation>
+    </message>
+    <message>
+        <source>Fruit size</source>
+        <translation>Taille des fruits</translation>
+    </message>
+    <message>
+        <source>1 as the plant has it on a tree with such a trunk; 0 leaves the tree without.</source>
+        <translation>1 : comme la plante les porte sur un arbre de ce tronc ; 0 : aucun.</translation>
+    </message>
+    <message>
+        <source>Fruit stalk</source>
+        <translation>Queue des fruits</translation>
+    </message>
+    <message>
+        <source>Length of the stalk: 1 as the plant has it, 0 none.</source>
+        <translation>Longueur de la queue : 1 comme la plante, 0 aucune.</translation>
+    </message>
+    <message>
+        <source>Pear</source>
+        <translation>Poire</translation>
+    </message>
+    <message>
+        <source>Cherries</source>
+        <translation>Cerises</translation>
+    </message>
+    <message>
+        <source>Plum</source>
+        <translation>Prune</translation>
+    </message>
+    <message>
+        <source>Orange</source>
+        <translation>Orange</translation>
+    </message>
+    <message>
+        <source>Lemon</source>
+        <translation>Citron</translation>
+    </message>
+    <message>
+        <source>Olives</source>
+        <translation>Olives</translation>
+    </message>
+    <message>
+        <source>Acorns</source>
+        <translation>Glands</translation>
+    </message>
+    <message>
+        <source>Coconuts</source>
+        <translation>Noix de coco</translation>
+    </message>
+    <message>
+        <source>Berries</source>
+        <translation>Baies</translation>
+    </message>
+    <message>
+        <source>Blossom</source>
+        <translation>Fleurs</translation>
     </message>
 </context>
 <context>

@@ -84,8 +84,22 @@ inline constexpr std::array dressRows{
         ParamUnit::Count, {1, 3, 1, 3, 1, 0}, Stage::Foliage, paramAdvanced, treeOnly, isOfPlant),
     row<&NodeParams::foliage, &FoliageParams::applesProbability>(
         {"foliage.applesProbability", foliageGroup, RAMURE_NOOP("Apples"),
-         RAMURE_NOOP("The chance that a branch which is thin enough carries an apple: 0 for none, 1 for one on each.")},
+         RAMURE_NOOP("The chance that a branch which is thin enough carries an apple, or what else is chosen as fruit: 0 for none, "
+                     "1 for one on each.")},
         ParamUnit::Ratio, {0, 1, 0, 1, 0.01, 3}, Stage::Foliage, paramAnimatable),
+    row<&NodeParams::fruit, &FruitParams::kind>(
+        {"foliage.fruit", foliageGroup, RAMURE_NOOP("Fruit"),
+         RAMURE_NOOP("What the twigs carry beside leaves: fruit hang on their stalks, blossom looks at the light. Faithful: a "
+                     "sphere about the twig, a cube in the rough model.")},
+        ParamUnit::None, {}, Stage::Foliage),
+    row<&NodeParams::fruit, &FruitParams::size>(
+        {"foliage.fruitSize", foliageGroup, RAMURE_NOOP("Fruit size"),
+         RAMURE_NOOP("1 as the plant has it on a tree with such a trunk; 0 leaves the tree without.")},
+        ParamUnit::Factor, {0, 100, 0.2, 4, 0.05, 3}, Stage::Foliage, paramAnimatable, treeOnly, isHung),
+    row<&NodeParams::fruit, &FruitParams::stalk>(
+        {"foliage.fruitStalk", foliageGroup, RAMURE_NOOP("Fruit stalk"),
+         RAMURE_NOOP("Length of the stalk: 1 as the plant has it, 0 none.")},
+        ParamUnit::Factor, {0, 20, 0, 4, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isHung),
     row<&NodeParams::foliage, &FoliageParams::seed>(
         {"foliage.seed", foliageGroup, RAMURE_NOOP("Seed of the leaves"),
          RAMURE_NOOP("Another seed arranges leaves and apples anew; the branches stay as they are.")},

@@ -7,6 +7,7 @@
 
 #include "core/params/arm_params.h"
 #include "core/params/bark_params.h"
+#include "core/params/fruit_params.h"
 #include "core/params/leaf_params.h"
 #include "core/params/physics_params.h"
 #include "core/params/primitive_params.h"
@@ -121,6 +122,7 @@ struct NodeParams
     MeshParams mesh;
     FoliageParams foliage;
     LeafParams leaf;
+    FruitParams fruit;
     BarkParams bark;
     TextureParams texture;
     PlacementParams tree;

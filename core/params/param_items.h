@@ -92,6 +92,16 @@ inline constexpr std::array itemsOf<LeafShape>{EnumItem{"faithful", RAMURE_NOOP(
                                                EnumItem{"larch", RAMURE_NOOP("Larch")},
                                                EnumItem{"cypress", RAMURE_NOOP("Cypress")}};
 static_assert(itemsOf<LeafShape>.size() == leafShapeCount);
+template <>
+inline constexpr std::array itemsOf<FruitKind>{
+    EnumItem{"faithful", RAMURE_NOOP("Faithful")}, EnumItem{"apple", RAMURE_NOOP("Apple")},
+    EnumItem{"pear", RAMURE_NOOP("Pear")},         EnumItem{"cherry", RAMURE_NOOP("Cherries")},
+    EnumItem{"plum", RAMURE_NOOP("Plum")},         EnumItem{"orange", RAMURE_NOOP("Orange")},
+    EnumItem{"lemon", RAMURE_NOOP("Lemon")},       EnumItem{"olive", RAMURE_NOOP("Olives")},
+    EnumItem{"acorn", RAMURE_NOOP("Acorns")},      EnumItem{"cone", RAMURE_NOOP("Cone")},
+    EnumItem{"coconut", RAMURE_NOOP("Coconuts")},  EnumItem{"berries", RAMURE_NOOP("Berries")},
+    EnumItem{"blossom", RAMURE_NOOP("Blossom")}};
+static_assert(itemsOf<FruitKind>.size() == fruitKindCount);
 
 template <>
 inline constexpr std::array itemsOf<LeafArrangement>{

@@ -25,6 +25,13 @@ constexpr auto realLeaves = [] {
     return names;
 }();
 
+constexpr auto realFruit = [] {
+    std::array<const char*, fruitKindCount - 1> names{};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        names[i] = itemsOf<FruitKind>[i + 1].name;
+    return names;
+}();
+
 constexpr std::array relevances{
     Relevance{"primitive.radius", "primitive.shape", round},
     Relevance{"primitive.height", "primitive.shape", tall},
@@ -52,6 +59,8 @@ constexpr std::array relevances{
     Relevance{"foliage.leafCurl", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafCup", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafDetail", "foliage.leaf", realLeaves},
+    Relevance{"foliage.fruitSize", "foliage.fruit", realFruit},
+    Relevance{"foliage.fruitStalk", "foliage.fruit", realFruit},
     Relevance{"ik.gain", "ik.solver", transpose},
 };
 

@@ -93,6 +93,7 @@ inline constexpr Condition* isFaithful = [](const NodeParams& p) {
 inline constexpr Condition* isOfPlant = [](const NodeParams& p) {
     return p.leaf.shape != LeafShape::Faithful;
 };
+inline constexpr Condition* isHung = [](const NodeParams& p) { return p.fruit.kind != FruitKind::Faithful; };
 inline constexpr Condition* softensForks = [](const NodeParams& p) { return p.mesh.forkSoftness > 0.0; };
 
 template <auto Group, auto Member>

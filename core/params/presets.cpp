@@ -39,18 +39,34 @@ NodeParams grown(GrammarParams grammar, TurtleParams turtle)
     return params;
 }
 
+/// The coursework says how the presets grow; they wear what suits their habit.
+NodeParams dressed(NodeParams tree, LeafShape leaf, double leafSize, FruitKind fruit, double fruitful,
+                   BarkFamily bark)
+{
+    tree.leaf.shape = leaf;
+    tree.leaf.size = leafSize;
+    tree.fruit.kind = fruit;
+    tree.foliage.applesProbability = fruitful;
+    tree.bark.family = bark;
+    return tree;
+}
+
 } // namespace
 
 std::span<const Preset> presets()
 {
     static const std::array<Preset, 4> all{{
-        {"SmallTree", RAMURE_NOOP("A tree that forks in two, again and again"), NodeParams()},
+        {"SmallTree", RAMURE_NOOP("A tree that forks in two, again and again"),
+         dressed(NodeParams(), LeafShape::Apple, 1.4, FruitKind::Apple, 0.05, BarkFamily::Scaly)},
         {"FanTree", RAMURE_NOOP("Slender branches with fans of twigs"),
-         grown({"EEEEEEBA", fanTreeRules, 8}, {0.15, 0.2, 0.92})},
+         dressed(grown({"EEEEEEBA", fanTreeRules, 8}, {0.15, 0.2, 0.92}), LeafShape::Cherry, 1.2,
+                 FruitKind::Cherry, 0.1, BarkFamily::Ringed)},
         {"TinyTree", RAMURE_NOOP("A small tree, drawn once by chance and kept"),
-         grown({tinyTreeSymbols, "", 0}, {0.394, 0.2, 0.8})},
+         dressed(grown({tinyTreeSymbols, "", 0}, {0.394, 0.2, 0.8}), LeafShape::Oak, 1.3, FruitKind::Acorn,
+                 0.3, BarkFamily::Furrowed)},
         {"Fern2D", RAMURE_NOOP("A fern that grows in one plane"),
-         grown({"X", fernRules, 5}, {0.4363, 0.1, 0.92})},
+         dressed(grown({"X", fernRules, 5}, {0.4363, 0.1, 0.92}), LeafShape::Fern, 1.0, FruitKind::Faithful,
+                 0.0, BarkFamily::Smooth)},
     }};
     return all;
 }

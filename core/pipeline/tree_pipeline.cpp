@@ -205,7 +205,8 @@ Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams
 Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& params,
                                     const Progress& progress)
 {
-    auto placed = placeFoliage(skeleton, params.foliage, params.leaf, params.turtle.alpha, progress);
+    auto placed =
+        placeFoliage(skeleton, params.foliage, params.leaf, params.fruit, params.turtle.alpha, progress);
     if (!placed)
         return fail(std::move(placed.error()));
     const auto foliage = std::make_shared<const Foliage>(std::move(*placed));

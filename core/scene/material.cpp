@@ -35,9 +35,14 @@ Material leavesMaterial(LeafShape shape)
     return leaves;
 }
 
-Material applesMaterial()
+Material applesMaterial(FruitKind kind)
 {
-    return {"apples", {0x5F, 0x0B, 0x0B}, true, false};
+    Material fruit{"apples", {0x5F, 0x0B, 0x0B}, true, false};
+    if (kind != FruitKind::Faithful) {
+        fruit.name = std::string("fruit_") + findParam("foliage.fruit")->items[static_cast<std::size_t>(kind)].name;
+        fruit.colour = glm::u8vec3(255);
+    }
+    return fruit;
 }
 
 Material nodeMaterial(const Node& node, const NodeParams& params)

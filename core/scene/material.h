@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/params/bark_params.h"
+#include "core/params/fruit_params.h"
 #include "core/params/leaf_params.h"
 #include <glm/vec3.hpp>
 #include <string>
@@ -31,7 +32,8 @@ struct Material
 Material barkMaterial(const BarkParams& bark = {});
 /// Those of a plant have a name of their own, leaves_birch; the colours of their mesh are tones.
 Material leavesMaterial(LeafShape shape = LeafShape::Faithful);
-Material applesMaterial();
+/// Fruit and flowers bring colours of their own.
+Material applesMaterial(FruitKind kind = FruitKind::Faithful);
 /// Of a node that is no tree. \param params those of the time (paramsAt).
 Material nodeMaterial(const Node& node, const NodeParams& params);
 

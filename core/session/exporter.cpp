@@ -107,7 +107,7 @@ Expected<TreeMeshes> roughMeshes(const TreeResult& tree, const NodeParams& param
             buildRoughBranches(skeleton, static_cast<int>(params.sections.radialDivisions)));
     if (!(parts & (exportLeaves | exportApples)))
         return meshes;
-    const auto foliage = placeFoliage(skeleton, params.foliage, params.leaf, alpha, progress);
+    const auto foliage = placeFoliage(skeleton, params.foliage, params.leaf, params.fruit, alpha, progress);
     if (!foliage)
         return fail(foliage.error());
     if (parts & exportLeaves)
@@ -139,14 +139,14 @@ Expected<void> addTexture(TreeMeshes& meshes, const TextureStage& texture, const
     }
     if (meshes.apples) {
         const auto apples = std::make_shared<TriangleMesh>(*meshes.apples);
-        addAppleTexture(*apples);
+        addAppleTexture(*apples, fruitForm(params.fruit));
         meshes.apples = apples;
     }
     return {};
 }
 
 /// \param motion whose skins the meshes have; none: they are as they stand.
-void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes, LeafShape leaf,
+void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes, const NodeParams& params,
                const NodeMotion& motion)
 {
     const auto add = [&](const char* name, const std::shared_ptr<const TriangleMesh>& mesh,
@@ -155,8 +155,8 @@ void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes
             out.meshes.push_back({name + tree.suffix, tree.number, mesh, materialIn(out, material), skin});
     };
     add("branches", meshes.branches, motion.branches, barkMaterial(tree.node->params.bark));
-    add("leaves", meshes.leaves, motion.leaves, leavesMaterial(leaf));
-    add("apples", meshes.apples, motion.apples, applesMaterial());
+    add("leaves", meshes.leaves, motion.leaves, leavesMaterial(params.leaf.shape));
+    add("apples", meshes.apples, motion.apples, applesMaterial(params.fruit.kind));
     out.frames.front().bones[tree.number] = motion.bones;
 }
 
@@ -275,7 +275,7 @@ Expected<void> addFineTree(ExportScene& out, const Candidate& tree, EvaluatedSce
     if (options.texture)
         if (auto done = addTexture(meshes, *posed->rest.texture, params, progress); !done)
             return done;
-    addMeshes(out, tree, meshes, params.leaf.shape, posed->motion);
+    addMeshes(out, tree, meshes, params, posed->motion);
     return {};
 }
 
@@ -295,7 +295,7 @@ Expected<void> addTree(ExportScene& out, const Candidate& tree, EvaluatedScene& 
     const auto meshes = roughMeshes(*result, params, options.parts, progress);
     if (!meshes)
         return fail(meshes.error());
-    addMeshes(out, tree, *meshes, params.leaf.shape, {});
+    addMeshes(out, tree, *meshes, params, {});
     return {};
 }
 

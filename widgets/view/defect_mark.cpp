@@ -22,8 +22,9 @@ constexpr double perTurn = 0.6;       ///< what half a turn costs, against one s
 /// Leaves and apples hang in front of what is looked for.
 bool fades(const MeshItem& item)
 {
-    return item.material.name.starts_with(leavesMaterial().name) ||
-           item.material.name == applesMaterial().name;
+    const std::string& name = item.material.name;
+    return name.starts_with(leavesMaterial().name) || name.starts_with("fruit_") ||
+           name == applesMaterial().name;
 }
 
 /// The opaque triangles near one point, asked along rays.

@@ -104,7 +104,7 @@ std::shared_ptr<const TreeBody> makeTreeBody(const Skeleton& skeleton, const Fol
     takeBranches(skeleton, *body);
     if (foliage)
         takeApples(*foliage, *body);
-    body->appleRadius = 0.5 * alpha;
+    body->appleRadius = alpha * fruitRadius(foliage ? foliage->fruit : FruitForm());
     if (!skeleton.empty())
         body->firstTerminal = body->slotOf[firstTerminal(skeleton)];
     body->key = keyOf(*body);

@@ -43,7 +43,8 @@ struct TreeBody
 };
 
 /// \param skeleton the one that the mesh is made of (simplified). \param foliage may be null: no apples.
-/// \param alpha the grammar's length (TurtleParams::alpha): apples have the radius alpha / 2.
+/// \param alpha the grammar's length (TurtleParams::alpha): what the size of apples is
+/// a share of (fruitRadius).
 std::shared_ptr<const TreeBody> makeTreeBody(const Skeleton& skeleton, const Foliage* foliage, double alpha);
 
 } // namespace ramure

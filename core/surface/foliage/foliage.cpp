@@ -4,6 +4,7 @@
 #include "core/math/frame.h"
 #include "core/math/random.h"
 #include "core/surface/foliage/foliage_shapes.h"
+#include "core/surface/foliage/fruit_placement.h"
 #include "core/surface/foliage/leaf_placement.h"
 #include "core/surface/foliage/leaf_table.h"
 #include <algorithm>
@@ -137,21 +138,14 @@ std::vector<std::uint8_t> tips(const Skeleton& skeleton)
     return isTip;
 }
 
-tl::unexpected<Error> tooMany(const char* text, std::size_t limit, const char* path)
-{
-    auto error = fail(ErrorCode::Limit, text, {std::to_string(limit)});
-    error.value().path = path;
-    return error;
-}
-
 /// The rule of SPEC A3.
 Expected<std::vector<FoliageItem>> placeFaithfully(const Placing& placing, std::size_t density,
                                                    const Progress& progress)
 {
     const std::vector<Index>& twigs = placing.twigs;
     if (!twigs.empty() && density > maxLeaves / twigs.size())
-        return tooMany(RAMURE_NOOP("the tree would carry more than %1 leaves"), maxLeaves,
-                       "foliage.leavesDensity");
+        return tooMuchFoliage(RAMURE_NOOP("the tree would carry more than %1 leaves"), maxLeaves,
+                              "foliage.leavesDensity");
     std::vector<FoliageItem> leaves(twigs.size() * density);
     parallelFor(twigs.size(), branchesAtOnce, [&](std::size_t begin, std::size_t end) {
         if (progress.cancelled())
@@ -178,16 +172,23 @@ Expected<std::vector<FoliageItem>> placeApples(const Placing& placing, double pr
         placer.setBranch(branch);
         apples.push_back(placer.draw(random));
         if (apples.size() > maxApples)
-            return tooMany(RAMURE_NOOP("the tree would carry more than %1 apples"), maxApples,
-                           "foliage.applesProbability");
+            return tooMuchFoliage(RAMURE_NOOP("the tree would carry more than %1 apples"), maxApples,
+                                  "foliage.applesProbability");
     }
     return apples;
 }
 
 } // namespace
 
+tl::unexpected<Error> tooMuchFoliage(const char* text, std::size_t limit, const char* path)
+{
+    auto error = fail(ErrorCode::Limit, text, {std::to_string(limit)});
+    error.value().path = path;
+    return error;
+}
+
 Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& params, const LeafParams& leaf,
-                               double alpha, const Progress& progress)
+                               const FruitParams& fruit, double alpha, const Progress& progress)
 {
     const Placing placing{skeleton, thinBranches(skeleton, alpha * params.leavesCutoff), tips(skeleton),
                           alpha, static_cast<std::uint64_t>(params.seed)};
@@ -198,16 +199,18 @@ Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& pa
         return fail(std::move(leaves.error()));
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-    auto apples = placeApples(placing, params.applesProbability);
+    const FruitForm hung = fruitForm(fruit);
+    auto apples = fruit.kind == FruitKind::Faithful ? placeApples(placing, params.applesProbability)
+                                                    : placeFruit(placing, hung, params.applesProbability);
     if (!apples)
         return fail(std::move(apples.error()));
-    return Foliage{std::move(*leaves), std::move(*apples), leafForm(leaf)};
+    return Foliage{std::move(*leaves), std::move(*apples), leafForm(leaf), hung};
 }
 
 Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& params, double alpha,
                                const Progress& progress)
 {
-    return placeFoliage(skeleton, params, LeafParams(), alpha, progress);
+    return placeFoliage(skeleton, params, LeafParams(), FruitParams(), alpha, progress);
 }
 
 TriangleMesh buildLeaves(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model)
@@ -221,9 +224,10 @@ TriangleMesh buildLeaves(const Skeleton& skeleton, const Foliage& foliage, doubl
 
 TriangleMesh buildApples(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model)
 {
+    const double radius = alpha * fruitRadius(foliage.fruit);
     if (model == FoliageModel::Rough)
-        return scatter(skeleton, foliage.apples, unitCube(), alpha);
-    return scatter(skeleton, foliage.apples, unitSphere(), 0.5 * alpha);
+        return scatter(skeleton, foliage.apples, fruitCube(foliage.fruit.kind), radius);
+    return scatter(skeleton, foliage.apples, fruitMesh(foliage.fruit), radius);
 }
 
 } // namespace ramure

@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/params/node_params.h"
 #include "core/skeleton/skeleton.h"
+#include "core/surface/foliage/fruit_shapes.h"
 #include "core/surface/foliage/leaf_shapes.h"
 #include "core/surface/mesh/triangle_mesh.h"
 #include <glm/gtc/quaternion.hpp>
@@ -32,7 +33,8 @@ struct Foliage
 {
     std::vector<FoliageItem> leaves;
     std::vector<FoliageItem> apples;
-    LeafForm form; ///< of all leaves
+    LeafForm form;   ///< of all leaves
+    FruitForm fruit; ///< of all apples
 };
 
 /// The rule of SPEC A3: a branch with a0 < alpha * leavesCutoff carries leavesDensity leaves, at random
@@ -46,9 +48,10 @@ struct Foliage
 Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& params, double alpha,
                                const Progress& progress = {});
 /// The same branches and apples, with the leaves of a plant (core/surface/foliage/leaf_placement.h) where
-/// \p leaf names one.
+/// \p leaf names one, and the fruit or flowers that \p fruit names in the place of apples
+/// (core/surface/foliage/fruit_placement.h).
 Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& params, const LeafParams& leaf,
-                               double alpha, const Progress& progress = {});
+                               const FruitParams& fruit, double alpha, const Progress& progress = {});
 
 enum class FoliageModel : std::uint8_t {
     Rough, ///< squares of side alpha, cubes of edge alpha

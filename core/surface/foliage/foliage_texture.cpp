@@ -18,13 +18,20 @@ bool isPole(const glm::vec3& place)
     return std::abs(place.x) < 1e-4f && std::abs(place.z) < 1e-4f;
 }
 
+/// Fruit have the picture of the globe around them; what lies on a unit sphere stays where it is.
+glm::vec3 round(const glm::vec3& place)
+{
+    const float length = glm::length(place);
+    return std::abs(length - 1.0f) < 1e-5f || length == 0.0f ? place : place / length;
+}
+
 glm::vec2 onGlobe(const glm::vec3& place)
 {
     return {maths::atan2(place.x, place.z) / (2.0 * pi) + 0.5,
             maths::asin(std::clamp(place.y, -1.0f, 1.0f)) / pi + 0.5};
 }
 
-/// Three coordinates per triangle of the unit sphere.
+/// Three coordinates per triangle of a body about the origin.
 std::vector<glm::vec2> globe(const TriangleMesh& sphere)
 {
     std::vector<glm::vec2> uv;
@@ -34,7 +41,7 @@ std::vector<glm::vec2> globe(const TriangleMesh& sphere)
         int pole = -1;
         float least = 1.0f, most = 0.0f;
         for (int c = 0; c < 3; ++c) {
-            const glm::vec3& place = sphere.positions[triangle[c]];
+            const glm::vec3 place = round(sphere.positions[triangle[c]]);
             corner[std::size_t(c)] = onGlobe(place);
             if (isPole(place)) {
                 pole = c;
@@ -69,9 +76,9 @@ void addLeafTexture(TriangleMesh& leaves, const LeafForm& form)
         leaves.uv[v] = leaf.uv[v % leaf.uv.size()];
 }
 
-void addAppleTexture(TriangleMesh& apples)
+void addAppleTexture(TriangleMesh& apples, const FruitForm& form)
 {
-    const std::vector<glm::vec2> apple = globe(unitSphere());
+    const std::vector<glm::vec2> apple = globe(fruitMesh(form));
     const std::size_t corners = apple.size();
     apples.uv = apple; // the same for all apples
     apples.uvTriangles.resize(apples.triangles.size());

@@ -2,6 +2,7 @@
 /// Texture coordinates of leaves and apples: one picture each.
 #pragma once
 
+#include "core/surface/foliage/fruit_shapes.h"
 #include "core/surface/foliage/leaf_shapes.h"
 
 namespace ramure {
@@ -11,6 +12,6 @@ namespace ramure {
 void addLeafTexture(TriangleMesh& leaves, const LeafForm& form = {});
 /// \param apples as buildApples makes them (FoliageModel::Fine): u once around the vertical axis of each
 /// apple, v from its lowest point to its highest. The seam and the poles are split among the corners.
-void addAppleTexture(TriangleMesh& apples);
+void addAppleTexture(TriangleMesh& apples, const FruitForm& form = {});
 
 } // namespace ramure

@@ -3,10 +3,9 @@
 #include "core/base/parallel.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
-#include "core/skeleton/sections.h"
 #include "core/surface/foliage/leaf_table.h"
+#include "core/surface/foliage/twig_line.h"
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -43,51 +42,6 @@ Turns turnsOf(LeafArrangement arrangement, int whorl)
     }
 }
 
-/// The centre line of a twig by its length, with frames that do not turn about it.
-class TwigLine
-{
-public:
-    TwigLine(const Skeleton& skeleton, Index twig)
-        : m_radius0(skeleton.a0[twig])
-        , m_radius1(skeleton.a1[twig])
-    {
-        const BranchCurve curve = branchCurve(skeleton, twig);
-        for (std::size_t i = 0; i <= pieces; ++i) {
-            const CurvePoint at = hermite(curve.h0, curve.h1, curve.v0, curve.v1, double(i) / pieces);
-            m_points[i] = at.point;
-            m_frames[i] = i == 0 ? frameFromTangent(at.tangent) : transported(m_frames[i - 1], at.tangent);
-            m_lengths[i] = i == 0 ? 0.0 : m_lengths[i - 1] + glm::length(at.point - m_points[i - 1]);
-        }
-    }
-
-    [[nodiscard]] double length() const { return m_lengths[pieces]; }
-
-    struct Place
-    {
-        glm::dvec3 centre;
-        Frame frame;
-        double radius;
-    };
-    [[nodiscard]] Place at(const BranchCurve& curve, double along) const
-    {
-        std::size_t i = 1;
-        while (i < pieces && m_lengths[i] < along)
-            ++i;
-        const double piece = m_lengths[i] - m_lengths[i - 1];
-        const double share = piece > 0.0 ? std::clamp((along - m_lengths[i - 1]) / piece, 0.0, 1.0) : 1.0;
-        const double t = (double(i - 1) + share) / pieces;
-        const CurvePoint on = hermite(curve.h0, curve.h1, curve.v0, curve.v1, t);
-        return {on.point, transported(m_frames[i], on.tangent), (1.0 - t) * m_radius0 + t * m_radius1};
-    }
-
-private:
-    static constexpr std::size_t pieces = 12;
-    std::array<glm::dvec3, pieces + 1> m_points;
-    std::array<Frame, pieces + 1> m_frames;
-    std::array<double, pieces + 1> m_lengths{};
-    double m_radius0, m_radius1;
-};
-
 /// The leaves of one twig after the other.
 class Grower
 {
@@ -105,7 +59,7 @@ public:
     /// How many leaves a twig has.
     [[nodiscard]] double count(Index twig) const
     {
-        const double room = TwigLine(m_placing.skeleton, twig).length() - firstNode(twig);
+        const double room = TwigLine(m_placing.skeleton, twig).length() - firstNode(m_placing.skeleton, twig);
         return nodes(room) * m_turns.perNode + (m_placing.isTip[twig] != 0 ? 1 : 0);
     }
 
@@ -113,13 +67,12 @@ public:
     {
         const Skeleton& skeleton = m_placing.skeleton;
         const TwigLine line(skeleton, twig);
-        const BranchCurve curve = branchCurve(skeleton, twig);
-        const double from = firstNode(twig), count = nodes(line.length() - from);
+        const double from = firstNode(m_placing.skeleton, twig), count = nodes(line.length() - from);
         Random random(m_placing.seed, RandomStream::TwigLeaves, skeleton.key[twig]);
         const double start = 2.0 * pi * random.unit();
         for (double node = 0.0; node < count; ++node) {
             const double along = from + m_internode * (node + 0.3 * random.unit());
-            const TwigLine::Place place = line.at(curve, along);
+            const TwigLine::Place place = line.at(along);
             const double turned = (m_turns.level ? levelAngle(place.frame, start) : start) +
                                   std::remainder(node * m_turns.fromNodeToNode, 2.0 * pi);
             // Young leaves near the tip are smaller.
@@ -130,18 +83,10 @@ public:
                                         m_params.angle, size, random));
         }
         if (m_placing.isTip[twig] != 0)
-            leaves.push_back(
-                leafAt(twig, line.at(curve, line.length()), start, 0.2 * m_params.angle, 0.75, random));
+            leaves.push_back(leafAt(twig, line.at(line.length()), start, 0.2 * m_params.angle, 0.75, random));
     }
 
 private:
-    /// Past what the fork covers.
-    [[nodiscard]] double firstNode(Index twig) const
-    {
-        const Skeleton& skeleton = m_placing.skeleton;
-        const Index parent = skeleton.parent[twig];
-        return 1.5 * std::max(skeleton.a0[twig], parent == noIndex ? 0.0 : skeleton.a1[parent]);
-    }
     [[nodiscard]] double nodes(double room) const
     {
         return room > 0.0 && m_internode > 0.0 ? std::floor(room / m_internode) : 0.0;
@@ -216,12 +161,9 @@ Expected<std::vector<FoliageItem>> placeLeaves(const Placing& placing, const Lea
     for (const Index twig : placing.twigs)
         all += grower.count(twig);
     const std::size_t most = std::min(maxLeaves, maxLeafFaces / faces);
-    if (all > static_cast<double>(most)) {
-        auto error = fail(ErrorCode::Limit, RAMURE_NOOP("the tree would carry more than %1 leaves"),
-                          {std::to_string(most)});
-        error.value().path = "foliage.internode";
-        return error;
-    }
+    if (all > static_cast<double>(most))
+        return tooMuchFoliage(RAMURE_NOOP("the tree would carry more than %1 leaves"), most,
+                              "foliage.internode");
     std::vector<std::size_t> first{0};
     for (const Index twig : placing.twigs)
         first.push_back(first.back() + static_cast<std::size_t>(grower.count(twig)));

@@ -17,6 +17,9 @@ struct Placing
     std::uint64_t seed;
 };
 
+/// The error of a limit; \p path is the parameter to lower.
+tl::unexpected<Error> tooMuchFoliage(const char* text, std::size_t limit, const char* path);
+
 /// Most triangles that the leaves of one tree may have.
 inline constexpr std::size_t maxLeafFaces = 40'000'000;
 

@@ -109,6 +109,10 @@ struct TreeItems
     {
         return tree.foliage ? tree.foliage->form.shape : LeafShape::Faithful;
     }
+    [[nodiscard]] FruitKind fruit() const
+    {
+        return tree.foliage ? tree.foliage->fruit.kind : FruitKind::Faithful;
+    }
     void fine()
     {
         if (!tree.branches)
@@ -118,7 +122,7 @@ struct TreeItems
         if (view.leaves)
             addMesh(tree.leaves, leavesMaterial(leaf()));
         if (view.apples)
-            addMesh(tree.apples, applesMaterial());
+            addMesh(tree.apples, applesMaterial(fruit()));
     }
     /// The branches with their texture coordinates, which may be none.
     std::shared_ptr<const TexturedMesh> mapped()
@@ -203,7 +207,7 @@ struct TreeItems
             addMesh(cache.get<TriangleMesh>(
                         ScenePart::RoughApples, tree.simplified, tree.foliage, {alpha},
                         [&] { return buildApples(skeleton, *tree.foliage, alpha, FoliageModel::Rough); }),
-                    applesMaterial());
+                    applesMaterial(fruit()));
     }
     void skeleton()
     {

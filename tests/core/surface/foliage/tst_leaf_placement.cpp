@@ -31,7 +31,7 @@ Skeleton twig(const glm::dvec3& to, double radius = 0.01)
 
 std::vector<FoliageItem> leavesOn(const Skeleton& skeleton, const LeafParams& params, double applesToo = 0.0)
 {
-    const auto foliage = placeFoliage(skeleton, {0.1, 10, applesToo, 1}, params, alpha);
+    const auto foliage = placeFoliage(skeleton, {0.1, 10, applesToo, 1}, params, {}, alpha);
     if (!foliage)
         qFatal("%s", foliage.error().message().c_str());
     return foliage->leaves;
@@ -90,7 +90,7 @@ private slots:
         for (int i = 0; i < 1000; ++i)
             many.add(noIndex, {i, 0, 0}, {i, 2, 0}, 0.001, 0.001);
         for (const Skeleton& skeleton : {twig({0, 3000, 0}), many}) {
-            const auto foliage = placeFoliage(skeleton, {0.1, 10, 0.0, 1}, params, alpha);
+            const auto foliage = placeFoliage(skeleton, {0.1, 10, 0.0, 1}, params, {}, alpha);
             QVERIFY(!foliage);
             QCOMPARE(foliage.error().code, ErrorCode::Limit);
             QCOMPARE(foliage.error().path, std::string("foliage.internode"));
@@ -102,7 +102,7 @@ private slots:
         std::stop_source source;
         source.request_stop();
         const auto foliage =
-            placeFoliage(twig({0, 3, 0}), {0.1, 10, 0.0, 1}, birch(), alpha, {source.get_token(), {}});
+            placeFoliage(twig({0, 3, 0}), {0.1, 10, 0.0, 1}, birch(), {}, alpha, {source.get_token(), {}});
         QVERIFY(!foliage);
         QCOMPARE(foliage.error().code, ErrorCode::Cancelled);
     }
@@ -145,7 +145,7 @@ private slots:
         const auto tree = pipeline.evaluate(params, Stage::Simplified);
         QVERIFY(tree);
         const Skeleton& skeleton = tree->simplified->skeleton;
-        const auto foliage = placeFoliage(skeleton, params.foliage, birch(), params.turtle.alpha);
+        const auto foliage = placeFoliage(skeleton, params.foliage, birch(), {}, params.turtle.alpha);
         QVERIFY(foliage && foliage->leaves.size() > 100);
         double worst = 0.0;
         const std::size_t step = foliage->leaves.size() / 400 + 1;
@@ -255,7 +255,7 @@ private slots:
     void meshesAreThePlants()
     {
         const Skeleton skeleton = twig({0, 2, 0});
-        const auto foliage = placeFoliage(skeleton, {0.1, 10, 0.0, 1}, birch(), alpha);
+        const auto foliage = placeFoliage(skeleton, {0.1, 10, 0.0, 1}, birch(), {}, alpha);
         QVERIFY(foliage);
         const TriangleMesh one = leafMesh(foliage->form);
         const TriangleMesh leaves = buildLeaves(skeleton, *foliage, alpha, FoliageModel::Fine);

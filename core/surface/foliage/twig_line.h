@@ -1,0 +1,40 @@
+/// \file
+/// The centre line of a twig (SPEC A4) by its length, with frames that do not turn about it. Internal to the
+/// placement of leaves and fruit.
+#pragma once
+
+#include "core/math/frame.h"
+#include "core/math/hermite.h"
+#include "core/skeleton/sections.h"
+#include "core/skeleton/skeleton.h"
+#include <array>
+
+namespace ramure {
+
+class TwigLine
+{
+public:
+    TwigLine(const Skeleton& skeleton, Index twig);
+
+    struct Place
+    {
+        glm::dvec3 centre;
+        Frame frame;
+        double radius;
+    };
+    [[nodiscard]] double length() const { return m_lengths[pieces]; }
+    [[nodiscard]] Place at(double along) const;
+
+private:
+    static constexpr std::size_t pieces = 12;
+    BranchCurve m_curve;
+    std::array<glm::dvec3, pieces + 1> m_points;
+    std::array<Frame, pieces + 1> m_frames;
+    std::array<double, pieces + 1> m_lengths{};
+    double m_radius0, m_radius1;
+};
+
+/// Where along a twig the first node may stand: past what the fork covers.
+double firstNode(const Skeleton& skeleton, Index twig);
+
+} // namespace ramure

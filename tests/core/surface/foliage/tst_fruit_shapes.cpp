@@ -1,0 +1,148 @@
+#include "core/surface/foliage/fruit_shapes.h"
+
+#include "core/rig/physics/tree_body.h"
+#include "core/skeleton/sections.h"
+#include "core/surface/foliage/foliage.h"
+#include "core/surface/foliage/foliage_texture.h"
+#include "tests/support/mesh_checker.h"
+#include "tests/support/suite.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace ramure;
+
+namespace {
+
+constexpr double alpha = 0.2;
+
+FruitKind kindOf(int i)
+{
+    return static_cast<FruitKind>(i);
+}
+
+/// A twig that bends, level and thin enough to carry fruit.
+Skeleton bough()
+{
+    Skeleton skeleton;
+    skeleton.add(noIndex, {0, 2, 0}, {0.8, 2.2, 0.1}, 0.015, 0.012);
+    skeleton.add(0, {0.8, 2.2, 0.1}, {1.5, 2.1, 0.4}, 0.012, 0.008);
+    return skeleton;
+}
+
+Foliage hung(const Skeleton& skeleton, const FruitParams& fruit, double probability = 1.0,
+             std::int64_t seed = 1)
+{
+    auto foliage = placeFoliage(skeleton, {0.1, 0, probability, seed}, {}, fruit, alpha);
+    if (!foliage)
+        qFatal("%s", foliage.error().message().c_str());
+    return *foliage;
+}
+
+} // namespace
+
+class TestFruitShapes : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void noneOfSizeZero()
+    {
+        const Skeleton skeleton = bough();
+        const Foliage none = hung(skeleton, {FruitKind::Pear, 0.0, 1.0});
+        QVERIFY(none.apples.empty());
+        QVERIFY(buildApples(skeleton, none, alpha, FoliageModel::Fine).empty());
+        QVERIFY(hung(skeleton, {FruitKind::Pear}, 0.0).apples.empty());
+    }
+    void tooManyAreAnError()
+    {
+        Skeleton skeleton;
+        for (int i = 0; i < 12000; ++i)
+            skeleton.add(noIndex, {i, 0, 0}, {i, 1, 0}, 0.01, 0.01);
+        const auto foliage = placeFoliage(skeleton, {0.1, 0, 1.0, 1}, {}, {FruitKind::Berries}, alpha);
+        QVERIFY(!foliage);
+        QCOMPARE(foliage.error().code, ErrorCode::Limit);
+        QCOMPARE(foliage.error().path, std::string("foliage.applesProbability"));
+    }
+    /// Every kind, with its stalk and without: closed, manifold, one piece, outward, as wide as it says.
+    void everyKindIsOneClosedBody()
+    {
+        for (int i = 0; i < fruitKindCount; ++i)
+            for (const double stalk : {0.0, 1e-3, 1.0, 20.0}) {
+                const FruitForm form{kindOf(i), 1.0, stalk};
+                const TriangleMesh mesh = fruitMesh(form);
+                const test::CheckedMesh checked = test::checkMesh(mesh);
+                QVERIFY2(checked.closedManifold(), checked.summary().c_str());
+                QCOMPARE(checked.components.size(), std::size_t(1));
+                QCOMPARE(checked.components[0].euler, std::int64_t(2));
+                QVERIFY(checked.volume() > 0.0);
+                QCOMPARE(mesh.normals.size(), mesh.positions.size());
+                QCOMPARE(mesh.colours.size(), i == 0 ? 0 : mesh.triangles.size());
+                double widest = 0.0, highest = 0.0;
+                for (const glm::vec3& at : mesh.positions) {
+                    if (at.y < 0.9 * fruitReach(form) || i == 0)
+                        widest = std::max(widest, std::hypot(double(at.x), double(at.z)));
+                    highest = std::max(highest, double(at.y));
+                }
+                QVERIFY2(std::abs(widest - 1.0) < 0.15, qPrintable(QString::number(i)));
+                if (form.kind != FruitKind::Faithful && stalk >= 1.0)
+                    QVERIFY(std::abs(highest - fruitReach(form)) < 0.15);
+                QVERIFY(test::checkMesh(fruitCube(kindOf(i))).volume() > 7.9f);
+            }
+    }
+    /// Stalks begin on the bark, fruit hang below them.
+    void theyHangFromTheBark()
+    {
+        const Skeleton skeleton = bough();
+        for (int i = 1; i < fruitKindCount; ++i)
+            for (std::int64_t seed = 1; seed < 20; ++seed) {
+                const Foliage foliage = hung(skeleton, {kindOf(i)}, 1.0, seed);
+                QCOMPARE(foliage.apples.size(), 2 * std::size_t(fruitCluster(kindOf(i))));
+                for (const FoliageItem& fruit : foliage.apples) {
+                    const glm::dvec3 up = fruit.orientation * glm::dvec3(0, 1, 0);
+                    const double reach = alpha * fruitRadius(foliage.fruit) * fruitReach(foliage.fruit);
+                    const glm::dvec3 foot = fruit.position + fruit.size * reach * up;
+                    const BranchCurve curve = branchCurve(skeleton, fruit.branch);
+                    double nearest = 1e9, radius = 0.0;
+                    for (int k = 0; k <= 2000; ++k) {
+                        const double t = k / 2000.0;
+                        const double away =
+                            glm::length(hermite(curve.h0, curve.h1, curve.v0, curve.v1, t).point - foot);
+                        if (away < nearest) {
+                            nearest = away;
+                            radius = (1 - t) * skeleton.a0[fruit.branch] + t * skeleton.a1[fruit.branch];
+                        }
+                    }
+                    QVERIFY(std::abs(nearest - 0.95 * radius) < 0.02 * radius);
+                    if (hangs(kindOf(i)))
+                        QVERIFY(up.y > 0.8); // the stalk is above
+                    else
+                        QVERIFY(up.y < 0.2); // the flower's face is away from its stalk
+                }
+            }
+    }
+    void bodiesOfThePhysicsAreAsLarge()
+    {
+        const Skeleton skeleton = bough();
+        const Foliage foliage = hung(skeleton, {FruitKind::Apple, 1.5});
+        QCOMPARE(makeTreeBody(skeleton, &foliage, alpha)->appleRadius,
+                 0.2 * 1.5 * fruitRadius({FruitKind::Apple}));
+        QCOMPARE(makeTreeBody(skeleton, nullptr, alpha)->appleRadius, 0.1);
+    }
+    void texturesCoverThem()
+    {
+        const Skeleton skeleton = bough();
+        for (int i = 1; i < fruitKindCount; ++i) {
+            const Foliage foliage = hung(skeleton, {kindOf(i)});
+            TriangleMesh mesh = buildApples(skeleton, foliage, alpha, FoliageModel::Fine);
+            addAppleTexture(mesh, foliage.fruit);
+            QCOMPARE(mesh.uvTriangles.size(), mesh.triangles.size());
+            for (const glm::vec2& at : mesh.uv)
+                QVERIFY(at.x >= 0.0f && at.x <= 2.0f && at.y >= 0.0f && at.y <= 1.0f);
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFruitShapes)
+#include "tst_fruit_shapes.moc"
