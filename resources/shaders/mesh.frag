@@ -2,7 +2,7 @@ in Surface
 {
     vec3 relative;
     vec3 normal;
-    vec3 local;
+    vec3 own; // sRGB, tinted by uColour
     vec4 tint;
     vec2 uv;
     float shade;
@@ -40,7 +40,7 @@ vec3 ownColour()
     if (uHasColours)
         return uColour * texelFetch(uColours, ivec2(gl_PrimitiveID % width, gl_PrimitiveID / width), 0).rgb;
 #endif
-    return uColour;
+    return uColour * v.own;
 }
 
 uniform bool uHasBark;

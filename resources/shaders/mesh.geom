@@ -8,7 +8,7 @@ in Surface
 {
     vec3 relative;
     vec3 normal;
-    vec3 local;
+    vec3 own;
     vec4 tint;
     vec2 uv;
     float shade;
@@ -18,7 +18,7 @@ out Surface
 {
     vec3 relative;
     vec3 normal;
-    vec3 local;
+    vec3 own;
     vec4 tint;
     vec2 uv;
     float shade;
@@ -39,7 +39,7 @@ void main()
         gl_PrimitiveID = gl_PrimitiveIDIn;
         v.relative = vIn[i].relative;
         v.normal = vIn[i].normal;
-        v.local = vIn[i].local;
+        v.own = vIn[i].own;
         v.tint = vIn[i].tint;
         v.uv = vIn[i].uv;
         v.shade = vIn[i].shade;

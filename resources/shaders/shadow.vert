@@ -8,6 +8,7 @@ void main()
 {
     vec3 position = aPosition;
     vec3 normal = vec3(0.0);
+    copied(position, normal);
     skin(position, normal);
     gl_Position = uClip * vec4(position, 1.0);
 }

@@ -173,6 +173,7 @@ RenderScene posed(const RenderScene& scene)
         const ItemMotion& motion = item.motion;
         item.mesh = std::make_shared<const TriangleMesh>(
             deformed(*item.mesh, *motion.skin, *motion.bones, motion.method));
+        item.copies = nullptr;
         item.motion = {};
     }
     for (LineItem& item : still.lines) {

@@ -88,14 +88,15 @@ std::vector<Index> thinBranches(const Skeleton& skeleton, double below)
 }
 
 /// Copy number \p copy of a shape, at an item's place. Shapes with colours give each copy its tone.
-void place(const FoliageItem& item, Index level, const std::vector<glm::vec3>& scaled,
-           const TriangleMesh& shape, std::size_t copy, TriangleMesh& mesh)
+void place(const FoliageItem& item, Index level, const TriangleMesh& shape, std::size_t copy,
+           TriangleMesh& mesh)
 {
-    const std::size_t vertices = scaled.size(), faces = shape.triangles.size(), first = copy * vertices;
+    const std::size_t vertices = shape.positions.size(), faces = shape.triangles.size(),
+                      first = copy * vertices;
     const glm::mat3 turn(glm::mat3_cast(item.orientation));
     const glm::vec3 centre(item.position);
     for (std::size_t i = 0; i < vertices; ++i) {
-        mesh.positions[first + i] = centre + turn * (item.size * scaled[i]);
+        mesh.positions[first + i] = centre + turn * (item.size * shape.positions[i]);
         mesh.normals[first + i] = turn * shape.normals[i];
         mesh.branch[first + i] = item.branch;
         mesh.level[first + i] = level;
@@ -106,14 +107,18 @@ void place(const FoliageItem& item, Index level, const std::vector<glm::vec3>& s
         mesh.colours[copy * faces + f] = glm::u8vec3(item.tone * glm::vec3(shape.colours[f]) + 0.5F);
 }
 
-/// A copy of \p shape, scaled, for every item.
+TriangleMesh scaled(TriangleMesh shape, double scale)
+{
+    for (glm::vec3& position : shape.positions)
+        position *= static_cast<float>(scale);
+    return shape;
+}
+
+/// A copy of \p shape for every item.
 TriangleMesh scatter(const Skeleton& skeleton, const std::vector<FoliageItem>& items,
-                     const TriangleMesh& shape, double scale)
+                     const TriangleMesh& shape)
 {
     const std::size_t vertices = shape.positions.size(), faces = shape.triangles.size();
-    std::vector<glm::vec3> scaled = shape.positions;
-    for (glm::vec3& position : scaled)
-        position *= static_cast<float>(scale);
     TriangleMesh mesh;
     mesh.positions.resize(items.size() * vertices);
     mesh.normals.resize(items.size() * vertices);
@@ -124,7 +129,7 @@ TriangleMesh scatter(const Skeleton& skeleton, const std::vector<FoliageItem>& i
     parallelFor(items.size(), std::max<std::size_t>(1, verticesAtOnce / vertices),
                 [&](std::size_t begin, std::size_t end) {
                     for (std::size_t i = begin; i < end; ++i)
-                        place(items[i], skeleton.level[items[i].branch], scaled, shape, i, mesh);
+                        place(items[i], skeleton.level[items[i].branch], shape, i, mesh);
                 });
     return mesh;
 }
@@ -213,21 +218,28 @@ Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& pa
     return placeFoliage(skeleton, params, LeafParams(), FruitParams(), alpha, progress);
 }
 
-TriangleMesh buildLeaves(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model)
+TriangleMesh oneLeaf(const LeafForm& form, double alpha, FoliageModel model)
 {
     const bool rough = model == FoliageModel::Rough;
-    if (foliage.form.shape == LeafShape::Faithful)
-        return scatter(skeleton, foliage.leaves, rough ? unitSquare() : unitTriangle(), alpha);
-    return scatter(skeleton, foliage.leaves, rough ? leafCard(foliage.form) : leafMesh(foliage.form),
-                   alpha * leafRow(foliage.form.shape).length);
+    if (form.shape == LeafShape::Faithful)
+        return scaled(rough ? unitSquare() : unitTriangle(), alpha);
+    return scaled(rough ? leafCard(form) : leafMesh(form), alpha * leafRow(form.shape).length);
+}
+
+TriangleMesh oneApple(const FruitForm& form, double alpha, FoliageModel model)
+{
+    return scaled(model == FoliageModel::Rough ? fruitCube(form.kind) : fruitMesh(form),
+                  alpha * fruitRadius(form));
+}
+
+TriangleMesh buildLeaves(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model)
+{
+    return scatter(skeleton, foliage.leaves, oneLeaf(foliage.form, alpha, model));
 }
 
 TriangleMesh buildApples(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model)
 {
-    const double radius = alpha * fruitRadius(foliage.fruit);
-    if (model == FoliageModel::Rough)
-        return scatter(skeleton, foliage.apples, fruitCube(foliage.fruit.kind), radius);
-    return scatter(skeleton, foliage.apples, fruitMesh(foliage.fruit), radius);
+    return scatter(skeleton, foliage.apples, oneApple(foliage.fruit, alpha, model));
 }
 
 } // namespace ramure

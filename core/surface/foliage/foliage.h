@@ -58,6 +58,10 @@ enum class FoliageModel : std::uint8_t {
     Fine,  ///< equilateral triangles of side alpha, spheres of radius alpha / 2
 };
 
+/// What all leaves or apples of a tree are copies of, in the frame of an item of size and tone 1.
+TriangleMesh oneLeaf(const LeafForm& form, double alpha, FoliageModel model);
+TriangleMesh oneApple(const FruitForm& form, double alpha, FoliageModel model);
+
 /// A faithful leaf is one flat face about its position, its normal its own +Z; a plant's is its leafMesh, in
 /// the rough model a card where its blade is. All are to be drawn on both sides.
 TriangleMesh buildLeaves(const Skeleton& skeleton, const Foliage& foliage, double alpha, FoliageModel model);

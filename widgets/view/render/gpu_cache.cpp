@@ -1,5 +1,7 @@
 #include "widgets/view/render/gpu_cache.h"
 
+#include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -96,14 +98,35 @@ const GpuBlock& GpuCache::mesh(const std::shared_ptr<const TriangleMesh>& mesh,
                                const std::shared_ptr<const Skin>& skin)
 {
     GpuBlock& block = meshBlock(mesh);
-    attachSkin(block, skin);
+    attachSkin(block, skin, nullptr);
     return drawn(block);
 }
 
-bool GpuCache::hasColours(const std::shared_ptr<const TriangleMesh>& mesh) const
+const GpuBlock& GpuCache::item(const MeshItem& item)
 {
-    const auto found = m_blocks.find(mesh.get());
-    return found != m_blocks.end() && found->second.texture != 0;
+    GpuBlock& block = itemBlock(item);
+    attachSkin(block, item.motion.skin, item.copies.get());
+    return drawn(block);
+}
+
+void GpuCache::restAttributes()
+{
+    // The functions of 3.3 core leave them out, though the profile has them.
+    QOpenGLFunctions& gl = *QOpenGLContext::currentContext()->functions();
+    for (const GLuint white : {4u, 10u})
+        gl.glVertexAttrib4f(white, 1.0f, 1.0f, 1.0f, 1.0f);
+    for (const GLuint place : {8u, 9u})
+        gl.glVertexAttrib4f(place, 0.0f, 0.0f, 0.0f, 1.0f);
+}
+
+void GpuCache::drawTriangles(const GpuBlock& block, bool light)
+{
+    m_gl.glBindVertexArray(block.vertexArray);
+    if (block.copies > 0)
+        m_gl.glDrawElementsInstanced(GL_TRIANGLES, light ? block.light : block.count, GL_UNSIGNED_INT,
+                                     offset(light ? block.lightFrom : 0), block.copies);
+    else
+        m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
 }
 
 const GpuBlock& GpuCache::lines(const std::shared_ptr<const LineSet>& lines)
@@ -128,12 +151,22 @@ bool GpuCache::prepare(const RenderScene& scene, std::size_t bytes)
         ready = ready && block.waiting.empty();
     };
     for (const MeshItem& item : scene.meshes)
-        add(meshBlock(item.mesh));
+        add(itemBlock(item));
     for (const LineItem& item : scene.lines)
         add(lineBlock(item.lines));
     for (const PointItem& item : scene.points)
         add(pointBlock(item.points));
     return ready;
+}
+
+GpuBlock& GpuCache::itemBlock(const MeshItem& item)
+{
+    if (!item.copies)
+        return meshBlock(item.mesh);
+    const auto [block, isNew] = slot(item.copies);
+    if (isNew)
+        fillCopies(block, *item.copies);
+    return block;
 }
 
 GpuBlock& GpuCache::meshBlock(const std::shared_ptr<const TriangleMesh>& mesh)
@@ -172,6 +205,32 @@ void GpuCache::fillMesh(GpuBlock& block, const TriangleMesh& mesh)
     m_gl.glBindVertexArray(0);
     if (!mesh.colours.empty() && mesh.colours.size() == mesh.triangles.size())
         fillColours(block, mesh.colours);
+}
+
+void GpuCache::fillCopies(GpuBlock& block, const MeshCopies& copies)
+{
+    fillMesh(block, copies.shape);
+    block.copies = static_cast<GLsizei>(copies.copies.size());
+    block.count = static_cast<GLsizei>(3 * copies.faces);
+    block.light = static_cast<GLsizei>(3 * copies.lightFaces);
+    block.lightFrom = sizeof(glm::uvec3) * (copies.shape.faceCount() - copies.lightFaces);
+    m_gl.glBindVertexArray(block.vertexArray);
+    addBuffer(block, GL_ARRAY_BUFFER, copies.copies.data(), copies.copies.size() * sizeof(MeshCopy));
+    constexpr GLsizei stride = sizeof(MeshCopy);
+    m_gl.glVertexAttribIPointer(2, 1, GL_UNSIGNED_INT, stride, offset(offsetof(MeshCopy, branch)));
+    m_gl.glVertexAttribPointer(8, 4, GL_FLOAT, GL_FALSE, stride, offset(offsetof(MeshCopy, position)));
+    m_gl.glVertexAttribPointer(9, 4, GL_FLOAT, GL_FALSE, stride, offset(offsetof(MeshCopy, turn)));
+    m_gl.glVertexAttribPointer(10, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, offset(offsetof(MeshCopy, tint)));
+    for (const GLuint attribute : {2u, 8u, 9u, 10u}) {
+        m_gl.glEnableVertexAttribArray(attribute);
+        m_gl.glVertexAttribDivisor(attribute, 1);
+    }
+    if (!copies.colours.empty()) {
+        addBuffer(block, GL_ARRAY_BUFFER, copies.colours.data(), copies.colours.size() * sizeof(glm::u8vec4));
+        m_gl.glVertexAttribPointer(4, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
+        m_gl.glEnableVertexAttribArray(4);
+    }
+    m_gl.glBindVertexArray(0);
 }
 
 /// A texture: the colours of the triangles, row after row.
@@ -262,30 +321,45 @@ struct VertexInfluence
     float slope;
 };
 
-const GpuBlock& GpuCache::influences(const std::shared_ptr<const Skin>& skin)
+/// One for each copy, where there are some: a copy's vertices all follow the same bones.
+static std::vector<VertexInfluence> influencesOf(const Skin& skin, const MeshCopies& copies)
+{
+    const std::size_t count = copies.copies.size();
+    const std::size_t vertices = std::max<std::size_t>(1, skin.vertices / std::max<std::size_t>(1, count));
+    std::vector<VertexInfluence> all(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const SkinInfluence& influence = skin.of(static_cast<Index>(copies.pieceOf(i) * vertices));
+        all[i] = {influence.bone, influence.weight, 0.0f};
+    }
+    return all;
+}
+
+const GpuBlock& GpuCache::influences(const std::shared_ptr<const Skin>& skin, const MeshCopies* copies)
 {
     const auto [block, isNew] = slot(skin);
     if (!isNew)
         return block;
-    std::vector<VertexInfluence> all(skin->vertices);
-    for (std::size_t r = 0; r < skin->runs.size(); ++r) {
+    std::vector<VertexInfluence> all(copies ? 0 : skin->vertices);
+    for (std::size_t r = 0; r < skin->runs.size() && !copies; ++r) {
         const SkinRun& run = skin->runs[r];
         const Index end = r + 1 < skin->runs.size() ? skin->runs[r + 1].firstVertex : skin->vertices;
         std::fill(all.begin() + run.firstVertex, all.begin() + end,
                   VertexInfluence{run.influence.bone, run.influence.weight, run.slope});
     }
+    if (copies)
+        all = influencesOf(*skin, *copies);
     addBuffer(block, GL_ARRAY_BUFFER, all.data(), all.size() * sizeof(VertexInfluence));
     fill(block, std::numeric_limits<std::size_t>::max()); // the vector is gone afterwards
-    block.count = static_cast<GLsizei>(skin->vertices);
+    block.count = static_cast<GLsizei>(all.size());
     return block;
 }
 
 /// The mesh's vertex array reads this skin from now on; without one, what it reads is not used.
-void GpuCache::attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& skin)
+void GpuCache::attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& skin, const MeshCopies* copies)
 {
     if (!skin)
         return;
-    const GLuint buffer = influences(skin).buffers.front().name;
+    const GLuint buffer = influences(skin, copies).buffers.front().name;
     if (block.skin == skin)
         return;
     m_gl.glBindVertexArray(block.vertexArray);
@@ -294,8 +368,10 @@ void GpuCache::attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& sk
     m_gl.glVertexAttribIPointer(5, 3, GL_UNSIGNED_INT, stride, offset(offsetof(VertexInfluence, bone)));
     m_gl.glVertexAttribPointer(6, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(VertexInfluence, weight)));
     m_gl.glVertexAttribPointer(7, 1, GL_FLOAT, GL_FALSE, stride, offset(offsetof(VertexInfluence, slope)));
-    for (const GLuint attribute : {5u, 6u, 7u})
+    for (const GLuint attribute : {5u, 6u, 7u}) {
         m_gl.glEnableVertexAttribArray(attribute);
+        m_gl.glVertexAttribDivisor(attribute, copies ? 1 : 0);
+    }
     m_gl.glBindVertexArray(0);
     block.skin = skin;
 }

@@ -22,9 +22,15 @@ struct GpuBlock
     GLuint texture = 0;               ///< of a mesh: the colours of its triangles
     GLuint normals = 0;               ///< of bark: a second texture
     GLsizei count = 0;                ///< indices, instances, or entries
+    GLsizei copies = 0;               ///< of a mesh: how many are drawn; 0: it is drawn itself
+    GLsizei light = 0;                ///< indices of the copies' shape of fewer faces, its last ones
+    std::size_t lightFrom = 0;        ///< bytes to the first of them
     std::shared_ptr<const void> skin; ///< of a mesh: whose influences its vertex array reads
     std::uint64_t usedIn = 0;
     bool prepared = false; ///< kept for a picture to come
+
+    /// Have the triangles of a mesh colours of their own?
+    [[nodiscard]] bool hasColours() const { return texture != 0; }
 
     /// What is not in its buffer yet.
     struct Piece
@@ -60,8 +66,12 @@ public:
     /// \p skin may be null.
     const GpuBlock& mesh(const std::shared_ptr<const TriangleMesh>& mesh,
                          const std::shared_ptr<const Skin>& skin);
-    /// Have the triangles of this mesh, which was asked for, colours of their own?
-    [[nodiscard]] bool hasColours(const std::shared_ptr<const TriangleMesh>& mesh) const;
+    /// What is drawn of an item: its mesh or the copies in its place.
+    const GpuBlock& item(const MeshItem& item);
+    /// All that is no copy stands where its mesh has it: to be called before triangles are drawn.
+    void restAttributes();
+    /// Leaves the block's vertex array bound. \param light copies of fewer faces.
+    void drawTriangles(const GpuBlock& block, bool light = false);
     /// A texture: per bone the rotation (x, y, z, w) and the translation.
     const GpuBlock& bones(const std::shared_ptr<const std::vector<RigidTransform>>& bones);
     const GpuBlock& lines(const std::shared_ptr<const LineSet>& lines);
@@ -88,12 +98,14 @@ public:
 
 private:
     void fillMesh(GpuBlock& block, const TriangleMesh& mesh);
+    void fillCopies(GpuBlock& block, const MeshCopies& copies);
     void fillColours(GpuBlock& block, const std::vector<glm::u8vec3>& colours);
     const GpuBlock& bark(const std::shared_ptr<const BarkMaps>& maps);
     /// A sampler must have a texture even where the program does not read it.
     GLuint restTexture();
-    const GpuBlock& influences(const std::shared_ptr<const Skin>& skin);
-    void attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& skin);
+    const GpuBlock& influences(const std::shared_ptr<const Skin>& skin, const MeshCopies* copies);
+    void attachSkin(GpuBlock& block, const std::shared_ptr<const Skin>& skin, const MeshCopies* copies);
+    GpuBlock& itemBlock(const MeshItem& item);
     GpuBlock& meshBlock(const std::shared_ptr<const TriangleMesh>& mesh);
     GpuBlock& lineBlock(const std::shared_ptr<const LineSet>& lines);
     GpuBlock& pointBlock(const std::shared_ptr<const PointSet>& points);

@@ -11,6 +11,7 @@
 #include "core/scene/scene.h"
 #include "core/surface/bark/bark_maps.h"
 #include "core/surface/mesh/triangle_mesh.h"
+#include "widgets/view/render/mesh_copies.h"
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
@@ -91,6 +92,7 @@ struct OutlinedFaces
 struct MeshItem
 {
     std::shared_ptr<const TriangleMesh> mesh; ///< at rest
+    std::shared_ptr<const MeshCopies> copies; ///< drawn in its place: the same, in pieces; null: it is drawn
     Box box;                                  ///< of the mesh as it is now, in its own space
     SplitMesh split;                          ///< whose skin it follows, where it has none of its own
     ItemMotion motion;                        ///< drawn so; the mesh itself stays as it is

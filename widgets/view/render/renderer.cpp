@@ -121,13 +121,15 @@ Expected<std::unique_ptr<Renderer>> Renderer::make()
 
 std::vector<std::pair<Renderer::Program, ShaderSources>> Renderer::programs()
 {
-    const std::vector<const char*> mesh{"states.glsl", "skin.glsl", "skin_mesh.glsl", "mesh.vert"};
+    const std::vector<const char*> mesh{"states.glsl", "skin.glsl", "skin_mesh.glsl", "copy.glsl",
+                                        "mesh.vert"};
     const std::vector<const char*> surface{"colour.glsl", "lighting.glsl", "texture.glsl", "mesh.frag"};
     return {
         {&Renderer::m_mesh, {mesh, nullptr, surface}},
         {&Renderer::m_meshColours, {mesh, nullptr, surface, "#define COLOURS\n"}},
         {&Renderer::m_meshWire, {mesh, "mesh.geom", surface, "#define COLOURS\n#define WIRE\n"}},
-        {&Renderer::m_shadow, {{"skin.glsl", "skin_mesh.glsl", "shadow.vert"}, nullptr, {"shadow.frag"}}},
+        {&Renderer::m_shadow,
+         {{"skin.glsl", "skin_mesh.glsl", "copy.glsl", "shadow.vert"}, nullptr, {"shadow.frag"}}},
         {&Renderer::m_world, {{"world.vert"}, nullptr, {"colour.glsl", "lighting.glsl", "world.frag"}}},
         {&Renderer::m_line, {{"states.glsl", "skin.glsl", "line.vert"}, nullptr, {"line.frag"}}},
         {&Renderer::m_point, {{"states.glsl", "skin.glsl", "point.vert"}, nullptr, {"point.frag"}}},
@@ -164,6 +166,7 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
 {
     Stopwatch watch;
     m_cache.beginPicture();
+    m_cache.restAttributes();
     upload(scene);
     m_stats.uploadMs = watch.elapsed().wallMs;
     watch.restart();
@@ -255,7 +258,7 @@ void Renderer::beginState(QSize size)
 void Renderer::upload(const RenderScene& scene)
 {
     for (const MeshItem& item : scene.meshes)
-        m_cache.mesh(item.mesh, item.motion.skin);
+        m_cache.item(item);
     for (const GhostItem& item : scene.ghosts)
         m_cache.mesh(item.mesh, nullptr);
     for (const LineItem& item : scene.lines)
@@ -330,11 +333,9 @@ void Renderer::drawWorld(const Picture& picture)
 
 void Renderer::drawMeshDepth(const Picture& picture, const MeshItem& item)
 {
-    const GpuBlock& block = m_cache.mesh(item.mesh, item.motion.skin);
     m_cache.bindBones(*m_shadow, item.motion);
     m_shadow->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
-    m_gl.glBindVertexArray(block.vertexArray);
-    m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
+    m_cache.drawTriangles(m_cache.item(item));
 }
 
 // Leaves cover each other many times over: with the depth known, only what is seen is shaded.
@@ -361,7 +362,7 @@ void Renderer::beginMeshes(ShaderProgram& program, const Picture& picture, Shadi
 
 void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const MeshItem& item)
 {
-    const GpuBlock& block = m_cache.mesh(item.mesh, item.motion.skin);
+    const GpuBlock& block = m_cache.item(item);
     m_cache.bindBones(program, item.motion);
     m_cache.bindColours(program, block);
     m_cache.bindBark(program, item.bark);
@@ -380,8 +381,7 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     program.set("uTileSize", item.tileSize);
     program.set("uOpacity", item.opacity);
     m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
-    m_gl.glBindVertexArray(block.vertexArray);
-    m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
+    m_cache.drawTriangles(block);
     m_gl.glFrontFace(GL_CCW);
 }
 
@@ -395,7 +395,7 @@ void Renderer::drawMeshes(const Picture& picture, ShadingMode shading, bool fade
                                                                : *m_mesh;
         beginMeshes(program, picture, shading);
         for (const MeshItem& item : picture.scene.meshes)
-            if ((item.opacity < 1.0f) == faded && m_cache.hasColours(item.mesh) == coloured)
+            if ((item.opacity < 1.0f) == faded && m_cache.item(item).hasColours() == coloured)
                 drawMesh(program, picture, item);
     }
 }
@@ -428,11 +428,15 @@ void Renderer::drawOutline(const Picture& picture, GLuint target)
     for (const MeshItem& item : picture.scene.meshes) {
         if (!item.outlined)
             continue;
-        const GpuBlock& block = m_cache.mesh(item.mesh, item.motion.skin);
+        const GpuBlock& block = m_cache.item(item);
         m_cache.bindBones(*m_shadow, item.motion);
         m_shadow->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
-        m_gl.glBindVertexArray(block.vertexArray);
-        m_outline.mask(*item.outlined, block.count);
+        if (item.copies) {
+            m_cache.drawTriangles(block, true);
+        } else {
+            m_gl.glBindVertexArray(block.vertexArray);
+            m_outline.mask(*item.outlined, block.count);
+        }
     }
     m_line->bind();
     m_line->set("uViewport", m_outline.maskSize());

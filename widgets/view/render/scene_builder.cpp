@@ -77,11 +77,12 @@ struct TreeItems
             });
     }
 
-    void addMesh(std::shared_ptr<const TriangleMesh> mesh, Material material)
+    /// Null where nothing of it is shown.
+    MeshItem* addMesh(std::shared_ptr<const TriangleMesh> mesh, Material material)
     {
         mesh = shown(std::move(mesh));
         if (!mesh || mesh->empty())
-            return;
+            return nullptr;
         MeshItem item;
         item.box = cache.box(mesh);
         item.mesh = std::move(mesh);
@@ -89,7 +90,26 @@ struct TreeItems
         item.world = world;
         item.node = node.id;
         item.pickable = !node.locked;
-        scene.meshes.push_back(std::move(item));
+        return &scene.meshes.emplace_back(std::move(item));
+    }
+    /// Leaves or apples: drawn as copies.
+    void addFoliage(ScenePart part, std::shared_ptr<const TriangleMesh> mesh, Material material,
+                    FoliageModel model)
+    {
+        MeshItem* item = tree.foliage ? addMesh(std::move(mesh), std::move(material)) : nullptr;
+        if (!item)
+            return;
+        const double alpha = node.params.turtle.alpha;
+        const BranchFlags flags = isIsolated() && tree.simplified
+                                      ? branchFlags(tree.simplified->skeleton.size(), view.isolatedBranches)
+                                      : BranchFlags();
+        std::vector<double> numbers =
+            flags.empty() ? std::vector<double>() : asNumbers(view.isolatedBranches);
+        numbers.insert(numbers.begin(), {alpha, double(model)});
+        item->copies = cache.get<MeshCopies>(part, tree.foliage, item->mesh, std::move(numbers), [&] {
+            const auto make = part == ScenePart::LeafCopies ? leafCopies : appleCopies;
+            return make(*tree.foliage, alpha, model, flags);
+        });
     }
     void addLines(std::shared_ptr<const LineSet> lines, bool throughSurfaces, bool pickable)
     {
@@ -120,9 +140,9 @@ struct TreeItems
         else if (!pictured())
             addMesh({tree.branches, &tree.branches->mesh}, barkMaterial(node.params.bark));
         if (view.leaves)
-            addMesh(tree.leaves, leavesMaterial(leaf()));
+            addFoliage(ScenePart::LeafCopies, tree.leaves, leavesMaterial(leaf()), FoliageModel::Fine);
         if (view.apples)
-            addMesh(tree.apples, applesMaterial(fruit()));
+            addFoliage(ScenePart::AppleCopies, tree.apples, applesMaterial(fruit()), FoliageModel::Fine);
     }
     /// The branches with their texture coordinates, which may be none.
     std::shared_ptr<const TexturedMesh> mapped()
@@ -137,15 +157,13 @@ struct TreeItems
     /// Null where nothing of it is shown.
     MeshItem* addMapped(const std::shared_ptr<const TexturedMesh>& made)
     {
-        const std::size_t before = scene.meshes.size();
-        addMesh({made, &made->mesh}, barkMaterial(node.params.bark));
-        if (scene.meshes.size() == before)
+        MeshItem* item = addMesh({made, &made->mesh}, barkMaterial(node.params.bark));
+        if (!item)
             return nullptr;
-        MeshItem& item = scene.meshes.back();
-        item.tileSize = static_cast<float>(made->coordinates->tileSize);
-        if (item.mesh.get() == &made->mesh)
-            item.split = {{tree.branches, &tree.branches->mesh}, {made, &made->coordinates->vertex}};
-        return &item;
+        item->tileSize = static_cast<float>(made->coordinates->tileSize);
+        if (item->mesh.get() == &made->mesh)
+            item->split = {{tree.branches, &tree.branches->mesh}, {made, &made->coordinates->vertex}};
+        return item;
     }
     /// The branches with a picture of bark; false where there is none.
     bool pictured()
@@ -168,11 +186,15 @@ struct TreeItems
     /// Without leaves in front; as a plain mesh where there are no coordinates.
     void textured(Paint paint)
     {
-        if (!tree.branches)
-            return addMesh(tree.draftTubes, openBark());
+        if (!tree.branches) {
+            addMesh(tree.draftTubes, openBark());
+            return;
+        }
         const auto made = mapped();
-        if (made->mesh.empty())
-            return fine();
+        if (made->mesh.empty()) {
+            fine();
+            return;
+        }
         MeshItem* item = addMapped(made);
         if (!item)
             return;
@@ -199,15 +221,17 @@ struct TreeItems
             return;
         const double alpha = node.params.turtle.alpha;
         if (view.leaves)
-            addMesh(cache.get<TriangleMesh>(
-                        ScenePart::RoughLeaves, tree.simplified, tree.foliage, {alpha},
-                        [&] { return buildLeaves(skeleton, *tree.foliage, alpha, FoliageModel::Rough); }),
-                    leavesMaterial(leaf()));
+            addFoliage(ScenePart::LeafCopies,
+                       cache.get<TriangleMesh>(
+                           ScenePart::RoughLeaves, tree.simplified, tree.foliage, {alpha},
+                           [&] { return buildLeaves(skeleton, *tree.foliage, alpha, FoliageModel::Rough); }),
+                       leavesMaterial(leaf()), FoliageModel::Rough);
         if (view.apples)
-            addMesh(cache.get<TriangleMesh>(
-                        ScenePart::RoughApples, tree.simplified, tree.foliage, {alpha},
-                        [&] { return buildApples(skeleton, *tree.foliage, alpha, FoliageModel::Rough); }),
-                    applesMaterial(fruit()));
+            addFoliage(ScenePart::AppleCopies,
+                       cache.get<TriangleMesh>(
+                           ScenePart::RoughApples, tree.simplified, tree.foliage, {alpha},
+                           [&] { return buildApples(skeleton, *tree.foliage, alpha, FoliageModel::Rough); }),
+                       applesMaterial(fruit()), FoliageModel::Rough);
     }
     void skeleton()
     {
@@ -348,8 +372,8 @@ struct ObjectItems
     }
 };
 
-/// Faces of a tree's meshes that its outline is found from: most of the bark stands inside the crown.
-constexpr Index mostBark = 20'000, mostLeaves = 40'000;
+/// Faces of a tree's bark that its outline is found from: most of it stands inside the crown.
+constexpr Index mostBark = 20'000;
 
 /// The selected nodes and all below them.
 std::vector<NodeId> outlinedNodes(const Scene& scene, const std::vector<NodeId>& selected)
@@ -380,9 +404,7 @@ void outlineSelected(RenderScene& built, ScenePartCache& cache, const Scene& sce
         if (isWhole(item.node)) {
             const Node* node = scene.find(item.node);
             const bool isTree = node && node->kind == NodeKind::Tree;
-            const Index most = !isTree                                     ? 0
-                               : item.material.name == barkMaterial().name ? mostBark
-                                                                           : mostLeaves;
+            const Index most = isTree && !item.copies ? mostBark : 0;
             item.outlined = cache.get<OutlinedFaces>(ScenePart::Outlined, item.mesh, item.mesh, {}, [&] {
                 return outlinedWhole(*item.mesh, item.box, most);
             });

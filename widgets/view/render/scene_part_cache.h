@@ -27,6 +27,8 @@ enum class ScenePart : std::uint8_t {
     Inspected,
     SelectedCurves,
     Isolated,
+    LeafCopies,
+    AppleCopies,
     Textured,
     Bark,
     ArmSkin,

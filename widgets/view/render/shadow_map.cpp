@@ -79,7 +79,7 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
     std::vector<Caster> casters;
     for (const MeshItem& item : scene.meshes) {
         if (item.castsShadow && !item.mesh->empty())
-            casters.push_back({item.mesh, item.motion, item.world});
+            casters.push_back({&item, item.mesh, item.copies, item.motion, item.world});
     }
     if (casters.empty() || scene.casters.empty())
         return std::nullopt;
@@ -97,11 +97,9 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
     m_gl.glClear(GL_DEPTH_BUFFER_BIT);
     program.bind();
     for (const Caster& caster : casters) {
-        const GpuBlock& block = cache.mesh(caster.mesh, caster.motion.skin);
         cache.bindBones(program, caster.motion);
         program.set("uClip", glm::mat4(m_fit.clip * caster.world));
-        m_gl.glBindVertexArray(block.vertexArray);
-        m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
+        cache.drawTriangles(cache.item(*caster.item));
     }
     m_gl.glBindVertexArray(0);
     m_drawn = std::move(casters);

@@ -41,10 +41,16 @@ public:
 private:
     struct Caster
     {
+        const MeshItem* item; ///< of the scene at hand
         std::shared_ptr<const TriangleMesh> mesh;
+        std::shared_ptr<const MeshCopies> copies;
         ItemMotion motion;
         glm::dmat4 world;
-        bool operator==(const Caster&) const = default;
+        bool operator==(const Caster& other) const
+        {
+            return mesh == other.mesh && copies == other.copies && motion == other.motion &&
+                   world == other.world;
+        }
     };
     void create();
 

@@ -1,0 +1,41 @@
+/// \file
+/// Leaves and apples as copies of one small mesh each: what is drawn in place of the merged mesh that files
+/// and checks have.
+#pragma once
+
+#include "core/surface/foliage/foliage.h"
+#include <glm/vec4.hpp>
+#include <memory>
+#include <vector>
+
+namespace ramure {
+
+/// As the vertex shader reads it.
+struct MeshCopy
+{
+    glm::vec3 position{0.0f};
+    float size = 1.0f;
+    glm::vec4 turn{0.0f, 0.0f, 0.0f, 1.0f}; ///< a quaternion, x y z w
+    Index branch = noIndex;
+    glm::u8vec4 tint{255}; ///< sRGB, times the shape's own
+};
+
+/// Any beginning of the copies is spread over the whole tree: fewer of them still are its crown.
+struct MeshCopies
+{
+    TriangleMesh shape; ///< its first faces, then once more of fewer faces, for masks
+    Index faces = 0, lightFaces = 0;
+    std::vector<glm::u8vec4> colours; ///< sRGB, per vertex of the shape; empty: white
+    std::vector<MeshCopy> copies;
+
+    /// Which of the merged mesh's pieces a copy is.
+    [[nodiscard]] std::size_t pieceOf(std::size_t copy) const;
+};
+
+/// Nothing where there are no items. \param shown per branch, whether it is; empty: all are.
+MeshCopies leafCopies(const Foliage& foliage, double alpha, FoliageModel model,
+                      const std::vector<bool>& shown = {});
+MeshCopies appleCopies(const Foliage& foliage, double alpha, FoliageModel model,
+                       const std::vector<bool>& shown = {});
+
+} // namespace ramure
