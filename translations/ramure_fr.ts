@@ -4562,6 +4562,22 @@
         <source>Blossom</source>
         <translation>Fleurs</translation>
     </message>
+    <message>
+        <source>Petiole stiffness</source>
+        <translation>Raideur des pétioles</translation>
+    </message>
+    <message>
+        <source>How firmly a petiole holds its leaf against wind and weight: less lets leaves swing far and slowly.</source>
+        <translation>Avec quelle fermeté un pétiole tient sa feuille contre le vent et le poids&#xa0;: moins laisse les feuilles se balancer loin et lentement.</translation>
+    </message>
+    <message>
+        <source>Flutter</source>
+        <translation>Frémissement</translation>
+    </message>
+    <message>
+        <source>How much leaves tremble in the wind: 1 as usual, 0 not at all.</source>
+        <translation>Combien les feuilles tremblent dans le vent&#xa0;: 1 comme d’habitude, 0 pas du tout.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -33,15 +33,18 @@ SectionSet movedSections(const SectionSet& rest, std::span<const RigidTransform>
     return now;
 }
 
-Foliage movedFoliage(const Foliage& rest, std::span<const RigidTransform> bones)
+Foliage movedFoliage(const Foliage& rest, const NodeMotion& motion)
 {
     Foliage now = rest;
-    for (std::vector<FoliageItem>* items : {&now.leaves, &now.apples})
-        for (FoliageItem& item : *items) {
-            const RigidTransform& bone = bones[item.branch];
-            item.position = bone.point(item.position);
-            item.orientation = bone.rotation * item.orientation;
-        }
+    const std::vector<RigidTransform>& bones = *motion.bones;
+    const auto move = [](FoliageItem& item, const RigidTransform& bone) {
+        item.position = bone.point(item.position);
+        item.orientation = bone.rotation * item.orientation;
+    };
+    for (FoliageItem& apple : now.apples)
+        move(apple, bones[apple.branch]);
+    for (std::size_t i = 0; i < now.leaves.size(); ++i)
+        move(now.leaves[i], bones[motion.firstLeaf == noIndex ? now.leaves[i].branch : motion.firstLeaf + i]);
     return now;
 }
 
@@ -87,7 +90,7 @@ Expected<TreeResult> movedTree(TreeResult tree, const NodeMotion& motion, const 
     if (tree.sections)
         tree.sections = std::make_shared<const SectionSet>(movedSections(*tree.sections, bones));
     if (tree.foliage)
-        tree.foliage = std::make_shared<const Foliage>(movedFoliage(*tree.foliage, bones));
+        tree.foliage = std::make_shared<const Foliage>(movedFoliage(*tree.foliage, motion));
     return tree;
 }
 

@@ -34,9 +34,11 @@ struct NodeMotion
     std::shared_ptr<const TriangleMesh> leavesMesh, applesMesh;
     std::shared_ptr<const Skin> branches, leaves, apples;
     SkinMethod method = SkinMethod::DualQuaternion;
-    /// One per branch of the simplified skeleton, then one per apple; tree space.
+    /// One per branch of the simplified skeleton, then one per apple, then, where leaves swing on their
+    /// petioles, one per leaf; tree space.
     std::shared_ptr<const std::vector<RigidTransform>> bones;
-    Box box; ///< of the moved tree, tree space; a little generous
+    Index firstLeaf = noIndex; ///< the bone of the first leaf; noIndex: they go with their branches
+    Box box;                   ///< of the moved tree, tree space; a little generous
     PhysicsFigures figures;
     std::shared_ptr<const ArmProgress> arm; ///< of arms only
     bool reshapes = false;                  ///< of arms only: tracks change the mesh that follows the bones

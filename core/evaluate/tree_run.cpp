@@ -36,11 +36,40 @@ bool TreeRun::setBody(const TreeResult& rest, const NodeParams& params)
     return true;
 }
 
+/// A leaf of a plant has a bone of its own; others go with their branches.
+Expected<void> TreeRun::setLeaves(const TreeResult& tree, bool smooth)
+{
+    m_swing.reset();
+    m_motion.firstLeaf = noIndex;
+    if (!tree.foliage)
+        return {};
+    const Skeleton& skeleton = tree.simplified->skeleton;
+    const std::vector<FoliageItem>& leaves = tree.foliage->leaves;
+    Expected<Skin> skin;
+    if (tree.foliage->form.shape != LeafShape::Faithful) {
+        auto anchors = bindAnchors(leaves, *tree.branches, skeleton, smooth);
+        if (!anchors)
+            return fail(std::move(anchors.error()));
+        m_swing.emplace(skeleton, *tree.foliage, m_alpha, std::move(*anchors));
+        m_motion.firstLeaf = skeleton.size() + static_cast<Index>(tree.foliage->apples.size());
+        if (tree.leaves)
+            skin = bindLoose(*tree.leaves, leaves.size(), m_motion.firstLeaf);
+    } else if (tree.leaves) {
+        skin = bindFoliage(*tree.leaves, leaves, *tree.branches, skeleton, smooth);
+    }
+    if (!skin)
+        return fail(std::move(skin.error()));
+    if (tree.leaves)
+        m_motion.leaves = std::make_shared<const Skin>(std::move(*skin));
+    return {};
+}
+
 Expected<void> TreeRun::setSkins(const TreeResult& tree, SkinMethod method)
 {
     const bool smooth = method != SkinMethod::Rigid;
     const bool same = m_motion.branches && m_smooth == smooth && m_motion.mesh == tree.branches &&
-                      m_motion.leavesMesh == tree.leaves && m_motion.applesMesh == tree.apples;
+                      m_leavesOf == tree.foliage && m_motion.leavesMesh == tree.leaves &&
+                      m_motion.applesMesh == tree.apples;
     m_motion.method = method;
     if (same)
         return {};
@@ -50,12 +79,8 @@ Expected<void> TreeRun::setSkins(const TreeResult& tree, SkinMethod method)
         return fail(std::move(branches.error()));
     m_motion.branches = std::make_shared<const Skin>(std::move(*branches));
     m_motion.leaves = m_motion.apples = nullptr;
-    if (tree.foliage && tree.leaves) {
-        auto leaves = bindFoliage(*tree.leaves, tree.foliage->leaves, *tree.branches, skeleton, smooth);
-        if (!leaves)
-            return fail(std::move(leaves.error()));
-        m_motion.leaves = std::make_shared<const Skin>(std::move(*leaves));
-    }
+    if (auto leaves = setLeaves(tree, smooth); !leaves)
+        return leaves;
     if (tree.foliage && tree.apples) {
         auto apples = bindLoose(*tree.apples, tree.foliage->apples.size(), skeleton.size());
         if (!apples)
@@ -63,6 +88,7 @@ Expected<void> TreeRun::setSkins(const TreeResult& tree, SkinMethod method)
         m_motion.apples = std::make_shared<const Skin>(std::move(*apples));
     }
     m_motion.mesh = tree.branches;
+    m_leavesOf = tree.foliage;
     m_motion.leavesMesh = tree.leaves;
     m_motion.applesMesh = tree.apples;
     m_smooth = smooth;
@@ -72,6 +98,7 @@ Expected<void> TreeRun::setSkins(const TreeResult& tree, SkinMethod method)
 Expected<bool> TreeRun::setTree(const TreeResult& rest, const NodeParams& params)
 {
     const bool isOther = setBody(rest, params);
+    m_leaf = params.leaf;
     if (auto set = setSkins(rest, params.skin.method); !set)
         return fail(std::move(set.error()));
     return isOther;
@@ -129,39 +156,62 @@ static Box movedBox(const TreeBody& body, const std::vector<RigidTransform>& bon
     return box.grown(thickest + leafReach * body.appleRadius);
 }
 
+Expected<void> TreeRun::seek(std::int64_t step, Pose& pose, LeafBends& bends, const Progress& progress)
+{
+    auto there = m_cache->seek(step, progress);
+    if (there) {
+        m_cache->pose(pose);
+        if (m_swing)
+            m_swing->swing(m_cache->physics().body(), m_cache->state(), m_cache->params(), m_leaf, bends);
+    }
+    return there;
+}
+
+std::vector<RigidTransform> TreeRun::bones() const
+{
+    const TreeBody& body = m_cache->physics().body();
+    const PhysicsState& state = m_cache->state();
+    const std::size_t branches = m_pose.bones.size(), apples = body.appleSlot.size();
+    std::vector<RigidTransform> bones(branches + apples + (m_swing ? m_swing->size() : 0));
+    std::ranges::copy(m_pose.bones, bones.begin());
+    for (std::size_t apple = 0; apple < apples; ++apple)
+        bones[branches + apple] = m_pose.bones[body.branchOf[body.appleSlot[apple]]];
+    const std::vector<RigidTransform> loose = m_cache->physics().loosePoses(state);
+    for (std::size_t i = 0; i < loose.size(); ++i)
+        bones[branches + state.loose[i].apple] = loose[i];
+    if (m_swing)
+        m_swing->pose(m_pose.bones, m_motion.method, m_bends, std::span(bones).subspan(branches + apples));
+    return bones;
+}
+
 Expected<NodeMotion> TreeRun::motionAt(double seconds, const TimelineSettings& timeline,
                                        const Progress& progress)
 {
     using Clock = std::chrono::steady_clock;
     const LoopBlend blend = loopBlend(timeline, seconds);
-    if (blend.weight > 0.0) { // the run goes back for the pose of the round before
-        if (auto there = m_cache->seek(m_cache->stepAt(blend.earlierSeconds), progress.part(0.0, 0.5));
+    if (blend.weight > 0.0) // the run goes back for the pose of the round before
+        if (auto there = seek(m_cache->stepAt(blend.earlierSeconds), m_earlier, m_earlierBends,
+                              progress.part(0.0, 0.5));
             !there)
             return fail(std::move(there.error()));
-        m_cache->pose(m_earlier);
-    }
     const std::int64_t step = m_cache->stepAt(seconds), from = m_cache->step();
     const Clock::time_point start = Clock::now();
-    if (auto there = m_cache->seek(step, progress.part(blend.weight > 0.0 ? 0.5 : 0.0, 1.0)); !there)
+    if (auto there = seek(step, m_pose, m_bends, progress.part(blend.weight > 0.0 ? 0.5 : 0.0, 1.0)); !there)
         return fail(std::move(there.error()));
     NodeMotion motion = m_motion;
     if (step > from)
         motion.stepSeconds =
             std::chrono::duration<double>(Clock::now() - start).count() / double(step - from);
-    m_cache->pose(m_pose);
-    if (blend.weight > 0.0)
+    if (blend.weight > 0.0) {
         blendPose(m_cache->physics().body(), m_earlier, blend.weight, m_pose);
-    auto bones = std::make_shared<std::vector<RigidTransform>>(m_pose.bones);
+        m_bends.blend(m_earlierBends, static_cast<float>(blend.weight));
+    }
     const TreeBody& body = m_cache->physics().body();
-    for (const Index slot : body.appleSlot)
-        bones->push_back(m_pose.bones[body.branchOf[slot]]);
-    const PhysicsState& state = m_cache->state();
-    const std::vector<RigidTransform> loose = m_cache->physics().loosePoses(state);
-    for (std::size_t i = 0; i < loose.size(); ++i)
-        (*bones)[m_pose.bones.size() + state.loose[i].apple] = loose[i];
-    motion.box = movedBox(body, *bones);
-    motion.bones = std::move(bones);
-    motion.figures = m_cache->physics().figures(state);
+    motion.bones = std::make_shared<const std::vector<RigidTransform>>(bones());
+    motion.box = movedBox(body, *motion.bones);
+    if (m_swing)
+        motion.box = motion.box.grown(m_swing->reach());
+    motion.figures = m_cache->physics().figures(m_cache->state());
     motion.step = step;
     return motion;
 }

@@ -5,7 +5,9 @@
 
 #include "core/evaluate/node_motion.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/rig/physics/leaf_swing.h"
 #include "core/rig/physics/physics_cache.h"
+#include <optional>
 
 namespace ramure {
 
@@ -32,6 +34,9 @@ public:
 private:
     bool setBody(const TreeResult& rest, const NodeParams& params);
     Expected<void> setSkins(const TreeResult& rest, SkinMethod method);
+    Expected<void> setLeaves(const TreeResult& rest, bool smooth);
+    [[nodiscard]] std::vector<RigidTransform> bones() const; ///< of the pose and the bends
+    Expected<void> seek(std::int64_t step, Pose& pose, LeafBends& bends, const Progress& progress);
     void setTrackedPhysics(const PhysicsParams& params, const NodeAnimation& animation, double seconds);
 
     std::shared_ptr<const SimplifiedSkeleton> m_skeleton;
@@ -44,7 +49,11 @@ private:
     bool m_mixed = false;
     NodeMotion m_motion; ///< meshes and skins; the rest is of the moment asked for last
     bool m_smooth = false;
+    LeafParams m_leaf;
+    std::shared_ptr<const Foliage> m_leavesOf;
+    std::optional<LeafSwing> m_swing; ///< of plants' leaves
     Pose m_pose, m_earlier;
+    LeafBends m_bends, m_earlierBends;
 };
 
 /// The tree as it stands in a motion: skeletons, sections, meshes and foliage in their place of then, the

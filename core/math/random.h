@@ -20,6 +20,8 @@ enum class RandomStream : std::uint64_t {
     BranchTurn = 7,
     BranchShape = 8,
     TwigLeaves = 9,
+    LeafSwing = 10,
+    LeafFall = 11,
     ArmStart = 20,
     Terrain = 21,
     Test = 1000

@@ -50,6 +50,14 @@ inline constexpr std::array dressRows{
          RAMURE_NOOP("How far a petiole twists to turn the upper side of its leaf to the sky: 0 not at all, 1 as far as it "
                      "goes.")},
         ParamUnit::Ratio, {0, 1, 0, 1, 0.05, 3}, Stage::Foliage, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::stiffness>(
+        {"foliage.leafStiffness", foliageGroup, RAMURE_NOOP("Petiole stiffness"),
+         RAMURE_NOOP("How firmly a petiole holds its leaf against wind and weight: less lets leaves swing far and slowly.")},
+        ParamUnit::Factor, {0.05, 20, 0.2, 5, 0.05, 3}, Stage::Motion, paramNone, treeOnly, isOfPlant),
+    row<&NodeParams::leaf, &LeafParams::flutter>(
+        {"foliage.leafFlutter", foliageGroup, RAMURE_NOOP("Flutter"),
+         RAMURE_NOOP("How much leaves tremble in the wind: 1 as usual, 0 not at all.")},
+        ParamUnit::Factor, {0, 4, 0, 2, 0.05, 3}, Stage::Motion, paramNone, treeOnly, isOfPlant),
     row<&NodeParams::leaf, &LeafParams::size>(
         {"foliage.leafSize", foliageGroup, RAMURE_NOOP("Leaf size"),
          RAMURE_NOOP("1 as the plant has it on a tree with such a trunk; 0 leaves the twigs bare.")},

@@ -1,6 +1,8 @@
 // Tree physics: per branch and step; poses and figures; seeks in a cached run.
 #include "core/math/random.h"
+#include "core/rig/physics/leaf_swing.h"
 #include "core/rig/physics/physics_cache.h"
+#include "core/surface/mesher/branch_mesh.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 
@@ -69,6 +71,37 @@ void BM_physicsFigures(benchmark::State& state)
     label(state, *body);
 }
 BENCHMARK(BM_physicsFigures)->ArgsProduct({{8, 13}, {1}})->Unit(benchmark::kMicrosecond);
+
+/// Per leaf and frame: how it swings, and the bone that comes of it.
+void BM_leafSwing(benchmark::State& state)
+{
+    const bench::Growth tree("SmallTree", static_cast<int>(state.range(0)));
+    const Skeleton skeleton = tree.simplified();
+    LeafParams leaf;
+    leaf.shape = LeafShape::Oak;
+    const double alpha = tree.params.turtle.alpha;
+    const Foliage foliage =
+        bench::need(placeFoliage(skeleton, tree.params.foliage, leaf, tree.params.fruit, alpha));
+    const BranchMesh mesh = bench::need(buildBranchMesh(skeleton, {}));
+    LeafSwing swing(skeleton, foliage, alpha, bench::need(bindAnchors(foliage.leaves, mesh, skeleton, true)));
+    const auto body = makeTreeBody(skeleton, nullptr, alpha);
+    TreePhysics physics(body, {});
+    PhysicsState now = physics.restState();
+    for (int k = 0; k < 100; ++k)
+        physics.step(now);
+    Pose pose;
+    physics.pose(now, pose);
+    LeafBends bends;
+    std::vector<RigidTransform> bones(swing.size());
+    for (auto _ : state) {
+        swing.swing(*body, now, physics.params(), leaf, bends);
+        if (state.range(1) == 1)
+            swing.pose(pose.bones, SkinMethod::DualQuaternion, bends, bones);
+    }
+    state.SetLabel(std::to_string(swing.size()) + " leaves");
+    state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations() * swing.size()));
+}
+BENCHMARK(BM_leafSwing)->ArgsProduct({{8, 12}, {0, 1}})->Unit(benchmark::kMicrosecond);
 
 /// What a change of a value costs while playing: with the next step.
 void BM_physicsLiveChange(benchmark::State& state)

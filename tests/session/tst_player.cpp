@@ -121,8 +121,8 @@ void TestPlayer::seekingGivesAFrame()
     const TreeResult& result = m_document->result(tree)->tree;
     QCOMPARE(motion(tree).mesh, result.branches);
     QCOMPARE(motion(tree).branches->vertices, result.branches->mesh.vertexCount());
-    QCOMPARE(motion(tree).bones->size(),
-             std::size_t(result.simplified->skeleton.size()) + result.foliage->apples.size());
+    QCOMPARE(motion(tree).bones->size(), result.simplified->skeleton.size() + result.foliage->apples.size() +
+                                             result.foliage->leaves.size());
     QVERIFY(motion(tree).figures.lengthError < 1e-6);
     QVERIFY(!motion(tree).box.empty());
 }

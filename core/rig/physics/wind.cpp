@@ -105,9 +105,26 @@ WindField::Moment WindField::at(double t) const
     return moment;
 }
 
+WindField::Moment WindField::felt(double t, double rate, double ratio) const
+{
+    Moment moment;
+    moment.mean = m_mean;
+    for (std::size_t w = 0; w < waves; ++w) {
+        // 1 / (1 - r² + 2 i ratio r), r = pulsation / rate.
+        const double r = m_waves[w].pulsation / rate, still = 1.0 - r * r, lag = 2.0 * ratio * r;
+        const double gain = 1.0 / (still * still + lag * lag);
+        const auto [sine, cosine] = maths::sincos(m_waves[w].pulsation * t);
+        moment.sine[w] = m_waves[w].amplitude * (gain * (still * cosine + lag * sine));
+        moment.cosine[w] = m_waves[w].amplitude * (gain * (lag * cosine - still * sine));
+    }
+    return moment;
+}
+
 glm::dvec3 WindField::velocity(const Moment& moment, Index slot) const
 {
     glm::dvec3 sum = moment.mean;
+    if (m_slots == 0)
+        return sum;
     for (int w = 0; w < waves; ++w)
         sum += moment.sine[std::size_t(w)] * sinOf(w)[slot] + moment.cosine[std::size_t(w)] * cosOf(w)[slot];
     return sum;

@@ -40,7 +40,11 @@ public:
         std::array<glm::dvec3, waves> sine{}, cosine{}; ///< factors of sinOf(w)[slot] and cosOf(w)[slot]
     };
     [[nodiscard]] Moment at(double timeSeconds) const;
-    /// m/s, tree space. The steps read the arrays themselves.
+    /// The wind as a damped spring follows it which it has driven for long: gusts slower than the spring as
+    /// they are, those near its own rate larger and later, faster ones hardly.
+    /// \param rate rad/s, undamped. \param ratio of the damping to the critical one, > 0.
+    [[nodiscard]] Moment felt(double timeSeconds, double rate, double ratio) const;
+    /// m/s, tree space. The steps read the arrays themselves. Everywhere the mean without setParams().
     [[nodiscard]] glm::dvec3 velocity(const Moment& moment, Index slot) const;
     [[nodiscard]] const double* sinOf(int wave) const { return m_sin.data() + std::size_t(wave) * m_slots; }
     [[nodiscard]] const double* cosOf(int wave) const { return m_cos.data() + std::size_t(wave) * m_slots; }

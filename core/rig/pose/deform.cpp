@@ -84,7 +84,7 @@ struct Lanes
     return {a, b, c, d};
 }
 
-/// The mean screw motions of four influences at once (see dualQuaternionMatrix in skin.cpp), in floats.
+/// The mean screw motions of four influences at once (see meanScrew in skin.cpp), in floats.
 [[gnu::always_inline]] inline void mixFour(const SkinInfluence* const* four,
                                            const std::vector<DualQuaternion>& bones, Columns* out)
 {
@@ -125,7 +125,7 @@ struct Lanes
     out[3] = {columns[0].w, columns[1].w, columns[2].w, columns[3].w};
 }
 
-/// The mean screw motion (see dualQuaternionMatrix in skin.cpp), in floats.
+/// The mean screw motion (see meanScrew in skin.cpp), in floats.
 Columns mixed(const SkinInfluence& influence, const std::vector<DualQuaternion>& bones)
 {
     const SkinInfluence* const four[] = {&influence, &influence, &influence, &influence};

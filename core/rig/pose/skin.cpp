@@ -227,7 +227,7 @@ glm::dmat4 linearMatrix(const SkinInfluence& influence, std::span<const RigidTra
 }
 
 /// Kavan, Collins, Zara, O'Sullivan: Geometric skinning with approximate dual quaternion blending, 2008.
-glm::dmat4 dualQuaternionMatrix(const SkinInfluence& influence, std::span<const RigidTransform> pose)
+RigidTransform meanScrew(const SkinInfluence& influence, std::span<const RigidTransform> pose)
 {
     const glm::dquat& pivot = pose[influence.bone[0]].rotation;
     glm::dquat real(0.0, 0.0, 0.0, 0.0), dual(0.0, 0.0, 0.0, 0.0);
@@ -242,7 +242,7 @@ glm::dmat4 dualQuaternionMatrix(const SkinInfluence& influence, std::span<const 
     real = real * scale;
     dual = dual * scale;
     const glm::dquat moved = dual * glm::conjugate(real) * 2.0;
-    return rigidMatrix(real, {moved.x, moved.y, moved.z});
+    return {real, {moved.x, moved.y, moved.z}};
 }
 
 } // namespace
@@ -278,22 +278,35 @@ Expected<Skin> bindBranches(const BranchMesh& mesh, const Skeleton& skeleton, bo
     return skin;
 }
 
-Expected<Skin> bindFoliage(const TriangleMesh& mesh, std::span<const FoliageItem> items,
-                           const BranchMesh& branches, const Skeleton& skeleton, bool smooth)
+Expected<Skin> bindAnchors(std::span<const FoliageItem> items, const BranchMesh& branches,
+                           const Skeleton& skeleton, bool smooth)
 {
-    const bool fits = items.empty() ? mesh.positions.empty() : mesh.positions.size() % items.size() == 0;
-    if (!fits || !belongs(branches, skeleton) ||
+    if (!belongs(branches, skeleton) ||
         !std::all_of(items.begin(), items.end(),
                      [&](const FoliageItem& item) { return item.branch < skeleton.size(); }))
         return mismatch();
     Skin skin;
-    skin.vertices = mesh.vertexCount();
+    skin.vertices = static_cast<Index>(items.size());
     skin.bones = skeleton.size();
-    const std::size_t perItem = items.empty() ? 0 : mesh.positions.size() / items.size();
     BranchBlend blend(branches, skeleton);
     for (std::size_t i = 0; i < items.size(); ++i)
-        append(skin, static_cast<Index>(i * perItem),
+        append(skin, static_cast<Index>(i),
                smooth ? blend.at(items[i].branch, items[i].position) : follow(items[i].branch));
+    return skin;
+}
+
+Expected<Skin> bindFoliage(const TriangleMesh& mesh, std::span<const FoliageItem> items,
+                           const BranchMesh& branches, const Skeleton& skeleton, bool smooth)
+{
+    const bool fits = items.empty() ? mesh.positions.empty() : mesh.positions.size() % items.size() == 0;
+    if (!fits)
+        return mismatch();
+    auto skin = bindAnchors(items, branches, skeleton, smooth);
+    if (skin) {
+        for (SkinRun& run : skin->runs)
+            run.firstVertex *= items.empty() ? 0 : mesh.vertexCount() / static_cast<Index>(items.size());
+        skin->vertices = mesh.vertexCount();
+    }
     return skin;
 }
 
@@ -317,8 +330,22 @@ glm::dmat4 skinMatrix(const SkinInfluence& influence, std::span<const RigidTrans
         const RigidTransform& bone = pose[influence.bone[0]];
         return rigidMatrix(bone.rotation, bone.translation);
     }
-    return method == SkinMethod::Linear ? linearMatrix(influence, pose)
-                                        : dualQuaternionMatrix(influence, pose);
+    if (method == SkinMethod::Linear)
+        return linearMatrix(influence, pose);
+    const RigidTransform mean = meanScrew(influence, pose);
+    return rigidMatrix(mean.rotation, mean.translation);
+}
+
+RigidTransform skinTransform(const SkinInfluence& influence, std::span<const RigidTransform> pose,
+                             SkinMethod method, const glm::dvec3& place)
+{
+    if (influence.weight[1] == 0.0F || method == SkinMethod::Rigid)
+        return pose[influence.bone[0]];
+    RigidTransform mean = meanScrew(influence, pose);
+    if (method == SkinMethod::Linear)
+        mean.translation =
+            glm::dvec3(linearMatrix(influence, pose) * glm::dvec4(place, 1.0)) - mean.rotation * place;
+    return mean;
 }
 
 } // namespace ramure

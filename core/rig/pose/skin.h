@@ -50,9 +50,12 @@ struct Skin
 /// Linear and DualQuaternion. Errors: Invalid where mesh and skeleton do not belong together.
 Expected<Skin> bindBranches(const BranchMesh& mesh, const Skeleton& skeleton, bool smooth);
 
-/// The skin of leaves or apples: each piece follows, as a whole, what the branch's skin follows at the place
-/// of its anchor. \param items that the mesh was made from, in their order, equally many vertices each.
-/// \param smooth as in \p branches. Errors: Invalid as above.
+/// What leaves or apples hang on: each, like a vertex of its own, on what the branch's skin follows at the
+/// place of its anchor. \param smooth as in \p branches. Errors: Invalid as above.
+Expected<Skin> bindAnchors(std::span<const FoliageItem> items, const BranchMesh& branches,
+                           const Skeleton& skeleton, bool smooth);
+/// The skin of leaves or apples, each of which follows its anchor as a whole. \param items that the mesh was
+/// made from, in their order, equally many vertices each. Errors: Invalid as above.
 Expected<Skin> bindFoliage(const TriangleMesh& mesh, std::span<const FoliageItem> items,
                            const BranchMesh& branches, const Skeleton& skeleton, bool smooth);
 
@@ -86,6 +89,10 @@ private:
 TriangleMesh deformed(const TriangleMesh& rest, const Skin& skin, std::span<const RigidTransform> pose,
                       SkinMethod method);
 
+/// How a small rigid thing at \p place goes along: its place as skinMatrix has it, turned by the mean
+/// rotation.
+RigidTransform skinTransform(const SkinInfluence& influence, std::span<const RigidTransform> pose,
+                             SkinMethod method, const glm::dvec3& place);
 /// The transform of one influence: rigid for Rigid and DualQuaternion.
 glm::dmat4 skinMatrix(const SkinInfluence& influence, std::span<const RigidTransform> pose,
                       SkinMethod method);

@@ -27,6 +27,7 @@ struct FoliageItem
     glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
     float size = 1.0F; ///< of what all have
     float tone = 1.0F; ///< brightness, of the brightest leaf's
+    std::uint32_t number = 0; ///< among the leaves of its branch; of a plant's leaf that is its address
 };
 
 struct Foliage

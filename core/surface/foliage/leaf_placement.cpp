@@ -173,6 +173,8 @@ Expected<std::vector<FoliageItem>> placeLeaves(const Placing& placing, const Lea
         for (std::size_t i = begin; i < end && !progress.cancelled(); ++i) {
             own.clear();
             grower.grow(placing.twigs[i], own);
+            for (std::size_t leaf = 0; leaf < own.size(); ++leaf)
+                own[leaf].number = static_cast<std::uint32_t>(leaf);
             std::ranges::copy(own, leaves.begin() + static_cast<std::ptrdiff_t>(first[i]));
         }
     });

@@ -114,6 +114,8 @@ void TestParamTable::keysAreThePublicInterface()
                                             "foliage.leafAngle",
                                             "foliage.leafDroop",
                                             "foliage.leafLight",
+                                            "foliage.leafStiffness",
+                                            "foliage.leafFlutter",
                                             "foliage.leafSize",
                                             "foliage.leafVariation",
                                             "foliage.leafWidth",
