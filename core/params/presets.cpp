@@ -41,13 +41,14 @@ NodeParams grown(GrammarParams grammar, TurtleParams turtle)
 
 /// The coursework says how the presets grow; they wear what suits their habit.
 NodeParams dressed(NodeParams tree, LeafShape leaf, double leafSize, FruitKind fruit, double fruitful,
-                   BarkFamily bark)
+                   BarkFamily bark, double barkLight = 0.0)
 {
     tree.leaf.shape = leaf;
     tree.leaf.size = leafSize;
     tree.fruit.kind = fruit;
     tree.foliage.applesProbability = fruitful;
     tree.bark.family = bark;
+    tree.bark.light = barkLight;
     return tree;
 }
 
@@ -60,7 +61,7 @@ std::span<const Preset> presets()
          dressed(NodeParams(), LeafShape::Apple, 1.4, FruitKind::Apple, 0.05, BarkFamily::Scaly)},
         {"FanTree", RAMURE_NOOP("Slender branches with fans of twigs"),
          dressed(grown({"EEEEEEBA", fanTreeRules, 8}, {0.15, 0.2, 0.92}), LeafShape::Cherry, 1.2,
-                 FruitKind::Cherry, 0.1, BarkFamily::Ringed)},
+                 FruitKind::Blossom, 0.35, BarkFamily::Ringed, -0.5)},
         {"TinyTree", RAMURE_NOOP("A small tree, drawn once by chance and kept"),
          dressed(grown({tinyTreeSymbols, "", 0}, {0.394, 0.2, 0.8}), LeafShape::Oak, 1.3, FruitKind::Acorn,
                  0.3, BarkFamily::Furrowed)},
