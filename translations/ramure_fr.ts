@@ -875,6 +875,30 @@
         <source>Where the sun stands, and what lies behind the trees</source>
         <translation>Où se tient le soleil, et ce qu’il y a derrière les arbres</translation>
     </message>
+    <message>
+        <source>&amp;Draft quality</source>
+        <translation>Qualité &amp;brouillon</translation>
+    </message>
+    <message>
+        <source>Sun and sky light alone</source>
+        <translation>Le soleil et la lumière du ciel seuls</translation>
+    </message>
+    <message>
+        <source>Goo&amp;d quality</source>
+        <translation>&amp;Bonne qualité</translation>
+    </message>
+    <message>
+        <source>Crowns are darker inside, while nothing moves</source>
+        <translation>L&apos;intérieur des houppiers est plus sombre, tant que rien ne bouge</translation>
+    </message>
+    <message>
+        <source>&amp;Best quality</source>
+        <translation>&amp;Meilleure qualité</translation>
+    </message>
+    <message>
+        <source>Smooth edges and soft shadows, while nothing moves</source>
+        <translation>Bords lisses et ombres douces, tant que rien ne bouge</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>

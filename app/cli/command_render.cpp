@@ -110,6 +110,12 @@ Expected<RenderOptions> optionsOf(const CommandLine& line)
         options.light.azimuthDeg = (*sun)[0];
         options.light.heightDeg = (*sun)[1];
     }
+    const QString quality = line.value("quality");
+    const auto row = std::ranges::find(qualities(), quality.toStdString(), &ModeRow<Quality>::name);
+    if (row == qualities().end())
+        return fail(ErrorCode::Unknown, "--quality \"%1\": draft, good or best expected",
+                    {quality.toStdString()});
+    options.quality = row->mode;
     const QString background = line.value("background");
     const auto known = std::ranges::find(backgroundNames, background.toStdString());
     if (known == std::end(backgroundNames))
@@ -326,6 +332,12 @@ void addOptions(CommandLine& line)
              QStringLiteral("Where the sun stands: degrees clockwise from the north (-Z; 90 is the east, X), "
                             "and its height over the horizon, 2 to 90; 136,46 without it."),
              QStringLiteral("DIRECTION,HEIGHT"));
+    line.addDefault(
+        {QStringLiteral("quality")},
+        QStringLiteral("draft (sun and sky light alone), good (crowns that are darker inside, the "
+                       "response of film; the usual) or best (several samples a pixel, softer "
+                       "shadows; slower)."),
+        QStringLiteral("draft|good|best"), QStringLiteral("good"));
     line.addDefault({QStringLiteral("background")},
                     QStringLiteral("landscape (sky and meadow), light or dark (a studio of one colour that "
                                    "takes shadows) or none (transparent)."),

@@ -67,11 +67,33 @@ vec3 barkColour(inout vec3 normal)
     return mix(young, old.rgb * old.a, age);
 }
 
+uniform bool uHasCrown;
+uniform mat4 uCrownPlace; // eye-relative -> the crown's grid
+uniform sampler3D uCrown; // the way out, share of the sky that is seen
+uniform float uExposure;  // 0: light is shown as it is
+
+const float roundness = 0.5;  // of a crown's leaves: they look the way out as much
+const float innermost = 0.22; // of the sky's light, what comes to the middle of a thick crown
+
+// Narkowicz 2015, a fit of the Academy's curve: contrast in the middle, soft highlights.
+vec3 film(vec3 c)
+{
+    return c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14);
+}
+
 vec3 shaded(vec3 albedo, vec3 normal)
 {
     float facing = dot(normal, uSun);
     float sun = sunlight(v.relative, facing < 0.0 ? -normal : normal);
-    vec3 light = hemisphere(normal) + uSunLight * max(facing, 0.0) * sun;
+    float open = 1.0;
+    vec3 round = normal;
+    if (uHasCrown) {
+        vec4 crown = texture(uCrown, (uCrownPlace * vec4(v.relative, 1.0)).xyz);
+        open = mix(innermost, 1.0, crown.a * crown.a);
+        if (uThrough > 0.0)
+            round = normalize(mix(normal, 2.0 * crown.xyz - 1.0, roundness) + 1e-4 * normal);
+    }
+    vec3 light = open * hemisphere(round) + uSunLight * max(dot(round, uSun), 0.0) * sun;
     vec3 colour = albedo * light;
     if (uThrough > 0.0)
         colour += uThrough * max(-facing, 0.0) * sun * uSunLight * albedo * vec3(1.5, 1.25, 0.4);
@@ -80,7 +102,7 @@ vec3 shaded(vec3 albedo, vec3 normal)
         float glint = pow(max(dot(reflect(-uSun, normal), toEye), 0.0), uShininess);
         colour += step(0.0, facing) * sun * glint * uGlint * uSunLight;
     }
-    return standing * colour;
+    return uExposure > 0.0 && uPaint == 0 ? film(uExposure * standing * colour) : standing * colour;
 }
 
 void main()

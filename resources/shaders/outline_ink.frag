@@ -1,6 +1,7 @@
 // A line at a fixed distance from what is masked, darker towards the outside: seen on leaves and on the sky.
 uniform sampler2D uDistance; // see outline_spread.frag
 uniform vec2 uTexel;         // of the distances, per pixel of the picture
+uniform bool uClosed;        // distances from what is far from the mask
 uniform float uScale;        // pixels per texel
 uniform float uOffset;       // pixels from the mask to the line's middle
 uniform float uWidth;        // pixels
@@ -13,6 +14,8 @@ const vec3 shade = vec3(0.16, 0.07, 0.0);
 void main()
 {
     float away = texture(uDistance, gl_FragCoord.xy * uTexel).r * (reach + 1.0) * uScale;
+    if (uClosed)
+        away = 0.8 * (reach + 1.0) * uScale - away;
     float line = 1.0 - smoothstep(0.5 * uWidth - 0.5, 0.5 * uWidth + 0.5, abs(away - uOffset));
     float rim = 0.55 * (1.0 - smoothstep(0.5 * uWidth + 0.5, 0.5 * uWidth + 1.5, abs(away - uOffset)));
     float alpha = max(line, rim);

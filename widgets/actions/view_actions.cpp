@@ -31,6 +31,7 @@ ViewActions::ViewActions(Document* document, ViewportHost* host, Preferences* pr
     // Without OpenGL there is nothing to frame and no mode to see.
     if (!host->viewport()) {
         QList<QAction*> dead = m_axes + m_moves + m_modes->actions() + m_shading->actions() + m_switches;
+        dead += m_qualities->actions();
         dead += {m_frameAll, m_frameSelection, m_light};
         for (QAction* action : dead)
             action->setEnabled(false);
@@ -166,6 +167,8 @@ void ViewActions::addModes(ActionSet* set)
                          &ViewSettings::setDisplayMode, &ViewSettings::displayModeChanged);
     m_shading = addChoices(set, m_host->settings(), shadingModes(), false, &ViewSettings::shadingMode,
                            &ViewSettings::setShadingMode, &ViewSettings::shadingModeChanged);
+    m_qualities = addChoices(set, m_host->settings(), qualities(), false, &ViewSettings::quality,
+                             &ViewSettings::setQuality, &ViewSettings::qualityChanged);
 }
 
 void ViewActions::addSwitches(ActionSet* set)
@@ -212,8 +215,9 @@ void ViewActions::addLight(ActionSet* set)
                   QT_TRANSLATE_NOOP("Actions", "Where the sun stands, and what lies behind the trees")});
     ViewSettings* settings = m_host->settings();
     settings->restoreLight(m_preferences->viewLight());
-    connect(settings, &ViewSettings::lightChanged, this,
-            [this, settings] { m_preferences->setViewLight(settings->savedLight()); });
+    const auto save = [this, settings] { m_preferences->setViewLight(settings->savedLight()); };
+    connect(settings, &ViewSettings::lightChanged, this, save);
+    connect(settings, &ViewSettings::qualityChanged, this, save);
     connect(m_light, &QAction::triggered, this, [this, settings] {
         QWidget* window = m_host->window();
         auto* dialog = window->findChild<LightDialog*>();
@@ -296,6 +300,8 @@ void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* 
     menu->addActions(m_modes->actions());
     menu->addSeparator();
     menu->addActions(m_shading->actions());
+    menu->addSeparator();
+    menu->addActions(m_qualities->actions());
     menu->addSeparator();
     menu->addActions(m_switches);
     menu->addActions(m_trail);

@@ -60,6 +60,7 @@ private:
     QList<QAction*> m_moves;
     QActionGroup* m_modes = nullptr;
     QActionGroup* m_shading = nullptr;
+    QActionGroup* m_qualities = nullptr;
     QActionGroup* m_themes = nullptr;
     QActionGroup* m_units = nullptr;
     QActionGroup* m_languages = nullptr;

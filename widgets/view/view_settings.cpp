@@ -29,6 +29,11 @@ void ViewSettings::setShadingMode(ShadingMode mode)
     set(m_shadingMode, mode, &ViewSettings::shadingModeChanged);
 }
 
+void ViewSettings::setQuality(Quality quality)
+{
+    set(m_quality, quality, &ViewSettings::qualityChanged);
+}
+
 void ViewSettings::setFrameDisplay(FrameDisplay frames)
 {
     set(m_frameDisplay, frames, &ViewSettings::frameDisplayChanged);
@@ -78,7 +83,8 @@ QVariantMap ViewSettings::savedLight() const
 {
     return {{QStringLiteral("sunFrom"), m_light.azimuthDeg},
             {QStringLiteral("sunHeight"), m_light.heightDeg},
-            {QStringLiteral("backdrop"), int(m_light.backdrop)}};
+            {QStringLiteral("backdrop"), int(m_light.backdrop)},
+            {QStringLiteral("quality"), int(m_quality)}};
 }
 
 void ViewSettings::restoreLight(const QVariantMap& saved)
@@ -89,6 +95,7 @@ void ViewSettings::restoreLight(const QVariantMap& saved)
         return good && value >= least && value <= most ? value : now;
     };
     const SceneLight usual;
+    setQuality(static_cast<Quality>(int(number("quality", 0.0, 2.0, double(Quality::Good)))));
     setLight({number("sunFrom", 0.0, 360.0, usual.azimuthDeg),
               number("sunHeight", SceneLight::leastHeightDeg, 90.0, usual.heightDeg),
               static_cast<Backdrop>(int(number("backdrop", 0.0, backdropCount - 1, 0.0)))});

@@ -22,6 +22,7 @@ public:
 
     [[nodiscard]] DisplayMode displayMode() const { return m_displayMode; }
     [[nodiscard]] ShadingMode shadingMode() const { return m_shadingMode; }
+    [[nodiscard]] Quality quality() const { return m_quality; }
     [[nodiscard]] FrameDisplay frameDisplay() const { return m_frameDisplay; }
     [[nodiscard]] NavigationStyle navigationStyle() const { return m_navigationStyle; }
     [[nodiscard]] bool leavesVisible() const { return m_leavesVisible; }
@@ -32,13 +33,14 @@ public:
     [[nodiscard]] bool windVisible() const { return m_windVisible; }
     [[nodiscard]] bool outlineVisible() const { return m_outlineVisible; }
     [[nodiscard]] SceneLight light() const { return m_light; }
-    /// For the preferences; restoring leaves out what is no number or out of range.
+    /// With the quality, for the preferences; restoring leaves out what is no number or out of range.
     [[nodiscard]] QVariantMap savedLight() const;
     void restoreLight(const QVariantMap& saved);
 
 public slots:
     void setDisplayMode(ramure::DisplayMode mode);
     void setShadingMode(ramure::ShadingMode mode);
+    void setQuality(ramure::Quality quality);
     void setFrameDisplay(ramure::FrameDisplay frames);
     void setNavigationStyle(ramure::NavigationStyle style);
     void setLeavesVisible(bool on);
@@ -53,6 +55,7 @@ public slots:
 signals:
     void displayModeChanged(ramure::DisplayMode mode);
     void shadingModeChanged(ramure::ShadingMode mode);
+    void qualityChanged(ramure::Quality quality);
     void frameDisplayChanged(ramure::FrameDisplay frames);
     void navigationStyleChanged(ramure::NavigationStyle style);
     void leavesVisibleChanged(bool on);
@@ -72,6 +75,7 @@ private:
     GizmoSettings* m_gizmo;
     DisplayMode m_displayMode = DisplayMode::Mesh;
     ShadingMode m_shadingMode = ShadingMode::Solid;
+    Quality m_quality = Quality::Good; ///< while nothing moves
     FrameDisplay m_frameDisplay = FrameDisplay::None;
     NavigationStyle m_navigationStyle = NavigationStyle::Blender;
     bool m_leavesVisible = true;

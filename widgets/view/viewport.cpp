@@ -15,6 +15,7 @@
 namespace ramure {
 namespace {
 
+constexpr int settleMs = 300; ///< without a move, until pictures are as good as was chosen
 constexpr int hoverRestMs = 25;
 
 /// The box of the selected branches, else of the selected nodes' trees; world.
@@ -55,6 +56,8 @@ RenderOptions Viewport::Private::options(double pixelRatio) const
 {
     RenderOptions options;
     options.shading = settings->shadingMode();
+    options.quality = settings->quality();
+    options.hurried = software && settling.isActive();
     options.grid = settings->gridVisible();
     options.ground = settings->groundVisible();
     options.outline = settings->outlineVisible();
@@ -97,7 +100,11 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
         if (underMouse())
             hoverAt(d->cursor);
     });
+    d->settling.setSingleShot(true);
+    d->settling.setInterval(settleMs);
+    connect(&d->settling, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     connect(&d->flight, &CameraFlight::moved, this, [this] {
+        d->settling.start();
         emit cameraChanged();
         update();
     });

@@ -22,6 +22,7 @@ void Viewport::setPlayer(Player* player)
     d->context.player = player;
     d->reach.setPlayer(player);
     connect(player, &Player::motionChanged, this, [this, player] {
+        d->settling.start();
         const auto motion = player->motion();
         const auto reshapes = [](const std::shared_ptr<const MotionFrame>& frame) {
             return frame && (!frame->trees.empty() ||

@@ -46,6 +46,7 @@ struct Viewport::Private final : ToolHost
     std::vector<const void*> wishedBlocks; ///< identities of what the last wish was made from
     std::optional<BuiltScene> next;        ///< on its way to the graphics card
     QTimer uploading;
+    QTimer settling;         ///< runs while something moves: software rasterisers then do less for a picture
     double uploadedMs = 0.0; ///< of next
     std::shared_ptr<const RenderScene> scene = std::make_shared<const RenderScene>();
     bool sceneIsNew = false; ///< not drawn yet

@@ -158,6 +158,7 @@ bool Viewport::isPicturePending() const
 
 void Viewport::wishScene()
 {
+    d->settling.start();
     d->builder.wish(d->wish());
 }
 

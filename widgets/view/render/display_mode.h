@@ -23,6 +23,12 @@ enum class DisplayMode : std::uint8_t {
     Stretch,    ///< how far those are from squares, as colours
 };
 enum class ShadingMode : std::uint8_t { Solid, SolidWire, Wire };
+/// How much is done for a picture.
+enum class Quality : std::uint8_t {
+    Draft, ///< sun, shadow and sky light, nothing besides
+    Good,  ///< with the dark inside of crowns, leaves lit as parts of them, and the response of film
+    Best,  ///< with several samples a pixel and finer shadows: for pictures
+};
 /// Which sections show their frame as three arrows: tangent blue, normal red, binormal green.
 enum class FrameDisplay : std::uint8_t { None, Selection, All };
 
@@ -48,6 +54,7 @@ struct DisplayModeRow : ModeRow<DisplayMode>
 /// In the order of the menu; the first nine have the keys Alt+1, Alt+2 ...
 std::span<const DisplayModeRow> displayModes();
 std::span<const ModeRow<ShadingMode>> shadingModes();
+std::span<const ModeRow<Quality>> qualities();
 
 const DisplayModeRow& rowOf(DisplayMode mode);
 /// Of "mesh", as the command line has it.

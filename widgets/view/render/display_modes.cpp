@@ -55,4 +55,17 @@ std::span<const ModeRow<ShadingMode>> shadingModes()
     return rows;
 }
 
+std::span<const ModeRow<Quality>> qualities()
+{
+    static constexpr ModeRow<Quality> rows[] = {
+        {Quality::Draft, "view.draft", nullptr, QT_TRANSLATE_NOOP("Actions", "&Draft quality"),
+         QT_TRANSLATE_NOOP("Actions", "Sun and sky light alone")},
+        {Quality::Good, "view.good", nullptr, QT_TRANSLATE_NOOP("Actions", "Goo&d quality"),
+         QT_TRANSLATE_NOOP("Actions", "Crowns are darker inside, while nothing moves")},
+        {Quality::Best, "view.best", nullptr, QT_TRANSLATE_NOOP("Actions", "&Best quality"),
+         QT_TRANSLATE_NOOP("Actions", "Smooth edges and soft shadows, while nothing moves")},
+    };
+    return rows;
+}
+
 } // namespace ramure

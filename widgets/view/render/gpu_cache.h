@@ -83,11 +83,13 @@ public:
     void bindColours(ShaderProgram& program, const GpuBlock& mesh);
     /// The same for its bark, which may be null.
     void bindBark(ShaderProgram& program, const std::shared_ptr<const BarkMaps>& maps);
+    /// The same for the light in its crown, which may be null.
+    void bindCrown(ShaderProgram& program, const std::shared_ptr<const CrownLight>& crown);
     /// How many rows of a texture hold \p texels where the card's largest has \p largest a side; 0 where it
     /// cannot: then triangles have no colours, branches no states, bones rest.
     static std::size_t textureRows(std::size_t texels, int largest);
     /// The texture units that they use.
-    static constexpr GLenum bonesUnit = 3, coloursUnit = 4, barkUnit = 5, barkNormalsUnit = 6;
+    static constexpr GLenum bonesUnit = 3, coloursUnit = 4, barkUnit = 5, barkNormalsUnit = 6, crownUnit = 7;
 
     /// Frees what was not asked for since beginPicture.
     void freeUnused();
@@ -100,6 +102,7 @@ private:
     void fillMesh(GpuBlock& block, const TriangleMesh& mesh);
     void fillCopies(GpuBlock& block, const MeshCopies& copies);
     void fillColours(GpuBlock& block, const std::vector<glm::u8vec3>& colours);
+    GLuint crownTexture(const CrownLight& crown);
     const GpuBlock& bark(const std::shared_ptr<const BarkMaps>& maps);
     /// A sampler must have a texture even where the program does not read it.
     GLuint restTexture();
@@ -123,6 +126,7 @@ private:
     std::vector<glm::vec4> m_boneRows; ///< kept between pictures
     std::vector<std::shared_ptr<const void>> m_released;
     GLint m_largestTexture = 0;
+    GLuint m_restCrown = 0;
     GLuint m_restTexture = 0; ///< for what has no bones or colours
     UploadStats m_stats;
     std::uint64_t m_picture = 0;

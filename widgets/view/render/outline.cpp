@@ -245,6 +245,10 @@ void Outline::end(GLuint target, const Programs& programs)
     cut(m_scale, reach + 1);
     pass(m_framebuffers[1], m_textures[0], programs.rows);
     pass(m_framebuffers[2], m_textures[1], programs.columns);
+    if (m_extent.coarse) { // around a crown, not around its leaves
+        pass(m_framebuffers[1], m_textures[2], programs.closing);
+        pass(m_framebuffers[2], m_textures[1], programs.columns);
+    }
 
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, target);
     m_gl.glViewport(0, 0, int(m_picture.x), int(m_picture.y));
@@ -255,6 +259,7 @@ void Outline::end(GLuint target, const Programs& programs)
     programs.ink.bind();
     programs.ink.set("uDistance", 0);
     programs.ink.set("uTexel", 1.0f / m_picture);
+    programs.ink.set("uClosed", m_extent.coarse);
     programs.ink.set("uScale", m_scale);
     programs.ink.set("uOffset", m_ratio * (m_extent.coarse ? coarseOffset : fineOffset));
     programs.ink.set("uWidth", m_ratio * lineWidth);

@@ -35,6 +35,7 @@ public:
     {
         ShaderProgram& rows;
         ShaderProgram& columns;
+        ShaderProgram& closing; ///< along rows
         ShaderProgram& ink;
     };
 

@@ -11,6 +11,7 @@
 #include "core/scene/scene.h"
 #include "core/surface/bark/bark_maps.h"
 #include "core/surface/mesh/triangle_mesh.h"
+#include "widgets/view/render/crown_light.h"
 #include "widgets/view/render/mesh_copies.h"
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
@@ -98,6 +99,7 @@ struct MeshItem
     ItemMotion motion;                        ///< drawn so; the mesh itself stays as it is
     Material material;
     Paint paint = Paint::Material;
+    std::shared_ptr<const CrownLight> crown;       ///< of the tree that it is part of; null: in the open
     std::shared_ptr<const BarkMaps> bark;          ///< in place of the material's colour; null: none
     float tileSize = 1.0f;                         ///< m, for the checker's metres and for bark
     float opacity = 1.0f;                          ///< under 1: its nearest surface only, over all the rest

@@ -21,6 +21,8 @@ constexpr GLenum statesUnit = 2;
 constexpr glm::vec3 skyLight{0.33f, 0.39f, 0.47f};
 constexpr glm::vec3 groundLight{0.17f, 0.19f, 0.12f};
 
+constexpr float exposure = 0.8f; ///< with which a film shows a surface in the middle as it is
+
 glm::vec3 srgb(const glm::u8vec3& bytes)
 {
     return glm::vec3(bytes) / 255.0f;
@@ -66,6 +68,14 @@ std::unique_ptr<QOpenGLDebugLogger> listen(const QOpenGLContext& context)
 }
 
 } // namespace
+
+/// Twice as large each way, where the card can.
+static bool isDrawnLarge(QSize size, const RenderOptions& options)
+{
+    constexpr int largestSide = 4096; // of which software rasterisers still have the memory
+    return options.quality == Quality::Best && !options.hurried && size.width() <= largestSide &&
+           size.height() <= largestSide;
+}
 
 struct Renderer::Picture
 {
@@ -134,9 +144,12 @@ std::vector<std::pair<Renderer::Program, ShaderSources>> Renderer::programs()
         {&Renderer::m_line, {{"states.glsl", "skin.glsl", "line.vert"}, nullptr, {"line.frag"}}},
         {&Renderer::m_point, {{"states.glsl", "skin.glsl", "point.vert"}, nullptr, {"point.frag"}}},
         {&Renderer::m_smooth, {{"world.vert"}, nullptr, {"smooth.frag"}}},
+        {&Renderer::m_shrink, {{"world.vert"}, nullptr, {"shrink.frag"}}},
         {&Renderer::m_ghost, {{"ghost.vert"}, nullptr, {"ghost.frag"}}},
         {&Renderer::m_outlineRows, {{"world.vert"}, nullptr, {"outline_spread.frag"}, "#define ROWS\n"}},
         {&Renderer::m_outlineColumns, {{"world.vert"}, nullptr, {"outline_spread.frag"}}},
+        {&Renderer::m_outlineClosing,
+         {{"world.vert"}, nullptr, {"outline_spread.frag"}, "#define ROWS\n#define CLOSED\n"}},
         {&Renderer::m_outlineInk, {{"world.vert"}, nullptr, {"outline_ink.frag"}}},
     };
 }
@@ -171,11 +184,34 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
     m_stats.uploadMs = watch.elapsed().wallMs;
     watch.restart();
 
-    Picture picture = arrange(scene, camera, size, options);
+    const bool shrinks = isDrawnLarge(size, options);
+    const QSize drawn = shrinks ? 2 * size : size;
+    RenderOptions own = options;
+    if (shrinks)
+        own.pixelRatio *= 2.0;
+    const GLuint aside = shrinks || options.smoothing ? m_smoothing.begin(drawn) : 0;
+    const bool large = shrinks && aside != 0;
+    Picture picture = arrange(scene, camera, large ? drawn : size, large ? own : options);
     castShadows(picture);
-    const GLuint aside = options.smoothing ? m_smoothing.begin(size) : 0;
+    drawInto(aside != 0 ? aside : framebuffer, picture, large ? drawn : size);
+    m_cache.freeUnused();
+    resetState();
+    if (aside != 0) {
+        m_gl.glViewport(0, 0, size.width(), size.height());
+        m_gl.glBindVertexArray(m_emptyArray);
+        m_smoothing.end(framebuffer, large ? *m_shrink : *m_smooth);
+        resetState();
+    }
+    ++m_stats.pictures;
+    m_stats.drawMs = watch.elapsed().wallMs;
+    m_stats.drawCpuMs = watch.elapsed().cpuMs;
+}
+
+void Renderer::drawInto(GLuint framebuffer, const Picture& picture, QSize size)
+{
+    const RenderOptions& options = picture.options;
     m_shadowMap.bind(shadowUnit, shadowDepthUnit);
-    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, aside != 0 ? aside : framebuffer);
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     beginState(size);
     if (options.world)
         drawWorld(picture);
@@ -191,17 +227,7 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
     drawPoints(picture, false);
     drawFaded(picture);
     if (options.outline)
-        drawOutline(picture, aside != 0 ? aside : framebuffer);
-    m_cache.freeUnused();
-    resetState();
-    if (aside != 0) {
-        m_gl.glBindVertexArray(m_emptyArray);
-        m_smoothing.end(framebuffer, *m_smooth);
-        resetState();
-    }
-    ++m_stats.pictures;
-    m_stats.drawMs = watch.elapsed().wallMs;
-    m_stats.drawCpuMs = watch.elapsed().cpuMs;
+        drawOutline(picture, framebuffer);
 }
 
 Renderer::Picture Renderer::arrange(const RenderScene& scene, const Camera& camera, QSize size,
@@ -238,6 +264,8 @@ void Renderer::castShadows(Picture& picture)
     picture.shadow = glm::mat4(half * fit->clip * eye);
     picture.shadowScale = glm::vec3(fit->side / ShadowMap::size, fit->side, fit->depth);
     picture.shadowTaps = options.shadowTaps > 0 ? options.shadowTaps : (m_software ? 12 : 20);
+    if (options.quality == Quality::Best && !options.hurried)
+        picture.shadowTaps = std::max(picture.shadowTaps, 32);
 }
 
 void Renderer::beginState(QSize size)
@@ -335,7 +363,7 @@ void Renderer::drawMeshDepth(const Picture& picture, const MeshItem& item)
 {
     m_cache.bindBones(*m_shadow, item.motion);
     m_shadow->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
-    m_cache.drawTriangles(m_cache.item(item));
+    m_cache.drawTriangles(m_cache.item(item), picture.options.hurried);
 }
 
 // Leaves cover each other many times over: with the depth known, only what is seen is shaded.
@@ -354,6 +382,7 @@ void Renderer::beginMeshes(ShaderProgram& program, const Picture& picture, Shadi
     program.bind();
     setLight(program, picture);
     program.set("uViewport", picture.viewport);
+    program.set("uExposure", picture.options.quality == Quality::Draft ? 0.0f : exposure);
     program.set("uWireOnly", shading == ShadingMode::Wire);
     program.set("uLineWidth", float(1.2 * picture.options.pixelRatio));
     program.set("uBackward",
@@ -367,6 +396,10 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     m_cache.bindColours(program, block);
     m_cache.bindBark(program, item.bark);
     const glm::dmat4 relative = picture.relative(item.world);
+    const bool hasCrown = item.crown && picture.options.quality != Quality::Draft;
+    m_cache.bindCrown(program, hasCrown ? item.crown : nullptr);
+    if (hasCrown)
+        program.set("uCrownPlace", glm::mat4(item.crown->place * glm::inverse(relative)));
     setStates(program, picture.scene, item.node, !item.mesh->branch.empty());
     program.set("uClip", glm::mat4(picture.projectedView * relative));
     program.set("uRelative", glm::mat4(relative));
@@ -381,7 +414,7 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     program.set("uTileSize", item.tileSize);
     program.set("uOpacity", item.opacity);
     m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
-    m_cache.drawTriangles(block);
+    m_cache.drawTriangles(block, picture.options.hurried);
     m_gl.glFrontFace(GL_CCW);
 }
 
@@ -450,7 +483,7 @@ void Renderer::drawOutline(const Picture& picture, GLuint target)
     }
     m_line->set("uOnlySelected", false);
     m_gl.glBindVertexArray(m_emptyArray);
-    m_outline.end(target, {*m_outlineRows, *m_outlineColumns, *m_outlineInk});
+    m_outline.end(target, {*m_outlineRows, *m_outlineColumns, *m_outlineClosing, *m_outlineInk});
 }
 
 /// Each hides its own inside, but nothing else: what stands behind it shines through.
@@ -544,6 +577,8 @@ void Renderer::resetState()
         m_gl.glBindTexture(GL_TEXTURE_2D, 0);
         m_gl.glBindSampler(unit, 0);
     }
+    m_gl.glActiveTexture(GL_TEXTURE0 + GpuCache::crownUnit);
+    m_gl.glBindTexture(GL_TEXTURE_3D, 0);
     m_gl.glActiveTexture(GL_TEXTURE0);
 }
 

@@ -58,6 +58,7 @@ private:
     void setLight(ShaderProgram& program, const Picture& picture);
     void setStates(ShaderProgram& program, const RenderScene& scene, NodeId node, bool hasBranches = true);
     Picture arrange(const RenderScene& scene, const Camera& camera, QSize size, const RenderOptions& options);
+    void drawInto(GLuint framebuffer, const Picture& picture, QSize size);
     void castShadows(Picture& picture);
     void drawWorld(const Picture& picture);
     void drawDepth(const Picture& picture);
@@ -81,8 +82,8 @@ private:
     Smoothing m_smoothing;
     Outline m_outline;
     std::unique_ptr<ShaderProgram> m_mesh, m_meshColours, m_meshWire, m_shadow, m_world, m_line, m_point,
-        m_smooth, m_ghost;
-    std::unique_ptr<ShaderProgram> m_outlineRows, m_outlineColumns, m_outlineInk;
+        m_smooth, m_shrink, m_ghost;
+    std::unique_ptr<ShaderProgram> m_outlineRows, m_outlineColumns, m_outlineClosing, m_outlineInk;
     GLuint m_emptyArray = 0;
     GLuint m_noStates = 0; ///< a texture of one plain branch
     bool m_software = false;

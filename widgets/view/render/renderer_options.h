@@ -39,8 +39,10 @@ struct SceneLight
 struct RenderOptions
 {
     ShadingMode shading = ShadingMode::Solid;
-    bool grid = false;  ///< metric grid on the ground
-    bool ground = true; ///< without: the sky alone, and what lies below the ground is seen
+    Quality quality = Quality::Draft;
+    bool hurried = false; ///< something moves: leaves of fewer triangles, one sample a pixel
+    bool grid = false;    ///< metric grid on the ground
+    bool ground = true;   ///< without: the sky alone, and what lies below the ground is seen
     bool shadows = true;
     bool outline = true;     ///< around what is selected
     bool world = true;       ///< sky and ground; without: a transparent background

@@ -135,6 +135,7 @@ struct TreeItems
     }
     void fine()
     {
+        const std::size_t first = scene.meshes.size();
         if (!tree.branches)
             addMesh(tree.draftTubes, openBark(node.params.bark));
         else if (!pictured())
@@ -143,6 +144,13 @@ struct TreeItems
             addFoliage(ScenePart::LeafCopies, tree.leaves, leavesMaterial(leaf()), FoliageModel::Fine);
         if (view.apples)
             addFoliage(ScenePart::AppleCopies, tree.apples, applesMaterial(fruit()), FoliageModel::Fine);
+        if (!tree.foliage || !view.leaves || isIsolated())
+            return;
+        const double alpha = node.params.turtle.alpha;
+        const auto crown = cache.get<CrownLight>(ScenePart::Crown, tree.foliage, tree.foliage, {alpha},
+                                                 [&] { return crownLight(*tree.foliage, alpha); });
+        for (std::size_t i = first; i < scene.meshes.size() && !crown->light.empty(); ++i)
+            scene.meshes[i].crown = crown;
     }
     /// The branches with their texture coordinates, which may be none.
     std::shared_ptr<const TexturedMesh> mapped()

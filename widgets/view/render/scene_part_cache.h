@@ -29,6 +29,7 @@ enum class ScenePart : std::uint8_t {
     Isolated,
     LeafCopies,
     AppleCopies,
+    Crown,
     Textured,
     Bark,
     ArmSkin,

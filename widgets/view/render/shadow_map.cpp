@@ -99,7 +99,7 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
     for (const Caster& caster : casters) {
         cache.bindBones(program, caster.motion);
         program.set("uClip", glm::mat4(m_fit.clip * caster.world));
-        cache.drawTriangles(cache.item(*caster.item));
+        cache.drawTriangles(cache.item(*caster.item), true); // a leaf is a few texels
     }
     m_gl.glBindVertexArray(0);
     m_drawn = std::move(casters);

@@ -33,6 +33,12 @@ std::span<const ModeRow<ShadingMode>> ramure::shadingModes()
     return rows;
 }
 
+std::span<const ModeRow<Quality>> ramure::qualities()
+{
+    static constexpr ModeRow<Quality> rows[] = {{Quality::Good, "view.good", nullptr, "Good", nullptr}};
+    return rows;
+}
+
 /// A row of the tables is a name, an action with its key, and a choice of the view: nothing else is told of
 /// it.
 class TestDisplayModes : public QObject
