@@ -4602,6 +4602,14 @@
         <source>How much leaves tremble in the wind: 1 as usual, 0 not at all.</source>
         <translation>Combien les feuilles tremblent dans le vent&#xa0;: 1 comme d’habitude, 0 pas du tout.</translation>
     </message>
+    <message>
+        <source>Season</source>
+        <translation>Saison</translation>
+    </message>
+    <message>
+        <source>0 is summer. Then leaves take the colour of their plant&apos;s autumn, the upper ones first, and fall, until at 1 the twigs are bare. Evergreens stay as they are.</source>
+        <translation>0&#xa0;: l’été. Puis les feuilles prennent la couleur d’automne de leur plante, celles du haut d’abord, et tombent, jusqu’à ce qu’à 1 les rameaux soient nus. Les persistants restent comme ils sont.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -21,7 +21,8 @@ constexpr CommandText text = {
     "several trees the counts "
     "and lengths are summed, maxChildren is the largest, min and max are the box of all trees in world "
     "space, and \"trees\" "
-    "(JSON) lists each. \"nodes\" (JSON) lists every node of a scene with its world matrix at --time: 16 "
+    "(JSON) lists each. \"leaves\" (JSON) counts those that hang, \"shed\" those that the season took. "
+    "\"nodes\" (JSON) lists every node of a scene with its world matrix at --time: 16 "
     "numbers, "
     "row after row; \"geometry\" is where its own shape stands, which its children do not see; of arms, "
     "terrains, primitives and imported meshes also the vertices and faces, of arms the joints, the reach and "
@@ -41,6 +42,7 @@ struct TreeFacts
     std::string name;
     std::int64_t symbols = 0;
     SkeletonFacts full, simplified;
+    std::int64_t leaves = 0, shed = 0; ///< shed: by the season; below 0: there would be too many leaves
 };
 
 SkeletonFacts factsOf(const Skeleton& skeleton)
@@ -85,6 +87,10 @@ QJsonObject jsonTree(const TreeFacts& tree)
     QJsonObject out = jsonFacts(tree.full);
     out.insert(QStringLiteral("symbols"), qint64(tree.symbols));
     out.insert(QStringLiteral("simplified"), jsonFacts(tree.simplified));
+    if (tree.leaves >= 0) {
+        out.insert(QStringLiteral("leaves"), qint64(tree.leaves));
+        out.insert(QStringLiteral("shed"), qint64(tree.shed));
+    }
     return out;
 }
 
@@ -131,8 +137,12 @@ Expected<std::vector<TreeFacts>> factsOfTrees(EvaluatedScene& scene, const std::
         const auto result = evaluateTree(pipeline, now, trees.size() > 1, Stage::Simplified);
         if (!result)
             return fail(result.error());
+        const Skeleton& simplified = result->simplified->skeleton;
+        const auto foliage = placeFoliage(simplified, now.params.foliage, now.params.leaf, now.params.fruit,
+                                          now.params.turtle.alpha);
         out.push_back({node->name, std::int64_t(result->symbols->size()), factsOf(*result->skeleton),
-                       factsOf(result->simplified->skeleton)});
+                       factsOf(simplified), foliage ? std::int64_t(foliage->leaves.size()) : -1,
+                       foliage ? std::int64_t(foliage->shed) : 0});
     }
     return out;
 }
@@ -260,6 +270,8 @@ Expected<void> showScene(EvaluatedScene now, const Checked& checked, bool json)
         sum.symbols += tree.symbols;
         add(sum.full, tree.full, world);
         add(sum.simplified, tree.simplified, world);
+        sum.leaves += std::max<std::int64_t>(tree.leaves, 0);
+        sum.shed += tree.shed;
     }
     if (!json)
         return print((trees->empty() ? QString() : textOfTrees(sum, *trees)) + objectsText(scene) +

@@ -81,6 +81,7 @@ struct LeafParams
     double angle = 0.9;     ///< rad, between petiole and twig
     double droop = 0.25;
     double light = 0.6;
+    double season = 0.0;    ///< 0 summer .. 1 bare
     double stiffness = 1.0; ///< of the petioles, of what is usual
     double flutter = 1.0;   ///< of what is usual
     bool operator==(const LeafParams&) const = default;

@@ -51,6 +51,7 @@ constexpr std::array relevances{
     Relevance{"foliage.leafAngle", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafDroop", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafLight", "foliage.leaf", realLeaves},
+    Relevance{"foliage.season", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafStiffness", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafFlutter", "foliage.leaf", realLeaves},
     Relevance{"foliage.leafSize", "foliage.leaf", realLeaves},

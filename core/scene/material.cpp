@@ -19,7 +19,7 @@ Material barkMaterial(const BarkParams& bark)
     return out;
 }
 
-Material leavesMaterial(LeafShape shape)
+Material leavesMaterial(LeafShape shape, bool turn)
 {
     Material leaves{"leaves", {0x3A, 0x5F, 0x0B}, true, true};
     leaves.glint = 0.05f;
@@ -28,7 +28,7 @@ Material leavesMaterial(LeafShape shape)
     if (shape != LeafShape::Faithful) {
         leaves.name.append("_").append(
             findParam("foliage.leaf")->items[static_cast<std::size_t>(shape)].name);
-        leaves.colour = leafRow(shape).colour;
+        leaves.colour = leafColour(shape, turn);
         leaves.variety = 0.15f;
         leaves.tones = true;
     }
@@ -39,7 +39,8 @@ Material applesMaterial(FruitKind kind)
 {
     Material fruit{"apples", {0x5F, 0x0B, 0x0B}, true, false};
     if (kind != FruitKind::Faithful) {
-        fruit.name = std::string("fruit_") + findParam("foliage.fruit")->items[static_cast<std::size_t>(kind)].name;
+        fruit.name =
+            std::string("fruit_") + findParam("foliage.fruit")->items[static_cast<std::size_t>(kind)].name;
         fruit.colour = glm::u8vec3(255);
     }
     return fruit;

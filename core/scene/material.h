@@ -30,8 +30,9 @@ struct Material
 
 /// Its colour is the mean of the picture that the bark has.
 Material barkMaterial(const BarkParams& bark = {});
-/// Those of a plant have a name of their own, leaves_birch; the colours of their mesh are tones.
-Material leavesMaterial(LeafShape shape = LeafShape::Faithful);
+/// Those of a plant have a name of their own, leaves_birch; the colours of their mesh are tones. \param turn
+/// it is not summer: tones of the brightest colour of the year.
+Material leavesMaterial(LeafShape shape = LeafShape::Faithful, bool turn = false);
 /// Fruit and flowers bring colours of their own.
 Material applesMaterial(FruitKind kind = FruitKind::Faithful);
 /// Of a node that is no tree. \param params those of the time (paramsAt).

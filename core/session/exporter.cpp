@@ -155,7 +155,7 @@ void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes
             out.meshes.push_back({name + tree.suffix, tree.number, mesh, materialIn(out, material), skin});
     };
     add("branches", meshes.branches, motion.branches, barkMaterial(tree.node->params.bark));
-    add("leaves", meshes.leaves, motion.leaves, leavesMaterial(params.leaf.shape));
+    add("leaves", meshes.leaves, motion.leaves, leavesMaterial(params.leaf.shape, params.leaf.season > 0.0));
     add("apples", meshes.apples, motion.apples, applesMaterial(params.fruit.kind));
     out.frames.front().bones[tree.number] = motion.bones;
 }

@@ -315,7 +315,7 @@ std::vector<LeafSwing::FeltTwig> LeafSwing::feltAt(const TreeBody& body, const P
     const double told = turn * hertz * t;
     const Answer answer{turnOfWind * m_drag * m_loose / leaf.stiffness,
                         turnOfWeight / leaf.stiffness,
-                        mostFlutter * m_loose * leaf.flutter,
+                        mostFlutter * m_loose * leaf.flutter / std::sqrt(std::max(leaf.stiffness, 0.25)),
                         state.held.gravity,
                         params.gravity,
                         1.0 - (1.0 + told) * maths::exp(-told)};

@@ -6,6 +6,7 @@
 #include "core/surface/foliage/foliage_shapes.h"
 #include "core/surface/foliage/fruit_placement.h"
 #include "core/surface/foliage/leaf_placement.h"
+#include "core/surface/foliage/leaf_season.h"
 #include "core/surface/foliage/leaf_table.h"
 #include <algorithm>
 #include <cmath>
@@ -104,7 +105,8 @@ void place(const FoliageItem& item, Index level, const TriangleMesh& shape, std:
     for (std::size_t f = 0; f < faces; ++f)
         mesh.triangles[copy * faces + f] = shape.triangles[f] + static_cast<Index>(first);
     for (std::size_t f = 0; f < shape.colours.size(); ++f)
-        mesh.colours[copy * faces + f] = glm::u8vec3(item.tone * glm::vec3(shape.colours[f]) + 0.5F);
+        mesh.colours[copy * faces + f] =
+            glm::u8vec3(item.tone * item.tint * glm::vec3(shape.colours[f]) + 0.5F);
 }
 
 TriangleMesh scaled(TriangleMesh shape, double scale)
@@ -209,7 +211,10 @@ Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& pa
                                                     : placeFruit(placing, hung, params.applesProbability);
     if (!apples)
         return fail(std::move(apples.error()));
-    return Foliage{std::move(*leaves), std::move(*apples), leafForm(leaf), hung};
+    Foliage made{std::move(*leaves), std::move(*apples), leafForm(leaf), hung};
+    if (made.form.turns && made.form.shape != LeafShape::Faithful)
+        turnLeaves(skeleton, leaf.season, made);
+    return made;
 }
 
 Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& params, double alpha,

@@ -25,17 +25,19 @@ struct FoliageItem
     Index branch = noIndex;
     glm::dvec3 position{0.0};
     glm::dquat orientation{1.0, 0.0, 0.0, 0.0};
-    float size = 1.0F; ///< of what all have
-    float tone = 1.0F; ///< brightness, of the brightest leaf's
+    float size = 1.0F;        ///< of what all have
+    float tone = 1.0F;        ///< brightness, of the brightest leaf's
     std::uint32_t number = 0; ///< among the leaves of its branch; of a plant's leaf that is its address
+    glm::vec3 tint{1.0F};     ///< of the material's colour: of the season
 };
 
 struct Foliage
 {
     std::vector<FoliageItem> leaves;
     std::vector<FoliageItem> apples;
-    LeafForm form;   ///< of all leaves
-    FruitForm fruit; ///< of all apples
+    LeafForm form;        ///< of all leaves
+    FruitForm fruit;      ///< of all apples
+    std::size_t shed = 0; ///< leaves that the season took
 };
 
 /// The rule of SPEC A3: a branch with a0 < alpha * leavesCutoff carries leavesDensity leaves, at random

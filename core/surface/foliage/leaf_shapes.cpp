@@ -247,7 +247,8 @@ LeafForm leafForm(const LeafParams& params)
             params.fold,
             params.curl,
             params.cup,
-            static_cast<int>(params.detail)};
+            static_cast<int>(params.detail),
+            params.season > 0.0};
 }
 
 TriangleMesh leafMesh(const LeafForm& form)

@@ -19,6 +19,7 @@ struct LeafForm
     double fold = 0.0, curl = 0.0;     ///< rad
     double cup = 0.0;                  ///< -1..1
     int detail = 2;                    ///< 1..3
+    bool turns = false;                ///< it is not summer
     bool operator==(const LeafForm&) const = default;
 };
 LeafForm leafForm(const LeafParams& params);

@@ -39,9 +39,15 @@ struct LeafRow
     double leaflet = 0.3; ///< length of the longest
     double dwindle = 0.3; ///< by how much the last leaflets, or the outermost lobes and fingers, are shorter
     glm::u8vec3 colour{0x72, 0x99, 0x3C}; ///< sRGB, of the brightest leaf
+    glm::u8vec3 autumn{0xD8, 0xAE, 0x32}; ///< that it turns to
+    bool evergreen = false;
 };
 
 /// \pre not Faithful.
 const LeafRow& leafRow(LeafShape shape);
+
+/// What the tones of a plant's leaves are shares of: the colour of the brightest leaf, or, where they \p
+/// turn, one that is nowhere darker than any of the year. \pre not Faithful.
+glm::u8vec3 leafColour(LeafShape shape, bool turn);
 
 } // namespace ramure

@@ -114,6 +114,7 @@ void TestParamTable::keysAreThePublicInterface()
                                             "foliage.leafAngle",
                                             "foliage.leafDroop",
                                             "foliage.leafLight",
+                                            "foliage.season",
                                             "foliage.leafStiffness",
                                             "foliage.leafFlutter",
                                             "foliage.leafSize",

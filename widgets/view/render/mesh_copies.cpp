@@ -57,9 +57,9 @@ std::vector<MeshCopy> spread(const std::vector<FoliageItem>& items, const std::v
     for (std::size_t i = 0, piece = 0; i < copies.size(); ++i, piece = (piece + step) % copies.size()) {
         const FoliageItem& item = *kept[piece];
         const glm::quat turn(item.orientation);
-        const auto tone = static_cast<std::uint8_t>(std::clamp(item.tone, 0.0f, 1.0f) * 255.0f + 0.5f);
+        const glm::u8vec3 tone(glm::clamp(item.tone * item.tint, 0.0f, 1.0f) * 255.0f + 0.5f);
         copies[i] = {glm::vec3(item.position), item.size, glm::vec4(turn.x, turn.y, turn.z, turn.w),
-                     item.branch, glm::u8vec4(tone, tone, tone, 255)};
+                     item.branch, glm::u8vec4(tone, 255)};
     }
     return copies;
 }

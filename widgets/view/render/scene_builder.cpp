@@ -125,9 +125,10 @@ struct TreeItems
             scene.points.push_back({std::move(points), world, node.id, false});
     }
 
-    [[nodiscard]] LeafShape leaf() const
+    [[nodiscard]] Material leaf() const
     {
-        return tree.foliage ? tree.foliage->form.shape : LeafShape::Faithful;
+        return tree.foliage ? leavesMaterial(tree.foliage->form.shape, tree.foliage->form.turns)
+                            : leavesMaterial();
     }
     [[nodiscard]] FruitKind fruit() const
     {
@@ -141,7 +142,7 @@ struct TreeItems
         else if (!pictured())
             addMesh({tree.branches, &tree.branches->mesh}, barkMaterial(node.params.bark));
         if (view.leaves)
-            addFoliage(ScenePart::LeafCopies, tree.leaves, leavesMaterial(leaf()), FoliageModel::Fine);
+            addFoliage(ScenePart::LeafCopies, tree.leaves, leaf(), FoliageModel::Fine);
         if (view.apples)
             addFoliage(ScenePart::AppleCopies, tree.apples, applesMaterial(fruit()), FoliageModel::Fine);
         if (!tree.foliage || !view.leaves || isIsolated())
@@ -233,7 +234,7 @@ struct TreeItems
                        cache.get<TriangleMesh>(
                            ScenePart::RoughLeaves, tree.simplified, tree.foliage, {alpha},
                            [&] { return buildLeaves(skeleton, *tree.foliage, alpha, FoliageModel::Rough); }),
-                       leavesMaterial(leaf()), FoliageModel::Rough);
+                       leaf(), FoliageModel::Rough);
         if (view.apples)
             addFoliage(ScenePart::AppleCopies,
                        cache.get<TriangleMesh>(

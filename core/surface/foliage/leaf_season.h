@@ -1,0 +1,14 @@
+/// \file
+/// What the season does to the leaves of a plant: they turn, and fall. Internal to foliage.cpp.
+#pragma once
+
+#include "core/surface/foliage/foliage.h"
+
+namespace ramure {
+
+/// Gives each leaf its tint and takes the fallen away. When a leaf turns and falls depends on its address and
+/// on how high it stands in the crown: a later season sheds those of an earlier one and more; at 1 none is
+/// left. Evergreens stay. \pre leaves of a plant, as they were placed.
+void turnLeaves(const Skeleton& skeleton, double season, Foliage& foliage);
+
+} // namespace ramure
