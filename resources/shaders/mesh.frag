@@ -75,10 +75,12 @@ uniform float uExposure;  // 0: light is shown as it is
 const float roundness = 0.5;  // of a crown's leaves: they look the way out as much
 const float innermost = 0.22; // of the sky's light, what comes to the middle of a thick crown
 
-// Narkowicz 2015, a fit of the Academy's curve: contrast in the middle, soft highlights.
+// Narkowicz 2015, a fit of the Academy's curve: contrast in the middle, soft highlights. Taken colour by colour it makes
+// greens of leaves gaudy.
 vec3 film(vec3 c)
 {
-    return c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14);
+    c = c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14);
+    return mix(vec3(dot(c, vec3(0.2126, 0.7152, 0.0722))), c, 0.8);
 }
 
 vec3 shaded(vec3 albedo, vec3 normal)
