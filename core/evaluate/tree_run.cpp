@@ -47,7 +47,7 @@ Expected<void> TreeRun::setLeaves(const TreeResult& tree, bool smooth)
     const std::vector<FoliageItem>& leaves = tree.foliage->leaves;
     Expected<Skin> skin;
     if (tree.foliage->form.shape != LeafShape::Faithful) {
-        auto anchors = bindAnchors(leaves, *tree.branches, skeleton, smooth);
+        auto anchors = bindAnchors(leaves, *tree.branches, skeleton, *m_motion.branches);
         if (!anchors)
             return fail(std::move(anchors.error()));
         m_swing.emplace(skeleton, *tree.foliage, m_alpha, std::move(*anchors));
@@ -167,7 +167,7 @@ Expected<void> TreeRun::seek(std::int64_t step, Pose& pose, LeafBends& bends, co
     return there;
 }
 
-std::vector<RigidTransform> TreeRun::bones() const
+std::vector<RigidTransform> TreeRun::bones()
 {
     const TreeBody& body = m_cache->physics().body();
     const PhysicsState& state = m_cache->state();

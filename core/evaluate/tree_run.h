@@ -35,7 +35,7 @@ private:
     bool setBody(const TreeResult& rest, const NodeParams& params);
     Expected<void> setSkins(const TreeResult& rest, SkinMethod method);
     Expected<void> setLeaves(const TreeResult& rest, bool smooth);
-    [[nodiscard]] std::vector<RigidTransform> bones() const; ///< of the pose and the bends
+    [[nodiscard]] std::vector<RigidTransform> bones(); ///< of the pose and the bends
     Expected<void> seek(std::int64_t step, Pose& pose, LeafBends& bends, const Progress& progress);
     void setTrackedPhysics(const PhysicsParams& params, const NodeAnimation& animation, double seconds);
 

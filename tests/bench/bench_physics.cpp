@@ -83,7 +83,9 @@ void BM_leafSwing(benchmark::State& state)
     const Foliage foliage =
         bench::need(placeFoliage(skeleton, tree.params.foliage, leaf, tree.params.fruit, alpha));
     const BranchMesh mesh = bench::need(buildBranchMesh(skeleton, {}));
-    LeafSwing swing(skeleton, foliage, alpha, bench::need(bindAnchors(foliage.leaves, mesh, skeleton, true)));
+    LeafSwing swing(skeleton, foliage, alpha,
+                    bench::need(bindAnchors(foliage.leaves, mesh, skeleton,
+                                            bench::need(bindBranches(mesh, skeleton, true)))));
     const auto body = makeTreeBody(skeleton, nullptr, alpha);
     TreePhysics physics(body, {});
     PhysicsState now = physics.restState();

@@ -192,6 +192,8 @@ struct Bones
     Bone bone, other;
     double share[block]; ///< of the other
     double footX[block], footY[block], footZ[block];
+    // Where the bark bends: its place at rest, and now. Else 0.
+    double held[block], fromX[block], fromY[block], fromZ[block], toX[block], toY[block], toZ[block];
 };
 
 /// Turns about the foot, then goes where the anchor goes: the mean screw of its bones
@@ -220,7 +222,9 @@ void poseBlock(const float* bendX, const float* bendY, const float* bendZ, std::
         const double share = 1.0 / std::sqrt(1.0 + dot(bend, bend));
         const Quat swung{share, share * bend.x, share * bend.y, share * bend.z};
         const Vec foot{b.footX[i], b.footY[i], b.footZ[i]};
-        const Vec to = at + turned(base, foot - turned(swung, foot));
+        const Vec from{b.fromX[i], b.fromY[i], b.fromZ[i]};
+        const Vec bent = Vec{b.toX[i], b.toY[i], b.toZ[i]} - (at + turned(base, from));
+        const Vec to = at + turned(base, foot - turned(swung, foot)) + b.held[i] * bent;
         const Quat now = base * swung;
         b.bone.w[i] = now.w, b.bone.x[i] = now.x, b.bone.y[i] = now.y, b.bone.z[i] = now.z;
         b.bone.atX[i] = to.x, b.bone.atY[i] = to.y, b.bone.atZ[i] = to.z;
@@ -256,7 +260,7 @@ void LeafBends::blend(const LeafBends& other, float weight)
     }
 }
 
-LeafSwing::LeafSwing(const Skeleton& skeleton, const Foliage& foliage, double alpha, Skin anchors)
+LeafSwing::LeafSwing(const Skeleton& skeleton, const Foliage& foliage, double alpha, BarkAnchors anchors)
     : m_anchors(std::move(anchors))
 {
     const LeafRow& row = leafRow(foliage.form.shape);
@@ -363,24 +367,47 @@ void LeafSwing::swing(const TreeBody& body, const PhysicsState& state, const Phy
     }
 }
 
-void LeafSwing::pose(std::span<const RigidTransform> branches, SkinMethod method, const LeafBends& bends,
-                     std::span<RigidTransform> out) const
+/// The triangles of the bark that bend go as all of it does.
+void LeafSwing::carry(std::span<const RigidTransform> branches, SkinMethod method)
 {
+    m_corners.resize(m_anchors.corners.size());
+    if (m_corners.empty())
+        return;
+    m_deformer.setPose(branches, method);
+    m_deformer.deform(m_anchors.corners, {}, m_anchors.cornerSkin, m_corners, {});
+}
+
+void LeafSwing::pose(std::span<const RigidTransform> branches, SkinMethod method, const LeafBends& bends,
+                     std::span<RigidTransform> out)
+{
+    carry(branches, method);
+    const auto placeOf = [this](const std::vector<glm::vec3>& corners, std::size_t number) {
+        const glm::dvec3& shares = m_anchors.shares[number];
+        const auto corner = [&](std::size_t k) { return glm::dvec3(corners[3 * number + k]); };
+        return shares.x * corner(0) + shares.y * corner(1) + shares.z * corner(2);
+    };
     Bones bones;
-    std::size_t run = 0;
+    std::size_t run = 0, bent = 0;
+    const std::vector<SkinRun>& runs = m_anchors.leaves.runs;
     for (std::size_t first = 0; first < size(); first += block) {
         const std::size_t count = std::min(block, size() - first);
         for (std::size_t k = 0; k < count; ++k) {
             const std::size_t i = first + k;
-            if (run + 1 < m_anchors.runs.size() && m_anchors.runs[run + 1].firstVertex == i)
+            if (run + 1 < runs.size() && runs[run + 1].firstVertex == i)
                 ++run;
-            const SkinInfluence& anchor = m_anchors.runs[run].influence;
+            const SkinInfluence& anchor = runs[run].influence;
             const bool isRare = method == SkinMethod::Linear || anchor.weight[2] > 0.0F;
             bones.bone.set(k, isRare ? skinTransform(anchor, branches, method, m_foot[i])
                                      : branches[anchor.bone[0]]);
             bones.other.set(k, branches[anchor.bone[1]]);
             bones.share[k] = isRare ? 0.0 : double(anchor.weight[1]);
             bones.footX[k] = m_foot[i].x, bones.footY[k] = m_foot[i].y, bones.footZ[k] = m_foot[i].z;
+            const bool isBent = bent < m_anchors.bent.size() && m_anchors.bent[bent] == i;
+            const glm::dvec3 from = isBent ? placeOf(m_anchors.corners, bent) : glm::dvec3(0.0);
+            const glm::dvec3 to = isBent ? placeOf(m_corners, bent++) : glm::dvec3(0.0);
+            bones.held[k] = isBent ? 1.0 : 0.0;
+            bones.fromX[k] = from.x, bones.fromY[k] = from.y, bones.fromZ[k] = from.z;
+            bones.toX[k] = to.x, bones.toY[k] = to.y, bones.toZ[k] = to.z;
         }
         poseBlock(bends.x.data() + first, bends.y.data() + first, bends.z.data() + first, count, bones);
         for (std::size_t k = 0; k < count; ++k)

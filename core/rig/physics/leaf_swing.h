@@ -29,7 +29,7 @@ class LeafSwing
 public:
     /// \param foliage leaves of a plant, those of a branch in a row. \param alpha TurtleParams::alpha.
     /// \param anchors what each leaf hangs on (bindFoliage).
-    LeafSwing(const Skeleton& skeleton, const Foliage& foliage, double alpha, Skin anchors);
+    LeafSwing(const Skeleton& skeleton, const Foliage& foliage, double alpha, BarkAnchors anchors);
 
     [[nodiscard]] std::size_t size() const { return m_give.size(); }
     [[nodiscard]] double reach() const { return m_reach; } ///< m, of the longest leaf from its foot
@@ -39,16 +39,19 @@ public:
     /// A bone for each leaf: it goes where its foot goes, which stays on the bark, and turns about it.
     /// \param branches the pose. \param bends of swing(). \param out one per leaf.
     void pose(std::span<const RigidTransform> branches, SkinMethod method, const LeafBends& bends,
-              std::span<RigidTransform> out) const;
+              std::span<RigidTransform> out);
 
 private:
     using FeltTwig = std::array<float, 11>;
     void addTwig(const Skeleton& skeleton, Index branch);
     void addLeaf(const FoliageItem& leaf, std::uint64_t branchKey);
+    void carry(std::span<const RigidTransform> branches, SkinMethod method);
     [[nodiscard]] std::vector<FeltTwig> feltAt(const TreeBody& body, const PhysicsState& state,
                                                const PhysicsParams& params, const LeafParams& leaf);
 
-    Skin m_anchors;
+    BarkAnchors m_anchors;
+    Deformer m_deformer;
+    std::vector<glm::vec3> m_corners; ///< those of the anchors as they are now
     double m_reach = 0.0;
     double m_hertz = 1.0; ///< at which leaves swing by themselves, at stiffness 1
     double m_drag = 1.0;  ///< by the area of a leaf

@@ -1,10 +1,12 @@
 #include "core/rig/pose/skin.h"
 
+#include "core/base/parallel.h"
 #include "core/math/hermite.h"
 #include "core/skeleton/sections.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <limits>
 
 namespace ramure {
 namespace {
@@ -27,7 +29,7 @@ SkinInfluence follow(Index bone)
     return {{bone, bone, bone}, {1.0F, 0.0F, 0.0F}};
 }
 
-/// Up to four bones; the three that weigh most stay.
+/// Up to nine bones; the three that weigh most stay.
 class Mix
 {
 public:
@@ -69,7 +71,7 @@ private:
     {
         return a.weight > b.weight || (a.weight == b.weight && a.index < b.index);
     }
-    std::array<Bone, 4> m_bones{};
+    std::array<Bone, 9> m_bones{};
     std::size_t m_count = 0;
 };
 
@@ -189,6 +191,91 @@ void append(Skin& skin, Index vertex, const SkinInfluence& influence)
         skin.runs.push_back({vertex, influence});
 }
 
+/// The shares of a, b and c in the triangle's point nearest to \p p (Ericson, Real-Time Collision Detection,
+/// 2005, 5.1.5).
+glm::dvec3 nearestShares(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+    const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap), d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+    const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+    if (d1 <= 0.0 && d2 <= 0.0)
+        return {1.0, 0.0, 0.0};
+    if (d3 >= 0.0 && d4 <= d3)
+        return {0.0, 1.0, 0.0};
+    if (d6 >= 0.0 && d5 <= d6)
+        return {0.0, 0.0, 1.0};
+    const double ofC = d1 * d4 - d3 * d2, ofB = d5 * d2 - d1 * d6, ofA = d3 * d6 - d5 * d4;
+    if (ofC <= 0.0 && d1 >= 0.0 && d3 <= 0.0)
+        return {1.0 - d1 / (d1 - d3), d1 / (d1 - d3), 0.0};
+    if (ofB <= 0.0 && d2 >= 0.0 && d6 <= 0.0)
+        return {1.0 - d2 / (d2 - d6), 0.0, d2 / (d2 - d6)};
+    if (ofA <= 0.0 && d4 >= d3 && d5 >= d6) {
+        const double share = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return {0.0, 1.0 - share, share};
+    }
+    return glm::dvec3(ofA, ofB, ofC) / (ofA + ofB + ofC);
+}
+
+/// By branch; a branch without a tube of its own has none.
+std::vector<std::span<const glm::uvec3>> trianglesOfTubes(const BranchMesh& mesh, std::size_t branches)
+{
+    std::vector<std::span<const glm::uvec3>> out(branches);
+    const std::span<const glm::uvec3> all = mesh.mesh.triangles;
+    for (std::size_t i = 0; i < mesh.tubes.size(); ++i) {
+        const std::size_t first = mesh.tubes[i].firstTriangle;
+        const std::size_t end = i + 1 < mesh.tubes.size() ? mesh.tubes[i + 1].firstTriangle : all.size();
+        out[mesh.tubes[i].branch] = all.subspan(first, end - first);
+    }
+    return out;
+}
+
+/// A place on the bark.
+struct BarkPlace
+{
+    glm::uvec3 triangle{noIndex};
+    glm::dvec3 shares{1.0, 0.0, 0.0}; ///< of its corners
+};
+
+/// \pre the tube has triangles.
+BarkPlace nearestOnBark(const TriangleMesh& mesh, std::span<const glm::uvec3> tube, const glm::dvec3& place)
+{
+    const auto corner = [&mesh](Index vertex) { return glm::dvec3(mesh.positions[vertex]); };
+    double nearest = std::numeric_limits<double>::max();
+    BarkPlace found{tube.front()};
+    for (const glm::uvec3& t : tube) {
+        const glm::dvec3 a = corner(t.x), b = corner(t.y), c = corner(t.z);
+        const glm::dvec3 shares = nearestShares(place, a, b, c);
+        const glm::dvec3 away = shares.x * a + shares.y * b + shares.z * c - place;
+        if (const double distance = glm::dot(away, away); distance < nearest) {
+            nearest = distance;
+            found = {t, shares};
+        }
+    }
+    return found;
+}
+
+void appendAnchor(BarkAnchors& anchors, Index leaf, const BarkPlace& place, const TriangleMesh& mesh,
+                  const Skin& bark)
+{
+    Mix mix;
+    bool bends = false;
+    for (int k = 0; k < 3; ++k) {
+        const SkinInfluence& at = bark.of(place.triangle[k]);
+        bends = bends || !(at == bark.of(place.triangle[0]));
+        for (std::size_t i = 0; i < 3; ++i)
+            mix.add(at.bone[i], place.shares[k] * double(at.weight[i]));
+    }
+    append(anchors.leaves, leaf, bends ? mix.influence() : bark.of(place.triangle[0]));
+    if (!bends)
+        return;
+    anchors.bent.push_back(leaf);
+    anchors.shares.push_back(place.shares);
+    for (int k = 0; k < 3; ++k) {
+        append(anchors.cornerSkin, static_cast<Index>(anchors.corners.size()), bark.of(place.triangle[k]));
+        anchors.corners.push_back(mesh.positions[place.triangle[k]]);
+    }
+}
+
 tl::unexpected<Error> mismatch()
 {
     return fail(ErrorCode::Invalid, RAMURE_NOOP("The mesh was not made of this skeleton"));
@@ -278,35 +365,48 @@ Expected<Skin> bindBranches(const BranchMesh& mesh, const Skeleton& skeleton, bo
     return skin;
 }
 
-Expected<Skin> bindAnchors(std::span<const FoliageItem> items, const BranchMesh& branches,
-                           const Skeleton& skeleton, bool smooth)
+Expected<BarkAnchors> bindAnchors(std::span<const FoliageItem> items, const BranchMesh& branches,
+                                  const Skeleton& skeleton, const Skin& bark)
 {
-    if (!belongs(branches, skeleton) ||
+    if (!belongs(branches, skeleton) || bark.vertices != branches.mesh.vertexCount() ||
         !std::all_of(items.begin(), items.end(),
                      [&](const FoliageItem& item) { return item.branch < skeleton.size(); }))
         return mismatch();
-    Skin skin;
-    skin.vertices = static_cast<Index>(items.size());
-    skin.bones = skeleton.size();
-    BranchBlend blend(branches, skeleton);
-    for (std::size_t i = 0; i < items.size(); ++i)
-        append(skin, static_cast<Index>(i),
-               smooth ? blend.at(items[i].branch, items[i].position) : follow(items[i].branch));
-    return skin;
+    const std::vector<std::span<const glm::uvec3>> tubes = trianglesOfTubes(branches, skeleton.size());
+    std::vector<BarkPlace> places(items.size());
+    parallelFor(items.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            if (const std::span<const glm::uvec3> tube = tubes[items[i].branch]; !tube.empty())
+                places[i] = nearestOnBark(branches.mesh, tube, items[i].position);
+    });
+    BarkAnchors out;
+    out.leaves.vertices = static_cast<Index>(items.size());
+    out.leaves.bones = out.cornerSkin.bones = skeleton.size();
+    for (Index i = 0; i < items.size(); ++i)
+        if (places[i].triangle.x == noIndex)
+            append(out.leaves, i, follow(items[i].branch));
+        else
+            appendAnchor(out, i, places[i], branches.mesh, bark);
+    out.cornerSkin.vertices = static_cast<Index>(out.corners.size());
+    return out;
 }
 
 Expected<Skin> bindFoliage(const TriangleMesh& mesh, std::span<const FoliageItem> items,
                            const BranchMesh& branches, const Skeleton& skeleton, bool smooth)
 {
     const bool fits = items.empty() ? mesh.positions.empty() : mesh.positions.size() % items.size() == 0;
-    if (!fits)
+    if (!fits || !belongs(branches, skeleton) ||
+        !std::all_of(items.begin(), items.end(),
+                     [&](const FoliageItem& item) { return item.branch < skeleton.size(); }))
         return mismatch();
-    auto skin = bindAnchors(items, branches, skeleton, smooth);
-    if (skin) {
-        for (SkinRun& run : skin->runs)
-            run.firstVertex *= items.empty() ? 0 : mesh.vertexCount() / static_cast<Index>(items.size());
-        skin->vertices = mesh.vertexCount();
-    }
+    Skin skin;
+    skin.vertices = mesh.vertexCount();
+    skin.bones = skeleton.size();
+    const std::size_t perItem = items.empty() ? 0 : mesh.positions.size() / items.size();
+    BranchBlend blend(branches, skeleton);
+    for (std::size_t i = 0; i < items.size(); ++i)
+        append(skin, static_cast<Index>(i * perItem),
+               smooth ? blend.at(items[i].branch, items[i].position) : follow(items[i].branch));
     return skin;
 }
 

@@ -50,12 +50,24 @@ struct Skin
 /// Linear and DualQuaternion. Errors: Invalid where mesh and skeleton do not belong together.
 Expected<Skin> bindBranches(const BranchMesh& mesh, const Skeleton& skeleton, bool smooth);
 
-/// What leaves or apples hang on: each, like a vertex of its own, on what the branch's skin follows at the
-/// place of its anchor. \param smooth as in \p branches. Errors: Invalid as above.
-Expected<Skin> bindAnchors(std::span<const FoliageItem> items, const BranchMesh& branches,
-                           const Skeleton& skeleton, bool smooth);
-/// The skin of leaves or apples, each of which follows its anchor as a whole. \param items that the mesh was
-/// made from, in their order, equally many vertices each. Errors: Invalid as above.
+/// Where the leaves of a plant hang: each on the triangle of the bark that is nearest to its foot.
+struct BarkAnchors
+{
+    Skin leaves; ///< each like a vertex of its own: what its triangle follows at that place
+    /// Leaves whose triangle bends, since its corners follow different bones: how it goes exactly. Three
+    /// corners of each, and their shares in the place.
+    std::vector<Index> bent;
+    std::vector<glm::vec3> corners;
+    std::vector<glm::dvec3> shares;
+    Skin cornerSkin;
+};
+/// \param bark bindBranches of that mesh. Errors: Invalid as above.
+Expected<BarkAnchors> bindAnchors(std::span<const FoliageItem> items, const BranchMesh& branches,
+                                  const Skeleton& skeleton, const Skin& bark);
+
+/// The skin of leaves or apples: each piece follows, as a whole, what the branch's skin follows at the place
+/// of its anchor. \param items that the mesh was made from, in their order, equally many vertices each.
+/// \param smooth as in bindBranches. Errors: Invalid as above.
 Expected<Skin> bindFoliage(const TriangleMesh& mesh, std::span<const FoliageItem> items,
                            const BranchMesh& branches, const Skeleton& skeleton, bool smooth);
 
