@@ -4610,6 +4610,14 @@
         <source>0 is summer. Then leaves take the colour of their plant&apos;s autumn, the upper ones first, and fall, until at 1 the twigs are bare. Evergreens stay as they are.</source>
         <translation>0&#xa0;: l’été. Puis les feuilles prennent la couleur d’automne de leur plante, celles du haut d’abord, et tombent, jusqu’à ce qu’à 1 les rameaux soient nus. Les persistants restent comme ils sont.</translation>
     </message>
+    <message>
+        <source>the faithful leaf has no picture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a picture of %1 pixels: %2 to %3 are possible</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

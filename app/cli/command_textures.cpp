@@ -22,7 +22,14 @@ constexpr CommandText text = {
     "already is kept. `export` writes the same files beside an .obj."};
 
 /// Of the trees that are shown, each bark once.
-Expected<std::vector<BarkParams>> barksOf(const Scene& scene)
+struct Surfaces
+{
+    std::vector<BarkParams> barks;
+    std::vector<LeafShape> leaves;
+};
+
+/// Each once.
+Expected<Surfaces> surfacesOf(const Scene& scene)
 {
     const auto trees = treesOf(scene);
     if (!trees)
@@ -30,17 +37,22 @@ Expected<std::vector<BarkParams>> barksOf(const Scene& scene)
     TreePipeline pipeline;
     Evaluator evaluator(pipelineSource(pipeline), {});
     EvaluatedScene now = evaluator.at(scene, 0.0);
-    std::vector<BarkParams> barks;
-    for (const Node* tree : *trees)
-        if (const BarkParams& bark = now.params(*tree).bark; scene.isShown(tree->id) &&
-                                                             bark.family != BarkFamily::Plain &&
-                                                             std::ranges::find(barks, bark) == barks.end())
-            barks.push_back(bark);
-    if (barks.empty())
-        return fail(ErrorCode::Invalid,
-                    "no tree that is shown has a bark with pictures: --set bark.family=oak, "
-                    "for example");
-    return barks;
+    Surfaces out;
+    for (const Node* tree : *trees) {
+        if (!scene.isShown(tree->id))
+            continue;
+        const NodeParams& params = now.params(*tree);
+        const LeafShape leaf = params.leaf.shape;
+        if (params.bark.family != BarkFamily::Plain &&
+            std::ranges::find(out.barks, params.bark) == out.barks.end())
+            out.barks.push_back(params.bark);
+        if (leaf != LeafShape::Faithful && std::ranges::find(out.leaves, leaf) == out.leaves.end())
+            out.leaves.push_back(leaf);
+    }
+    if (out.barks.empty() && out.leaves.empty())
+        return fail(ErrorCode::Invalid, "no tree that is shown has a bark or a leaf with pictures: "
+                                        "--set bark.family=furrowed, for example");
+    return out;
 }
 
 Expected<int> sizeFrom(const CommandLine& line)
@@ -84,23 +96,33 @@ Expected<int> run(const CommandLine& line)
     if (!input->scene())
         return fail(ErrorCode::Invalid, "\"%1\" is a mesh: only trees have a bark",
                     {line.arguments().front().toStdString()});
-    const auto barks = barksOf(*input->scene());
-    if (!barks)
-        return fail(barks.error());
+    const auto surfaces = surfacesOf(*input->scene());
+    if (!surfaces)
+        return fail(surfaces.error());
     if (!QDir().mkpath(folder))
         return fail(ErrorCode::Io, "%1: the folder cannot be made", {systemPath(folder)});
     const Work work("textures");
     QJsonArray all, written;
-    for (std::size_t i = 0; i < barks->size(); ++i) {
-        const double count = double(barks->size());
-        const auto names = writeMaps(systemPath(folder), (*barks)[i], *size,
-                                     work.progress().part(double(i) / count, double(i + 1) / count));
-        if (!names)
-            return fail(names.error());
-        for (const std::string& name : *names)
+    const auto note = [&written](const Expected<std::vector<std::string>>& names) {
+        for (const std::string& name : names ? *names : std::vector<std::string>())
             written.append(fromText(name));
+        return names.has_value();
+    };
+    const double count = double(surfaces->barks.size());
+    for (std::size_t i = 0; i < surfaces->barks.size(); ++i) {
+        const BarkParams& bark = surfaces->barks[i];
+        const auto names = writeMaps(systemPath(folder), bark, *size,
+                                     work.progress().part(double(i) / count, double(i + 1) / count));
+        if (!note(names))
+            return fail(names.error());
         for (std::size_t map = 0; map < mapNames.size(); ++map)
-            all.append(fromText(mapFileName((*barks)[i], *size, static_cast<MaterialMap>(map))));
+            all.append(fromText(mapFileName(bark, *size, static_cast<MaterialMap>(map))));
+    }
+    for (const LeafShape leaf : surfaces->leaves) {
+        if (const auto names = writeMaps(systemPath(folder), leaf, *size); !note(names))
+            return fail(names.error());
+        for (const MaterialMap map : leafMapKinds)
+            all.append(fromText(mapFileName(leaf, *size, map)));
     }
     if (line.has("json"))
         if (const auto printed =

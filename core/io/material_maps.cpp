@@ -4,6 +4,7 @@
 #include "core/math/stage_hash.h"
 #include "core/params/param_def.h"
 #include "core/surface/bark/bark_maps.h"
+#include "core/surface/foliage/leaf_maps.h"
 #include <filesystem>
 
 namespace ramure {
@@ -59,14 +60,28 @@ std::string mapFileName(const BarkParams& bark, int size, MaterialMap map)
         .append(".png");
 }
 
-Expected<std::vector<std::string>> writeMaps(const std::string& folder, const BarkParams& bark, int size,
-                                             const Progress& progress)
+std::string mapFileName(LeafShape leaf, int size, MaterialMap map)
 {
-    const auto nameOf = [&](std::size_t map) {
-        return mapFileName(bark, size, static_cast<MaterialMap>(map));
-    };
-    std::vector<std::size_t> missing;
-    for (std::size_t map = 0; map < mapNames.size(); ++map) {
+    return std::string("leaf_")
+        .append(findParam("foliage.leaf")->items[static_cast<std::size_t>(leaf)].name)
+        .append("_")
+        .append(std::to_string(leafMapsVersion))
+        .append("_")
+        .append(std::to_string(size))
+        .append("_")
+        .append(mapNames[static_cast<std::size_t>(map)])
+        .append(".png");
+}
+
+namespace {
+
+/// Those that are not there yet. \param make gives all pictures, \param show one of them.
+template <class Name, class Make, class Show>
+Expected<std::vector<std::string>> writeMissing(const std::string& folder, std::span<const MaterialMap> kinds,
+                                                const Name& nameOf, const Make& make, const Show& show)
+{
+    std::vector<MaterialMap> missing;
+    for (const MaterialMap map : kinds) {
         std::error_code problem; // what cannot be looked at is told by whoever writes it
         if (!std::filesystem::exists(std::filesystem::path(folder) / nameOf(map), problem))
             missing.push_back(map);
@@ -74,16 +89,42 @@ Expected<std::vector<std::string>> writeMaps(const std::string& folder, const Ba
     std::vector<std::string> written;
     if (missing.empty())
         return written;
-    const auto maps = barkMaps(bark, size, progress.part(0.0, 0.8));
+    const auto maps = make();
     if (!maps)
         return fail(maps.error());
-    for (const std::size_t map : missing) {
+    for (const MaterialMap map : missing) {
         const std::string path = (std::filesystem::path(folder) / nameOf(map)).string();
-        if (const auto done = writePng(path, pictureOf(*maps, static_cast<MaterialMap>(map))); !done)
+        if (const auto done = writePng(path, show(*maps, map)); !done)
             return fail(done.error());
         written.push_back(nameOf(map));
     }
     return written;
+}
+
+} // namespace
+
+Expected<std::vector<std::string>> writeMaps(const std::string& folder, const BarkParams& bark, int size,
+                                             const Progress& progress)
+{
+    constexpr std::array kinds{MaterialMap::Colour, MaterialMap::Normal, MaterialMap::Height,
+                               MaterialMap::Occlusion, MaterialMap::Roughness};
+    return writeMissing(
+        folder, kinds, [&](MaterialMap map) { return mapFileName(bark, size, map); },
+        [&] { return barkMaps(bark, size, progress.part(0.0, 0.8)); },
+        [](const BarkMaps& maps, MaterialMap map) { return pictureOf(maps, map); });
+}
+
+Expected<std::vector<std::string>> writeMaps(const std::string& folder, LeafShape leaf, int size)
+{
+    return writeMissing(
+        folder, leafMapKinds, [&](MaterialMap map) { return mapFileName(leaf, size, map); },
+        [&] { return leafMaps(leaf, size); },
+        [](const LeafMaps& maps, MaterialMap map) {
+            const int side = maps.size;
+            return map == MaterialMap::Colour   ? PictureBytes{side, side, 3, true, bytesOf(maps.colour)}
+                   : map == MaterialMap::Normal ? PictureBytes{side, side, 3, false, bytesOf(maps.normal)}
+                                                : PictureBytes{side, side, 1, false, bytesOf(maps.height)};
+        });
 }
 
 } // namespace ramure

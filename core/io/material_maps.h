@@ -1,10 +1,12 @@
 /// \file
-/// The pictures of materials as files: colour, normal, height, occlusion and roughness of a bark.
+/// The pictures of materials as files: colour, normal, height, occlusion and roughness of a bark; colour,
+/// normal and height of a leaf.
 #pragma once
 
 #include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/params/bark_params.h"
+#include "core/params/leaf_params.h"
 #include <array>
 #include <string>
 #include <vector>
@@ -17,11 +19,17 @@ inline constexpr std::array mapNames = {"colour", "normal", "height", "occlusion
 /// "bark_furrowed_1f3a9c04_1024_normal.png": the number stands for all that the picture hangs on, so that
 /// frames of a sequence and neighbours in a folder share what is the same and never take each other's.
 std::string mapFileName(const BarkParams& bark, int size, MaterialMap map);
+/// "leaf_oak_1_1024_normal.png". The number is leafMapsVersion. \pre the map is one of leafMapKinds.
+std::string mapFileName(LeafShape leaf, int size, MaterialMap map);
+inline constexpr std::array leafMapKinds{MaterialMap::Colour, MaterialMap::Normal, MaterialMap::Height};
 
 /// Writes the five pictures of a bark into a folder. Where all are there already, nothing is made: whoever
 /// painted over them keeps that. Returns the names of those that were written. Errors: Invalid (plain bark),
 /// Limit (the size), Io (with file), Cancelled.
 Expected<std::vector<std::string>> writeMaps(const std::string& folder, const BarkParams& bark, int size,
                                              const Progress& progress = {});
+
+/// Likewise of a leaf. Errors: Invalid (the faithful leaf, the size), Io.
+Expected<std::vector<std::string>> writeMaps(const std::string& folder, LeafShape leaf, int size);
 
 } // namespace ramure

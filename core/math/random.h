@@ -22,6 +22,7 @@ enum class RandomStream : std::uint64_t {
     TwigLeaves = 9,
     LeafSwing = 10,
     LeafFall = 11,
+    Venation = 12,
     ArmStart = 20,
     Terrain = 21,
     Test = 1000

@@ -31,6 +31,8 @@ Material leavesMaterial(LeafShape shape, bool turn)
         leaves.colour = leafColour(shape, turn);
         leaves.variety = 0.15f;
         leaves.tones = true;
+        if (!turn) // the pictures are those of summer
+            leaves.leaf = shape;
     }
     return leaves;
 }

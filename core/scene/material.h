@@ -25,6 +25,7 @@ struct Material
     float variety = 0.0f;    ///< how far the colour goes from branch to branch
     bool tones = false;      ///< the colours of triangles are its own, a little darker: it stays one material
     BarkParams bark{};       ///< of bark: its pictures, where it has a family
+    LeafShape leaf = LeafShape::Faithful; ///< of leaves: their pictures, where they are a plant's
     bool operator==(const Material&) const = default;
 };
 

@@ -83,6 +83,21 @@ vec3 film(vec3 c)
     return mix(vec3(dot(c, vec3(0.2126, 0.7152, 0.0722))), c, 0.8);
 }
 
+uniform bool uVeins; // uBark is the picture of a leaf whose blade has the colour uBlade
+uniform vec3 uBlade; // sRGB
+
+vec3 leafColour(inout vec3 normal)
+{
+    vec3 across = dFdx(v.relative), along = dFdy(v.relative);
+    vec2 du = dFdx(v.uv), dv = dFdy(v.uv);
+    vec3 p = cross(along, normal), q = cross(normal, across);
+    vec3 t = p * du.x + q * dv.x, b = p * du.y + q * dv.y;
+    vec3 relief = texture(uBarkNormals, v.uv).xyz * 2.0 - 1.0;
+    float scale = inversesqrt(max(max(dot(t, t), dot(b, b)), 1e-30));
+    normal = normalize(scale * (t * relief.x + b * relief.y) + normal * max(relief.z, 0.1));
+    return ownColour() * texture(uBark, v.uv).rgb / max(uBlade, vec3(0.02));
+}
+
 vec3 shaded(vec3 albedo, vec3 normal)
 {
     float facing = dot(normal, uSun);
@@ -111,7 +126,7 @@ void main()
 {
     vec3 flatNormal = cross(dFdx(v.relative), dFdy(v.relative));
     vec3 normal = normalize(dot(v.normal, v.normal) > 1e-8 ? v.normal : (gl_FrontFacing ? flatNormal : -flatNormal));
-    vec3 own = uHasBark ? barkColour(normal) : ownColour();
+    vec3 own = uVeins ? leafColour(normal) : uHasBark ? barkColour(normal) : ownColour();
     vec3 paint = painted(v.uv, v.relative, own);
     vec3 albedo = toLinear(mix(paint, v.tint.rgb, v.tint.a)) * v.shade;
     if (!gl_FrontFacing) {

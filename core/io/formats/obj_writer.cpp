@@ -204,7 +204,11 @@ bool writePart(FileWriter& out, const MeshPart& part, const Before& before, bool
 void writeMaterial(FileWriter& out, const Material& material, int mapSize)
 {
     const auto mapLine = [&](const char* word, MaterialMap map) {
-        out.append(std::string(word) + " " + mapFileName(material.bark, mapSize, map) + "\n");
+        const bool isLeaf = material.leaf != LeafShape::Faithful;
+        out.append(
+            std::string(word) + " " +
+            (isLeaf ? mapFileName(material.leaf, mapSize, map) : mapFileName(material.bark, mapSize, map)) +
+            "\n");
     };
     char buffer[16 + 3 * maxFloatText];
     char* end = appendText(buffer, "Kd ");
@@ -219,15 +223,18 @@ void writeMaterial(FileWriter& out, const Material& material, int mapSize)
     mapLine("map_Kd", MaterialMap::Colour);
     mapLine("map_Bump", MaterialMap::Normal);
     mapLine("norm", MaterialMap::Normal);
-    mapLine("map_Pr", MaterialMap::Roughness);
-    mapLine("map_ao", MaterialMap::Occlusion);
+    if (material.leaf == LeafShape::Faithful) {
+        mapLine("map_Pr", MaterialMap::Roughness);
+        mapLine("map_ao", MaterialMap::Occlusion);
+    }
     mapLine("disp", MaterialMap::Height);
 }
 
 bool hasMaps(const MeshPart& part, const WriteOptions& options)
 {
-    return options.mapSize > 0 && part.material.bark.family != BarkFamily::Plain &&
-           writing::hasTexture(*part.mesh);
+    const bool isPictured =
+        part.material.bark.family != BarkFamily::Plain || part.material.leaf != LeafShape::Faithful;
+    return options.mapSize > 0 && isPictured && writing::hasTexture(*part.mesh);
 }
 
 void writeMaterials(FileWriter& out, std::span<const MeshPart> parts, const WriteOptions& options)
@@ -290,11 +297,16 @@ Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts
         return fail(materials.error());
     writeMaterials(*materials, parts, options);
     for (const MeshPart& part : parts)
-        if (hasMaps(part, options))
-            if (const auto maps = writeMaps(std::filesystem::path(path).parent_path().string(),
-                                            part.material.bark, options.mapSize, progress.part(1.0, 1.0));
-                !maps)
+        if (hasMaps(part, options)) {
+            const std::string folder = std::filesystem::path(path).parent_path().string();
+            const Material& material = part.material;
+            const auto maps =
+                material.leaf != LeafShape::Faithful
+                    ? writeMaps(folder, material.leaf, options.mapSize)
+                    : writeMaps(folder, material.bark, options.mapSize, progress.part(1.0, 1.0));
+            if (!maps)
                 return fail(maps.error());
+        }
     return FileWriter::commitTogether({&*materials, &*out});
 }
 

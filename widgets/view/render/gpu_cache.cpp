@@ -275,35 +275,47 @@ void GpuCache::bindColours(ShaderProgram& program, const GpuBlock& mesh)
     program.set("uHasColours", mesh.texture != 0);
 }
 
+GLuint GpuCache::picture(int size, const std::vector<glm::u8vec3>& rgb,
+                         const std::vector<std::uint8_t>& alpha)
+{
+    std::vector<glm::u8vec4> pixels(rgb.size());
+    std::transform(rgb.begin(), rgb.end(), alpha.begin(), pixels.begin(),
+                   [](const glm::u8vec3& c, std::uint8_t a) { return glm::u8vec4(c, a); });
+    GLuint texture = 0;
+    m_gl.glGenTextures(1, &texture);
+    m_gl.glBindTexture(GL_TEXTURE_2D, texture);
+    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    m_gl.glGenerateMipmap(GL_TEXTURE_2D);
+    m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    m_stats.bytes += pixels.size() * sizeof(glm::u8vec4);
+    return texture;
+}
+
 /// Colour and occlusion in one texture; normal and roughness in the other.
 const GpuBlock& GpuCache::bark(const std::shared_ptr<const BarkMaps>& maps)
 {
     const auto [block, isNew] = slot(maps);
-    if (!isNew)
-        return block;
-    const auto upload = [&, this](const std::vector<glm::u8vec3>& rgb,
-                                  const std::vector<std::uint8_t>& alpha) {
-        std::vector<glm::u8vec4> pixels(rgb.size());
-        std::transform(rgb.begin(), rgb.end(), alpha.begin(), pixels.begin(),
-                       [](const glm::u8vec3& c, std::uint8_t a) { return glm::u8vec4(c, a); });
-        GLuint texture = 0;
-        m_gl.glGenTextures(1, &texture);
-        m_gl.glBindTexture(GL_TEXTURE_2D, texture);
-        m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, maps->size, maps->size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                          pixels.data());
-        m_gl.glGenerateMipmap(GL_TEXTURE_2D);
-        m_gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-        m_stats.bytes += pixels.size() * sizeof(glm::u8vec4);
-        return texture;
-    };
-    block.texture = upload(maps->colour, maps->occlusion);
-    block.normals = upload(maps->normal, maps->roughness);
+    if (isNew) {
+        block.texture = picture(maps->size, maps->colour, maps->occlusion);
+        block.normals = picture(maps->size, maps->normal, maps->roughness);
+    }
     return block;
 }
 
-void GpuCache::bindBark(ShaderProgram& program, const std::shared_ptr<const BarkMaps>& maps)
+/// Colour and light that shines through; normal and height.
+const GpuBlock& GpuCache::leaf(const std::shared_ptr<const LeafMaps>& maps)
 {
-    const GpuBlock* block = maps ? &bark(maps) : nullptr;
+    const auto [block, isNew] = slot(maps);
+    if (isNew) {
+        block.texture = picture(maps->size, maps->colour, maps->through);
+        block.normals = picture(maps->size, maps->normal, maps->height);
+    }
+    return block;
+}
+
+void GpuCache::bindPictures(ShaderProgram& program, const MeshItem& item)
+{
+    const GpuBlock* block = item.bark ? &bark(item.bark) : item.leaf ? &leaf(item.leaf) : nullptr;
     m_gl.glActiveTexture(GL_TEXTURE0 + barkUnit);
     m_gl.glBindTexture(GL_TEXTURE_2D, block ? block->texture : restTexture());
     m_gl.glActiveTexture(GL_TEXTURE0 + barkNormalsUnit);
@@ -311,41 +323,11 @@ void GpuCache::bindBark(ShaderProgram& program, const std::shared_ptr<const Bark
     m_gl.glActiveTexture(GL_TEXTURE0);
     program.set("uBark", int(barkUnit));
     program.set("uBarkNormals", int(barkNormalsUnit));
-    program.set("uHasBark", block != nullptr);
-}
-
-GLuint GpuCache::crownTexture(const CrownLight& crown)
-{
-    GLuint texture = 0;
-    m_gl.glGenTextures(1, &texture);
-    m_gl.glBindTexture(GL_TEXTURE_3D, texture);
-    m_gl.glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, crown.cells.x, crown.cells.y, crown.cells.z, 0, GL_RGBA,
-                      GL_UNSIGNED_BYTE, crown.light.data());
-    for (const GLenum filter : {GLenum(GL_TEXTURE_MIN_FILTER), GLenum(GL_TEXTURE_MAG_FILTER)})
-        m_gl.glTexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
-    for (const GLenum wrap :
-         {GLenum(GL_TEXTURE_WRAP_S), GLenum(GL_TEXTURE_WRAP_T), GLenum(GL_TEXTURE_WRAP_R)})
-        m_gl.glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
-    m_stats.bytes += crown.light.size() * sizeof(glm::u8vec4);
-    return texture;
-}
-
-void GpuCache::bindCrown(ShaderProgram& program, const std::shared_ptr<const CrownLight>& crown)
-{
-    if (m_restCrown == 0)
-        m_restCrown = crownTexture({glm::ivec3(1), glm::dmat4(1.0), {glm::u8vec4(255)}});
-    GLuint texture = m_restCrown;
-    if (crown) {
-        const auto [block, isNew] = slot(crown);
-        if (isNew)
-            block.texture = crownTexture(*crown);
-        texture = block.texture;
-    }
-    m_gl.glActiveTexture(GL_TEXTURE0 + crownUnit);
-    m_gl.glBindTexture(GL_TEXTURE_3D, texture);
-    m_gl.glActiveTexture(GL_TEXTURE0);
-    program.set("uCrown", int(crownUnit));
-    program.set("uHasCrown", crown != nullptr);
+    program.set("uHasBark", item.bark != nullptr);
+    const bool isLeaf = !item.bark && item.leaf;
+    program.set("uVeins", isLeaf);
+    if (isLeaf)
+        program.set("uBlade", glm::vec3(item.leaf->blade) / 255.0f);
 }
 
 /// Per vertex, three bones and their weights.

@@ -82,7 +82,7 @@ public:
     /// The same for the colours of a mesh's triangles.
     void bindColours(ShaderProgram& program, const GpuBlock& mesh);
     /// The same for its bark, which may be null.
-    void bindBark(ShaderProgram& program, const std::shared_ptr<const BarkMaps>& maps);
+    void bindPictures(ShaderProgram& program, const MeshItem& item);
     /// The same for the light in its crown, which may be null.
     void bindCrown(ShaderProgram& program, const std::shared_ptr<const CrownLight>& crown);
     /// How many rows of a texture hold \p texels where the card's largest has \p largest a side; 0 where it
@@ -103,7 +103,9 @@ private:
     void fillCopies(GpuBlock& block, const MeshCopies& copies);
     void fillColours(GpuBlock& block, const std::vector<glm::u8vec3>& colours);
     GLuint crownTexture(const CrownLight& crown);
+    GLuint picture(int size, const std::vector<glm::u8vec3>& rgb, const std::vector<std::uint8_t>& alpha);
     const GpuBlock& bark(const std::shared_ptr<const BarkMaps>& maps);
+    const GpuBlock& leaf(const std::shared_ptr<const LeafMaps>& maps);
     /// A sampler must have a texture even where the program does not read it.
     GLuint restTexture();
     const GpuBlock& influences(const std::shared_ptr<const Skin>& skin, const MeshCopies* copies);

@@ -40,6 +40,8 @@ void append(MeshCopies& made, const TriangleMesh& mesh)
                 continue;
             shape.positions.push_back(mesh.positions[vertex]);
             shape.normals.push_back(mesh.normals[vertex]);
+            if (!mesh.uv.empty() && mesh.uvTriangles.empty())
+                shape.uv.push_back(mesh.uv[vertex]);
             made.colours.emplace_back(colour, 255);
         }
     }

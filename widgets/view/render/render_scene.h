@@ -10,6 +10,7 @@
 #include "core/scene/material.h"
 #include "core/scene/scene.h"
 #include "core/surface/bark/bark_maps.h"
+#include "core/surface/foliage/leaf_maps.h"
 #include "core/surface/mesh/triangle_mesh.h"
 #include "widgets/view/render/crown_light.h"
 #include "widgets/view/render/mesh_copies.h"
@@ -101,6 +102,7 @@ struct MeshItem
     Paint paint = Paint::Material;
     std::shared_ptr<const CrownLight> crown;       ///< of the tree that it is part of; null: in the open
     std::shared_ptr<const BarkMaps> bark;          ///< in place of the material's colour; null: none
+    std::shared_ptr<const LeafMaps> leaf;          ///< what tints the colours of a leaf; null: none
     float tileSize = 1.0f;                         ///< m, for the checker's metres and for bark
     float opacity = 1.0f;                          ///< under 1: its nearest surface only, over all the rest
     std::shared_ptr<const OutlinedFaces> outlined; ///< null: nothing of it

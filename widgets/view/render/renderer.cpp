@@ -394,7 +394,7 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     const GpuBlock& block = m_cache.item(item);
     m_cache.bindBones(program, item.motion);
     m_cache.bindColours(program, block);
-    m_cache.bindBark(program, item.bark);
+    m_cache.bindPictures(program, item);
     const glm::dmat4 relative = picture.relative(item.world);
     const bool hasCrown = item.crown && picture.options.quality != Quality::Draft;
     m_cache.bindCrown(program, hasCrown ? item.crown : nullptr);

@@ -33,7 +33,7 @@ Material openBark(const BarkParams& params = {})
 constexpr std::size_t mostCurves = 2000;
 
 /// Pixels a side of a tile of bark: as fine as the view can show, and quickly made.
-constexpr int shownBarkSize = 512;
+constexpr int shownBarkSize = 512, shownLeafSize = 256;
 
 /// A branch mesh with texture coordinates.
 struct TexturedMesh
@@ -99,6 +99,12 @@ struct TreeItems
         MeshItem* item = tree.foliage ? addMesh(std::move(mesh), std::move(material)) : nullptr;
         if (!item)
             return;
+        if (const LeafShape shape = tree.foliage->form.shape;
+            part == ScenePart::LeafCopies && shape != LeafShape::Faithful && model == FoliageModel::Fine) {
+            const std::shared_ptr<const void> anybody; // trees of the same plant share it
+            item->leaf = cache.get<LeafMaps>(ScenePart::LeafPicture, anybody, anybody, {double(shape)},
+                                             [&] { return leafMaps(shape, shownLeafSize).value(); });
+        }
         const double alpha = node.params.turtle.alpha;
         const BranchFlags flags = isIsolated() && tree.simplified
                                       ? branchFlags(tree.simplified->skeleton.size(), view.isolatedBranches)

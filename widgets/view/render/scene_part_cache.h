@@ -32,6 +32,7 @@ enum class ScenePart : std::uint8_t {
     Crown,
     Textured,
     Bark,
+    LeafPicture,
     ArmSkin,
     ArmRods,
     ArmTarget,
