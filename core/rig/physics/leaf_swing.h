@@ -5,7 +5,7 @@
 /// There is no state: how a leaf hangs is a function of the tree's state and the time, so that any seek gives
 /// what playing gives. A leaf is light and its drag great; it answers the waves of the wind as a damped
 /// spring does that they have driven for long (core/rig/physics/wind.h), and all else at once. In still air,
-/// on a twig at rest, it stands as it was placed, to the last bit.
+/// on a twig at rest, it stands as it was placed.
 #pragma once
 
 #include "core/rig/physics/physics_state.h"
