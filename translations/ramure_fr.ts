@@ -4612,11 +4612,11 @@
     </message>
     <message>
         <source>the faithful leaf has no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>la feuille fidèle n&apos;a pas d&apos;image</translation>
     </message>
     <message>
         <source>a picture of %1 pixels: %2 to %3 are possible</source>
-        <translation type="unfinished"></translation>
+        <translation>une image de %1 pixels : %2 à %3 sont possibles</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,5 @@
 #include "core/document/project_file.h"
 #include "core/io/formats/blender_scene.h"
-#include "core/params/presets.h"
 #include "core/surface/proof/validate.h"
 #include "tests/support/flat_export.h"
 #include "tests/support/suite.h"
@@ -57,7 +56,6 @@ private slots:
         node.id = 1;
         node.kind = NodeKind::Tree;
         node.name = "Oak";
-        node.params = *presetParams("SmallTree");
         node.params.foliage.applesProbability = 0.3;
         m_scene = *Scene::fromNodes({node});
     }

@@ -92,6 +92,7 @@ void TestExporter::wrongRequestsAreRefused()
     options.parts = 0;
     QCOMPARE(collect(oneTree(), options).error().code, ErrorCode::Invalid);
     Node bare = makeTree(1);
+    bare.params.leaf.shape = LeafShape::Faithful;
     bare.params.foliage.leavesDensity = 0;
     options.parts = exportLeaves;
     QCOMPARE(collect(*Scene::fromNodes({bare}), options).error().code, ErrorCode::Invalid);

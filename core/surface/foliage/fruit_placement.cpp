@@ -46,7 +46,7 @@ private:
         const bool hung = hangs(m_form.kind);
         // Its foot is on the side of the twig to which it goes.
         const glm::dvec3 side = cosine * place.frame.normal + sine * place.frame.binormal;
-        const glm::dvec3 out = across((hung ? -sky : 0.6 * sky) + 0.9 * side, place.frame.tangent, side);
+        const glm::dvec3 out = across((hung ? -sky : sky) + 0.9 * side, place.frame.tangent, side);
         const glm::dvec3 way = glm::normalize(hung ? -sky + 0.3 * lean * side + 0.15 * out
                                                    : out + 0.5 * sky + 0.4 * place.frame.tangent);
         FoliageItem item;
