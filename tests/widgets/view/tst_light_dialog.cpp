@@ -26,8 +26,10 @@ private slots:
     {
         QTest::addColumn<QVariantMap>("saved");
         QTest::addRow("nothing") << QVariantMap();
-        QTest::addRow("words") << QVariantMap{{"sunFrom", "east"}, {"sunHeight", "low"}, {"backdrop", "?"}};
-        QTest::addRow("out of range") << QVariantMap{{"sunFrom", 361.0}, {"sunHeight", 1.0}, {"backdrop", 3}};
+        QTest::addRow("words") << QVariantMap{
+            {"sunFrom", "east"}, {"sunHeight", "low"}, {"backdrop", "?"}, {"quality", "fine"}};
+        QTest::addRow("out of range")
+            << QVariantMap{{"sunFrom", 361.0}, {"sunHeight", 1.0}, {"backdrop", 3}, {"quality", 3}};
         QTest::addRow("below") << QVariantMap{{"sunFrom", -1.0}, {"sunHeight", -90.0}, {"backdrop", -1}};
         QTest::addRow("no number") << QVariantMap{{"sunFrom", qQNaN()}, {"sunHeight", qInf()}};
     }
@@ -36,6 +38,7 @@ private slots:
         QFETCH(const QVariantMap, saved);
         m_settings.restoreLight(saved);
         QCOMPARE(m_settings.light(), SceneLight());
+        QCOMPARE(m_settings.quality(), Quality::Good);
     }
     void theSunStandsWhereItIsSaidToStand()
     {
@@ -59,8 +62,10 @@ private slots:
         QCOMPARE(m_settings.light(), light);
         QCOMPARE(changed.size(), 3);
         ViewSettings other;
+        m_settings.setQuality(Quality::Best);
         other.restoreLight(m_settings.savedLight());
         QCOMPARE(other.light(), light);
+        QCOMPARE(other.quality(), Quality::Best);
         Preferences preferences;
         preferences.setViewLight(m_settings.savedLight());
         other.setLight({});
