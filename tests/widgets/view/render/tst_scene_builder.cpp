@@ -216,15 +216,16 @@ private slots:
     void meshModeHasThreeMaterials()
     {
         Trees trees;
-        trees.add();
+        const NodeParams params = trees.scene.find(trees.add())->params;
+        const std::string bark = barkMaterial(params.bark).name;
         SceneView view;
-        QCOMPARE(
-            materials(trees.build(view)),
-            (std::vector<std::string>{barkMaterial().name, leavesMaterial().name, applesMaterial().name}));
+        QCOMPARE(materials(trees.build(view)),
+                 (std::vector<std::string>{bark, leavesMaterial(params.leaf.shape).name,
+                                           applesMaterial(params.fruit.kind).name}));
         view.leaves = false;
         view.apples = false;
         const RenderScene bare = trees.build(view);
-        QCOMPARE(materials(bare), std::vector<std::string>{barkMaterial().name});
+        QCOMPARE(materials(bare), std::vector<std::string>{bark});
         QVERIFY(bare.box == bare.casters);
         QVERIFY(bare.meshes[0].pickable);
     }
