@@ -330,6 +330,40 @@ void GpuCache::bindPictures(ShaderProgram& program, const MeshItem& item)
         program.set("uBlade", glm::vec3(item.leaf->blade) / 255.0f);
 }
 
+GLuint GpuCache::crownTexture(const CrownLight& crown)
+{
+    GLuint texture = 0;
+    m_gl.glGenTextures(1, &texture);
+    m_gl.glBindTexture(GL_TEXTURE_3D, texture);
+    m_gl.glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, crown.cells.x, crown.cells.y, crown.cells.z, 0, GL_RGBA,
+                      GL_UNSIGNED_BYTE, crown.light.data());
+    for (const GLenum filter : {GLenum(GL_TEXTURE_MIN_FILTER), GLenum(GL_TEXTURE_MAG_FILTER)})
+        m_gl.glTexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
+    for (const GLenum wrap :
+         {GLenum(GL_TEXTURE_WRAP_S), GLenum(GL_TEXTURE_WRAP_T), GLenum(GL_TEXTURE_WRAP_R)})
+        m_gl.glTexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
+    m_stats.bytes += crown.light.size() * sizeof(glm::u8vec4);
+    return texture;
+}
+
+void GpuCache::bindCrown(ShaderProgram& program, const std::shared_ptr<const CrownLight>& crown)
+{
+    if (m_restCrown == 0)
+        m_restCrown = crownTexture({glm::ivec3(1), glm::dmat4(1.0), {glm::u8vec4(255)}});
+    GLuint texture = m_restCrown;
+    if (crown) {
+        const auto [block, isNew] = slot(crown);
+        if (isNew)
+            block.texture = crownTexture(*crown);
+        texture = block.texture;
+    }
+    m_gl.glActiveTexture(GL_TEXTURE0 + crownUnit);
+    m_gl.glBindTexture(GL_TEXTURE_3D, texture);
+    m_gl.glActiveTexture(GL_TEXTURE0);
+    program.set("uCrown", int(crownUnit));
+    program.set("uHasCrown", crown != nullptr);
+}
+
 /// Per vertex, three bones and their weights.
 struct VertexInfluence
 {
