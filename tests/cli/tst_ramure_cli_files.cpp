@@ -64,7 +64,8 @@ private slots:
         QTest::addColumn<QString>("name");
         QTest::addColumn<QStringList>("command"); // the file's path follows
         QTest::newRow("OBJ") << "20"
-                             << "limit.obj" << QStringList{"export", "preset:SmallTree", "--map-size", "0", "-o"};
+                             << "limit.obj"
+                             << QStringList{"export", "preset:SmallTree", "--map-size", "0", "-o"};
         QTest::newRow("PLY") << "20"
                              << "limit.ply" << QStringList{"export", "preset:SmallTree", "-o"};
         QTest::newRow("figures") << "20"
