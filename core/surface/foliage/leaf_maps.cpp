@@ -130,16 +130,16 @@ Expected<LeafMaps> leafMaps(LeafShape shape, int size)
     maps.coverage.assign(pixels, 0);
     cover(veined.blade, sheet, maps.coverage);
     const glm::dvec3 blade = glm::dvec3(leafRow(shape).colour) / 255.0;
-    const glm::dvec3 pale = glm::mix(blade, glm::dvec3(0.86, 0.88, 0.62), 0.42);
+    const glm::dvec3 pale = glm::mix(blade, glm::dvec3(0.86, 0.88, 0.62), 0.3);
     for (std::size_t i = 0; i < pixels; ++i) {
         const double vein = field.vein[i], rise = field.rise[i];
-        const glm::dvec3 colour = glm::mix(blade * (0.90 + 0.10 * rise), pale, vein);
+        const glm::dvec3 colour = glm::mix(blade * (0.94 + 0.06 * rise), pale, vein);
         maps.colour[i] = {byte(colour.r), byte(colour.g), byte(colour.b)};
         maps.height[i] = byte(0.25 + 0.5 * rise * (1.0 - vein));
         maps.through[i] = byte(0.85 + 0.15 * rise - 0.5 * vein);
     }
     // The blade is pillowed between its veins; slopes go by what a pixel is wide.
-    const double across = 2.0 * sheet.half / size, along = (1.0 - sheet.low) / size, relief = 0.012;
+    const double across = 2.0 * sheet.half / size, along = (1.0 - sheet.low) / size, relief = 0.006;
     for (std::size_t y = 0; y < row; ++y)
         for (std::size_t x = 0; x < row; ++x) {
             const auto height = [&](std::size_t at, std::size_t line) {
