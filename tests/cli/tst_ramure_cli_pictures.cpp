@@ -34,7 +34,7 @@ private slots:
         QVERIFY(!QFile::exists(folder));
         test::write(path("file"), "no folder");
         QVERIFY(isRefused(runCli(birch + QStringList{path("file") + "/maps"}), "the folder cannot be made"));
-        QVERIFY(runCli({"export", "preset:TinyTree", "-o", path("mesh.obj")}).code == 0);
+        QVERIFY(runCli({"export", "preset:TinyTree", "-o", path("mesh.obj"), "--map-size", "0"}).code == 0);
         QVERIFY(isRefused(runCli({"textures", path("mesh.obj"), "-o", folder}), "only trees have a bark"));
     }
     void texturesAndExportWriteTheSamePictures()
