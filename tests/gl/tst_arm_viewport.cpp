@@ -196,6 +196,7 @@ void TestArmViewport::aLimbFollowsTheHand()
     tree.kind = NodeKind::Tree;
     tree.name = "SmallTree";
     tree.params = presetParams("SmallTree").value();
+    tree.params.foliage.leavesCutoff = 0.0; // bare: the hand takes limbs, not what hangs in front of them
     QVERIFY(scene.insert({tree}, noNode, 0));
     window.document.reset(std::move(scene), {});
     TreePipeline pipeline;

@@ -32,6 +32,7 @@ Scene rowOfTrees(int count)
         node.kind = NodeKind::Tree;
         node.name = "tree";
         node.params = *presetParams("TinyTree");
+        node.params.bark = {}; // brown
         node.params.tree.translation.x = 3.0 * i;
         (void)scene.insert({node}, noNode, i);
     }
@@ -491,6 +492,8 @@ private slots:
     void onlyWhatIsSeenIsDrawnAgain()
     {
         Window window;
+        QTRY_VERIFY(!window.view->isSettling());
+        test::letHappen(50); // the picture that follows is painted
         const quint64 before = window.view->frameTimes().frame;
         // A new shape comes with its result; a second opinion on the mesh changes no picture.
         QVERIFY(edit::setParam(window.document, {window.tree(0)}, *findParam("turtle.theta"), 0.5));

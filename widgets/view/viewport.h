@@ -74,6 +74,8 @@ public:
     /// The picture is of an older state: the scene of now is being made in the background, or will be drawn
     /// in a moment.
     [[nodiscard]] bool isPicturePending() const;
+    /// Something moved just now; in a moment the picture is drawn once more, as good as was chosen.
+    [[nodiscard]] bool isSettling() const;
     /// A click on a large tree takes effect when the structure to pick in is ready; true until then.
     [[nodiscard]] bool isPickPending() const;
 

@@ -156,6 +156,11 @@ bool Viewport::isPicturePending() const
     return d->isStale() || d->sceneIsNew || d->highlightsStale;
 }
 
+bool Viewport::isSettling() const
+{
+    return d->settling.isActive();
+}
+
 void Viewport::wishScene()
 {
     d->settling.start();
