@@ -59,6 +59,7 @@ private:
     {
         PictureLook look;
         look.size = size;
+        look.options.quality = Quality::Good;
         const RenderScene rest = SceneBuilder().build(
             document.scene(),
             [&](NodeId id) { return document.result(id) ? &document.result(id)->tree : nullptr; },
@@ -94,7 +95,7 @@ private slots:
         waitFor(task);
         cli({QStringLiteral("export"), QStringLiteral("preset:TinyTree"), QStringLiteral("--frames"),
              QStringLiteral("0:40:20"), QStringLiteral("-o"), path(QStringLiteral("cli/tree.obj"))});
-        compareFolders(QStringLiteral("mine"), QStringLiteral("cli"), 6);
+        compareFolders(QStringLiteral("mine"), QStringLiteral("cli"), 14); // with eight pictures
     }
 
     void picturesAreThoseOfTheCommandLine()

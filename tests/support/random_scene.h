@@ -37,6 +37,7 @@ struct RandomScene
         made.name = std::to_string(id);
         if (kind == NodeKind::Tree)
             made.params = *presetParams("TinyTree");
+        made.params.bark = {}; // drawn as the mesh that files have, no vertex more
         made.params.tree.translation = {number(-3.0, 3.0), 0.0, number(-3.0, 3.0)};
         made.params.tree.rotation.y = number(-2.0, 2.0);
         made.params.physics.windStrength = number(0.5, 3.0);

@@ -181,10 +181,10 @@ struct Bones
         double w[block], x[block], y[block], z[block];
         double atX[block], atY[block], atZ[block];
 
-        void set(std::size_t i, const RigidTransform& bone)
+        void set(std::size_t i, const RigidTransform& to)
         {
-            w[i] = bone.rotation.w, x[i] = bone.rotation.x, y[i] = bone.rotation.y, z[i] = bone.rotation.z;
-            atX[i] = bone.translation.x, atY[i] = bone.translation.y, atZ[i] = bone.translation.z;
+            w[i] = to.rotation.w, x[i] = to.rotation.x, y[i] = to.rotation.y, z[i] = to.rotation.z;
+            atX[i] = to.translation.x, atY[i] = to.translation.y, atZ[i] = to.translation.z;
         }
         [[nodiscard]] Quat rotation(std::size_t i) const { return {w[i], x[i], y[i], z[i]}; }
         [[nodiscard]] Vec translation(std::size_t i) const { return {atX[i], atY[i], atZ[i]}; }
