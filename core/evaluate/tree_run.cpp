@@ -179,7 +179,7 @@ std::vector<RigidTransform> TreeRun::bones()
     const std::vector<RigidTransform> loose = m_cache->physics().loosePoses(state);
     for (std::size_t i = 0; i < loose.size(); ++i)
         bones[branches + state.loose[i].apple] = loose[i];
-    if (m_swing)
+    if (m_swing && m_cache->step() != 0) // the beginning is the rest, to the last bit
         m_swing->pose(m_pose.bones, m_motion.method, m_bends, std::span(bones).subspan(branches + apples));
     return bones;
 }

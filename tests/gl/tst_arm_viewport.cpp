@@ -196,7 +196,10 @@ void TestArmViewport::aLimbFollowsTheHand()
     tree.kind = NodeKind::Tree;
     tree.name = "SmallTree";
     tree.params = presetParams("SmallTree").value();
-    tree.params.foliage.leavesCutoff = 0.0; // bare: the hand takes limbs, not what hangs in front of them
+    // Bare and plain: the hand takes limbs, not what hangs in front of them, and no picture of bark that is
+    // made in the background brings another mesh to pick in.
+    tree.params.foliage.leavesCutoff = 0.0;
+    tree.params.bark = {};
     QVERIFY(scene.insert({tree}, noNode, 0));
     window.document.reset(std::move(scene), {});
     TreePipeline pipeline;

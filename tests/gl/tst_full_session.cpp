@@ -33,8 +33,7 @@ std::optional<QPoint> trunkIn(const QImage& picture)
 {
     const auto isBark = [&picture](int x, int y) {
         const QColor colour = picture.pixelColor(x, y);
-        return colour.red() > colour.green() + 30 && colour.green() > colour.blue() + 15 &&
-               colour.red() < 190;
+        return colour.red() > colour.green() + 4 && colour.green() > colour.blue() + 3 && colour.red() < 190;
     };
     constexpr int half = 4;
     for (int y = picture.height() - 1; y >= 0; --y)
