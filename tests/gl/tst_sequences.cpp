@@ -115,11 +115,13 @@ private slots:
         SequenceTask task;
         PictureLook around = look(m_document, {320, 200});
         around.allAround = true;
+        around.options.quality = Quality::Draft;
         task.startPictures(m_document, around,
                            turntableShots(4, 0.0, path(QStringLiteral("turn/p.png")).toStdString()));
         waitFor(task);
         cli({QStringLiteral("render"), QStringLiteral("preset:TinyTree"), QStringLiteral("--turntable"),
-             QStringLiteral("4"), QStringLiteral("--size"), QStringLiteral("320x200"), QStringLiteral("-o"),
+             QStringLiteral("4"), QStringLiteral("--quality"), QStringLiteral("draft"),
+             QStringLiteral("--size"), QStringLiteral("320x200"), QStringLiteral("-o"),
              path(QStringLiteral("cli-turn/p.png"))});
         compareFolders(QStringLiteral("turn"), QStringLiteral("cli-turn"), 4);
         const QImage front(path(QStringLiteral("turn/p_0000.png")));
