@@ -195,11 +195,7 @@ void TestArmViewport::aLimbFollowsTheHand()
     tree.id = scene.newId();
     tree.kind = NodeKind::Tree;
     tree.name = "SmallTree";
-    tree.params = presetParams("SmallTree").value();
-    // Bare and plain: the hand takes limbs, not what hangs in front of them, and no picture of bark that is
-    // made in the background brings another mesh to pick in.
-    tree.params.foliage.leavesCutoff = 0.0;
-    tree.params.bark = {};
+    // Its parameters are the table's: bark without a picture, and nothing large hangs in front of limbs.
     QVERIFY(scene.insert({tree}, noNode, 0));
     window.document.reset(std::move(scene), {});
     TreePipeline pipeline;

@@ -32,7 +32,11 @@ private:
     {
         QProcess process;
         process.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        process.start(QStringLiteral(RAMURE_CLI), arguments);
+        const QStringList faithful{QStringLiteral("--set"), QStringLiteral("foliage.leaf=faithful"),
+                                   QStringLiteral("--set"), QStringLiteral("foliage.leafSize=1"),
+                                   QStringLiteral("--set"), QStringLiteral("foliage.fruit=faithful"),
+                                   QStringLiteral("--set"), QStringLiteral("bark.family=plain")};
+        process.start(QStringLiteral(RAMURE_CLI), arguments + faithful);
         QVERIFY(process.waitForFinished(patienceMs));
         QCOMPARE(process.exitCode(), 0);
     }
@@ -78,6 +82,9 @@ private slots:
         tree.kind = NodeKind::Tree;
         tree.name = "TinyTree";
         tree.params = presetParams("TinyTree").value();
+        tree.params.leaf = {};
+        tree.params.fruit = {};
+        tree.params.bark = {};
         QVERIFY(scene.insert({tree}, noNode, 0));
         m_document.reset(std::move(scene), {});
         QVERIFY(m_recompute.waitForFull(patienceMs));
@@ -95,7 +102,7 @@ private slots:
         waitFor(task);
         cli({QStringLiteral("export"), QStringLiteral("preset:TinyTree"), QStringLiteral("--frames"),
              QStringLiteral("0:40:20"), QStringLiteral("-o"), path(QStringLiteral("cli/tree.obj"))});
-        compareFolders(QStringLiteral("mine"), QStringLiteral("cli"), 14); // with eight pictures
+        compareFolders(QStringLiteral("mine"), QStringLiteral("cli"), 6);
     }
 
     void picturesAreThoseOfTheCommandLine()
@@ -115,13 +122,11 @@ private slots:
         SequenceTask task;
         PictureLook around = look(m_document, {320, 200});
         around.allAround = true;
-        around.options.quality = Quality::Draft;
         task.startPictures(m_document, around,
                            turntableShots(4, 0.0, path(QStringLiteral("turn/p.png")).toStdString()));
         waitFor(task);
         cli({QStringLiteral("render"), QStringLiteral("preset:TinyTree"), QStringLiteral("--turntable"),
-             QStringLiteral("4"), QStringLiteral("--quality"), QStringLiteral("draft"),
-             QStringLiteral("--size"), QStringLiteral("320x200"), QStringLiteral("-o"),
+             QStringLiteral("4"), QStringLiteral("--size"), QStringLiteral("320x200"), QStringLiteral("-o"),
              path(QStringLiteral("cli-turn/p.png"))});
         compareFolders(QStringLiteral("turn"), QStringLiteral("cli-turn"), 4);
         const QImage front(path(QStringLiteral("turn/p_0000.png")));
