@@ -231,7 +231,7 @@ inline QImage screenPicture(const QRect& part = {})
 /// a draft stays for a while until the whole tree is there.
 inline QImage stillPicture(const QRect& part)
 {
-    return whenStill(900, [&part] { return screenPicture(part); }); // the view settles within 300 ms
+    return whenStill(420, [&part] { return screenPicture(part); }); // the view settles within 300 ms
 }
 
 } // namespace ramure::test
