@@ -54,7 +54,10 @@ void RecomputeWorker::evaluate(JobKind kind, const TreeJob& tree, const Progress
     outcome.seconds = std::chrono::duration<double>(Clock::now() - start).count();
     if (!outcome.result && outcome.result.error().code == ErrorCode::Cancelled)
         return;
-    m_toConfirm.erase(tree.node); // whatever waited there is of older parameters
+    // What waited there is of older parameters, but for a draft that comes after its own full result.
+    if (const auto waiting = m_toConfirm.find(tree.node);
+        waiting != m_toConfirm.end() && waiting->second.revision < tree.revision)
+        m_toConfirm.erase(waiting);
     if (outcome.result)
         lookAtReport(*outcome.result, outcome);
     m_outcome(std::move(outcome));

@@ -227,11 +227,17 @@ inline QImage screenPicture(const QRect& part = {})
     return part.isEmpty() ? all : all.copy(part);
 }
 
-/// Once a part of the screen has stopped changing, for less long than a text cursor stays. On a busy machine
-/// a draft stays for a while until the whole tree is there.
+/// Panels and dialogs once they have stopped changing, for less long than a text cursor stays.
 inline QImage stillPicture(const QRect& part)
 {
-    return whenStill(420, [&part] { return screenPicture(part); }); // the view settles within 300 ms
+    return whenStill(300, [&part] { return screenPicture(part); });
+}
+
+/// The view once it has stopped changing. It draws once more, better and slower, when nothing has moved for a
+/// while, and on a busy machine a draft stays until the whole tree is there.
+inline QImage stillView(const QRect& part)
+{
+    return whenStill(1500, [&part] { return screenPicture(part); });
 }
 
 } // namespace ramure::test

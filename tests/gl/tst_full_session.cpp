@@ -152,7 +152,7 @@ private slots:
             editor.start();
             QVERIFY(editor.waitForWindow(mainWindow));
             const QRect window = editor.place(mainWindow);
-            const QImage small = test::stillPicture(viewOf(window));
+            const QImage small = test::stillView(viewOf(window));
             QVERIFY(newFromPreset(editor, "TinyTree"));
             QVERIFY(eventually([&] { return test::screenPicture(viewOf(window)) != small; }));
             setParam(QStringLiteral("radialDivisions"), QStringLiteral("11"));
@@ -162,7 +162,7 @@ private slots:
             // A branch by a click.
             const QRect view = viewOf(window);
             QVERIFY(eventually([&] { return trunkIn(test::screenPicture(view)).has_value(); }));
-            const QImage before = test::stillPicture(view);
+            const QImage before = test::stillView(view);
             const QImage panels = test::stillPicture(panelsOf(window));
             const auto trunk = trunkIn(before);
             QVERIFY(trunk);
@@ -178,7 +178,7 @@ private slots:
 
             // Its frames rolled by hand, then one change too many, which is undone.
             Editor::moveMouse(view.topLeft() + QPoint(8, 8)); // what lies under it would have another tint
-            const QImage unrolled = test::stillPicture(view);
+            const QImage unrolled = test::stillView(view);
             Editor::keys({QStringLiteral("shift+r")});
             Editor::type(QStringLiteral("30"));
             Editor::keys({QStringLiteral("Return")});
@@ -186,7 +186,7 @@ private slots:
             Editor::keys(
                 {QStringLiteral("ctrl+f")}); // the inspector, and with it the section in the view, leaves
             QVERIFY(eventually([&] { return test::screenPicture(view) != unrolled; }));
-            const QImage rolled = test::stillPicture(view);
+            const QImage rolled = test::stillView(view);
             setParam(QStringLiteral("turtle.alpha"), QStringLiteral("45cm"));
             QVERIFY(eventually([&] { return test::screenPicture(view) != rolled; }));
             Editor::keys({QStringLiteral("ctrl+z")});

@@ -1,5 +1,6 @@
 #include "core/document/commands.h"
 #include "core/session/recompute.h"
+#include "core/session/recompute_worker.h"
 #include "tests/document/recorder.h"
 #include "tests/support/suite.h"
 #include "tests/support/waits.h"
@@ -163,6 +164,7 @@ private slots:
     void resetDropsTheOldResults();
     void secondOpinionsFollow();
     void secondOpinionsAreInterruptedAndResumed();
+    void lateDraftsKeepTheSecondOpinionComing();
     void knownMeshesAreNotAskedTwice();
     void progressAndBusy();
     void snapshotsAreSmall();
@@ -337,7 +339,7 @@ void TestRecompute::cheapTreesHaveNoDrafts()
     f.settleWithoutDrafts();
     for (int i = 0; i < 10; ++i) {
         f.setAlpha(0.3 + 0.01 * i);
-        QTRY_VERIFY(f.document.isCurrent(1));
+        QTRY_VERIFY(f.document.isCurrent(1) && f.document.result(1)->tree.report->openMeshChecked);
     }
     QCOMPARE(f.fake.drafts, 0);
 }
@@ -513,6 +515,24 @@ void TestRecompute::secondOpinionsAreInterruptedAndResumed()
     QTRY_COMPARE(f.fake.cancelled, 1);
     for (const NodeId id : {1u, 2u}) // the first tree was not changed, its opinion was interrupted
         QTRY_VERIFY(f.document.result(id)->tree.report->openMeshChecked);
+}
+
+void TestRecompute::lateDraftsKeepTheSecondOpinionComing()
+{
+    Fake fake;
+    std::vector<JobKind> seen;
+    RecomputeWorker worker(fake.evaluation(),
+                           [&seen](const TreeOutcome& outcome) { seen.push_back(outcome.kind); });
+    const TreeJob job{1, {}, 3};
+    worker.run(JobKind::Full, {job}, 1, {});
+    worker.run(JobKind::Draft, {job}, 1, {}); // asked for at the same time, but the full one was there first
+    worker.confirmAll({});
+    QCOMPARE(seen, (std::vector{JobKind::Full, JobKind::Draft, JobKind::Confirm}));
+
+    worker.run(JobKind::Full, {{1, {}, 4}}, 1, {});
+    worker.run(JobKind::Draft, {{1, {}, 5}}, 1, {}); // now the full one is of older parameters
+    worker.confirmAll({});
+    QCOMPARE(seen.size(), std::size_t{5});
 }
 
 void TestRecompute::knownMeshesAreNotAskedTwice()
