@@ -48,6 +48,13 @@
             <numerusform>Turn %n branches</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Delete %n edit(s) of branches</source>
+        <translation>
+            <numerusform>Delete %n edit of a branch</numerusform>
+            <numerusform>Delete %n edits of branches</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -471,6 +478,16 @@
         <translation>
             <numerusform>%n frame dropped</numerusform>
             <numerusform>%n frames dropped</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::UnplacedButton</name>
+    <message numerus="yes">
+        <source>%Ln edit(s) without a place</source>
+        <translation>
+            <numerusform>%Ln edit without a place</numerusform>
+            <numerusform>%Ln edits without a place</numerusform>
         </translation>
     </message>
 </context>

@@ -1109,6 +1109,13 @@
         <source>Forget Bookmark %1</source>
         <translation>Oublier le signet %1</translation>
     </message>
+    <message numerus="yes">
+        <source>Delete %n edit(s) of branches</source>
+        <translation>
+            <numerusform>Supprimer %n modification de branche</numerusform>
+            <numerusform>Supprimer %n modifications de branches</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -1690,6 +1697,14 @@
     <message>
         <source>The surface is closed, without holes or seams: every edge has exactly two faces, and all faces look outward. No triangle runs through another.</source>
         <translation>La surface est fermée, sans trou ni couture : chaque arête a exactement deux faces, et toutes les faces regardent vers l’extérieur. Aucun triangle n’en traverse un autre.</translation>
+    </message>
+    <message>
+        <source>Stems from one place</source>
+        <translation>Troncs partant d’un même lieu</translation>
+    </message>
+    <message>
+        <source>Stems that start within a radius of each other stand on one plate at the ground, so that they are one mesh. Two meshes there would run through each other.</source>
+        <translation>Des troncs qui partent à moins d’un rayon les uns des autres reposent sur un même plateau au sol, de sorte qu’ils ne font qu’un maillage. Deux maillages s’y traverseraient.</translation>
     </message>
 </context>
 <context>
@@ -8377,6 +8392,84 @@ OpenGL&#xa0;: %4
     <message>
         <source>S&amp;cale %1</source>
         <translation>&amp;Redimensionner %1</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::UnplacedButton</name>
+    <message numerus="yes">
+        <source>%Ln edit(s) without a place</source>
+        <translation>
+            <numerusform>%Ln modification sans place</numerusform>
+            <numerusform>%Ln modifications sans place</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rolls and bends of branches that are not there at present. They are kept. A click lists them.</source>
+        <translation>Roulis et flexions de branches qui n’existent pas en ce moment. Elles sont conservées. Un clic les énumère.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::UnplacedDialog</name>
+    <message>
+        <source>Roll %1</source>
+        <translation>Roulis de %1</translation>
+    </message>
+    <message>
+        <source>Bend %1</source>
+        <translation>Flexion de %1</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <comment>a share</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>unknown: from an older file</source>
+        <translation>inconnue : vient d’un ancien fichier</translation>
+    </message>
+    <message>
+        <source>Trunk of %1, %2 up</source>
+        <translation>Tronc de %1, à %2 de sa hauteur</translation>
+    </message>
+    <message>
+        <source>Limb of %1 that started %2 up the trunk</source>
+        <translation>Charpentière de %1 qui partait à %2 du tronc</translation>
+    </message>
+    <message>
+        <source>Branch of order %1, %2 long, that started %3 along the one below</source>
+        <translation>Branche d’ordre %1, longue de %2, qui partait à %3 de celle d’en dessous</translation>
+    </message>
+    <message>
+        <source>Edits without a place</source>
+        <translation>Modifications sans place</translation>
+    </message>
+    <message>
+        <source>These edits were made on branches that the tree has lost. They are kept with the project, and act again as soon as such a branch grows.</source>
+        <translation>Ces modifications portaient sur des branches que l’arbre a perdues. Elles restent dans le projet et agissent de nouveau dès qu’une telle branche pousse.</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Arbre</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Modification</translation>
+    </message>
+    <message>
+        <source>Where it was</source>
+        <translation>Où elle était</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Deletes the selected edits (Del). Undo brings them back.</source>
+        <translation>Supprime les modifications choisies (Suppr). Annuler les ramène.</translation>
+    </message>
+    <message>
+        <source>Delete &amp;all</source>
+        <translation>&amp;Tout supprimer</translation>
     </message>
 </context>
 <context>

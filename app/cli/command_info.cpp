@@ -6,6 +6,7 @@
 #include "core/math/box.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
+#include "core/skeleton/edit_places.h"
 #include <QJsonArray>
 #include <QJsonObject>
 #include <algorithm>
@@ -26,7 +27,8 @@ constexpr CommandText text = {
     "numbers, "
     "row after row; \"geometry\" is where its own shape stands, which its children do not see; of arms, "
     "terrains, primitives and imported meshes also the vertices and faces, of arms the joints, the reach and "
-    "the tip (m, the arm's own space, as it is at --time). Of a file "
+    "the tip (m, the arm's own space, as it is at --time). \"edits\" counts the branches shaped by hand: in "
+    "their places, matched by likeness, and without a place; \"axes\" with --axes lists the stems. Of a file "
     "{read}: vertices, faces, box and its objects."};
 
 /// What is said of one skeleton, or of several together.
@@ -43,6 +45,8 @@ struct TreeFacts
     std::int64_t symbols = 0;
     SkeletonFacts full, simplified;
     std::int64_t leaves = 0, shed = 0; ///< shed: by the season; below 0: there would be too many leaves
+    EditCount edits;
+    QJsonArray axes; ///< where they were asked for
 };
 
 SkeletonFacts factsOf(const Skeleton& skeleton)
@@ -91,7 +95,32 @@ QJsonObject jsonTree(const TreeFacts& tree)
         out.insert(QStringLiteral("leaves"), qint64(tree.leaves));
         out.insert(QStringLiteral("shed"), qint64(tree.shed));
     }
+    out.insert(QStringLiteral("edits"),
+               QJsonObject{{QStringLiteral("placed"), qint64(tree.edits.placed)},
+                           {QStringLiteral("matched"), qint64(tree.edits.matched)},
+                           {QStringLiteral("unplaced"), qint64(tree.edits.unplaced.size())}});
+    if (!tree.axes.isEmpty())
+        out.insert(QStringLiteral("axes"), tree.axes);
     return out;
+}
+
+QJsonArray jsonAxes(const Skeleton& skeleton)
+{
+    QJsonArray list;
+    const TreeAxes tree = axesOf(skeleton);
+    for (const Axis& axis : tree.axes)
+        list.append(QJsonObject{
+            {QStringLiteral("id"), json::branchKey(axis.address)},
+            {QStringLiteral("parent"), axis.parent == noIndex
+                                           ? QJsonValue()
+                                           : QJsonValue(json::branchKey(tree.axes[axis.parent].address))},
+            {QStringLiteral("order"), qint64(axis.order)},
+            {QStringLiteral("s"), axis.s},
+            {QStringLiteral("length"), axis.length},
+            {QStringLiteral("radius"), axis.radius},
+            {QStringLiteral("downAngle"), axis.downAngle},
+            {QStringLiteral("azimuth"), axis.azimuth}});
+    return list;
 }
 
 QString number(double value)
@@ -127,7 +156,8 @@ QString textOf(const TreeFacts& tree)
 }
 
 /// At rest, but with the parameters of the time.
-Expected<std::vector<TreeFacts>> factsOfTrees(EvaluatedScene& scene, const std::vector<const Node*>& trees)
+Expected<std::vector<TreeFacts>> factsOfTrees(EvaluatedScene& scene, const std::vector<const Node*>& trees,
+                                              bool axes)
 {
     TreePipeline pipeline;
     std::vector<TreeFacts> out;
@@ -142,7 +172,9 @@ Expected<std::vector<TreeFacts>> factsOfTrees(EvaluatedScene& scene, const std::
                                           now.params.turtle.alpha);
         out.push_back({node->name, std::int64_t(result->symbols->size()), factsOf(*result->skeleton),
                        factsOf(simplified), foliage ? std::int64_t(foliage->leaves.size()) : -1,
-                       foliage ? std::int64_t(foliage->shed) : 0});
+                       foliage ? std::int64_t(foliage->shed) : 0,
+                       countEdits(now.params.branches, *result->simplified),
+                       axes ? jsonAxes(*result->skeleton) : QJsonArray()});
     }
     return out;
 }
@@ -252,7 +284,7 @@ QString textOfTrees(const TreeFacts& sum, const std::vector<TreeFacts>& trees)
     return texts + QStringLiteral("%1 trees\n%2").arg(trees.size()).arg(textOf(sum));
 }
 
-Expected<void> showScene(EvaluatedScene now, const Checked& checked, bool json)
+Expected<void> showScene(EvaluatedScene now, const Checked& checked, bool json, bool axes)
 {
     if (auto posed = now.poseArms(); !posed)
         return posed;
@@ -260,7 +292,7 @@ Expected<void> showScene(EvaluatedScene now, const Checked& checked, bool json)
     const auto nodes = treesOrShapes(scene);
     if (!nodes)
         return fail(nodes.error());
-    const auto trees = factsOfTrees(now, *nodes);
+    const auto trees = factsOfTrees(now, *nodes, axes);
     if (!trees)
         return fail(trees.error());
     TreeFacts sum;
@@ -268,6 +300,10 @@ Expected<void> showScene(EvaluatedScene now, const Checked& checked, bool json)
         const TreeFacts& tree = (*trees)[i];
         const glm::dmat4 world = now.transforms((*nodes)[i]->id).geometry;
         sum.symbols += tree.symbols;
+        sum.edits.placed += tree.edits.placed;
+        sum.edits.matched += tree.edits.matched;
+        sum.edits.unplaced.insert(sum.edits.unplaced.end(), tree.edits.unplaced.begin(),
+                                  tree.edits.unplaced.end());
         add(sum.full, tree.full, world);
         add(sum.simplified, tree.simplified, world);
         sum.leaves += std::max<std::int64_t>(tree.leaves, 0);
@@ -337,6 +373,9 @@ void addOptions(CommandLine& line)
     line.addInputOptions();
     line.add({QStringLiteral("json")}, QStringLiteral("Prints one JSON object."));
     line.add(
+        {QStringLiteral("axes")},
+        QStringLiteral("With --json: every axis of each tree, from its foot to its tip as it was drawn."));
+    line.add(
         {QStringLiteral("time")},
         QStringLiteral("Tracks as they are after so many seconds; 0 without it. Trees are measured at rest."),
         QStringLiteral("SECONDS"));
@@ -363,7 +402,7 @@ Expected<int> run(const CommandLine& line)
         checked = std::move(*found);
     }
     const auto shown = input->scene() ? showScene(evaluator.at(*input->scene(), moments->timeSeconds),
-                                                  checked, line.has("json"))
+                                                  checked, line.has("json"), line.has("axes"))
                                       : showMesh(*input->mesh(), checked, line.has("json"));
     if (!shown)
         return fail(shown.error());

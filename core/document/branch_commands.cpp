@@ -1,7 +1,9 @@
 // What an artist sets on single branches by hand.
 #include "core/document/document_command.h"
+#include "core/skeleton/edit_places.h"
 
 #include <cmath>
+#include <set>
 
 namespace ramure {
 
@@ -24,7 +26,7 @@ struct BranchTarget
     /// Defaults are not kept: a branch that was set back is as one never touched.
     void set(Node& into, const Value& value) const
     {
-        if (value == Value{})
+        if (value.changesNothing())
             into.params.branches.erase(key);
         else
             into.params.branches[key] = value;
@@ -47,6 +49,23 @@ Expected<void> checkTree(const Document& document, NodeId node)
     if (tree.kind != NodeKind::Tree)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" has no branches"), {tree.name});
     return {};
+}
+
+/// Edits of branches that had none learn where these stand in the tree that is shown: that is the one in
+/// which the artist chose them.
+void pushEdits(Document& document, NodeId node, std::vector<BranchEntry> entries, const QString& text,
+               GestureId gesture)
+{
+    BranchEdits edits;
+    for (const BranchEntry& entry : entries)
+        if (!entry.value.changesNothing())
+            edits[entry.target.key] = entry.value;
+    const NodeResult* shown = document.result(node);
+    if (shown && shown->tree.skeleton && shown->tree.simplified)
+        rememberPlaces(*shown->tree.skeleton, *shown->tree.simplified, edits);
+    for (BranchEntry& entry : entries)
+        entry.value = edits[entry.target.key]; // set back: as one never touched
+    pushSet<BranchTarget>(document, std::move(entries), text, gesture);
 }
 
 Expected<void> checkBends(const std::map<std::uint64_t, glm::dvec3>& bendRad)
@@ -74,8 +93,8 @@ Expected<void> edit::turnBranches(Document& document, NodeId node,
         entries.push_back({target, values});
     }
     const int count = static_cast<int>(entries.size());
-    pushSet<BranchTarget>(document, std::move(entries),
-                          DocumentCommand::tr("Turn %n branch(es)", nullptr, count), gesture);
+    pushEdits(document, node, std::move(entries), DocumentCommand::tr("Turn %n branch(es)", nullptr, count),
+              gesture);
     return {};
 }
 
@@ -101,8 +120,8 @@ Expected<void> edit::setBranchBends(Document& document, NodeId node,
         values.bendRad = bend;
         entries.push_back({target, values});
     }
-    pushSet<BranchTarget>(document, std::move(entries),
-                          DocumentCommand::tr("Turn %n branch(es)", nullptr, turned), 0);
+    pushEdits(document, node, std::move(entries), DocumentCommand::tr("Turn %n branch(es)", nullptr, turned),
+              0);
     return {};
 }
 
@@ -124,9 +143,23 @@ Expected<void> edit::setBranchRoll(Document& document, NodeId node, const std::v
         values.rollRad = rollRad;
         entries.push_back({target, values});
     }
+    pushEdits(document, node, std::move(entries),
+              DocumentCommand::tr("Roll %n branch(es)", nullptr, static_cast<int>(once.size())), gesture);
+    return {};
+}
+
+Expected<void> edit::removeBranchEdits(Document& document, NodeId node,
+                                       const std::vector<std::uint64_t>& names)
+{
+    if (auto allowed = checkTree(document, node); !allowed)
+        return allowed;
+    const std::set<std::uint64_t> once(names.begin(), names.end());
+    std::vector<BranchEntry> entries;
+    for (const std::uint64_t name : once)
+        entries.push_back({{node, name, Stage::Simplified}, {}});
+    const int count = static_cast<int>(entries.size());
     pushSet<BranchTarget>(document, std::move(entries),
-                          DocumentCommand::tr("Roll %n branch(es)", nullptr, static_cast<int>(once.size())),
-                          gesture);
+                          DocumentCommand::tr("Delete %n edit(s) of branches", nullptr, count));
     return {};
 }
 

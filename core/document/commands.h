@@ -97,11 +97,13 @@ Expected<std::vector<NodeId>> duplicateNodes(Document& document, const std::vect
 /// parents: an error).
 Expected<void> moveNode(Document& document, NodeId node, NodeId newParent, int row, bool keepWorld,
                         double timeSeconds = 0.0);
-/// Sets the hand-made values of branches (by Skeleton::key) of one tree.
+/// Sets the hand-made values of branches (by Skeleton::name) of one tree.
 Expected<void> setBranchRoll(Document& document, NodeId node, const std::vector<std::uint64_t>& keys,
                              double rollRad, GestureId gesture = 0);
-/// Sets how branches (by Skeleton::key) of one tree are turned about their starts, as one step; branches that
-/// are not named lose their bend.
+/// Takes back all that was set by hand on branches (by Skeleton::name) of one tree.
+Expected<void> removeBranchEdits(Document& document, NodeId node, const std::vector<std::uint64_t>& names);
+/// Sets how branches (by Skeleton::name) of one tree are turned about their starts, as one step; branches
+/// that are not named lose their bend.
 Expected<void> setBranchBends(Document& document, NodeId node,
                               const std::map<std::uint64_t, glm::dvec3>& bendRad);
 /// Sets how these branches are turned about their starts; the others stay. Errors as above; Invalid where a

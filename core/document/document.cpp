@@ -1,6 +1,7 @@
 #include "core/document/document.h"
 
 #include "core/document/document_command.h"
+#include "core/skeleton/edit_places.h"
 
 #include <QSignalBlocker>
 #include <algorithm>
@@ -123,30 +124,25 @@ void Document::setSelection(Selection selection)
 }
 
 /// The selected branches found again in another skeleton of the same tree.
-Selection Document::followed(const Skeleton* before, const Skeleton* after) const
+Selection Document::followed(const TreeResult& before, const TreeResult& after) const
 {
     Selection selection = m_selection;
-    if (!before || !after || before == after)
+    if (!before.skeleton || !after.skeleton || !before.simplified || !after.simplified ||
+        before.simplified == after.simplified)
         return selection;
-    std::vector<std::uint64_t> keys;
-    for (const Index branch : selection.branches)
-        keys.push_back(before->key[branch]);
-    std::sort(keys.begin(), keys.end());
-    const std::uint64_t active = selection.activeBranch == noIndex ? 0 : before->key[selection.activeBranch];
+    const std::vector<Index> now = followBranches(*before.skeleton, *before.simplified, selection.branches,
+                                                  *after.skeleton, *after.simplified);
     selection.branches.clear();
     selection.activeBranch = noIndex;
-    for (Index i = 0; i < after->size(); ++i)
-        if (std::binary_search(keys.begin(), keys.end(), after->key[i])) {
-            selection.branches.push_back(i);
-            if (after->key[i] == active)
-                selection.activeBranch = i;
-        }
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (now[i] == noIndex)
+            continue;
+        selection.branches.push_back(now[i]);
+        if (m_selection.branches[i] == m_selection.activeBranch)
+            selection.activeBranch = now[i];
+    }
+    std::sort(selection.branches.begin(), selection.branches.end());
     return selection;
-}
-
-static const Skeleton* skeletonOf(const NodeResult& result)
-{
-    return result.tree.simplified ? &result.tree.simplified->skeleton : nullptr;
 }
 
 void Document::setResult(NodeId id, NodeResult result)
@@ -156,7 +152,7 @@ void Document::setResult(NodeId id, NodeResult result)
     Selection selection = m_selection;
     if (selection.branchNode == id)
         if (const NodeResult* before = this->result(id))
-            selection = followed(skeletonOf(*before), skeletonOf(result));
+            selection = followed(before->tree, result.tree);
     Change change;
     change.kinds = changeResults;
     if (selection != m_selection)

@@ -96,7 +96,7 @@ private:
     void settle(const Change& change);
     void dropGone();
     [[nodiscard]] Selection valid(Selection selection) const;
-    [[nodiscard]] Selection followed(const Skeleton* before, const Skeleton* after) const;
+    [[nodiscard]] Selection followed(const TreeResult& before, const TreeResult& after) const;
     void tell(const Change& change, const std::function<void()>& edit);
 
     Scene m_scene;

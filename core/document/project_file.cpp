@@ -4,6 +4,7 @@
 #include "core/document/project_bookmarks.h"
 #include "core/document/project_json.h"
 #include "core/document/project_migrations.h"
+#include "core/document/project_places.h"
 #include "core/document/project_timeline.h"
 
 #include <QCoreApplication>
@@ -97,11 +98,15 @@ template <class T, class Read> static Expected<T> readPart(QJsonObject& root, co
 
 static Expected<Project> readParsed(QJsonObject root)
 {
+    const bool knowsPlaces = root.value(QLatin1String("version")).toInteger(0) >= 3;
     if (auto done = migrateProject(root); !done)
         return fail(std::move(done.error()));
     auto nodes = readNodes(root.take(QLatin1String("nodes")));
     if (!nodes)
         return fail(std::move(nodes.error()));
+    for (Node& node : *nodes)
+        if (!knowsPlaces)
+            json::findOldEdits(node);
     auto scene = Scene::fromNodes(std::move(*nodes));
     if (!scene)
         return failInside("nodes", std::move(scene.error()));

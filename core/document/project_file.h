@@ -20,7 +20,8 @@
 //       "format": "ramure",
 //       "nodes": [
 //         {
-//           "branches": {"00c0ffee00c0ffee": {"roll": 0.5}},   per-branch values by Skeleton::key, in hex
+//           "branches": {"00c0ffee00c0ffee": {"roll": 0.5}},   per-branch values by Skeleton::name, in hex;
+//                                                              "place": project_places.h
 //           "id": 2,                                           any whole number from 1, unique in the file
 //           "kind": "tree",
 //           "locked": true,                                    left out where false
@@ -34,7 +35,7 @@
 //         }
 //       ],
 //       "timeline": {"framesPerSecond": 30, "lastFrame": 120}, defaults are left out
-//       "version": 2,
+//       "version": 3,
 //       "views": {"1": {"distance": 4.5, ...}}                 bookmarks by digit: project_bookmarks.h
 //     }
 // clang-format on
@@ -48,7 +49,7 @@ struct Project
     std::string extras; ///< unknown keys of the top level: one JSON object, or empty
 };
 
-inline constexpr int projectVersion = 2;
+inline constexpr int projectVersion = 3;
 inline constexpr qint64 projectSizeLimit = 256 * 1024 * 1024; ///< bytes
 
 QByteArray writeProject(const Project& project);

@@ -2,6 +2,7 @@
 
 #include "core/document/project_arm.h"
 #include "core/document/project_mesh.h"
+#include "core/document/project_places.h"
 #include "core/document/project_tracks.h"
 #include "core/rig/arm/arm_shape.h"
 
@@ -33,6 +34,8 @@ static QJsonObject writeBranches(const Node& node)
             branch.insert(QStringLiteral("roll"), values.rollRad);
         if (bend != glm::dvec3(0.0))
             branch.insert(QStringLiteral("bend"), QJsonArray{bend.x, bend.y, bend.z});
+        if (!branch.isEmpty() && !values.place.way.empty())
+            branch.insert(QStringLiteral("place"), writePlace(values.place));
         if (!branch.isEmpty())
             branches.insert(branchKey(key), branch);
     }
@@ -205,7 +208,10 @@ private:
         const auto bend = readBend(object.take(QLatin1String("bend")), place);
         if (!bend)
             return fail(bend.error());
-        if (const BranchParams values{roll.toDouble(0.0), *bend}; values != BranchParams{})
+        auto at = readPlace(object.take(QLatin1String("place")));
+        if (!at)
+            return failInside(place + ".place", std::move(at.error()));
+        if (const BranchParams values{roll.toDouble(0.0), *bend, std::move(*at)}; !values.changesNothing())
             m_node.params.branches.emplace(*number, values);
         if (!object.isEmpty())
             unknown.insert(key, object);

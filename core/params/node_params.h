@@ -7,6 +7,7 @@
 
 #include "core/params/arm_params.h"
 #include "core/params/bark_params.h"
+#include "core/params/branch_place.h"
 #include "core/params/fruit_params.h"
 #include "core/params/leaf_params.h"
 #include "core/params/physics_params.h"
@@ -109,6 +110,9 @@ struct BranchParams
     /// The branch turned about its start, and what grows on it with it: axis times angle, in tree space
     /// before the bends of its ancestors (core/skeleton/bend.h).
     glm::dvec3 bendRad{0.0};
+    BranchPlace place{}; ///< where it was set, so that it is found again in a changed tree
+
+    [[nodiscard]] bool changesNothing() const { return rollRad == 0.0 && bendRad == glm::dvec3(0.0); }
     bool operator==(const BranchParams&) const = default;
 };
 
@@ -137,7 +141,7 @@ struct NodeParams
     TerrainParams terrain;
     std::vector<ArmJoint> joints = defaultArmJoints(); ///< of an arm, from the foot on
     std::map<std::uint64_t, BranchParams>
-        branches; ///< by Skeleton::key; only branches that differ from the default
+        branches; ///< by Skeleton::name; only branches that differ from the default
     bool operator==(const NodeParams&) const = default;
 };
 

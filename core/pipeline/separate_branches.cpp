@@ -10,7 +10,7 @@ namespace ramure {
 namespace {
 
 using Bends = std::map<std::uint64_t, glm::dvec3>;
-using BranchPair = std::pair<std::uint64_t, std::uint64_t>; ///< keys
+using BranchPair = std::pair<std::uint64_t, std::uint64_t>; ///< names
 
 /// A tree with its bends, and what is wrong with its mesh.
 struct Candidate
@@ -24,7 +24,7 @@ struct Candidate
     {
         std::set<BranchPair> found;
         for (const Collision& c : analysis.collisions)
-            found.emplace(skeleton().key[c.first], skeleton().key[c.second]);
+            found.emplace(skeleton().name(c.first), skeleton().name(c.second));
         return found;
     }
 };
@@ -127,9 +127,9 @@ private:
         std::vector<glm::dvec3> bends(skeleton.size(), glm::dvec3(0.0));
         std::vector<bool> banned(skeleton.size(), false);
         for (Index i = 0; i < skeleton.size(); ++i) {
-            if (const auto known = from.bends.find(skeleton.key[i]); known != from.bends.end())
+            if (const auto known = from.bends.find(skeleton.name(i)); known != from.bends.end())
                 bends[i] = known->second;
-            banned[i] = m_banned.contains(skeleton.key[i]);
+            banned[i] = m_banned.contains(skeleton.name(i));
         }
         std::vector<glm::dquat> turned = bendRotations(skeleton, bends);
         Bends changes;
@@ -146,7 +146,7 @@ private:
                 turned[branch] = glm::normalize(turn->rotation * turned[branch]);
             const Index parent = skeleton.parent[turn->branch];
             const glm::dquat base = parent == noIndex ? glm::dquat(1.0, 0.0, 0.0, 0.0) : turned[parent];
-            changes[skeleton.key[turn->branch]] = bendVector(glm::conjugate(base) * turned[turn->branch]);
+            changes[skeleton.name(turn->branch)] = bendVector(glm::conjugate(base) * turned[turn->branch]);
         }
         return changes;
     }
@@ -159,7 +159,7 @@ private:
         const std::set<BranchPair> before = from.pairs();
         std::set<Index> troubled;
         for (const Collision& c : next.analysis.collisions)
-            if (!before.contains({skeleton.key[c.first], skeleton.key[c.second]}))
+            if (!before.contains({skeleton.name(c.first), skeleton.name(c.second)}))
                 troubled.insert({c.first, c.second});
         const TriangleMesh& mesh = next.tree.branches->mesh;
         const bool forksSuffer =
@@ -172,8 +172,8 @@ private:
         std::set<std::uint64_t> guilty;
         for (Index at : troubled)
             for (; at != noIndex; at = skeleton.parent[at])
-                if (changes.contains(skeleton.key[at]))
-                    guilty.insert(skeleton.key[at]);
+                if (changes.contains(skeleton.name(at)))
+                    guilty.insert(skeleton.name(at));
         if (guilty.empty())
             for (const auto& change : changes)
                 guilty.insert(change.first);
@@ -184,7 +184,7 @@ private:
     const NodeParams& m_params;
     const SeparateOptions& m_options;
     const Progress& m_progress;
-    std::set<std::uint64_t> m_banned; ///< by key: turning them made things worse
+    std::set<std::uint64_t> m_banned; ///< by name: turning them made things worse
     int m_failed = 0;
 };
 
@@ -196,7 +196,7 @@ NodeParams withBends(NodeParams params, const std::map<std::uint64_t, glm::dvec3
         branch.bendRad = glm::dvec3(0.0);
     for (const auto& [key, bend] : bendRad)
         params.branches[key].bendRad = bend;
-    std::erase_if(params.branches, [](const auto& entry) { return entry.second == BranchParams{}; });
+    std::erase_if(params.branches, [](const auto& entry) { return entry.second.changesNothing(); });
     return params;
 }
 

@@ -21,6 +21,23 @@ void add(StageHash& hash, const ParamValue& value)
     std::visit(addHeld, value);
 }
 
+void add(StageHash& hash, const BranchPlace& place)
+{
+    hash.add(place.tree).add(place.way.size()).add(place.fork).add(place.piece).add(place.share);
+    for (const AxisPrint& p : place.way)
+        hash.add(p.address)
+            .add(p.fork)
+            .add(p.mate)
+            .add(p.forks)
+            .add(p.mates)
+            .add(p.s)
+            .add(p.share)
+            .add(p.downAngle)
+            .add(p.azimuth)
+            .add(p.length)
+            .add(p.radius);
+}
+
 } // namespace
 
 StageHashes::StageHashes(const NodeParams& params)
@@ -46,6 +63,10 @@ StageHashes::StageHashes(const NodeParams& params)
     for (const auto& [key, branch] : params.branches)
         if (branch.bendRad != glm::dvec3(0.0))
             bent.add(key).add(branch.bendRad.x).add(branch.bendRad.y).add(branch.bendRad.z);
+    // An edit that knows its place may be found on another branch, and take it from another edit.
+    for (const auto& [name, branch] : params.branches)
+        if (!branch.place.way.empty())
+            add(bent.add(name), branch.place);
     of(Stage::Simplified) = bent.value();
     StageHash rolled = bent;
     for (const auto& [key, branch] : params.branches)

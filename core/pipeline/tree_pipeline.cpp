@@ -7,6 +7,7 @@
 #include "core/pipeline/stage_cache.h"
 #include "core/pipeline/stage_hashes.h"
 #include "core/skeleton/bend.h"
+#include "core/skeleton/edit_places.h"
 #include "core/surface/mesher/mesh_divisions.h"
 #include "core/surface/mesher/mesh_scratch.h"
 #include <algorithm>
@@ -109,7 +110,7 @@ Expected<Skeleton> growSkeleton(const std::string& symbols, const NodeParams& pa
 
 SimplifiedSkeleton untouched(const Skeleton& skeleton)
 {
-    SimplifiedSkeleton same{skeleton, std::vector<Index>(skeleton.size())};
+    SimplifiedSkeleton same{skeleton, std::vector<Index>(skeleton.size()), {}};
     std::iota(same.mergedInto.begin(), same.mergedInto.end(), Index(0));
     return same;
 }
@@ -121,7 +122,7 @@ SimplifiedSkeleton bent(SimplifiedSkeleton simplified, const NodeParams& params)
     std::vector<glm::dvec3> bends(skeleton.size(), glm::dvec3(0.0));
     bool any = false;
     for (Index i = 0; i < skeleton.size() && !params.branches.empty(); ++i)
-        if (const auto set = params.branches.find(skeleton.key[i]); set != params.branches.end()) {
+        if (const auto set = params.branches.find(skeleton.name(i)); set != params.branches.end()) {
             bends[i] = set->second.bendRad;
             any = any || bends[i] != glm::dvec3(0.0);
         }
@@ -138,7 +139,7 @@ std::vector<double> rollsOf(const NodeParams& params, const Skeleton& skeleton)
         return rolls;
     rolls.resize(skeleton.size(), 0.0);
     for (Index i = 0; i < skeleton.size(); ++i)
-        if (const auto set = params.branches.find(skeleton.key[i]); set != params.branches.end())
+        if (const auto set = params.branches.find(skeleton.name(i)); set != params.branches.end())
             rolls[i] = set->second.rollRad;
     return rolls;
 }
@@ -342,8 +343,10 @@ private:
                               params.enabled
                                   ? simplify(skeleton, params.rotationThreshold, m_progress.part(0.1, 0.12))
                                   : untouched(skeleton);
-                          return std::move(merged).map(
-                              [&](SimplifiedSkeleton&& made) { return bent(std::move(made), m_params); });
+                          return std::move(merged).map([&](SimplifiedSkeleton&& made) {
+                              nameEditedBranches(skeleton, made, m_params.branches);
+                              return bent(std::move(made), m_params);
+                          });
                       })
             .map([&](auto made) { m_result.simplified = std::move(made); });
     }

@@ -12,6 +12,8 @@ struct SimplifiedSkeleton
 {
     Skeleton skeleton;             ///< source[i] = first branch (of the input) merged into branch i
     std::vector<Index> mergedInto; ///< per branch of the input: its branch in the result
+    /// Names of the edits that found their branches by likeness, ascending (edit_places.h).
+    std::vector<std::uint64_t> matched{};
 };
 
 /// Removes every branch that has exactly one child which turns by less than \p rotationThresholdRad against

@@ -35,6 +35,12 @@ void Skeleton::clear()
     *this = Skeleton();
 }
 
+std::uint64_t Skeleton::name(Index i) const
+{
+    const auto found = std::ranges::lower_bound(renamed, i, {}, &std::pair<Index, std::uint64_t>::first);
+    return found != renamed.end() && found->first == i ? found->second : key[i];
+}
+
 Index Skeleton::add(Index parentIndex, const glm::dvec3& from, const glm::dvec3& to, double radius0,
                     double radius1, Index branchLevel)
 {

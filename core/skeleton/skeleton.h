@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace ramure {
@@ -23,9 +24,14 @@ struct Skeleton
         key; ///< a name that survives changes elsewhere: a hash of the way from the root
     std::vector<Index>
         source; ///< before simplification: noIndex-free 0..n-1; after: the first branch merged into it
+    /// Names other than the keys, ascending by branch: see name().
+    std::vector<std::pair<Index, std::uint64_t>> renamed;
 
     [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
     [[nodiscard]] bool empty() const { return parent.empty(); }
+    /// How edits know the branch: its key, unless an edit that was made under another name has found its
+    /// place here, or one made under this name is elsewhere (edit_places.h). No two branches share one.
+    [[nodiscard]] std::uint64_t name(Index i) const;
     [[nodiscard]] double length(Index i) const { return glm::length(p1[i] - p0[i]); }
     void reserve(std::size_t count);
     /// New branches are all zero: the caller fills every array.

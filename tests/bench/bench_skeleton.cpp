@@ -1,4 +1,6 @@
 // Grammar (per output symbol), turtle (per branch), simplification (per input branch).
+#include "core/math/random.h"
+#include "core/skeleton/edit_places.h"
 #include "tests/bench/bench_trees.h"
 #include <benchmark/benchmark.h>
 
@@ -73,5 +75,29 @@ void BM_simplify(benchmark::State& state)
     label(state, skeleton.size());
 }
 BENCHMARK(BM_simplify)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
+
+/// A thousand edits on ten thousand axes after a twig has come in front: none is where its address says.
+void BM_editPlaces(benchmark::State& state)
+{
+    bench::Growth tree("SmallTree", 11);
+    const Skeleton before = tree.skeleton();
+    const TreeAxes axes = axesOf(before);
+    const std::uint64_t mark = treeMark(axes);
+    Random random(1, RandomStream::Test);
+    std::vector<BranchPlace> places;
+    for (int i = 0; i < 1000; ++i)
+        places.push_back(placeOf(axes, random.below(before.size()), mark));
+    std::vector<const BranchPlace*> asked;
+    for (const BranchPlace& place : places)
+        asked.push_back(&place);
+    tree.grammar = bench::need(parseGrammar("BB[+B]" + tree.params.grammar.axiom, tree.params.grammar.rules));
+    const Skeleton after = tree.skeleton();
+    for (auto _ : state) {
+        const auto found = findPlaces(axesOf(after), asked);
+        benchmark::DoNotOptimize(found.data());
+    }
+    state.SetLabel(std::to_string(axes.axes.size()) + " axes");
+}
+BENCHMARK(BM_editPlaces)->Unit(benchmark::kMillisecond);
 
 } // namespace

@@ -304,9 +304,36 @@ private slots:
         const test::CliRun run = runCli({"info", "preset:TinyTree", "--json"});
         const QStringList shared = {"branches", "max",       "maxChildren", "min",
                                     "sumA1",    "terminals", "totalLength"};
-        QCOMPARE(run.keys(), (QStringList{"branches", "leaves", "max", "maxChildren", "min", "nodes", "shed",
-                                          "simplified", "sumA1", "symbols", "terminals", "totalLength"}));
+        QCOMPARE(run.keys(),
+                 (QStringList{"branches", "edits", "leaves", "max", "maxChildren", "min", "nodes", "shed",
+                              "simplified", "sumA1", "symbols", "terminals", "totalLength"}));
         QCOMPARE(run.json()["simplified"].toObject().keys(), shared);
+    }
+    void axesAreListedFromTheGround()
+    {
+        QVERIFY(!runCli({"info", "preset:TinyTree", "--json"}).json().contains("axes"));
+        const QJsonObject run = runCli({"info", "preset:TinyTree", "--json", "--axes"}).json();
+        QCOMPARE(run["edits"].toObject(), (QJsonObject{{"matched", 0}, {"placed", 0}, {"unplaced", 0}}));
+        QMap<QString, QJsonObject> seen;
+        double length = 0.0;
+        for (const QJsonValue& value : run["axes"].toArray()) {
+            const QJsonObject axis = value.toObject();
+            QCOMPARE(axis["id"].toString().size(), 16);
+            QVERIFY(!seen.contains(axis["id"].toString()));
+            QCOMPARE(axis["parent"].isNull(), axis["order"].toInt() == 0);
+            if (!axis["parent"].isNull()) {
+                const QJsonObject parent = seen.value(axis["parent"].toString());
+                QCOMPARE(axis["order"].toInt(), parent["order"].toInt(-7) + 1);
+                QVERIFY(axis["s"].toDouble() <= parent["length"].toDouble() + 1e-9);
+                QVERIFY(axis["radius"].toDouble() <= parent["radius"].toDouble() + 1e-9);
+            }
+            QVERIFY(axis["downAngle"].toDouble() >= 0.0 && axis["downAngle"].toDouble() < 3.15);
+            length += axis["length"].toDouble();
+            seen[axis["id"].toString()] = axis;
+        }
+        QVERIFY(seen.size() > 100);
+        QVERIFY(std::abs(length - run["totalLength"].toDouble()) <
+                1e-6 * length); // each branch is on one axis
     }
     void presetsAreDeterministicUnlessAsked()
     {

@@ -1,5 +1,6 @@
 #include "core/document/commands.h"
 #include "core/document/document.h"
+#include "core/pipeline/tree_pipeline.h"
 #include "tests/document/recorder.h"
 #include "tests/support/suite.h"
 
@@ -33,6 +34,17 @@ static NodeResult resultWith(const std::vector<std::uint64_t>& keys, quint64 rev
     result.draft = draft;
     return result;
 }
+static NodeResult grownResult(const char* axiom)
+{
+    NodeParams params;
+    params.grammar.axiom = axiom;
+    params.grammar.rules.clear();
+    params.grammar.iterations = 0;
+    NodeResult result;
+    result.tree = *TreePipeline().evaluate(params, Stage::Simplified);
+    result.revision = 1;
+    return result;
+}
 static Selection branches(NodeId node, Branches list, Index active = noIndex)
 {
     Selection selection;
@@ -51,7 +63,7 @@ private slots:
     void wrongSelectionsAreRepaired();
     void resultsOfUnknownNodesAreIgnored();
     void selectionIsTold();
-    void selectedBranchesFollowTheirKeys();
+    void selectedBranchesFollowTheirPlaces();
     void goneNodesLeaveNothing();
     void resultsAreCurrentUntilTheShapeChanges();
     void resetIsOneNews();
@@ -110,21 +122,21 @@ void TestDocument::selectionIsTold()
     QVERIFY(recorder.paired());
 }
 
-void TestDocument::selectedBranchesFollowTheirKeys()
+void TestDocument::selectedBranchesFollowTheirPlaces()
 {
     Document document;
     document.reset(twoTrees(), {});
-    document.setResult(1, resultWith({10, 20, 30, 40}, 1));
+    document.setResult(1, grownResult("F[+F][-F][^F]"));
     document.setSelection(branches(1, {1, 3}, 1));
     test::Recorder recorder(document);
-    document.setResult(1, resultWith({5, 40, 7, 20}, 1));
-    QCOMPARE(document.selection().branches, (Branches{1, 3}));
-    QCOMPARE(document.selection().activeBranch, 3u);
+    document.setResult(1, grownResult("[^F]F[+F][-F][^F]")); // one in front: others have their old indices
+    QCOMPARE(document.selection().branches, (Branches{2, 4}));
+    QCOMPARE(document.selection().activeBranch, 2u);
     QCOMPARE(recorder.take().kinds, quint32{changeResults | changeSelection});
-    document.setResult(1, resultWith({5, 20}, 1));
-    QCOMPARE(document.selection().branches, (Branches{1}));
-    document.setResult(2, resultWith({1, 2}, 1)); // another tree's
-    QCOMPARE(document.selection().branches, (Branches{1}));
+    document.setResult(2, grownResult("F")); // another tree's
+    QCOMPARE(document.selection().branches, (Branches{2, 4}));
+    document.setResult(1, grownResult("F"));
+    QVERIFY(document.selection().branches.empty());
     document.setResult(1, NodeResult{});
     QCOMPARE(document.selection().branchNode, noNode);
     QVERIFY(recorder.paired());

@@ -16,7 +16,7 @@ using namespace ramure;
 
 static QByteArray inProject(const QByteArray& nodes)
 {
-    return R"({"format":"ramure","version":2,"nodes":[)" + nodes + "]}";
+    return R"({"format":"ramure","version":3,"nodes":[)" + nodes + "]}";
 }
 static QByteArray inNode(const QByteArray& members)
 {
@@ -95,7 +95,7 @@ void TestProjectFile::badFilesAreRefusedWithTheirPlace_data()
     row("no version", R"({"format":"ramure","nodes":[]})", invalid, "version");
     row("version 0", R"({"format":"ramure","version":0,"nodes":[]})", invalid, "version");
     row("version 1.5", R"({"format":"ramure","version":1.5,"nodes":[]})", invalid, "version");
-    row("newer", R"({"format":"ramure","version":3,"nodes":7})", int(ErrorCode::Version), "version");
+    row("newer", R"({"format":"ramure","version":4,"nodes":7})", int(ErrorCode::Version), "version");
     row("no nodes", R"({"format":"ramure","version":1})", invalid, "nodes");
     row("nodes no array", R"({"format":"ramure","version":1,"nodes":{}})", invalid, "nodes");
     row("node no object", inProject("7"), invalid, "nodes[0]");
@@ -319,7 +319,7 @@ void TestProjectFile::defaultsAreLeftOut()
             "name": "Oak"
         }
     ],
-    "version": 2
+    "version": 3
 }
 )"));
 }
@@ -387,7 +387,7 @@ void TestProjectFile::unknownKeysAreKept()
             "weather": null
         }
     ],
-    "version": 2
+    "version": 3
 }
 )";
     const auto project = readProject(bytes);

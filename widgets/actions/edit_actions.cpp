@@ -256,7 +256,7 @@ std::map<std::uint64_t, glm::dvec3> EditActions::bentBranches() const
         return straight;
     const Skeleton& skeleton = result->tree.simplified->skeleton;
     for (const Index branch : selection.branches) {
-        const auto set = branch < skeleton.size() ? node->params.branches.find(skeleton.key[branch])
+        const auto set = branch < skeleton.size() ? node->params.branches.find(skeleton.name(branch))
                                                   : node->params.branches.end();
         if (set != node->params.branches.end() && set->second.bendRad != glm::dvec3(0.0))
             straight[set->first] = glm::dvec3(0.0);

@@ -94,14 +94,14 @@ double BranchRows::along(Index axis) const
     return parent == noIndex ? 0.0 : m_reached[parent];
 }
 
-std::optional<Index> BranchRows::find(std::uint64_t key) const
+std::optional<Index> BranchRows::find(std::uint64_t name) const
 {
-    if (m_byKey.empty()) {
+    if (m_byName.empty()) {
         for (Index branch = 0; branch < skeleton().size(); ++branch)
-            m_byKey.emplace(skeleton().key[branch], branch);
+            m_byName.emplace(skeleton().name(branch), branch);
     }
-    const auto found = m_byKey.find(key);
-    return found == m_byKey.end() ? std::nullopt : std::optional(found->second);
+    const auto found = m_byName.find(name);
+    return found == m_byName.end() ? std::nullopt : std::optional(found->second);
 }
 
 bool BranchRows::sameShape(const Skeleton& other) const

@@ -42,8 +42,8 @@ public:
 
     /// Branches that begin at the end of one, whether they lead it on or not.
     [[nodiscard]] Index forks(Index branch) const { return m_forks[branch]; }
-    /// The branch with this key (Skeleton::key), where there is one.
-    [[nodiscard]] std::optional<Index> find(std::uint64_t key) const;
+    /// The branch of this name (Skeleton::name), where there is one.
+    [[nodiscard]] std::optional<Index> find(std::uint64_t name) const;
     /// The same branches below the same parents: only lengths and radii may differ.
     [[nodiscard]] bool sameShape(const Skeleton& other) const;
     /// Takes another skeleton of the same shape.
@@ -64,7 +64,7 @@ private:
     std::vector<Index> m_above, m_number, m_order;
     ChildLists m_branches, m_below;
     std::vector<Index> m_trunks;
-    mutable std::unordered_map<std::uint64_t, Index> m_byKey; ///< filled at the first find()
+    mutable std::unordered_map<std::uint64_t, Index> m_byName; ///< filled at the first find()
 };
 
 } // namespace ramure

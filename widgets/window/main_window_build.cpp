@@ -42,6 +42,7 @@
 #include "widgets/window/panels.h"
 #include "widgets/window/problem_button.h"
 #include "widgets/window/status_panel.h"
+#include "widgets/window/unplaced_button.h"
 #include "widgets/window/welcome_panel.h"
 #include <QDir>
 #include <QDockWidget>
@@ -330,6 +331,7 @@ void MainWindow::buildStatusBar()
     statusBar()->addWidget(m_hints, 2);
     connect(m_hints, &HintLine::gestureBegan, statusBar(), &QStatusBar::clearMessage);
     addPanelHints(m_hints, m_timeline, m_keys);
+    statusBar()->addPermanentWidget(new UnplacedButton(m_document, m_preferences, this));
     statusBar()->addPermanentWidget(new IsolationButton(m_isolation, this));
     m_bakeProgress = new JobPanel(m_bakes->job(), QStringLiteral("bakeProgress"), this);
     statusBar()->addPermanentWidget(m_bakeProgress);

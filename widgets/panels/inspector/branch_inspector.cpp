@@ -229,7 +229,7 @@ void BranchInspector::Private::showBranch(const NodeResult& result)
     sections->setFacts(sectionFacts(skeleton, set, branch));
     std::vector<std::uint64_t> keys;
     for (const Index selected : document->selection().branches)
-        keys.push_back(skeleton.key[selected]);
+        keys.push_back(skeleton.name(selected));
     roll->showBranches(node, std::move(keys));
     showTitle();
 }

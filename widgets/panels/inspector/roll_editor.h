@@ -23,7 +23,7 @@ class RollEditor : public QWidget
 public:
     explicit RollEditor(Document* document, QWidget* parent = nullptr);
 
-    /// The branches by Skeleton::key. Reads their rolls from the document: call again after each change.
+    /// The branches by Skeleton::name. Reads their rolls from the document: call again after each change.
     void showBranches(NodeId node, std::vector<std::uint64_t> keys);
     void setAngleUnit(AngleUnit unit);
     void retranslate();

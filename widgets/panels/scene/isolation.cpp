@@ -1,5 +1,8 @@
 #include "widgets/panels/scene/isolation.h"
 
+#include "core/skeleton/edit_places.h"
+
+#include <algorithm>
 #include <utility>
 
 namespace ramure {
@@ -11,38 +14,39 @@ Isolation::Isolation(Document* document, QObject* parent)
     connect(document, &Document::changed, this, &Isolation::follow);
 }
 
-const Skeleton* Isolation::skeleton() const
+const TreeResult* Isolation::tree() const
 {
     const NodeResult* result = m_document->result(m_node);
-    return result && result->tree.simplified ? &result->tree.simplified->skeleton : nullptr;
+    return result && result->tree.skeleton && result->tree.simplified ? &result->tree : nullptr;
 }
 
 std::vector<Index> Isolation::present() const
 {
-    std::vector<Index> found;
-    const Skeleton* bones = skeleton();
-    for (Index branch = 0; bones && branch < bones->size(); ++branch)
-        if (m_keys.contains(bones->key[branch]))
-            found.push_back(branch);
+    const TreeResult* grown = tree();
+    if (!grown)
+        return {};
+    std::vector<Index> found = findBranches(*grown->skeleton, *grown->simplified, m_places);
+    std::ranges::sort(found);
+    found.erase(std::ranges::find(found, noIndex), found.end()); // the largest of all
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 
 void Isolation::toggleSelected()
 {
     const Selection& selection = m_document->selection();
-    const NodeResult* result = m_document->result(selection.branchNode);
-    std::set<std::uint64_t> wanted;
-    if (result && result->tree.simplified) {
-        const Skeleton& bones = result->tree.simplified->skeleton;
-        for (const Index branch : selection.branches)
-            if (branch < bones.size())
-                wanted.insert(bones.key[branch]);
-    }
-    if (wanted.empty() || (m_node == selection.branchNode && m_keys == wanted))
+    if (selection.branches.empty() || (m_node == selection.branchNode && m_branches == selection.branches))
         return clear();
     m_node = selection.branchNode;
-    m_keys = std::move(wanted);
-    m_branches = present();
+    const TreeResult* grown = tree();
+    if (!grown)
+        return clear();
+    const TreeAxes axes = axesOf(*grown->skeleton);
+    m_places.clear();
+    for (const Index branch : selection.branches)
+        m_places.push_back(placeOf(axes, grown->simplified->skeleton.source[branch], 0));
+    m_seen = grown->simplified;
+    m_branches = selection.branches;
     emit changed();
 }
 
@@ -51,7 +55,8 @@ void Isolation::clear()
     if (!isActive())
         return;
     m_node = noNode;
-    m_keys.clear();
+    m_places.clear();
+    m_seen.reset();
     m_branches.clear();
     emit changed();
 }
@@ -62,8 +67,11 @@ void Isolation::follow(const Change& change)
         return;
     if (change.has(changeReset) || !m_document->scene().find(m_node))
         return clear();
-    if (!change.has(changeResults))
+    const TreeResult* grown = tree();
+    const auto simplified = grown ? grown->simplified : nullptr;
+    if (!change.has(changeResults) || m_seen == simplified)
         return;
+    m_seen = simplified;
     std::vector<Index> now = present();
     if (std::exchange(m_branches, std::move(now)) != m_branches)
         emit changed();

@@ -5,7 +5,8 @@
 
 #include "core/document/document.h"
 #include <QObject>
-#include <set>
+#include <memory>
+#include <vector>
 
 namespace ramure {
 
@@ -19,9 +20,9 @@ public:
     [[nodiscard]] bool isActive() const { return m_node != noNode; }
     /// noNode where everything is shown.
     [[nodiscard]] NodeId node() const { return m_node; }
-    /// In the present simplified skeleton of the node, ascending. Branches are remembered by their keys: they
-    /// stay the same ones when the tree is computed anew. Empty where none of them exists at present; then
-    /// the whole tree is shown.
+    /// In the present simplified skeleton of the node, ascending. Branches are remembered by their places:
+    /// they stay the same ones when the tree is computed anew. Empty where none of them exists at present;
+    /// then the whole tree is shown.
     [[nodiscard]] const std::vector<Index>& branches() const { return m_branches; }
 
     /// Shows the selected branches alone. Where they are alone already, or no branch is selected, everything
@@ -37,12 +38,14 @@ signals:
 
 private:
     void follow(const Change& change);
-    [[nodiscard]] const Skeleton* skeleton() const;
+    /// Nothing where the node has no skeleton at present.
+    [[nodiscard]] const TreeResult* tree() const;
     [[nodiscard]] std::vector<Index> present() const;
 
     Document* m_document;
     NodeId m_node = noNode;
-    std::set<std::uint64_t> m_keys;
+    std::vector<BranchPlace> m_places;
+    std::shared_ptr<const SimplifiedSkeleton> m_seen; ///< that m_branches are of
     std::vector<Index> m_branches;
 };
 

@@ -20,7 +20,7 @@ std::vector<glm::dvec3> byBranch(const Skeleton& skeleton, const Limb::Bends& be
 {
     std::vector<glm::dvec3> all(skeleton.size(), glm::dvec3(0.0));
     for (Index b = 0; b < skeleton.size() && !bends.empty(); ++b)
-        if (const auto found = bends.find(skeleton.key[b]); found != bends.end())
+        if (const auto found = bends.find(skeleton.name(b)); found != bends.end())
             all[b] = found->second;
     return all;
 }
@@ -108,7 +108,7 @@ std::vector<glm::dvec3> LimbDrag::bends() const
     const Skeleton& skeleton = m_skeleton->skeleton;
     Index b = m_branch;
     for (std::size_t i = 0; i < m_limb.branchCount(); ++i, b = skeleton.parent[b])
-        all[b] = turned.at(skeleton.key[b]);
+        all[b] = turned.at(skeleton.name(b));
     return all;
 }
 

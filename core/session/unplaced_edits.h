@@ -1,0 +1,21 @@
+/// \file
+/// What an artist set by hand on branches that are not there at present. It is kept, and finds its place
+/// again as soon as the tree grows one that looks like it (core/skeleton/edit_places.h).
+#pragma once
+
+#include "core/document/document.h"
+#include <vector>
+
+namespace ramure {
+
+struct UnplacedEdit
+{
+    NodeId node = noNode;
+    std::uint64_t name = 0; ///< NodeParams::branches
+    bool operator==(const UnplacedEdit&) const = default;
+};
+
+/// Of all trees, as they are shown; those that were never grown have none.
+std::vector<UnplacedEdit> unplacedEdits(const Document& document);
+
+} // namespace ramure

@@ -1,0 +1,59 @@
+/// \file
+/// Finds the branches that edits were made for in a tree that has changed since: by address where what grows
+/// there looks like what was edited, else by likeness, and not at all before by force.
+#pragma once
+
+#include "core/params/node_params.h"
+#include "core/skeleton/axes.h"
+#include "core/skeleton/simplify.h"
+#include <span>
+#include <vector>
+
+namespace ramure {
+
+using BranchEdits = std::map<std::uint64_t, BranchParams>; ///< by name, NodeParams::branches
+
+/// One number for all that places hold of a tree.
+std::uint64_t treeMark(const TreeAxes& tree);
+/// \param branch of the skeleton that \p tree was made of; \param mark of the tree.
+BranchPlace placeOf(const TreeAxes& tree, Index branch, std::uint64_t mark);
+
+struct FoundPlace
+{
+    Index branch = noIndex; ///< of the skeleton that the axes were made of; noIndex: nowhere
+    bool byAddress = false;
+};
+/// By place. From the roots up, axis by axis: a child at the same rank of the same fork first, where both the
+/// parent's forks and the fork's axes are as many as they were; the rest of a parent's children by the
+/// least cost of what they look like (leastCostAssignment), where it is not too high. An edit of an axis is
+/// found only on what its parent became.
+std::vector<FoundPlace> findPlaces(const TreeAxes& tree, std::span<const BranchPlace* const> places);
+
+/// Gives the branches of \p simplified the names of the edits that find their places there (Skeleton::name).
+/// Edits without any place are for the branch with that key. \param drawn the skeleton it was made of.
+void nameEditedBranches(const Skeleton& drawn, SimplifiedSkeleton& simplified, const BranchEdits& edits);
+
+/// By place, of \p simplified; noIndex: nowhere.
+/// \param drawn the skeleton it was made of.
+std::vector<Index> findBranches(const Skeleton& drawn, const SimplifiedSkeleton& simplified,
+                                std::span<const BranchPlace> places);
+/// What branches of one tree are in another, so that what is selected stays selected: those of the same names
+/// where the same branches grow there, otherwise by place.
+std::vector<Index> followBranches(const Skeleton& drawn, const SimplifiedSkeleton& simplified,
+                                  std::span<const Index> branches, const Skeleton& otherDrawn,
+                                  const SimplifiedSkeleton& other);
+
+struct EditCount
+{
+    Index placed = 0;                    ///< by address or key
+    Index matched = 0;                   ///< by likeness
+    std::vector<std::uint64_t> unplaced; ///< names of edits without a place, ascending
+    bool operator==(const EditCount&) const = default;
+};
+/// \param simplified named for these \p edits.
+EditCount countEdits(const BranchEdits& edits, const SimplifiedSkeleton& simplified);
+
+/// Fills in the places of edits that have none, from the branches of their names.
+void rememberPlaces(const Skeleton& drawn, const SimplifiedSkeleton& simplified, BranchEdits& edits);
+
+} // namespace ramure

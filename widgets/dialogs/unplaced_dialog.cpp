@@ -1,0 +1,137 @@
+#include "widgets/dialogs/unplaced_dialog.h"
+
+#include "core/document/commands.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/fact_text.h"
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+#include <glm/geometric.hpp>
+#include <map>
+
+namespace ramure {
+namespace {
+
+constexpr QSize listSize(560, 160);
+
+QString whatText(const BranchParams& edit, AngleUnit unit)
+{
+    QStringList parts;
+    if (edit.rollRad != 0.0)
+        parts += UnplacedDialog::tr("Roll %1").arg(facttext::angle(edit.rollRad, unit));
+    if (edit.bendRad != glm::dvec3(0.0))
+        parts += UnplacedDialog::tr("Bend %1").arg(facttext::angle(glm::length(edit.bendRad), unit));
+    return parts.join(QStringLiteral(", "));
+}
+
+QString percentText(double share)
+{
+    return UnplacedDialog::tr("%1 %", "a share").arg(QLocale().toString(100.0 * share, 'f', 0));
+}
+
+/// Where the branch was, by the fingerprint of its axis.
+QString whereText(const BranchPlace& place)
+{
+    if (place.way.empty())
+        return UnplacedDialog::tr("unknown: from an older file");
+    const AxisPrint& axis = place.way.back();
+    const auto order = place.way.size() - 1;
+    const QString length = facttext::length(axis.length);
+    if (order == 0)
+        return UnplacedDialog::tr("Trunk of %1, %2 up").arg(length, percentText(place.share));
+    const QString start = percentText(axis.share);
+    if (order == 1)
+        return UnplacedDialog::tr("Limb of %1 that started %2 up the trunk").arg(length, start);
+    return UnplacedDialog::tr("Branch of order %1, %2 long, that started %3 along the one below")
+        .arg(QLocale().toString(order), length, start);
+}
+
+} // namespace
+
+UnplacedDialog::UnplacedDialog(Document* document, AngleUnit unit, QWidget* parent)
+    : QDialog(parent)
+    , m_document(document)
+    , m_unit(unit)
+    , m_list(new QTreeWidget(this))
+{
+    setWindowTitle(tr("Edits without a place"));
+    auto* text = new QLabel(tr("These edits were made on branches that the tree has lost. They are kept with "
+                               "the project, and act again as soon as such a branch grows."),
+                            this);
+    text->setWordWrap(true);
+    m_list->setObjectName(QStringLiteral("unplacedEdits"));
+    m_list->setHeaderLabels({tr("Tree"), tr("Edit"), tr("Where it was")});
+    m_list->setRootIsDecorated(false);
+    m_list->setUniformRowHeights(true);
+    m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_list->setMinimumSize(listSize);
+    m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    m_delete = buttons->addButton(tr("&Delete"), QDialogButtonBox::ActionRole);
+    m_delete->setObjectName(QStringLiteral("deleteEdits"));
+    m_delete->setToolTip(tr("Deletes the selected edits (Del). Undo brings them back."));
+    QPushButton* all = buttons->addButton(tr("Delete &all"), QDialogButtonBox::ActionRole);
+    all->setObjectName(QStringLiteral("deleteAllEdits"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(20, 18, 20, 16);
+    layout->setSpacing(12);
+    layout->addWidget(text);
+    layout->addWidget(m_list, 1);
+    layout->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_delete, &QPushButton::clicked, this, [this] { remove(false); });
+    connect(all, &QPushButton::clicked, this, [this] { remove(true); });
+    connect(m_list, &QTreeWidget::itemSelectionChanged, this,
+            [this] { m_delete->setEnabled(!m_list->selectedItems().isEmpty()); });
+    connect(document, &Document::changed, this, &UnplacedDialog::follow);
+    follow();
+}
+
+void UnplacedDialog::follow()
+{
+    std::vector<UnplacedEdit> edits = unplacedEdits(*m_document);
+    if (edits.empty())
+        return reject();
+    if (edits == m_edits)
+        return;
+    m_edits = std::move(edits);
+    m_list->clear();
+    for (const UnplacedEdit& edit : m_edits) {
+        const Node& node = *m_document->scene().find(edit.node);
+        const BranchParams& values = node.params.branches.at(edit.name);
+        new QTreeWidgetItem(
+            m_list, {QString::fromStdString(node.name), whatText(values, m_unit), whereText(values.place)});
+    }
+    m_list->setCurrentItem(m_list->topLevelItem(0));
+}
+
+void UnplacedDialog::remove(bool all)
+{
+    std::map<NodeId, std::vector<std::uint64_t>> names;
+    for (int row = 0; row < m_list->topLevelItemCount(); ++row)
+        if (all || m_list->topLevelItem(row)->isSelected()) {
+            const UnplacedEdit& edit = m_edits[static_cast<std::size_t>(row)];
+            names[edit.node].push_back(edit.name);
+        }
+    for (const auto& [node, list] : names)
+        if (const auto done = edit::removeBranchEdits(*m_document, node, list); !done) {
+            QMessageBox::warning(this, windowTitle(), errorText(done.error()));
+            return;
+        }
+}
+
+void UnplacedDialog::keyPressEvent(QKeyEvent* event)
+{
+    if (event->key() == Qt::Key_Delete)
+        remove(false);
+    else
+        QDialog::keyPressEvent(event);
+}
+
+} // namespace ramure

@@ -1,0 +1,36 @@
+/// \file
+/// Edits made by hand on branches that have gone: what they are, where they were, and a way to delete them.
+#pragma once
+
+#include "core/session/unplaced_edits.h"
+#include "widgets/base/number_format.h"
+#include <QDialog>
+
+class QPushButton;
+class QTreeWidget;
+
+namespace ramure {
+
+class UnplacedDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    /// \param document is not owned and must outlive the dialog, which closes when no edit is left.
+    UnplacedDialog(Document* document, AngleUnit unit, QWidget* parent = nullptr);
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void follow();
+    /// \param all even where it is not selected.
+    void remove(bool all);
+
+    Document* m_document;
+    AngleUnit m_unit;
+    std::vector<UnplacedEdit> m_edits; ///< in the order of the rows
+    QTreeWidget* m_list;
+    QPushButton* m_delete;
+};
+
+} // namespace ramure
