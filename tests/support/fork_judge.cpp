@@ -3,6 +3,8 @@
 #include "core/surface/proof/validate.h"
 #include "tests/support/mesh_checker.h"
 #include <algorithm>
+#include <numeric>
+#include <set>
 #include <sstream>
 
 namespace ramure::test {
@@ -53,12 +55,28 @@ std::string ownerFaults(const Skeleton& skeleton, const TriangleMesh& mesh)
     return {};
 }
 
+/// Roots that start within a radius of each other stand together.
+std::size_t standsOf(const Skeleton& skeleton)
+{
+    std::vector<Index> roots;
+    for (Index i = 0; i < skeleton.size(); ++i)
+        if (skeleton.parent[i] == noIndex)
+            roots.push_back(i);
+    std::vector<std::size_t> stand(roots.size());
+    std::iota(stand.begin(), stand.end(), std::size_t{0});
+    for (std::size_t i = 0; i < roots.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (stand[i] != stand[k] && glm::length(skeleton.p0[roots[i]] - skeleton.p0[roots[k]]) <=
+                                            std::max(skeleton.a0[roots[i]], skeleton.a0[roots[k]]))
+                std::ranges::replace(stand, std::size_t(stand[i]), std::size_t(stand[k]));
+    return std::set<std::size_t>(stand.begin(), stand.end()).size();
+}
+
 } // namespace
 
 std::string branchMeshFaults(const Skeleton& skeleton, const BranchMesh& built)
 {
-    const auto roots =
-        static_cast<std::size_t>(std::count(skeleton.parent.begin(), skeleton.parent.end(), noIndex));
+    const std::size_t roots = standsOf(skeleton);
     const CheckedMesh checked = checkMesh(built.mesh);
     std::ostringstream text;
     if (!checked.perfect(roots) || built.mesh.normals.empty())

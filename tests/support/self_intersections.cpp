@@ -239,7 +239,7 @@ std::vector<Index> repairedParents(const Skeleton& skeleton, const std::vector<R
 {
     std::map<Index, Index> gone, moved; // to the branch that stands for it; to its other parent
     for (const RepairNote& note : repairs) {
-        if (note.kind == SkeletonRepair::SiblingChained)
+        if (note.kind == SkeletonRepair::SiblingChained || note.kind == SkeletonRepair::RootsJoined)
             moved[note.branch] = note.other;
         else if (note.kind == SkeletonRepair::SiblingsMerged ||
                  note.kind == SkeletonRepair::ZeroLengthContracted)

@@ -285,7 +285,7 @@ std::vector<Index> repairedParents(const Skeleton& skeleton, const std::vector<R
     for (const RepairNote& note : repairs) {
         if (note.kind == SkeletonRepair::SiblingsMerged || note.kind == SkeletonRepair::ZeroLengthContracted)
             standsFor[note.branch] = note.other;
-        else if (note.kind == SkeletonRepair::SiblingChained)
+        else if (note.kind == SkeletonRepair::SiblingChained || note.kind == SkeletonRepair::RootsJoined)
             parent[note.branch] = note.other;
     }
     for (Index& p : parent)

@@ -35,6 +35,7 @@ struct BranchMeshOptions : SectionParams, MeshParams
 enum class SkeletonRepair : std::uint8_t {
     ZeroLengthContracted, ///< the branch has no length: its children start at its parent's end
     RootStub,             ///< a root without length was replaced by a short stub
+    RootsJoined,          ///< a root starts where another one does: they stand on one plate
     SiblingsMerged,       ///< two siblings coincide: one tube serves both
     SiblingChained,       ///< a sibling lies inside a longer one: the longer one continues from its end
     /// The radius was too small for the scene. On a root: the tree turned itself inside out, being much

@@ -169,8 +169,9 @@ void ForkBuilder::startTube(Index child, const Way& way, std::vector<TubeEnd>& e
 {
     const ForkChild& tube = m_children[child];
     const MeshBranch& own = m_context.skeleton.branches[tube.branch];
+    const bool isStem = m_context.skeleton.branches[own.parent].isPlate;
     m_context.sink.startTube(
-        tube.source, m_ring.source,
+        tube.source, isStem ? noIndex : m_ring.source,
         {meshCurve(m_context.skeleton, tube.branch, m_context.clampOvershoot), own.a0, own.a1});
     m_walls.cell(child, m_boundary);
     m_unroller.unroll(m_boundary, tube, child, m_context.skeleton.branches[tube.branch].rollRad, m_front);

@@ -68,7 +68,10 @@ private:
     void measure();
     void prepare();
     void emit(Index branch, Index parentOut, const glm::dvec3& start);
+    void groupRoots();
     void settleChildren(Index branch);
+    void settleSiblings(Index branch);
+    void emitPlate(Index root);
     bool contract(Index branch);
     bool joinTwins();
     bool joinPair(std::size_t first, std::size_t second);
@@ -92,7 +95,8 @@ private:
     std::vector<Pending> m_stack;
     std::vector<Sibling> m_siblings;
     std::vector<Index> m_unsettled;
-    glm::dvec3 m_fork{0.0}; ///< where the siblings at hand start
+    std::vector<Index> m_firstMate, m_nextMate; ///< roots that start together: the first one, and the list
+    glm::dvec3 m_fork{0.0};                     ///< where the siblings at hand start
 };
 
 void Normaliser::measure()
@@ -265,6 +269,11 @@ void Normaliser::settleChildren(Index branch)
     m_siblings.clear();
     for (Index child = m_firstChild[branch]; child != noIndex; child = m_nextSibling[child])
         m_siblings.push_back(sibling(child, m_fork));
+    settleSiblings(branch);
+}
+
+void Normaliser::settleSiblings(Index branch)
+{
     bool again = true;
     while (again) {
         again = contract(branch);
@@ -305,6 +314,92 @@ void Normaliser::emit(Index branch, Index parentOut, const glm::dvec3& start)
         settleChildren(branch);
 }
 
+/// Roots within a radius of each other, and those within a radius of these: lists by their first ones.
+void Normaliser::groupRoots()
+{
+    std::vector<Index> roots;
+    double reach = 0.0;
+    for (Index i = 0; i < m_in.size(); ++i)
+        if (m_in.parent[i] == noIndex) {
+            roots.push_back(i);
+            reach = std::max(reach, m_in.a0[i]);
+        }
+    m_firstMate.resize(m_in.size());
+    m_nextMate.assign(m_in.size(), noIndex);
+    for (const Index root : roots)
+        m_firstMate[root] = root;
+    const auto first = [this](Index root) {
+        while (m_firstMate[root] != root)
+            root = m_firstMate[root];
+        return root;
+    };
+    std::vector<Index> along = roots;
+    std::ranges::stable_sort(along, {}, [this](Index root) { return m_in.p0[root].x; });
+    for (std::size_t i = 0; i < along.size(); ++i)
+        for (std::size_t k = i + 1; k < along.size() && m_in.p0[along[k]].x - m_in.p0[along[i]].x <= reach;
+             ++k)
+            if (glm::length(m_in.p0[along[k]] - m_in.p0[along[i]]) <=
+                std::max(m_in.a0[along[i]], m_in.a0[along[k]])) {
+                const Index one = first(along[i]), other = first(along[k]);
+                m_firstMate[std::max(one, other)] = std::min(one, other);
+            }
+    std::vector<Index> last(m_in.size(), noIndex);
+    for (const Index root : roots) {
+        const Index group = m_firstMate[root] = first(root);
+        if (group != root)
+            m_nextMate[last[group]] = root;
+        last[group] = root;
+    }
+}
+
+/// A stub on which all roots stand that start with \p root. It points to where it is farthest from all of
+/// them.
+void Normaliser::emitPlate(Index root)
+{
+    m_fork = local(m_in.p0[root]);
+    m_siblings.clear();
+    double radius = 0.0;
+    for (Index mate = root; mate != noIndex; mate = m_nextMate[mate]) {
+        m_siblings.push_back(sibling(mate, m_fork));
+        radius = std::max(radius, m_a0[mate]);
+    }
+    const std::size_t notes = m_out.repairs.size();
+    settleSiblings(root);
+    Index first = root;
+    for (std::size_t i = notes; i < m_out.repairs.size(); ++i)
+        if (m_out.repairs[i].kind == SkeletonRepair::SiblingChained && m_out.repairs[i].branch == first)
+            first = m_out.repairs[i].other; // it goes on from that one's end
+    for (const Sibling& mate : m_siblings)
+        if (m_in.parent[mate.id] == noIndex && mate.id != first)
+            m_out.repairs.push_back({SkeletonRepair::RootsJoined, mate.id, first});
+    if (m_siblings.size() == 1 && m_in.parent[m_siblings.front().id] == noIndex)
+        return emit(m_siblings.front().id, noIndex, local(m_in.p0[m_siblings.front().id])); // all were one
+    glm::dvec3 sum(0.0);
+    for (const Sibling& mate : m_siblings)
+        sum += mate.direction;
+    const double whole = glm::length(sum);
+    glm::dvec3 best(0.0, -1.0, 0.0);
+    double least = 2.0;
+    for (const glm::dvec3& way :
+         {whole > 1e-6 ? -sum / whole : best, best, glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, 1.0),
+          glm::dvec3(-1.0, 0.0, 0.0), glm::dvec3(0.0, 0.0, -1.0), glm::dvec3(0.0, 1.0, 0.0)}) {
+        double nearest = -1.0;
+        for (const Sibling& mate : m_siblings)
+            nearest = std::max(nearest, glm::dot(mate.direction, way));
+        if (nearest < least - 1e-9) {
+            least = nearest;
+            best = way;
+        }
+    }
+    MeshBranch plate;
+    plate.p1 = m_fork;
+    plate.p0 = m_fork + std::max(0.5 * radius, 2.0 * m_tinyLength) * best;
+    plate.a0 = plate.a1 = radius;
+    plate.source = root;
+    plate.isPlate = true;
+    m_out.branches.push_back(plate);
+}
+
 /// Depth-first order gives every branch a higher index than its parent; the lists follow from the parents.
 void Normaliser::linkChildren()
 {
@@ -335,9 +430,10 @@ Expected<void> Normaliser::run(const Progress& progress)
     if (m_out.scene < smallestScene)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("The skeleton is too small for a mesh"));
     prepare();
+    groupRoots();
     m_out.branches.reserve(m_in.size());
     for (Index i = m_in.size(); i-- > 0;)
-        if (m_in.parent[i] == noIndex) {
+        if (m_in.parent[i] == noIndex && m_firstMate[i] == i) {
             m_stack.push_back({i, noIndex});
             ++m_out.roots;
         }
@@ -350,7 +446,10 @@ Expected<void> Normaliser::run(const Progress& progress)
         const Index index = static_cast<Index>(m_out.branches.size());
         const glm::dvec3 start =
             pending.parentOut == noIndex ? local(m_in.p0[pending.id]) : m_out.branches[pending.parentOut].p1;
-        emit(pending.id, pending.parentOut, start);
+        if (pending.parentOut == noIndex && m_nextMate[pending.id] != noIndex)
+            emitPlate(pending.id);
+        else
+            emit(pending.id, pending.parentOut, start);
         for (auto it = m_siblings.rbegin(); it != m_siblings.rend(); ++it)
             m_stack.push_back({it->id, index});
     }

@@ -16,6 +16,7 @@ struct MeshBranch
     double rollRad = 0.0;   ///< extra turn of this branch's frames
     Index parent = noIndex; ///< in NormalSkeleton::branches
     Index source = noIndex; ///< branch of the skeleton it was made from
+    bool isPlate = false;   ///< no branch of the skeleton: what stems stand on that start together
     Index firstChild = 0;   ///< its children are children[firstChild .. firstChild + childCount)
     Index childCount = 0;
 };
@@ -44,7 +45,10 @@ struct NormalSkeleton
 /// times their
 ///   added radii, become one branch (about equal lengths) or a chain (the longer goes on from the shorter
 ///   one's end);
-/// - a root without length becomes a stub of half its radius behind its first child.
+/// - a root without length becomes a stub of half its radius behind its first child;
+/// - roots that start within a radius of each other become the children of one root plate: a stub at the
+/// first
+///   one's start, turned away from all of them.
 /// Radii are at least 1e-4 of the scene.
 /// Errors: Invalid (empty, non-finite or negative numbers, nothing with a length or a radius, beyond what
 /// floats hold), Cancelled.

@@ -73,7 +73,8 @@ void SubtreeBuilder::continueChild(const TubeEnd& parent)
     const BranchCurve curve = meshCurve(m_skeleton, child, m_context.clampOvershoot);
     m_axes.build(curve, branch, parent.section.frame, m_context.divisions.sections(child), m_sections,
                  nullptr);
-    m_sink.startTube(branch.source, m_skeleton.branches[parent.branch].source, {curve, branch.a0, branch.a1});
+    const MeshBranch& below = m_skeleton.branches[parent.branch];
+    m_sink.startTube(branch.source, below.isPlate ? noIndex : below.source, {curve, branch.a0, branch.a1});
     const std::span<const RingPoint> points = m_context.divisions.ring(parent.branch, parent.section.radius);
     m_tubes.finish(child, m_sections, 0, {parent.ring, points, -branch.rollRad}, m_ends);
 }

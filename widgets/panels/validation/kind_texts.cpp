@@ -90,6 +90,13 @@ KindText KindTexts::repair(SkeletonRepair kind)
                    "stand on."),
                 {},
                 {}};
+    case SkeletonRepair::RootsJoined:
+        return {tr("Stems from one place"),
+                tr("Stems that start within a radius of each other stand on one plate at the ground, so that "
+                   "they "
+                   "are one mesh. Two meshes there would run through each other."),
+                {},
+                {}};
     case SkeletonRepair::SiblingsMerged:
         return {tr("Siblings in one place"),
                 tr("Two branches of one parent lie in the same place, so one tube serves both. Two tubes "

@@ -24,6 +24,7 @@ private slots:
     void rollsOfContractedBranchesGoOn();
     void childrenFollowAMergedParent();
     void rootsAreCounted();
+    void stemsFromOnePlaceStandOnAPlate();
     void farSkeletonsAreBroughtNear();
     void fernHasItsTwins();
     void invariantsOfTheZoo();
@@ -160,10 +161,29 @@ void TestSkeletonNormalise::rootsAreCounted()
 {
     Skeleton s = stem();
     s.add(noIndex, {3, 0, 0}, {3, 1, 0}, 0.1, 0.1);
-    s.add(noIndex, {0, 0, 0}, {0, 1, 0}, 0.1, 0.1); // where the first one is: roots are never merged
+    s.add(noIndex, {0, 0, 0}, {0, 1, 0}, 0.1, 0.1); // where the first one is: as a twin of it
     const NormalSkeleton n = normal(s);
-    QCOMPARE(n.roots, Index(3));
-    QCOMPARE(n.branches.size(), std::size_t(3));
+    QCOMPARE(n.roots, Index(2));
+    QCOMPARE(n.branches.size(), std::size_t(2));
+}
+
+void TestSkeletonNormalise::stemsFromOnePlaceStandOnAPlate()
+{
+    Skeleton s = stem();
+    s.add(noIndex, {0.15, 0, 0}, {1, 1, 0}, 0.1, 0.1);    // farther away than a radius
+    s.add(noIndex, {0.08, 0, 0}, {0.6, -1, 0}, 0.1, 0.1); // near both
+    s.add(2, {0.6, -1, 0}, {2, 1, 0}, 0.1, 0.1);
+    const NormalSkeleton n = normal(s);
+    QCOMPARE(n.roots, Index(1));
+    QCOMPARE(n.branches.size(), std::size_t(5));
+    const MeshBranch& plate = n.branches[0];
+    QVERIFY(plate.isPlate && plate.source == 0 && plate.childCount == 3);
+    QCOMPARE(plate.p1, s.p0[0]);
+    QVERIFY(std::abs(glm::length(plate.p1 - plate.p0) - 0.05) < 1e-12);
+    for (Index i = 0; i < n.branches.size(); ++i)
+        QCOMPARE(n.branches[i].isPlate, i == 0);
+    QCOMPARE(n.repairs.size(), std::size_t(2));
+    QCOMPARE(n.repairs[0].kind, SkeletonRepair::RootsJoined);
 }
 
 void TestSkeletonNormalise::farSkeletonsAreBroughtNear()
