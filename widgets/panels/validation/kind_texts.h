@@ -11,7 +11,7 @@
 
 namespace ramure {
 
-inline constexpr int repairKindCount = 5;
+inline constexpr int repairKindCount = 6;
 
 struct KindText
 {

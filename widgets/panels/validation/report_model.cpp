@@ -1,5 +1,6 @@
 #include "widgets/panels/validation/report_model.h"
 
+#include "widgets/base/branch_names.h"
 #include "widgets/base/defect_place.h"
 #include "widgets/base/fact_text.h"
 #include "widgets/panels/validation/kind_texts.h"
@@ -90,6 +91,7 @@ void ReportModel::setSource(ReportSource source)
     }
     beginResetModel();
     m_source = std::move(source);
+    m_rows.reset();
     makeGroups();
     endResetModel();
 }
@@ -305,24 +307,35 @@ QString ReportModel::nameOf(const QModelIndex& index) const
     return repairName(*repair(index));
 }
 
-QString ReportModel::branchesOf(const QModelIndex& index) const
+std::vector<Index> ReportModel::branchesOf(const QModelIndex& index) const
 {
-    const auto text = [](Index branch) {
-        return branch == noIndex ? QStringLiteral("—") : QString::number(branch);
-    };
     static const TriangleMesh none;
     const TriangleMesh& mesh = m_source.branches ? m_source.branches->mesh : none;
     if (const Defect* bad = defect(index))
-        return text(defectBranch(mesh, *bad));
+        return {defectBranch(mesh, *bad)};
     if (const FacePair* pair = crossing(index)) {
         const Index first = faceBranch(mesh, pair->first), second = faceBranch(mesh, pair->second);
-        return first == second ? text(first) : QStringLiteral("%1, %2").arg(text(first), text(second));
+        return first == second ? std::vector{first} : std::vector{first, second};
     }
     if (const Collision* found = collision(index))
-        return QStringLiteral("%1, %2").arg(found->first).arg(found->second);
+        return {found->first, found->second};
     if (const WorstFace* face = thinTriangle(index))
-        return text(faceBranch(mesh, face->face));
-    return text(repair(index)->branch);
+        return {faceBranch(mesh, face->face)};
+    return {repair(index)->branch};
+}
+
+QString ReportModel::branchNames(const QModelIndex& index) const
+{
+    if (!m_source.simplified)
+        return {};
+    if (!m_rows)
+        m_rows.emplace(m_source.simplified);
+    const BranchNames names;
+    QStringList all;
+    for (const Index branch : branchesOf(index))
+        if (branch < m_rows->skeleton().size())
+            all += names.branch(*m_rows, branch);
+    return all.join(QLatin1Char('\n'));
 }
 
 std::optional<glm::dvec3> ReportModel::placeOf(const QModelIndex& index) const
@@ -347,8 +360,12 @@ QString ReportModel::itemText(const QModelIndex& index) const
 {
     if (index.column() == WhatColumn)
         return nameOf(index);
-    if (index.column() == BranchColumn)
-        return branchesOf(index);
+    if (index.column() == BranchColumn) {
+        QStringList numbers;
+        for (const Index branch : branchesOf(index))
+            numbers += branch == noIndex ? QStringLiteral("—") : QString::number(branch);
+        return numbers.join(QStringLiteral(", "));
+    }
     const std::optional<glm::dvec3> place = placeOf(index);
     return place ? facttext::vector(*place, placeDecimals) : QStringLiteral("—");
 }
@@ -363,8 +380,9 @@ QVariant ReportModel::data(const QModelIndex& index, int role) const
         return index.column() == WhatColumn ? QVariant(groupText(groupOf(index))) : QVariant();
     }
     if (role == Qt::ToolTipRole) {
-        const KindText text = textOf(kind(index));
-        return text.meaning;
+        const QString meaning = textOf(kind(index)).meaning;
+        const QString names = isGroup(index) ? QString() : branchNames(index);
+        return names.isEmpty() ? meaning : names + QStringLiteral("\n\n") + meaning;
     }
     return {};
 }

@@ -7,6 +7,7 @@
 #include "core/surface/check/mesh_analysis.h"
 #include "core/surface/mesher/branch_mesh.h"
 #include "core/surface/proof/validate.h"
+#include "widgets/base/branch_rows.h"
 #include <QAbstractItemModel>
 #include <memory>
 #include <optional>
@@ -96,7 +97,10 @@ private:
     /// Where the row stands in the list of its kind; nothing for the rows of other kinds.
     [[nodiscard]] std::optional<std::size_t> itemOf(const QModelIndex& index, const Kind& kind) const;
     [[nodiscard]] QString nameOf(const QModelIndex& index) const;
-    [[nodiscard]] QString branchesOf(const QModelIndex& index) const;
+    /// noIndex where a defect is of none.
+    [[nodiscard]] std::vector<Index> branchesOf(const QModelIndex& index) const;
+    /// As the scene panel calls them, a line each.
+    [[nodiscard]] QString branchNames(const QModelIndex& index) const;
     [[nodiscard]] std::optional<glm::dvec3> placeOf(const QModelIndex& index) const;
     [[nodiscard]] bool isGroup(const QModelIndex& index) const { return index.internalId() == 0; }
     [[nodiscard]] const Group& groupOf(const QModelIndex& index) const;
@@ -105,6 +109,7 @@ private:
 
     ReportSource m_source;
     std::vector<Group> m_groups;
+    mutable std::optional<BranchRows> m_rows; ///< made for the first names
 };
 
 } // namespace ramure

@@ -1,5 +1,6 @@
 #include "core/math/random.h"
 #include "tests/support/suite.h"
+#include "widgets/base/branch_names.h"
 #include "widgets/panels/validation/kind_texts.h"
 #include "widgets/panels/validation/report_model.h"
 #include <QAbstractItemModelTester>
@@ -75,6 +76,7 @@ private slots:
     void rowsComeWhenAskedFor();
     void listsOnlySoMany();
     void aSecondOpinionKeepsTheRows();
+    void tooltipsCallBranchesByName();
 };
 
 void TestReportModel::emptySourcesAreEmptyModels()
@@ -171,6 +173,26 @@ void TestReportModel::aSecondOpinionKeepsTheRows()
     QCOMPARE(reset.count(), 1);
     model.setSource({other, std::make_shared<BranchMesh>(), nullptr}); // another mesh
     QCOMPARE(reset.count(), 2);
+}
+
+void TestReportModel::tooltipsCallBranchesByName()
+{
+    auto branches = std::make_shared<BranchMesh>();
+    branches->repairs = {{SkeletonRepair::RadiusClamped, 1, noIndex},
+                         {SkeletonRepair::RadiusClamped, 7, noIndex}};
+    auto simplified = std::make_shared<SimplifiedSkeleton>();
+    Skeleton& skeleton = simplified->skeleton;
+    skeleton.add(noIndex, {0, 0, 0}, {0, 1, 0}, 0.1, 0.1);
+    skeleton.add(0, {0, 1, 0}, {1, 2, 0}, 0.1, 0.1, 1);
+    ReportModel model;
+    model.setSource({std::make_shared<MeshReport>(), branches, simplified});
+    QCOMPARE(shownRows(model).size(), qsizetype{2});
+    const QModelIndex top = model.index(0, 0);
+    const QString meaning = top.data(Qt::ToolTipRole).toString();
+    const BranchRows rows(simplified);
+    QCOMPARE(model.index(0, 0, top).data(Qt::ToolTipRole).toString(),
+             BranchNames().branch(rows, 1) + QStringLiteral("\n\n") + meaning);
+    QCOMPARE(model.index(1, 0, top).data(Qt::ToolTipRole).toString(), meaning); // no such branch
 }
 
 QTEST_MAIN(TestReportModel)
