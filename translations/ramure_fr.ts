@@ -8157,6 +8157,17 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::SurfacePreview</name>
+    <message>
+        <source>One leaf from above, without its neighbours</source>
+        <translation>Une feuille vue de dessus, sans ses voisines</translation>
+    </message>
+    <message>
+        <source>The bark on a ball, and one tile of it</source>
+        <translation>L’écorce sur une boule, et un carreau</translation>
+    </message>
+</context>
+<context>
     <name>ramure::TargetTool</name>
     <message>
         <source>The arm reaches for the point under the cursor · release: done</source>

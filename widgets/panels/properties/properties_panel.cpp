@@ -12,6 +12,7 @@
 #include "widgets/panels/properties/grammar/generations_view.h"
 #include "widgets/panels/properties/group_section.h"
 #include "widgets/panels/properties/param_row.h"
+#include "widgets/panels/properties/surface_preview.h"
 #include <QClipboard>
 #include <QEvent>
 #include <QGuiApplication>
@@ -128,6 +129,10 @@ void PropertiesPanel::buildRows()
     }
     m_generations = new GenerationsView(m_document, m_content);
     row(*findParam("grammar.rules"))->addBelow(m_generations);
+    m_leaf = new SurfacePreview(m_document, SurfacePreview::Surface::Leaf, m_content);
+    row(*findParam("foliage.leaf"))->addBelow(m_leaf);
+    m_bark = new SurfacePreview(m_document, SurfacePreview::Surface::Bark, m_content);
+    row(*findParam("bark.family"))->addBelow(m_bark);
     layout->addStretch(1);
 }
 
@@ -174,7 +179,10 @@ void PropertiesPanel::takeTargets()
     }
     m_nodes = std::move(nodes);
     m_content->setEnabled(!locked);
-    m_generations->setTree(m_nodes.size() == 1 ? m_nodes.front() : noNode);
+    const NodeId only = m_nodes.size() == 1 ? m_nodes.front() : noNode;
+    m_generations->setTree(only);
+    m_leaf->setTree(only);
+    m_bark->setTree(only);
     showValues({});
     showProblem();
     applyFilter();

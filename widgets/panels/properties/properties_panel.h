@@ -20,6 +20,7 @@ class AutoKey;
 class GenerationsView;
 class GroupSection;
 class ParamRow;
+class SurfacePreview;
 class Preferences;
 
 class PropertiesPanel : public QWidget
@@ -90,6 +91,8 @@ private:
     QLabel* m_title = nullptr;
     QLabel* m_problem = nullptr; ///< an error that belongs to no row
     GenerationsView* m_generations = nullptr;
+    SurfacePreview* m_leaf = nullptr;
+    SurfacePreview* m_bark = nullptr;
     QLabel* m_empty = nullptr;
     QLineEdit* m_search = nullptr;
     QScrollArea* m_scroll = nullptr;

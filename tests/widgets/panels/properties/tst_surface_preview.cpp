@@ -1,0 +1,108 @@
+// What a leaf and a bark look like, beside the numbers that make them.
+#include "core/document/commands.h"
+#include "core/params/presets.h"
+#include "tests/widgets/base/fixture.h"
+#include "tests/widgets/tree_document.h"
+#include "widgets/panels/properties/surface_pictures.h"
+#include "widgets/panels/properties/surface_preview.h"
+
+using namespace ramure;
+
+namespace {
+
+constexpr int size = 64;
+
+/// Share of the pixels that show something.
+double covered(const QImage& picture)
+{
+    int opaque = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x)
+            opaque += qAlpha(picture.pixel(x, y)) > 0 ? 1 : 0;
+    return double(opaque) / (picture.width() * picture.height());
+}
+
+} // namespace
+
+class TestSurfacePreview : public QObject
+{
+    Q_OBJECT
+private:
+    test::OwnSettings m_settings;
+
+private slots:
+    void init() { test::failOnWidgetWarning(); }
+
+    void everyLeafIsShown()
+    {
+        QSet<QByteArray> seen;
+        for (int shape = 0; shape < leafShapeCount; ++shape) {
+            LeafParams leaf;
+            leaf.shape = static_cast<LeafShape>(shape);
+            const QImage picture = leafPicture(leaf, false, size);
+            QCOMPARE(picture.size(), QSize(size, size));
+            QVERIFY2(covered(picture) > 0.01 && covered(picture) < 0.95, qPrintable(QString::number(shape)));
+            QCOMPARE(leafPicture(leaf, false, size), picture);
+            seen.insert(
+                QByteArray(reinterpret_cast<const char*>(picture.constBits()), picture.sizeInBytes()));
+        }
+        QCOMPARE(seen.size(), qsizetype{leafShapeCount});
+        LeafParams flat;
+        flat.shape = LeafShape::Maple;
+        QVERIFY(leafPicture(flat, true, size) != leafPicture(flat, false, size)); // autumn
+        flat.width = 0.0;
+        QCOMPARE(covered(leafPicture(flat, false, size)), 0.0); // nothing to see, and nothing breaks
+    }
+
+    void everyBarkIsShown()
+    {
+        for (int family = 0; family <= static_cast<int>(BarkFamily::Bamboo); ++family) {
+            BarkParams bark;
+            bark.family = static_cast<BarkFamily>(family);
+            const QImage picture = barkPicture(bark, size);
+            QCOMPARE(picture.size(), QSize(2 * size, size));
+            QCOMPARE(qAlpha(picture.pixel(0, 0)), 0); // beside the ball
+            QCOMPARE(qAlpha(picture.pixel(size / 2, size / 2)), 255);
+            QCOMPARE(qAlpha(picture.pixel(3 * size / 2, size / 2)), 255);
+            // Lit from the upper left.
+            const auto light = [&](int x, int y) { return qGray(picture.pixel(x, y)); };
+            QVERIFY(light(size / 3, size / 3) + light(size / 3 + 1, size / 3) >
+                    light(3 * size / 4, 3 * size / 4) + light(3 * size / 4 + 1, 3 * size / 4));
+        }
+        std::stop_source stop;
+        stop.request_stop();
+        BarkParams bark;
+        bark.family = BarkFamily::Furrowed;
+        QVERIFY(barkPicture(bark, 1024, {stop.get_token(), {}}).isNull());
+    }
+
+    void theySeeWhatIsChosen()
+    {
+        test::TreeDocument trees;
+        const NodeId tree = trees.add(*presetParams("TinyTree"));
+        for (const auto surface : {SurfacePreview::Surface::Leaf, SurfacePreview::Surface::Bark}) {
+            QWidget window;
+            auto* preview = new SurfacePreview(&trees.document(), surface, &window);
+            window.show();
+            QVERIFY(preview->isHidden());
+            preview->setTree(tree);
+            QVERIFY(preview->isVisible());
+            QTRY_VERIFY(!preview->picture().isNull());
+            const QImage before = preview->picture();
+            const bool isLeaf = surface == SurfacePreview::Surface::Leaf;
+            const auto set = [&](const char* key, ParamValue value) {
+                return edit::setParam(trees.document(), {tree}, *findParam(key), std::move(value))
+                    .has_value();
+            };
+            QVERIFY(isLeaf ? set("foliage.leafFold", 1.0) : set("bark.moss", 0.8));
+            QTRY_VERIFY(preview->picture() != before);
+            trees.document().undoStack()->undo();
+            QTRY_VERIFY(preview->picture() == before);
+            preview->setTree(noNode);
+            QVERIFY(preview->isHidden());
+        }
+    }
+};
+
+QTEST_MAIN(TestSurfacePreview)
+#include "tst_surface_preview.moc"
