@@ -315,8 +315,8 @@ const GpuBlock& GpuCache::leaf(const std::shared_ptr<const LeafMaps>& maps)
 
 void GpuCache::bindPictures(ShaderProgram& program, const MeshItem& item)
 {
-    const GpuBlock* block = item.bark ? &bark(item.bark) : item.leaf ? &leaf(item.leaf) : nullptr;
     m_gl.glActiveTexture(GL_TEXTURE0 + barkUnit);
+    const GpuBlock* block = item.bark ? &bark(item.bark) : item.leaf ? &leaf(item.leaf) : nullptr;
     m_gl.glBindTexture(GL_TEXTURE_2D, block ? block->texture : restTexture());
     m_gl.glActiveTexture(GL_TEXTURE0 + barkNormalsUnit);
     m_gl.glBindTexture(GL_TEXTURE_2D, block ? block->normals : restTexture());
@@ -348,6 +348,7 @@ GLuint GpuCache::crownTexture(const CrownLight& crown)
 
 void GpuCache::bindCrown(ShaderProgram& program, const std::shared_ptr<const CrownLight>& crown)
 {
+    m_gl.glActiveTexture(GL_TEXTURE0 + crownUnit);
     if (m_restCrown == 0)
         m_restCrown = crownTexture({glm::ivec3(1), glm::dmat4(1.0), {glm::u8vec4(255)}});
     GLuint texture = m_restCrown;
@@ -357,7 +358,6 @@ void GpuCache::bindCrown(ShaderProgram& program, const std::shared_ptr<const Cro
             block.texture = crownTexture(*crown);
         texture = block.texture;
     }
-    m_gl.glActiveTexture(GL_TEXTURE0 + crownUnit);
     m_gl.glBindTexture(GL_TEXTURE_3D, texture);
     m_gl.glActiveTexture(GL_TEXTURE0);
     program.set("uCrown", int(crownUnit));
@@ -524,8 +524,8 @@ const GpuBlock& GpuCache::states(const std::shared_ptr<const BranchStates>& stat
 
 void GpuCache::bindBones(ShaderProgram& program, const ItemMotion& motion)
 {
-    const GpuBlock* block = motion.moves() ? &bones(motion.bones) : nullptr;
     m_gl.glActiveTexture(GL_TEXTURE0 + bonesUnit);
+    const GpuBlock* block = motion.moves() ? &bones(motion.bones) : nullptr;
     m_gl.glBindTexture(GL_TEXTURE_2D, block && block->texture != 0 ? block->texture : restTexture());
     m_gl.glActiveTexture(GL_TEXTURE0);
     program.set("uBones", int(bonesUnit));

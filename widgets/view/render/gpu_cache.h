@@ -77,7 +77,9 @@ public:
     const GpuBlock& lines(const std::shared_ptr<const LineSet>& lines);
     const GpuBlock& points(const std::shared_ptr<const PointSet>& points);
     const GpuBlock& states(const std::shared_ptr<const BranchStates>& states);
-    /// Hands the bones of an item, if it has any, to the program, which is bound.
+    /// Hands the bones of an item, if it has any, to the program, which is bound. A texture made for it is
+    /// bound to its own unit from the first, as in those below: on the shadow's it would be read in the
+    /// shadow's place.
     void bindBones(ShaderProgram& program, const ItemMotion& motion);
     /// The same for the colours of a mesh's triangles.
     void bindColours(ShaderProgram& program, const GpuBlock& mesh);

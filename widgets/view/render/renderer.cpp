@@ -312,6 +312,7 @@ void Renderer::setLight(ShaderProgram& program, const Picture& picture)
 
 void Renderer::setStates(ShaderProgram& program, const RenderScene& scene, NodeId node, bool hasBranches)
 {
+    m_gl.glActiveTexture(GL_TEXTURE0 + statesUnit);
     GLuint texture = m_noStates;
     int count = 0;
     for (const Highlight& highlight : scene.highlights) {
@@ -321,7 +322,6 @@ void Renderer::setStates(ShaderProgram& program, const RenderScene& scene, NodeI
             count = block.count;
         }
     }
-    m_gl.glActiveTexture(GL_TEXTURE0 + statesUnit);
     m_gl.glBindTexture(GL_TEXTURE_2D, texture);
     m_gl.glActiveTexture(GL_TEXTURE0);
     program.set("uStates", int(statesUnit));
