@@ -18,27 +18,40 @@ vec2 discPoint(int i, int count, float turn)
     return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
 }
 
+// How fast the depth of a plane grows over the map (Isidoro 2006, receiver plane depth bias): what is read beside a
+// place is compared with the plane there, so that a surface the sun grazes does not shade itself.
+vec2 depthSlope(vec3 plane)
+{
+    const float steepest = 6.0; // m per metre
+    vec2 across = uShadowScale.y * vec2(dot(plane, vec3(uShadow[0][0], uShadow[1][0], uShadow[2][0])),
+                                        dot(plane, vec3(uShadow[0][1], uShadow[1][1], uShadow[2][1])));
+    float towards = dot(plane, uSun);
+    across /= (towards < 0.0 ? -1.0 : 1.0) * max(abs(towards), length(across) / steepest + 1e-6);
+    return across * uShadowScale.y / uShadowScale.z;
+}
+
 // Fernando 2005, percentage-closer soft shadows: the farther behind its blocker, the softer.
-float kernelRadius(vec3 at, float texel, float turn)
+float kernelRadius(vec3 at, vec2 slope, float texel, float turn)
 {
     float widest = clamp(uShadowScale.z * sunSpread / uShadowScale.y, 2.0 * texel, 14.0 * texel);
     float sum = 0.0;
     float count = 0.0;
     for (int i = 0; i < 8; ++i) {
-        float depth = texture(uShadowDepth, at.xy + widest * discPoint(i, 8, turn)).r;
-        if (depth < at.z) {
-            sum += depth;
+        vec2 beside = i == 0 ? vec2(0.0) : widest * discPoint(i, 8, turn); // nothing so near is missed by any
+        float gap = at.z + dot(slope, beside) - texture(uShadowDepth, at.xy + beside).r;
+        if (gap > 0.0) {
+            sum += gap;
             count += 1.0;
         }
     }
     if (count == 0.0)
         return 0.0;
-    float gap = (at.z - sum / count) * uShadowScale.z;
+    float gap = sum / count * uShadowScale.z;
     return clamp(gap * sunSpread / uShadowScale.y, 1.0 * texel, widest);
 }
 
-// 1 in the sun, 0 in the shadow. The normal faces the sun's side.
-float sunlight(vec3 relative, vec3 normal)
+// 1 in the sun, 0 in the shadow. The normal faces the sun's side; the plane is that of the surface itself.
+float sunlight(vec3 relative, vec3 normal, vec3 plane)
 {
     if (uShadowTaps == 0)
         return 1.0;
@@ -48,18 +61,21 @@ float sunlight(vec3 relative, vec3 normal)
     if (any(lessThan(at.xy, vec2(0.0))) || any(greaterThan(at.xy, vec2(1.0))))
         return 1.0;
     at.z = min(at.z, 1.0);
+    vec2 slope = depthSlope(plane);
     float texel = uShadowScale.x / uShadowScale.y;
     float turn = 0.0;
     float radius = 1.8 * texel;
     if (uShadowTaps >= 12) {
         turn = 6.2831853 * pixelNoise();
-        radius = kernelRadius(at, texel, turn);
+        radius = kernelRadius(at, slope, texel, turn);
         if (radius == 0.0)
             return 1.0;
     }
     float lit = 0.0;
-    for (int i = 0; i < uShadowTaps; ++i)
-        lit += texture(uShadowMap, vec3(at.xy + radius * discPoint(i, uShadowTaps, turn), at.z));
+    for (int i = 0; i < uShadowTaps; ++i) {
+        vec2 beside = radius * discPoint(i, uShadowTaps, turn);
+        lit += texture(uShadowMap, vec3(at.xy + beside, at.z + dot(slope, beside)));
+    }
     return lit / float(uShadowTaps);
 }
 

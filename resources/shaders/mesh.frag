@@ -73,7 +73,7 @@ uniform sampler3D uCrown; // the way out, share of the sky that is seen
 uniform float uExposure;  // 0: light is shown as it is
 
 const float roundness = 0.5;  // of a crown's leaves: they look the way out as much
-const float innermost = 0.22; // of the sky's light, what comes to the middle of a thick crown
+const float innermost = 0.4; // of the sky's light, what leaves pass on to the middle of a thick crown
 
 // Narkowicz 2015, a fit of the Academy's curve: contrast in the middle, soft highlights. Taken colour by colour it makes
 // greens of leaves gaudy.
@@ -98,15 +98,16 @@ vec3 leafColour(inout vec3 normal)
     return ownColour() * texture(uBark, v.uv).rgb / max(uBlade, vec3(0.02));
 }
 
-vec3 shaded(vec3 albedo, vec3 normal)
+vec3 shaded(vec3 albedo, vec3 normal, vec3 plane)
 {
     float facing = dot(normal, uSun);
-    float sun = sunlight(v.relative, facing < 0.0 ? -normal : normal);
+    vec3 side = uTwoSided ? plane : normal;
+    float sun = sunlight(v.relative, dot(side, uSun) < 0.0 ? -side : side, plane);
     float open = 1.0;
     vec3 round = normal;
     if (uHasCrown) {
         vec4 crown = texture(uCrown, (uCrownPlace * vec4(v.relative, 1.0)).xyz);
-        open = mix(innermost, 1.0, crown.a * crown.a);
+        open = mix(innermost, 1.0, crown.a);
         if (uThrough > 0.0)
             round = normalize(mix(normal, 2.0 * crown.xyz - 1.0, roundness) + 1e-4 * normal);
     }
@@ -124,8 +125,9 @@ vec3 shaded(vec3 albedo, vec3 normal)
 
 void main()
 {
-    vec3 flatNormal = cross(dFdx(v.relative), dFdy(v.relative));
-    vec3 normal = normalize(dot(v.normal, v.normal) > 1e-8 ? v.normal : (gl_FrontFacing ? flatNormal : -flatNormal));
+    vec3 plane = cross(dFdx(v.relative), dFdy(v.relative));
+    plane /= max(length(plane), 1e-18);
+    vec3 normal = dot(v.normal, v.normal) > 1e-8 ? normalize(v.normal) : gl_FrontFacing ? plane : -plane;
     vec3 own = uVeins ? leafColour(normal) : uHasBark ? barkColour(normal) : ownColour();
     vec3 paint = painted(v.uv, v.relative, own);
     vec3 albedo = toLinear(mix(paint, v.tint.rgb, v.tint.a)) * v.shade;
@@ -144,9 +146,9 @@ void main()
         fragment = vec4(dithered(toSrgb(mix(albedo * 0.35, albedo, v.tint.a))), uOpacity);
         return;
     }
-    vec3 colour = shaded(albedo, normal);
+    vec3 colour = shaded(albedo, normal, plane);
     fragment = vec4(dithered(toSrgb(mix(colour, albedo * 0.06, 0.75 * line))), uOpacity);
 #else
-    fragment = vec4(dithered(toSrgb(shaded(albedo, normal))), uOpacity);
+    fragment = vec4(dithered(toSrgb(shaded(albedo, normal, plane))), uOpacity);
 #endif
 }

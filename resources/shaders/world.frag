@@ -58,17 +58,18 @@ float gridLines(vec2 at, vec2 width, float spacing)
 
 vec3 ground(vec3 relative, vec2 at, vec2 width)
 {
+    const vec3 up = vec3(0.0, 1.0, 0.0);
     if (uStudio.r >= 0.0) { // in full light exactly the colour behind it: there is no horizon
         const vec3 eye = vec3(0.2126, 0.7152, 0.0722); // brightness alone: shadows are grey
         float shaded = dot(eye, uSkyLight) / dot(eye, uSkyLight + uSunLight * uSun.y);
-        return toLinear(uStudio) * mix(shaded, 1.0, sunlight(relative, vec3(0.0, 1.0, 0.0)));
+        return toLinear(uStudio) * mix(shaded, 1.0, sunlight(relative, up, up));
     }
     float broad = max(width.x, width.y);
     float mottle = (noise(at / uMottle) - 0.5) * (1.0 - smoothstep(0.2, 0.7, broad / uMottle));
     float fine = uMottle * 0.11;
     mottle += 0.7 * (noise(at / fine) - 0.5) * (1.0 - smoothstep(0.2, 0.7, broad / fine));
     vec3 albedo = toLinear(groundGreen) * (1.0 + 0.14 * mottle);
-    float sun = sunlight(relative, vec3(0.0, 1.0, 0.0));
+    float sun = sunlight(relative, up, up);
     vec3 colour = albedo * (uSkyLight + uSunLight * uSun.y * sun);
     return colour;
 }
