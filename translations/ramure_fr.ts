@@ -4633,6 +4633,10 @@
         <source>a picture of %1 pixels: %2 to %3 are possible</source>
         <translation>une image de %1 pixels : %2 à %3 sont possibles</translation>
     </message>
+    <message>
+        <source>the place of one of %1 is not a finite number</source>
+        <translation>la place d’un des éléments de %1 n’est pas un nombre fini</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -5784,6 +5788,22 @@ OpenGL&#xa0;: %4
     <message>
         <source>Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one repeat of the bark, in metres, is the tree&apos;s parameter &quot;Bark tile&quot;. Beside an .obj, the pictures of the bark are written too.</source>
         <translation>Où chaque coin se trouve sur l’écorce, sur l’image d’une feuille ou d’une pomme. La taille d’une répétition de l’écorce, en mètres, est le paramètre «&#xa0;Carreau d’écorce&#xa0;» de l’arbre. À côté d’un .obj, les images de l’écorce sont écrites aussi.</translation>
+    </message>
+    <message>
+        <source>Merged into one mesh</source>
+        <translation>Réunis en un maillage</translation>
+    </message>
+    <message>
+        <source>List of instances</source>
+        <translation>Liste d’instances</translation>
+    </message>
+    <message>
+        <source>Merged: the file holds every leaf and every fruit. List of instances: it holds the rest, and beside it stand a table, FILE_leaves.csv, with a row for each leaf, fruit and flower (its shape, material, branch, colour and matrix), and one OBJ for each shape. Much smaller, for programs that draw instances.</source>
+        <translation>Réunis : le fichier contient chaque feuille et chaque fruit. Liste d’instances : il contient le reste, et à côté se trouvent une table, FICHIER_leaves.csv, avec une ligne par feuille, fruit et fleur (forme, matériau, branche, couleur et matrice), et un OBJ par forme. Bien plus petit, pour les programmes qui dessinent des instances.</translation>
+    </message>
+    <message>
+        <source>Leaves and fruit</source>
+        <translation>Feuilles et fruits</translation>
     </message>
 </context>
 <context>

@@ -45,6 +45,8 @@ constexpr Choice<std::uint8_t> partChoices[] = {
 constexpr Choice<ExportModel> modelChoices[] = {
     {"mesh", ExportModel::Mesh}, {"rough", ExportModel::Rough}, {"skeleton", ExportModel::Skeleton}};
 
+constexpr Choice<bool> leafChoices[] = {{"merged", false}, {"instances", true}};
+
 template <class Value, std::size_t n>
 Expected<Value> choose(const Choice<Value> (&choices)[n], const char* option, const QString& name)
 {
@@ -67,6 +69,7 @@ struct Request
     bool ascii = false;
     bool needsTree = false; ///< an option that says something about trees was given
     bool texture = true;
+    bool instances = false; ///< leaves and apples as a list
     int mapSize = WriteOptions().mapSize;
     FileSpace space;
     bool requireValid = false;
@@ -94,7 +97,7 @@ Expected<Request> requestOf(const CommandLine& line)
     if (line.has("texture") && line.has("no-texture"))
         return fail(ErrorCode::Invalid, "--texture and --no-texture exclude each other");
     out.texture = !line.has("no-texture");
-    out.needsTree = line.has("part") || line.has("model") || line.has("texture");
+    out.needsTree = line.has("part") || line.has("model") || line.has("leaves") || line.has("texture");
     const auto mapSize = mapSizeFrom(line);
     if (!mapSize)
         return fail(mapSize.error());
@@ -124,6 +127,13 @@ Expected<Request> requestOf(const CommandLine& line)
             return fail(model.error());
         out.model = *model;
     }
+    const auto instances = choose(leafChoices, "leaves", line.value("leaves"));
+    if (!instances)
+        return fail(instances.error());
+    out.instances = *instances;
+    if (out.instances && out.model == ExportModel::Skeleton)
+        return fail(ErrorCode::Invalid, "--leaves instances and --model skeleton exclude each other: a "
+                                        "skeleton has no leaves");
     if (line.has("texture") && out.model != ExportModel::Mesh)
         return fail(ErrorCode::Invalid,
                     "--texture needs --model mesh: other models have no texture coordinates");
@@ -163,7 +173,8 @@ Expected<void> exportAt(const Scene& scene, const Request& request, double timeS
         const QString& file = files.at(i);
         ExportOptions options;
         options.model = request.model;
-        options.parts = request.parts.value_or(usualParts(formatOf(request, file)));
+        options.parts = request.parts.value_or(usualParts(formatOf(request, file), request.instances));
+        options.instances = request.instances;
         options.write.ascii = request.ascii;
         options.write.mapSize = request.mapSize;
         options.texture = request.texture;
@@ -201,7 +212,8 @@ Expected<void> exportMoments(const Scene& scene, const Request& request, const M
 Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Progress& progress)
 {
     if (request.needsTree)
-        return fail(ErrorCode::Invalid, "--part, --model and --texture need a tree: the input is a mesh");
+        return fail(ErrorCode::Invalid,
+                    "--part, --model, --leaves and --texture need a tree: the input is a mesh");
     const auto placed = [&request](TriangleMesh object) {
         if (!request.texture) {
             object.uv.clear();
@@ -323,6 +335,15 @@ void addOptions(CommandLine& line)
                             "or skeleton (line "
                             "segments)."),
              QStringLiteral("mesh|rough|skeleton"));
+    line.addDefault(
+        {QStringLiteral("leaves")},
+        QStringLiteral(
+            "merged (one mesh of all leaves, one of all apples) or instances: FILE holds what else "
+            "there is, and beside it stand FILE_leaves.csv, a row for each leaf, fruit and flower "
+            "with its node, shape, material, branch, colour and matrix (3 rows of 4), and "
+            "FILE_leaves_birch.obj, FILE_apples_acorn.obj and so on, the shapes that the rows name. "
+            "A point of the shape times the matrix is the point of the merged mesh."),
+        QStringLiteral("merged|instances"), QStringLiteral("merged"));
     line.add({QStringLiteral("texture")},
              QStringLiteral("With texture coordinates, which is the default for --model mesh: vt lines of "
                             ".obj, a list texcoord per face of .ply. Parameter texture.tileSize (metres) is "

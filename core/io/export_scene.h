@@ -30,6 +30,27 @@ struct ExportMesh
     std::shared_ptr<const Skin> skin{}; ///< to the node's bones; null: it follows the node alone
 };
 
+/// One leaf, fruit or flower.
+struct ExportCopy
+{
+    glm::dmat4 place{1.0}; ///< of the shape in the space of its node, as the first frame has it
+    glm::vec3 tint{1.0F};  ///< times the shape's colours
+    Index branch = noIndex;
+    std::uint64_t key = 0;    ///< of the branch
+    std::uint32_t number = 0; ///< among those of its branch
+};
+
+/// Many of one shape, in the place of a mesh that holds them all.
+struct ExportCopies
+{
+    std::string name; ///< as the mesh would have it
+    std::string kind; ///< "birch", "acorn"
+    Index node = 0;
+    std::shared_ptr<const TriangleMesh> shape;
+    Index material = 0;
+    std::vector<ExportCopy> copies;
+};
+
 /// Where everything is at a time.
 struct ExportFrame
 {
@@ -40,9 +61,10 @@ struct ExportFrame
 
 struct ExportScene
 {
-    std::vector<ExportNode> nodes;  ///< all of the scene, in its order
-    std::vector<ExportMesh> meshes; ///< branches, leaves, apples of the first tree, then the next, then all
-                                    ///< other nodes that have a shape
+    std::vector<ExportNode> nodes;    ///< all of the scene, in its order
+    std::vector<ExportMesh> meshes;   ///< branches, leaves, apples of the first tree, then the next, then all
+                                      ///< other nodes that have a shape
+    std::vector<ExportCopies> copies; ///< no format holds them: core/io/copy_list.h
     std::vector<Material> materials;
     std::vector<ExportFrame> frames; ///< at least one; more are a clip
     FileSpace space;                 ///< what formats that hold one turn the world into

@@ -1,11 +1,13 @@
 #include "core/session/exporter.h"
 
 #include "core/document/document.h"
+#include "core/io/copy_list.h"
 #include "core/io/formats/file_format.h"
 #include "core/io/formats/material_file.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
 #include "core/scene/object_mesh.h"
+#include "core/session/foliage_copies.h"
 #include "core/session/scene_counts.h"
 #include "core/surface/foliage/foliage_texture.h"
 #include "core/surface/mesh/transformed.h"
@@ -81,6 +83,7 @@ Expected<std::vector<Candidate>> candidates(EvaluatedScene& now, const ExportOpt
 struct TreeMeshes
 {
     std::shared_ptr<const TriangleMesh> branches, leaves, apples;
+    std::shared_ptr<const Foliage> foliage; ///< that leaves and apples were made of
 };
 
 /// Branches, leaves, apples that the results hold: shared, not copied.
@@ -93,6 +96,7 @@ TreeMeshes fineMeshes(const TreeResult& tree, std::uint8_t parts)
         meshes.leaves = tree.leaves;
     if (parts & exportApples)
         meshes.apples = tree.apples;
+    meshes.foliage = tree.foliage;
     return meshes;
 }
 
@@ -107,15 +111,17 @@ Expected<TreeMeshes> roughMeshes(const TreeResult& tree, const NodeParams& param
             buildRoughBranches(skeleton, static_cast<int>(params.sections.radialDivisions)));
     if (!(parts & (exportLeaves | exportApples)))
         return meshes;
-    const auto foliage = placeFoliage(skeleton, params.foliage, params.leaf, params.fruit, alpha, progress);
-    if (!foliage)
-        return fail(foliage.error());
+    auto placed = placeFoliage(skeleton, params.foliage, params.leaf, params.fruit, alpha, progress);
+    if (!placed)
+        return fail(placed.error());
+    meshes.foliage = std::make_shared<const Foliage>(std::move(*placed));
+    const Foliage& foliage = *meshes.foliage;
     if (parts & exportLeaves)
         meshes.leaves =
-            std::make_shared<TriangleMesh>(buildLeaves(skeleton, *foliage, alpha, FoliageModel::Rough));
+            std::make_shared<TriangleMesh>(buildLeaves(skeleton, foliage, alpha, FoliageModel::Rough));
     if (parts & exportApples)
         meshes.apples =
-            std::make_shared<TriangleMesh>(buildApples(skeleton, *foliage, alpha, FoliageModel::Rough));
+            std::make_shared<TriangleMesh>(buildApples(skeleton, foliage, alpha, FoliageModel::Rough));
     return meshes;
 }
 
@@ -145,6 +151,11 @@ Expected<void> addTexture(TreeMeshes& meshes, const TextureStage& texture, const
     return {};
 }
 
+Material leafMaterial(const NodeParams& params)
+{
+    return leavesMaterial(params.leaf.shape, params.leaf.season > 0.0);
+}
+
 /// \param motion whose skins the meshes have; none: they are as they stand.
 void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes, const NodeParams& params,
                const NodeMotion& motion)
@@ -155,9 +166,27 @@ void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes
             out.meshes.push_back({name + tree.suffix, tree.number, mesh, materialIn(out, material), skin});
     };
     add("branches", meshes.branches, motion.branches, barkMaterial(tree.node->params.bark));
-    add("leaves", meshes.leaves, motion.leaves, leavesMaterial(params.leaf.shape, params.leaf.season > 0.0));
+    add("leaves", meshes.leaves, motion.leaves, leafMaterial(params));
     add("apples", meshes.apples, motion.apples, applesMaterial(params.fruit.kind));
     out.frames.front().bones[tree.number] = motion.bones;
+}
+
+/// Leaves and apples as instances in the place of meshes.
+void takeInstances(ExportScene& out, const Candidate& tree, TreeMeshes& meshes,
+                   const FoliageInstances& instances)
+{
+    const auto add = [&](const char* name, std::shared_ptr<const TriangleMesh>& mesh,
+                         ExportCopies (*listed)(const FoliageInstances&), const Material& material) {
+        if (mesh && !mesh->empty()) {
+            ExportCopies& added = out.copies.emplace_back(listed(instances));
+            added.name = name + tree.suffix;
+            added.node = tree.number;
+            added.material = materialIn(out, material);
+        }
+        mesh.reset();
+    };
+    add("leaves", meshes.leaves, &leafInstances, leafMaterial(instances.params));
+    add("apples", meshes.apples, &appleInstances, applesMaterial(instances.params.fruit.kind));
 }
 
 /// Children share their parent's end point, so that the lines hang together.
@@ -272,6 +301,10 @@ Expected<void> addFineTree(ExportScene& out, const Candidate& tree, EvaluatedSce
         return fail(posed.error());
     const NodeParams& params = scene.params(*tree.node);
     TreeMeshes meshes = fineMeshes(posed->rest, options.parts);
+    if (options.instances && meshes.foliage)
+        takeInstances(out, tree, meshes,
+                      {*meshes.foliage, posed->rest.simplified->skeleton, params, posed->motion,
+                       FoliageModel::Fine, options.texture});
     if (options.texture)
         if (auto done = addTexture(meshes, *posed->rest.texture, params, progress); !done)
             return done;
@@ -292,9 +325,13 @@ Expected<void> addTree(ExportScene& out, const Candidate& tree, EvaluatedScene& 
         return {};
     }
     const NodeParams& params = scene.params(*tree.node);
-    const auto meshes = roughMeshes(*result, params, options.parts, progress);
+    auto meshes = roughMeshes(*result, params, options.parts, progress);
     if (!meshes)
         return fail(meshes.error());
+    if (options.instances && meshes->foliage)
+        takeInstances(
+            out, tree, *meshes,
+            {*meshes->foliage, result->simplified->skeleton, params, {}, FoliageModel::Rough, false});
     addMeshes(out, tree, *meshes, params, {});
     return {};
 }
@@ -405,7 +442,7 @@ Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& o
         if (auto added = addNode(out, node, scene, options, next()); !added)
             return fail(std::move(added.error()));
     }
-    if (out.meshes.empty() && !(out.lines && !out.lines->lines.empty()))
+    if (out.meshes.empty() && out.copies.empty() && !(out.lines && !out.lines->lines.empty()))
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("the chosen parts are empty: there is nothing to export"));
     for (const double seconds : options.clip)
@@ -414,9 +451,9 @@ Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& o
     return out;
 }
 
-std::uint8_t usualParts(const FileFormat& format)
+std::uint8_t usualParts(const FileFormat& format, bool instances)
 {
-    return (format.holds & holdsObjects) ? exportAll : exportBranches;
+    return instances || (format.holds & holdsObjects) ? exportAll : exportBranches;
 }
 
 Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, const std::string& path,
@@ -430,7 +467,10 @@ Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, c
         return fail(collected.error());
     WriteOptions head = options.write;
     head.comment = options.space.comment();
-    return (*format)->write(path, *collected, head, progress.part(0.5, 1.0));
+    if (!collected->copies.empty())
+        if (auto listed = writeCopyList(path, *collected, head, progress.part(0.5, 0.6)); !listed)
+            return listed;
+    return (*format)->write(path, *collected, head, progress.part(0.6, 1.0));
 }
 
 } // namespace ramure

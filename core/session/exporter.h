@@ -29,6 +29,7 @@ struct ExportOptions
     std::uint8_t parts = exportAll; ///< bits of ExportPart
     std::vector<NodeId> nodes;      ///< these and the trees below them; empty = the whole scene
     bool hidden = false;            ///< also nodes that are not shown
+    bool instances = false;         ///< leaves and apples as a list beside the file (core/io/copy_list.h)
     bool texture = false;     ///< trees with texture coordinates; the rough model and the skeleton have none
     std::vector<double> clip; ///< s, further times: trees and arms of ExportModel::Mesh then have skins
     WriteOptions write;
@@ -47,11 +48,12 @@ Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& o
                                     const Progress& progress = {});
 
 /// Writes a format of core/io/formats/file_format.h, by the ending of \p path, which is checked before
-/// anything is computed. Errors: Unknown (another ending), those of collectExport and of core/io; the old
-/// file is intact then.
+/// anything is computed. A list of instances is written before it. Errors: Unknown (another ending), those of
+/// collectExport and of core/io; the old file is intact then.
 Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, const std::string& path,
                            const Progress& progress = {});
 /// What a file of this format gets where nobody chose: of one that has no objects the one closed mesh alone.
-std::uint8_t usualParts(const FileFormat& format);
+/// \param instances nothing is mixed into that mesh.
+std::uint8_t usualParts(const FileFormat& format, bool instances = false);
 
 } // namespace ramure

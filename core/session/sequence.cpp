@@ -80,7 +80,10 @@ std::uint64_t estimatedFileBytes(const Scene& scene, const ExportOptions& option
     const auto format = findFormat(path, FormatUse::Write, options.write.ascii);
     if (!format || options.model != ExportModel::Mesh)
         return 0;
-    const SceneCounts counts = SceneCounter().count(scene, options, rest);
+    ExportOptions held = options;
+    if (options.instances)
+        held.parts &= exportBranches;
+    const SceneCounts counts = SceneCounter().count(scene, held, rest);
     if (!counts.complete)
         return 0;
     const auto vertices = static_cast<double>(counts.total().vertices);

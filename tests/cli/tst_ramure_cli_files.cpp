@@ -109,6 +109,27 @@ private slots:
                                   "--set", "foliage.applesProbability=0"}),
                           "nothing to export"));
     }
+    void leavesAsAListOfInstances()
+    {
+        const auto exported = [&](const QStringList& options) {
+            return runCli(QStringList{"export", "preset:TinyTree", "--map-size", "0"} + options);
+        };
+        QVERIFY(isRefused(exported({"-o", path("i.obj"), "--leaves", "none"}),
+                          "--leaves \"none\": merged, instances expected"));
+        QVERIFY(isRefused(exported({"-o", path("i.obj"), "--leaves", "instances", "--model", "skeleton"}),
+                          "exclude each other"));
+        QVERIFY(isRefused(exported({"-o", path("none/i.obj"), "--leaves", "instances"}),
+                          "i_leaves.csv: cannot be written: No such file or directory"));
+        QVERIFY(QFile::link(QStringLiteral("/dev/full"), path("i_leaves.csv")));
+        QVERIFY(
+            isRefused(exported({"-o", path("i.obj"), "--leaves", "instances"}), "No space left on device"));
+        QVERIFY(QFile::remove(path("i_leaves.csv")) && !QFile::exists(path("i.obj")));
+        QCOMPARE(exported({"-o", path("i.obj"), "-o", path("i.ply"), "--leaves", "instances"}).code, 0);
+        QCOMPARE(names(read(path("i.obj"))), QStringList{"branches"});
+        QVERIFY(test::bytesOf(path("i_leaves.csv")).startsWith("node,object,kind,mesh,material,branch,"));
+        QCOMPARE(names(read(path("i_leaves_oak.obj"))), QStringList{"leaves_oak"});
+        QCOMPARE(names(read(path("i_apples_acorn.obj"))), QStringList{"apples_acorn"});
+    }
     void exportWritesWhatIsAskedFor()
     {
         const auto exported = [&](const QStringList& options, const char* file) {

@@ -1,4 +1,5 @@
 #include "core/document/commands.h"
+#include "core/io/copy_list.h"
 #include "core/io/formats/blender_scene.h"
 #include "core/io/mesh_file.h"
 #include "core/params/presets.h"
@@ -100,6 +101,19 @@ Expected<void> writePolygons(const QString& folder, int version)
     return writePly(in(folder, "a.ply"), {&part, 1}, {});
 }
 
+/// A table and the shape that its rows name.
+Expected<void> writeInstances(const QString& folder, int version)
+{
+    ExportScene scene = sceneOfMeshes({}, leavesMaterial());
+    scene.nodes.push_back({"Oak"});
+    scene.frames.front().transforms.resize(1);
+    ExportCopies leaves{"leaves", "birch", 0, std::make_shared<const TriangleMesh>(boxOf(version)), 0, {}};
+    leaves.copies.resize(3 + std::size_t(version));
+    scene.copies.push_back(std::move(leaves));
+    scene.materials[0].colour.r = static_cast<std::uint8_t>(version);
+    return writeCopyList(in(folder, "a.obj"), scene, {});
+}
+
 LinePart linesOf(int version)
 {
     return {"lines", {{0, 0, 0}, {1, 2, 3 + version}}, {{0, 1}}};
@@ -139,6 +153,7 @@ std::vector<Writer> writers()
          [](const QString& folder, int version) {
              return writePlyLines(in(folder, "a.ply"), linesOf(version), {});
          }},
+        {"list of instances", writeInstances, false},
         {"sequence", writeSequence, false},
         {"animation", writeAnimation, false},
     };

@@ -31,7 +31,7 @@ namespace ramure {
 static const QString pictureFormat = QStringLiteral("png");
 
 /// Rows of the form, from the top.
-enum Row { FormatRow, ModelRow, PartsRow, SpaceRow, TreesRow, MomentRow, PictureRow, FileRow };
+enum Row { FormatRow, ModelRow, PartsRow, FoliageRow, SpaceRow, TreesRow, MomentRow, PictureRow, FileRow };
 
 ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences* preferences,
                            Chooser* chooser, QWidget* parent, std::int64_t shownFrame)
@@ -49,6 +49,13 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     connect(m_model, &QComboBox::currentIndexChanged, this, &ExportDialog::updateWidgets);
     for (QCheckBox* box : {m_branches, m_leaves, m_apples})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::updateWidgets);
+    connect(m_foliage, &QComboBox::currentIndexChanged, this, [this](int row) {
+        // Nothing is mixed into the one mesh of a format without objects.
+        if (format() && !holds(holdsObjects))
+            for (QCheckBox* box : {m_leaves, m_apples})
+                box->setChecked(row == 1);
+        updateWidgets();
+    });
     connect(m_path, &QLineEdit::textChanged, this, &ExportDialog::updateWidgets);
     connect(m_moments, &MomentForm::changed, this, &ExportDialog::updateWidgets);
     connect(m_pictures, &PictureForm::changed, this, &ExportDialog::updateSummary);
@@ -84,7 +91,7 @@ ExportDialog::~ExportDialog() = default;
 void ExportDialog::connectMessage()
 {
     const auto forget = [this] { setMessage({}, false); };
-    for (QComboBox* box : {m_format, m_model})
+    for (QComboBox* box : {m_format, m_model, m_foliage})
         connect(box, &QComboBox::currentIndexChanged, this, forget);
     for (QCheckBox* box : {m_branches, m_leaves, m_apples, m_selection, m_hidden, m_texture})
         connect(box, &QCheckBox::toggled, this, forget);
@@ -113,6 +120,9 @@ void ExportDialog::buildForm()
     m_format->addItem(QString(), pictureFormat);
     for (int i = 0; i < 3; ++i)
         m_model->addItem(QString());
+    m_foliage = new QComboBox(this);
+    m_foliage->setObjectName(QStringLiteral("exportFoliage"));
+    m_foliage->addItems({QString(), QString()});
     m_moments = new MomentForm(m_document->scene().timeline(), m_shownFrame, this);
     m_pictures = new PictureForm(this);
     m_selection = new QCheckBox(this);
@@ -127,6 +137,7 @@ void ExportDialog::buildForm()
     m_space = new SpaceForm(this);
     m_space->setSpace(m_preferences->exportSpace());
     addRow(buildParts());
+    addRow(m_foliage);
     addRow(m_space);
     addRow(scope);
     addRow(m_moments);
@@ -320,6 +331,7 @@ ExportOptions ExportDialog::options() const
     if (m_selection->isChecked())
         options.nodes = m_document->selection().nodes;
     options.hidden = m_hidden->isChecked();
+    options.instances = m_foliage->currentIndex() == 1;
     options.texture = options.model == ExportModel::Mesh && holds(holdsTexture) && m_texture->isChecked();
     options.write.ascii = format() && format()->isText;
     if (holds(holdsSpace))
@@ -329,13 +341,13 @@ ExportOptions ExportDialog::options() const
 
 void ExportDialog::takeFormat()
 {
-    const bool all = !format() || usualParts(*format()) == exportAll;
+    const bool all = !format() || usualParts(*format(), m_foliage->currentIndex() == 1) == exportAll;
     m_leaves->setChecked(all);
     m_apples->setChecked(all);
     const QFileInfo info(path());
     if (info.suffix().toLower() == pictureFormat || findFormat(path().toStdString(), FormatUse::Write))
         setPath(info.path() + u'/' + info.completeBaseName() + u'.' + suffix());
-    for (const Row row : {ModelRow, PartsRow, TreesRow})
+    for (const Row row : {ModelRow, PartsRow, FoliageRow, TreesRow})
         m_form->setRowVisible(row, format() != nullptr);
     m_form->setRowVisible(SpaceRow, holds(holdsSpace));
     m_form->setRowVisible(PictureRow, !format());
@@ -357,11 +369,12 @@ void ExportDialog::updateWidgets()
         widget->setEnabled(!running);
     for (QCheckBox* box : {m_branches, m_leaves, m_apples})
         box->setEnabled(!running && !lines);
+    m_foliage->setEnabled(!running && !lines);
     if (format())
         m_partsNote->setText(tr("%1 has no objects: leaves and apples would be mixed into the one closed "
                                 "mesh of the branches. Tick them to write them all the same.")
                                  .arg(coreText(format()->name)));
-    m_partsNote->setVisible(format() && !holds(holdsObjects) && !lines &&
+    m_partsNote->setVisible(format() && !holds(holdsObjects) && !lines && !options().instances &&
                             !(m_leaves->isChecked() && m_apples->isChecked()));
     m_texture->setEnabled(!running && holds(holdsTexture) &&
                           static_cast<ExportModel>(m_model->currentIndex()) == ExportModel::Mesh);
@@ -482,6 +495,13 @@ void ExportDialog::retranslate()
     m_model->setItemText(static_cast<int>(ExportModel::Mesh), tr("Finished mesh"));
     m_model->setItemText(static_cast<int>(ExportModel::Rough), tr("Rough model"));
     m_model->setItemText(static_cast<int>(ExportModel::Skeleton), tr("Skeleton as lines"));
+    m_foliage->setItemText(0, tr("Merged into one mesh"));
+    m_foliage->setItemText(1, tr("List of instances"));
+    m_foliage->setToolTip(tr(
+        "Merged: the file holds every leaf and every fruit. List of instances: it holds the rest, and beside "
+        "it stand a table, FILE_leaves.csv, with a row for each leaf, fruit and flower (its shape, material, "
+        "branch, colour and matrix), and one OBJ for each shape. Much smaller, for programs that draw "
+        "instances."));
     m_branches->setText(tr("Branches"));
     m_leaves->setText(tr("Leaves"));
     m_apples->setText(tr("Apples"));
@@ -500,14 +520,16 @@ void ExportDialog::retranslate()
     m_browse->setText(tr("Browse…"));
     m_show->setText(tr("Show"));
     m_cancel->setText(tr("Cancel"));
-    const QString labels[] = {tr("Format"), tr("Model"),  tr("Parts"),   tr("Axes and unit"),
-                              tr("Nodes"),  tr("Moment"), tr("Picture"), tr("File")};
+    const QString labels[] = {tr("Format"),           tr("Model"),         tr("Parts"),
+                              tr("Leaves and fruit"), tr("Axes and unit"), tr("Nodes"),
+                              tr("Moment"),           tr("Picture"),       tr("File")};
     for (int row = 0; row < m_form->rowCount(); ++row) {
         auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
         label->setText(labels[row]);
     }
     m_format->setAccessibleName(labels[0]);
     m_model->setAccessibleName(labels[1]);
+    m_foliage->setAccessibleName(labels[FoliageRow]);
     m_path->setAccessibleName(labels[FileRow]);
     m_progress->setAccessibleName(tr("Progress of the export"));
     updateWidgets();

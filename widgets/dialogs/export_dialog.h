@@ -112,6 +112,7 @@ private:
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
     QComboBox* m_model = nullptr;
+    QComboBox* m_foliage = nullptr; ///< merged, or instances
     QCheckBox* m_branches = nullptr;
     QCheckBox* m_leaves = nullptr;
     QCheckBox* m_apples = nullptr;

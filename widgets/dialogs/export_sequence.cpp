@@ -81,7 +81,7 @@ void ExportDialog::updateSummary()
         parts += QFileInfo(numbered(file, frames.first)).fileName();
     }
     const bool materials = format() && *format()->beside != '\0' && options().model != ExportModel::Skeleton;
-    if (m_moments->isNumbered())
+    if (m_moments->isNumbered() && !options().instances)
         parts += tr("%Ln file(s)", nullptr, int(count * (materials ? 2 : 1)));
     const QSize size = m_pictures->pictureSize();
     const double each = !format() ? bytesPerPixel * size.width() * size.height()

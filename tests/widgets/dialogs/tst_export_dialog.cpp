@@ -88,6 +88,27 @@ private slots:
         QVERIFY(file.read(200).startsWith(begin));
     }
 
+    void leavesAreMergedOrListed()
+    {
+        Node leafy = test::treeNode(1, "T");
+        leafy.params.foliage.leavesCutoff = 10.0;
+        test::openNodes(m_document, {leafy});
+        QVERIFY(m_recompute.waitForFull(20'000));
+        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
+        auto* foliage = dialog.findChild<QComboBox*>(QStringLiteral("exportFoliage"));
+        QVERIFY(foliage && foliage->isEnabled() && !foliage->toolTip().isEmpty());
+        QVERIFY(!dialog.options().instances);
+        dialog.setFormat(QStringLiteral("ply"));
+        QVERIFY(dialog.options().parts == exportBranches);
+        foliage->setCurrentIndex(1);
+        QVERIFY(dialog.options().instances && dialog.options().parts == exportAll);
+        QSignalSpy exported(&dialog, &ExportDialog::exported);
+        dialog.setPath(path("listed.ply"));
+        dialog.startExport();
+        QTRY_COMPARE(exported.count(), 1);
+        QVERIFY(QFileInfo(path("listed_leaves.csv")).size() > 100);
+    }
+
     void filesAreReplacedOnlyWhenAgreed()
     {
         const QString old = path("mine.obj");
