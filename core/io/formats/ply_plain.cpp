@@ -16,17 +16,19 @@ struct PlainLayout
     std::ptrdiff_t normal = -1;
     std::ptrdiff_t branch = -1;
     std::ptrdiff_t level = -1;
+    std::ptrdiff_t colour = -1; ///< red, green and blue as bytes in a row
 };
 
 std::optional<PlainLayout> layoutOf(const PlyElement& vertex)
 {
     PlainLayout out;
     const auto& properties = vertex.properties;
-    const auto isTriple = [&](std::size_t p, const char* x, const char* y, const char* z) {
+    const auto isTriple = [&](std::size_t p, const char* x, const char* y, const char* z,
+                              PlyType type = PlyType::Float32) {
         const char* const names[] = {x, y, z};
         for (std::size_t k = 0; k < 3; ++k)
             if (p + k >= properties.size() || properties[p + k].name != names[k] ||
-                properties[p + k].type != PlyType::Float32)
+                properties[p + k].type != type)
                 return false;
         return true;
     };
@@ -38,6 +40,8 @@ std::optional<PlainLayout> layoutOf(const PlyElement& vertex)
             out.position = offset;
         if (isTriple(p, "nx", "ny", "nz"))
             out.normal = offset;
+        if (isTriple(p, "red", "green", "blue", PlyType::UInt8))
+            out.colour = offset;
         for (const auto& [name, slot] : {std::pair{"branch", &out.branch}, std::pair{"level", &out.level}})
             if (properties[p].name == name) {
                 if (sizeOf(properties[p].type) != sizeof(Index) || !isInteger(properties[p].type))
@@ -47,7 +51,8 @@ std::optional<PlainLayout> layoutOf(const PlyElement& vertex)
         out.stride += sizeOf(properties[p].type);
     }
     const bool hasOtherNormals = out.normal < 0 && vertex.find("nx") >= 0;
-    if (out.position < 0 || hasOtherNormals)
+    const bool hasOtherColours = out.colour < 0 && vertex.find("red") >= 0;
+    if (out.position < 0 || hasOtherNormals || hasOtherColours)
         return std::nullopt;
     return out;
 }
@@ -132,13 +137,15 @@ RAMURE_WIDE_CLONE bool areFinite(const float* numbers, std::size_t count)
 }
 
 /// Records of \p count vertices, while they are in the cache. False where a number is not finite.
-bool appendVertices(TriangleMesh& mesh, const char* from, const PlainLayout& layout, std::size_t count)
+bool appendVertices(TriangleMesh& mesh, std::vector<glm::u8vec3>& colours, const char* from,
+                    const PlainLayout& layout, std::size_t count)
 {
     const std::size_t before = mesh.positions.size();
     appendStrided(mesh.positions, from, layout.position, layout.stride, count);
     appendStrided(mesh.normals, from, layout.normal, layout.stride, count);
     appendStrided(mesh.branch, from, layout.branch, layout.stride, count);
     appendStrided(mesh.level, from, layout.level, layout.stride, count);
+    appendStrided(colours, from, layout.colour, layout.stride, count);
     return areFinite(&mesh.positions[before].x, 3 * count) &&
            (layout.normal < 0 || areFinite(&mesh.normals[before].x, 3 * count));
 }
@@ -225,9 +232,12 @@ std::optional<ReadMesh> readPlain(Source source, const PlainLayout& layout, cons
     reserveHuge(mesh.normals, layout.normal >= 0 ? count : 0);
     reserveHuge(mesh.branch, layout.branch >= 0 ? count : 0);
     reserveHuge(mesh.level, layout.level >= 0 ? count : 0);
-    const bool hasVertices = forBlocks(
-        source, vertices, layout.stride, progress.part(0.0, 0.5),
-        [&](const char* bytes, std::size_t records) { return appendVertices(mesh, bytes, layout, records); });
+    std::vector<glm::u8vec3> colours;
+    reserveHuge(colours, layout.colour >= 0 ? count : 0);
+    const bool hasVertices = forBlocks(source, vertices, layout.stride, progress.part(0.0, 0.5),
+                                       [&](const char* bytes, std::size_t records) {
+                                           return appendVertices(mesh, colours, bytes, layout, records);
+                                       });
     if (!hasVertices)
         return std::nullopt; // the general reader says why
     reserveHuge(mesh.triangles, static_cast<std::size_t>(faces));
@@ -237,6 +247,7 @@ std::optional<ReadMesh> readPlain(Source source, const PlainLayout& layout, cons
         });
     if (!hasFaces)
         return std::nullopt;
+    takeVertexColours(mesh, colours);
     ReadMesh out;
     out.objects.push_back({{}, std::move(mesh), {}});
     return out;

@@ -25,16 +25,22 @@ struct VertexSlots
     int normal[3];
     int branch;
     int level;
+    int colour[3];
 
     explicit VertexSlots(const PlyElement& element)
         : position{element.find("x"), element.find("y"), element.find("z")}
         , normal{element.find("nx"), element.find("ny"), element.find("nz")}
         , branch(element.find("branch"))
         , level(element.find("level"))
+        , colour{element.find("red"), element.find("green"), element.find("blue")}
     {
         for (const int slot : {normal[0], normal[1], normal[2]})
             if (slot < 0 || element.properties[static_cast<std::size_t>(slot)].isList)
                 normal[0] = normal[1] = normal[2] = -1;
+        for (const int slot : {colour[0], colour[1], colour[2]})
+            if (slot < 0 || element.properties[static_cast<std::size_t>(slot)].isList ||
+                element.properties[static_cast<std::size_t>(slot)].type != PlyType::UInt8)
+                colour[0] = colour[1] = colour[2] = -1;
         for (int* const slot : {&branch, &level})
             if (*slot >= 0) {
                 const PlyProperty& property = element.properties[static_cast<std::size_t>(*slot)];
@@ -84,6 +90,7 @@ public:
             return fail(m_source.takeError());
         }
         m_source.noteTrailing(m_out.notes);
+        reading::takeVertexColours(m_mesh, m_colours);
         m_out.objects.push_back({{}, std::move(m_mesh), {}});
         return std::move(m_out);
     }
@@ -102,6 +109,7 @@ private:
         m_mesh.normals.resize(slots.normal[0] >= 0 ? count : 0);
         m_mesh.branch.resize(slots.branch >= 0 ? count : 0);
         m_mesh.level.resize(slots.level >= 0 ? count : 0);
+        m_colours.resize(slots.colour[0] >= 0 ? count : 0);
         std::vector<double> values(element.properties.size());
         for (std::size_t i = 0; i < count; ++i) {
             if (i % reading::chunk == 0 && !goesOn())
@@ -145,6 +153,10 @@ private:
             m_mesh.branch[i] = index(slots.branch);
         if (slots.level >= 0)
             m_mesh.level[i] = index(slots.level);
+        for (int k = 0; k < 3 && slots.colour[0] >= 0; ++k) {
+            const double value = values[static_cast<std::size_t>(slots.colour[k])];
+            m_colours[i][k] = static_cast<std::uint8_t>(value > 0.0 ? std::min(value, 255.0) : 0.0);
+        }
         return true;
     }
     bool readFaces(const PlyElement& element)
@@ -297,6 +309,7 @@ private:
     const Progress& m_progress;
     std::uint64_t m_vertexCount = 0;
     TriangleMesh m_mesh;
+    std::vector<glm::u8vec3> m_colours;               ///< of the vertices
     bool m_hasTexture = true;                         ///< every face up to here has its coordinates
     std::vector<float> m_faceTexture;                 ///< of the face read last
     std::vector<Index> m_firstTexture, m_nextTexture; ///< per vertex a list of its coordinates
@@ -327,6 +340,35 @@ void named(ReadMesh& mesh, const PlyHeader& header, const std::string& file)
 }
 
 } // namespace
+
+void reading::takeVertexColours(TriangleMesh& mesh, std::span<const glm::u8vec3> colours)
+{
+    if (colours.empty() || mesh.triangles.empty())
+        return;
+    const auto isFirst = [&colours](const glm::u8vec3& colour) { return colour == colours.front(); };
+    if (std::all_of(colours.begin(), colours.end(), isFirst)) {
+        mesh.colours.assign(mesh.triangles.size(), colours.front());
+        return;
+    }
+    std::vector<Index> lastOf(mesh.positions.size(), noIndex);
+    for (Index t = 0; t < mesh.faceCount(); ++t)
+        for (int k = 0; k < 3; ++k)
+            lastOf[mesh.triangles[t][k]] = t;
+    mesh.colours.resize(mesh.triangles.size());
+    for (Index t = 0; t < mesh.faceCount(); ++t) {
+        glm::uvec3 own(0), all(0);
+        unsigned count = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Index vertex = mesh.triangles[t][k];
+            all += glm::uvec3(colours[vertex]);
+            if (lastOf[vertex] == t) {
+                own += glm::uvec3(colours[vertex]);
+                ++count;
+            }
+        }
+        mesh.colours[t] = glm::u8vec3(count > 0 ? (own + count / 2) / count : (all + 1U) / 3U);
+    }
+}
 
 Expected<ReadMesh> parsePly(std::string_view bytes, const std::string& file, const Progress& progress)
 {

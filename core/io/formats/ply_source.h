@@ -203,6 +203,10 @@ private:
     std::size_t m_at;
 };
 
+/// Colours of vertices as those of triangles: the mean of the corners whose last triangle it is, as
+/// writePly chooses them, so that what it wrote comes back; of a triangle that is no corner's last, of all.
+void takeVertexColours(TriangleMesh& mesh, std::span<const glm::u8vec3> colours);
+
 /// The common case, in a fraction of the time: little endian, vertices of scalars with float positions,
 /// triangles as a byte and three 32-bit indices, nothing else. Nothing where the file is different, or wrong:
 /// the general reader, which says what and where, has to read it.

@@ -328,6 +328,44 @@ private slots:
             QCOMPARE(back->notes[0], std::string("1 elements \"edge\" skipped"));
         }
     }
+    void coloursOfVerticesAreThoseOfTriangles()
+    {
+        const std::string head = "element vertex 3\n" + plainVertex +
+                                 "property uchar red\nproperty uchar green\nproperty uchar blue\nelement "
+                                 "face 1\n" +
+                                 faceList;
+        const TriangleMesh mesh =
+            read(header("ascii", head) + "0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n3 0 1 2\n");
+        QCOMPARE(mesh.colours, std::vector<glm::u8vec3>{glm::u8vec3(9)});
+        // Colours of another kind, or one that is missing, are none.
+        for (const char* other : {"property float red\nproperty uchar green\nproperty uchar blue\n",
+                                  "property uchar red\nproperty uchar green\nproperty uchar grey\n"})
+            QVERIFY(read(header("ascii",
+                                "element vertex 3\n" + plainVertex + other + "element face 1\n" + faceList) +
+                         "0 0 0 9 9 9\n1 0 0 9 9 9\n0 1 0 9 9 9\n3 0 1 2\n")
+                        .colours.empty());
+    }
+    /// Of triangles that share corners too: what was read is written as it was, byte by byte.
+    void coloursRoundTrip()
+    {
+        std::mt19937 random(14);
+        for (int round = 0; round < 40; ++round) {
+            TriangleMesh mesh = test::randomMesh(random, round % 2 == 0);
+            for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+                mesh.colours.emplace_back(random() % 256, random() % 256, random() % 256);
+            const Material material = applesMaterial();
+            const MeshPart part{"part", &mesh, material};
+            for (const bool ascii : {false, true}) {
+                QVERIFY(writePly(path("colours.ply"), {&part, 1}, {ascii}));
+                const auto back = readMeshFile(path("colours.ply"));
+                QVERIFY2(back, test::why(back));
+                const MeshPart again{"part", &back->objects[0].mesh, material};
+                QVERIFY(writePly(path("again.ply"), {&again, 1}, {ascii}));
+                QCOMPARE(test::fileBytes(m_folder.filePath("again.ply")),
+                         test::fileBytes(m_folder.filePath("colours.ply")));
+            }
+        }
+    }
     void randomMeshesRoundTrip()
     {
         std::mt19937 random(13);
