@@ -228,12 +228,13 @@ public:
         if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
             qputenv("QT_QPA_PLATFORM", "offscreen");
         m_application.emplace(m_argc, m_argv);
-        return {};
+        m_renderer.emplace();
+        return m_renderer->begin();
     }
     Expected<void> draw(const RenderScene& scene, const Camera& camera, const Request& request,
                         const QString& file)
     {
-        const auto image = renderImage(scene, camera, request.size, request.options);
+        const auto image = m_renderer->draw(scene, camera, request.size, request.options);
         if (!image)
             return fail(image.error());
         return savePicture(*image, systemPath(file));
@@ -245,6 +246,7 @@ private:
     char* m_argv[2] = {m_name, nullptr};
     int m_argc = 1;
     std::optional<QGuiApplication> m_application;
+    std::optional<OffscreenRenderer> m_renderer;
 };
 
 Camera cameraFor(const RenderScene& scene, QSize size)

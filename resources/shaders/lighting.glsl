@@ -9,13 +9,14 @@ uniform int uShadowTaps;   // 0 = no shadows
 uniform sampler2DShadow uShadowMap;
 uniform sampler2D uShadowDepth;
 
-const float goldenAngle = 2.39996323;
+const mat2 golden = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888); // turns by the golden angle
 const float sunSpread = 0.035; // width of the penumbra per metre behind the edge
 
-vec2 discPoint(int i, int count, float turn)
+// The next point of a disc of count points, the i-th; each lies a golden angle further than the one before.
+vec2 discPoint(int i, int count, inout vec2 way)
 {
-    float angle = float(i) * goldenAngle + turn;
-    return sqrt((float(i) + 0.5) / float(count)) * vec2(cos(angle), sin(angle));
+    way = golden * way;
+    return sqrt((float(i) + 0.5) / float(count)) * way;
 }
 
 // How fast the depth of a plane grows over the map (Isidoro 2006, receiver plane depth bias): what is read beside a
@@ -31,13 +32,13 @@ vec2 depthSlope(vec3 plane)
 }
 
 // Fernando 2005, percentage-closer soft shadows: the farther behind its blocker, the softer.
-float kernelRadius(vec3 at, vec2 slope, float texel, float turn)
+float kernelRadius(vec3 at, vec2 slope, float texel, vec2 way)
 {
     float widest = clamp(uShadowScale.z * sunSpread / uShadowScale.y, 2.0 * texel, 14.0 * texel);
     float sum = 0.0;
     float count = 0.0;
     for (int i = 0; i < 8; ++i) {
-        vec2 beside = i == 0 ? vec2(0.0) : widest * discPoint(i, 8, turn); // nothing so near is missed by any
+        vec2 beside = i == 0 ? vec2(0.0) : widest * discPoint(i, 8, way); // nothing so near is missed by any
         float gap = at.z + dot(slope, beside) - texture(uShadowDepth, at.xy + beside).r;
         if (gap > 0.0) {
             sum += gap;
@@ -63,17 +64,18 @@ float sunlight(vec3 relative, vec3 normal, vec3 plane)
     at.z = min(at.z, 1.0);
     vec2 slope = depthSlope(plane);
     float texel = uShadowScale.x / uShadowScale.y;
-    float turn = 0.0;
+    vec2 way = vec2(1.0, 0.0);
     float radius = 1.8 * texel;
     if (uShadowTaps >= 12) {
-        turn = 6.2831853 * pixelNoise();
-        radius = kernelRadius(at, slope, texel, turn);
+        float turn = 6.2831853 * pixelNoise();
+        way = vec2(cos(turn), sin(turn));
+        radius = kernelRadius(at, slope, texel, way);
         if (radius == 0.0)
             return 1.0;
     }
     float lit = 0.0;
     for (int i = 0; i < uShadowTaps; ++i) {
-        vec2 beside = radius * discPoint(i, uShadowTaps, turn);
+        vec2 beside = radius * discPoint(i, uShadowTaps, way);
         lit += texture(uShadowMap, vec3(at.xy + beside, at.z + dot(slope, beside)));
     }
     return lit / float(uShadowTaps);

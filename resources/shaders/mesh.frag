@@ -43,7 +43,13 @@ vec3 ownColour()
     return uColour * v.own;
 }
 
+#ifdef BARK // known before: software rasterisers run both ways of a branch, and pictures are what costs most
+const bool uHasBark = BARK;
+const bool uVeins = VEINS;
+#else
 uniform bool uHasBark;
+uniform bool uVeins;
+#endif
 uniform sampler2D uBark;        // sRGB, occlusion
 uniform sampler2D uBarkNormals; // tangent space, roughness
 
@@ -83,8 +89,7 @@ vec3 film(vec3 c)
     return mix(vec3(dot(c, vec3(0.2126, 0.7152, 0.0722))), c, 0.8);
 }
 
-uniform bool uVeins; // uBark is the picture of a leaf whose blade has the colour uBlade
-uniform vec3 uBlade; // sRGB
+uniform vec3 uBlade; // sRGB, of the leaf whose picture uBark is where uVeins
 
 vec3 leafColour(inout vec3 normal)
 {

@@ -1,5 +1,9 @@
 // Texture coordinates made visible: a checker, or how far a triangle's map is from one that keeps squares.
-uniform int uPaint;      // enum Paint: 0 the material, 1 checker, 2 stretch, 3 weights
+#ifdef BARK
+const int uPaint = 0;
+#else
+uniform int uPaint; // enum Paint: 0 the material, 1 checker, 2 stretch, 3 weights
+#endif
 uniform float uTileSize; // m
 
 const vec3 lightSquare = vec3(0.95, 0.92, 0.85);

@@ -4,6 +4,7 @@
 #include <QGuiApplication>
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
+#include <QOpenGLDebugLogger>
 #include <QOpenGLFunctions>
 
 namespace ramure {
@@ -72,6 +73,24 @@ bool openGlAvailable(QString* reason)
     if (reason)
         *reason = probe.reason;
     return probe.available;
+}
+
+std::unique_ptr<QOpenGLDebugLogger> driverMessages(const QOpenGLContext& context)
+{
+    if (!context.format().testOption(QSurfaceFormat::DebugContext))
+        return nullptr;
+    auto logger = std::make_unique<QOpenGLDebugLogger>();
+    QObject::connect(logger.get(), &QOpenGLDebugLogger::messageLogged,
+                     [](const QOpenGLDebugMessage& message) {
+                         using M = QOpenGLDebugMessage;
+                         if (M::Types(M::ErrorType | M::DeprecatedBehaviorType | M::UndefinedBehaviorType |
+                                      M::PortabilityType)
+                                 .testFlag(message.type()))
+                             qWarning("OpenGL: %s", qPrintable(message.message()));
+                     });
+    if (logger->initialize())
+        logger->startLogging(QOpenGLDebugLogger::SynchronousLogging);
+    return logger;
 }
 
 } // namespace ramure

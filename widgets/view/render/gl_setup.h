@@ -5,6 +5,10 @@
 #include <QByteArray>
 #include <QString>
 #include <QSurfaceFormat>
+#include <memory>
+
+class QOpenGLContext;
+class QOpenGLDebugLogger;
 
 namespace ramure {
 
@@ -31,5 +35,8 @@ bool openGlAvailable(QString* reason = nullptr);
 
 /// Does this name of a renderer stand for a software rasteriser?
 bool isSoftwareRenderer(const QByteArray& renderer);
+
+/// Where the context was asked to tell (see openGlFormat), what the driver finds wrong becomes a warning.
+std::unique_ptr<QOpenGLDebugLogger> driverMessages(const QOpenGLContext& context);
 
 } // namespace ramure

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
+#include <utility>
 
 namespace ramure {
 namespace {
@@ -46,25 +47,6 @@ glm::vec3 studioColour(Backdrop backdrop)
 double gridStep(double height)
 {
     return std::pow(10.0, std::floor(std::log10(std::max(height, 1e-6) / 4.0)));
-}
-
-/// Where the context was asked to tell (see openGlFormat), what the driver finds wrong becomes a warning.
-std::unique_ptr<QOpenGLDebugLogger> listen(const QOpenGLContext& context)
-{
-    if (!context.format().testOption(QSurfaceFormat::DebugContext))
-        return nullptr;
-    auto logger = std::make_unique<QOpenGLDebugLogger>();
-    QObject::connect(logger.get(), &QOpenGLDebugLogger::messageLogged,
-                     [](const QOpenGLDebugMessage& message) {
-                         using M = QOpenGLDebugMessage;
-                         if (M::Types(M::ErrorType | M::DeprecatedBehaviorType | M::UndefinedBehaviorType |
-                                      M::PortabilityType)
-                                 .testFlag(message.type()))
-                             qWarning("OpenGL: %s", qPrintable(message.message()));
-                     });
-    if (logger->initialize())
-        logger->startLogging(QOpenGLDebugLogger::SynchronousLogging);
-    return logger;
 }
 
 } // namespace
@@ -123,7 +105,7 @@ Expected<std::unique_ptr<Renderer>> Renderer::make()
     if (!gl || !gl->initializeOpenGLFunctions())
         return fail(ErrorCode::Unknown, RAMURE_NOOP("No OpenGL 3.3 context is available here"));
     std::unique_ptr<Renderer> made(new Renderer(*gl));
-    made->m_messages = listen(*context);
+    made->m_messages = driverMessages(*context);
     if (auto compiled = made->compile(); !compiled)
         return fail(std::move(compiled.error()));
     return made;
@@ -136,6 +118,9 @@ std::vector<std::pair<Renderer::Program, ShaderSources>> Renderer::programs()
     const std::vector<const char*> surface{"colour.glsl", "lighting.glsl", "texture.glsl", "mesh.frag"};
     return {
         {&Renderer::m_mesh, {mesh, nullptr, surface}},
+        {&Renderer::m_plain, {mesh, nullptr, surface, "#define BARK false\n#define VEINS false\n"}},
+        {&Renderer::m_bark, {mesh, nullptr, surface, "#define BARK true\n#define VEINS false\n"}},
+        {&Renderer::m_leaf, {mesh, nullptr, surface, "#define BARK false\n#define VEINS true\n"}},
         {&Renderer::m_meshColours, {mesh, nullptr, surface, "#define COLOURS\n"}},
         {&Renderer::m_meshWire, {mesh, "mesh.geom", surface, "#define COLOURS\n#define WIRE\n"}},
         {&Renderer::m_shadow,
@@ -418,18 +403,30 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     m_gl.glFrontFace(GL_CCW);
 }
 
-/// Those that are opaque, or those that are not. Where triangles have colours of their own they are counted,
-/// which costs software rasterisers time: only for the meshes that have some.
+/// Where triangles have colours of their own they are counted, which costs software rasterisers time: only
+/// for the meshes that have some.
+ShaderProgram& Renderer::programOf(const MeshItem& item, ShadingMode shading)
+{
+    if (shading != ShadingMode::Solid)
+        return *m_meshWire;
+    if (m_cache.item(item).hasColours())
+        return *m_meshColours;
+    if (item.paint != Paint::Material)
+        return *m_mesh;
+    return item.bark ? *m_bark : item.leaf ? *m_leaf : *m_plain;
+}
+
+/// Those that are opaque, or those that are not.
 void Renderer::drawMeshes(const Picture& picture, ShadingMode shading, bool faded)
 {
-    for (const bool coloured : {false, true}) {
-        ShaderProgram& program = shading != ShadingMode::Solid ? *m_meshWire
-                                 : coloured                    ? *m_meshColours
-                                                               : *m_mesh;
-        beginMeshes(program, picture, shading);
-        for (const MeshItem& item : picture.scene.meshes)
-            if ((item.opacity < 1.0f) == faded && m_cache.item(item).hasColours() == coloured)
-                drawMesh(program, picture, item);
+    const ShaderProgram* last = nullptr;
+    for (const MeshItem& item : picture.scene.meshes) {
+        if ((item.opacity < 1.0f) != faded)
+            continue;
+        ShaderProgram& program = programOf(item, shading);
+        if (&program != std::exchange(last, &program))
+            beginMeshes(program, picture, shading);
+        drawMesh(program, picture, item);
     }
 }
 

@@ -64,6 +64,7 @@ private:
     void drawDepth(const Picture& picture);
     void drawMeshes(const Picture& picture, ShadingMode shading, bool faded);
     void beginMeshes(ShaderProgram& program, const Picture& picture, ShadingMode shading);
+    ShaderProgram& programOf(const MeshItem& item, ShadingMode shading);
     void drawMesh(ShaderProgram& program, const Picture& picture, const MeshItem& item);
     void drawMeshDepth(const Picture& picture, const MeshItem& item);
     void drawFaded(const Picture& picture);
@@ -81,6 +82,7 @@ private:
     ShadowMap m_shadowMap;
     Smoothing m_smoothing;
     Outline m_outline;
+    std::unique_ptr<ShaderProgram> m_plain, m_bark, m_leaf; ///< what m_mesh does, each a part of it
     std::unique_ptr<ShaderProgram> m_mesh, m_meshColours, m_meshWire, m_shadow, m_world, m_line, m_point,
         m_smooth, m_shrink, m_ghost;
     std::unique_ptr<ShaderProgram> m_outlineRows, m_outlineColumns, m_outlineClosing, m_outlineInk;
