@@ -2,7 +2,9 @@
 
 #include "core/generators/grammar/rewrite.h"
 #include "core/generators/grammar/turtle.h"
+#include "core/math/stage_hash.h"
 #include "core/params/param_def.h"
+#include "core/pipeline/bark_feet.h"
 #include "core/pipeline/draft_tubes.h"
 #include "core/pipeline/stage_cache.h"
 #include "core/pipeline/stage_hashes.h"
@@ -203,13 +205,18 @@ Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams
                           std::make_shared<const TextureStage>(mesh)};
 }
 
+/// \param branches that plants' leaves and fruit stand on; null: drafts have none.
 Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& params,
-                                    const Progress& progress)
+                                    const BranchMesh* branches, const Progress& progress)
 {
     auto placed =
         placeFoliage(skeleton, params.foliage, params.leaf, params.fruit, params.turtle.alpha, progress);
     if (!placed)
         return fail(std::move(placed.error()));
+    if (branches)
+        standOnBark(*placed, *branches, skeleton.size(), params.turtle.alpha, progress);
+    if (progress.cancelled())
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
     const auto foliage = std::make_shared<const Foliage>(std::move(*placed));
     const double alpha = params.turtle.alpha;
     return MeshedFoliage{
@@ -379,9 +386,15 @@ private:
     }
     Expected<void> foliage()
     {
-        return cached(m_cache.foliage, m_hashes[Stage::Foliage], m_progress,
+        const bool stands =
+            m_params.leaf.shape != LeafShape::Faithful || m_params.fruit.kind != FruitKind::Faithful;
+        const BranchMesh* const bark = stands ? m_result.branches.get() : nullptr;
+        std::uint64_t hash = m_hashes[Stage::Foliage];
+        if (bark) // which a draft has not: its foliage keeps a place of its own
+            hash = StageHash(hash).add(m_hashes[Stage::Mesh]).value();
+        return cached(m_cache.foliage, hash, m_progress,
                       [&] {
-                          return meshFoliage(m_result.simplified->skeleton, m_params,
+                          return meshFoliage(m_result.simplified->skeleton, m_params, bark,
                                              m_progress.part(0.9, 1.0));
                       })
             .map([&](auto made) {
