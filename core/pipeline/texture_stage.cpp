@@ -23,6 +23,8 @@ Expected<std::shared_ptr<const TextureCoordinates>> TextureStage::coordinates(co
         if (auto kept = m_kept.find(hash))
             return kept;
     }
+    if (progress.cancelled()) // asked only for what is kept
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
     // Nobody waits for another one's computation, which only that one can cancel.
     auto made = textureCoordinates(*m_rest, params, progress);
     if (!made)

@@ -100,6 +100,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
         if (underMouse())
             hoverAt(d->cursor);
     });
+    connect(&d->barks, &BarkWaiter::ready, this, &Viewport::wishScene);
     d->settling.setSingleShot(true);
     d->settling.setInterval(settleMs);
     connect(&d->settling, &QTimer::timeout, this, qOverload<>(&QWidget::update));

@@ -9,6 +9,7 @@
 #include "widgets/base/hint_source.h"
 #include "widgets/view/background_builder.h"
 #include "widgets/view/background_picker.h"
+#include "widgets/view/bark_waiter.h"
 #include "widgets/view/camera_flight.h"
 #include "widgets/view/render/renderer.h"
 #include "widgets/view/shown_scene.h"
@@ -42,6 +43,7 @@ struct Viewport::Private final : ToolHost
     Framing framing = Framing::None; ///< waits for the scene of now
 
     BackgroundBuilder builder;
+    BarkWaiter barks;
     quint64 wishes = 0;
     std::vector<const void*> wishedBlocks; ///< identities of what the last wish was made from
     std::optional<BuiltScene> next;        ///< on its way to the graphics card

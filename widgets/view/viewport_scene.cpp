@@ -96,6 +96,7 @@ SceneWish Viewport::Private::wish()
     SceneWish wish;
     wish.scene = document->scene();
     wish.view = sceneView();
+    wish.view.waitsForBark = false;
     wish.serial = ++wishes;
     wish.revision = std::numeric_limits<quint64>::max();
     for (const Node& node : document->scene().nodes()) {
@@ -153,7 +154,7 @@ void Viewport::onSettingsChanged()
 
 bool Viewport::isPicturePending() const
 {
-    return d->isStale() || d->sceneIsNew || d->highlightsStale;
+    return d->isStale() || d->sceneIsNew || d->highlightsStale || d->barks.isBusy();
 }
 
 bool Viewport::isSettling() const
@@ -164,7 +165,9 @@ bool Viewport::isSettling() const
 void Viewport::wishScene()
 {
     d->settling.start();
-    d->builder.wish(d->wish());
+    SceneWish wish = d->wish();
+    d->barks.follow(wish);
+    d->builder.wish(std::move(wish));
 }
 
 /// One scene after the other: each that was begun is shown, however fast new ones come.
@@ -201,6 +204,7 @@ void Viewport::uploadScene()
 /// For pictures and answers that must be of now, however long that takes.
 void Viewport::finishScene()
 {
+    d->barks.wait();
     if (auto built = d->builder.finish())
         d->next = std::move(built);
     d->uploading.stop();

@@ -12,6 +12,7 @@
 #include "widgets/view/render/scene_part_cache.h"
 #include <algorithm>
 #include <numeric>
+#include <stop_token>
 
 namespace ramure {
 namespace {
@@ -184,7 +185,8 @@ struct TreeItems
     bool pictured()
     {
         const BarkParams& bark = node.params.bark;
-        if (bark.family == BarkFamily::Plain)
+        if (bark.family == BarkFamily::Plain || !tree.texture ||
+            (!view.waitsForBark && !isBarkReady(*tree.texture, node.params)))
             return false;
         const auto made = mapped();
         if (made->mesh.empty())
@@ -440,6 +442,13 @@ void outlineSelected(RenderScene& built, ScenePartCache& cache, const Scene& sce
 }
 
 } // namespace
+
+bool isBarkReady(const TextureStage& texture, const NodeParams& params)
+{
+    std::stop_source stopped;
+    stopped.request_stop();
+    return texture.coordinates(params, {stopped.get_token(), {}}).has_value();
+}
 
 SceneBuilder::SceneBuilder()
     : m_cache(std::make_unique<ScenePartCache>())

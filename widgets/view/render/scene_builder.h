@@ -41,7 +41,13 @@ struct SceneView
     double timeSeconds = 0.0;            ///< where tracks have moved nodes and parameters of objects to
     NodeId isolatedNode = noNode;        ///< the tree of which only some branches are shown
     std::vector<Index> isolatedBranches; ///< of its simplified skeleton; empty = all
+    /// False: bark is in one colour as long as nobody has made its texture coordinates, which takes seconds
+    /// for a large tree.
+    bool waitsForBark = true;
 };
+
+/// Whether a tree's bark can be shown with its picture without waiting.
+bool isBarkReady(const TextureStage& texture, const NodeParams& params);
 
 class GroundHeight;
 
