@@ -58,11 +58,16 @@ private slots:
             return !drawn.isEmpty() || drawn.wait(20'000);
         };
         QVERIFY(draw());
+        QTRY_VERIFY_WITH_TIMEOUT(!view->isPicturePending() && !view->isSettling(),
+                                 20'000); // bark comes later
+        QVERIFY(draw());
         const QImage before = view->grabFramebuffer();
         int losses = 0;
         QPointer<QOpenGLContext> context = view->context();
         for (const bool floating : {true, false, true, false}) {
             dock->setFloating(floating);
+            QVERIFY(draw());
+            QTRY_VERIFY_WITH_TIMEOUT(!view->isSettling(), 20'000);
             QVERIFY(draw());
             losses += context != view->context() ? 1 : 0;
             context = view->context();

@@ -318,11 +318,11 @@ void TestExporter::roughModel()
     const NodeParams& params = scene.find(1)->params;
     const auto tree = m_pipeline.evaluate(params, Stage::Foliage);
     const Skeleton& skeleton = tree->simplified->skeleton;
+    const double alpha = params.turtle.alpha; // rough branches have no bark to stand on
+    const auto foliage = placeFoliage(skeleton, params.foliage, params.leaf, params.fruit, alpha);
     QVERIFY(*set->meshes[0].mesh == buildRoughBranches(skeleton, 8));
-    QVERIFY(*set->meshes[1].mesh ==
-            buildLeaves(skeleton, *tree->foliage, params.turtle.alpha, FoliageModel::Rough));
-    QVERIFY(*set->meshes[2].mesh ==
-            buildApples(skeleton, *tree->foliage, params.turtle.alpha, FoliageModel::Rough));
+    QVERIFY(*set->meshes[1].mesh == buildLeaves(skeleton, *foliage, alpha, FoliageModel::Rough));
+    QVERIFY(*set->meshes[2].mesh == buildApples(skeleton, *foliage, alpha, FoliageModel::Rough));
 }
 
 void TestExporter::skeletonLines()

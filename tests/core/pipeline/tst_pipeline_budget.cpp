@@ -61,10 +61,20 @@ void TestPipelineBudget::onlyTheMeshChanges()
     QVERIFY2(plain, test::why(plain));
     QVERIFY2(budget, test::why(budget));
     QVERIFY(budget->simplified == plain->simplified && budget->sections == plain->sections);
-    QVERIFY(budget->foliage == plain->foliage && budget->leaves == plain->leaves);
+    QCOMPARE(budget->foliage->leaves.size(), plain->foliage->leaves.size()); // on the bark that there is
     QVERIFY(budget->branches != plain->branches);
     QVERIFY(budget->report->valid);
     QCOMPARE(budget->branches->budget, BudgetFit::Within);
+    // Faithful leaves float beside their twigs, whatever the mesh.
+    NodeParams faithful = tinyTree(0);
+    faithful.leaf = {};
+    faithful.fruit = {};
+    const auto floating = pipeline.evaluate(faithful);
+    faithful.mesh.targetTriangles = 4000;
+    const auto still = pipeline.evaluate(faithful);
+    QVERIFY(floating && still);
+    QVERIFY(floating->branches != still->branches);
+    QVERIFY(floating->foliage == still->foliage && floating->leaves == still->leaves);
 }
 
 void TestPipelineBudget::divisionsHaveNoSay()

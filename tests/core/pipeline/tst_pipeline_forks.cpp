@@ -69,6 +69,8 @@ void TestPipelineForks::onlyTheMeshChanges()
     QFETCH(double, value);
     TreePipeline pipeline;
     NodeParams params = tree("FanTree", 4);
+    params.leaf = {}; // a plant's leaves stand on the mesh
+    params.fruit = {};
     const auto before = pipeline.evaluate(params, Stage::Foliage);
     set(params, name, value);
     const auto after = pipeline.evaluate(params, Stage::Foliage);
