@@ -234,10 +234,11 @@ Index branchOn(const TreeAxes& tree, Index axis, const BranchPlace& place)
         return after == nodes.begin() ? nodes.front() : *(after - 1);
     }
     const auto belowFork = [&tree](Index i) { return tree.forksBelow[i]; };
-    const auto range = std::ranges::equal_range(nodes, place.fork, {}, belowFork);
-    if (range.empty())
+    const auto first = std::ranges::lower_bound(nodes, place.fork, {}, belowFork);
+    const auto last = std::ranges::upper_bound(nodes, place.fork, {}, belowFork);
+    if (first == last)
         return noIndex;
-    return range[std::min<std::ptrdiff_t>(place.piece, std::ssize(range) - 1)];
+    return first[std::min<std::ptrdiff_t>(place.piece, last - first - 1)];
 }
 
 } // namespace

@@ -78,6 +78,9 @@ UnplacedDialog::UnplacedDialog(Document* document, AngleUnit unit, QWidget* pare
     m_delete->setToolTip(tr("Deletes the selected edits (Del). Undo brings them back."));
     QPushButton* all = buttons->addButton(tr("Delete &all"), QDialogButtonBox::ActionRole);
     all->setObjectName(QStringLiteral("deleteAllEdits"));
+    for (QPushButton* remover : {m_delete, all})
+        remover->setAutoDefault(false);
+    buttons->button(QDialogButtonBox::Close)->setDefault(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(20, 18, 20, 16);
     layout->setSpacing(12);
