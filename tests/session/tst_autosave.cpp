@@ -1,6 +1,6 @@
-#include "core/document/commands.h"
 #include "core/session/autosave.h"
 #include "tests/support/failing_disk.h"
+#include "tests/support/seeded_tree.h"
 #include "tests/support/suite.h"
 #include "tests/support/waits.h"
 
@@ -11,23 +11,10 @@
 #include <QTemporaryDir>
 
 using namespace ramure;
+using test::oneTree;
+using test::seedOf;
+using test::setSeed;
 
-static Scene oneTree()
-{
-    Node node;
-    node.id = 1;
-    node.kind = NodeKind::Tree;
-    node.name = "Oak";
-    return *Scene::fromNodes({node});
-}
-static void setSeed(Document& document, std::int64_t seed)
-{
-    edit::setParam(document, {1}, *findParam("grammar.seed"), seed);
-}
-static std::int64_t seedOf(const Project& project)
-{
-    return project.scene.find(1)->params.grammar.seed;
-}
 static int filesIn(const QString& folder)
 {
     return static_cast<int>(QDir(folder).entryList(QDir::Files | QDir::Hidden).size());

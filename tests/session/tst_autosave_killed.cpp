@@ -1,7 +1,7 @@
 // Programs that die while they edit: what they called safe is there.
-#include "core/document/commands.h"
 #include "core/math/random.h"
 #include "core/session/autosave.h"
+#include "tests/support/seeded_tree.h"
 #include "tests/support/suite.h"
 #include "tests/support/waits.h"
 
@@ -12,23 +12,10 @@
 #include <cstdio>
 
 using namespace ramure;
+using test::oneTree;
+using test::seedOf;
+using test::setSeed;
 
-static Scene oneTree()
-{
-    Node node;
-    node.id = 1;
-    node.kind = NodeKind::Tree;
-    node.name = "Oak";
-    return *Scene::fromNodes({node});
-}
-static void setSeed(Document& document, std::int64_t seed)
-{
-    edit::setParam(document, {1}, *findParam("grammar.seed"), seed);
-}
-static std::int64_t seedOf(const Project& project)
-{
-    return project.scene.find(1)->params.grammar.seed;
-}
 class TestAutosaveKilled : public QObject
 {
     Q_OBJECT
