@@ -6535,10 +6535,6 @@ OpenGL&#xa0;: %4
         <translation>Studio sombre</translation>
     </message>
     <message>
-        <source>What lies behind and below the trees: sky and meadow, or one colour that takes their shadow</source>
-        <translation>Ce qu’il y a derrière et sous les arbres : ciel et pré, ou une seule couleur qui reçoit leur ombre</translation>
-    </message>
-    <message>
         <source>Where the sun stands, in degrees clockwise from the north (−Z): 90 is the east (X)</source>
         <translation>Où se tient le soleil, en degrés dans le sens des aiguilles d’une montre depuis le nord (−Z) : 90 est l’est (X)</translation>
     </message>
@@ -6569,6 +6565,74 @@ OpenGL&#xa0;: %4
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Then the sun stands at %1°, %2° high.</source>
+        <translation>Le soleil se trouve alors à %1°, à %2° de hauteur.</translation>
+    </message>
+    <message>
+        <source>Then the sun is below the horizon, or less than %1° above it.</source>
+        <translation>Le soleil est alors sous l’horizon, ou à moins de %1° au-dessus.</translation>
+    </message>
+    <message>
+        <source>Natural sky</source>
+        <translation>Ciel naturel</translation>
+    </message>
+    <message>
+        <source>What lies behind and below the trees: sky and meadow, the sky and the light of a clear day as the sun&apos;s height makes them, or one colour that takes shadows</source>
+        <translation>Ce qui se trouve derrière et sous les arbres : ciel et pré, le ciel et la lumière d’un jour clair selon la hauteur du soleil, ou une seule couleur qui reçoit les ombres</translation>
+    </message>
+    <message>
+        <source>Dust and water in the air of the natural sky: 2 is very clear, 8 hazy</source>
+        <translation>Poussière et eau dans l’air du ciel naturel : 2 est très clair, 8 brumeux</translation>
+    </message>
+    <message>
+        <source>Brighter or darker by so many f-stops: 1 is twice the light</source>
+        <translation>Plus clair ou plus sombre d’autant de diaphragmes : 1 double la lumière</translation>
+    </message>
+    <message>
+        <source> stops</source>
+        <translation> IL</translation>
+    </message>
+    <message>
+        <source>Ha&amp;ze</source>
+        <translation>Br&amp;ume</translation>
+    </message>
+    <message>
+        <source>E&amp;xposure</source>
+        <translation>E&amp;xposition</translation>
+    </message>
+    <message>
+        <source>The sun of a day and a place</source>
+        <translation>Le soleil d’un jour et d’un lieu</translation>
+    </message>
+    <message>
+        <source>Day and time, in this computer&apos;s time zone</source>
+        <translation>Jour et heure, dans le fuseau horaire de cet ordinateur</translation>
+    </message>
+    <message>
+        <source>Degrees north of the equator; south of it negative</source>
+        <translation>Degrés au nord de l’équateur ; négatif au sud</translation>
+    </message>
+    <message>
+        <source>Degrees east of Greenwich; west of it negative</source>
+        <translation>Degrés à l’est de Greenwich ; négatif à l’ouest</translation>
+    </message>
+    <message>
+        <source>&amp;Day and time</source>
+        <translation>&amp;Jour et heure</translation>
+    </message>
+    <message>
+        <source>&amp;Latitude</source>
+        <translation>&amp;Latitude</translation>
+    </message>
+    <message>
+        <source>L&amp;ongitude</source>
+        <translation>L&amp;ongitude</translation>
+    </message>
+    <message>
+        <source>&amp;Put the sun there</source>
+        <translation>&amp;Placer le soleil ainsi</translation>
     </message>
 </context>
 <context>

@@ -1,12 +1,14 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/moments.h"
+#include "app/cli/picture_options.h"
 #include "app/cli/virtual_display.h"
 #include "app/cli/work.h"
 #include "core/evaluate/evaluator.h"
 #include "widgets/view/render/offscreen_renderer.h"
 #include "widgets/view/render/picture_file.h"
 #include "widgets/view/render/scene_builder.h"
+#include "widgets/view/render/sky_picture.h"
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <map>
@@ -22,8 +24,7 @@ constexpr CommandText text = {"render", "draws a picture", "INPUT",
                               "Without a display a virtual X server (Xvfb) is started for the time it takes. "
                               "The camera shows all that is visible."};
 
-/// In the order of Backdrop; then without any.
-constexpr std::string_view backgroundNames[] = {"landscape", "light", "dark", "none"};
+constexpr int skyWidth = 1024;
 constexpr int smallestSide = 16;
 constexpr int largestSide = 8192;
 
@@ -46,87 +47,9 @@ struct Request
     QString file;
     QSize size;
     DisplayMode mode = DisplayMode::Mesh;
-    int turntable = 0;            ///< pictures all around; 0 = one from the front
-    std::optional<Camera> camera; ///< else one that shows all that is visible
-    RenderOptions options;
+    int turntable = 0; ///< pictures all around; 0 = one from the front
+    PictureOptions picture;
 };
-
-/// So many numbers with commas between them. \param form what is expected, for the error
-Expected<std::vector<double>> numbersOf(const CommandLine& line, const char* option, qsizetype least,
-                                        qsizetype most, const char* form)
-{
-    const QStringList words = line.value(option).split(u',');
-    std::vector<double> numbers;
-    for (const QString& word : words) {
-        bool isNumber = false;
-        numbers.push_back(word.toDouble(&isNumber));
-        if (!isNumber || !(std::abs(numbers.back()) <= 1e6)) {
-            numbers.clear();
-            break;
-        }
-    }
-    const auto count = static_cast<qsizetype>(numbers.size());
-    if (count < least || count > most)
-        return fail(ErrorCode::Invalid, "--%1 \"%2\": %3 expected",
-                    {option, line.value(option).toStdString(), form});
-    return numbers;
-}
-
-Expected<Camera> cameraOf(const CommandLine& line)
-{
-    const char* form = "EX,EY,EZ,TX,TY,TZ[,ANGLE], metres and degrees,";
-    const auto numbers = numbersOf(line, "camera", 6, 7, form);
-    if (!numbers)
-        return fail(numbers.error());
-    const std::vector<double>& n = *numbers;
-    const glm::dvec3 eye(n[0], n[1], n[2]), target(n[3], n[4], n[5]), away = eye - target;
-    const double angle = n.size() > 6 ? n[6] : glm::degrees(Camera().fovRad);
-    const double distance = glm::length(away);
-    if (distance < 1e-3 || angle < 1.0 || angle > 150.0)
-        return fail(
-            ErrorCode::Invalid,
-            "--camera \"%1\": the eye must be a millimetre or more from the target, the angle 1 to 150 "
-            "degrees",
-            {line.value("camera").toStdString()});
-    Camera camera;
-    camera.target = target;
-    camera.distance = distance;
-    camera.pitchRad = std::asin(std::clamp(away.y / distance, -1.0, 1.0));
-    camera.yawRad = std::atan2(away.x, away.z);
-    camera.fovRad = glm::radians(angle);
-    return camera;
-}
-
-Expected<RenderOptions> optionsOf(const CommandLine& line)
-{
-    RenderOptions options;
-    if (line.has("sun")) {
-        const auto sun = numbersOf(line, "sun", 2, 2, "DIRECTION,HEIGHT in degrees");
-        if (!sun)
-            return fail(sun.error());
-        if ((*sun)[1] < SceneLight::leastHeightDeg || (*sun)[1] > 90.0)
-            return fail(ErrorCode::Invalid, "--sun \"%1\": its height must be 2 to 90 degrees",
-                        {line.value("sun").toStdString()});
-        options.light.azimuthDeg = (*sun)[0];
-        options.light.heightDeg = (*sun)[1];
-    }
-    const QString quality = line.value("quality");
-    const auto row = std::ranges::find(qualities(), quality.toStdString(), &ModeRow<Quality>::name);
-    if (row == qualities().end())
-        return fail(ErrorCode::Unknown, "--quality \"%1\": draft, good or best expected",
-                    {quality.toStdString()});
-    options.quality = row->mode;
-    const QString background = line.value("background");
-    const auto known = std::ranges::find(backgroundNames, background.toStdString());
-    if (known == std::end(backgroundNames))
-        return fail(ErrorCode::Unknown, "--background \"%1\": landscape, light, dark or none expected",
-                    {background.toStdString()});
-    const auto number = static_cast<int>(known - std::begin(backgroundNames));
-    options.world = number < backdropCount;
-    if (options.world)
-        options.light.backdrop = static_cast<Backdrop>(number);
-    return options;
-}
 
 constexpr int mostTurns = 10'000;
 
@@ -157,16 +80,10 @@ Expected<Request> requestOf(const CommandLine& line)
         return fail(ErrorCode::Unknown, "--mode \"%1\": %2 expected",
                     {line.value("mode").toStdString(), commaList(modeNames()).toStdString()});
     out.mode = *mode;
-    const auto options = optionsOf(line);
-    if (!options)
-        return fail(options.error());
-    out.options = *options;
-    if (line.has("camera")) {
-        const auto camera = cameraOf(line);
-        if (!camera)
-            return fail(camera.error());
-        out.camera = *camera;
-    }
+    auto picture = pictureOptionsOf(line);
+    if (!picture)
+        return fail(picture.error());
+    out.picture = std::move(*picture);
     if (line.has("turntable")) {
         bool whole = false;
         out.turntable = line.value("turntable").toInt(&whole);
@@ -234,7 +151,7 @@ public:
     Expected<void> draw(const RenderScene& scene, const Camera& camera, const Request& request,
                         const QString& file)
     {
-        const auto image = m_renderer->draw(scene, camera, request.size, request.options);
+        const auto image = m_renderer->draw(scene, camera, request.size, optionsFor(request.picture, camera));
         if (!image)
             return fail(image.error());
         return savePicture(*image, systemPath(file));
@@ -292,7 +209,7 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Reques
         if (!camera) {
             if (auto begun = painter.begin(); !begun)
                 return begun;
-            camera = request.camera ? *request.camera : cameraFor(*scene, request.size);
+            camera = request.picture.camera ? *request.picture.camera : cameraFor(*scene, request.size);
         }
         if (request.turntable > 0)
             return drawTurntable(painter, *scene, *camera, request, progress);
@@ -326,24 +243,7 @@ void addOptions(CommandLine& line)
         {QStringLiteral("turntable")},
         QStringLiteral("So many pictures all around, 2 to 10000; the number goes before the file's ending."),
         QStringLiteral("N"));
-    line.add({QStringLiteral("camera")},
-             QStringLiteral("Where the camera stands and what it looks at, in metres, and its vertical angle "
-                            "in degrees (40 without it). Without this option it shows all that is visible."),
-             QStringLiteral("EX,EY,EZ,TX,TY,TZ[,ANGLE]"));
-    line.add({QStringLiteral("sun")},
-             QStringLiteral("Where the sun stands: degrees clockwise from the north (-Z; 90 is the east, X), "
-                            "and its height over the horizon, 2 to 90; 136,46 without it."),
-             QStringLiteral("DIRECTION,HEIGHT"));
-    line.addDefault(
-        {QStringLiteral("quality")},
-        QStringLiteral("draft (sun and sky light alone), good (crowns that are darker inside, the "
-                       "response of film; the usual) or best (several samples a pixel, softer "
-                       "shadows; slower)."),
-        QStringLiteral("draft|good|best"), QStringLiteral("good"));
-    line.addDefault({QStringLiteral("background")},
-                    QStringLiteral("landscape (sky and meadow), light or dark (a studio of one colour that "
-                                   "takes shadows) or none (transparent)."),
-                    QStringLiteral("landscape|light|dark|none"), QStringLiteral("landscape"));
+    addPictureOptions(line);
     line.addInputOptions();
     line.addNodeOption();
 }
@@ -365,6 +265,10 @@ Expected<int> run(const CommandLine& line)
     const auto moments = momentsOf(line, *input);
     if (!moments)
         return fail(moments.error());
+    if (const auto& sky = request->picture.skyFile; !sky.isEmpty()) {
+        if (auto saved = saveSkyPicture(request->picture.options.light, skyWidth, systemPath(sky)); !saved)
+            return fail(saved.error());
+    }
     const Work work("render");
     if (const auto drawn = drawAll(*input, line, *request, *moments, work.progress()); !drawn)
         return fail(drawn.error());

@@ -1,8 +1,9 @@
-// Sun with a soft shadow, and a hemisphere light. Positions are relative to the eye.
+// Sun with a soft shadow, and light from all around. Positions are relative to the eye.
 uniform vec3 uSun;         // unit, towards the sun
 uniform vec3 uSunLight;    // linear
-uniform vec3 uSkyLight;    // linear, from straight above
-uniform vec3 uGroundLight; // linear, from straight below
+uniform vec3 uAmbient[9];  // linear, by the way a surface faces: see sky.h
+uniform float uExposure;   // 0: light is shown as it is
+uniform float uGain;
 uniform mat4 uShadow;      // eye-relative position -> shadow map coordinates and depth, 0..1
 uniform vec3 uShadowScale; // size of one texel (m), side of the map (m), depth range (m)
 uniform int uShadowTaps;   // 0 = no shadows
@@ -81,7 +82,22 @@ float sunlight(vec3 relative, vec3 normal, vec3 plane)
     return lit / float(uShadowTaps);
 }
 
-vec3 hemisphere(vec3 normal)
+vec3 ambient(vec3 n)
 {
-    return mix(uGroundLight, uSkyLight, 0.5 + 0.5 * normal.y);
+    vec3 sum = uAmbient[0] + n.y * uAmbient[1] + n.z * uAmbient[2] + n.x * uAmbient[3];
+    sum += n.x * n.y * uAmbient[4] + n.y * n.z * uAmbient[5] + (3.0 * n.y * n.y - 1.0) * uAmbient[6];
+    return max(sum + n.x * n.z * uAmbient[7] + (n.z * n.z - n.x * n.x) * uAmbient[8], vec3(0.0));
+}
+
+// Narkowicz 2015, a fit of the Academy's curve: contrast in the middle, soft highlights. Taken colour by colour it makes
+// greens of leaves gaudy.
+vec3 film(vec3 c)
+{
+    c = c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14);
+    return mix(vec3(dot(c, vec3(0.2126, 0.7152, 0.0722))), c, 0.8);
+}
+
+vec3 exposed(vec3 light)
+{
+    return uExposure > 0.0 ? film(uExposure * uGain * light) : uGain * light;
 }

@@ -23,9 +23,7 @@ uniform vec4 uBackward;    // orthographic: direction to the eye, w = 1; perspec
 
 out vec4 fragment;
 
-// The ground, level, shows exactly its colour; surfaces that stand get a little more light, so that a trunk is not dark
-// beside it.
-const float standing = 1.2;
+uniform float uStanding; // more light for surfaces that stand: beside a ground that shows its colour a trunk is dark
 
 #ifdef COLOURS
 uniform bool uHasColours; // each triangle has its own, tinted by uColour
@@ -76,18 +74,9 @@ vec3 barkColour(inout vec3 normal)
 uniform bool uHasCrown;
 uniform mat4 uCrownPlace; // eye-relative -> the crown's grid
 uniform sampler3D uCrown; // the way out, share of the sky that is seen
-uniform float uExposure;  // 0: light is shown as it is
 
 const float roundness = 0.5;  // of a crown's leaves: they look the way out as much
 const float innermost = 0.4; // of the sky's light, what leaves pass on to the middle of a thick crown
-
-// Narkowicz 2015, a fit of the Academy's curve: contrast in the middle, soft highlights. Taken colour by colour it makes
-// greens of leaves gaudy.
-vec3 film(vec3 c)
-{
-    c = c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14);
-    return mix(vec3(dot(c, vec3(0.2126, 0.7152, 0.0722))), c, 0.8);
-}
 
 uniform vec3 uBlade; // sRGB, of the leaf whose picture uBark is where uVeins
 
@@ -116,7 +105,7 @@ vec3 shaded(vec3 albedo, vec3 normal, vec3 plane)
         if (uThrough > 0.0)
             round = normalize(mix(normal, 2.0 * crown.xyz - 1.0, roundness) + 1e-4 * normal);
     }
-    vec3 light = open * hemisphere(round) + uSunLight * max(dot(round, uSun), 0.0) * sun;
+    vec3 light = open * ambient(round) + uSunLight * max(dot(round, uSun), 0.0) * sun;
     vec3 colour = albedo * light;
     if (uThrough > 0.0)
         colour += uThrough * max(-facing, 0.0) * sun * uSunLight * albedo * vec3(1.5, 1.25, 0.4);
@@ -125,7 +114,7 @@ vec3 shaded(vec3 albedo, vec3 normal, vec3 plane)
         float glint = pow(max(dot(reflect(-uSun, normal), toEye), 0.0), uShininess);
         colour += step(0.0, facing) * sun * glint * uGlint * uSunLight;
     }
-    return uExposure > 0.0 && uPaint == 0 ? film(uExposure * standing * colour) : standing * colour;
+    return uPaint == 0 ? exposed(uStanding * colour) : uStanding * colour;
 }
 
 void main()

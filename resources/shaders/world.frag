@@ -16,12 +16,25 @@ uniform float uPixelRatio;  // device pixels per logical one
 uniform float uMottle;     // size of the ground's patches, m
 uniform mat4 uClip;        // eye-relative -> clip space
 uniform vec3 uStudio;      // sRGB; one colour instead of sky and meadow; below 0: none
+uniform bool uSky;         // the sky of a clear day, Preetham et al. 1999: see sky.h
+uniform vec3 uPerezA, uPerezB, uPerezC, uPerezD, uPerezE, uSkyScale; // of Y, x and y
 
 out vec4 fragment;
 
 const vec3 skyBlue = vec3(0.5294, 0.8078, 0.9216);    // #87CEEB
 const vec3 groundGreen = vec3(0.3373, 0.4902, 0.2745); // #567D46
 const vec3 haze = vec3(0.7961, 0.9098, 0.9529);
+
+vec3 clearSky(vec3 direction)
+{
+    float along = dot(direction, uSun);
+    vec3 f = uSkyScale * (1.0 + uPerezA * exp(uPerezB / max(direction.y, 0.01))) *
+             (1.0 + uPerezC * exp(uPerezD * acos(clamp(along, -1.0, 1.0))) + uPerezE * along * along);
+    f.z = max(f.z, f.y * (2.870 - 3.000 * f.y) - 0.275); // of daylight
+    vec3 cie = f.x * vec3(f.y, f.z, 1.0 - f.y - f.z) / f.z;
+    vec3 colour = vec3(0.906, 1.013, 1.215) * max(cie * mat3(3.2406, -1.5372, -0.4986, -0.9689, 1.8758, 0.0415, 0.0557, -0.2040, 1.0570), vec3(0.0));
+    return colour + 8.0 * uSunLight * smoothstep(0.99994, 0.99999, along); // 0.27 degrees to the sun's rim
+}
 
 vec3 sky(vec3 direction)
 {
@@ -61,7 +74,7 @@ vec3 ground(vec3 relative, vec2 at, vec2 width)
     const vec3 up = vec3(0.0, 1.0, 0.0);
     if (uStudio.r >= 0.0) { // in full light exactly the colour behind it: there is no horizon
         const vec3 eye = vec3(0.2126, 0.7152, 0.0722); // brightness alone: shadows are grey
-        float shaded = dot(eye, uSkyLight) / dot(eye, uSkyLight + uSunLight * uSun.y);
+        float shaded = dot(eye, ambient(up)) / dot(eye, ambient(up) + uSunLight * uSun.y);
         return toLinear(uStudio) * mix(shaded, 1.0, sunlight(relative, up, up));
     }
     float broad = max(width.x, width.y);
@@ -70,8 +83,7 @@ vec3 ground(vec3 relative, vec2 at, vec2 width)
     mottle += 0.7 * (noise(at / fine) - 0.5) * (1.0 - smoothstep(0.2, 0.7, broad / fine));
     vec3 albedo = toLinear(groundGreen) * (1.0 + 0.14 * mottle);
     float sun = sunlight(relative, up, up);
-    vec3 colour = albedo * (uSkyLight + uSunLight * uSun.y * sun);
-    return colour;
+    return albedo * (ambient(up) + uSunLight * uSun.y * sun);
 }
 
 // Lines over the ground, or where it is not shown in the air; "strength" is how much of the pixel they take.
@@ -94,9 +106,11 @@ void main()
     vec3 direction = normalize(uOrthographic ? uForward : uForward + ndc.x * uAcross + ndc.y * uAlong);
     float height = uEye.y + offset.y - uGround;
     // In orthographic views the sky must not change with the pixel's ray, all of which are parallel.
-    vec3 colour = toLinear(uStudio.r >= 0.0 ? uStudio
-                           : uOrthographic  ? mix(haze, skyBlue, clamp(0.5 + 0.5 * ndc.y, 0.0, 1.0))
-                                            : sky(direction));
+    vec3 colour = uSky && !uOrthographic
+                      ? clearSky(direction)
+                      : toLinear(uStudio.r >= 0.0 ? uStudio
+                                 : uOrthographic  ? mix(haze, skyBlue, clamp(0.5 + 0.5 * ndc.y, 0.0, 1.0))
+                                                  : sky(direction));
     float depth = 1.0;
 
     float steps = height / max(-direction.y, 1e-5);
@@ -120,5 +134,7 @@ void main()
         colour = mix(toLinear(groundGreen), colour, 1.0 - exp(2.0 * height / uFade));
     }
     gl_FragDepth = depth;
+    if (uStudio.r < 0.0)
+        colour = uSky ? exposed(colour) : uGain * colour;
     fragment = vec4(dithered(toSrgb(colour)), 1.0);
 }

@@ -115,7 +115,16 @@ private slots:
             QVERIFY(refused("--sun", sun, "DIRECTION,HEIGHT"));
         for (const char* sun : {"90,1", "90,91"})
             QVERIFY(refused("--sun", sun, "2 to 90 degrees"));
-        QVERIFY(refused("--background", "white", "landscape, light, dark or none"));
+        QVERIFY(refused("--background", "white", "landscape, sky, light, dark or none"));
+        for (const char* moment : {"", "2026-06-21T12:00,48.9", "noon,48.9,2.3", "2026-06-21T12:00,91,0",
+                                   "2026-02-30T12:00,48.9,2.3", "2026-06-21T12:00,48.9,nan"})
+            QVERIFY(refused("--sun-at", moment, "TIME,LATITUDE,LONGITUDE"));
+        QVERIFY(refused("--sun-at", "2026-06-21T00:00,48.9,2.3", "degrees high then"));
+        QVERIFY(refused("--haze", "1.9", "from 2 to 8"));
+        QVERIFY(refused("--exposure", "nan", "from -5 to 5"));
+        QVERIFY(refused("--f-stop", "0", "from 0.1 to 64"));
+        QVERIFY(refused("--focus", "3", "needs --f-stop"));
+        QVERIFY(refused("--sky-picture", "sky.png", ".hdr"));
         QVERIFY(isRefused(runCli({"render", "preset:TinyTree", "-o", path("no.png"), "--turntable", "4",
                                   "--camera", "0,1,5,0,1,0"}),
                           "neither"));
@@ -138,6 +147,12 @@ private slots:
         QVERIFY(dark.pixelColor(1, 1).lightness() < 60);
         QVERIFY(drawn({"--sun", "270,10"}) != drawn({}));
         QVERIFY(drawn({"--sun", "136,46"}) == drawn({})); // as it is without it
+        QVERIFY(drawn({"--background", "sky", "--sun-at", "2026-06-21T14:00+02:00,48.9,2.3"}) ==
+                drawn({"--background", "sky", "--sun-at", "2026-06-21T12:00,48.9,2.3"}));
+        QVERIFY(drawn({"--background", "sky", "--haze", "6"}) != drawn({"--background", "sky"}));
+        QVERIFY(drawn({"--exposure", "1"}) != drawn({}));
+        QVERIFY(drawn({"--f-stop", "0.5", "--focus", "1", "--sky-picture", path("sky.hdr")}) != drawn({}));
+        QVERIFY(test::bytesOf(path("sky.hdr")).startsWith("#?RADIANCE"));
         // From straight above, the trunk stands in the middle; from behind, everything is out of sight.
         const QImage above = drawn({"--background", "none", "--camera", "0,20,0,0,0,0,20"});
         QVERIFY(above.pixelColor(80, 60).alpha() > 0);

@@ -151,52 +151,6 @@ private slots:
         const QColor sky = picture(RenderScene(), camera).pixelColor(160, 2);
         QVERIFY2(isNear(sky, QColor(0x87, 0xCE, 0xEB), 3), qPrintable(sky.name()));
     }
-    void aStudioIsOneColourThatTakesShadows_data()
-    {
-        QTest::addColumn<Backdrop>("backdrop");
-        QTest::addColumn<double>("height");
-        for (const double height : {60.0, 5.0}) {
-            QTest::addRow("light, sun at %g degrees", height) << Backdrop::LightStudio << height;
-            QTest::addRow("dark, sun at %g degrees", height) << Backdrop::DarkStudio << height;
-        }
-    }
-    void aStudioIsOneColourThatTakesShadows()
-    {
-        QFETCH(const Backdrop, backdrop);
-        QFETCH(const double, height);
-        RenderOptions options;
-        options.light = {136.0, height, backdrop};
-        Camera camera;
-        camera.pitchRad = 0.3;
-        const QImage empty = picture(RenderScene(), camera, options);
-        const QColor colour = empty.pixelColor(0, 0);
-        QVERIFY((colour.lightness() > 128) == (backdrop == Backdrop::LightStudio));
-        QCOMPARE(countWhere(empty, [&](const QColor& c) { return !isNear(c, colour, 2); }), 0); // no horizon
-        const RenderScene scene = test::sampleScene(4, 40);
-        camera = frontCamera(scene);
-        camera.pitchRad = 0.7;
-        options.light.heightDeg = 46.0;
-        const QColor shadowed = pixelAt(picture(scene, camera, options), camera, {-1.0, 0.0, -1.1});
-        QVERIFY2(shadowed.lightness() < 0.85 * colour.lightness(), qPrintable(shadowed.name()));
-    }
-    void aLowSunIsWarm()
-    {
-        const auto redness = [](const QImage& image) {
-            double red = 0.0, blue = 0.0;
-            for (int y = 180; y < image.height(); ++y)
-                for (int x = 0; x < image.width(); ++x) {
-                    red += image.pixelColor(x, y).redF();
-                    blue += image.pixelColor(x, y).blueF();
-                }
-            return red / blue;
-        };
-        Camera camera;
-        camera.pitchRad = 0.5;
-        RenderOptions options;
-        const double usual = redness(picture(RenderScene(), camera, options));
-        options.light.heightDeg = 12.0;
-        QVERIFY(redness(picture(RenderScene(), camera, options)) > 1.1 * usual);
-    }
     void treeHasItsColours()
     {
         const RenderScene scene = test::sampleScene(4, 8);

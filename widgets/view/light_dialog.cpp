@@ -1,19 +1,79 @@
 #include "widgets/view/light_dialog.h"
 
+#include "widgets/view/render/sky.h"
 #include "widgets/view/view_settings.h"
 #include <QComboBox>
+#include <QDateTimeEdit>
 #include <QDialogButtonBox>
+#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFormLayout>
+#include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 namespace ramure {
+namespace {
+
+constexpr int sliderSteps = 10; ///< of a slider, a unit of a field with decimals
+
+void setUp(QDoubleSpinBox* box, QSlider* slider, double least, double most)
+{
+    box->setRange(least, most);
+    box->setDecimals(1);
+    box->setSingleStep(0.1);
+    slider->setRange(int(least * sliderSteps), int(most * sliderSteps));
+    slider->setPageStep(sliderSteps);
+    QObject::connect(slider, &QSlider::valueChanged, box,
+                     [box](int value) { box->setValue(double(value) / sliderSteps); });
+    QObject::connect(box, &QDoubleSpinBox::valueChanged, slider,
+                     [slider](double value) { slider->setValue(int(std::lround(value * sliderSteps))); });
+}
+
+void setUp(QSpinBox* box, QSlider* slider, int pageStep)
+{
+    slider->setRange(box->minimum(), box->maximum());
+    slider->setPageStep(pageStep);
+    QObject::connect(slider, &QSlider::valueChanged, box, &QSpinBox::setValue);
+    QObject::connect(box, &QSpinBox::valueChanged, slider, &QSlider::setValue);
+}
+
+void addRow(QFormLayout* form, QSlider* slider, QWidget* box)
+{
+    slider->setMinimumWidth(220);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(10);
+    row->addWidget(slider, 1);
+    row->addWidget(box);
+    form->addRow(new QLabel(form->parentWidget()), row);
+}
+
+QFormLayout* spaced(QFormLayout* form)
+{
+    form->setHorizontalSpacing(14);
+    form->setVerticalSpacing(10);
+    return form;
+}
+
+/// Labels of a form's rows; each names its field, also to who cannot see it.
+void setLabels(QFormLayout* form, std::initializer_list<std::pair<QString, QWidget*>> rows)
+{
+    int row = 0;
+    for (const auto& [text, field] : rows) {
+        auto* label = qobject_cast<QLabel*>(form->itemAt(row++, QFormLayout::LabelRole)->widget());
+        label->setText(text);
+        label->setBuddy(field);
+        field->setAccessibleName(QString(text).remove(u'&'));
+    }
+}
+
+} // namespace
 
 LightDialog::LightDialog(ViewSettings* settings, QWidget* parent)
     : QDialog(parent)
@@ -23,23 +83,41 @@ LightDialog::LightDialog(ViewSettings* settings, QWidget* parent)
     , m_direction(new QSpinBox(this))
     , m_heightSlider(new QSlider(Qt::Horizontal, this))
     , m_height(new QSpinBox(this))
+    , m_hazeSlider(new QSlider(Qt::Horizontal, this))
+    , m_haze(new QDoubleSpinBox(this))
+    , m_exposureSlider(new QSlider(Qt::Horizontal, this))
+    , m_exposure(new QDoubleSpinBox(this))
+    , m_moment(new QGroupBox(this))
+    , m_time(new QDateTimeEdit(QDateTime(QDate::currentDate(), QTime(15, 0)), this))
+    , m_latitude(new QDoubleSpinBox(this))
+    , m_longitude(new QDoubleSpinBox(this))
+    , m_momentText(new QLabel(this))
 {
     setObjectName(QStringLiteral("lightDialog"));
     m_backdrop->setObjectName(QStringLiteral("backdrop"));
     m_direction->setObjectName(QStringLiteral("sunDirection"));
     m_height->setObjectName(QStringLiteral("sunHeight"));
+    m_haze->setObjectName(QStringLiteral("haze"));
+    m_exposure->setObjectName(QStringLiteral("exposure"));
+    m_time->setObjectName(QStringLiteral("sunTime"));
+    m_latitude->setObjectName(QStringLiteral("latitude"));
+    m_longitude->setObjectName(QStringLiteral("longitude"));
+    m_momentText->setObjectName(QStringLiteral("momentText"));
     for (int i = 0; i < backdropCount; ++i)
         m_backdrop->addItem(QString());
     m_direction->setRange(0, 359);
     m_direction->setWrapping(true);
     m_height->setRange(int(SceneLight::leastHeightDeg), 90);
-    m_directionSlider->setPageStep(15);
-    m_heightSlider->setPageStep(5);
     build();
     retranslate();
     connect(m_backdrop, &QComboBox::currentIndexChanged, this, &LightDialog::apply);
     for (QSpinBox* box : {m_direction, m_height})
         connect(box, &QSpinBox::valueChanged, this, &LightDialog::apply);
+    for (QDoubleSpinBox* box : {m_haze, m_exposure})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &LightDialog::apply);
+    connect(m_time, &QDateTimeEdit::dateTimeChanged, this, &LightDialog::tellMoment);
+    for (QDoubleSpinBox* box : {m_latitude, m_longitude})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &LightDialog::tellMoment);
     connect(settings, &ViewSettings::lightChanged, this, &LightDialog::take);
 }
 
@@ -47,30 +125,53 @@ void LightDialog::build()
 {
     auto* layout = new QVBoxLayout(this);
     layout->setSpacing(14);
-    m_form = new QFormLayout;
-    m_form->setHorizontalSpacing(14);
-    m_form->setVerticalSpacing(10);
-    m_form->addRow(new QLabel(this), m_backdrop);
-    const std::pair<QSlider*, QSpinBox*> rows[] = {{m_directionSlider, m_direction},
-                                                   {m_heightSlider, m_height}};
-    for (const auto& [slider, box] : rows) {
-        slider->setRange(box->minimum(), box->maximum());
-        slider->setMinimumWidth(220);
-        auto* row = new QHBoxLayout;
-        row->setSpacing(10);
-        row->addWidget(slider, 1);
-        row->addWidget(box);
-        m_form->addRow(new QLabel(this), row);
-        connect(slider, &QSlider::valueChanged, box, &QSpinBox::setValue);
-        connect(box, &QSpinBox::valueChanged, slider, &QSlider::setValue);
-    }
+    m_form = spaced(new QFormLayout);
     layout->addLayout(m_form);
+    m_form->addRow(new QLabel(this), m_backdrop);
+    setUp(m_direction, m_directionSlider, 15);
+    setUp(m_height, m_heightSlider, 5);
+    setUp(m_haze, m_hazeSlider, Sky::leastTurbidity, Sky::mostTurbidity);
+    setUp(m_exposure, m_exposureSlider, -SceneLight::mostStops, SceneLight::mostStops);
+    addRow(m_form, m_directionSlider, m_direction);
+    addRow(m_form, m_heightSlider, m_height);
+    addRow(m_form, m_hazeSlider, m_haze);
+    addRow(m_form, m_exposureSlider, m_exposure);
+    buildMoment();
+    layout->addWidget(m_moment);
+    buildButtons();
+}
+
+void LightDialog::buildMoment()
+{
+    m_time->setCalendarPopup(true);
+    m_latitude->setRange(-90.0, 90.0);
+    m_longitude->setRange(-180.0, 180.0);
+    m_latitude->setValue(48.9);
+    m_longitude->setValue(2.3);
+    for (QDoubleSpinBox* box : {m_latitude, m_longitude})
+        box->setDecimals(2);
+    m_momentForm = spaced(new QFormLayout(m_moment));
+    for (QWidget* field : {static_cast<QWidget*>(m_time), static_cast<QWidget*>(m_latitude),
+                           static_cast<QWidget*>(m_longitude)})
+        m_momentForm->addRow(new QLabel(this), field);
+    m_takeMoment = new QPushButton(this);
+    m_takeMoment->setAutoDefault(false);
+    m_takeMoment->setObjectName(QStringLiteral("takeMoment"));
+    m_momentText->setWordWrap(true);
+    m_momentForm->addRow(m_momentText);
+    m_momentForm->addRow(m_takeMoment);
+    connect(m_takeMoment, &QPushButton::clicked, this, &LightDialog::takeMoment);
+}
+
+void LightDialog::buildButtons()
+{
     auto* buttons = new QDialogButtonBox(this);
     m_usual = buttons->addButton(QString(), QDialogButtonBox::ResetRole);
     m_close = buttons->addButton(QString(), QDialogButtonBox::RejectRole);
     m_close->setDefault(true);
     m_usual->setAutoDefault(false);
-    layout->addWidget(buttons);
+    m_usual->setObjectName(QStringLiteral("usualLight"));
+    layout()->addWidget(buttons);
     connect(m_usual, &QPushButton::clicked, this, [this] { m_settings->setLight({}); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
@@ -82,7 +183,11 @@ void LightDialog::take()
     m_backdrop->setCurrentIndex(int(light.backdrop));
     m_direction->setValue(int(std::lround(light.azimuthDeg)) % 360);
     m_height->setValue(int(std::lround(light.heightDeg)));
+    m_haze->setValue(light.turbidity);
+    m_exposure->setValue(light.exposure);
     m_taking = false;
+    m_haze->setEnabled(light.backdrop == Backdrop::Sky);
+    m_hazeSlider->setEnabled(light.backdrop == Backdrop::Sky);
     m_usual->setEnabled(light != SceneLight());
 }
 
@@ -90,40 +195,87 @@ void LightDialog::apply()
 {
     if (!m_taking)
         m_settings->setLight({double(m_direction->value()), double(m_height->value()),
-                              static_cast<Backdrop>(m_backdrop->currentIndex())});
+                              static_cast<Backdrop>(m_backdrop->currentIndex()), m_haze->value(),
+                              m_exposure->value()});
+}
+
+SunPosition LightDialog::momentsSun() const
+{
+    return sunPosition(double(m_time->dateTime().toSecsSinceEpoch()), m_latitude->value(),
+                       m_longitude->value());
+}
+
+void LightDialog::tellMoment()
+{
+    const SunPosition sun = momentsSun();
+    const bool isUp = sun.heightDeg >= SceneLight::leastHeightDeg;
+    m_takeMoment->setEnabled(isUp);
+    m_momentText->setText(isUp ? tr("Then the sun stands at %1°, %2° high.")
+                                     .arg(sun.azimuthDeg, 0, 'f', 0)
+                                     .arg(sun.heightDeg, 0, 'f', 0)
+                               : tr("Then the sun is below the horizon, or less than %1° above it.")
+                                     .arg(SceneLight::leastHeightDeg));
+}
+
+void LightDialog::takeMoment()
+{
+    const SunPosition sun = momentsSun();
+    SceneLight light = m_settings->light();
+    light.azimuthDeg = sun.azimuthDeg;
+    light.heightDeg = std::max(sun.heightDeg, SceneLight::leastHeightDeg);
+    m_settings->setLight(light);
 }
 
 void LightDialog::retranslate()
 {
     setWindowTitle(tr("Light and backdrop"));
     m_backdrop->setItemText(int(Backdrop::Landscape), tr("Landscape"));
+    m_backdrop->setItemText(int(Backdrop::Sky), tr("Natural sky"));
     m_backdrop->setItemText(int(Backdrop::LightStudio), tr("Light studio"));
     m_backdrop->setItemText(int(Backdrop::DarkStudio), tr("Dark studio"));
     m_backdrop->setToolTip(
-        tr("What lies behind and below the trees: sky and meadow, or one colour that takes "
-           "their shadow"));
-    const QString direction =
-        tr("Where the sun stands, in degrees clockwise from the north (−Z): 90 is the east (X)");
-    const QString height = tr("Height of the sun over the horizon, 2 to 90 degrees: a low one is warm");
-    m_direction->setToolTip(direction);
-    m_directionSlider->setToolTip(direction);
-    m_height->setToolTip(height);
-    m_heightSlider->setToolTip(height);
+        tr("What lies behind and below the trees: sky and meadow, the sky and the light of "
+           "a clear day as the sun's height makes them, or one colour that takes shadows"));
+    const std::pair<QWidget*, QString> tips[] = {
+        {m_direction,
+         tr("Where the sun stands, in degrees clockwise from the north (−Z): 90 is the east (X)")},
+        {m_height, tr("Height of the sun over the horizon, 2 to 90 degrees: a low one is warm")},
+        {m_haze, tr("Dust and water in the air of the natural sky: 2 is very clear, 8 hazy")},
+        {m_exposure, tr("Brighter or darker by so many f-stops: 1 is twice the light")}};
+    QSlider* const sliders[] = {m_directionSlider, m_heightSlider, m_hazeSlider, m_exposureSlider};
+    for (std::size_t i = 0; i < std::size(tips); ++i) {
+        tips[i].first->setToolTip(tips[i].second);
+        sliders[i]->setToolTip(tips[i].second);
+    }
     m_direction->setSuffix(tr("°"));
     m_height->setSuffix(tr("°"));
-    const QString labels[] = {tr("&Backdrop"), tr("Sun &from"), tr("Sun &height")};
-    QWidget* const fields[] = {m_backdrop, m_direction, m_height};
-    for (int row = 0; row < 3; ++row) {
-        auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
-        label->setText(labels[row]);
-        label->setBuddy(fields[row]);
-        fields[row]->setAccessibleName(QString(labels[row]).remove(u'&'));
-    }
-    m_directionSlider->setAccessibleName(m_direction->accessibleName());
-    m_heightSlider->setAccessibleName(m_height->accessibleName());
+    m_exposure->setSuffix(tr(" stops"));
+    setLabels(m_form, {{tr("&Backdrop"), m_backdrop},
+                       {tr("Sun &from"), m_direction},
+                       {tr("Sun &height"), m_height},
+                       {tr("Ha&ze"), m_haze},
+                       {tr("E&xposure"), m_exposure}});
+    for (std::size_t i = 0; i < std::size(tips); ++i)
+        sliders[i]->setAccessibleName(tips[i].first->accessibleName());
     m_usual->setText(tr("Usual light"));
     m_close->setText(tr("Close"));
+    retranslateMoment();
     take();
+}
+
+void LightDialog::retranslateMoment()
+{
+    m_moment->setTitle(tr("The sun of a day and a place"));
+    m_time->setToolTip(tr("Day and time, in this computer's time zone"));
+    m_latitude->setToolTip(tr("Degrees north of the equator; south of it negative"));
+    m_longitude->setToolTip(tr("Degrees east of Greenwich; west of it negative"));
+    m_latitude->setSuffix(tr("°"));
+    m_longitude->setSuffix(tr("°"));
+    setLabels(
+        m_momentForm,
+        {{tr("&Day and time"), m_time}, {tr("&Latitude"), m_latitude}, {tr("L&ongitude"), m_longitude}});
+    m_takeMoment->setText(tr("&Put the sun there"));
+    tellMoment();
 }
 
 void LightDialog::changeEvent(QEvent* event)

@@ -2,10 +2,15 @@
 /// Where the sun stands and what lies behind the trees. Applies at once.
 #pragma once
 
+#include "widgets/view/render/sun_position.h"
 #include <QDialog>
 
 class QComboBox;
+class QDateTimeEdit;
+class QDoubleSpinBox;
 class QFormLayout;
+class QGroupBox;
+class QLabel;
 class QPushButton;
 class QSlider;
 class QSpinBox;
@@ -26,9 +31,16 @@ protected:
 
 private:
     void build();
+    void buildMoment();
+    void buildButtons();
     void take();
     void apply();
     void retranslate();
+    void retranslateMoment();
+    /// Where the sun stands at the moment and the place of the fields.
+    [[nodiscard]] SunPosition momentsSun() const;
+    void tellMoment();
+    void takeMoment();
 
     ViewSettings* m_settings;
     QFormLayout* m_form = nullptr;
@@ -37,6 +49,17 @@ private:
     QSpinBox* m_direction;
     QSlider* m_heightSlider;
     QSpinBox* m_height;
+    QSlider* m_hazeSlider;
+    QDoubleSpinBox* m_haze;
+    QSlider* m_exposureSlider;
+    QDoubleSpinBox* m_exposure;
+    QGroupBox* m_moment;
+    QFormLayout* m_momentForm = nullptr;
+    QDateTimeEdit* m_time;
+    QDoubleSpinBox* m_latitude;
+    QDoubleSpinBox* m_longitude;
+    QLabel* m_momentText;
+    QPushButton* m_takeMoment = nullptr;
     QPushButton* m_usual = nullptr;
     QPushButton* m_close = nullptr;
     bool m_taking = false;

@@ -1,5 +1,6 @@
 #include "widgets/view/view_settings.h"
 
+#include "widgets/view/render/sky.h"
 #include "widgets/view/tools/gizmo_settings.h"
 
 namespace ramure {
@@ -81,10 +82,10 @@ void ViewSettings::setLight(SceneLight light)
 
 QVariantMap ViewSettings::savedLight() const
 {
-    return {{QStringLiteral("sunFrom"), m_light.azimuthDeg},
-            {QStringLiteral("sunHeight"), m_light.heightDeg},
-            {QStringLiteral("backdrop"), int(m_light.backdrop)},
-            {QStringLiteral("quality"), int(m_quality)}};
+    return {
+        {QStringLiteral("sunFrom"), m_light.azimuthDeg},     {QStringLiteral("sunHeight"), m_light.heightDeg},
+        {QStringLiteral("backdrop"), int(m_light.backdrop)}, {QStringLiteral("haze"), m_light.turbidity},
+        {QStringLiteral("exposure"), m_light.exposure},      {QStringLiteral("quality"), int(m_quality)}};
 }
 
 void ViewSettings::restoreLight(const QVariantMap& saved)
@@ -98,7 +99,9 @@ void ViewSettings::restoreLight(const QVariantMap& saved)
     setQuality(static_cast<Quality>(int(number("quality", 0.0, 2.0, double(Quality::Good)))));
     setLight({number("sunFrom", 0.0, 360.0, usual.azimuthDeg),
               number("sunHeight", SceneLight::leastHeightDeg, 90.0, usual.heightDeg),
-              static_cast<Backdrop>(int(number("backdrop", 0.0, backdropCount - 1, 0.0)))});
+              static_cast<Backdrop>(int(number("backdrop", 0.0, backdropCount - 1, 0.0))),
+              number("haze", Sky::leastTurbidity, Sky::mostTurbidity, usual.turbidity),
+              number("exposure", -SceneLight::mostStops, SceneLight::mostStops, usual.exposure)});
 }
 
 void ViewSettings::setWindVisible(bool on)

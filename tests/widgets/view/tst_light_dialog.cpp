@@ -3,6 +3,9 @@
 #include "widgets/view/light_dialog.h"
 #include "widgets/view/view_settings.h"
 #include <QComboBox>
+#include <QDateTimeEdit>
+#include <QDoubleSpinBox>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
@@ -29,7 +32,8 @@ private slots:
         QTest::addRow("words") << QVariantMap{
             {"sunFrom", "east"}, {"sunHeight", "low"}, {"backdrop", "?"}, {"quality", "fine"}};
         QTest::addRow("out of range")
-            << QVariantMap{{"sunFrom", 361.0}, {"sunHeight", 1.0}, {"backdrop", 3}, {"quality", 3}};
+            << QVariantMap{{"sunFrom", 361.0}, {"sunHeight", 1.0}, {"backdrop", backdropCount},
+                           {"quality", 3},     {"haze", 1.9},      {"exposure", 5.1}};
         QTest::addRow("below") << QVariantMap{{"sunFrom", -1.0}, {"sunHeight", -90.0}, {"backdrop", -1}};
         QTest::addRow("no number") << QVariantMap{{"sunFrom", qQNaN()}, {"sunHeight", qInf()}};
     }
@@ -57,10 +61,12 @@ private slots:
         QSignalSpy changed(&m_settings, &ViewSettings::changed);
         dialog.findChild<QSpinBox*>("sunDirection")->setValue(270);
         dialog.findChild<QSpinBox*>("sunHeight")->setValue(8);
-        dialog.findChild<QComboBox*>("backdrop")->setCurrentIndex(2);
-        const SceneLight light{270.0, 8.0, Backdrop::DarkStudio};
+        dialog.findChild<QComboBox*>("backdrop")->setCurrentIndex(int(Backdrop::Sky));
+        dialog.findChild<QDoubleSpinBox*>("haze")->setValue(5.5);
+        dialog.findChild<QDoubleSpinBox*>("exposure")->setValue(-1.5);
+        const SceneLight light{270.0, 8.0, Backdrop::Sky, 5.5, -1.5};
         QCOMPARE(m_settings.light(), light);
-        QCOMPARE(changed.size(), 3);
+        QCOMPARE(changed.size(), 5);
         ViewSettings other;
         m_settings.setQuality(Quality::Best);
         other.restoreLight(m_settings.savedLight());
@@ -72,18 +78,40 @@ private slots:
         other.restoreLight(preferences.viewLight());
         QCOMPARE(other.light(), light);
     }
+    void onlyTheNaturalSkyHasHaze()
+    {
+        LightDialog dialog(&m_settings);
+        auto* haze = dialog.findChild<QDoubleSpinBox*>("haze");
+        QVERIFY(!haze->isEnabled());
+        m_settings.setLight({10.0, 20.0, Backdrop::Sky});
+        QVERIFY(haze->isEnabled());
+    }
+    void theSunOfADayAndAPlace()
+    {
+        LightDialog dialog(&m_settings);
+        auto* time = dialog.findChild<QDateTimeEdit*>("sunTime");
+        auto* button = dialog.findChild<QPushButton*>("takeMoment");
+        dialog.findChild<QDoubleSpinBox*>("latitude")->setValue(52.0);
+        dialog.findChild<QDoubleSpinBox*>("longitude")->setValue(0.0);
+        time->setDateTime(QDateTime({2026, 6, 21}, {0, 0}, Qt::UTC).toLocalTime());
+        QVERIFY(!button->isEnabled());
+        QVERIFY(dialog.findChild<QLabel*>("momentText")->text().contains("below the horizon"));
+        time->setDateTime(QDateTime({2026, 6, 21}, {12, 0}, Qt::UTC).toLocalTime());
+        QVERIFY(button->isEnabled());
+        button->click();
+        QVERIFY(std::abs(m_settings.light().heightDeg - 61.4) < 0.1);
+        QVERIFY(std::abs(m_settings.light().azimuthDeg - 180.0) < 1.5);
+    }
     void itFollowsTheViewAndGoesBackToTheUsual()
     {
         LightDialog dialog(&m_settings);
-        auto* usual = dialog.findChildren<QPushButton*>().front();
+        auto* usual = dialog.findChild<QPushButton*>("usualLight");
         QVERIFY(!usual->isEnabled());
         m_settings.setLight({12.4, 30.0, Backdrop::LightStudio});
         QCOMPARE(dialog.findChild<QSpinBox*>("sunDirection")->value(), 12);
         QCOMPARE(dialog.findChildren<QSlider*>()[1]->value(), 30);
         QCOMPARE(m_settings.light().azimuthDeg, 12.4); // being shown changes nothing
-        for (QPushButton* button : dialog.findChildren<QPushButton*>())
-            if (button->isEnabled() && button->text() == QStringLiteral("Usual light"))
-                button->click();
+        usual->click();
         QCOMPARE(m_settings.light(), SceneLight());
         QVERIFY(!usual->isEnabled());
     }

@@ -115,14 +115,17 @@ DepthRange Camera::depthRange(const Box& box) const
 
 glm::dmat4 Camera::projectionMatrix(double aspect, const DepthRange& range) const
 {
-    if (!orthographic)
-        return glm::perspective(fovRad, aspect, range.near, range.far);
     const double half = 0.5 * heightAtTarget();
-    return glm::ortho(-half * aspect, half * aspect, -half, half, range.near, range.far);
+    const glm::dmat4 straight =
+        orthographic ? glm::ortho(-half * aspect, half * aspect, -half, half, range.near, range.far)
+                     : glm::perspective(fovRad, aspect, range.near, range.far);
+    return shift == glm::dvec2(0.0) ? straight
+                                    : glm::translate(glm::dmat4(1.0), glm::dvec3(shift, 0.0)) * straight;
 }
 
-ViewRay Camera::ray(const glm::dvec2& ndc, double aspect) const
+ViewRay Camera::ray(const glm::dvec2& shown, double aspect) const
 {
+    const glm::dvec2 ndc = shown - shift;
     const double half = 0.5 * heightAtTarget();
     const glm::dvec3 onTarget = target + ndc.x * half * aspect * right() + ndc.y * half * up();
     if (orthographic)
@@ -137,7 +140,7 @@ std::optional<glm::dvec2> Camera::project(const glm::dvec3& world, double aspect
     if (!orthographic && depth <= 1e-9 * distance)
         return std::nullopt;
     const double half = (orthographic ? 0.5 * heightAtTarget() : depth * std::tan(0.5 * fovRad));
-    return glm::dvec2(glm::dot(offset, right()) / (half * aspect), glm::dot(offset, up()) / half);
+    return shift + glm::dvec2(glm::dot(offset, right()) / (half * aspect), glm::dot(offset, up()) / half);
 }
 
 double Camera::metresPerPixel(const glm::dvec3& world, double pixelHeight) const

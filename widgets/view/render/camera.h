@@ -41,6 +41,7 @@ public:
     double pitchRad = 0.12;    ///< -pi/2 .. pi/2
     double fovRad = 0.69;      ///< vertical opening
     bool orthographic = false; ///< shows as much at the target as the perspective does
+    glm::dvec2 shift{0.0};     ///< ndc by which all that is shown is moved, as by a lens that is shifted
 
     /// From the target to the eye.
     [[nodiscard]] glm::dvec3 backward() const;

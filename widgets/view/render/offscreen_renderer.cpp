@@ -7,7 +7,12 @@
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 #include <QThread>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/vec4.hpp>
 #include <optional>
+#include <vector>
 
 namespace ramure {
 namespace {
@@ -21,6 +26,91 @@ QOpenGLFramebufferObjectFormat targetFormat(int samples)
     format.setInternalTextureFormat(GL_RGBA8);
     format.setSamples(samples);
     return format;
+}
+
+constexpr int lensSamples = 32;
+
+/// Light adds up, the numbers of sRGB do not.
+const std::array<float, 256>& linearOf()
+{
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> made{};
+        for (std::size_t i = 0; i < made.size(); ++i) {
+            const double s = double(i) / 255.0;
+            made[i] = float(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+        }
+        return made;
+    }();
+    return table;
+}
+
+int srgbOf(float linear)
+{
+    const float s = linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+    return int(std::lround(255.0f * std::clamp(s, 0.0f, 1.0f)));
+}
+
+/// The mean of pictures of one size. Where something is seen through, its colour counts as far as it covers.
+class LightSum
+{
+public:
+    explicit LightSum(QSize size)
+        : m_size(size)
+        , m_sums(std::size_t(size.width()) * std::size_t(size.height()))
+    {
+    }
+    void add(const QImage& image)
+    {
+        const auto& linear = linearOf();
+        glm::vec4* sum = m_sums.data();
+        for (int y = 0; y < m_size.height(); ++y) {
+            const auto* row = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+            for (int x = 0; x < m_size.width(); ++x, ++sum) {
+                const auto alpha = float(qAlpha(row[x]));
+                *sum +=
+                    alpha * glm::vec4(linear[std::size_t(qRed(row[x]))], linear[std::size_t(qGreen(row[x]))],
+                                      linear[std::size_t(qBlue(row[x]))], 1.0f);
+            }
+        }
+        m_count += 255.0f;
+    }
+    [[nodiscard]] QImage mean() const
+    {
+        QImage image(m_size, QImage::Format_ARGB32);
+        const glm::vec4* sum = m_sums.data();
+        for (int y = 0; y < m_size.height(); ++y) {
+            auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
+            for (int x = 0; x < m_size.width(); ++x, ++sum) {
+                const glm::vec3 colour = glm::vec3(*sum) / std::max(sum->a, 1e-6f);
+                row[x] = qRgba(srgbOf(colour.r), srgbOf(colour.g), srgbOf(colour.b),
+                               int(std::lround(255.0f * sum->a / m_count)));
+            }
+        }
+        return image;
+    }
+
+private:
+    QSize m_size;
+    std::vector<glm::vec4> m_sums;
+    float m_count = 0.0f;
+};
+
+/// The camera seen through one point of the lens: what lies at the distance that is sharp stays where it is.
+/// Points spread evenly over the opening (Vogel 1979), and over a pixel.
+Camera throughLens(const Camera& camera, const Lens& lens, QSize size, int sample)
+{
+    const double focus = lens.focus > 0.0 ? lens.focus : camera.distance;
+    const double share = (sample + 0.5) / lensSamples, turn = 2.399963229728653 * sample;
+    const glm::dvec2 off =
+        0.5 * lens.diameter * std::sqrt(share) * glm::dvec2(std::cos(turn), std::sin(turn));
+    const double half = focus * std::tan(0.5 * camera.fovRad);
+    const double aspect = double(size.width()) / size.height();
+    const glm::dvec2 beside(share - 0.5, std::fmod(0.618033988749895 * sample, 1.0) - 0.5);
+    Camera moved = camera;
+    moved.target += off.x * camera.right() + off.y * camera.up();
+    moved.shift +=
+        off / glm::dvec2(half * aspect, half) + 2.0 * beside / glm::dvec2(size.width(), size.height());
+    return moved;
 }
 
 } // namespace
@@ -78,10 +168,18 @@ Expected<QImage> OffscreenRenderer::draw(const RenderScene& scene, const Camera&
         return fail(ErrorCode::Unknown,
                     RAMURE_NOOP("The graphics driver refuses a picture of %1 x %2 pixels"),
                     {std::to_string(size.width()), std::to_string(size.height())});
-    d->renderer->draw(scene, camera, size, target.handle(), options);
-    (void)d->renderer->takeReleased(); // nobody waits for the memory here
-    // toImage resolves the samples; the colours are not multiplied by the alpha of a missing background.
-    return target.toImage().convertToFormat(QImage::Format_ARGB32);
+    const auto picture = [&](const Camera& seenBy) {
+        d->renderer->draw(scene, seenBy, size, target.handle(), options);
+        (void)d->renderer->takeReleased(); // nobody waits for the memory here
+        // toImage resolves the samples; the colours are not multiplied by the alpha of a missing background.
+        return target.toImage().convertToFormat(QImage::Format_ARGB32);
+    };
+    if (options.lens.diameter <= 0.0 || camera.orthographic)
+        return picture(camera);
+    LightSum light(size);
+    for (int i = 0; i < lensSamples; ++i)
+        light.add(picture(throughLens(camera, options.lens, size, i)));
+    return light.mean();
 }
 
 void OffscreenRenderer::end()

@@ -17,30 +17,11 @@ constexpr GLenum shadowUnit = 0;
 constexpr GLenum shadowDepthUnit = 1;
 constexpr GLenum statesUnit = 2;
 
-// Light on a level surface adds up to 1, so that the sunlit ground has exactly its colour; the sky's share is
-// blue and the sun's therefore warm.
-constexpr glm::vec3 skyLight{0.33f, 0.39f, 0.47f};
-constexpr glm::vec3 groundLight{0.17f, 0.19f, 0.12f};
-
 constexpr float exposure = 0.8f; ///< with which a film shows a surface in the middle as it is
 
 glm::vec3 srgb(const glm::u8vec3& bytes)
 {
     return glm::vec3(bytes) / 255.0f;
-}
-
-/// sRGB; below 0: the landscape.
-glm::vec3 studioColour(Backdrop backdrop)
-{
-    switch (backdrop) {
-    case Backdrop::Landscape:
-        break;
-    case Backdrop::LightStudio:
-        return {0.93f, 0.93f, 0.92f};
-    case Backdrop::DarkStudio:
-        return {0.155f, 0.165f, 0.175f};
-    }
-    return glm::vec3(-1.0f);
 }
 
 /// Side of a small cell, m: a power of ten, so that ten small cells make a large one.
@@ -64,11 +45,10 @@ struct Renderer::Picture
     const RenderScene& scene;
     const Camera& camera;
     const RenderOptions& options;
+    PictureLight light;
     glm::vec2 viewport{1.0f};
     glm::dmat4 projectedView{1.0}; ///< eye-relative -> clip
-    glm::dvec3 sun{0.0, 1.0, 0.0};
-    glm::vec3 sunLight{1.0f};
-    glm::mat4 shadow{1.0f}; ///< eye-relative -> 0..1
+    glm::mat4 shadow{1.0f};        ///< eye-relative -> 0..1
     glm::vec3 shadowScale{1.0f};
     int shadowTaps = 0;
     double aspect = 1.0;
@@ -218,7 +198,7 @@ void Renderer::drawInto(GLuint framebuffer, const Picture& picture, QSize size)
 Renderer::Picture Renderer::arrange(const RenderScene& scene, const Camera& camera, QSize size,
                                     const RenderOptions& options)
 {
-    Picture picture{scene, camera, options};
+    Picture picture{scene, camera, options, {}};
     picture.viewport = {float(size.width()), float(size.height())};
     picture.aspect = double(size.width()) / std::max(1, size.height());
     glm::dmat4 rotation = camera.viewMatrix();
@@ -226,11 +206,9 @@ Renderer::Picture Renderer::arrange(const RenderScene& scene, const Camera& came
     Box box = scene.box;
     box.add(scene.trailBox);
     picture.projectedView = camera.projectionMatrix(picture.aspect, camera.depthRange(box)) * rotation;
-    picture.sun = options.light.sun();
-    // A low sun has lost its blue on a long way through the air.
-    const glm::vec3 warmth = glm::mix(glm::vec3(1.0f, 0.62f, 0.34f), glm::vec3(1.0f),
-                                      float(glm::smoothstep(0.0, 30.0, options.light.heightDeg)));
-    picture.sunLight = warmth * (glm::vec3(1.0f) - skyLight) / float(std::max(picture.sun.y, 0.2));
+    if (!m_light || m_light->first != options.light)
+        m_light = {options.light, lightOf(options.light)};
+    picture.light = m_light->second;
     return picture;
 }
 
@@ -239,7 +217,7 @@ void Renderer::castShadows(Picture& picture)
     const RenderOptions& options = picture.options;
     if (!options.shadows || options.shading == ShadingMode::Wire)
         return;
-    const auto fit = m_shadowMap.update(picture.scene, picture.sun, m_cache, *m_shadow);
+    const auto fit = m_shadowMap.update(picture.scene, picture.light.sun, m_cache, *m_shadow);
     if (!fit)
         return;
     const glm::dmat4 half(glm::dvec4(0.5, 0.0, 0.0, 0.0), glm::dvec4(0.0, 0.5, 0.0, 0.0),
@@ -284,10 +262,8 @@ void Renderer::upload(const RenderScene& scene)
 
 void Renderer::setLight(ShaderProgram& program, const Picture& picture)
 {
-    program.set("uSun", glm::vec3(picture.sun));
-    program.set("uSunLight", picture.sunLight);
-    program.set("uSkyLight", skyLight);
-    program.set("uGroundLight", groundLight);
+    picture.light.set(program);
+    program.set("uExposure", picture.options.quality == Quality::Draft ? 0.0f : exposure);
     program.set("uShadow", picture.shadow);
     program.set("uShadowScale", picture.shadowScale);
     program.set("uShadowTaps", picture.shadowTaps);
@@ -323,14 +299,16 @@ void Renderer::drawWorld(const Picture& picture)
     const double height = std::abs(camera.eye().y - picture.scene.ground);
     m_world->bind();
     setLight(*m_world, picture);
-    m_world->set("uForward", glm::vec3(-camera.backward()));
-    m_world->set("uAcross", glm::vec3(half * picture.aspect * perDistance * camera.right()));
-    m_world->set("uAlong", glm::vec3(half * perDistance * camera.up()));
+    const glm::dvec3 across = half * picture.aspect * perDistance * camera.right();
+    const glm::dvec3 along = half * perDistance * camera.up();
+    m_world->set("uForward",
+                 glm::vec3(-camera.backward() - camera.shift.x * across - camera.shift.y * along));
+    m_world->set("uAcross", glm::vec3(across));
+    m_world->set("uAlong", glm::vec3(along));
     m_world->set("uOrthographic", camera.orthographic);
     m_world->set("uEye", glm::vec3(camera.eye()));
     m_world->set("uGround", float(picture.scene.ground));
     m_world->set("uGroundShown", picture.options.ground);
-    m_world->set("uStudio", studioColour(picture.options.light.backdrop));
     m_world->set("uCentre", glm::vec2(box.centre().x, box.centre().z));
     m_world->set("uFade", float(12.0 * reach + 4.0 * height + 2.0 * camera.distance));
     const double step = gridStep(camera.heightAtTarget());
@@ -367,7 +345,6 @@ void Renderer::beginMeshes(ShaderProgram& program, const Picture& picture, Shadi
     program.bind();
     setLight(program, picture);
     program.set("uViewport", picture.viewport);
-    program.set("uExposure", picture.options.quality == Quality::Draft ? 0.0f : exposure);
     program.set("uWireOnly", shading == ShadingMode::Wire);
     program.set("uLineWidth", float(1.2 * picture.options.pixelRatio));
     program.set("uBackward",

@@ -6,6 +6,7 @@
 #include "widgets/view/render/camera.h"
 #include "widgets/view/render/gpu_cache.h"
 #include "widgets/view/render/outline.h"
+#include "widgets/view/render/picture_light.h"
 #include "widgets/view/render/renderer_options.h"
 #include "widgets/view/render/shadow_map.h"
 #include "widgets/view/render/smoothing.h"
@@ -86,6 +87,7 @@ private:
     std::unique_ptr<ShaderProgram> m_mesh, m_meshColours, m_meshWire, m_shadow, m_world, m_line, m_point,
         m_smooth, m_shrink, m_ghost;
     std::unique_ptr<ShaderProgram> m_outlineRows, m_outlineColumns, m_outlineClosing, m_outlineInk;
+    std::optional<std::pair<SceneLight, PictureLight>> m_light; ///< what the last picture asked for
     GLuint m_emptyArray = 0;
     GLuint m_noStates = 0; ///< a texture of one plain branch
     bool m_software = false;

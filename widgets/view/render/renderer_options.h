@@ -15,8 +15,9 @@ enum class Backdrop : std::uint8_t {
     Landscape,   ///< sky and meadow
     LightStudio, ///< one colour that takes shadows
     DarkStudio,
+    Sky, ///< a clear day as it is: light, colours and haze by where the sun stands (sky.h)
 };
-inline constexpr int backdropCount = 3;
+inline constexpr int backdropCount = 4;
 
 struct SceneLight
 {
@@ -25,6 +26,9 @@ struct SceneLight
     double azimuthDeg = 136.0; ///< of the sun, clockwise from the north (-Z): 90 is the east (+X)
     double heightDeg = 46.0;   ///< of the sun over the horizon, leastHeightDeg .. 90
     Backdrop backdrop = Backdrop::Landscape;
+    double turbidity = 3.0; ///< of the air of Backdrop::Sky, Sky::leastTurbidity .. mostTurbidity
+    double exposure = 0.0;  ///< f-stops, -mostStops .. mostStops
+    static constexpr double mostStops = 5.0;
 
     /// Unit, towards the sun.
     [[nodiscard]] glm::dvec3 sun() const
@@ -34,6 +38,16 @@ struct SceneLight
                 -std::cos(azimuth) * std::cos(height)};
     }
     bool operator==(const SceneLight&) const = default;
+};
+
+/// What a lens does not show sharp. Pictures that are drawn aside have it, the viewport has not.
+struct Lens
+{
+    double diameter = 0.0; ///< of its opening, m; 0: everything is sharp
+    double focus = 0.0;    ///< m from the eye along the view; 0: the camera's target
+    /// \param fStop focal length over the opening, of a film of 24 mm \param fovRad the picture's vertical
+    /// angle
+    static double diameterOf(double fStop, double fovRad) { return 0.012 / std::tan(0.5 * fovRad) / fStop; }
 };
 
 struct RenderOptions
@@ -52,6 +66,7 @@ struct RenderOptions
     int shadowTaps = 0;      ///< per pixel; 0 = 20 on hardware, 12 on a software rasteriser; under 12 the
                              ///< shadow is equally sharp everywhere
     SceneLight light;
+    Lens lens;
 };
 
 } // namespace ramure

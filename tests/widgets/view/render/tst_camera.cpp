@@ -72,7 +72,8 @@ private slots:
     {
         Random random(2, RandomStream::Test);
         for (int i = 0; i < 1000; ++i) {
-            const Camera camera = randomCamera(random);
+            Camera camera = randomCamera(random);
+            camera.shift = {random.range(-0.5, 0.5), random.range(-0.5, 0.5)};
             const double aspect = random.range(0.3, 3.0);
             const glm::dvec2 ndc(random.range(-1.0, 1.0), random.range(-1.0, 1.0));
             const ViewRay ray = camera.ray(ndc, aspect);
@@ -86,7 +87,8 @@ private slots:
     {
         Random random(3, RandomStream::Test);
         for (int i = 0; i < 1000; ++i) {
-            const Camera camera = randomCamera(random);
+            Camera camera = randomCamera(random);
+            camera.shift = {random.range(-0.5, 0.5), random.range(-0.5, 0.5)};
             const glm::dvec3 point =
                 camera.target +
                 0.3 * camera.distance *

@@ -1,0 +1,231 @@
+#include "app/cli/picture_options.h"
+
+#include "widgets/view/render/sky.h"
+#include "widgets/view/render/sun_position.h"
+#include <QDateTime>
+#include <QFileInfo>
+#include <algorithm>
+#include <cmath>
+
+namespace ramure::cli {
+namespace {
+
+struct Background
+{
+    std::string_view name;
+    std::optional<Backdrop> backdrop; ///< nothing: a transparent one
+};
+constexpr Background backgrounds[] = {{"landscape", Backdrop::Landscape},
+                                      {"sky", Backdrop::Sky},
+                                      {"light", Backdrop::LightStudio},
+                                      {"dark", Backdrop::DarkStudio},
+                                      {"none", std::nullopt}};
+
+/// So many numbers with commas between them. \param form what is expected, for the error
+Expected<std::vector<double>> numbersOf(const CommandLine& line, const char* option, qsizetype least,
+                                        qsizetype most, const char* form)
+{
+    const QStringList words = line.value(option).split(u',');
+    std::vector<double> numbers;
+    for (const QString& word : words) {
+        bool isNumber = false;
+        numbers.push_back(word.toDouble(&isNumber));
+        if (!isNumber || !(std::abs(numbers.back()) <= 1e6)) {
+            numbers.clear();
+            break;
+        }
+    }
+    const auto count = static_cast<qsizetype>(numbers.size());
+    if (count < least || count > most)
+        return fail(ErrorCode::Invalid, "--%1 \"%2\": %3 expected",
+                    {option, line.value(option).toStdString(), form});
+    return numbers;
+}
+
+Expected<Camera> cameraOf(const CommandLine& line)
+{
+    const char* form = "EX,EY,EZ,TX,TY,TZ[,ANGLE], metres and degrees,";
+    const auto numbers = numbersOf(line, "camera", 6, 7, form);
+    if (!numbers)
+        return fail(numbers.error());
+    const std::vector<double>& n = *numbers;
+    const glm::dvec3 eye(n[0], n[1], n[2]), target(n[3], n[4], n[5]), away = eye - target;
+    const double angle = n.size() > 6 ? n[6] : glm::degrees(Camera().fovRad);
+    const double distance = glm::length(away);
+    if (distance < 1e-3 || angle < 1.0 || angle > 150.0)
+        return fail(
+            ErrorCode::Invalid,
+            "--camera \"%1\": the eye must be a millimetre or more from the target, the angle 1 to 150 "
+            "degrees",
+            {line.value("camera").toStdString()});
+    Camera camera;
+    camera.target = target;
+    camera.distance = distance;
+    camera.pitchRad = std::asin(std::clamp(away.y / distance, -1.0, 1.0));
+    camera.yawRad = std::atan2(away.x, away.z);
+    camera.fovRad = glm::radians(angle);
+    return camera;
+}
+
+Expected<void> takeNumber(const CommandLine& line, const char* option, double least, double most, double& out)
+{
+    if (!line.has(option))
+        return {};
+    bool isNumber = false;
+    const double number = line.value(option).toDouble(&isNumber);
+    if (!isNumber || !(number >= least && number <= most))
+        return fail(ErrorCode::Invalid, "--%1 \"%2\": a number from %3 to %4 expected",
+                    {option, line.value(option).toStdString(), QString::number(least).toStdString(),
+                     QString::number(most).toStdString()});
+    out = number;
+    return {};
+}
+
+Expected<void> takeSunAt(const CommandLine& line, SceneLight& light)
+{
+    const QString value = line.value("sun-at");
+    const QStringList words = value.split(u',');
+    bool isLatitude = false, isLongitude = false;
+    const double latitude = words.value(1).toDouble(&isLatitude);
+    const double longitude = words.value(2).toDouble(&isLongitude);
+    QDateTime time = QDateTime::fromString(words.front(), Qt::ISODate);
+    if (time.timeSpec() == Qt::LocalTime)
+        time.setTimeSpec(Qt::UTC); // the same picture wherever it is drawn
+    if (words.size() != 3 || !time.isValid() || !isLatitude || !isLongitude ||
+        !(std::abs(latitude) <= 90.0) || !(std::abs(longitude) <= 180.0))
+        return fail(ErrorCode::Invalid,
+                    "--sun-at \"%1\": TIME,LATITUDE,LONGITUDE expected, as 2026-06-21T18:30+02:00,48.9,2.3",
+                    {value.toStdString()});
+    const SunPosition sun = sunPosition(double(time.toSecsSinceEpoch()), latitude, longitude);
+    if (sun.heightDeg < SceneLight::leastHeightDeg)
+        return fail(ErrorCode::Invalid,
+                    "--sun-at \"%1\": the sun stands %2 degrees high then; 2 or more are needed",
+                    {value.toStdString(), QString::number(sun.heightDeg, 'f', 1).toStdString()});
+    light.azimuthDeg = sun.azimuthDeg;
+    light.heightDeg = sun.heightDeg;
+    return {};
+}
+
+Expected<SceneLight> lightOf(const CommandLine& line)
+{
+    SceneLight light;
+    if (line.has("sun") && line.has("sun-at"))
+        return fail(ErrorCode::Invalid, "--sun goes without --sun-at");
+    if (line.has("sun")) {
+        const auto sun = numbersOf(line, "sun", 2, 2, "DIRECTION,HEIGHT in degrees");
+        if (!sun)
+            return fail(sun.error());
+        if ((*sun)[1] < SceneLight::leastHeightDeg || (*sun)[1] > 90.0)
+            return fail(ErrorCode::Invalid, "--sun \"%1\": its height must be 2 to 90 degrees",
+                        {line.value("sun").toStdString()});
+        light.azimuthDeg = (*sun)[0];
+        light.heightDeg = (*sun)[1];
+    }
+    if (line.has("sun-at"))
+        if (auto taken = takeSunAt(line, light); !taken)
+            return fail(taken.error());
+    for (const auto& taken :
+         {takeNumber(line, "haze", Sky::leastTurbidity, Sky::mostTurbidity, light.turbidity),
+          takeNumber(line, "exposure", -SceneLight::mostStops, SceneLight::mostStops, light.exposure)})
+        if (!taken)
+            return fail(taken.error());
+    return light;
+}
+
+} // namespace
+
+void addPictureOptions(CommandLine& line)
+{
+    line.add({QStringLiteral("camera")},
+             QStringLiteral("Where the camera stands and what it looks at, in metres, and its vertical angle "
+                            "in degrees (40 without it). Without this option it shows all that is visible."),
+             QStringLiteral("EX,EY,EZ,TX,TY,TZ[,ANGLE]"));
+    line.add({QStringLiteral("sun")},
+             QStringLiteral("Where the sun stands: degrees clockwise from the north (-Z; 90 is the east, X), "
+                            "and its height over the horizon, 2 to 90; 136,46 without it."),
+             QStringLiteral("DIRECTION,HEIGHT"));
+    line.add({QStringLiteral("sun-at")},
+             QStringLiteral("The sun of a moment and a place instead: as 2026-06-21T18:30+02:00,48.9,2.3 "
+                            "(latitude north, longitude east; without +02:00 it is UTC)."),
+             QStringLiteral("TIME,LATITUDE,LONGITUDE"));
+    line.add({QStringLiteral("haze")},
+             QStringLiteral("Of the air of --background sky: 2 (very clear) to 8 (hazy); 3 without it."),
+             QStringLiteral("N"));
+    line.add({QStringLiteral("exposure")}, QStringLiteral("Brighter or darker by so many f-stops, -5 to 5."),
+             QStringLiteral("STOPS"));
+    line.add(
+        {QStringLiteral("f-stop")},
+        QStringLiteral("Depth of field: what is not as far away as --focus is blurred, as by a lens before "
+                       "a film of 24 mm, 0.1 to 64; the smaller, the more. Draws 32 pictures in one."),
+        QStringLiteral("N"));
+    line.add(
+        {QStringLiteral("focus")},
+        QStringLiteral("What is sharp, with --f-stop: metres from the camera. Without it, what the camera "
+                       "looks at."),
+        QStringLiteral("METRES"));
+    line.add({QStringLiteral("sky-picture")},
+             QStringLiteral("Also writes the sky of --background sky, all around and without the sun, as a "
+                            "picture for other renderers."),
+             QStringLiteral("FILE.hdr"));
+    line.addDefault(
+        {QStringLiteral("quality")},
+        QStringLiteral("draft (sun and sky light alone), good (crowns that are darker inside, the "
+                       "response of film; the usual) or best (several samples a pixel, softer "
+                       "shadows; slower)."),
+        QStringLiteral("draft|good|best"), QStringLiteral("good"));
+    line.addDefault(
+        {QStringLiteral("background")},
+        QStringLiteral("landscape (sky and meadow), sky (a clear day as it is: light and colours by "
+                       "where the sun stands), light or dark (a studio of one colour that takes "
+                       "shadows) or none (transparent)."),
+        QStringLiteral("landscape|sky|light|dark|none"), QStringLiteral("landscape"));
+}
+
+Expected<PictureOptions> pictureOptionsOf(const CommandLine& line)
+{
+    PictureOptions out;
+    const auto light = lightOf(line);
+    if (!light)
+        return fail(light.error());
+    out.options.light = *light;
+    for (const auto& taken :
+         {takeNumber(line, "f-stop", 0.1, 64.0, out.fStop), takeNumber(line, "focus", 0.001, 1e6, out.focus)})
+        if (!taken)
+            return fail(taken.error());
+    if (line.has("focus") && !line.has("f-stop"))
+        return fail(ErrorCode::Invalid, "--focus needs --f-stop");
+    const QString quality = line.value("quality");
+    const auto row = std::ranges::find(qualities(), quality.toStdString(), &ModeRow<Quality>::name);
+    if (row == qualities().end())
+        return fail(ErrorCode::Unknown, "--quality \"%1\": draft, good or best expected",
+                    {quality.toStdString()});
+    out.options.quality = row->mode;
+    const std::string background = line.value("background").toStdString();
+    const auto* known = std::ranges::find(backgrounds, background, &Background::name);
+    if (known == std::end(backgrounds))
+        return fail(ErrorCode::Unknown, "--background \"%1\": landscape, sky, light, dark or none expected",
+                    {background});
+    out.options.world = known->backdrop.has_value();
+    out.options.light.backdrop = known->backdrop.value_or(Backdrop::Landscape);
+    out.skyFile = line.value("sky-picture");
+    if (!out.skyFile.isEmpty() && QFileInfo(out.skyFile).suffix().toLower() != QLatin1String("hdr"))
+        return fail(ErrorCode::Unknown, "%1: unknown file ending: the sky is written as .hdr",
+                    {out.skyFile.toStdString()});
+    if (line.has("camera")) {
+        const auto camera = cameraOf(line);
+        if (!camera)
+            return fail(camera.error());
+        out.camera = *camera;
+    }
+    return out;
+}
+
+RenderOptions optionsFor(const PictureOptions& picture, const Camera& camera)
+{
+    RenderOptions options = picture.options;
+    if (picture.fStop > 0.0)
+        options.lens = {Lens::diameterOf(picture.fStop, camera.fovRad), picture.focus};
+    return options;
+}
+
+} // namespace ramure::cli

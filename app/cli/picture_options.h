@@ -1,0 +1,26 @@
+/// \file
+/// The options of `ramure-cli render` that say how a picture is taken: camera, lens, light and backdrop.
+#pragma once
+
+#include "app/cli/command_line.h"
+#include "widgets/view/render/camera.h"
+#include "widgets/view/render/renderer_options.h"
+#include <optional>
+
+namespace ramure::cli {
+
+struct PictureOptions
+{
+    std::optional<Camera> camera; ///< else one that shows all that is visible
+    RenderOptions options;        ///< but for the lens
+    double fStop = 0.0;           ///< 0: everything is sharp
+    double focus = 0.0;           ///< m; 0: what the camera looks at
+    QString skyFile;              ///< where the sky goes, if anywhere
+};
+
+void addPictureOptions(CommandLine& line);
+/// Errors: Invalid and Unknown, naming the option.
+Expected<PictureOptions> pictureOptionsOf(const CommandLine& line);
+RenderOptions optionsFor(const PictureOptions& picture, const Camera& camera);
+
+} // namespace ramure::cli

@@ -1,0 +1,49 @@
+#include "widgets/view/render/sky_picture.h"
+
+#include "core/base/file_writer.h"
+#include "widgets/view/render/picture_light.h"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace ramure {
+namespace {
+
+/// Three mantissas and the exponent of the largest.
+void addRgbe(std::string& out, const glm::dvec3& colour)
+{
+    int exponent = 0;
+    const double most = std::max({colour.r, colour.g, colour.b});
+    if (most < 1e-32) {
+        out.append(4, '\0');
+        return;
+    }
+    const double scale = std::frexp(most, &exponent) * 256.0 / most;
+    for (int i = 0; i < 3; ++i)
+        out += char(static_cast<unsigned char>(colour[i] * scale));
+    out += char(static_cast<unsigned char>(exponent + 128));
+}
+
+} // namespace
+
+Expected<void> saveSkyPicture(const SceneLight& light, int width, const std::string& path)
+{
+    constexpr double pi = std::numbers::pi;
+    SceneLight clear = light;
+    clear.backdrop = Backdrop::Sky;
+    const PictureLight lit = lightOf(clear);
+    const int height = width / 2;
+    std::string out = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " +
+                      std::to_string(width) + "\n";
+    for (int y = 0; y < height; ++y) {
+        const double up = pi * (0.5 - (y + 0.5) / height);
+        for (int x = 0; x < width; ++x) {
+            const double turn = 2.0 * pi * (x + 0.5) / width;
+            addRgbe(out, lit.radiance(
+                             {-std::cos(up) * std::cos(turn), std::sin(up), -std::cos(up) * std::sin(turn)}));
+        }
+    }
+    return writeFile(path, out);
+}
+
+} // namespace ramure
