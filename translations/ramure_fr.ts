@@ -8620,6 +8620,10 @@ OpenGL&#xa0;: %4
         <source>M&amp;ove the view</source>
         <translation>Dép&amp;lacer la vue</translation>
     </message>
+    <message>
+        <source>Pa&amp;nels</source>
+        <translation>Pa&amp;nneaux</translation>
+    </message>
 </context>
 <context>
     <name>ramure::ViewMenu</name>

@@ -23,6 +23,7 @@ uniform vec4 uBackward;    // orthographic: direction to the eye, w = 1; perspec
 
 out vec4 fragment;
 
+uniform float uAround;   // share of the light from all around that leaves let through as they do the sun's
 uniform float uStanding; // more light for surfaces that stand: beside a ground that shows its colour a trunk is dark
 
 #ifdef COLOURS
@@ -107,8 +108,10 @@ vec3 shaded(vec3 albedo, vec3 normal, vec3 plane)
     }
     vec3 light = open * ambient(round) + uSunLight * max(dot(round, uSun), 0.0) * sun;
     vec3 colour = albedo * light;
-    if (uThrough > 0.0)
-        colour += uThrough * max(-facing, 0.0) * sun * uSunLight * albedo * vec3(1.5, 1.25, 0.4);
+    if (uThrough > 0.0) {
+        vec3 behind = max(-facing, 0.0) * sun * uSunLight + uAround * open * ambient(-round);
+        colour += uThrough * behind * albedo * vec3(1.5, 1.25, 0.4);
+    }
     if (uShininess > 0.0) {
         vec3 toEye = uBackward.w > 0.5 ? uBackward.xyz : normalize(-v.relative);
         float glint = pow(max(dot(reflect(-uSun, normal), toEye), 0.0), uShininess);

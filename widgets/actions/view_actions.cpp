@@ -307,9 +307,10 @@ void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* 
     menu->addActions(m_trail);
     menu->addAction(m_light);
     menu->addSeparator();
-    menu->addActions(panels);
-    menu->addAction(resetLayout);
-    menu->addSeparator();
+    m_panelMenu = menu->addMenu(QString());
+    m_panelMenu->addActions(panels);
+    m_panelMenu->addSeparator();
+    m_panelMenu->addAction(resetLayout);
     m_themeMenu = menu->addMenu(QString());
     m_themeMenu->addActions(m_themes->actions());
     m_unitMenu = menu->addMenu(QString());
@@ -326,6 +327,7 @@ void ViewActions::retranslate()
     m_axisMenu->setTitle(tr("&View from"));
     m_moveMenu->setTitle(tr("M&ove the view"));
     m_bookmarks->retranslate();
+    m_panelMenu->setTitle(tr("Pa&nels"));
     m_themeMenu->setTitle(tr("&Theme"));
     m_unitMenu->setTitle(tr("&Angles in"));
     m_languageMenu->setTitle(tr("&Language"));

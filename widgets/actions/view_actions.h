@@ -68,6 +68,7 @@ private:
     QList<QAction*> m_trail;
     QMenu* m_axisMenu = nullptr;
     QMenu* m_moveMenu = nullptr;
+    QMenu* m_panelMenu = nullptr;
     QMenu* m_themeMenu = nullptr;
     QMenu* m_unitMenu = nullptr;
     QMenu* m_languageMenu = nullptr;

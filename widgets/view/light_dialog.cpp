@@ -47,6 +47,7 @@ void setUp(QSpinBox* box, QSlider* slider, int pageStep)
 void addRow(QFormLayout* form, QSlider* slider, QWidget* box)
 {
     slider->setMinimumWidth(220);
+    box->setMinimumWidth(100);
     auto* row = new QHBoxLayout;
     row->setSpacing(10);
     row->addWidget(slider, 1);

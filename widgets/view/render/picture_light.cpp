@@ -68,6 +68,7 @@ void PictureLight::set(ShaderProgram& program) const
     for (std::size_t i = 0; i < ambient.size(); ++i)
         program.set(ambientNames[i], ambient[i]);
     program.set("uStanding", sky ? 1.0f : 1.2f);
+    program.set("uAround", sky ? 1.0f : 0.0f);
     program.set("uGain", gain);
     program.set("uStudio", studio);
     program.set("uSky", sky.has_value());

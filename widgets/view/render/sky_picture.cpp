@@ -1,6 +1,7 @@
 #include "widgets/view/render/sky_picture.h"
 
 #include "core/base/file_writer.h"
+#include "core/base/number_text.h"
 #include "widgets/view/render/picture_light.h"
 #include <algorithm>
 #include <cmath>
@@ -24,6 +25,11 @@ void addRgbe(std::string& out, const glm::dvec3& colour)
     out += char(static_cast<unsigned char>(exponent + 128));
 }
 
+std::string numbers(const glm::dvec3& v)
+{
+    return numberText(v.x) + " " + numberText(v.y) + " " + numberText(v.z);
+}
+
 } // namespace
 
 Expected<void> saveSkyPicture(const SceneLight& light, int width, const std::string& path)
@@ -33,8 +39,9 @@ Expected<void> saveSkyPicture(const SceneLight& light, int width, const std::str
     clear.backdrop = Backdrop::Sky;
     const PictureLight lit = lightOf(clear);
     const int height = width / 2;
-    std::string out = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " +
-                      std::to_string(width) + "\n";
+    std::string out = "#?RADIANCE\n# sun " + numbers(lit.sun) + "\n# sunlight " +
+                      numbers(glm::dvec3(lit.sunlight)) + "\nFORMAT=32-bit_rle_rgbe\n\n-Y " +
+                      numberText(height) + " +X " + numberText(width) + "\n";
     for (int y = 0; y < height; ++y) {
         const double up = pi * (0.5 - (y + 0.5) / height);
         for (int x = 0; x < width; ++x) {
