@@ -4637,6 +4637,94 @@
         <source>the place of one of %1 is not a finite number</source>
         <translation>la place d’un des éléments de %1 n’est pas un nombre fini</translation>
     </message>
+    <message>
+        <source>the picture is missing or cannot be read</source>
+        <translation>l’image est introuvable ou illisible</translation>
+    </message>
+    <message>
+        <source>Colour picture</source>
+        <translation>Image de couleur</translation>
+    </message>
+    <message>
+        <source>An image file (PNG or JPEG) that is the colour of the surface.</source>
+        <translation>Un fichier d’image (PNG ou JPEG) qui donne la couleur de la surface.</translation>
+    </message>
+    <message>
+        <source>Normal picture</source>
+        <translation>Image de normales</translation>
+    </message>
+    <message>
+        <source>An image file of the directions in which the surface looks (OpenGL&apos;s way: green points up).</source>
+        <translation>Un fichier d’image des directions vers lesquelles la surface regarde (à la manière d’OpenGL : le vert pointe vers le haut).</translation>
+    </message>
+    <message>
+        <source>Roughness picture</source>
+        <translation>Image de rugosité</translation>
+    </message>
+    <message>
+        <source>An image file that says how dull the surface is: white has no highlights.</source>
+        <translation>Un fichier d’image qui dit à quel point la surface est mate : le blanc n’a pas de reflets.</translation>
+    </message>
+    <message>
+        <source>Height picture</source>
+        <translation>Image de relief</translation>
+    </message>
+    <message>
+        <source>An image file that says how far the surface stands out: white is highest. Normals are made of it where they have no picture.</source>
+        <translation>Un fichier d’image qui dit de combien la surface ressort : le blanc est le plus haut. Les normales en sont tirées quand elles n’ont pas d’image.</translation>
+    </message>
+    <message>
+        <source>Occlusion picture</source>
+        <translation>Image d’occlusion</translation>
+    </message>
+    <message>
+        <source>An image file that says where little light gets to: black is the depth of a crack.</source>
+        <translation>Un fichier d’image qui dit où peu de lumière arrive : le noir est le fond d’une fissure.</translation>
+    </message>
+    <message>
+        <source>Opacity picture</source>
+        <translation>Image d’opacité</translation>
+    </message>
+    <message>
+        <source>An image file that cuts the surface out: what is black is not there.</source>
+        <translation>Un fichier d’image qui découpe la surface : ce qui est noir n’existe pas.</translation>
+    </message>
+    <message>
+        <source>Pictures of the bark</source>
+        <translation>Images de l’écorce</translation>
+    </message>
+    <message>
+        <source>Pictures of the leaves</source>
+        <translation>Images des feuilles</translation>
+    </message>
+    <message>
+        <source>Pictures of the fruit</source>
+        <translation>Images des fruits</translation>
+    </message>
+    <message>
+        <source>Pictures of the surface</source>
+        <translation>Images de la surface</translation>
+    </message>
+    <message>
+        <source>the picture is missing</source>
+        <translation>l’image est introuvable</translation>
+    </message>
+    <message>
+        <source>this is no file</source>
+        <translation>ce n’est pas un fichier</translation>
+    </message>
+    <message>
+        <source>this is neither a PNG nor a JPEG picture</source>
+        <translation>ce n’est une image ni PNG ni JPEG</translation>
+    </message>
+    <message>
+        <source>the picture is broken: %1</source>
+        <translation>l’image est abîmée : %1</translation>
+    </message>
+    <message>
+        <source>the picture has %1 × %2 pixels: at most %3 a side</source>
+        <translation>l’image a %1 × %2 pixels : %3 de côté au plus</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -5868,6 +5956,10 @@ OpenGL&#xa0;: %4
         <source>All that can be opened (%1)</source>
         <translation>Tout ce qui peut être ouvert (%1)</translation>
     </message>
+    <message>
+        <source>Pictures that cannot be shown; their paths are kept:</source>
+        <translation>Images qui ne peuvent être montrées ; leurs chemins sont gardés :</translation>
+    </message>
 </context>
 <context>
     <name>ramure::GenerationsView</name>
@@ -6517,6 +6609,28 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::LeafDialog</name>
+    <message>
+        <source>Leaves of “%1”</source>
+        <translation>Feuilles de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>Drag: turn · wheel: nearer · the properties shape the leaf</source>
+        <translation>Glisser : tourner · molette : rapprocher · les propriétés façonnent la feuille</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::LeafView</name>
+    <message>
+        <source>One leaf, and a twig with its leaves</source>
+        <translation>Une feuille, et un rameau avec les siennes</translation>
+    </message>
+    <message>
+        <source>Drag or arrow keys: turn · wheel, + and −: nearer or farther · Home: from the front</source>
+        <translation>Glisser ou touches fléchées : tourner · molette, + et − : rapprocher ou éloigner · Début : de face</translation>
+    </message>
+</context>
+<context>
     <name>ramure::LightDialog</name>
     <message>
         <source>Light and backdrop</source>
@@ -7000,6 +7114,10 @@ OpenGL&#xa0;: %4
         <source>Back to the value of %1</source>
         <translation>Revenir à la valeur de %1</translation>
     </message>
+    <message>
+        <source>Take the picture away</source>
+        <translation>Retirer l’image</translation>
+    </message>
 </context>
 <context>
     <name>ramure::PhysicsPlot</name>
@@ -7085,6 +7203,25 @@ OpenGL&#xa0;: %4
     <message>
         <source>Picture written to %1</source>
         <translation>Image écrite dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::PictureEditor</name>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg)</source>
+        <translation>Images (*.png *.jpg *.jpeg)</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Choose a picture, or drop one here</source>
+        <translation>Choisir une image, ou en déposer une ici</translation>
+    </message>
+    <message>
+        <source>%1: choose</source>
+        <translation>%1 : choisir</translation>
     </message>
 </context>
 <context>
@@ -8249,6 +8386,18 @@ OpenGL&#xa0;: %4
     <message>
         <source>The bark on a ball, and one tile of it</source>
         <translation>L’écorce sur une boule, et un carreau</translation>
+    </message>
+    <message>
+        <source>The surface on a ball, and one tile of it</source>
+        <translation>La surface sur une boule, et un carreau</translation>
+    </message>
+    <message>
+        <source>Larger…</source>
+        <translation>En grand…</translation>
+    </message>
+    <message>
+        <source>The leaf and a twig in a window of their own, which the properties shape</source>
+        <translation>La feuille et un rameau dans une fenêtre à part, que les propriétés façonnent</translation>
     </message>
 </context>
 <context>

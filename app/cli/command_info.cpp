@@ -7,6 +7,7 @@
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
 #include "core/skeleton/edit_places.h"
+#include "widgets/view/render/surface_images.h"
 #include <QJsonArray>
 #include <QJsonObject>
 #include <algorithm>
@@ -28,7 +29,8 @@ constexpr CommandText text = {
     "row after row; \"geometry\" is where its own shape stands, which its children do not see; of arms, "
     "terrains, primitives and imported meshes also the vertices and faces, of arms the joints, the reach and "
     "the tip (m, the arm's own space, as it is at --time). \"edits\" counts the branches shaped by hand: in "
-    "their places, matched by likeness, and without a place; \"axes\" with --axes lists the stems. Of a file "
+    "their places, matched by likeness, and without a place; \"badPictures\" names image files that are "
+    "missing or cannot be read; \"axes\" with --axes lists the stems. Of a file "
     "{read}: vertices, faces, box and its objects."};
 
 /// What is said of one skeleton, or of several together.
@@ -284,6 +286,20 @@ QString textOfTrees(const TreeFacts& sum, const std::vector<TreeFacts>& trees)
     return texts + QStringLiteral("%1 trees\n%2").arg(trees.size()).arg(textOf(sum));
 }
 
+/// Image files that cannot be drawn.
+QJsonArray jsonPictures(const Scene& scene)
+{
+    QJsonArray list;
+    for (const Node& node : scene.nodes())
+        for (const auto part : {&NodeParams::barkPictures, &NodeParams::leafPictures,
+                                &NodeParams::fruitPictures, &NodeParams::surfacePictures})
+            for (const Error& error : pictureProblems(node.params.*part))
+                list.append(QJsonObject{{QStringLiteral("node"), qint64{node.id}},
+                                        {QStringLiteral("file"), fromText(error.file)},
+                                        {QStringLiteral("problem"), fromText(error.plain())}});
+    return list;
+}
+
 Expected<void> showScene(EvaluatedScene now, const Checked& checked, bool json, bool axes)
 {
     if (auto posed = now.poseArms(); !posed)
@@ -317,6 +333,8 @@ Expected<void> showScene(EvaluatedScene now, const Checked& checked, bool json, 
     if (!list)
         return fail(list.error());
     all.insert(QStringLiteral("nodes"), *list);
+    if (const QJsonArray pictures = jsonPictures(scene); !pictures.isEmpty())
+        all.insert(QStringLiteral("badPictures"), pictures);
     addVerdict(all, checked);
     return printJson(all);
 }

@@ -8,6 +8,7 @@
 #include "core/document/project_timeline.h"
 
 #include <QCoreApplication>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
@@ -132,6 +133,26 @@ Expected<Project> readProject(const QByteArray& bytes, const QString& file)
     return project;
 }
 
+/// Paths of pictures, relative to the folder of the file there, to the working folder here.
+static void movePictures(Scene& scene, const QString& file, bool isRead)
+{
+    const QFileInfo info(file);
+    const QDir folder(info.isSymLink() ? QFileInfo(info.canonicalFilePath()).absolutePath()
+                                       : info.absolutePath());
+    for (const Node& listed : scene.nodes())
+        for (const ParamDef& def : paramTable()) {
+            if ((def.flags & paramPicture) == 0 || !hasParam(listed.kind, def))
+                continue;
+            const std::string path = std::get<std::string>(def.get(listed.params));
+            if (path.empty())
+                continue;
+            const QString given = QFile::decodeName(path.c_str());
+            const QString moved = isRead ? QDir::cleanPath(folder.absoluteFilePath(given))
+                                         : folder.relativeFilePath(QFileInfo(given).absoluteFilePath());
+            def.assign(scene.find(listed.id)->params, QFile::encodeName(moved).toStdString());
+        }
+}
+
 static tl::unexpected<Error> ioError(const QString& path, const char* text, const QString& reason)
 {
     auto error = fail(ErrorCode::Io, text, {reason.toStdString()});
@@ -150,12 +171,17 @@ Expected<Project> loadProjectFile(const QString& path)
     const QByteArray bytes = file.read(projectSizeLimit + 1);
     if (file.error() != QFileDevice::NoError)
         return ioError(path, RAMURE_NOOP("cannot be read: %1"), file.errorString());
-    return readProject(bytes, path);
+    auto project = readProject(bytes, path);
+    if (project)
+        movePictures(project->scene, path, true);
+    return project;
 }
 
 Expected<void> saveProjectFile(const Project& project, const QString& path)
 {
-    const QByteArray bytes = writeProject(project);
+    Project saved = project;
+    movePictures(saved.scene, path, false);
+    const QByteArray bytes = writeProject(saved);
     if (bytes.size() > projectSizeLimit) {
         auto error = fail(ErrorCode::Limit, RAMURE_NOOP("the project would be larger than %1 MiB"),
                           {std::to_string(projectSizeLimit >> 20)});

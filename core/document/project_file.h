@@ -4,6 +4,8 @@
 ///
 /// A node may also have "tracks" (project_tracks.h), a "mesh" (project_mesh.h) and "joints" (project_arm.h).
 ///
+/// Paths of pictures are relative to the folder of the file; within the program they are absolute.
+///
 /// The list of nodes is flat, depth-first, siblings in their order: moving a subtree changes few lines, and
 /// no depth of a scene meets a parser's limit on nesting. Parents may also stand behind their children when
 /// read. Texts of several lines are arrays of lines. Numbers are in the program's units (metres, radians).

@@ -1,11 +1,14 @@
 #include "core/io/material_maps.h"
 
+#include "core/base/file_writer.h"
 #include "core/io/picture_file.h"
 #include "core/math/stage_hash.h"
 #include "core/params/param_def.h"
 #include "core/surface/bark/bark_maps.h"
 #include "core/surface/foliage/leaf_maps.h"
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 namespace ramure {
 namespace {
@@ -40,19 +43,63 @@ PictureBytes pictureOf(const BarkMaps& maps, MaterialMap map)
 
 } // namespace
 
+/// Of a hash, in hex.
+static std::string eightDigits(std::uint64_t hash)
+{
+    constexpr const char* digits = "0123456789abcdef";
+    std::string number;
+    for (int shift = 28; shift >= 0; shift -= 4)
+        number += digits[(hash >> shift) & 15u];
+    return number;
+}
+
+std::string pictureFileName(const std::string& picture)
+{
+    const std::filesystem::path path(picture);
+    std::error_code problem; // then the path as it is tells files apart
+    std::filesystem::path whole = std::filesystem::absolute(path, problem);
+    std::string stem = path.stem().string();
+    for (char& c : stem) // material files have no quotes
+        if (c == ' ' || c == '\t' || c == '#' || c == '\\' || c == '\n' || c == '\r')
+            c = '_';
+    const std::string from = (problem ? path : whole.lexically_normal()).string();
+    return stem.append("_")
+        .append(eightDigits(StageHash(0).add(std::string_view(from)).value()))
+        .append(path.extension().string());
+}
+
+Expected<void> copyPictures(const std::string& folder, const PictureParams& pictures)
+{
+    for (const auto member : pictureFiles) {
+        const std::string& path = pictures.*member;
+        if (path.empty())
+            continue;
+        std::error_code problem;
+        std::ifstream file;
+        if (std::filesystem::is_regular_file(path, problem)) // nobody waits for a pipe
+            file.open(path, std::ios::binary);
+        const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+        if (!file.is_open() || file.bad()) {
+            auto error = fail(ErrorCode::Io, RAMURE_NOOP("the picture is missing or cannot be read"));
+            error.value().file = path;
+            return error;
+        }
+        const std::string to = (std::filesystem::path(folder) / pictureFileName(path)).string();
+        if (auto done = writeFile(to, bytes); !done)
+            return done;
+    }
+    return {};
+}
+
 std::string mapFileName(const BarkParams& bark, int size, MaterialMap map)
 {
     const char* family = findParam("bark.family")->items[static_cast<std::size_t>(bark.family)].name;
     StageHash hash(barkVersion);
     hash.add(std::string_view(family)).add(bark.depth).add(bark.light).add(bark.moss).add(bark.seed);
-    constexpr const char* digits = "0123456789abcdef";
-    std::string number;
-    for (int shift = 28; shift >= 0; shift -= 4)
-        number += digits[(hash.value() >> shift) & 15u];
     return std::string("bark_")
         .append(family)
         .append("_")
-        .append(number)
+        .append(eightDigits(hash.value()))
         .append("_")
         .append(std::to_string(size))
         .append("_")

@@ -7,6 +7,7 @@
 #include "core/base/progress.h"
 #include "core/params/bark_params.h"
 #include "core/params/leaf_params.h"
+#include "core/params/picture_params.h"
 #include <array>
 #include <string>
 #include <vector>
@@ -28,6 +29,12 @@ inline constexpr std::array leafMapKinds{MaterialMap::Colour, MaterialMap::Norma
 /// Limit (the size), Io (with file), Cancelled.
 Expected<std::vector<std::string>> writeMaps(const std::string& folder, const BarkParams& bark, int size,
                                              const Progress& progress = {});
+
+/// Of a copy of an image file: its own name with a number for where it came from, "oak_1f3a9c04.jpg".
+std::string pictureFileName(const std::string& picture);
+/// Copies the image files of a surface into a folder, as they are. Errors, all with the file: Io (missing, no
+/// file, unreadable; not written).
+Expected<void> copyPictures(const std::string& folder, const PictureParams& pictures);
 
 /// Likewise of a leaf. Errors: Invalid (the faithful leaf, the size), Io.
 Expected<std::vector<std::string>> writeMaps(const std::string& folder, LeafShape leaf, int size);

@@ -149,6 +149,22 @@ inline constexpr std::array dressRows{
                      "shape of the picture. Off: the picture meets itself along the whole seam, but is stretched at "
                      "bends.")},
         ParamUnit::None, {}, Stage::Texture, paramAdvanced),
+    pictureRow<&NodeParams::barkPictures, &PictureParams::colour>("bark.colourPicture", barkPicturesGroup),
+    pictureRow<&NodeParams::barkPictures, &PictureParams::normal>("bark.normalPicture", barkPicturesGroup),
+    pictureRow<&NodeParams::barkPictures, &PictureParams::roughness>("bark.roughnessPicture", barkPicturesGroup),
+    pictureRow<&NodeParams::barkPictures, &PictureParams::height>("bark.heightPicture", barkPicturesGroup),
+    pictureRow<&NodeParams::barkPictures, &PictureParams::occlusion>("bark.occlusionPicture", barkPicturesGroup),
+    pictureRow<&NodeParams::leafPictures, &PictureParams::colour>("foliage.leafColourPicture", leafPicturesGroup),
+    pictureRow<&NodeParams::leafPictures, &PictureParams::normal>("foliage.leafNormalPicture", leafPicturesGroup),
+    pictureRow<&NodeParams::leafPictures, &PictureParams::roughness>("foliage.leafRoughnessPicture", leafPicturesGroup),
+    pictureRow<&NodeParams::leafPictures, &PictureParams::height>("foliage.leafHeightPicture", leafPicturesGroup),
+    pictureRow<&NodeParams::leafPictures, &PictureParams::occlusion>("foliage.leafOcclusionPicture", leafPicturesGroup),
+    pictureRow<&NodeParams::leafPictures, &PictureParams::opacity>("foliage.leafOpacityPicture", leafPicturesGroup),
+    pictureRow<&NodeParams::fruitPictures, &PictureParams::colour>("foliage.fruitColourPicture", fruitPicturesGroup),
+    pictureRow<&NodeParams::fruitPictures, &PictureParams::normal>("foliage.fruitNormalPicture", fruitPicturesGroup),
+    pictureRow<&NodeParams::fruitPictures, &PictureParams::roughness>("foliage.fruitRoughnessPicture", fruitPicturesGroup),
+    pictureRow<&NodeParams::fruitPictures, &PictureParams::height>("foliage.fruitHeightPicture", fruitPicturesGroup),
+    pictureRow<&NodeParams::fruitPictures, &PictureParams::occlusion>("foliage.fruitOcclusionPicture", fruitPicturesGroup),
 };
 // clang-format on
 

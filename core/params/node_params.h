@@ -11,6 +11,7 @@
 #include "core/params/fruit_params.h"
 #include "core/params/leaf_params.h"
 #include "core/params/physics_params.h"
+#include "core/params/picture_params.h"
 #include "core/params/primitive_params.h"
 #include "core/params/skin_params.h"
 #include <cstdint>
@@ -129,10 +130,12 @@ struct NodeParams
     FruitParams fruit;
     BarkParams bark;
     TextureParams texture;
+    PictureParams barkPictures, leafPictures, fruitPictures; ///< of a tree
     PlacementParams tree;
     PlacementParams local; ///< of its own geometry alone: not handed on to the children (SPEC B2)
     PrimitiveParams primitive;
     SurfaceParams surface;
+    PictureParams surfacePictures; ///< of primitives and imported meshes
     PhysicsParams physics;
     SkinParams skin;
     ArmParams arm;

@@ -64,6 +64,12 @@ inline constexpr std::array nodeRows{
          RAMURE_NOOP("Red, green and blue of the surface, each from 0 to 1.")},
         ParamUnit::None, {0, 1, 0, 1, 0.01, 3}, Stage::Placement, paramAnimatable | paramColor,
         objectKinds | armOnly | terrainOnly),
+    pictureRow<&NodeParams::surfacePictures, &PictureParams::colour>("surface.colourPicture", surfacePicturesGroup, objectKinds),
+    pictureRow<&NodeParams::surfacePictures, &PictureParams::normal>("surface.normalPicture", surfacePicturesGroup, objectKinds),
+    pictureRow<&NodeParams::surfacePictures, &PictureParams::roughness>("surface.roughnessPicture", surfacePicturesGroup, objectKinds),
+    pictureRow<&NodeParams::surfacePictures, &PictureParams::height>("surface.heightPicture", surfacePicturesGroup, objectKinds),
+    pictureRow<&NodeParams::surfacePictures, &PictureParams::occlusion>("surface.occlusionPicture", surfacePicturesGroup, objectKinds),
+    pictureRow<&NodeParams::surfacePictures, &PictureParams::opacity>("surface.opacityPicture", surfacePicturesGroup, objectKinds),
 
     row<&NodeParams::physics, &PhysicsParams::mode>(
         {"physics.mode", physicsGroup, RAMURE_NOOP("Mode"),

@@ -56,6 +56,7 @@ enum ParamFlag : std::uint8_t {
     paramSeed = 8,       ///< a random seed: the editor offers a dice
     paramGrammar = 16,   ///< text in the grammar's language
     paramColor = 32,     ///< three numbers that are red, green and blue, 0..1
+    paramPicture = 64,   ///< a text that is the path of an image file
 };
 
 /// Index of a row in paramTable(); stable within one run of the program only (files use keys).

@@ -8,6 +8,7 @@
 #include <array>
 #include <numbers>
 #include <type_traits>
+#include <utility>
 
 namespace ramure::rows {
 
@@ -123,6 +124,39 @@ constexpr ParamDef row(const Words& words, ParamUnit unit, const Range& range, S
             matters};
 }
 
+/// One of the image files of a surface: the words are the same for all of them.
+template <auto Group, auto Member>
+constexpr ParamDef pictureRow(const char* key, const char* group, std::uint8_t kinds = treeOnly)
+{
+    constexpr auto words = [](auto member) -> std::pair<const char*, const char*> {
+        using P = PictureParams;
+        if (member == &P::colour)
+            return {RAMURE_NOOP("Colour picture"),
+                    RAMURE_NOOP("An image file (PNG or JPEG) that is the colour of the surface.")};
+        if (member == &P::normal)
+            return {RAMURE_NOOP("Normal picture"),
+                    RAMURE_NOOP("An image file of the directions in which the surface looks (OpenGL's way: "
+                                "green points up).")};
+        if (member == &P::roughness)
+            return {RAMURE_NOOP("Roughness picture"),
+                    RAMURE_NOOP("An image file that says how dull the surface is: white has no highlights.")};
+        if (member == &P::height)
+            return {RAMURE_NOOP("Height picture"),
+                    RAMURE_NOOP("An image file that says how far the surface stands out: white is highest. "
+                                "Normals are made "
+                                "of it where they have no picture.")};
+        if (member == &P::occlusion)
+            return {
+                RAMURE_NOOP("Occlusion picture"),
+                RAMURE_NOOP(
+                    "An image file that says where little light gets to: black is the depth of a crack.")};
+        return {RAMURE_NOOP("Opacity picture"),
+                RAMURE_NOOP("An image file that cuts the surface out: what is black is not there.")};
+    };
+    return row<Group, Member>({key, group, words(Member).first, words(Member).second}, ParamUnit::None, {},
+                              Stage::Placement, paramPicture, kinds);
+}
+
 inline constexpr const char* grammarGroup = RAMURE_NOOP("Grammar");
 inline constexpr const char* turtleGroup = RAMURE_NOOP("Turtle");
 inline constexpr const char* variationGroup = RAMURE_NOOP("Variation");
@@ -131,6 +165,10 @@ inline constexpr const char* sectionsGroup = RAMURE_NOOP("Cross-sections");
 inline constexpr const char* forksGroup = RAMURE_NOOP("Forks");
 inline constexpr const char* foliageGroup = RAMURE_NOOP("Foliage");
 inline constexpr const char* barkGroup = RAMURE_NOOP("Bark");
+inline constexpr const char* barkPicturesGroup = RAMURE_NOOP("Pictures of the bark");
+inline constexpr const char* leafPicturesGroup = RAMURE_NOOP("Pictures of the leaves");
+inline constexpr const char* fruitPicturesGroup = RAMURE_NOOP("Pictures of the fruit");
+inline constexpr const char* surfacePicturesGroup = RAMURE_NOOP("Pictures of the surface");
 inline constexpr const char* placementGroup = RAMURE_NOOP("Placement");
 inline constexpr const char* localGroup = RAMURE_NOOP("Own shape");
 inline constexpr const char* primitiveGroup = RAMURE_NOOP("Primitive");

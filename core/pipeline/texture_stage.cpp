@@ -6,6 +6,11 @@
 
 namespace ramure {
 
+bool isPictured(const NodeParams& params)
+{
+    return params.bark.family != BarkFamily::Plain || !params.barkPictures.isEmpty();
+}
+
 TextureStage::TextureStage(std::shared_ptr<const BranchMesh> rest)
     : m_rest(std::move(rest))
 {
@@ -39,7 +44,7 @@ Expected<std::shared_ptr<const TextureCoordinates>> TextureStage::coordinates(co
                                                                               const Progress& progress) const
 {
     TextureParams texture = params.texture;
-    if (texture.tileSize == 0.0 && params.bark.family != BarkFamily::Plain)
+    if (texture.tileSize == 0.0 && isPictured(params))
         for (const TubeAxis& axis : m_rest->axes)
             texture.tileSize = std::max(texture.tileSize, std::numbers::pi * axis.a0);
     return coordinates(texture, progress);

@@ -9,6 +9,9 @@
 
 namespace ramure {
 
+/// Does the bark have a picture, so that its branches need texture coordinates to be drawn?
+bool isPictured(const NodeParams& params);
+
 class TextureStage
 {
 public:

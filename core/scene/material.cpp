@@ -7,7 +7,16 @@
 
 namespace ramure {
 
-Material barkMaterial(const BarkParams& bark)
+/// A picture of the colour takes the place of the colour; one of the opacity opens the surface.
+static void wear(Material& material, const PictureParams& pictures)
+{
+    material.pictures = pictures;
+    if (!pictures.colour.empty())
+        material.colour = glm::u8vec3(255);
+    material.twoSided = material.twoSided || !pictures.opacity.empty();
+}
+
+Material barkMaterial(const BarkParams& bark, const PictureParams& pictures)
 {
     Material out{"bark", {0x8B, 0x5A, 0x2B}, false, false};
     if (bark.family != BarkFamily::Plain) {
@@ -16,10 +25,11 @@ Material barkMaterial(const BarkParams& bark)
         out.colour = meanColour(bark);
         out.bark = bark;
     }
+    wear(out, pictures);
     return out;
 }
 
-Material leavesMaterial(LeafShape shape, bool turn)
+Material leavesMaterial(LeafShape shape, bool turn, const PictureParams& pictures)
 {
     Material leaves{"leaves", {0x3A, 0x5F, 0x0B}, true, true};
     leaves.glint = 0.05f;
@@ -34,10 +44,11 @@ Material leavesMaterial(LeafShape shape, bool turn)
         if (!turn) // the pictures are those of summer
             leaves.leaf = shape;
     }
+    wear(leaves, pictures);
     return leaves;
 }
 
-Material applesMaterial(FruitKind kind)
+Material applesMaterial(FruitKind kind, const PictureParams& pictures)
 {
     Material fruit{"apples", {0x5F, 0x0B, 0x0B}, true, false};
     if (kind != FruitKind::Faithful) {
@@ -45,14 +56,17 @@ Material applesMaterial(FruitKind kind)
             std::string("fruit_") + findParam("foliage.fruit")->items[static_cast<std::size_t>(kind)].name;
         fruit.colour = glm::u8vec3(255);
     }
+    wear(fruit, pictures);
     return fruit;
 }
 
 Material nodeMaterial(const Node& node, const NodeParams& params)
 {
     const bool mayBeOpen = node.mesh || isOpenSurface(node); // what was read may be open anywhere
-    return {"surface", glm::u8vec3(params.surface.color * 255.0 + 0.5), node.kind != NodeKind::Terrain,
-            mayBeOpen};
+    Material out{"surface", glm::u8vec3(params.surface.color * 255.0 + 0.5), node.kind != NodeKind::Terrain,
+                 mayBeOpen};
+    wear(out, params.surfacePictures);
+    return out;
 }
 
 } // namespace ramure

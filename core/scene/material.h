@@ -6,6 +6,7 @@
 #include "core/params/bark_params.h"
 #include "core/params/fruit_params.h"
 #include "core/params/leaf_params.h"
+#include "core/params/picture_params.h"
 #include <glm/vec3.hpp>
 #include <string>
 
@@ -26,16 +27,18 @@ struct Material
     bool tones = false;      ///< the colours of triangles are its own, a little darker: it stays one material
     BarkParams bark{};       ///< of bark: its pictures, where it has a family
     LeafShape leaf = LeafShape::Faithful; ///< of leaves: their pictures, where they are a plant's
+    PictureParams pictures{};             ///< image files, each in the place of what else it would be
     bool operator==(const Material&) const = default;
 };
 
 /// Its colour is the mean of the picture that the bark has.
-Material barkMaterial(const BarkParams& bark = {});
+Material barkMaterial(const BarkParams& bark = {}, const PictureParams& pictures = {});
 /// Those of a plant have a name of their own, leaves_birch; the colours of their mesh are tones. \param turn
 /// it is not summer: tones of the brightest colour of the year.
-Material leavesMaterial(LeafShape shape = LeafShape::Faithful, bool turn = false);
+Material leavesMaterial(LeafShape shape = LeafShape::Faithful, bool turn = false,
+                        const PictureParams& pictures = {});
 /// Fruit and flowers bring colours of their own.
-Material applesMaterial(FruitKind kind = FruitKind::Faithful);
+Material applesMaterial(FruitKind kind = FruitKind::Faithful, const PictureParams& pictures = {});
 /// Of a node that is no tree. \param params those of the time (paramsAt).
 Material nodeMaterial(const Node& node, const NodeParams& params);
 

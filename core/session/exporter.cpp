@@ -12,6 +12,7 @@
 #include "core/surface/foliage/foliage_texture.h"
 #include "core/surface/mesh/transformed.h"
 #include "core/surface/mesher/rough_model.h"
+#include "core/surface/texture/object_texture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,7 +154,12 @@ Expected<void> addTexture(TreeMeshes& meshes, const TextureStage& texture, const
 
 Material leafMaterial(const NodeParams& params)
 {
-    return leavesMaterial(params.leaf.shape, params.leaf.season > 0.0);
+    return leavesMaterial(params.leaf.shape, params.leaf.season > 0.0, params.leafPictures);
+}
+
+Material fruitMaterial(const NodeParams& params)
+{
+    return applesMaterial(params.fruit.kind, params.fruitPictures);
 }
 
 /// \param motion whose skins the meshes have; none: they are as they stand.
@@ -165,9 +171,10 @@ void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes
         if (mesh && !mesh->empty())
             out.meshes.push_back({name + tree.suffix, tree.number, mesh, materialIn(out, material), skin});
     };
-    add("branches", meshes.branches, motion.branches, barkMaterial(tree.node->params.bark));
+    add("branches", meshes.branches, motion.branches,
+        barkMaterial(tree.node->params.bark, tree.node->params.barkPictures));
     add("leaves", meshes.leaves, motion.leaves, leafMaterial(params));
-    add("apples", meshes.apples, motion.apples, applesMaterial(params.fruit.kind));
+    add("apples", meshes.apples, motion.apples, fruitMaterial(params));
     out.frames.front().bones[tree.number] = motion.bones;
 }
 
@@ -186,7 +193,7 @@ void takeInstances(ExportScene& out, const Candidate& tree, TreeMeshes& meshes,
         mesh.reset();
     };
     add("leaves", meshes.leaves, &leafInstances, leafMaterial(instances.params));
-    add("apples", meshes.apples, &appleInstances, applesMaterial(instances.params.fruit.kind));
+    add("apples", meshes.apples, &appleInstances, fruitMaterial(instances.params));
 }
 
 /// Children share their parent's end point, so that the lines hang together.
@@ -278,7 +285,18 @@ Expected<void> addShape(ExportScene& out, const Candidate& shape, EvaluatedScene
         return {};
     made->name = shape.suffix;
     made->node = shape.number;
-    made->material = materialIn(out, surfaceMaterial(glm::u8vec3(params.surface.color * 255.0 + 0.5)));
+    Material material = surfaceMaterial(glm::u8vec3(params.surface.color * 255.0 + 0.5));
+    const bool isPictured =
+        !params.surfacePictures.isEmpty() && hasParam(node.kind, *findParam("surface.colourPicture"));
+    if (isPictured) {
+        material = nodeMaterial(node, params);
+        if (options.texture && made->mesh->uv.empty()) {
+            TriangleMesh own = *made->mesh;
+            addBoxTexture(own);
+            made->mesh = std::make_shared<const TriangleMesh>(std::move(own));
+        }
+    }
+    made->material = materialIn(out, material);
     // Files have normals of length 1, also where a mesh is not moved.
     const bool isInPlace = shape.world == glm::dmat4(1.0) && !made->skin;
     if (isInPlace || !made->mesh->colours.empty()) {

@@ -45,9 +45,11 @@ vec3 ownColour()
 #ifdef BARK // known before: software rasterisers run both ways of a branch, and pictures are what costs most
 const bool uHasBark = BARK;
 const bool uVeins = VEINS;
+const int uImages = 0;
 #else
 uniform bool uHasBark;
 uniform bool uVeins;
+uniform int uImages; // 0 none; 1 uBark and uBarkNormals are pictures of any surface, 2 of bark
 #endif
 uniform sampler2D uBark;        // sRGB, occlusion
 uniform sampler2D uBarkNormals; // tangent space, roughness
@@ -79,7 +81,7 @@ uniform sampler3D uCrown; // the way out, share of the sky that is seen
 const float roundness = 0.5;  // of a crown's leaves: they look the way out as much
 const float innermost = 0.4; // of the sky's light, what leaves pass on to the middle of a thick crown
 
-uniform vec3 uBlade; // sRGB, of the leaf whose picture uBark is where uVeins
+uniform vec3 uBlade; // sRGB, of the leaf whose picture uBark is where uVeins, or what pictures replace
 
 vec3 leafColour(inout vec3 normal)
 {
@@ -93,7 +95,7 @@ vec3 leafColour(inout vec3 normal)
     return ownColour() * texture(uBark, v.uv).rgb / max(uBlade, vec3(0.02));
 }
 
-vec3 shaded(vec3 albedo, vec3 normal, vec3 plane)
+vec3 shaded(vec3 albedo, vec3 normal, vec3 plane, float gloss)
 {
     float facing = dot(normal, uSun);
     vec3 side = uTwoSided ? plane : normal;
@@ -115,7 +117,7 @@ vec3 shaded(vec3 albedo, vec3 normal, vec3 plane)
     if (uShininess > 0.0) {
         vec3 toEye = uBackward.w > 0.5 ? uBackward.xyz : normalize(-v.relative);
         float glint = pow(max(dot(reflect(-uSun, normal), toEye), 0.0), uShininess);
-        colour += step(0.0, facing) * sun * glint * uGlint * uSunLight;
+        colour += step(0.0, facing) * sun * glint * gloss * uGlint * uSunLight;
     }
     return uPaint == 0 ? exposed(uStanding * colour) : uStanding * colour;
 }
@@ -125,7 +127,12 @@ void main()
     vec3 plane = cross(dFdx(v.relative), dFdy(v.relative));
     plane /= max(length(plane), 1e-18);
     vec3 normal = dot(v.normal, v.normal) > 1e-8 ? normalize(v.normal) : gl_FrontFacing ? plane : -plane;
-    vec3 own = uVeins ? leafColour(normal) : uHasBark ? barkColour(normal) : ownColour();
+    vec3 own = uVeins || uImages == 1 ? leafColour(normal)
+               : uImages == 2         ? ownColour() / max(uBlade, vec3(0.02)) * barkColour(normal)
+               : uHasBark             ? barkColour(normal)
+                                      : ownColour();
+    float gloss = uImages > 0 ? 2.0 * (1.0 - texture(uBarkNormals, v.uv).a) : 1.0; // of pictures, roughness
+    bool isOpen = uImages == 1 && uPaint == 0 && texture(uBark, v.uv).a < 0.5;
     vec3 paint = painted(v.uv, v.relative, own);
     vec3 albedo = toLinear(mix(paint, v.tint.rgb, v.tint.a)) * v.shade;
     if (!gl_FrontFacing) {
@@ -134,6 +141,8 @@ void main()
         if (!uTwoSided)
             albedo = mix(albedo, vec3(dot(albedo, vec3(0.3333))), 0.6) * 0.5;
     }
+    if (isOpen) // after everything that looks at its neighbours
+        discard;
 #ifdef WIRE
     float edge = min(min(edgeDistance.x, edgeDistance.y), edgeDistance.z);
     float line = 1.0 - smoothstep(0.5 * uLineWidth - 0.5, 0.5 * uLineWidth + 0.5, edge);
@@ -143,9 +152,9 @@ void main()
         fragment = vec4(dithered(toSrgb(mix(albedo * 0.35, albedo, v.tint.a))), uOpacity);
         return;
     }
-    vec3 colour = shaded(albedo, normal, plane);
+    vec3 colour = shaded(albedo, normal, plane, gloss);
     fragment = vec4(dithered(toSrgb(mix(colour, albedo * 0.06, 0.75 * line))), uOpacity);
 #else
-    fragment = vec4(dithered(toSrgb(shaded(albedo, normal, plane))), uOpacity);
+    fragment = vec4(dithered(toSrgb(shaded(albedo, normal, plane, gloss))), uOpacity);
 #endif
 }

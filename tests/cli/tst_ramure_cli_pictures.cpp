@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QImage>
 #include <QJsonArray>
+#include <QRegularExpression>
 #include <QStandardPaths>
 
 using namespace ramure;
@@ -17,8 +18,77 @@ class TestRamureCliPictures : public QObject
 
     QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
 
+    /// Of a picture, how many pixels are so.
+    static int countOf(const QImage& image, bool (*isSo)(const QColor&))
+    {
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                count += isSo(image.pixelColor(x, y)) ? 1 : 0;
+        return count;
+    }
+    static bool isBlue(const QColor& c) { return c.blue() > 90 && c.red() < 60 && c.green() < 70; }
+    static bool isMagenta(const QColor& c) { return c.blue() > 110 && c.red() > 110 && c.green() < 60; }
+    QImage rendered(const QStringList& input, const char* name)
+    {
+        const test::CliRun run =
+            runCli(QStringList{"render"} + input + QStringList{"-o", path(name), "--size", "200x200"});
+        if (run.code != 0)
+            qWarning("%s", qPrintable(run.err));
+        return QImage(path(name));
+    }
+
 private slots:
     void init() { test::failOnAnyWarning(); }
+
+    void badPicturesAreNamedAndDrawnAsChecks()
+    {
+        const QString missing = path("gone.png"), broken = path("broken.png"), wide = path("wide.png");
+        QImage blue(64, 64, QImage::Format_RGB32);
+        blue.fill(Qt::blue);
+        QVERIFY(blue.save(path("whole.png")));
+        test::write(broken, test::bytesOf(path("whole.png")).left(20));
+        QVERIFY(QImage(30'000, 1, QImage::Format_Grayscale8).save(wide));
+        for (const QString& file : {missing, broken, wide}) {
+            const QStringList tree = {"preset:TinyTree", "--set", "bark.colourPicture=" + file};
+            const test::CliRun run = runCli(QStringList{"info", "--json"} + tree);
+            QCOMPARE(run.code, 0);
+            const QJsonObject bad = run.json().value("badPictures").toArray().at(0).toObject();
+            QCOMPARE(bad.value("file").toString(), file);
+            QVERIFY(!bad.value("problem").toString().isEmpty());
+            if (file == wide)
+                QVERIFY(bad.value("problem").toString().contains("30000"));
+            QVERIFY(countOf(rendered(tree, "checks.png"), isMagenta) > 100);
+        }
+        QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "--set", "bark.colourPicture=" + missing, "-o",
+                                  path("gone.obj")}),
+                          missing));
+        QVERIFY(!QFile::exists(path("gone.obj")));
+        QVERIFY(!runCli({"info", "--json", "preset:TinyTree"}).keys().contains("badPictures"));
+    }
+    void picturesOfFilesAreDrawnAndExported()
+    {
+        QImage blue(64, 32, QImage::Format_RGB32);
+        blue.fill(Qt::blue);
+        const QString file = path("deep blue.jpg");
+        QVERIFY(blue.save(file));
+        const QStringList bark = {"preset:TinyTree", "--set", "bark.colourPicture=" + file};
+        const QStringList bare = {"preset:TinyTree"};
+        QCOMPARE(countOf(rendered(bare, "bare.png"), isBlue), 0);
+        const int barkPixels = countOf(rendered(bark, "bark.png"), isBlue);
+        QVERIFY2(barkPixels > 300, qPrintable(QString::number(barkPixels)));
+        const int leafPixels = countOf(
+            rendered({"preset:TinyTree", "--set", "foliage.leafColourPicture=" + file}, "leaf.png"), isBlue);
+        QVERIFY2(leafPixels > 100, qPrintable(QString::number(leafPixels)));
+
+        QVERIFY(runCli(QStringList{"export"} + bark + QStringList{"-o", path("blue.obj"), "--map-size", "64"})
+                    .code == 0);
+        const QByteArray materials = test::bytesOf(path("blue.mtl"));
+        const auto line = QRegularExpression(QStringLiteral("map_Kd (deep_blue_[0-9a-f]{8}\\.jpg)"))
+                              .match(QString::fromUtf8(materials));
+        QVERIFY2(line.hasMatch(), materials.constData());
+        QCOMPARE(test::bytesOf(path(qPrintable(line.captured(1)))), test::bytesOf(file));
+    }
 
     void texturesRefusesBadInput()
     {

@@ -44,6 +44,8 @@ inline ParamValue randomValue(const ParamDef& def, Random& random)
     case ParamType::Real:
         return randomReal(def, random);
     case ParamType::Text:
+        if ((def.flags & paramPicture) != 0) // as a project that was loaded has them
+            return "/pictures/" + std::to_string(random.below(99)) + ".png";
         return randomText(random, (def.flags & paramMultiline) != 0);
     case ParamType::Vec3:
         return glm::dvec3{randomReal(def, random), randomReal(def, random), randomReal(def, random)};

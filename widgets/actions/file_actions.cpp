@@ -11,6 +11,7 @@
 #include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/preferences.h"
+#include "widgets/view/render/surface_images.h"
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -18,6 +19,8 @@
 
 namespace ramure {
 namespace {
+
+constexpr int mostBadPictures = 5; ///< that are named when a project is opened
 
 const QString projectSuffix = QStringLiteral("ramure");
 
@@ -233,6 +236,19 @@ bool FileActions::takeObjects(const QString& path, std::optional<Scene> scene)
     return opened;
 }
 
+/// The image files of a scene that cannot be drawn, each once, with the reason.
+static QStringList badPictures(const Scene& scene)
+{
+    QStringList out;
+    for (const Node& node : scene.nodes())
+        for (const auto part : {&NodeParams::barkPictures, &NodeParams::leafPictures,
+                                &NodeParams::fruitPictures, &NodeParams::surfacePictures})
+            for (const Error& error : pictureProblems(node.params.*part))
+                out += errorTextWithPlace(error);
+    out.removeDuplicates();
+    return out;
+}
+
 bool FileActions::openProject(const QString& path)
 {
     // Read first: a file that cannot be read must not cost the open document a question.
@@ -260,6 +276,9 @@ bool FileActions::openProject(const QString& path)
                       std::move(project->extras));
     m_document->setSelection(selection);
     remember(path);
+    if (const QStringList bad = badPictures(m_document->scene()); !bad.isEmpty())
+        m_chooser->report(Severity::Warning, tr("Pictures that cannot be shown; their paths are kept:") +
+                                                 u'\n' + bad.mid(0, mostBadPictures).join(u'\n'));
     return true;
 }
 

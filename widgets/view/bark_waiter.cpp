@@ -9,8 +9,7 @@ void BarkWaiter::follow(const SceneWish& wish)
     std::vector<Wanted> wanted;
     for (const auto& [id, tree] : wish.results) {
         const Node* node = wish.scene.find(id);
-        if (node && tree.texture && node->params.bark.family != BarkFamily::Plain &&
-            !isBarkReady(*tree.texture, node->params))
+        if (node && tree.texture && isPictured(node->params) && !isBarkReady(*tree.texture, node->params))
             wanted.push_back({tree.texture, node->params});
     }
     const auto isSame = [](const Wanted& a, const Wanted& b) {

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <set>
 
 namespace ramure {
 
 namespace {
+
+constexpr double textShare = 0.5; ///< of the time, where pictures are made as well
 
 using writing::appendText;
 using writing::forEach;
@@ -203,16 +206,21 @@ bool writePart(FileWriter& out, const MeshPart& part, const Before& before, bool
 /// as Blender reads it (map_Bump) and as most others do (norm).
 void writeMaterial(FileWriter& out, const Material& material, int mapSize)
 {
-    const auto mapLine = [&](const char* word, MaterialMap map) {
-        const bool isLeaf = material.leaf != LeafShape::Faithful;
-        out.append(
-            std::string(word) + " " +
-            (isLeaf ? mapFileName(material.leaf, mapSize, map) : mapFileName(material.bark, mapSize, map)) +
-            "\n");
+    const bool isLeaf = material.leaf != LeafShape::Faithful;
+    const bool isMade = mapSize > 0 && (isLeaf || material.bark.family != BarkFamily::Plain);
+    const auto mapLine = [&](const char* word, const std::string& picture, std::optional<MaterialMap> map) {
+        std::string name;
+        if (!picture.empty())
+            name = pictureFileName(picture);
+        else if (isMade && map && !(isLeaf && std::ranges::count(leafMapKinds, *map) == 0))
+            name = isLeaf ? mapFileName(material.leaf, mapSize, *map)
+                          : mapFileName(material.bark, mapSize, *map);
+        if (!name.empty())
+            out.append(std::string(word) + " " + name + "\n");
     };
     char buffer[16 + 3 * maxFloatText];
     char* end = appendText(buffer, "Kd ");
-    end = writing::appendVector(end, mapSize > 0 ? glm::vec3(1.0f) : glm::vec3(material.colour) / 255.0f);
+    end = writing::appendVector(end, isMade ? glm::vec3(1.0f) : glm::vec3(material.colour) / 255.0f);
     out.append("\nnewmtl " + oneLine(material.name) + "\n");
     if (material.twoSided)
         out.append("# seen from both sides\n");
@@ -220,21 +228,35 @@ void writeMaterial(FileWriter& out, const Material& material, int mapSize)
     out.append(material.phong ? "\nKs 0.2 0.2 0.2\nNs 30\nillum 2\n" : "\nKs 0 0 0\nillum 1\n");
     if (mapSize <= 0)
         return;
-    mapLine("map_Kd", MaterialMap::Colour);
-    mapLine("map_Bump", MaterialMap::Normal);
-    mapLine("norm", MaterialMap::Normal);
-    if (material.leaf == LeafShape::Faithful) {
-        mapLine("map_Pr", MaterialMap::Roughness);
-        mapLine("map_ao", MaterialMap::Occlusion);
+    const PictureParams& own = material.pictures;
+    mapLine("map_Kd", own.colour, MaterialMap::Colour);
+    // The program's normals belong to its height: a picture of the height is there in their place.
+    if (!own.normal.empty() || own.height.empty()) {
+        mapLine("map_Bump", own.normal, MaterialMap::Normal);
+        mapLine("norm", own.normal, MaterialMap::Normal);
     }
-    mapLine("disp", MaterialMap::Height);
+    mapLine("map_Pr", own.roughness, MaterialMap::Roughness);
+    mapLine("map_ao", own.occlusion, MaterialMap::Occlusion);
+    mapLine("disp", own.height, MaterialMap::Height);
+    mapLine("map_d", own.opacity, std::nullopt);
 }
 
 bool hasMaps(const MeshPart& part, const WriteOptions& options)
 {
-    const bool isPictured =
-        part.material.bark.family != BarkFamily::Plain || part.material.leaf != LeafShape::Faithful;
+    const bool isPictured = part.material.bark.family != BarkFamily::Plain ||
+                            part.material.leaf != LeafShape::Faithful || !part.material.pictures.isEmpty();
     return options.mapSize > 0 && isPictured && writing::hasTexture(*part.mesh);
+}
+
+/// The pictures that the program makes for a material, if there are some.
+Expected<std::vector<std::string>> writeMade(const std::string& folder, const Material& material, int size,
+                                             const Progress& progress)
+{
+    if (material.leaf != LeafShape::Faithful)
+        return writeMaps(folder, material.leaf, size);
+    if (material.bark.family != BarkFamily::Plain)
+        return writeMaps(folder, material.bark, size, progress);
+    return {};
 }
 
 void writeMaterials(FileWriter& out, std::span<const MeshPart> parts, const WriteOptions& options)
@@ -247,6 +269,26 @@ void writeMaterials(FileWriter& out, std::span<const MeshPart> parts, const Writ
             if (written.insert(material.name).second)
                 writeMaterial(out, material, hasMaps(part, options) ? options.mapSize : 0);
         }
+}
+
+/// Of all parts, into the folder of the file.
+Expected<void> writePictures(const std::string& path, std::span<const MeshPart> parts,
+                             const WriteOptions& options, const Progress& progress)
+{
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Progress own =
+            progress.part(double(i) / double(parts.size()), double(i + 1) / double(parts.size()));
+        if (!hasMaps(parts[i], options))
+            continue;
+        const Material& material = parts[i].material;
+        if (auto copied = copyPictures(folder, material.pictures); !copied)
+            return copied;
+        if (const auto made = writeMade(folder, material, options.mapSize, own); !made)
+            return fail(made.error());
+        own.report(1.0);
+    }
+    return {};
 }
 
 std::size_t elementCount(std::span<const MeshPart> parts)
@@ -279,7 +321,11 @@ Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts
     out->append(head(options.comment));
     if (out->isRegular()) // a device has nothing beside it
         out->append("mtllib " + oneLine(std::filesystem::path(library).filename().string()) + "\n");
-    Ticker ticker(progress, elementCount(parts));
+    const auto pictured =
+        std::ranges::count_if(parts, [&](const MeshPart& p) { return hasMaps(p, options); });
+    const double text = pictured > 0 ? textShare : 1.0;
+    const Progress ofText = progress.part(0.0, text);
+    Ticker ticker(ofText, elementCount(parts));
     Before before;
     for (const MeshPart& part : parts) {
         if (!writePart(*out, part, before, out->isRegular(), ticker))
@@ -296,17 +342,8 @@ Expected<void> writeObj(const std::string& path, std::span<const MeshPart> parts
     if (!materials)
         return fail(materials.error());
     writeMaterials(*materials, parts, options);
-    for (const MeshPart& part : parts)
-        if (hasMaps(part, options)) {
-            const std::string folder = std::filesystem::path(path).parent_path().string();
-            const Material& material = part.material;
-            const auto maps =
-                material.leaf != LeafShape::Faithful
-                    ? writeMaps(folder, material.leaf, options.mapSize)
-                    : writeMaps(folder, material.bark, options.mapSize, progress.part(1.0, 1.0));
-            if (!maps)
-                return fail(maps.error());
-        }
+    if (auto done = writePictures(path, parts, options, progress.part(text, 1.0)); !done)
+        return done;
     return FileWriter::commitTogether({&*materials, &*out});
 }
 

@@ -281,6 +281,20 @@ private slots:
         QVERIFY(bytesOf(path("tree.ramure")).contains("future"));
     }
 
+    void missingPicturesAreNamedWhenAProjectIsOpened()
+    {
+        const NodeId tree = m_document->scene().nodes().front().id;
+        const std::string gone = QFile::encodeName(path("gone.png")).toStdString();
+        QVERIFY(edit::setParam(*m_document, {tree}, *findParam("bark.colourPicture"), gone));
+        m_chooser->answer = path("tree.ramure");
+        QVERIFY(m_files->save());
+        QVERIFY(m_chooser->reports.isEmpty());
+        QVERIFY(m_files->openFile(path("tree.ramure")));
+        QCOMPARE(m_chooser->reports.size(), 1);
+        QVERIFY(m_chooser->reports.front().contains(path("gone.png")));
+        QCOMPARE(m_document->scene().nodes().front().params.barkPictures.colour, gone);
+    }
+
     void recentFilesAreListedAndOpen()
     {
         QMenu menu;

@@ -5,6 +5,7 @@
 #include "widgets/panels/properties/color_editor.h"
 #include "widgets/panels/properties/grammar_editor.h"
 #include "widgets/panels/properties/number_editor.h"
+#include "widgets/panels/properties/picture_editor.h"
 #include "widgets/panels/properties/text_editor.h"
 #include "widgets/panels/properties/vector_editor.h"
 
@@ -29,6 +30,8 @@ ParamEditor* makeParamEditor(const ParamDef& def, QWidget* parent)
     }
     if (def.flags & (paramGrammar | paramMultiline))
         return new GrammarEditor(def, parent);
+    if (def.flags & paramPicture)
+        return new PictureEditor(def, parent);
     return new TextEditor(def, parent);
 }
 

@@ -221,8 +221,10 @@ void ParamRow::showToolTips()
     m_label->setToolTip(tip);
     m_editor->setToolTip(tip);
     const bool isPresets = presetValue(m_preset, def()) != defaultValue(def());
-    m_reset->setToolTip(isPresets ? tr("Back to the value of %1").arg(QString::fromStdString(m_preset))
-                                  : tr("Back to the default"));
+    const bool isPicture = (def().flags & paramPicture) != 0;
+    m_reset->setToolTip(isPicture   ? tr("Take the picture away")
+                        : isPresets ? tr("Back to the value of %1").arg(QString::fromStdString(m_preset))
+                                    : tr("Back to the default"));
     m_reset->setAccessibleName(QStringLiteral("%1: %2").arg(coreText(def().label), m_reset->toolTip()));
 }
 

@@ -11,6 +11,7 @@
 #include "widgets/base/targets.h"
 #include "widgets/panels/properties/grammar/generations_view.h"
 #include "widgets/panels/properties/group_section.h"
+#include "widgets/panels/properties/leaf_dialog.h"
 #include "widgets/panels/properties/param_row.h"
 #include "widgets/panels/properties/surface_preview.h"
 #include <QClipboard>
@@ -131,8 +132,11 @@ void PropertiesPanel::buildRows()
     row(*findParam("grammar.rules"))->addBelow(m_generations);
     m_leaf = new SurfacePreview(m_document, SurfacePreview::Surface::Leaf, m_content);
     row(*findParam("foliage.leaf"))->addBelow(m_leaf);
+    connect(m_leaf, &SurfacePreview::largerRequested, this, &PropertiesPanel::showLeaf);
     m_bark = new SurfacePreview(m_document, SurfacePreview::Surface::Bark, m_content);
     row(*findParam("bark.family"))->addBelow(m_bark);
+    m_object = new SurfacePreview(m_document, SurfacePreview::Surface::Object, m_content);
+    row(*findParam("surface.colourPicture"))->addBelow(m_object);
     layout->addStretch(1);
 }
 
@@ -181,8 +185,10 @@ void PropertiesPanel::takeTargets()
     m_content->setEnabled(!locked);
     const NodeId only = m_nodes.size() == 1 ? m_nodes.front() : noNode;
     m_generations->setTree(only);
-    m_leaf->setTree(only);
-    m_bark->setTree(only);
+    for (SurfacePreview* preview : {m_leaf, m_bark, m_object})
+        preview->setNode(only);
+    if (m_largeLeaf && only != noNode)
+        m_largeLeaf->setTree(only);
     showValues({});
     showProblem();
     applyFilter();
@@ -381,6 +387,19 @@ void PropertiesPanel::showMenu(ParamRow* row, const QPoint& at)
                         &ParamRow::keyToggled);
     }
     menu->popup(at);
+}
+
+/// In a window beside the panel, which stays usable.
+void PropertiesPanel::showLeaf()
+{
+    if (m_nodes.size() != 1)
+        return;
+    if (!m_largeLeaf)
+        m_largeLeaf = new LeafDialog(m_document, window());
+    m_largeLeaf->setTree(m_nodes.front());
+    m_largeLeaf->show();
+    m_largeLeaf->raise();
+    m_largeLeaf->activateWindow();
 }
 
 /// Of the active node: the last one selected.

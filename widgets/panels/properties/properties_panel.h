@@ -19,6 +19,7 @@ namespace ramure {
 class AutoKey;
 class GenerationsView;
 class GroupSection;
+class LeafDialog;
 class ParamRow;
 class SurfacePreview;
 class Preferences;
@@ -76,6 +77,7 @@ private:
     void showRow(ParamRow* row);
     void resetRow(ParamRow* row);
     void showMenu(ParamRow* row, const QPoint& at);
+    void showLeaf();
     void copyRow(const ParamRow* row);
     void pasteRow(ParamRow* row);
 
@@ -93,6 +95,8 @@ private:
     GenerationsView* m_generations = nullptr;
     SurfacePreview* m_leaf = nullptr;
     SurfacePreview* m_bark = nullptr;
+    SurfacePreview* m_object = nullptr;
+    LeafDialog* m_largeLeaf = nullptr; ///< once it was wished for; the window owns it
     QLabel* m_empty = nullptr;
     QLineEdit* m_search = nullptr;
     QScrollArea* m_scroll = nullptr;

@@ -3,7 +3,9 @@
 #include "core/scene/material.h"
 #include "core/surface/bark/bark_maps.h"
 #include "core/surface/foliage/foliage.h"
+#include "core/surface/foliage/foliage_texture.h"
 #include "core/surface/foliage/leaf_maps.h"
+#include "widgets/view/render/surface_images.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -118,6 +120,8 @@ private:
                 return static_cast<std::size_t>(std::clamp(static_cast<int>(value), 0, m_maps->size - 1));
             };
             const std::size_t place = texel(uv.y) * static_cast<std::size_t>(m_maps->size) + texel(uv.x);
+            if (!m_maps->coverage.empty() && m_maps->coverage[place] < 128)
+                return;
             colour *= glm::vec3(m_maps->colour[place]) / glm::max(glm::vec3(m_maps->blade), 1.0f);
             const glm::vec3 relief = normalOf(m_maps->normal[place]);
             normal += glm::vec3(relief.x, relief.y, 0.0f);
@@ -130,7 +134,7 @@ private:
 
     const TriangleMesh& m_mesh;
     const Material& m_material;
-    const std::optional<LeafMaps>& m_maps;
+    const std::optional<LeafMaps>& m_maps; ///< where it has coverage, some of the leaf is not there
     QImage m_picture;
     std::vector<float> m_height;
     float m_scale = 1.0f;
@@ -158,6 +162,11 @@ BarkSample sampleOf(const std::optional<BarkMaps>& maps, const Material& materia
             1.0f - float(maps->roughness[at]) / 255.0f};
 }
 
+std::vector<glm::u8vec3> colourOf(const std::vector<glm::u8vec4>& pixels)
+{
+    return {pixels.begin(), pixels.end()};
+}
+
 QRgb barkPixel(const BarkSample& sample, const glm::vec3& right, const glm::vec3& up,
                const glm::vec3& outward)
 {
@@ -171,24 +180,41 @@ QRgb barkPixel(const BarkSample& sample, const glm::vec3& right, const glm::vec3
 
 } // namespace
 
-QImage leafPicture(const LeafParams& leaf, bool turns, int size)
+QImage leafPicture(const LeafParams& leaf, bool turns, int size, const PictureParams& pictures)
 {
     LeafForm form = leafForm(leaf);
     form.turns = turns;
-    const TriangleMesh mesh = oneLeaf(form, 1.0, FoliageModel::Fine);
+    TriangleMesh mesh = oneLeaf(form, 1.0, FoliageModel::Fine);
+    if (mesh.uv.empty())
+        addLeafTexture(mesh, form);
+    const Material material = leavesMaterial(leaf.shape, turns, pictures);
     std::optional<LeafMaps> maps;
-    if (leaf.shape != LeafShape::Faithful)
+    if (!pictures.isEmpty()) {
+        const SurfaceImages images = surfaceImages(material);
+        maps = {images.size, images.base, colourOf(images.colour), colourOf(images.normal), {}, {}, {}};
+        for (const glm::u8vec4& each : images.colour)
+            maps->coverage.push_back(each.a);
+    } else if (leaf.shape != LeafShape::Faithful) {
         if (auto made = leafMaps(leaf.shape, std::clamp(size, leastLeafSize, mostLeafSize)))
             maps = std::move(*made);
-    const Material material = leavesMaterial(leaf.shape, turns);
+        if (maps)
+            maps->coverage.clear(); // the mesh has the outline
+    }
     return smooth(LeafPainter(mesh, material, maps, finer * size).paint());
 }
 
-QImage barkPicture(const BarkParams& bark, int size, const Progress& progress)
+QImage barkPicture(const Material& material, int size, const Progress& progress)
 {
-    const Material material = barkMaterial(bark);
+    const BarkParams& bark = material.bark;
     std::optional<BarkMaps> maps;
-    if (bark.family != BarkFamily::Plain) {
+    if (!material.pictures.isEmpty()) {
+        const SurfaceImages images = surfaceImages(material);
+        const std::size_t count = images.colour.size();
+        maps = {images.size, colourOf(images.colour), colourOf(images.normal), {}, {}, {}, 0.0f};
+        maps->occlusion.assign(count, 255); // it is in the colour
+        for (const glm::u8vec4& each : images.normal)
+            maps->roughness.push_back(material.pictures.roughness.empty() ? 255 : each.a);
+    } else if (bark.family != BarkFamily::Plain) {
         auto made = barkMaps(bark, std::clamp(finer * size, leastBarkSize, mostBarkSize), progress);
         if (!made)
             return {};

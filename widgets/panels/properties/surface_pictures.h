@@ -4,17 +4,17 @@
 #pragma once
 
 #include "core/base/progress.h"
-#include "core/params/bark_params.h"
 #include "core/params/leaf_params.h"
+#include "core/scene/material.h"
 #include <QImage>
 
 namespace ramure {
 
 /// One leaf, its tip upwards, as large as fits into a square of \p size pixels a side; transparent around it.
-/// \param turns in the colour of autumn.
-QImage leafPicture(const LeafParams& leaf, bool turns, int size);
-/// A ball of one tile of the bark, lit from the upper left, and beside it the tile: 2 * \p size pixels wide.
-/// Null where it was cancelled.
-QImage barkPicture(const BarkParams& bark, int size, const Progress& progress = {});
+/// \param turns in the colour of autumn. \param pictures in the place of what the leaf has.
+QImage leafPicture(const LeafParams& leaf, bool turns, int size, const PictureParams& pictures = {});
+/// A ball of one tile of a bark or another surface, lit from the upper left, and beside it the tile: 2 * \p
+/// size pixels wide. Null where it was cancelled.
+QImage barkPicture(const Material& material, int size, const Progress& progress = {});
 
 } // namespace ramure

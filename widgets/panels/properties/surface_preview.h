@@ -1,13 +1,15 @@
 /// \file
-/// Below the choice of a leaf or a bark in the properties: what it looks like, made in the background while
-/// the numbers are dragged.
+/// Below the choice of a leaf, a bark or the picture of another surface in the properties: what it looks
+/// like, made in the background while the numbers are dragged.
 #pragma once
 
 #include "core/document/document.h"
+#include "core/scene/material.h"
 #include "core/session/job.h"
 #include <QImage>
 #include <QWidget>
-#include <functional>
+
+class QToolButton;
 
 namespace ramure {
 
@@ -15,18 +17,26 @@ class SurfacePreview : public QWidget
 {
     Q_OBJECT
 public:
-    enum class Surface : std::uint8_t { Leaf, Bark };
+    enum class Surface : std::uint8_t { Leaf, Bark, Object };
 
     /// \param document is not owned and must outlive the preview.
     SurfacePreview(Document* document, Surface surface, QWidget* parent);
 
-    /// The tree whose surface is shown; noNode: none, as with several selected.
-    void setTree(NodeId tree);
+    /// The node whose surface is shown; noNode: none, as with several selected.
+    void setNode(NodeId node);
     /// Null until the first one is made.
     [[nodiscard]] const QImage& picture() const { return m_picture; }
     [[nodiscard]] QSize sizeHint() const override;
+    /// Of the leaf: opens its large view. Others have none.
+    [[nodiscard]] QToolButton* largerButton() const { return m_larger; }
+
+signals:
+    /// By the button or a double click.
+    void largerRequested();
 
 protected:
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void showEvent(QShowEvent* event) override;
@@ -35,14 +45,17 @@ private:
     void refresh();
     void retranslate();
 
+    void placeButton();
+
     Document* m_document;
     Surface m_surface;
-    NodeId m_tree = noNode;
+    NodeId m_node = noNode;
     LeafParams m_leaf;
-    BarkParams m_bark;
+    Material m_material;
     bool m_turns = false;
     bool m_isAsked = false; ///< a picture of these was asked for
     QImage m_picture;
+    QToolButton* m_larger = nullptr;
     Job m_job;
 };
 

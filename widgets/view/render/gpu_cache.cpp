@@ -281,6 +281,11 @@ GLuint GpuCache::picture(int size, const std::vector<glm::u8vec3>& rgb,
     std::vector<glm::u8vec4> pixels(rgb.size());
     std::transform(rgb.begin(), rgb.end(), alpha.begin(), pixels.begin(),
                    [](const glm::u8vec3& c, std::uint8_t a) { return glm::u8vec4(c, a); });
+    return picture(size, pixels);
+}
+
+GLuint GpuCache::picture(int size, const std::vector<glm::u8vec4>& pixels)
+{
     GLuint texture = 0;
     m_gl.glGenTextures(1, &texture);
     m_gl.glBindTexture(GL_TEXTURE_2D, texture);
@@ -313,21 +318,35 @@ const GpuBlock& GpuCache::leaf(const std::shared_ptr<const LeafMaps>& maps)
     return block;
 }
 
+const GpuBlock& GpuCache::images(const std::shared_ptr<const SurfaceImages>& images)
+{
+    const auto [block, isNew] = slot(images);
+    if (isNew) {
+        block.texture = picture(images->size, images->colour);
+        block.normals = picture(images->size, images->normal);
+    }
+    return block;
+}
+
 void GpuCache::bindPictures(ShaderProgram& program, const MeshItem& item)
 {
     m_gl.glActiveTexture(GL_TEXTURE0 + barkUnit);
-    const GpuBlock* block = item.bark ? &bark(item.bark) : item.leaf ? &leaf(item.leaf) : nullptr;
+    const GpuBlock* block = item.images ? &images(item.images)
+                            : item.bark ? &bark(item.bark)
+                            : item.leaf ? &leaf(item.leaf)
+                                        : nullptr;
     m_gl.glBindTexture(GL_TEXTURE_2D, block ? block->texture : restTexture());
     m_gl.glActiveTexture(GL_TEXTURE0 + barkNormalsUnit);
     m_gl.glBindTexture(GL_TEXTURE_2D, block ? block->normals : restTexture());
     m_gl.glActiveTexture(GL_TEXTURE0);
     program.set("uBark", int(barkUnit));
     program.set("uBarkNormals", int(barkNormalsUnit));
-    program.set("uHasBark", item.bark != nullptr);
-    const bool isLeaf = !item.bark && item.leaf;
+    program.set("uHasBark", !item.images && item.bark);
+    const bool isLeaf = !item.images && !item.bark && item.leaf;
     program.set("uVeins", isLeaf);
-    if (isLeaf)
-        program.set("uBlade", glm::vec3(item.leaf->blade) / 255.0f);
+    program.set("uImages", item.images ? (item.images->isAged ? 2 : 1) : 0);
+    if (isLeaf || item.images)
+        program.set("uBlade", glm::vec3(isLeaf ? item.leaf->blade : item.images->base) / 255.0f);
 }
 
 GLuint GpuCache::crownTexture(const CrownLight& crown)

@@ -105,9 +105,11 @@ private:
     void fillCopies(GpuBlock& block, const MeshCopies& copies);
     void fillColours(GpuBlock& block, const std::vector<glm::u8vec3>& colours);
     GLuint crownTexture(const CrownLight& crown);
+    GLuint picture(int size, const std::vector<glm::u8vec4>& pixels);
     GLuint picture(int size, const std::vector<glm::u8vec3>& rgb, const std::vector<std::uint8_t>& alpha);
     const GpuBlock& bark(const std::shared_ptr<const BarkMaps>& maps);
     const GpuBlock& leaf(const std::shared_ptr<const LeafMaps>& maps);
+    const GpuBlock& images(const std::shared_ptr<const SurfaceImages>& images);
     /// A sampler must have a texture even where the program does not read it.
     GLuint restTexture();
     const GpuBlock& influences(const std::shared_ptr<const Skin>& skin, const MeshCopies* copies);

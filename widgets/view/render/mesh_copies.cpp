@@ -1,8 +1,10 @@
 #include "widgets/view/render/mesh_copies.h"
 
+#include "core/surface/foliage/foliage_texture.h"
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 namespace ramure {
 namespace {
@@ -28,20 +30,22 @@ void append(MeshCopies& made, const TriangleMesh& mesh)
 {
     const bool coloured = mesh.colours.size() == mesh.triangles.size();
     TriangleMesh& shape = made.shape;
-    std::map<std::pair<Index, std::uint32_t>, Index> places;
+    const bool hasTexture = !mesh.uv.empty(), isSplit = !mesh.uvTriangles.empty();
+    std::map<std::tuple<Index, Index, std::uint32_t>, Index> places; // vertex, coordinate, colour
     for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
         const glm::u8vec3 colour = coloured ? mesh.colours[f] : glm::u8vec3(255);
         glm::uvec3& triangle = shape.triangles.emplace_back();
         for (int corner = 0; corner < 3; ++corner) {
             const Index vertex = mesh.triangles[f][corner];
-            const auto [place, isNew] = places.try_emplace({vertex, packed(colour)}, shape.vertexCount());
+            const Index at = isSplit ? mesh.uvTriangles[f][corner] : vertex;
+            const auto [place, isNew] = places.try_emplace({vertex, at, packed(colour)}, shape.vertexCount());
             triangle[corner] = place->second;
             if (!isNew)
                 continue;
             shape.positions.push_back(mesh.positions[vertex]);
             shape.normals.push_back(mesh.normals[vertex]);
-            if (!mesh.uv.empty() && mesh.uvTriangles.empty())
-                shape.uv.push_back(mesh.uv[vertex]);
+            if (hasTexture)
+                shape.uv.push_back(mesh.uv[at]);
             made.colours.emplace_back(colour, 255);
         }
     }
@@ -78,7 +82,10 @@ MeshCopies leafCopies(const Foliage& foliage, double alpha, FoliageModel model,
 {
     MeshCopies made;
     made.copies = spread(foliage.leaves, shown);
-    append(made, oneLeaf(foliage.form, alpha, model));
+    TriangleMesh leaf = oneLeaf(foliage.form, alpha, model);
+    if (model == FoliageModel::Fine && leaf.uv.empty()) // those of plants have their own
+        addLeafTexture(leaf, foliage.form);
+    append(made, leaf);
     made.faces = made.lightFaces = made.shape.faceCount();
     if (foliage.form.shape == LeafShape::Faithful || model == FoliageModel::Rough)
         return made;
@@ -94,7 +101,10 @@ MeshCopies appleCopies(const Foliage& foliage, double alpha, FoliageModel model,
 {
     MeshCopies made;
     made.copies = spread(foliage.apples, shown);
-    append(made, oneApple(foliage.fruit, alpha, model));
+    TriangleMesh apple = oneApple(foliage.fruit, alpha, model);
+    if (model == FoliageModel::Fine)
+        addAppleTexture(apple, foliage.fruit);
+    append(made, apple);
     made.faces = made.lightFaces = made.shape.faceCount();
     return made;
 }

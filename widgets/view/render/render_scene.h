@@ -14,6 +14,7 @@
 #include "core/surface/mesh/triangle_mesh.h"
 #include "widgets/view/render/crown_light.h"
 #include "widgets/view/render/mesh_copies.h"
+#include "widgets/view/render/surface_images.h"
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
@@ -103,6 +104,7 @@ struct MeshItem
     std::shared_ptr<const CrownLight> crown;       ///< of the tree that it is part of; null: in the open
     std::shared_ptr<const BarkMaps> bark;          ///< in place of the material's colour; null: none
     std::shared_ptr<const LeafMaps> leaf;          ///< what tints the colours of a leaf; null: none
+    std::shared_ptr<const SurfaceImages> images;   ///< in place of both; null: none
     float tileSize = 1.0f;                         ///< m, for the checker's metres and for bark
     float opacity = 1.0f;                          ///< under 1: its nearest surface only, over all the rest
     std::shared_ptr<const OutlinedFaces> outlined; ///< null: nothing of it

@@ -335,7 +335,7 @@ void Renderer::drawDepth(const Picture& picture)
     m_shadow->bind();
     m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     for (const MeshItem& item : picture.scene.meshes)
-        if (item.opacity >= 1.0f)
+        if (item.opacity >= 1.0f && !(item.images && item.images->isCut))
             drawMeshDepth(picture, item);
     m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
@@ -388,7 +388,7 @@ ShaderProgram& Renderer::programOf(const MeshItem& item, ShadingMode shading)
         return *m_meshWire;
     if (m_cache.item(item).hasColours())
         return *m_meshColours;
-    if (item.paint != Paint::Material)
+    if (item.paint != Paint::Material || item.images)
         return *m_mesh;
     return item.bark ? *m_bark : item.leaf ? *m_leaf : *m_plain;
 }

@@ -4,6 +4,7 @@
 #include "core/surface/check/texture_report.h"
 #include "core/surface/mesh/normals.h"
 #include "core/surface/mesher/rough_model.h"
+#include "core/surface/texture/object_texture.h"
 #include "widgets/view/render/arm_items.h"
 #include "widgets/view/render/ground_height.h"
 #include "widgets/view/render/isolated_parts.h"
@@ -23,9 +24,9 @@ std::vector<double> asNumbers(const std::vector<Index>& indices)
 }
 
 /// Of cones and tubes without ends.
-Material openBark(const BarkParams& params = {})
+Material openBark(const BarkParams& params = {}, const PictureParams& pictures = {})
 {
-    Material bark = barkMaterial(params);
+    Material bark = barkMaterial(params, pictures);
     bark.twoSided = true;
     return bark;
 }
@@ -35,6 +36,22 @@ constexpr std::size_t mostCurves = 2000;
 
 /// Pixels a side of a tile of bark: as fine as the view can show, and quickly made.
 constexpr int shownBarkSize = 512, shownLeafSize = 256;
+
+/// What a surface wears, read again where a file has changed.
+std::shared_ptr<const SurfaceImages> imagesOf(ScenePartCache& cache, const Material& material)
+{
+    if (material.pictures.isEmpty())
+        return nullptr;
+    const std::uint64_t stamp = pictureStamp(material.pictures);
+    const std::shared_ptr<const void> anybody; // surfaces that look the same share it
+    const BarkParams& bark = material.bark;
+    return cache.get<SurfaceImages>(
+        ScenePart::Images, anybody, anybody,
+        {double(stamp >> 32), double(stamp & 0xFFFFFFFFu), double(bark.family), bark.depth, bark.light,
+         bark.moss, double(bark.seed), double(material.leaf), double(material.name.starts_with("bark")),
+         double(material.colour.r), double(material.colour.g), double(material.colour.b)},
+        [&] { return surfaceImages(material); });
+}
 
 /// A branch mesh with texture coordinates.
 struct TexturedMesh
@@ -100,6 +117,8 @@ struct TreeItems
         MeshItem* item = tree.foliage ? addMesh(std::move(mesh), std::move(material)) : nullptr;
         if (!item)
             return;
+        if (model == FoliageModel::Fine)
+            item->images = imagesOf(cache, item->material);
         if (const LeafShape shape = tree.foliage->form.shape;
             part == ScenePart::LeafCopies && shape != LeafShape::Faithful && model == FoliageModel::Fine) {
             const std::shared_ptr<const void> anybody; // trees of the same plant share it
@@ -134,24 +153,27 @@ struct TreeItems
 
     [[nodiscard]] Material leaf() const
     {
-        return tree.foliage ? leavesMaterial(tree.foliage->form.shape, tree.foliage->form.turns)
+        return tree.foliage ? leavesMaterial(tree.foliage->form.shape, tree.foliage->form.turns,
+                                             node.params.leafPictures)
                             : leavesMaterial();
     }
-    [[nodiscard]] FruitKind fruit() const
+    [[nodiscard]] Material fruit() const
     {
-        return tree.foliage ? tree.foliage->fruit.kind : FruitKind::Faithful;
+        return tree.foliage ? applesMaterial(tree.foliage->fruit.kind, node.params.fruitPictures)
+                            : applesMaterial();
     }
+    [[nodiscard]] Material bark() const { return barkMaterial(node.params.bark, node.params.barkPictures); }
     void fine()
     {
         const std::size_t first = scene.meshes.size();
         if (!tree.branches)
-            addMesh(tree.draftTubes, openBark(node.params.bark));
+            addMesh(tree.draftTubes, openBark(node.params.bark, node.params.barkPictures));
         else if (!pictured())
-            addMesh({tree.branches, &tree.branches->mesh}, barkMaterial(node.params.bark));
+            addMesh({tree.branches, &tree.branches->mesh}, bark());
         if (view.leaves)
             addFoliage(ScenePart::LeafCopies, tree.leaves, leaf(), FoliageModel::Fine);
         if (view.apples)
-            addFoliage(ScenePart::AppleCopies, tree.apples, applesMaterial(fruit()), FoliageModel::Fine);
+            addFoliage(ScenePart::AppleCopies, tree.apples, fruit(), FoliageModel::Fine);
         if (!tree.foliage || !view.leaves || isIsolated())
             return;
         const double alpha = node.params.turtle.alpha;
@@ -164,16 +186,15 @@ struct TreeItems
     std::shared_ptr<const TexturedMesh> mapped()
     {
         const TextureParams& texture = node.params.texture;
-        const bool isPlain = node.params.bark.family == BarkFamily::Plain;
         return cache.get<TexturedMesh>(
             ScenePart::Textured, tree.branches, tree.texture,
-            {texture.tileSize, texture.seamsAround ? 1.0 : 0.0, isPlain ? 1.0 : 0.0},
+            {texture.tileSize, texture.seamsAround ? 1.0 : 0.0, isPictured(node.params) ? 1.0 : 0.0},
             [&] { return texturedMesh(*tree.branches, *tree.texture, node.params); });
     }
     /// Null where nothing of it is shown.
     MeshItem* addMapped(const std::shared_ptr<const TexturedMesh>& made)
     {
-        MeshItem* item = addMesh({made, &made->mesh}, barkMaterial(node.params.bark));
+        MeshItem* item = addMesh({made, &made->mesh}, bark());
         if (!item)
             return nullptr;
         item->tileSize = static_cast<float>(made->coordinates->tileSize);
@@ -184,20 +205,23 @@ struct TreeItems
     /// The branches with a picture of bark; false where there is none.
     bool pictured()
     {
-        const BarkParams& bark = node.params.bark;
-        if (bark.family == BarkFamily::Plain || !tree.texture ||
+        if (!isPictured(node.params) || !tree.texture ||
             (!view.waitsForBark && !isBarkReady(*tree.texture, node.params)))
             return false;
         const auto made = mapped();
         if (made->mesh.empty())
             return false;
+        MeshItem* item = addMapped(made);
+        if (!item)
+            return true;
+        item->images = imagesOf(cache, item->material);
+        const BarkParams& bark = node.params.bark;
         const std::shared_ptr<const void> anybody; // trees of the same bark share it
-        const auto maps =
-            cache.get<BarkMaps>(ScenePart::Bark, anybody, anybody,
-                                {double(bark.family), bark.depth, bark.light, bark.moss, double(bark.seed)},
-                                [&] { return barkMaps(bark, shownBarkSize).value(); });
-        if (MeshItem* item = addMapped(made))
-            item->bark = maps;
+        if (!item->images)
+            item->bark = cache.get<BarkMaps>(
+                ScenePart::Bark, anybody, anybody,
+                {double(bark.family), bark.depth, bark.light, bark.moss, double(bark.seed)},
+                [&] { return barkMaps(bark, shownBarkSize).value(); });
         return true;
     }
     /// Without leaves in front; as a plain mesh where there are no coordinates.
@@ -248,7 +272,7 @@ struct TreeItems
                        cache.get<TriangleMesh>(
                            ScenePart::RoughApples, tree.simplified, tree.foliage, {alpha},
                            [&] { return buildApples(skeleton, *tree.foliage, alpha, FoliageModel::Rough); }),
-                       applesMaterial(fruit()), FoliageModel::Rough);
+                       fruit(), FoliageModel::Rough);
     }
     void skeleton()
     {
@@ -382,6 +406,10 @@ struct ObjectItems
             return;
         item.box = cache.box(item.mesh);
         item.material = nodeMaterial(node, params);
+        item.images = imagesOf(cache, item.material);
+        if (item.images && (item.mesh->uv.empty() || !item.mesh->uvTriangles.empty()))
+            item.mesh = cache.get<TriangleMesh>(ScenePart::ObjectTexture, item.mesh, item.mesh, {},
+                                                [&] { return splitByTexture(*item.mesh); });
         item.world = world;
         item.node = node.id;
         item.pickable = !node.locked;

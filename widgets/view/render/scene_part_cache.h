@@ -37,6 +37,8 @@ enum class ScenePart : std::uint8_t {
     ArmRods,
     ArmTarget,
     Object,
+    ObjectTexture,
+    Images,
     Outlined,
 };
 

@@ -7,6 +7,7 @@
 #include "widgets/panels/properties/grammar/grammar_edit.h"
 #include "widgets/panels/properties/group_section.h"
 #include "widgets/panels/properties/param_row.h"
+#include "widgets/panels/properties/picture_editor.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include <QColorDialog>
 #include <numbers>
@@ -97,6 +98,11 @@ private:
             QTest::keyClicks(text, "B");
         } else if (auto* color = row->findChild<ColorEditor*>()) {
             typeColor(color, "#123abc");
+        } else if (auto* picture = row->findChild<PictureEditor*>()) {
+            auto* path = picture->findChild<QLineEdit*>();
+            path->setFocus();
+            QTest::keyClicks(path, "a");
+            QTest::keyClick(path, Qt::Key_Return);
         } else {
             QFAIL("no editor that a key can reach");
         }
@@ -143,6 +149,13 @@ private:
     /// way.
     void cutByMouse(ParamRow* row, const ParamDef& def)
     {
+        if (auto* picture = row->findChild<PictureEditor*>()) {
+            QMimeData data;
+            data.setUrls({QUrl::fromLocalFile(QStringLiteral("/pictures/bark.png"))});
+            QDropEvent event({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+            QCoreApplication::sendEvent(picture, &event);
+            return;
+        }
         auto* text = row->findChild<GrammarEdit*>();
         const bool empty = std::get<std::string>(valueOf(*m_document, 1, def)).empty();
         QGuiApplication::clipboard()->setText(QStringLiteral("A -> B"));
@@ -426,6 +439,8 @@ private slots:
             QCOMPARE(choice->currentIndex(), -1);
         else if (auto* color = row->findChild<ColorEditor*>())
             QVERIFY(color->findChild<QLineEdit*>()->text().isEmpty());
+        else if (auto* picture = row->findChild<PictureEditor*>())
+            QVERIFY(picture->findChild<QLineEdit*>()->text().isEmpty());
         else
             QVERIFY(row->findChild<GrammarEdit*>()->toPlainText().isEmpty());
         row->editor()->focusProxy()->setFocus();

@@ -5,6 +5,9 @@
 #include "tests/widgets/tree_document.h"
 #include "widgets/panels/properties/surface_pictures.h"
 #include "widgets/panels/properties/surface_preview.h"
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QToolButton>
 
 using namespace ramure;
 
@@ -59,7 +62,7 @@ private slots:
         for (int family = 0; family <= static_cast<int>(BarkFamily::Bamboo); ++family) {
             BarkParams bark;
             bark.family = static_cast<BarkFamily>(family);
-            const QImage picture = barkPicture(bark, size);
+            const QImage picture = barkPicture(barkMaterial(bark), size);
             QCOMPARE(picture.size(), QSize(2 * size, size));
             QCOMPARE(qAlpha(picture.pixel(0, 0)), 0); // beside the ball
             QCOMPARE(qAlpha(picture.pixel(size / 2, size / 2)), 255);
@@ -78,7 +81,7 @@ private slots:
         stop.request_stop();
         BarkParams bark;
         bark.family = BarkFamily::Furrowed;
-        QVERIFY(barkPicture(bark, 1024, {stop.get_token(), {}}).isNull());
+        QVERIFY(barkPicture(barkMaterial(bark), 1024, {stop.get_token(), {}}).isNull());
     }
 
     void theySeeWhatIsChosen()
@@ -90,7 +93,7 @@ private slots:
             auto* preview = new SurfacePreview(&trees.document(), surface, &window);
             window.show();
             QVERIFY(preview->isHidden());
-            preview->setTree(tree);
+            preview->setNode(tree);
             QVERIFY(preview->isVisible());
             QTRY_VERIFY(!preview->picture().isNull());
             const QImage before = preview->picture();
@@ -103,9 +106,46 @@ private slots:
             QTRY_VERIFY(preview->picture() != before);
             trees.document().undoStack()->undo();
             QTRY_VERIFY(preview->picture() == before);
-            preview->setTree(noNode);
+            preview->setNode(noNode);
             QVERIFY(preview->isHidden());
         }
+    }
+    void theyShowPicturesOfFiles()
+    {
+        QTemporaryDir folder;
+        QImage blue(32, 32, QImage::Format_RGB32);
+        blue.fill(Qt::blue);
+        const QString file = folder.filePath(QStringLiteral("blue.png"));
+        QVERIFY(blue.save(file));
+        PictureParams pictures;
+        pictures.colour = QFile::encodeName(file).toStdString();
+        for (const auto shape : {LeafShape::Faithful, LeafShape::Birch}) {
+            LeafParams leaf;
+            leaf.shape = shape;
+            const QColor middle = leafPicture(leaf, false, 64, pictures).pixelColor(32, 36);
+            QVERIFY(middle.blue() > 80 && middle.red() < 30 && middle.green() < 30);
+        }
+        const QImage ball = barkPicture(barkMaterial({}, pictures), 64);
+        QVERIFY(ball.pixelColor(32, 32).blue() > 80 && ball.pixelColor(96, 32).blue() > 80);
+        pictures.colour += ".gone";
+        const QImage checks = barkPicture(barkMaterial({}, pictures), 64);
+        int magenta = 0;
+        for (int x = 64; x < 128; ++x)
+            magenta += checks.pixelColor(x, 32).red() > 100 && checks.pixelColor(x, 32).green() < 30 ? 1 : 0;
+        QVERIFY(magenta > 16 && magenta < 48);
+    }
+    void onlyALeafHasALargerView()
+    {
+        test::TreeDocument trees;
+        const SurfacePreview bark(&trees.document(), SurfacePreview::Surface::Bark, nullptr);
+        QVERIFY(!bark.largerButton());
+        SurfacePreview leaf(&trees.document(), SurfacePreview::Surface::Leaf, nullptr);
+        QSignalSpy asked(&leaf, &SurfacePreview::largerRequested);
+        leaf.setNode(trees.add(*presetParams("TinyTree")));
+        leaf.show();
+        QTest::mouseClick(leaf.largerButton(), Qt::LeftButton);
+        QTest::mouseDClick(&leaf, Qt::LeftButton, {}, {5, 5});
+        QCOMPARE(asked.size(), 2);
     }
 };
 

@@ -1,0 +1,78 @@
+#include "widgets/panels/properties/leaf_dialog.h"
+
+#include "widgets/panels/properties/leaf_view.h"
+#include <QDialogButtonBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QShortcut>
+#include <QUndoStack>
+#include <QVBoxLayout>
+
+namespace ramure {
+
+LeafDialog::LeafDialog(Document* document, QWidget* parent)
+    : QDialog(parent)
+    , m_document(document)
+    , m_view(new LeafView(this))
+    , m_hint(new QLabel(this))
+{
+    setObjectName(QStringLiteral("leafDialog"));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_view, 1);
+    auto* foot = new QHBoxLayout;
+    foot->setContentsMargins(12, 0, 12, 8);
+    m_hint->setObjectName(QStringLiteral("hint"));
+    m_hint->setWordWrap(true);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    foot->addWidget(m_hint, 1);
+    foot->addWidget(buttons);
+    layout->addLayout(foot);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    // A window of its own does not hear the keys of the main window.
+    QUndoStack* stack = document->undoStack();
+    connect(new QShortcut(QKeySequence::Undo, this), &QShortcut::activated, stack, &QUndoStack::undo);
+    connect(new QShortcut(QKeySequence::Redo, this), &QShortcut::activated, stack, &QUndoStack::redo);
+    connect(document, &Document::changed, this, [this](const Change& change) {
+        if (change.has(changeParams | changeReset | changeStructure | changeNodeState))
+            refresh();
+    });
+    retranslate();
+}
+
+void LeafDialog::setTree(NodeId tree)
+{
+    m_tree = tree;
+    refresh();
+}
+
+void LeafDialog::refresh()
+{
+    const Node* node = m_document->scene().find(m_tree);
+    if (!isVisible() || !node || node->kind != NodeKind::Tree)
+        return;
+    setWindowTitle(tr("Leaves of “%1”").arg(QString::fromStdString(node->name)));
+    m_view->setParams(node->params);
+}
+
+void LeafDialog::showEvent(QShowEvent* event)
+{
+    QDialog::showEvent(event);
+    refresh();
+}
+
+void LeafDialog::retranslate()
+{
+    m_hint->setText(tr("Drag: turn · wheel: nearer · the properties shape the leaf"));
+    refresh();
+}
+
+void LeafDialog::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QDialog::changeEvent(event);
+}
+
+} // namespace ramure

@@ -1,0 +1,45 @@
+/// \file
+/// Image files as a surface wears them, together with what the program makes where there is none.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/scene/material.h"
+#include <QImage>
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <vector>
+
+namespace ramure {
+
+/// Pixels a side of the largest image file that is read.
+inline constexpr int mostPictureSide = 8192;
+
+/// Reads PNG and JPEG. \param most the picture is made smaller than that, where it is larger; 0: it is not.
+/// Errors, all with file: Io (missing, unreadable, no file), Syntax (broken, or of another format), Limit
+/// (the sides).
+Expected<QImage> readPicture(const std::string& path, int most = 0);
+
+/// What is wrong with the pictures of a surface, one error a file; looks only at their headers, so that a
+/// picture that is cut in the middle passes.
+std::vector<Error> pictureProblems(const PictureParams& pictures);
+
+/// Squares of the same size, rows from the foot up.
+struct SurfaceImages
+{
+    int size = 0;
+    std::vector<glm::u8vec4> colour; ///< sRGB times occlusion; opacity
+    std::vector<glm::u8vec4> normal; ///< tangent space, 128 = 0; roughness, 128 is what the material has
+    glm::u8vec3 base{255};           ///< sRGB: the colour that the pictures have in place of the material's
+    bool isCut = false;              ///< some of it is not there
+    bool isAged = false;             ///< of bark: less of it where a branch is thin
+    std::vector<Error> problems;     ///< there are magenta checks then, in place of all pictures
+};
+
+/// \pre the material has pictures.
+SurfaceImages surfaceImages(const Material& material);
+
+/// A number for the files as they are now: another one where one of them was written again.
+std::uint64_t pictureStamp(const PictureParams& pictures);
+
+} // namespace ramure
