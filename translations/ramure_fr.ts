@@ -4725,6 +4725,170 @@
         <source>the picture has %1 × %2 pixels: at most %3 a side</source>
         <translation>l’image a %1 × %2 pixels : %3 de côté au plus</translation>
     </message>
+    <message>
+        <source>iteration %1 would make more than %2 modules</source>
+        <translation>l’itération %1 donnerait plus de %2 modules</translation>
+    </message>
+    <message>
+        <source>this is not a finite number for %1 in iteration %2</source>
+        <translation>ce n’est pas un nombre fini pour %1 à l’itération %2</translation>
+    </message>
+    <message>
+        <source>the result is not a finite number</source>
+        <translation>le résultat n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>a number, a name or &quot;(&quot; is expected here</source>
+        <translation>un nombre, un nom ou « ( » est attendu ici</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a parameter of this rule&apos;s modules nor a constant nor a function</source>
+        <translation>« %1 » n’est ni un paramètre des modules de cette règle, ni une constante, ni une fonction</translation>
+    </message>
+    <message>
+        <source>&quot;(&quot; is expected here: this is a function</source>
+        <translation>« ( » est attendu ici : c’est une fonction</translation>
+    </message>
+    <message>
+        <source>one number is expected in these brackets, not %1</source>
+        <translation>un nombre est attendu entre ces parenthèses, et non %1</translation>
+    </message>
+    <message>
+        <source>two numbers are expected in these brackets, not %1</source>
+        <translation>deux nombres sont attendus entre ces parenthèses, et non %1</translation>
+    </message>
+    <message>
+        <source>&quot;)&quot; is expected here</source>
+        <translation>« ) » est attendu ici</translation>
+    </message>
+    <message>
+        <source>the expression is nested deeper than %1</source>
+        <translation>l’expression est imbriquée à plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>brackets are nested too deep here</source>
+        <translation>les crochets sont imbriqués trop profondément ici</translation>
+    </message>
+    <message>
+        <source>%1 asks for a diameter below 0, or beyond all measure</source>
+        <translation>%1 demande un diamètre inférieur à 0, ou démesuré</translation>
+    </message>
+    <message>
+        <source>%1 asks for a length below 0</source>
+        <translation>%1 demande une longueur inférieure à 0</translation>
+    </message>
+    <message>
+        <source>at %1 the tree is larger than 10^6 km</source>
+        <translation>à %1, l’arbre dépasse 10^6 km</translation>
+    </message>
+    <message>
+        <source>a name is expected here</source>
+        <translation>un nom est attendu ici</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has a meaning of its own already</source>
+        <translation>« %1 » a déjà un sens dans le langage</translation>
+    </message>
+    <message>
+        <source>there is a constant &quot;%1&quot; already</source>
+        <translation>il y a déjà une constante « %1 »</translation>
+    </message>
+    <message>
+        <source>&quot;=&quot; is expected here</source>
+        <translation>« = » est attendu ici</translation>
+    </message>
+    <message>
+        <source>an operator or the end of the line is expected here</source>
+        <translation>un opérateur ou la fin de la ligne est attendu ici</translation>
+    </message>
+    <message>
+        <source>a module is expected here: a letter or one of %1</source>
+        <translation>un module est attendu ici : une lettre ou l’un de %1</translation>
+    </message>
+    <message>
+        <source>&quot;-&gt;&quot;, &quot;:&quot;, &quot;&lt;&quot; or &quot;&gt;&quot; is expected here: a module or a context is one letter, and its names stand in brackets</source>
+        <translation>« -&gt; », « : », « &lt; » ou « &gt; » est attendu ici : un module ou un contexte est une seule lettre, et ses noms sont entre parenthèses</translation>
+    </message>
+    <message>
+        <source>an operator or &quot;-&gt;&quot; is expected here</source>
+        <translation>un opérateur ou « -&gt; » est attendu ici</translation>
+    </message>
+    <message>
+        <source>the rule has two parameters &quot;%1&quot;</source>
+        <translation>la règle a deux paramètres « %1 »</translation>
+    </message>
+    <message>
+        <source>brackets are neither replaced nor a context</source>
+        <translation>les crochets ne sont ni remplacés ni un contexte</translation>
+    </message>
+    <message>
+        <source>&quot;,&quot; or &quot;)&quot; is expected here</source>
+        <translation>« , » ou « ) » est attendu ici</translation>
+    </message>
+    <message>
+        <source>a module has at most %1 numbers</source>
+        <translation>un module a au plus %1 nombres</translation>
+    </message>
+    <message>
+        <source>each outcome needs a weight and a colon: &quot;0.5: F&quot;</source>
+        <translation>chaque issue demande un poids et un deux-points : « 0.5: F »</translation>
+    </message>
+    <message>
+        <source>&quot;:&quot; is expected here</source>
+        <translation>« : » est attendu ici</translation>
+    </message>
+    <message>
+        <source>the weights must add up to more than 0, and to a finite number</source>
+        <translation>la somme des poids doit être supérieure à 0 et finie</translation>
+    </message>
+    <message>
+        <source>axiom and rules have more than %1 modules</source>
+        <translation>l’axiome et les règles ont plus de %1 modules</translation>
+    </message>
+    <message>
+        <source>an operator, &quot;,&quot; or &quot;)&quot; is expected here</source>
+        <translation>un opérateur, « , » ou « ) » est attendu ici</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langage</translation>
+    </message>
+    <message>
+        <source>Letters: each symbol is one letter, and every step has one length. Modules with numbers: letters carry lengths, widths and angles, and rules compute with them.</source>
+        <translation>Lettres : chaque symbole est une lettre, et tous les pas ont la même longueur. Modules avec nombres : les lettres portent des longueurs, des largeurs et des angles, et les règles calculent avec eux.</translation>
+    </message>
+    <message>
+        <source>Constants</source>
+        <translation>Constantes</translation>
+    </message>
+    <message>
+        <source>Names for numbers that axiom and rules use, one a line: &quot;r1 = 0.9&quot;. A line may use the names above it.</source>
+        <translation>Des noms pour les nombres de l’axiome et des règles, un par ligne : « r1 = 0.9 ». Une ligne peut employer les noms qui la précèdent.</translation>
+    </message>
+    <message>
+        <source>Tropism</source>
+        <translation>Tropisme</translation>
+    </message>
+    <message>
+        <source>What branches bend towards as they grow: down where their weight pulls them, up where they seek light. A longer arrow bends them more.</source>
+        <translation>Ce vers quoi les branches se courbent en poussant : vers le bas quand leur poids les tire, vers le haut quand elles cherchent la lumière. Une flèche plus longue les courbe davantage.</translation>
+    </message>
+    <message>
+        <source>Elasticity</source>
+        <translation>Élasticité</translation>
+    </message>
+    <message>
+        <source>How much each piece of branch gives way to the tropism. 0: branches stay as the rules say.</source>
+        <translation>À quel point chaque morceau de branche cède au tropisme. 0 : les branches restent comme le disent les règles.</translation>
+    </message>
+    <message>
+        <source>Letters</source>
+        <translation>Lettres</translation>
+    </message>
+    <message>
+        <source>Modules with numbers</source>
+        <translation>Modules avec nombres</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

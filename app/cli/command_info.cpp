@@ -38,6 +38,7 @@ struct SkeletonFacts
 {
     std::int64_t branches = 0, terminals = 0, maxChildren = 0;
     double totalLength = 0.0, sumA1 = 0.0;
+    glm::dvec3 sumTip{0.0};
     Box box;
 };
 
@@ -54,7 +55,8 @@ struct TreeFacts
 SkeletonFacts factsOf(const Skeleton& skeleton)
 {
     const SkeletonStats stats = skeletonStats(skeleton);
-    SkeletonFacts out{stats.branches, stats.terminals, stats.maxChildren, stats.totalLength, stats.sumA1, {}};
+    SkeletonFacts out{
+        stats.branches, stats.terminals, stats.maxChildren, stats.totalLength, stats.sumA1, stats.sumTip, {}};
     out.box.add(stats.min);
     out.box.add(stats.max);
     return out;
@@ -68,6 +70,7 @@ void add(SkeletonFacts& sum, const SkeletonFacts& more, const glm::dmat4& world)
     sum.maxChildren = std::max(sum.maxChildren, more.maxChildren);
     sum.totalLength += more.totalLength;
     sum.sumA1 += more.sumA1;
+    sum.sumTip += glm::dvec3(world * glm::dvec4(more.sumTip, static_cast<double>(more.branches)));
     sum.box.add(more.box.transformed(world));
 }
 
@@ -84,6 +87,8 @@ QJsonObject jsonFacts(const SkeletonFacts& facts)
             {QStringLiteral("maxChildren"), qint64(facts.maxChildren)},
             {QStringLiteral("totalLength"), facts.totalLength},
             {QStringLiteral("sumA1"), facts.sumA1},
+            {QStringLiteral("sumRadius"), facts.sumA1},
+            {QStringLiteral("sumTip"), jsonVector(facts.sumTip)},
             {QStringLiteral("min"), jsonVector(facts.box.min)},
             {QStringLiteral("max"), jsonVector(facts.box.max)}};
 }

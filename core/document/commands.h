@@ -133,7 +133,7 @@ Expected<void> setArmMesh(Document& document, NodeId arm, SharedValue<TriangleMe
 Expected<void> wearMesh(Document& document, NodeId arm, NodeId mesh, bool fitted);
 /// "New tree" (Space): the next seeds and stochastic rewriting on, as one step. Seeds follow each other in a
 /// fixed order that repeats after 2^31 of them; trees of one call never get the same. Nodes that are no
-/// trees, and trees in which chance has no say (core/generators/grammar/variety.h), are left out; error where
+/// trees, and trees in which chance has no say (core/generators/variety.h), are left out; error where
 /// no tree remains.
 Expected<void> newTree(Document& document, const std::vector<NodeId>& nodes);
 /// Tracks of any channels of any nodes as one step: every edit of keys (insert, remove, drag, paste, modes,

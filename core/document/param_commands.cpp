@@ -1,6 +1,6 @@
 // Parameters of nodes.
 #include "core/document/document_command.h"
-#include "core/generators/grammar/variety.h"
+#include "core/generators/variety.h"
 #include "core/params/presets.h"
 
 namespace ramure {

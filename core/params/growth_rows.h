@@ -9,6 +9,11 @@ namespace ramure::rows {
 // Every text stands in one line per clause; the columns of a table read better than those of the formatter.
 // clang-format off
 inline constexpr std::array growthRows{
+    row<&NodeParams::grammar, &GrammarParams::dialect>(
+        {"grammar.dialect", grammarGroup, RAMURE_NOOP("Language"),
+         RAMURE_NOOP("Letters: each symbol is one letter, and every step has one length. Modules with numbers: letters carry "
+                     "lengths, widths and angles, and rules compute with them.")},
+        ParamUnit::None, {}, Stage::Symbols),
     row<&NodeParams::grammar, &GrammarParams::axiom>(
         {"grammar.axiom", grammarGroup, RAMURE_NOOP("Axiom"),
          RAMURE_NOOP("The seed the tree grows from: the symbols that stand there before any rule is used.")},
@@ -18,6 +23,10 @@ inline constexpr std::array growthRows{
          RAMURE_NOOP("How symbols grow, one rule a line: \"A -> [+A]B\" puts [+A]B in the place of every A. "
                      "Several outcomes by chance: \"B -> 0.7: B | 0.3: BB\".")},
         ParamUnit::None, {}, Stage::Symbols, paramGrammar | paramMultiline),
+    row<&NodeParams::grammar, &GrammarParams::constants>(
+        {"grammar.constants", grammarGroup, RAMURE_NOOP("Constants"),
+         RAMURE_NOOP("Names for numbers that axiom and rules use, one a line: \"r1 = 0.9\". A line may use the names above it.")},
+        ParamUnit::None, {}, Stage::Symbols, paramGrammar | paramMultiline, treeOnly, isParametric),
     row<&NodeParams::grammar, &GrammarParams::iterations>(
         {"grammar.iterations", grammarGroup, RAMURE_NOOP("Iterations"),
          RAMURE_NOOP("How often the rules are used. Each round makes the tree finer; the number of branches grows "
@@ -48,6 +57,15 @@ inline constexpr std::array growthRows{
          RAMURE_NOOP("What remains of the radius at the end of each piece of branch. 1 keeps branches as thick as "
                      "the trunk.")},
         ParamUnit::Ratio, {0.01, 1, 0.5, 1, 0.01, 4}, Stage::Skeleton, paramAnimatable),
+    row<&NodeParams::turtle, &TurtleParams::tropism>(
+        {"turtle.tropism", turtleGroup, RAMURE_NOOP("Tropism"),
+         RAMURE_NOOP("What branches bend towards as they grow: down where their weight pulls them, up where they seek light. "
+                     "A longer arrow bends them more.")},
+        ParamUnit::None, {-1000, 1000, -1, 1, 0.05, 3}, Stage::Skeleton, paramAnimatable, treeOnly, isParametric),
+    row<&NodeParams::turtle, &TurtleParams::elasticity>(
+        {"turtle.elasticity", turtleGroup, RAMURE_NOOP("Elasticity"),
+         RAMURE_NOOP("How much each piece of branch gives way to the tropism. 0: branches stay as the rules say.")},
+        ParamUnit::Ratio, {-10, 10, 0, 0.5, 0.01, 4}, Stage::Skeleton, paramAnimatable, treeOnly, isParametric),
 
     row<&NodeParams::variation, &VariationParams::angle>(
         {"variation.angle", variationGroup, RAMURE_NOOP("Angles"),

@@ -22,6 +22,10 @@
 
 namespace ramure {
 
+/// The language of a grammar: letters alone, or modules with numbers
+/// (core/generators/parametric/parametric_grammar.h).
+enum class GrammarDialect : std::uint8_t { Classic, Parametric };
+
 struct GrammarParams
 {
     std::string axiom = "BBBBBA";
@@ -33,6 +37,8 @@ struct GrammarParams
     std::int64_t iterations = 8;
     bool stochastic = false;
     std::int64_t seed = 1;
+    GrammarDialect dialect = GrammarDialect::Classic;
+    std::string constants{}; ///< of the parametric dialect: one "name = expression" a line
     bool operator==(const GrammarParams&) const = default;
 };
 
@@ -41,6 +47,8 @@ struct TurtleParams
     double theta = 0.3142; ///< rad
     double alpha = 0.2;    ///< m
     double decay = 0.88;
+    glm::dvec3 tropism{0.0, -1.0, 0.0}; ///< of the parametric dialect: what branches bend towards
+    double elasticity = 0.0;            ///< rad that a branch across a tropism of length 1 bends by
     bool operator==(const TurtleParams&) const = default;
 };
 

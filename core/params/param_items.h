@@ -10,6 +10,9 @@ namespace ramure {
 
 template <class T> inline constexpr std::array<EnumItem, 0> itemsOf{};
 template <>
+inline constexpr std::array itemsOf<GrammarDialect>{
+    EnumItem{"classic", RAMURE_NOOP("Letters")}, EnumItem{"parametric", RAMURE_NOOP("Modules with numbers")}};
+template <>
 inline constexpr std::array itemsOf<PhysicsMode>{EnumItem{"faithful", RAMURE_NOOP("Faithful")},
                                                  EnumItem{"robust", RAMURE_NOOP("Robust")}};
 template <>

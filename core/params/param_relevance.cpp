@@ -13,6 +13,8 @@ constexpr std::array angular{"box", "plane"};
 constexpr std::array standing{"cylinder", "sphere", "box", "cone", "plane"};
 constexpr std::array pictured{"smooth",  "plated", "furrowed",  "scaly",  "peeling", "ringed",
                               "fibrous", "mosaic", "palmScars", "thorny", "corky",   "bamboo"};
+constexpr std::array classic{"classic"};
+constexpr std::array parametric{"parametric"};
 constexpr std::array robust{"robust"};
 constexpr std::array transpose{"transpose"};
 constexpr std::array faithful{"faithful"};
@@ -33,6 +35,10 @@ constexpr auto realFruit = [] {
 }();
 
 constexpr std::array relevances{
+    Relevance{"grammar.constants", "grammar.dialect", parametric},
+    Relevance{"turtle.tropism", "grammar.dialect", parametric},
+    Relevance{"turtle.elasticity", "grammar.dialect", parametric},
+    Relevance{"variation.radius", "grammar.dialect", classic},
     Relevance{"primitive.radius", "primitive.shape", round},
     Relevance{"primitive.height", "primitive.shape", tall},
     Relevance{"primitive.size", "primitive.shape", angular},

@@ -86,6 +86,9 @@ inline constexpr std::uint8_t shapedKinds = everyKind & ~kindBit(NodeKind::Group
 
 using Condition = bool(const NodeParams&);
 inline constexpr Condition* growsByChance = [](const NodeParams& p) { return p.grammar.stochastic; };
+inline constexpr Condition* isParametric = [](const NodeParams& p) {
+    return p.grammar.dialect == GrammarDialect::Parametric;
+};
 inline constexpr Condition* mergesRuns = [](const NodeParams& p) { return p.simplify.enabled; };
 inline constexpr Condition* hasNoBudget = [](const NodeParams& p) { return p.mesh.targetTriangles == 0; };
 inline constexpr Condition* isFaithful = [](const NodeParams& p) {

@@ -2,6 +2,7 @@
 
 #include "core/generators/grammar/rewrite.h"
 #include "core/generators/grammar/turtle.h"
+#include "core/generators/parametric/module_turtle.h"
 #include "core/math/stage_hash.h"
 #include "core/params/param_def.h"
 #include "core/pipeline/bark_feet.h"
@@ -36,9 +37,16 @@ template <class T> std::size_t bytesOf(const std::vector<T>& list)
 {
     return list.capacity() * sizeof(T);
 }
-std::size_t bytesOf(const std::string& text)
+/// What the rules made of the axiom.
+struct GrownSymbols
 {
-    return text.capacity();
+    std::string letters;
+    ModuleWord word; ///< of the parametric dialect, one module a letter
+};
+std::size_t bytesOf(const GrownSymbols& grown)
+{
+    return grown.letters.capacity() + bytesOf(grown.word.modules) + bytesOf(grown.word.numbers) +
+           bytesOf(grown.word.keys);
 }
 std::size_t bytesOf(const Skeleton& s)
 {
@@ -74,8 +82,26 @@ tl::unexpected<Error> blame(Error error, const char* path)
     return fail(std::move(error));
 }
 
-Expected<std::string> growSymbols(const GrammarParams& params, const Progress& progress)
+Expected<GrownSymbols> growModules(const GrammarParams& params, const Progress& progress)
 {
+    const auto grammar = parseParametric(params);
+    if (!grammar)
+        return fail(grammar.error());
+    DeriveOptions options;
+    options.iterations = static_cast<int>(params.iterations);
+    options.stochastic = params.stochastic;
+    options.seed = static_cast<std::uint64_t>(params.seed);
+    auto word = derive(*grammar, options, progress);
+    if (!word)
+        return blame(std::move(word.error()), "grammar.iterations");
+    std::string letters = lettersOf(*word);
+    return GrownSymbols{std::move(letters), std::move(*word)};
+}
+
+Expected<GrownSymbols> growSymbols(const GrammarParams& params, const Progress& progress)
+{
+    if (params.dialect == GrammarDialect::Parametric)
+        return growModules(params, progress);
     const auto grammar = parseGrammar(params.axiom, params.rules);
     if (!grammar)
         return fail(grammar.error());
@@ -86,17 +112,17 @@ Expected<std::string> growSymbols(const GrammarParams& params, const Progress& p
     auto symbols = rewrite(*grammar, options, progress);
     if (!symbols)
         return blame(std::move(symbols.error()), "grammar.iterations");
-    return symbols;
+    return GrownSymbols{std::move(*symbols), {}};
 }
 
-Expected<Skeleton> growSkeleton(const std::string& symbols, const NodeParams& params,
-                                const Progress& progress)
+Expected<Skeleton> growSkeleton(const GrownSymbols& grown, const NodeParams& params, const Progress& progress)
 {
     const GrammarParams& grammar = params.grammar;
-    auto skeleton = grammar.stochastic
-                        ? runTurtle(symbols, params.turtle,
-                                    {params.variation, static_cast<std::uint64_t>(grammar.seed)}, progress)
-                        : runTurtle(symbols, params.turtle, progress);
+    const TurtleChance chance{grammar.stochastic ? params.variation : VariationParams{0.0, 0.0, 0.0},
+                              static_cast<std::uint64_t>(grammar.seed)};
+    if (grammar.dialect == GrammarDialect::Parametric)
+        return runModuleTurtle(grown.word, params.turtle, chance, progress);
+    auto skeleton = runTurtle(grown.letters, params.turtle, chance, progress);
     if (skeleton)
         return skeleton;
     Error error = std::move(skeleton.error());
@@ -229,7 +255,7 @@ Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& 
 
 struct TreePipeline::Cache
 {
-    StageCache<std::string> symbols;
+    StageCache<GrownSymbols> symbols;
     StageCache<Skeleton> skeleton;
     StageCache<SimplifiedSkeleton> simplified;
     StageCache<SectionSet> sections;
@@ -330,12 +356,15 @@ private:
     {
         return cached(m_cache.symbols, m_hashes[Stage::Symbols], m_progress,
                       [&] { return growSymbols(m_params.grammar, m_progress.part(0.0, 0.05)); })
-            .map([&](auto made) { m_result.symbols = std::move(made); });
+            .map([&](auto made) {
+                m_result.symbols = std::shared_ptr<const std::string>(made, &made->letters);
+                m_grown = std::move(made);
+            });
     }
     Expected<void> skeleton()
     {
         return cached(m_cache.skeleton, m_hashes[Stage::Skeleton], m_progress,
-                      [&] { return growSkeleton(*m_result.symbols, m_params, m_progress.part(0.05, 0.1)); })
+                      [&] { return growSkeleton(*m_grown, m_params, m_progress.part(0.05, 0.1)); })
             .map([&](auto made) { m_result.skeleton = std::move(made); });
     }
     Expected<void> simplified()
@@ -408,6 +437,7 @@ private:
     StageHashes m_hashes;
     C& m_cache;
     const Progress& m_progress;
+    std::shared_ptr<const GrownSymbols> m_grown;
     TreeResult m_result;
     bool m_meshes = true; ///< there will be sections and a mesh
 };

@@ -88,6 +88,7 @@ SkeletonStats skeletonStats(const Skeleton& skeleton)
         stats.maxChildren = std::max(stats.maxChildren, children.count(i));
         stats.totalLength += skeleton.length(i);
         stats.sumA1 += skeleton.a1[i];
+        stats.sumTip += skeleton.p1[i];
         stats.min = glm::min(stats.min, glm::min(skeleton.p0[i], skeleton.p1[i]));
         stats.max = glm::max(stats.max, glm::max(skeleton.p0[i], skeleton.p1[i]));
     }

@@ -65,6 +65,7 @@ struct SkeletonStats
     Index branches = 0, terminals = 0, maxChildren = 0, roots = 0;
     double totalLength = 0.0, sumA1 = 0.0;
     glm::dvec3 min{0.0}, max{0.0}; ///< box of all end points
+    glm::dvec3 sumTip{0.0};        ///< of all p1
 };
 SkeletonStats skeletonStats(const Skeleton& skeleton);
 

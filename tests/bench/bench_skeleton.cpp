@@ -1,7 +1,9 @@
 // Grammar (per output symbol), turtle (per branch), simplification (per input branch).
+#include "core/generators/parametric/module_turtle.h"
 #include "core/math/random.h"
 #include "core/skeleton/edit_places.h"
 #include "tests/bench/bench_trees.h"
+#include "tests/support/book_trees.h"
 #include <benchmark/benchmark.h>
 
 using namespace ramure;
@@ -75,6 +77,25 @@ void BM_simplify(benchmark::State& state)
     label(state, skeleton.size());
 }
 BENCHMARK(BM_simplify)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
+
+/// The tree of the book's figure 2.6, rewriting and turtle: what one module of the last round costs.
+void BM_parametric(benchmark::State& state)
+{
+    const NodeParams params = test::bookTrees[0].params(static_cast<int>(state.range(0)));
+    std::size_t modules = 0;
+    for (auto _ : state) {
+        const auto grammar = bench::need(parseParametric(params.grammar));
+        const ModuleWord word = bench::need(derive(grammar, {static_cast<int>(state.range(0))}));
+        const Skeleton skeleton = bench::need(runModuleTurtle(word, params.turtle, {{0.0, 0.0, 0.0}, 1}));
+        modules = word.modules.size();
+        benchmark::DoNotOptimize(skeleton.p1.data());
+    }
+    state.SetLabel(std::to_string(modules) + " modules");
+    state.counters["ns/module"] =
+        benchmark::Counter(1e-9 * static_cast<double>(modules),
+                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(BM_parametric)->DenseRange(10, 16, 3)->Unit(benchmark::kMicrosecond);
 
 /// A thousand edits on ten thousand axes after a twig has come in front: none is where its address says.
 void BM_editPlaces(benchmark::State& state)

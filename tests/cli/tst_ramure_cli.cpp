@@ -302,11 +302,11 @@ private slots:
     void infoKeysAreThoseOfTheReference()
     {
         const test::CliRun run = runCli({"info", "preset:TinyTree", "--json"});
-        const QStringList shared = {"branches", "max",       "maxChildren", "min",
-                                    "sumA1",    "terminals", "totalLength"};
-        QCOMPARE(run.keys(),
-                 (QStringList{"branches", "edits", "leaves", "max", "maxChildren", "min", "nodes", "shed",
-                              "simplified", "sumA1", "symbols", "terminals", "totalLength"}));
+        const QStringList shared = {"branches",  "max",    "maxChildren", "min",        "sumA1",
+                                    "sumRadius", "sumTip", "terminals",   "totalLength"};
+        QCOMPARE(run.keys(), (QStringList{"branches", "edits", "leaves", "max", "maxChildren", "min", "nodes",
+                                          "shed", "simplified", "sumA1", "sumRadius", "sumTip", "symbols",
+                                          "terminals", "totalLength"}));
         QCOMPARE(run.json()["simplified"].toObject().keys(), shared);
     }
     void axesAreListedFromTheGround()

@@ -174,6 +174,8 @@ constexpr const char* floors[] = {
     "core/surface/primitives",
     "core/surface/check",
     "core/generators/grammar",
+    "core/generators/parametric",
+    "core/generators",
     "core/pipeline",
     "core/rig/pose",
     "core/rig/tracks",

@@ -1,7 +1,7 @@
 #include "widgets/actions/edit_actions.h"
 
 #include "core/document/commands.h"
-#include "core/generators/grammar/variety.h"
+#include "core/generators/variety.h"
 #include "core/params/presets.h"
 #include "core/scene/kinds/node_kinds.h"
 #include "core/scene/preset_scene.h"

@@ -1,6 +1,7 @@
 #include "core/generators/grammar/turtle.h"
 
 #include "core/base/wide_clone.h"
+#include "core/generators/grammar/branch_keys.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
 #include "core/params/param_def.h"
@@ -202,13 +203,8 @@ private:
     [[nodiscard]] std::uint64_t nextKey(const State& state) const
     {
         const bool isRoot = state.branch == noIndex;
-        return keyBelow(isRoot ? rootKey : m_skeleton.key[state.branch],
-                        isRoot ? m_roots : m_children[state.branch]);
-    }
-
-    static std::uint64_t keyBelow(std::uint64_t parentKey, Index number)
-    {
-        return mixBits(parentKey + keyStep * (std::uint64_t(number) + 1));
+        return branchKeyBelow(isRoot ? rootBranchKey : m_skeleton.key[state.branch],
+                              isRoot ? m_roots : m_children[state.branch]);
     }
 
     void grow(State& state)
@@ -216,12 +212,12 @@ private:
         const Index parent = state.branch;
         const bool isRoot = parent == noIndex;
         const glm::dvec3 from = isRoot ? glm::dvec3(0.0) : m_skeleton.p1[parent];
-        const std::uint64_t parentKey = isRoot ? rootKey : m_skeleton.key[parent];
+        const std::uint64_t parentKey = isRoot ? rootBranchKey : m_skeleton.key[parent];
         const Index number = isRoot ? m_roots++ : m_children[parent]++;
         const Index i = m_count++;
         m_skeleton.parent[i] = parent;
         m_skeleton.p0[i] = from;
-        const std::uint64_t key = keyBelow(parentKey, number);
+        const std::uint64_t key = branchKeyBelow(parentKey, number);
         double length = m_alpha, decay = m_decay;
         if constexpr (byChance) {
             Random random(m_chance.seed, RandomStream::BranchShape, key);
@@ -238,10 +234,6 @@ private:
         m_skeleton.source[i] = i;
         state.branch = i;
     }
-
-    /// Both are part of the file format: per-branch values are saved by key.
-    static constexpr std::uint64_t rootKey = 0x52616D757265ull;
-    static constexpr std::uint64_t keyStep = 0x9E3779B97F4A7C15ull;
 
     double m_alpha, m_decay, m_theta;
     Turn m_turn;

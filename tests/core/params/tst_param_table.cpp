@@ -85,14 +85,18 @@ void TestParamTable::unknownKeysAreNull()
 
 void TestParamTable::keysAreThePublicInterface()
 {
-    const std::vector<std::string> expected{"grammar.axiom",
+    const std::vector<std::string> expected{"grammar.dialect",
+                                            "grammar.axiom",
                                             "grammar.rules",
+                                            "grammar.constants",
                                             "grammar.iterations",
                                             "grammar.stochastic",
                                             "grammar.seed",
                                             "turtle.theta",
                                             "turtle.alpha",
                                             "turtle.decay",
+                                            "turtle.tropism",
+                                            "turtle.elasticity",
                                             "variation.angle",
                                             "variation.length",
                                             "variation.radius",

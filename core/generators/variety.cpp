@@ -1,6 +1,7 @@
-#include "core/generators/grammar/variety.h"
+#include "core/generators/variety.h"
 
 #include "core/generators/grammar/grammar.h"
+#include "core/generators/parametric/parametric_grammar.h"
 #include <algorithm>
 
 namespace ramure {
@@ -23,6 +24,11 @@ bool chooses(const Rule& rule)
 
 bool variesByChance(const NodeParams& params)
 {
+    if (params.grammar.dialect == GrammarDialect::Parametric) {
+        const auto grammar = parseParametric(params.grammar);
+        const bool varies = params.variation.angle != 0.0 || params.variation.length != 0.0;
+        return grammar && (varies || (params.grammar.iterations > 0 && grammar->usesChance));
+    }
     const auto grammar = parseGrammar(params.grammar.axiom, params.grammar.rules);
     if (!grammar)
         return false;

@@ -1,0 +1,377 @@
+#include "core/generators/parametric/expression.h"
+
+#include "core/math/random.h"
+#include "core/math/reproducible.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+
+namespace ramure {
+namespace {
+
+using Op = Expression::Op;
+
+constexpr int deepestNesting = 100;
+/// Per level of nesting one number of each binary level waits, and one of a function.
+constexpr std::size_t stackSize = 10 * std::size_t(deepestNesting);
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double radPerDegree = std::numbers::pi / 180.0;
+
+/// Not a number where one side is none: so the end of the expression sees it.
+double compared(Op op, double a, double b)
+{
+    if (!std::isfinite(a) || !std::isfinite(b))
+        return nan;
+    switch (op) {
+    case Op::Less:
+        return a < b;
+    case Op::LessEqual:
+        return a <= b;
+    case Op::Greater:
+        return a > b;
+    case Op::GreaterEqual:
+        return a >= b;
+    case Op::Equal:
+        return a == b;
+    default:
+        return a != b;
+    }
+}
+
+double combined(Op op, double a, double b)
+{
+    switch (op) {
+    case Op::Add:
+        return a + b;
+    case Op::Subtract:
+        return a - b;
+    case Op::Multiply:
+        return a * b;
+    case Op::Divide:
+        return a / b;
+    case Op::Power:
+        return maths::pow(a, b);
+    case Op::Min:
+        return std::isnan(a) || std::isnan(b) ? nan : std::min(a, b);
+    case Op::Max:
+        return std::isnan(a) || std::isnan(b) ? nan : std::max(a, b);
+    default:
+        return compared(op, a, b);
+    }
+}
+
+double applied(Op op, double a)
+{
+    switch (op) {
+    case Op::Negate:
+        return -a;
+    case Op::Not:
+        return std::isnan(a) ? nan : a == 0.0;
+    case Op::Truth:
+        return std::isnan(a) ? nan : a != 0.0;
+    case Op::Abs:
+        return std::abs(a);
+    case Op::Sqrt:
+        return std::sqrt(a);
+    case Op::Sin:
+        return maths::sin(std::fmod(a, 360.0) * radPerDegree);
+    default:
+        return maths::cos(std::fmod(a, 360.0) * radPerDegree);
+    }
+}
+
+bool isUnary(Op op)
+{
+    return op == Op::Negate || op == Op::Not || op == Op::Truth || op == Op::Abs || op == Op::Sqrt ||
+           op == Op::Sin || op == Op::Cos;
+}
+
+double drawn(double a, double b, const ExpressionInputs& inputs, std::uint32_t number)
+{
+    if (!inputs.byChance)
+        return 0.5 * (a + b);
+    constexpr std::uint64_t step = 0x9E3779B97F4A7C15ull;
+    return Random(inputs.seed, RandomStream::Rewrite, mixBits(inputs.key + step * (number + 1ull)))
+        .range(a, b);
+}
+
+} // namespace
+
+double Expression::run(const ExpressionInputs& inputs) const
+{
+    std::array<double, stackSize> stack; // not cleared: it is written before it is read
+    double* top = stack.data() - 1;
+    for (std::size_t i = 0; i < m_steps.size(); ++i) {
+        const Step& step = m_steps[i];
+        switch (step.op) {
+        case Op::Constant:
+            *++top = step.value;
+            break;
+        case Op::Parameter:
+            *++top = inputs.parameters[step.index];
+            break;
+        case Op::Order:
+            *++top = inputs.order;
+            break;
+        case Op::Age:
+            *++top = inputs.age;
+            break;
+        case Op::SkipIfFalse:
+        case Op::SkipIfTrue:
+            if (std::isnan(*top))
+                return nan;
+            if ((*top != 0.0) == (step.op == Op::SkipIfTrue))
+                i = step.index - 1;
+            else
+                --top;
+            break;
+        case Op::Rand:
+            --top;
+            top[0] = drawn(top[0], top[1], inputs, step.index);
+            break;
+        default:
+            if (isUnary(step.op)) {
+                *top = applied(step.op, *top);
+            } else {
+                --top;
+                top[0] = combined(step.op, top[0], top[1]);
+            }
+        }
+    }
+    return *top;
+}
+
+/// By recursive descent, one function per level of precedence.
+class ExpressionParser
+{
+public:
+    ExpressionParser(TextScanner& text, ExpressionNames& names)
+        : m_text(text)
+        , m_names(names)
+    {
+        m_made.m_place = text.place();
+    }
+
+    Expected<Expression> parse()
+    {
+        if (auto done = either(); !done)
+            return fail(done.error());
+        const auto& steps = m_made.m_steps;
+        m_made.m_isProduct = steps.size() == 3 && steps[0].op == Op::Parameter &&
+                             steps[1].op == Op::Constant && steps[2].op == Op::Multiply;
+        return std::move(m_made);
+    }
+
+private:
+    using Done = Expected<void>;
+    using Level = Done (ExpressionParser::*)();
+    struct Sign
+    {
+        const char* text;
+        Op op;
+    };
+
+    Done either() { return chained("||", Op::SkipIfTrue, &ExpressionParser::both); }
+    Done both() { return chained("&&", Op::SkipIfFalse, &ExpressionParser::comparison); }
+    Done comparison()
+    {
+        static constexpr std::array signs{Sign{"<=", Op::LessEqual}, Sign{">=", Op::GreaterEqual},
+                                          Sign{"==", Op::Equal},     Sign{"!=", Op::NotEqual},
+                                          Sign{"<", Op::Less},       Sign{">", Op::Greater}};
+        return binary(signs, &ExpressionParser::sum, false);
+    }
+    Done sum()
+    {
+        static constexpr std::array signs{Sign{"+", Op::Add}, Sign{"-", Op::Subtract}};
+        return binary(signs, &ExpressionParser::product, true);
+    }
+    Done product()
+    {
+        static constexpr std::array signs{Sign{"*", Op::Multiply}, Sign{"/", Op::Divide}};
+        return binary(signs, &ExpressionParser::unary, true);
+    }
+
+    /// The right side is computed only where the left one does not decide.
+    Done chained(const char* sign, Op skip, Level below)
+    {
+        if (auto done = (this->*below)(); !done)
+            return done;
+        while (m_text.take(sign)) {
+            const std::size_t at = m_made.m_steps.size();
+            m_made.m_steps.push_back({skip});
+            if (auto done = (this->*below)(); !done)
+                return done;
+            m_made.m_steps[at].index = static_cast<std::uint32_t>(m_made.m_steps.size());
+            m_made.m_steps.push_back({Op::Truth});
+        }
+        return {};
+    }
+
+    Done binary(std::span<const Sign> signs, Level below, bool chains)
+    {
+        if (auto done = (this->*below)(); !done)
+            return done;
+        for (bool more = true; more;) {
+            const auto sign = std::ranges::find_if(
+                signs, [this](const Sign& s) { return !m_text.atArrow() && m_text.startsWith(s.text); });
+            if (sign == signs.end())
+                return {};
+            const TextPlace place = m_text.place();
+            m_text.take(sign->text);
+            if (auto done = (this->*below)(); !done)
+                return done;
+            if (auto done = emit(sign->op, place); !done)
+                return done;
+            more = chains;
+        }
+        return {};
+    }
+
+    Done unary()
+    {
+        const TextPlace place = m_text.place();
+        const char sign = m_text.peek();
+        if ((sign != '-' && sign != '+' && sign != '!') || m_text.atArrow())
+            return power();
+        m_text.next();
+        return nested([this] { return unary(); }).and_then([&] {
+            return sign == '+' ? Done() : emit(sign == '-' ? Op::Negate : Op::Not, place);
+        });
+    }
+
+    Done power()
+    {
+        if (auto done = operand(); !done)
+            return done;
+        const TextPlace place = m_text.place();
+        if (!m_text.take("^"))
+            return {};
+        return nested([this] { return unary(); }).and_then([&] { return emit(Op::Power, place); });
+    }
+
+    Done operand()
+    {
+        const TextPlace place = m_text.place();
+        if (m_text.atNumber())
+            return m_text.takeNumber().map([this](double value) { push({Op::Constant, 0, value}); });
+        if (m_text.atName())
+            return named(m_text.takeName(), place);
+        if (!m_text.take("("))
+            return failAt(place, ErrorCode::Syntax,
+                          RAMURE_NOOP("a number, a name or \"(\" is expected here"));
+        return nested([this] { return either(); }).and_then([this] { return closed(); });
+    }
+
+    Done named(std::string_view name, const TextPlace& place)
+    {
+        const auto parameter = std::ranges::find(m_names.parameters, name);
+        if (parameter != m_names.parameters.end()) {
+            push({Op::Parameter, static_cast<std::uint32_t>(parameter - m_names.parameters.begin())});
+            return {};
+        }
+        static constexpr std::array functions{
+            Sign{"min", Op::Min},   Sign{"max", Op::Max},     Sign{"abs", Op::Abs},
+            Sign{"sqrt", Op::Sqrt}, Sign{"sin", Op::Sin},     Sign{"cos", Op::Cos},
+            Sign{"rand", Op::Rand}, Sign{"order", Op::Order}, Sign{"age", Op::Age}};
+        const auto function = std::ranges::find(functions, name, &Sign::text);
+        if (function != functions.end()) {
+            m_names.usesOrder = m_names.usesOrder || function->op == Op::Order;
+            if (function->op != Op::Order && function->op != Op::Age)
+                return called(function->op, place);
+            push({function->op});
+            return {};
+        }
+        const auto constant = m_names.constants->find(name);
+        if (constant == m_names.constants->end())
+            return failAt(
+                place, ErrorCode::Syntax,
+                RAMURE_NOOP(
+                    "\"%1\" is neither a parameter of this rule's modules nor a constant nor a function"),
+                {std::string(name)});
+        push({Op::Constant, 0, constant->second});
+        return {};
+    }
+
+    Done called(Op op, const TextPlace& place)
+    {
+        if (!m_text.take("("))
+            return failAt(m_text.place(), ErrorCode::Syntax,
+                          RAMURE_NOOP("\"(\" is expected here: this is a function"));
+        int arguments = 0;
+        do {
+            if (auto done = nested([this] { return either(); }); !done)
+                return done;
+            ++arguments;
+            if (arguments > 1 && (op == Op::Min || op == Op::Max))
+                if (auto done = emit(op, place); !done)
+                    return done;
+        } while (m_text.take(","));
+        const bool takesMany = op == Op::Min || op == Op::Max;
+        const int wanted = isUnary(op) ? 1 : 2;
+        if (takesMany ? arguments < 2 : arguments != wanted)
+            return failAt(m_text.place(), ErrorCode::Syntax,
+                          wanted == 1 ? RAMURE_NOOP("one number is expected in these brackets, not %1")
+                                      : RAMURE_NOOP("two numbers are expected in these brackets, not %1"),
+                          {std::to_string(arguments)});
+        if (auto done = closed(); !done || takesMany)
+            return done;
+        return op == Op::Rand ? (push({op, m_names.randoms++}), Done()) : emit(op, place);
+    }
+
+    Done closed()
+    {
+        return m_text.take(")")
+                   ? Done()
+                   : failAt(m_text.place(), ErrorCode::Syntax, RAMURE_NOOP("\")\" is expected here"));
+    }
+
+    /// Calls stand on the program's stack: a text of a million brackets must not exhaust it.
+    template <class Inner> Done nested(Inner&& inner)
+    {
+        if (++m_depth > deepestNesting)
+            return failAt(m_text.place(), ErrorCode::Limit,
+                          RAMURE_NOOP("the expression is nested deeper than %1"),
+                          {std::to_string(deepestNesting)});
+        Done done = inner();
+        --m_depth;
+        return done;
+    }
+
+    void push(const Expression::Step& step) { m_made.m_steps.push_back(step); }
+
+    /// What is known already is computed now, and must be a number.
+    Done emit(Op op, const TextPlace& place)
+    {
+        auto& steps = m_made.m_steps;
+        const std::size_t operands = isUnary(op) ? 1 : 2;
+        const bool isKnown = std::all_of(steps.end() - static_cast<std::ptrdiff_t>(operands), steps.end(),
+                                         [](const Expression::Step& s) { return s.op == Op::Constant; });
+        if (!isKnown) {
+            push({op});
+            return {};
+        }
+        const double last = steps.back().value;
+        if (operands == 2)
+            steps.pop_back();
+        double& value = steps.back().value;
+        value = operands == 2 ? combined(op, value, last) : applied(op, last);
+        if (!std::isfinite(value))
+            return failAt(place, ErrorCode::Invalid, RAMURE_NOOP("the result is not a finite number"));
+        return {};
+    }
+
+    TextScanner& m_text;
+    ExpressionNames& m_names;
+    Expression m_made;
+    int m_depth = 0;
+};
+
+Expected<Expression> parseExpression(TextScanner& text, ExpressionNames& names)
+{
+    return ExpressionParser(text, names).parse();
+}
+
+} // namespace ramure

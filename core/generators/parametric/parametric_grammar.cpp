@@ -1,0 +1,348 @@
+#include "core/generators/parametric/parametric_grammar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+namespace ramure {
+namespace {
+
+constexpr const char* axiomPath = "grammar.axiom";
+constexpr const char* rulesPath = "grammar.rules";
+constexpr const char* constantsPath = "grammar.constants";
+constexpr std::array<std::string_view, 9> functions{"min", "max",  "abs",   "sqrt", "sin",
+                                                    "cos", "rand", "order", "age"};
+
+using Done = Expected<void>;
+
+/// Calls \p visit(line, number) for every line of the text until one fails.
+template <class Visit> Done forEachLine(std::string_view text, Visit&& visit)
+{
+    for (int number = 1;; ++number) {
+        const std::size_t end = text.find('\n');
+        if (Done done = visit(text.substr(0, end), number); !done)
+            return done;
+        if (end == std::string_view::npos)
+            return {};
+        text.remove_prefix(end + 1);
+    }
+}
+
+Done checkNewName(std::string_view name, const TextPlace& place)
+{
+    if (name.empty())
+        return failAt(place, ErrorCode::Syntax, RAMURE_NOOP("a name is expected here"));
+    if (std::ranges::find(functions, name) != functions.end())
+        return failAt(place, ErrorCode::Syntax, RAMURE_NOOP("\"%1\" has a meaning of its own already"),
+                      {std::string(name)});
+    return {};
+}
+
+/// One line of constants; a line may use those above it.
+Done readConstant(TextScanner& text, const GrammarParams& params, Constants& constants)
+{
+    const TextPlace place = text.place();
+    const std::string name(text.takeName());
+    if (auto done = checkNewName(name, place); !done)
+        return done;
+    if (constants.contains(name))
+        return failAt(place, ErrorCode::Syntax, RAMURE_NOOP("there is a constant \"%1\" already"), {name});
+    if (!text.take("="))
+        return failAt(text.place(), ErrorCode::Syntax, RAMURE_NOOP("\"=\" is expected here"));
+    ExpressionNames names;
+    names.constants = &constants;
+    const auto expression = parseExpression(text, names);
+    if (!expression)
+        return fail(expression.error());
+    if (!text.atEnd())
+        return failAt(text.place(), ErrorCode::Syntax,
+                      RAMURE_NOOP("an operator or the end of the line is expected here"));
+    ExpressionInputs inputs;
+    inputs.byChance = params.stochastic;
+    inputs.seed = static_cast<std::uint64_t>(params.seed);
+    for (const char c : name) // of its own name: another constant in front changes nothing
+        inputs.key = inputs.key * 131 + static_cast<unsigned char>(c);
+    const double value = expression->value(inputs);
+    if (!std::isfinite(value))
+        return failAt(expression->place(), ErrorCode::Invalid,
+                      RAMURE_NOOP("the result is not a finite number"));
+    constants.emplace(name, value);
+    return {};
+}
+
+class GrammarParser
+{
+public:
+    explicit GrammarParser(const GrammarParams& params)
+        : m_params(params)
+    {
+    }
+
+    Expected<ParametricGrammar> parse()
+    {
+        auto constants = parseConstants(m_params);
+        if (!constants)
+            return fail(constants.error());
+        m_made.constants = std::move(*constants);
+        m_names.constants = &m_made.constants;
+        TextScanner axiom(m_params.axiom, axiomPath, 1, true);
+        if (auto done = readModules(axiom, m_made.axiom); !done)
+            return fail(done.error());
+        if (!axiom.atEnd())
+            return moduleExpected(axiom);
+        const auto done = forEachLine(m_params.rules, [this](std::string_view line, int number) -> Done {
+            TextScanner text(line, rulesPath, number, false);
+            return text.atEnd() ? Done() : readRule(text);
+        });
+        if (!done)
+            return fail(done.error());
+        for (const ParametricRule& rule : m_made.rules)
+            m_made.of[static_cast<unsigned char>(rule.module.name)].push_back(&rule);
+        m_made.usesOrder = m_names.usesOrder;
+        return std::move(m_made);
+    }
+
+private:
+    static tl::unexpected<Error> moduleExpected(const TextScanner& text)
+    {
+        return failAt(text.place(), ErrorCode::Syntax,
+                      RAMURE_NOOP("a module is expected here: a letter or one of %1"),
+                      {"+ - & ^ \\ / | $ ! % ~ [ ]"});
+    }
+
+    Done readRule(TextScanner& text)
+    {
+        m_names.parameters.clear();
+        m_names.randoms = 0;
+        ParametricRule rule;
+        if (auto done = readPatterns(text, rule); !done)
+            return done;
+        if (text.take(":")) {
+            auto condition = parseExpression(text, m_names);
+            if (!condition)
+                return fail(condition.error());
+            rule.condition = std::move(*condition);
+        }
+        if (!text.take("->"))
+            return failAt(text.place(), ErrorCode::Syntax,
+                          rule.condition.empty()
+                              ? RAMURE_NOOP("\"->\", \":\", \"<\" or \">\" is expected here: a module or a "
+                                            "context is one letter, and its names stand in brackets")
+                              : RAMURE_NOOP("an operator or \"->\" is expected here"));
+        if (auto done = readOutcomes(text, rule); !done)
+            return done;
+        m_made.usesContext = m_made.usesContext || rule.left || rule.right;
+        m_made.usesChance = m_made.usesChance || rule.productions.size() > 1 || m_names.randoms > 0;
+        m_made.rules.push_back(std::move(rule));
+        return {};
+    }
+
+    /// The parameters of the module come first, then those of its contexts.
+    Done readPatterns(TextScanner& text, ParametricRule& rule)
+    {
+        std::vector<std::string> leftNames, ownNames;
+        if (auto done = readPattern(text, rule.module); !done)
+            return done;
+        if (text.take("<")) {
+            rule.left = rule.module;
+            leftNames = std::exchange(m_names.parameters, {});
+            if (auto done = readPattern(text, rule.module); !done)
+                return done;
+        }
+        ownNames = std::exchange(m_names.parameters, {});
+        if (text.take(">")) {
+            rule.right.emplace();
+            if (auto done = readPattern(text, *rule.right); !done)
+                return done;
+        }
+        const TextPlace end = text.place();
+        ownNames.insert(ownNames.end(), leftNames.begin(), leftNames.end());
+        m_names.parameters.insert(m_names.parameters.begin(), ownNames.begin(), ownNames.end());
+        auto sorted = m_names.parameters;
+        std::ranges::sort(sorted);
+        const auto twice = std::ranges::adjacent_find(sorted);
+        if (twice != sorted.end())
+            return failAt(end, ErrorCode::Syntax, RAMURE_NOOP("the rule has two parameters \"%1\""),
+                          {*twice});
+        return {};
+    }
+
+    Done readPattern(TextScanner& text, ParametricRule::Pattern& pattern)
+    {
+        const TextPlace place = text.place();
+        if (!isModuleLetter(text.peek()) || text.atArrow())
+            return moduleExpected(text);
+        pattern = {text.next(), 0};
+        if (pattern.name == '[' || pattern.name == ']')
+            return failAt(place, ErrorCode::Invalid,
+                          RAMURE_NOOP("brackets are neither replaced nor a context"));
+        if (!text.take("("))
+            return {};
+        do {
+            const TextPlace at = text.place();
+            const std::string name(text.takeName());
+            if (auto done = checkNewName(name, at); !done)
+                return done;
+            m_names.parameters.push_back(name);
+            ++pattern.numbers;
+        } while (text.take(","));
+        if (pattern.numbers > mostModuleNumbers)
+            return tooManyNumbers(place);
+        return text.take(")")
+                   ? Done()
+                   : failAt(text.place(), ErrorCode::Syntax, RAMURE_NOOP("\",\" or \")\" is expected here"));
+    }
+
+    static tl::unexpected<Error> tooManyNumbers(const TextPlace& place)
+    {
+        return failAt(place, ErrorCode::Limit, RAMURE_NOOP("a module has at most %1 numbers"),
+                      {std::to_string(mostModuleNumbers)});
+    }
+
+    Done readOutcomes(TextScanner& text, ParametricRule& rule)
+    {
+        const TextPlace start = text.place();
+        if (!text.atNumber()) {
+            if (auto done = readModules(text, rule.productions.emplace_back()); !done)
+                return done;
+            return text.atEnd() ? Done() : moduleExpected(text);
+        }
+        rule.weights = 0.0;
+        do {
+            Production& outcome = rule.productions.emplace_back();
+            if (!text.atNumber())
+                return failAt(text.place(), ErrorCode::Syntax,
+                              RAMURE_NOOP("each outcome needs a weight and a colon: \"0.5: F\""));
+            const auto weight = text.takeNumber();
+            if (!weight)
+                return fail(weight.error());
+            outcome.weight = *weight;
+            rule.weights += *weight;
+            if (!text.take(":"))
+                return failAt(text.place(), ErrorCode::Syntax, RAMURE_NOOP("\":\" is expected here"));
+            if (auto done = readModules(text, outcome); !done)
+                return done;
+        } while (text.take("|"));
+        if (!text.atEnd())
+            return moduleExpected(text);
+        if (!(rule.weights > 0.0) || !std::isfinite(rule.weights))
+            return failAt(start, ErrorCode::Invalid,
+                          RAMURE_NOOP("the weights must add up to more than 0, and to a finite number"));
+        const auto heaviest = std::ranges::max_element(rule.productions, {}, &Production::weight);
+        rule.likeliest = static_cast<std::size_t>(heaviest - rule.productions.begin());
+        return {};
+    }
+
+    /// A bar in front of a number parts two outcomes: no module begins with a digit.
+    static bool atBetweenOutcomes(const TextScanner& text)
+    {
+        TextScanner after = text;
+        return after.take("|") && after.atNumber();
+    }
+
+    /// Up to what is no module.
+    Done readModules(TextScanner& text, Production& out)
+    {
+        std::vector<TextPlace> open;
+        while (isModuleLetter(text.peek()) && !atBetweenOutcomes(text)) {
+            const TextPlace place = text.place();
+            if (text.atArrow())
+                return moduleExpected(text);
+            if (text.peek() == '[')
+                open.push_back(place);
+            if (text.peek() == ']') {
+                if (open.empty())
+                    return failAt(place, ErrorCode::Invalid,
+                                  RAMURE_NOOP("this \"]\" has no \"[\" before it"));
+                open.pop_back();
+            }
+            if (auto done = readModule(text, out); !done)
+                return done;
+        }
+        return open.empty()
+                   ? Done()
+                   : failAt(open.back(), ErrorCode::Invalid, RAMURE_NOOP("this \"[\" is never closed"));
+    }
+
+    Done readModule(TextScanner& text, Production& out)
+    {
+        const TextPlace place = text.place();
+        const char name = text.next();
+        if (m_made.sources.size() == mostSources)
+            return failAt(place, ErrorCode::Limit, RAMURE_NOOP("axiom and rules have more than %1 modules"),
+                          {std::to_string(mostSources)});
+        const auto first = static_cast<std::uint32_t>(out.numbers.size());
+        out.modules.push_back({first, static_cast<std::uint16_t>(m_made.sources.size()), 0, name});
+        const bool hasNumbers = name != '[' && name != ']' && text.take("(");
+        if (hasNumbers) {
+            if (name == '~')
+                skipOrganName(text);
+            do
+                if (auto done = readNumber(text, out); !done)
+                    return done;
+            while (text.take(","));
+            if (!text.take(")"))
+                return failAt(text.place(), ErrorCode::Syntax,
+                              RAMURE_NOOP("an operator, \",\" or \")\" is expected here"));
+        }
+        const std::size_t numbers = out.numbers.size() - first;
+        if (numbers > mostModuleNumbers)
+            return tooManyNumbers(place);
+        m_made.sources.push_back({name, static_cast<std::uint8_t>(numbers), place});
+        return {};
+    }
+
+    /// The kind of an organ is a word, its size the first number.
+    static void skipOrganName(TextScanner& text)
+    {
+        TextScanner after = text;
+        if (!after.takeName().empty() && after.take(","))
+            text = after;
+    }
+
+    Done readNumber(TextScanner& text, Production& out)
+    {
+        auto expression = parseExpression(text, m_names);
+        if (!expression)
+            return fail(expression.error());
+        const auto at = static_cast<std::uint32_t>(out.numbers.size());
+        const bool isConstant = expression->isConstant();
+        out.numbers.push_back(isConstant ? expression->value({}) : 0.0);
+        if (!isConstant)
+            out.computed.push_back({at, std::move(*expression)});
+        return {};
+    }
+
+    const GrammarParams& m_params;
+    ParametricGrammar m_made;
+    ExpressionNames m_names;
+};
+
+} // namespace
+
+bool isModuleLetter(char letter)
+{
+    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+           (letter != '\0' && std::string_view("+-&^\\/|$!%~[]").find(letter) != std::string_view::npos);
+}
+
+Expected<Constants> parseConstants(const GrammarParams& params)
+{
+    Constants constants;
+    const auto done =
+        forEachLine(params.constants, [&params, &constants](std::string_view line, int number) -> Done {
+            TextScanner text(line, constantsPath, number, false);
+            return text.atEnd() ? Done() : readConstant(text, params, constants);
+        });
+    if (!done)
+        return fail(done.error());
+    return constants;
+}
+
+Expected<ParametricGrammar> parseParametric(const GrammarParams& params)
+{
+    return GrammarParser(params).parse();
+}
+
+} // namespace ramure

@@ -1,0 +1,60 @@
+/// \file
+/// Reads the texts of a parametric grammar character by character and knows the place of each. Internal to
+/// the parser.
+#pragma once
+
+#include "core/base/error.h"
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ramure {
+
+/// Where something stands in the user's text.
+struct TextPlace
+{
+    const char* path = ""; ///< key of the parameter that holds the text
+    int line = 1;          ///< 1-based
+    int column = 1;        ///< 1-based, counted in bytes
+};
+
+tl::unexpected<Error> failAt(const TextPlace& place, ErrorCode code, const char* text,
+                             std::vector<std::string> args = {});
+
+/// Blanks and comments (# to the end of the line) count nowhere; of line feeds, the caller decides.
+class TextScanner
+{
+public:
+    /// \param text must outlive the scanner; \param multiline line feeds are blanks
+    TextScanner(std::string_view text, const char* path, int line, bool multiline);
+
+    /// The next character that counts, 0 at the end; \p ahead: so many bytes after it, blanks included.
+    [[nodiscard]] char peek(std::size_t ahead = 0) const;
+    [[nodiscard]] bool atEnd() const { return m_at == m_text.size(); }
+    [[nodiscard]] bool startsWith(std::string_view token) const
+    {
+        return m_text.substr(m_at).starts_with(token);
+    }
+    [[nodiscard]] bool atArrow() const { return startsWith("->"); }
+    [[nodiscard]] bool atNumber() const;
+    [[nodiscard]] bool atName() const;
+    [[nodiscard]] TextPlace place() const;
+    /// What follows goes to the next character that counts.
+    char next();
+    bool take(std::string_view token);
+    /// A letter or _, then letters, digits and _. Empty where none stands.
+    std::string_view takeName();
+    /// Error: Invalid where it is out of the range of numbers.
+    Expected<double> takeNumber();
+
+private:
+    void skipBlanks();
+
+    std::string_view m_text;
+    const char* m_path;
+    int m_line;
+    bool m_multiline;
+    std::size_t m_at = 0, m_lineStart = 0;
+};
+
+} // namespace ramure
