@@ -4739,15 +4739,15 @@
     </message>
     <message>
         <source>a number, a name or &quot;(&quot; is expected here</source>
-        <translation>un nombre, un nom ou « ( » est attendu ici</translation>
+        <translation>un nombre, un nom ou «&#xa0;(&#xa0;» est attendu ici</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither a parameter of this rule&apos;s modules nor a constant nor a function</source>
-        <translation>« %1 » n’est ni un paramètre des modules de cette règle, ni une constante, ni une fonction</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est ni un paramètre des modules de cette règle, ni une constante, ni une fonction</translation>
     </message>
     <message>
         <source>&quot;(&quot; is expected here: this is a function</source>
-        <translation>« ( » est attendu ici : c’est une fonction</translation>
+        <translation>«&#xa0;(&#xa0;» est attendu ici : c’est une fonction</translation>
     </message>
     <message>
         <source>one number is expected in these brackets, not %1</source>
@@ -4759,7 +4759,7 @@
     </message>
     <message>
         <source>&quot;)&quot; is expected here</source>
-        <translation>« ) » est attendu ici</translation>
+        <translation>«&#xa0;)&#xa0;» est attendu ici</translation>
     </message>
     <message>
         <source>the expression is nested deeper than %1</source>
@@ -4787,15 +4787,15 @@
     </message>
     <message>
         <source>&quot;%1&quot; has a meaning of its own already</source>
-        <translation>« %1 » a déjà un sens dans le langage</translation>
+        <translation>«&#xa0;%1&#xa0;» a déjà un sens dans le langage</translation>
     </message>
     <message>
         <source>there is a constant &quot;%1&quot; already</source>
-        <translation>il y a déjà une constante « %1 »</translation>
+        <translation>il y a déjà une constante «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>&quot;=&quot; is expected here</source>
-        <translation>« = » est attendu ici</translation>
+        <translation>«&#xa0;=&#xa0;» est attendu ici</translation>
     </message>
     <message>
         <source>an operator or the end of the line is expected here</source>
@@ -4807,15 +4807,15 @@
     </message>
     <message>
         <source>&quot;-&gt;&quot;, &quot;:&quot;, &quot;&lt;&quot; or &quot;&gt;&quot; is expected here: a module or a context is one letter, and its names stand in brackets</source>
-        <translation>« -&gt; », « : », « &lt; » ou « &gt; » est attendu ici : un module ou un contexte est une seule lettre, et ses noms sont entre parenthèses</translation>
+        <translation>«&#xa0;-&gt;&#xa0;», «&#xa0;:&#xa0;», «&#xa0;&lt;&#xa0;» ou «&#xa0;&gt;&#xa0;» est attendu ici : un module ou un contexte est une seule lettre, et ses noms sont entre parenthèses</translation>
     </message>
     <message>
         <source>an operator or &quot;-&gt;&quot; is expected here</source>
-        <translation>un opérateur ou « -&gt; » est attendu ici</translation>
+        <translation>un opérateur ou «&#xa0;-&gt;&#xa0;» est attendu ici</translation>
     </message>
     <message>
         <source>the rule has two parameters &quot;%1&quot;</source>
-        <translation>la règle a deux paramètres « %1 »</translation>
+        <translation>la règle a deux paramètres «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
         <source>brackets are neither replaced nor a context</source>
@@ -4823,7 +4823,7 @@
     </message>
     <message>
         <source>&quot;,&quot; or &quot;)&quot; is expected here</source>
-        <translation>« , » ou « ) » est attendu ici</translation>
+        <translation>«&#xa0;,&#xa0;» ou «&#xa0;)&#xa0;» est attendu ici</translation>
     </message>
     <message>
         <source>a module has at most %1 numbers</source>
@@ -4831,11 +4831,11 @@
     </message>
     <message>
         <source>each outcome needs a weight and a colon: &quot;0.5: F&quot;</source>
-        <translation>chaque issue demande un poids et un deux-points : « 0.5: F »</translation>
+        <translation>chaque issue demande un poids et un deux-points : «&#xa0;0.5: F&#xa0;»</translation>
     </message>
     <message>
         <source>&quot;:&quot; is expected here</source>
-        <translation>« : » est attendu ici</translation>
+        <translation>«&#xa0;:&#xa0;» est attendu ici</translation>
     </message>
     <message>
         <source>the weights must add up to more than 0, and to a finite number</source>
@@ -4847,7 +4847,7 @@
     </message>
     <message>
         <source>an operator, &quot;,&quot; or &quot;)&quot; is expected here</source>
-        <translation>un opérateur, « , » ou « ) » est attendu ici</translation>
+        <translation>un opérateur, «&#xa0;,&#xa0;» ou «&#xa0;)&#xa0;» est attendu ici</translation>
     </message>
     <message>
         <source>Language</source>
@@ -4863,7 +4863,7 @@
     </message>
     <message>
         <source>Names for numbers that axiom and rules use, one a line: &quot;r1 = 0.9&quot;. A line may use the names above it.</source>
-        <translation>Des noms pour les nombres de l’axiome et des règles, un par ligne : « r1 = 0.9 ». Une ligne peut employer les noms qui la précèdent.</translation>
+        <translation>Des noms pour les nombres de l’axiome et des règles, un par ligne : «&#xa0;r1 = 0.9&#xa0;». Une ligne peut employer les noms qui la précèdent.</translation>
     </message>
     <message>
         <source>Tropism</source>
@@ -4888,6 +4888,18 @@
     <message>
         <source>Modules with numbers</source>
         <translation>Modules avec nombres</translation>
+    </message>
+    <message>
+        <source>A trunk that goes on to the top, with boughs around it</source>
+        <translation>Un tronc qui monte jusqu’à la cime, entouré de branches</translation>
+    </message>
+    <message>
+        <source>An umbrella: every branch ends in two, and these lie level</source>
+        <translation>Un parasol : chaque branche finit en deux autres, de niveau</translation>
+    </message>
+    <message>
+        <source>Long twigs that bend down under their weight</source>
+        <translation>De longs rameaux qui plient sous leur poids</translation>
     </message>
 </context>
 <context>

@@ -146,7 +146,7 @@ QString presetsText()
     QString out;
     for (const Preset& preset : presets())
         out += QStringLiteral("%1 %2\n")
-                   .arg(QString::fromUtf8(preset.name), -12)
+                   .arg(QString::fromUtf8(preset.name), -14)
                    .arg(QString::fromUtf8(preset.description));
     return out;
 }

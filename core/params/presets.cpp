@@ -31,6 +31,48 @@ constexpr const char* fernRules = R"(X -> F^[[X]_X]_F[_FX]^X
 F -> FF
 )";
 
+// From here on: figures 2.6 c, 2.7 d and 2.8 a of "The Algorithmic Beauty of Plants", in metres.
+constexpr const char* hondaRules = R"(# after Honda: a trunk with boughs that fork in a plane
+A(l, w) -> !(w)F(l)[&(a0)B(l*r2, w*wr)]/(d)A(l*r1, w*wr)
+B(l, w) -> !(w)F(l)[-(a2)$C(l*r2, w*wr)]C(l*r1, w*wr)
+C(l, w) -> !(w)F(l)[+(a2)$B(l*r2, w*wr)]B(l*r1, w*wr)
+)";
+constexpr const char* hondaConstants = R"(r1 = 0.9    # length of what goes on
+r2 = 0.8    # length of a side branch
+a0 = 45     # boughs from the trunk
+a2 = 45     # twigs from the boughs
+d = 137.5   # around the trunk
+wr = 0.707  # width: both branches together carry as much
+)";
+constexpr const char* aonoKuniiRules = R"(# after Aono and Kunii: every branch ends in two
+A(l, w) -> !(w)F(l)[&(a1)B(l*r1, w*wr)]/(180)[&(a2)B(l*r2, w*wr)]
+B(l, w) -> !(w)F(l)[+(a1)$B(l*r1, w*wr)][-(a2)$B(l*r2, w*wr)]
+)";
+constexpr const char* aonoKuniiConstants = R"(r1 = 0.9
+r2 = 0.8
+a1 = 35
+a2 = 35
+wr = 0.707
+)";
+constexpr const char* ternaryRules = R"(# every branch ends in three, and all grow longer and thicker
+A -> !(w0*vr)F(l0)[&(a)F(l0)A]/(d1)[&(a)F(l0)A]/(d2)[&(a)F(l0)A]
+F(l) -> F(l*lr)
+!(w) -> !(w*vr)
+)";
+constexpr const char* ternaryConstants = R"(l0 = 0.3     # length and width of a new branch
+w0 = 0.006
+d1 = 94.74   # around the branch
+d2 = 132.63
+a = 18.95
+lr = 1.109
+vr = 1.732
+)";
+
+GrammarParams parametric(const char* axiom, const char* rules, const char* constants, std::int64_t iterations)
+{
+    return {axiom, rules, iterations, false, 1, GrammarDialect::Parametric, constants};
+}
+
 NodeParams grown(GrammarParams grammar, TurtleParams turtle)
 {
     NodeParams params;
@@ -56,7 +98,7 @@ NodeParams dressed(NodeParams tree, LeafShape leaf, double leafSize, FruitKind f
 
 std::span<const Preset> presets()
 {
-    static const std::array<Preset, 4> all{{
+    static const std::array<Preset, 7> all{{
         {"SmallTree", RAMURE_NOOP("A tree that forks in two, again and again"),
          dressed(NodeParams(), LeafShape::Apple, 1.4, FruitKind::Apple, 0.05, BarkFamily::Scaly)},
         {"FanTree", RAMURE_NOOP("Slender branches with fans of twigs"),
@@ -68,6 +110,16 @@ std::span<const Preset> presets()
         {"Fern2D", RAMURE_NOOP("A fern that grows in one plane"),
          dressed(grown({"X", fernRules, 5}, {0.4363, 0.1, 0.92}), LeafShape::Fern, 1.0, FruitKind::Faithful,
                  0.0, BarkFamily::Smooth)},
+        {"HondaTree", RAMURE_NOOP("A trunk that goes on to the top, with boughs around it"),
+         dressed(grown(parametric("A(1.2, 0.36)", hondaRules, hondaConstants, 10), TurtleParams()),
+                 LeafShape::Linden, 1.2, FruitKind::Faithful, 0.0, BarkFamily::Furrowed)},
+        {"AonoKuniiTree", RAMURE_NOOP("An umbrella: every branch ends in two, and these lie level"),
+         dressed(grown(parametric("A(1.2, 0.36)", aonoKuniiRules, aonoKuniiConstants, 10), TurtleParams()),
+                 LeafShape::Mimosa, 1.2, FruitKind::Faithful, 0.0, BarkFamily::Corky)},
+        {"TernaryTree", RAMURE_NOOP("Long twigs that bend down under their weight"),
+         dressed(grown(parametric("!(w0)F(4*l0)/(45)A", ternaryRules, ternaryConstants, 6),
+                       {0.3142, 0.2, 0.88, {0.0, -1.0, 0.0}, 0.22}),
+                 LeafShape::Olive, 1.2, FruitKind::Olive, 0.1, BarkFamily::Fibrous)},
     }};
     return all;
 }

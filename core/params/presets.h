@@ -1,5 +1,5 @@
 /// \file
-/// The trees that ship with the program (SPEC A1).
+/// The trees that ship with the program: those of SPEC A1, and three of "The Algorithmic Beauty of Plants".
 #pragma once
 
 #include "core/base/error.h"

@@ -211,8 +211,9 @@ private slots:
             names << entry["name"].toString();
             QVERIFY(!entry["description"].toString().isEmpty());
         }
-        QCOMPARE(names, (QStringList{"SmallTree", "FanTree", "TinyTree", "Fern2D"}));
-        QCOMPARE(runCli({"list", "presets"}).out.count(QLatin1Char('\n')), 4);
+        QCOMPARE(names, (QStringList{"SmallTree", "FanTree", "TinyTree", "Fern2D", "HondaTree",
+                                     "AonoKuniiTree", "TernaryTree"}));
+        QCOMPARE(runCli({"list", "presets"}).out.count(QLatin1Char('\n')), 7);
     }
     void paramsAreListed()
     {

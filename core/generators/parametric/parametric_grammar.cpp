@@ -260,9 +260,11 @@ private:
             if (auto done = readModule(text, out); !done)
                 return done;
         }
-        return open.empty()
-                   ? Done()
-                   : failAt(open.back(), ErrorCode::Invalid, RAMURE_NOOP("this \"[\" is never closed"));
+        if (open.empty())
+            return {};
+        if (!text.atEnd() && !text.startsWith("|"))
+            return moduleExpected(text);
+        return failAt(open.back(), ErrorCode::Invalid, RAMURE_NOOP("this \"[\" is never closed"));
     }
 
     Done readModule(TextScanner& text, Production& out)

@@ -63,7 +63,6 @@ void TestDerive::numbersThatAreNone()
 
 void TestDerive::tooManyModules()
 {
-    const Stopwatch watch;
     const auto word = grown("A", "A -> AAAAAAAAAA", 9);
     QVERIFY(!word);
     QCOMPARE(word.error().code, ErrorCode::Limit);

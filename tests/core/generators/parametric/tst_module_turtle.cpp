@@ -62,6 +62,8 @@ private slots:
     void chanceVariesTurnsAndLengths();
     void booksTrees_data();
     void booksTrees();
+    void handbooksTreeGrows_data();
+    void handbooksTreeGrows();
     void pipelineSaysWhatIsWrong();
     void meshesAreSound();
 };
@@ -240,6 +242,39 @@ void TestModuleTurtle::booksTrees()
         QVERIFY2(std::abs(measure - wanted) <= 1e-6 * box + rounding,
                  qPrintable(QStringLiteral("%1 is not %2").arg(measure, 0, 'g', 15).arg(wanted, 0, 'g', 15)));
     }
+}
+
+void TestModuleTurtle::handbooksTreeGrows_data()
+{
+    QTest::addColumn<QString>("file");
+    QTest::newRow("English") << "grammar.md";
+    QTest::newRow("French") << "fr/grammar.md";
+}
+
+/// The example of the page: an axiom, constants, rules.
+void TestModuleTurtle::handbooksTreeGrows()
+{
+    QFETCH(QString, file);
+    QFile page(QStringLiteral(RAMURE_SOURCE_DIR "/resources/handbook/") + file);
+    QVERIFY(page.open(QIODevice::ReadOnly));
+    NodeParams params;
+    params.grammar = {"", "", 7, false, 1, GrammarDialect::Parametric, ""};
+    bool isHere = false;
+    while (!page.atEnd()) {
+        const QByteArray line = page.readLine();
+        if (line.startsWith("## "))
+            isHere = line.contains("odules"); // "Modules with numbers", "Des modules avec nombres"
+        if (!isHere || !line.startsWith("    "))
+            continue;
+        GrammarParams& grammar = params.grammar;
+        std::string& text = line.contains("->") || line.contains('#') ? grammar.rules
+                            : line.contains('=')                      ? grammar.constants
+                                                                      : grammar.axiom;
+        text += line.toStdString();
+    }
+    const auto tree = TreePipeline().evaluate(params, Stage::Skeleton);
+    QVERIFY2(tree, test::why(tree));
+    QVERIFY(tree->skeleton->size() > 50);
 }
 
 void TestModuleTurtle::pipelineSaysWhatIsWrong()

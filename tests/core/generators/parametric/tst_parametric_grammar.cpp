@@ -66,6 +66,8 @@ void TestParametricGrammar::errorsNameTheirPlace_data()
     add("a huge number", "F(1e999)", "", "", axiom, 1, 3);
     add("a digit", "F2", "", "", axiom, 1, 2);
     add("an open bracket", "F[[F]", "", "", axiom, 1, 2);
+    add("no module in brackets", "A", "A -> [+_F]", "", rules, 1, 8);
+    add("an open bracket of an outcome", "A", "A -> 1: [F | 2: F", "", rules, 1, 9);
     add("a closing bracket", "A", "A -> F]", "", rules, 1, 7);
     add("a rule for brackets", "A", "[ -> F", "", rules, 1, 1);
     add("no weight", "A", "A -> 0.5: F | 0.5 F", "", rules, 1, 19);
