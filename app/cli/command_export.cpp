@@ -341,7 +341,8 @@ void addOptions(CommandLine& line)
             "merged (one mesh of all leaves, one of all apples) or instances: FILE holds what else "
             "there is, and beside it stand FILE_leaves.csv, a row for each leaf, fruit and flower "
             "with its node, shape, material, branch, colour and matrix (3 rows of 4), and "
-            "FILE_leaves_birch.obj, FILE_apples_acorn.obj and so on, the shapes that the rows name. "
+            "FILE_leaves.json, the same as JSON, and FILE_leaves_birch.obj, FILE_apples_acorn.obj and so on, "
+            "the shapes that the rows name. "
             "A point of the shape times the matrix is the point of the merged mesh."),
         QStringLiteral("merged|instances"), QStringLiteral("merged"));
     line.add({QStringLiteral("texture")},

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <glm/matrix.hpp>
+#include <span>
 
 namespace ramure {
 namespace {
@@ -28,6 +29,21 @@ std::string field(const std::string& text)
     std::string out = "\"";
     for (const char c : text)
         out.append(c == '"' ? 2 : 1, c);
+    return out + '"';
+}
+
+/// A text of JSON; bytes that are no UTF-8 stay as they are.
+std::string quoted(const std::string& text)
+{
+    std::string out = "\"";
+    for (const char c : text) {
+        constexpr const char* digits = "0123456789abcdef";
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20)
+            out.append("\\u00").append({digits[byte >> 4], digits[byte & 15]});
+        else
+            out.append(c == '"' || c == '\\' ? "\\" : "").append(1, c);
+    }
     return out + '"';
 }
 
@@ -108,26 +124,55 @@ struct Row
     }
 };
 
-bool writeRows(FileWriter& out, const ExportCopies& copies, const Row& row, writing::Ticker& ticker,
+/// Numbers with commas between.
+char* appendNumbers(char* to, std::span<const float> numbers)
+{
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (i > 0)
+            *to++ = ',';
+        to = appendFloat(to, std::isfinite(numbers[i]) ? numbers[i] : 0.0F);
+    }
+    return to;
+}
+
+/// A table and JSON.
+struct Lists
+{
+    FileWriter& table;
+    FileWriter& json;
+};
+
+bool writeRows(const Lists& out, const ExportCopies& copies, const Row& row, writing::Ticker& ticker,
                bool& areFinite)
 {
     constexpr std::size_t most = 16 + 2 * maxIndexText + 15 * (maxFloatText + 1);
     std::size_t written = 0;
     for (const ExportCopy& copy : copies.copies) {
-        out.append(row.begin); // of any length: nodes have names
-        out.append(std::to_string(copy.branch) + "," + hexOf(copy.key) + ",");
-        char* to = appendIndex(out.room(most), copy.number);
-        for (const float number : row.numbers(copy)) {
-            areFinite = areFinite && std::isfinite(number);
-            *to++ = ',';
-            to = appendFloat(to, std::isfinite(number) ? number : 0.0F);
-        }
+        const std::array<float, 15> numbers = row.numbers(copy);
+        areFinite = areFinite && std::ranges::all_of(numbers, [](float n) { return std::isfinite(n); });
+        out.table.append(row.begin); // of any length: nodes have names
+        out.table.append(std::to_string(copy.branch) + "," + hexOf(copy.key) + ",");
+        char* to = appendIndex(out.table.room(most), copy.number);
+        *to++ = ',';
+        to = appendNumbers(to, numbers);
         *to++ = '\n';
-        out.advance(to);
-        if (++written % writing::chunk == 0 && !ticker.tick(out, writing::chunk))
+        out.table.advance(to);
+        std::string begin(written == 0 ? "\n" : ",\n");
+        out.json.append(begin.append("{\"branch\":")
+                            .append(std::to_string(copy.branch))
+                            .append(",\"address\":\"")
+                            .append(hexOf(copy.key))
+                            .append("\",\"number\":")
+                            .append(std::to_string(copy.number))
+                            .append(",\"colour\":["));
+        out.json.advance(appendNumbers(out.json.room(most), std::span(numbers).first(3)));
+        out.json.append("],\"matrix\":[");
+        out.json.advance(appendNumbers(out.json.room(most), std::span(numbers).subspan(3)));
+        out.json.append("]}");
+        if (++written % writing::chunk == 0 && !ticker.tick(out.table, writing::chunk))
             return false;
     }
-    return ticker.tick(out, written % writing::chunk);
+    return ticker.tick(out.table, written % writing::chunk);
 }
 
 tl::unexpected<Error> failAt(const std::string& path, ErrorCode code, const char* text,
@@ -140,9 +185,9 @@ tl::unexpected<Error> failAt(const std::string& path, ErrorCode code, const char
 
 } // namespace
 
-std::string copyListPath(const std::string& path)
+std::string copyListPath(const std::string& path, const char* ending)
 {
-    return besidePath(path, "leaves.csv");
+    return besidePath(path, std::string("leaves") + ending);
 }
 
 Expected<void> writeCopyList(const std::string& path, const ExportScene& scene, const WriteOptions& options,
@@ -153,6 +198,10 @@ Expected<void> writeCopyList(const std::string& path, const ExportScene& scene, 
     auto out = FileWriter::open(list);
     if (!out)
         return fail(out.error());
+    auto json = FileWriter::open(copyListPath(path, ".json"));
+    if (!json)
+        return fail(json.error());
+    json->append("{\"objects\":[");
     out->append("node,object,kind,mesh,material,branch,address,number,red,green,blue,"
                 "m11,m12,m13,m14,m21,m22,m23,m24,m31,m32,m33,m34\n");
     std::size_t count = 0;
@@ -168,11 +217,18 @@ Expected<void> writeCopyList(const std::string& path, const ExportScene& scene, 
         if (!file)
             return fail(file.error());
         Row row{{}, space * scene.frames.front().transforms[copies.node].geometry, glm::inverse(space)};
-        for (const std::string& text : {scene.nodes[copies.node].name, copies.name, copies.kind, *file,
-                                        scene.materials[copies.material].name})
-            row.begin += field(text) + ",";
+        const std::array texts{scene.nodes[copies.node].name, copies.name, copies.kind, *file,
+                               scene.materials[copies.material].name};
+        constexpr std::array keys{"node", "object", "kind", "mesh", "material"};
+        json->append(i == 0 ? "\n{" : ",\n{");
+        for (std::size_t t = 0; t < texts.size(); ++t) {
+            row.begin += field(texts[t]) + ",";
+            std::string entry("\"");
+            json->append(entry.append(keys[t]).append("\":").append(quoted(texts[t])).append(","));
+        }
+        json->append("\"instances\":[");
         bool areFinite = true;
-        const bool goesOn = writeRows(*out, copies, row, ticker, areFinite);
+        const bool goesOn = writeRows({*out, *json}, copies, row, ticker, areFinite);
         if (ticker.cancelled())
             return failAt(list, ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         if (!areFinite)
@@ -180,8 +236,10 @@ Expected<void> writeCopyList(const std::string& path, const ExportScene& scene, 
                           RAMURE_NOOP("the place of one of %1 is not a finite number"), {copies.name});
         if (!goesOn)
             break;
+        json->append("]}");
     }
-    return out->commit();
+    json->append("\n]}\n");
+    return FileWriter::commitTogether({&*json, &*out});
 }
 
 } // namespace ramure

@@ -135,6 +135,20 @@ private slots:
                      back->notes[0].find("_colour.png\" is not read") != std::string::npos,
                  back->notes[0].c_str());
     }
+    void makingPicturesIsPartOfTheProgress()
+    {
+        const QTemporaryDir folder;
+        const TriangleMesh mesh = square();
+        const MeshPart part{"branches", &mesh, barkMaterial(furrowed())};
+        std::vector<double> told;
+        WriteOptions options;
+        options.mapSize = 128;
+        QVERIFY(writeObj(folder.filePath("oak.obj").toStdString(), {&part, 1},
+                         {{}, [&told](double fraction) { told.push_back(fraction); }}, options));
+        QVERIFY(std::ranges::is_sorted(told));
+        QVERIFY(std::ranges::count_if(told, [](double f) { return f > 0.5 && f < 1.0; }) >= 3);
+        QCOMPARE(told.back(), 1.0);
+    }
     void withoutCoordinatesOrWishThereAreNone_data()
     {
         QTest::addColumn<bool>("hasCoordinates");

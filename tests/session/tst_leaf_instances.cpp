@@ -7,6 +7,9 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <cmath>
 #include <limits>
@@ -183,7 +186,8 @@ private slots:
         const auto cancelled =
             exportScene(evaluator.at(*scene), listed(), path("c.obj"), {stop.get_token(), {}});
         QVERIFY(!cancelled && cancelled.error().code == ErrorCode::Cancelled);
-        QVERIFY(!QFile::exists(m_folder.filePath("c_leaves.csv")));
+        QVERIFY(!QFile::exists(m_folder.filePath("c_leaves.csv")) &&
+                !QFile::exists(m_folder.filePath("c_leaves.json")));
     }
 
     void placesThatAreNoNumbersAreTold()
@@ -271,6 +275,36 @@ private slots:
         QCOMPARE(meshes.at("leaves_1Oak"), meshes.at("leaves_2Oak"));
         QCOMPARE(meshes.at("leaves_3Wide, \"odd\""), QStringLiteral("several_leaves_oak_2.obj"));
         QCOMPARE(meshes.at("apples_1Oak"), meshes.at("apples_3Wide, \"odd\""));
+    }
+
+    void jsonSaysTheSameAsTheTable()
+    {
+        Node tree = treeOf("TinyTree", 1, "Wide, \"odd\"\t\\");
+        tree.params.tree.translation.x = 4.0;
+        const auto scene = Scene::fromNodes({tree});
+        Evaluator evaluator(pipelineSource(m_pipeline));
+        QVERIFY(exportScene(evaluator.at(*scene), listed(), path("j.obj")));
+        QJsonParseError problem;
+        const QJsonDocument json =
+            QJsonDocument::fromJson(bytesOf(copyListPath(path("j.obj"), ".json")), &problem);
+        QCOMPARE(problem.error, QJsonParseError::NoError);
+        const std::vector<Row> rows = rowsOf(copyListPath(path("j.obj")));
+        std::size_t at = 0;
+        for (const QJsonValue object : json["objects"].toArray())
+            for (const QJsonValue each : object["instances"].toArray()) {
+                QVERIFY(at < rows.size());
+                const Row& row = rows[at++];
+                for (const char* key : {"node", "object", "kind", "mesh", "material"})
+                    QCOMPARE(object[key].toString(), row.at(key));
+                QCOMPARE(each["address"].toString(), row.at("address"));
+                for (const char* key : {"branch", "number"})
+                    QCOMPARE(each[key].toInteger(), row.at(key).toLongLong());
+                const glm::dmat4 matrix = matrixOf(row);
+                for (int i = 0; i < 12; ++i)
+                    QCOMPARE(each["matrix"][i].toDouble(), matrix[i % 4][i / 4]);
+                QCOMPARE(each["colour"][1].toDouble(), row.at("green").toDouble());
+            }
+        QVERIFY(at > 0 && at == rows.size());
     }
 
     void everyFrameOfASequenceHasItsList()
