@@ -77,10 +77,12 @@ RenderScene leafScene(const NodeParams& params)
     RenderScene scene;
     Material bark = barkMaterial(params.bark);
     bark.twoSided = true; // its ends are open
-    add(scene, {.mesh = std::make_shared<const TriangleMesh>(buildRoughBranches(twig, sides))}, bark);
-    MeshItem item{
-        .mesh = std::make_shared<const TriangleMesh>(buildLeaves(twig, foliage, 1.0, FoliageModel::Fine)),
-        .copies = std::make_shared<const MeshCopies>(leafCopies(foliage, 1.0, FoliageModel::Fine))};
+    MeshItem branch;
+    branch.mesh = std::make_shared<const TriangleMesh>(buildRoughBranches(twig, sides));
+    add(scene, std::move(branch), bark);
+    MeshItem item;
+    item.mesh = std::make_shared<const TriangleMesh>(buildLeaves(twig, foliage, 1.0, FoliageModel::Fine));
+    item.copies = std::make_shared<const MeshCopies>(leafCopies(foliage, 1.0, FoliageModel::Fine));
     if (foliage.form.shape != LeafShape::Faithful)
         if (auto maps = leafMaps(foliage.form.shape, pixels))
             item.leaf = std::make_shared<const LeafMaps>(std::move(*maps));
