@@ -4901,6 +4901,358 @@
         <source>Long twigs that bend down under their weight</source>
         <translation>De longs rameaux qui plient sous leur poids</translation>
     </message>
+    <message>
+        <source>the trunk has no length</source>
+        <translation>le tronc n’a pas de longueur</translation>
+    </message>
+    <message>
+        <source>the stems have more pieces than the limit of %1</source>
+        <translation>les tiges ont plus de morceaux que la limite de %1</translation>
+    </message>
+    <message>
+        <source>Grows by</source>
+        <translation>Pousse par</translation>
+    </message>
+    <message>
+        <source>What makes the branches. Grammar: symbols that rules replace, and a turtle that draws them. Weber and Penn: trunk, limbs, branches and twigs, each level by its own numbers. Leaves, bark and motion stay.</source>
+        <translation>Ce qui fait les branches. Grammaire : des symboles que des règles remplacent, et une tortue qui les dessine. Weber et Penn : tronc, charpentières, branches et rameaux, chaque niveau selon ses nombres. Feuilles, écorce et mouvement restent.</translation>
+    </message>
+    <message>
+        <source>Weber and Penn</source>
+        <translation>Weber et Penn</translation>
+    </message>
+    <message>
+        <source>Conical</source>
+        <translation>Conique</translation>
+    </message>
+    <message>
+        <source>Spherical</source>
+        <translation>Sphérique</translation>
+    </message>
+    <message>
+        <source>Hemispherical</source>
+        <translation>Hémisphérique</translation>
+    </message>
+    <message>
+        <source>Cylindrical</source>
+        <translation>Cylindrique</translation>
+    </message>
+    <message>
+        <source>Tapered cylinder</source>
+        <translation>Cylindre effilé</translation>
+    </message>
+    <message>
+        <source>Flame</source>
+        <translation>Flamme</translation>
+    </message>
+    <message>
+        <source>Inverse cone</source>
+        <translation>Cône renversé</translation>
+    </message>
+    <message>
+        <source>Nearly a flame</source>
+        <translation>Presque une flamme</translation>
+    </message>
+    <message>
+        <source>Pruning envelope</source>
+        <translation>Enveloppe de taille</translation>
+    </message>
+    <message>
+        <source>Generator</source>
+        <translation>Générateur</translation>
+    </message>
+    <message>
+        <source>Coursework</source>
+        <translation>Travaux dirigés</translation>
+    </message>
+    <message>
+        <source>The Algorithmic Beauty of Plants</source>
+        <translation>The Algorithmic Beauty of Plants</translation>
+    </message>
+    <message>
+        <source>Conifers</source>
+        <translation>Conifères</translation>
+    </message>
+    <message>
+        <source>Broadleaved trees</source>
+        <translation>Feuillus</translation>
+    </message>
+    <message>
+        <source>Slender, with a light crown that never rests</source>
+        <translation>Élancé, avec une cime légère qui ne se repose jamais</translation>
+    </message>
+    <message>
+        <source>A straight trunk through a narrow cone of level limbs</source>
+        <translation>Un tronc droit dans un cône étroit de branches horizontales</translation>
+    </message>
+    <message>
+        <source>A short trunk below curtains of hanging shoots</source>
+        <translation>Un tronc court sous des rideaux de pousses pendantes</translation>
+    </message>
+    <message>
+        <source>Low and wide, with crooked limbs from the ground on</source>
+        <translation>Bas et large, avec des branches tortueuses dès le sol</translation>
+    </message>
+    <message>
+        <source>Level 0: trunk</source>
+        <translation>Niveau 0 : tronc</translation>
+    </message>
+    <message>
+        <source>Level 1: limbs</source>
+        <translation>Niveau 1 : charpentières</translation>
+    </message>
+    <message>
+        <source>Level 2: branches</source>
+        <translation>Niveau 2 : branches</translation>
+    </message>
+    <message>
+        <source>Level 3: twigs</source>
+        <translation>Niveau 3 : rameaux</translation>
+    </message>
+    <message>
+        <source>Crown</source>
+        <translation>Cime</translation>
+    </message>
+    <message>
+        <source>How long limbs are by their height on the trunk: the outline of the crown.</source>
+        <translation>La longueur des charpentières selon leur hauteur sur le tronc : le contour de la cime.</translation>
+    </message>
+    <message>
+        <source>What the length of the trunk is a share of.</source>
+        <translation>Ce dont la longueur du tronc est une part.</translation>
+    </message>
+    <message>
+        <source>Height varies</source>
+        <translation>Variation de la hauteur</translation>
+    </message>
+    <message>
+        <source>How far the height of one tree may lie from it, by seed.</source>
+        <translation>De combien la hauteur d’un arbre peut s’en écarter, selon la graine.</translation>
+    </message>
+    <message>
+        <source>Bare trunk</source>
+        <translation>Tronc nu</translation>
+    </message>
+    <message>
+        <source>The share of the trunk, from the ground, without limbs.</source>
+        <translation>La part du tronc, depuis le sol, sans charpentières.</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Niveaux</translation>
+    </message>
+    <message>
+        <source>1: a trunk alone; 2: with limbs; 3: with branches; 4: with twigs.</source>
+        <translation>1 : un tronc seul ; 2 : avec charpentières ; 3 : avec branches ; 4 : avec rameaux.</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Radius of the trunk as a share of its length. Leaves and fruit take their size from it too.</source>
+        <translation>Rayon du tronc comme part de sa longueur. Feuilles et fruits en tirent aussi leur taille.</translation>
+    </message>
+    <message>
+        <source>Thinner branches</source>
+        <translation>Branches plus minces</translation>
+    </message>
+    <message>
+        <source>How much thinner a shorter stem is than the one that carries it: the radii are as this power of the lengths.</source>
+        <translation>De combien une tige plus courte est plus mince que celle qui la porte : les rayons sont comme cette puissance des longueurs.</translation>
+    </message>
+    <message>
+        <source>Flare</source>
+        <translation>Empattement</translation>
+    </message>
+    <message>
+        <source>By how much the trunk is thicker at the ground than its cone, as a share of its radius.</source>
+        <translation>De combien le tronc est plus épais au sol que son cône, comme part de son rayon.</translation>
+    </message>
+    <message>
+        <source>Lobes</source>
+        <translation>Lobes</translation>
+    </message>
+    <message>
+        <source>Ribs around the trunk. Cross-sections here are round: they get the radius that the ribs have on average.</source>
+        <translation>Côtes autour du tronc. Ici les sections sont rondes : elles prennent le rayon moyen des côtes.</translation>
+    </message>
+    <message>
+        <source>Depth of lobes</source>
+        <translation>Profondeur des lobes</translation>
+    </message>
+    <message>
+        <source>How far the ribs stand out, as a share of the trunk&apos;s radius.</source>
+        <translation>De combien les côtes ressortent, comme part du rayon du tronc.</translation>
+    </message>
+    <message>
+        <source>Upwards</source>
+        <translation>Vers le haut</translation>
+    </message>
+    <message>
+        <source>How strongly branches from the second level on grow towards the sky; negative, towards the ground.</source>
+        <translation>La force avec laquelle les branches, dès le deuxième niveau, poussent vers le ciel ; négative, vers le sol.</translation>
+    </message>
+    <message>
+        <source>Pruning</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>How far limbs that reach out of the pruning envelope are shortened to fit: 0 not at all, 1 fully.</source>
+        <translation>De combien les charpentières qui sortent de l’enveloppe de taille sont raccourcies pour y tenir : 0 pas du tout, 1 entièrement.</translation>
+    </message>
+    <message>
+        <source>Envelope width</source>
+        <translation>Largeur de l’enveloppe</translation>
+    </message>
+    <message>
+        <source>Half the width of the pruning envelope where it is widest, as a share of the height.</source>
+        <translation>La moitié de la largeur de l’enveloppe là où elle est la plus large, comme part de la hauteur.</translation>
+    </message>
+    <message>
+        <source>Widest at</source>
+        <translation>Plus large à</translation>
+    </message>
+    <message>
+        <source>Where the envelope is widest: 0 at the base of the crown, 1 at its top.</source>
+        <translation>Où l’enveloppe est la plus large : 0 à la base de la cime, 1 au sommet.</translation>
+    </message>
+    <message>
+        <source>Curve below</source>
+        <translation>Courbe du bas</translation>
+    </message>
+    <message>
+        <source>The outline below the widest place: 1 straight, less full, more hollow.</source>
+        <translation>Le contour sous l’endroit le plus large : 1 droit, moins bombé, plus creux.</translation>
+    </message>
+    <message>
+        <source>Curve above</source>
+        <translation>Courbe du haut</translation>
+    </message>
+    <message>
+        <source>The outline above the widest place: 1 straight, less full, more hollow.</source>
+        <translation>Le contour au-dessus de l’endroit le plus large : 1 droit, moins bombé, plus creux.</translation>
+    </message>
+    <message>
+        <source>Stems</source>
+        <translation>Tiges</translation>
+    </message>
+    <message>
+        <source>How many stems of this level a full stem of the level below carries; at level 0, how many trunks share the foot.</source>
+        <translation>Combien de tiges de ce niveau porte une tige entière du niveau inférieur ; au niveau 0, combien de troncs partagent le pied.</translation>
+    </message>
+    <message>
+        <source>As a share of the stem that carries it; of the trunk, of the height.</source>
+        <translation>Comme part de la tige qui la porte ; pour le tronc, de la hauteur.</translation>
+    </message>
+    <message>
+        <source>Length varies</source>
+        <translation>Variation de la longueur</translation>
+    </message>
+    <message>
+        <source>How far that share may be more or less, by seed.</source>
+        <translation>De combien cette part peut être plus grande ou plus petite, selon la graine.</translation>
+    </message>
+    <message>
+        <source>0: a cylinder; 1: a cone to a point; 2: a cylinder with a round end; 3: a chain of spheres. Between them, a mixture.</source>
+        <translation>0 : un cylindre ; 1 : un cône pointu ; 2 : un cylindre à bout rond ; 3 : une chaîne de sphères. Entre eux, un mélange.</translation>
+    </message>
+    <message>
+        <source>Angle to the parent</source>
+        <translation type="unfinished">Angle au parent</translation>
+    </message>
+    <message>
+        <source>Between a stem and the one that carries it: 0 goes on straight, a quarter turn stands away. Of the trunk, between it and the vertical.</source>
+        <translation>Entre une tige et celle qui la porte : 0 continue tout droit, un quart de tour s’en écarte. Pour le tronc, entre lui et la verticale.</translation>
+    </message>
+    <message>
+        <source>Angle varies</source>
+        <translation>Variation de l’angle</translation>
+    </message>
+    <message>
+        <source>How far that angle may be more or less. Negative: not by chance but by height, more at the lowest stem, less at the highest.</source>
+        <translation>De combien cet angle peut être plus grand ou plus petit. Négatif : non par hasard mais selon la hauteur, plus grand pour la tige la plus basse, plus petit pour la plus haute.</translation>
+    </message>
+    <message>
+        <source>Turn around</source>
+        <translation>Rotation autour</translation>
+    </message>
+    <message>
+        <source>From one stem to the next around the one that carries them. Negative: left and right in turns.</source>
+        <translation>D’une tige à la suivante autour de celle qui les porte. Négatif : à gauche et à droite tour à tour.</translation>
+    </message>
+    <message>
+        <source>Turn varies</source>
+        <translation>Variation de la rotation</translation>
+    </message>
+    <message>
+        <source>How far each of these turns may be more or less, by seed.</source>
+        <translation>De combien chacune de ces rotations peut être plus grande ou plus petite, selon la graine.</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Morceaux</translation>
+    </message>
+    <message>
+        <source>How many pieces a stem bends in.</source>
+        <translation>En combien de morceaux une tige se courbe.</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Courbure</translation>
+    </message>
+    <message>
+        <source>By how much a stem bends from its foot to its tip: away from the stem that carries it, or towards it where it is negative.</source>
+        <translation>De combien une tige se courbe de son pied à sa pointe : à l’écart de la tige qui la porte, ou vers elle si négatif.</translation>
+    </message>
+    <message>
+        <source>Curve back</source>
+        <translation>Courbure en retour</translation>
+    </message>
+    <message>
+        <source>Where it is not 0, the first half of a stem bends by the curve, the second by this.</source>
+        <translation>Si ce n’est pas 0, la première moitié d’une tige suit la courbure, la seconde celle-ci.</translation>
+    </message>
+    <message>
+        <source>Curve varies</source>
+        <translation>Variation de la courbure</translation>
+    </message>
+    <message>
+        <source>How crooked a stem is, by seed. Negative: it winds in a helix of this angle.</source>
+        <translation>À quel point une tige est tortueuse, selon la graine. Négatif : elle s’enroule en hélice de cet angle.</translation>
+    </message>
+    <message>
+        <source>Splits at the foot</source>
+        <translation>Divisions au pied</translation>
+    </message>
+    <message>
+        <source>Into how many stems more it splits at the end of its first piece.</source>
+        <translation>En combien de tiges de plus elle se divise au bout de son premier morceau.</translation>
+    </message>
+    <message>
+        <source>Splits</source>
+        <translation>Divisions</translation>
+    </message>
+    <message>
+        <source>Into how many stems more it splits at the end of each other piece, on average.</source>
+        <translation>En combien de tiges de plus elle se divise au bout de chaque autre morceau, en moyenne.</translation>
+    </message>
+    <message>
+        <source>Split angle</source>
+        <translation>Angle de division</translation>
+    </message>
+    <message>
+        <source>How far the stems of a split turn away from each other; less where they stand upright no more.</source>
+        <translation>De combien les tiges d’une division s’écartent les unes des autres ; moins là où elles ne sont plus dressées.</translation>
+    </message>
+    <message>
+        <source>Split angle varies</source>
+        <translation>Variation de l’angle de division</translation>
+    </message>
+    <message>
+        <source>How far that angle may be more or less, by seed.</source>
+        <translation>De combien cet angle peut être plus grand ou plus petit, selon la graine.</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

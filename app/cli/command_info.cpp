@@ -176,7 +176,7 @@ Expected<std::vector<TreeFacts>> factsOfTrees(EvaluatedScene& scene, const std::
             return fail(result.error());
         const Skeleton& simplified = result->simplified->skeleton;
         const auto foliage = placeFoliage(simplified, now.params.foliage, now.params.leaf, now.params.fruit,
-                                          now.params.turtle.alpha);
+                                          trunkRadius(now.params));
         out.push_back({node->name, std::int64_t(result->symbols->size()), factsOf(*result->skeleton),
                        factsOf(simplified), foliage ? std::int64_t(foliage->leaves.size()) : -1,
                        foliage ? std::int64_t(foliage->shed) : 0,

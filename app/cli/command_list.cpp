@@ -105,6 +105,8 @@ QJsonArray presetsJson()
     QJsonArray out;
     for (const Preset& preset : presets())
         out.append(QJsonObject{{QStringLiteral("name"), QString::fromUtf8(preset.name)},
+                               {QStringLiteral("latin"), QString::fromUtf8(preset.latin)},
+                               {QStringLiteral("group"), QString::fromUtf8(preset.group)},
                                {QStringLiteral("description"), QString::fromUtf8(preset.description)}});
     return out;
 }
@@ -145,8 +147,9 @@ QString presetsText()
 {
     QString out;
     for (const Preset& preset : presets())
-        out += QStringLiteral("%1 %2\n")
-                   .arg(QString::fromUtf8(preset.name), -14)
+        out += QStringLiteral("%1 %2%3\n")
+                   .arg(QString::fromUtf8(preset.name), -18)
+                   .arg(*preset.latin ? QString::fromUtf8(preset.latin) + QStringLiteral(": ") : QString())
                    .arg(QString::fromUtf8(preset.description));
     return out;
 }

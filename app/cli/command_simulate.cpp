@@ -192,7 +192,7 @@ Expected<int> run(const CommandLine& line)
     const auto tree = evaluateTree(pipeline, **node, false, Stage::Foliage, progress.part(0.0, 0.1));
     if (!tree)
         return fail(tree.error());
-    const auto body = makeTreeBody(tree->simplified->skeleton, tree->foliage.get(), params.turtle.alpha);
+    const auto body = makeTreeBody(tree->simplified->skeleton, tree->foliage.get(), trunkRadius(params));
     TreePhysics physics(body, params.physics);
     const auto run = simulate(physics, *steps, table, progress.part(0.1, 1.0));
     if (!run)

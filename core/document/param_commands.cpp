@@ -137,7 +137,8 @@ Expected<void> edit::newTree(Document& document, const std::vector<NodeId>& node
         while (std::find(given.begin(), given.end(), seed) != given.end())
             seed = nextSeed(seed);
         given.push_back(seed);
-        entries.push_back({{id, findParam("grammar.stochastic")}, true});
+        if (params.generator.kind == TreeGenerator::Grammar)
+            entries.push_back({{id, findParam("grammar.stochastic")}, true});
         entries.push_back({{id, findParam("grammar.seed")}, seed});
         entries.push_back({{id, findParam("foliage.seed")}, seed});
     }

@@ -16,7 +16,7 @@ static constexpr double leafReach = 4.0;
 
 bool TreeRun::setBody(const TreeResult& rest, const NodeParams& params)
 {
-    const double alpha = params.turtle.alpha;
+    const double alpha = trunkRadius(params);
     if (m_cache && m_skeleton == rest.simplified && m_foliage == rest.foliage && m_alpha == alpha)
         return false;
     m_skeleton = rest.simplified;

@@ -20,10 +20,22 @@ bool chooses(const Rule& rule)
     return false;
 }
 
+bool varies(const WeberPennParams& params)
+{
+    const auto any = [](const WeberPennLevel& level) {
+        return level.lengthV != 0.0 || level.curveV > 0.0 || level.downAngleV > 0.0 || level.rotateV != 0.0 ||
+               level.baseSplits > 0 || level.segSplits > 0.0;
+    };
+    const auto end = params.level.begin() + params.levels;
+    return params.scaleV != 0.0 || std::any_of(params.level.begin(), end, any);
+}
+
 } // namespace
 
 bool variesByChance(const NodeParams& params)
 {
+    if (params.generator.kind == TreeGenerator::WeberPenn)
+        return varies(params.weberPenn);
     if (params.grammar.dialect == GrammarDialect::Parametric) {
         const auto grammar = parseParametric(params.grammar);
         const bool varies = params.variation.angle != 0.0 || params.variation.length != 0.0;

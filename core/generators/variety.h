@@ -7,7 +7,8 @@
 namespace ramure {
 
 /// True where two seeds of a tree grown by chance can give two trees: a share of the variation is above 0, or
-/// a rule chooses among several outcomes. A grammar that cannot be read gives no tree, hence no other one.
+/// a rule chooses among several outcomes; of Weber and Penn, where a value varies or stems split. A grammar
+/// that cannot be read gives no tree, hence no other one.
 bool variesByChance(const NodeParams& params);
 
 } // namespace ramure

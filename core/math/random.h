@@ -25,6 +25,7 @@ enum class RandomStream : std::uint64_t {
     Venation = 12,
     ArmStart = 20,
     Terrain = 21,
+    Stems = 30,
     Test = 1000
 };
 

@@ -9,6 +9,16 @@ namespace ramure::rows {
 // Every text stands in one line per clause; the columns of a table read better than those of the formatter.
 // clang-format off
 inline constexpr std::array growthRows{
+    row<&NodeParams::generator, &GeneratorParams::kind>(
+        {"generator.kind", generatorGroup, RAMURE_NOOP("Grows by"),
+         RAMURE_NOOP("What makes the branches. Grammar: symbols that rules replace, and a turtle that draws them. Weber and "
+                     "Penn: trunk, limbs, branches and twigs, each level by its own numbers. Leaves, bark and motion stay.")},
+        ParamUnit::None, {}, Stage::Symbols),
+    row<&NodeParams::grammar, &GrammarParams::seed>(
+        {"grammar.seed", generatorGroup, RAMURE_NOOP("Seed of the tree"),
+         RAMURE_NOOP("Names one tree among all that chance can give. The same seed always grows the same tree.")},
+        ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Symbols, paramSeed, treeOnly, usesSeed),
+
     row<&NodeParams::grammar, &GrammarParams::dialect>(
         {"grammar.dialect", grammarGroup, RAMURE_NOOP("Language"),
          RAMURE_NOOP("Letters: each symbol is one letter, and every step has one length. Modules with numbers: letters carry "
@@ -37,10 +47,6 @@ inline constexpr std::array growthRows{
          RAMURE_NOOP("Let chance choose among the outcomes of a rule and vary the branches, so that every seed gives "
                      "another tree. Off: each rule always gives its default, and nothing varies.")},
         ParamUnit::None, {}, Stage::Symbols),
-    row<&NodeParams::grammar, &GrammarParams::seed>(
-        {"grammar.seed", grammarGroup, RAMURE_NOOP("Seed of the tree"),
-         RAMURE_NOOP("Names one tree among all that chance can give. The same seed always grows the same tree.")},
-        ParamUnit::None, {0, maxSeed, 0, 9999, 1, 0}, Stage::Symbols, paramSeed, treeOnly, growsByChance),
 
     row<&NodeParams::turtle, &TurtleParams::theta>(
         {"turtle.theta", turtleGroup, RAMURE_NOOP("Turn"),

@@ -2,7 +2,7 @@
 /// All parameters of a scene node as plain structs, those of every kind of node in one: a row of the
 /// parameter table says which kinds it is for. The member initialisers are the defaults, stated nowhere else;
 /// what a parameter means, its unit and its range stand in its rows (growth_rows.h, dress_rows.h,
-/// node_rows.h).
+/// node_rows.h, weber_penn_rows.h).
 #pragma once
 
 #include "core/params/arm_params.h"
@@ -14,6 +14,7 @@
 #include "core/params/picture_params.h"
 #include "core/params/primitive_params.h"
 #include "core/params/skin_params.h"
+#include "core/params/weber_penn_params.h"
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <map>
@@ -127,9 +128,11 @@ struct BranchParams
 
 struct NodeParams
 {
+    GeneratorParams generator;
     GrammarParams grammar;
     TurtleParams turtle;
     VariationParams variation;
+    WeberPennParams weberPenn;
     SimplifyParams simplify;
     SectionParams sections;
     MeshParams mesh;
@@ -155,5 +158,14 @@ struct NodeParams
         branches; ///< by Skeleton::name; only branches that differ from the default
     bool operator==(const NodeParams&) const = default;
 };
+
+/// m; that of a tree's trunk at the ground before chance varies it, and what its leaves, fruit and motion
+/// take their size from: for a grammar the turtle's step (SPEC A1).
+inline double trunkRadius(const NodeParams& params)
+{
+    const WeberPennParams& own = params.weberPenn;
+    return params.generator.kind == TreeGenerator::Grammar ? params.turtle.alpha
+                                                           : own.scale * own.level[0].length * own.ratio;
+}
 
 } // namespace ramure

@@ -57,6 +57,7 @@ enum ParamFlag : std::uint8_t {
     paramGrammar = 16,   ///< text in the grammar's language
     paramColor = 32,     ///< three numbers that are red, green and blue, 0..1
     paramPicture = 64,   ///< a text that is the path of an image file
+    paramNumbered = 128, ///< a choice whose items texts may also name by their number, from 0
 };
 
 /// Index of a row in paramTable(); stable within one run of the program only (files use keys).

@@ -13,6 +13,20 @@ template <>
 inline constexpr std::array itemsOf<GrammarDialect>{
     EnumItem{"classic", RAMURE_NOOP("Letters")}, EnumItem{"parametric", RAMURE_NOOP("Modules with numbers")}};
 template <>
+inline constexpr std::array itemsOf<TreeGenerator>{EnumItem{"grammar", RAMURE_NOOP("Grammar")},
+                                                   EnumItem{"weber_penn", RAMURE_NOOP("Weber and Penn")}};
+template <>
+inline constexpr std::array itemsOf<CrownShape>{
+    EnumItem{"conical", RAMURE_NOOP("Conical")},
+    EnumItem{"spherical", RAMURE_NOOP("Spherical")},
+    EnumItem{"hemispherical", RAMURE_NOOP("Hemispherical")},
+    EnumItem{"cylindrical", RAMURE_NOOP("Cylindrical")},
+    EnumItem{"taperedCylindrical", RAMURE_NOOP("Tapered cylinder")},
+    EnumItem{"flame", RAMURE_NOOP("Flame")},
+    EnumItem{"inverseConical", RAMURE_NOOP("Inverse cone")},
+    EnumItem{"tendFlame", RAMURE_NOOP("Nearly a flame")},
+    EnumItem{"envelope", RAMURE_NOOP("Pruning envelope")}};
+template <>
 inline constexpr std::array itemsOf<PhysicsMode>{EnumItem{"faithful", RAMURE_NOOP("Faithful")},
                                                  EnumItem{"robust", RAMURE_NOOP("Robust")}};
 template <>

@@ -16,6 +16,8 @@ constexpr std::array pictured{"smooth",  "plated", "furrowed",  "scaly",  "peeli
 constexpr std::array classic{"classic"};
 constexpr std::array parametric{"parametric"};
 constexpr std::array robust{"robust"};
+constexpr std::array grammar{"grammar"};
+constexpr std::array weberPenn{"weber_penn"};
 constexpr std::array transpose{"transpose"};
 constexpr std::array faithful{"faithful"};
 constexpr std::array whorled{"whorled"};
@@ -71,14 +73,24 @@ constexpr std::array relevances{
     Relevance{"foliage.fruitSize", "foliage.fruit", realFruit},
     Relevance{"foliage.fruitStalk", "foliage.fruit", realFruit},
     Relevance{"ik.gain", "ik.solver", transpose},
+    // All whose key begins so and that have no row above.
+    Relevance{"grammar.", "generator.kind", grammar},
+    Relevance{"turtle.", "generator.kind", grammar},
+    Relevance{"variation.", "generator.kind", grammar},
+    Relevance{"weberPenn.", "generator.kind", weberPenn},
 };
 
 } // namespace
 
 const Relevance* relevanceOf(const ParamDef& def)
 {
-    const auto* found = std::ranges::find_if(
-        relevances, [&](const Relevance& each) { return std::string_view(each.key) == def.key; });
+    const std::string_view key = def.key;
+    if (key == "grammar.seed") // one seed, whatever grows
+        return nullptr;
+    const auto* found = std::ranges::find_if(relevances, [&](const Relevance& each) {
+        const std::string_view own = each.key;
+        return own.ends_with('.') ? key.starts_with(own) : key == own;
+    });
     return found == relevances.end() ? nullptr : found;
 }
 

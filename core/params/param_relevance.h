@@ -14,7 +14,7 @@ bool isRelevant(const NodeParams& params, const ParamDef& def);
 /// The choice that decides about \p def and the items with which it has an effect; null where nothing does.
 struct Relevance
 {
-    const char* key;     ///< "primitive.radius"
+    const char* key;     ///< "primitive.radius"; "turtle.": all of these
     const char* chooser; ///< "primitive.shape"
     std::span<const char* const> items;
 };

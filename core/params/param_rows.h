@@ -52,16 +52,29 @@ template <class T> constexpr ParamType typeOf()
     }
 }
 
-/// The way to one value: a member of NodeParams and a member of that.
-template <auto Group, auto Member> struct Field
+/// What a path of members, and of numbers into arrays, leads to.
+template <auto First, auto... Rest> constexpr auto& reach(auto& from)
 {
-    using Value = std::remove_cvref_t<decltype((std::declval<NodeParams&>().*Group).*Member)>;
+    if constexpr (std::is_member_object_pointer_v<decltype(First)>) {
+        if constexpr (sizeof...(Rest) == 0)
+            return from.*First;
+        else
+            return reach<Rest...>(from.*First);
+    } else {
+        return reach<Rest...>(from[First]);
+    }
+}
+
+/// The way to one value: members, from NodeParams on.
+template <auto... Path> struct Field
+{
+    using Value = std::remove_cvref_t<decltype(reach<Path...>(std::declval<NodeParams&>()))>;
     static ParamValue get(const NodeParams& params)
     {
         if constexpr (std::is_enum_v<Value>)
-            return EnumValue{itemsOf<Value>[static_cast<std::size_t>((params.*Group).*Member)].name};
+            return EnumValue{itemsOf<Value>[static_cast<std::size_t>(reach<Path...>(params))].name};
         else
-            return ParamValue((params.*Group).*Member);
+            return ParamValue(reach<Path...>(params));
     }
     static void assign(NodeParams& params, const ParamValue& value)
     {
@@ -69,9 +82,9 @@ template <auto Group, auto Member> struct Field
             const auto* name = std::get_if<EnumValue>(&value);
             for (std::size_t i = 0; name && i < itemsOf<Value>.size(); ++i)
                 if (name->name == itemsOf<Value>[i].name)
-                    (params.*Group).*Member = static_cast<Value>(i);
+                    reach<Path...>(params) = static_cast<Value>(i);
         } else if (const auto* held = std::get_if<Value>(&value))
-            (params.*Group).*Member = *held;
+            reach<Path...>(params) = *held;
     }
 };
 
@@ -89,6 +102,12 @@ inline constexpr Condition* growsByChance = [](const NodeParams& p) { return p.g
 inline constexpr Condition* isParametric = [](const NodeParams& p) {
     return p.grammar.dialect == GrammarDialect::Parametric;
 };
+inline constexpr Condition* isWeberPenn = [](const NodeParams& p) {
+    return p.generator.kind == TreeGenerator::WeberPenn;
+};
+inline constexpr Condition* usesSeed = [](const NodeParams& p) {
+    return p.grammar.stochastic || p.generator.kind != TreeGenerator::Grammar;
+};
 inline constexpr Condition* mergesRuns = [](const NodeParams& p) { return p.simplify.enabled; };
 inline constexpr Condition* hasNoBudget = [](const NodeParams& p) { return p.mesh.targetTriangles == 0; };
 inline constexpr Condition* isFaithful = [](const NodeParams& p) {
@@ -100,12 +119,12 @@ inline constexpr Condition* isOfPlant = [](const NodeParams& p) {
 inline constexpr Condition* isHung = [](const NodeParams& p) { return p.fruit.kind != FruitKind::Faithful; };
 inline constexpr Condition* softensForks = [](const NodeParams& p) { return p.mesh.forkSoftness > 0.0; };
 
-template <auto Group, auto Member>
+template <auto... Path>
 constexpr ParamDef row(const Words& words, ParamUnit unit, const Range& range, Stage stage,
                        std::uint8_t flags = paramNone, std::uint8_t kinds = treeOnly,
                        Condition* matters = nullptr)
 {
-    using Access = Field<Group, Member>;
+    using Access = Field<Path...>;
     return {words.key,
             words.group,
             words.label,
@@ -160,6 +179,7 @@ constexpr ParamDef pictureRow(const char* key, const char* group, std::uint8_t k
                               Stage::Placement, paramPicture, kinds);
 }
 
+inline constexpr const char* generatorGroup = RAMURE_NOOP("Generator");
 inline constexpr const char* grammarGroup = RAMURE_NOOP("Grammar");
 inline constexpr const char* turtleGroup = RAMURE_NOOP("Turtle");
 inline constexpr const char* variationGroup = RAMURE_NOOP("Variation");

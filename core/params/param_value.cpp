@@ -249,8 +249,14 @@ Expected<ParamValue> parseValue(const ParamDef& def, std::string_view text, bool
         return ParamValue(unescape ? unescaped(text) : std::string(text));
     case ParamType::Vec3:
         return parseVec3(def, text);
-    case ParamType::Enum:
-        return ParamValue(EnumValue{std::string(trimmed(text))});
+    case ParamType::Enum: {
+        const std::string_view name = trimmed(text);
+        if (def.flags & paramNumbered)
+            for (std::size_t i = 0; i < def.items.size(); ++i)
+                if (name == numberText(static_cast<std::int64_t>(i)))
+                    return ParamValue(EnumValue{def.items[i].name});
+        return ParamValue(EnumValue{std::string(name)});
+    }
     }
     return refuse(def, ErrorCode::Invalid, RAMURE_NOOP("has a value of another type"));
 }

@@ -1,7 +1,8 @@
 #include "core/params/presets.h"
 
+#include "core/params/species.h"
 #include <algorithm>
-#include <array>
+#include <vector>
 
 namespace ramure {
 namespace {
@@ -94,11 +95,11 @@ NodeParams dressed(NodeParams tree, LeafShape leaf, double leafSize, FruitKind f
     return tree;
 }
 
-} // namespace
+constexpr std::size_t courseworkCount = 4;
 
-std::span<const Preset> presets()
+std::vector<Preset> everyPreset()
 {
-    static const std::array<Preset, 7> all{{
+    std::vector<Preset> all{
         {"SmallTree", RAMURE_NOOP("A tree that forks in two, again and again"),
          dressed(NodeParams(), LeafShape::Apple, 1.4, FruitKind::Apple, 0.05, BarkFamily::Scaly)},
         {"FanTree", RAMURE_NOOP("Slender branches with fans of twigs"),
@@ -120,8 +121,29 @@ std::span<const Preset> presets()
          dressed(grown(parametric("!(w0)F(4*l0)/(45)A", ternaryRules, ternaryConstants, 6),
                        {0.3142, 0.2, 0.88, {0.0, -1.0, 0.0}, 0.22}),
                  LeafShape::Olive, 1.2, FruitKind::Olive, 0.1, BarkFamily::Fibrous)},
-    }};
+    };
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i].group =
+            i < courseworkCount ? RAMURE_NOOP("Coursework") : RAMURE_NOOP("The Algorithmic Beauty of Plants");
+    for (const bool conifers : {false, true})
+        for (const Species& each : species())
+            if (each.conifer == conifers)
+                all.push_back({each.name, each.description, speciesParams(each), each.latin,
+                               conifers ? RAMURE_NOOP("Conifers") : RAMURE_NOOP("Broadleaved trees")});
     return all;
+}
+
+} // namespace
+
+std::span<const Preset> presets()
+{
+    static const std::vector<Preset> all = everyPreset();
+    return all;
+}
+
+std::span<const Preset> courseworkPresets()
+{
+    return presets().first(courseworkCount);
 }
 
 Expected<NodeParams> presetParams(std::string_view name)

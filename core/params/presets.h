@@ -1,5 +1,6 @@
 /// \file
-/// The trees that ship with the program: those of SPEC A1, and three of "The Algorithmic Beauty of Plants".
+/// The trees that ship with the program: those of the coursework (SPEC A1), three of "The Algorithmic Beauty
+/// of Plants", then species.
 #pragma once
 
 #include "core/base/error.h"
@@ -14,9 +15,14 @@ struct Preset
     const char* name;        ///< "SmallTree": `preset:SmallTree` on the command line
     const char* description; ///< English, context "core"
     NodeParams params;
+    const char* latin = ""; ///< of a species: "Populus tremuloides"
+    const char* group = ""; ///< English, context "core": they stand together
 };
 
+/// Group by group.
 std::span<const Preset> presets();
+/// The four of SPEC A1, which are the first.
+std::span<const Preset> courseworkPresets();
 /// Error: Unknown, with the names there are.
 Expected<NodeParams> presetParams(std::string_view name);
 /// The value that an unchanged node of this preset has; of no preset, or of one that there is not, the

@@ -3,6 +3,7 @@
 #include "core/generators/grammar/rewrite.h"
 #include "core/generators/grammar/turtle.h"
 #include "core/generators/parametric/module_turtle.h"
+#include "core/generators/weber_penn/weber_penn.h"
 #include "core/math/stage_hash.h"
 #include "core/params/param_def.h"
 #include "core/pipeline/bark_feet.h"
@@ -98,8 +99,23 @@ Expected<GrownSymbols> growModules(const GrammarParams& params, const Progress& 
     return GrownSymbols{std::move(letters), std::move(*word)};
 }
 
-Expected<GrownSymbols> growSymbols(const GrammarParams& params, const Progress& progress)
+bool growsByGrammar(const NodeParams& params)
 {
+    return params.generator.kind == TreeGenerator::Grammar;
+}
+
+/// What most likely makes a tree too large.
+const char* sizeKey(const NodeParams& params)
+{
+    return growsByGrammar(params) ? "grammar.iterations" : "weberPenn.levels";
+}
+
+/// None where no grammar grows.
+Expected<GrownSymbols> growSymbols(const NodeParams& all, const Progress& progress)
+{
+    if (!growsByGrammar(all))
+        return GrownSymbols{};
+    const GrammarParams& params = all.grammar;
     if (params.dialect == GrammarDialect::Parametric)
         return growModules(params, progress);
     const auto grammar = parseGrammar(params.axiom, params.rules);
@@ -118,6 +134,8 @@ Expected<GrownSymbols> growSymbols(const GrammarParams& params, const Progress& 
 Expected<Skeleton> growSkeleton(const GrownSymbols& grown, const NodeParams& params, const Progress& progress)
 {
     const GrammarParams& grammar = params.grammar;
+    if (!growsByGrammar(params))
+        return growWeberPenn(params.weberPenn, static_cast<std::uint64_t>(grammar.seed), progress);
     const TurtleChance chance{grammar.stochastic ? params.variation : VariationParams{0.0, 0.0, 0.0},
                               static_cast<std::uint64_t>(grammar.seed)};
     if (grammar.dialect == GrammarDialect::Parametric)
@@ -191,7 +209,7 @@ Expected<void> checkMeshSize(Index branches, const NodeParams& all)
              {std::to_string(branches), std::to_string(wanted), std::to_string(maxMeshFaces)});
     const SectionParams usual;
     const bool tooManyBranches = faces(usual.lengthDivisions, usual.radialDivisions) > maxMeshFaces;
-    error.value().path = tooManyBranches ? "grammar.iterations"
+    error.value().path = tooManyBranches ? sizeKey(all)
                          : hasBudget     ? "sections.lengthDivisions"
                                          : "sections.radialDivisions";
     return error;
@@ -236,15 +254,15 @@ Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& 
                                     const BranchMesh* branches, const Progress& progress)
 {
     auto placed =
-        placeFoliage(skeleton, params.foliage, params.leaf, params.fruit, params.turtle.alpha, progress);
+        placeFoliage(skeleton, params.foliage, params.leaf, params.fruit, trunkRadius(params), progress);
     if (!placed)
         return fail(std::move(placed.error()));
     if (branches)
-        standOnBark(*placed, *branches, skeleton.size(), params.turtle.alpha, progress);
+        standOnBark(*placed, *branches, skeleton.size(), trunkRadius(params), progress);
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
     const auto foliage = std::make_shared<const Foliage>(std::move(*placed));
-    const double alpha = params.turtle.alpha;
+    const double alpha = trunkRadius(params);
     return MeshedFoliage{
         foliage,
         std::make_shared<const TriangleMesh>(buildLeaves(skeleton, *foliage, alpha, FoliageModel::Fine)),
@@ -355,7 +373,7 @@ private:
     Expected<void> symbols()
     {
         return cached(m_cache.symbols, m_hashes[Stage::Symbols], m_progress,
-                      [&] { return growSymbols(m_params.grammar, m_progress.part(0.0, 0.05)); })
+                      [&] { return growSymbols(m_params, m_progress.part(0.0, 0.05)); })
             .map([&](auto made) {
                 m_result.symbols = std::shared_ptr<const std::string>(made, &made->letters);
                 m_grown = std::move(made);

@@ -21,8 +21,8 @@ namespace ramure {
 /// Results of the stages; those after the one asked for are null. All are immutable and shared.
 struct TreeResult
 {
-    std::shared_ptr<const std::string> symbols;
-    std::shared_ptr<const Skeleton> skeleton; ///< as the turtle drew it
+    std::shared_ptr<const std::string> symbols; ///< empty where no grammar grows
+    std::shared_ptr<const Skeleton> skeleton;   ///< as the generator made it
     std::shared_ptr<const SimplifiedSkeleton>
         simplified;                             ///< equal to the skeleton where simplify.enabled is off
     std::shared_ptr<const SectionSet> sections; ///< of the simplified skeleton

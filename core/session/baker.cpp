@@ -43,7 +43,7 @@ Expected<std::vector<BakedTree>> bakedTrees(const Document& document)
         auto result = source(node, Stage::Foliage, {});
         if (!result)
             return fail(std::move(result.error()));
-        BakedTree tree{std::move(*result), node.params.turtle.alpha, node.params.physics,
+        BakedTree tree{std::move(*result), trunkRadius(node.params), node.params.physics,
                        systemPath(bakeFile(document.filePath(), node.id))};
         if (QFileInfo::exists(bakeFile(document.filePath(), node.id)) && !isBakeFile(tree.file))
             return refuse(tree.file, ErrorCode::Invalid,

@@ -105,7 +105,7 @@ Expected<TreeMeshes> roughMeshes(const TreeResult& tree, const NodeParams& param
                                  const Progress& progress)
 {
     const Skeleton& skeleton = tree.simplified->skeleton;
-    const double alpha = params.turtle.alpha;
+    const double alpha = trunkRadius(params);
     TreeMeshes meshes;
     if (parts & exportBranches)
         meshes.branches = std::make_shared<TriangleMesh>(

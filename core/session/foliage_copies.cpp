@@ -45,7 +45,7 @@ ExportCopies leafInstances(const FoliageInstances& all)
 {
     ExportCopies out;
     out.kind = kindName("foliage.leaf", static_cast<std::size_t>(all.foliage.form.shape));
-    TriangleMesh shape = oneLeaf(all.foliage.form, all.params.turtle.alpha, all.model);
+    TriangleMesh shape = oneLeaf(all.foliage.form, trunkRadius(all.params), all.model);
     if (all.texture && all.model == FoliageModel::Fine)
         addLeafTexture(shape, all.foliage.form);
     out.shape = std::make_shared<const TriangleMesh>(std::move(shape));
@@ -57,7 +57,7 @@ ExportCopies appleInstances(const FoliageInstances& all)
 {
     ExportCopies out;
     out.kind = kindName("foliage.fruit", static_cast<std::size_t>(all.foliage.fruit.kind));
-    TriangleMesh shape = oneApple(all.foliage.fruit, all.params.turtle.alpha, all.model);
+    TriangleMesh shape = oneApple(all.foliage.fruit, trunkRadius(all.params), all.model);
     if (all.texture && all.model == FoliageModel::Fine)
         addAppleTexture(shape, all.foliage.fruit);
     out.shape = std::make_shared<const TriangleMesh>(std::move(shape));

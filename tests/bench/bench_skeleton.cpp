@@ -1,5 +1,6 @@
 // Grammar (per output symbol), turtle (per branch), simplification (per input branch).
 #include "core/generators/parametric/module_turtle.h"
+#include "core/generators/weber_penn/weber_penn.h"
 #include "core/math/random.h"
 #include "core/skeleton/edit_places.h"
 #include "tests/bench/bench_trees.h"
@@ -38,6 +39,16 @@ void BM_grammar(benchmark::State& state)
     label(state, size);
 }
 BENCHMARK(BM_grammar)->DenseRange(0, 2)->Unit(benchmark::kMicrosecond);
+
+/// The aspen of the paper, about 1,500 stems.
+void BM_weberPenn(benchmark::State& state)
+{
+    for (auto _ : state) {
+        const auto skeleton = growWeberPenn({}, 1);
+        benchmark::DoNotOptimize(skeleton->parent.data());
+    }
+}
+BENCHMARK(BM_weberPenn)->Unit(benchmark::kMicrosecond);
 
 void BM_grammarByChance(benchmark::State& state)
 {

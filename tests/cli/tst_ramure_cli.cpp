@@ -210,14 +210,24 @@ private slots:
         for (const QJsonValue entry : QJsonDocument::fromJson(run.out.toUtf8()).array()) {
             names << entry["name"].toString();
             QVERIFY(!entry["description"].toString().isEmpty());
+            QVERIFY(!entry["group"].toString().isEmpty());
+            QCOMPARE(entry["latin"].toString().isEmpty(),
+                     entry["group"] == "Coursework" || entry["group"] == "The Algorithmic Beauty of Plants");
         }
-        QCOMPARE(names, (QStringList{"SmallTree", "FanTree", "TinyTree", "Fern2D", "HondaTree",
-                                     "AonoKuniiTree", "TernaryTree"}));
-        QCOMPARE(runCli({"list", "presets"}).out.count(QLatin1Char('\n')), 7);
+        QCOMPARE(names.mid(0, 4), (QStringList{"SmallTree", "FanTree", "TinyTree", "Fern2D"}));
+        for (const char* species : {"HondaTree", "AonoKuniiTree", "TernaryTree", "QuakingAspen",
+                                    "BlackTupelo", "WeepingWillow", "CaliforniaBlackOak"})
+            QVERIFY2(names.contains(QLatin1String(species)), species);
+        QCOMPARE(runCli({"list", "presets"}).out.count(QLatin1Char('\n')), names.size());
     }
     void paramsAreListed()
     {
-        const QStringList expected = {"grammar.axiom",
+        const QStringList expected = {"generator.kind",
+                                      "weberPenn.shape",
+                                      "weberPenn.ratioPower",
+                                      "weberPenn.level1.downAngle",
+                                      "weberPenn.level3.branches",
+                                      "grammar.axiom",
                                       "grammar.rules",
                                       "grammar.iterations",
                                       "grammar.stochastic",

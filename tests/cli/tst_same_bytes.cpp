@@ -43,7 +43,7 @@ constexpr int treeCount = 100, simulationCount = 20;
 Node tree(int number)
 {
     Random random(std::uint64_t(number), RandomStream::Test);
-    const Preset& preset = presets()[std::size_t(number) % presets().size()];
+    const Preset& preset = courseworkPresets()[std::size_t(number) % courseworkPresets().size()];
     Node node;
     node.id = NodeId(number) + 1;
     node.kind = NodeKind::Tree;

@@ -62,7 +62,7 @@ private slots:
     {
         QTest::addColumn<QString>("name");
         QTest::addColumn<QSize>("size");
-        for (const Preset& preset : presets())
+        for (const Preset& preset : courseworkPresets())
             for (const QSize size : {QSize(640, 360), QSize(320, 480)})
                 QTest::addRow("%s in %dx%d", preset.name, size.width(), size.height())
                     << QString::fromLatin1(preset.name) << size;

@@ -54,14 +54,14 @@ void TestRecomputeTrees::wrongGrammarsNameTheirPlace()
 void TestRecomputeTrees::equalsTheDirectEvaluation_data()
 {
     QTest::addColumn<int>("preset");
-    for (std::size_t i = 0; i < presets().size(); ++i)
-        QTest::newRow(presets()[i].name) << int(i);
+    for (std::size_t i = 0; i < courseworkPresets().size(); ++i)
+        QTest::newRow(courseworkPresets()[i].name) << int(i);
 }
 
 void TestRecomputeTrees::equalsTheDirectEvaluation()
 {
     QFETCH(int, preset);
-    NodeParams params = presets()[static_cast<std::size_t>(preset)].params;
+    NodeParams params = courseworkPresets()[static_cast<std::size_t>(preset)].params;
     params.grammar.iterations = std::min<std::int64_t>(params.grammar.iterations, 5);
     Document document;
     document.reset(oneTree(params), {});

@@ -5,6 +5,7 @@
 #include "core/params/presets.h"
 #include "core/scene/kinds/node_kinds.h"
 #include "core/scene/preset_scene.h"
+#include "widgets/actions/preset_menu.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
@@ -81,7 +82,8 @@ void EditActions::fillMenu(QMenu* menu)
     m_addMenu = menu->addMenu(QString());
     for (const Preset& preset : presets()) {
         const QString name = QString::fromLatin1(preset.name);
-        QAction* add = m_addMenu->addAction(icon("tree"), name);
+        auto* add = new QAction(icon("tree"), name, this);
+        addPreset(m_addMenu, preset, add);
         add->setObjectName(QStringLiteral("edit.add.") + name);
         connect(add, &QAction::triggered, this, [this, name] { addTree(name); });
     }
@@ -108,8 +110,10 @@ QList<QAction*> EditActions::nodeActions() const
 
 void EditActions::retranslate()
 {
-    if (m_addMenu)
+    if (m_addMenu) {
         m_addMenu->setTitle(tr("&Add to the scene"));
+        nameGroups(m_addMenu);
+    }
     for (const auto& [action, label] : m_addPrimitives)
         action->setText(coreText(label));
     update();

@@ -7,6 +7,7 @@
 #include "core/scene/demo_scenes.h"
 #include "core/scene/preset_scene.h"
 #include "widgets/actions/import_actions.h"
+#include "widgets/actions/preset_menu.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
@@ -73,8 +74,8 @@ void FileActions::fillMenu(QMenu* menu, QAction* welcome, const QList<QAction*>&
 {
     m_newMenu = menu->addMenu(icon("new"), QString());
     m_newMenu->setToolTipsVisible(true);
-    for (QAction* preset : m_presets)
-        m_newMenu->addAction(preset);
+    for (std::size_t i = 0; i < m_presets.size(); ++i)
+        addPreset(m_newMenu, presets()[i], m_presets[i]);
     m_demoMenu = menu->addMenu(QString());
     for (QAction* demo : m_demos)
         m_demoMenu->addAction(demo);
@@ -106,8 +107,10 @@ void FileActions::retranslate()
     at = 0;
     for (const DemoScene& demo : demoScenes())
         m_demos[at++]->setText(coreText(demo.label));
-    if (m_newMenu)
+    if (m_newMenu) {
         m_newMenu->setTitle(tr("&New from preset"));
+        nameGroups(m_newMenu);
+    }
     if (m_demoMenu)
         m_demoMenu->setTitle(tr("New from &demo"));
     if (m_recentMenu)

@@ -21,12 +21,6 @@ QJsonObject reference()
     return QJsonDocument::fromJson(file.readAll()).object();
 }
 
-/// The reference has no others.
-bool isClassic(const Preset& preset)
-{
-    return preset.params.grammar.dialect == GrammarDialect::Classic;
-}
-
 } // namespace
 
 class TestPresets : public QObject
@@ -54,12 +48,15 @@ void TestPresets::unknownNameListsTheNames()
 
 void TestPresets::valuesAreValidAndDeterministic()
 {
-    QCOMPARE(presets().size(), std::size_t(7));
+    QVERIFY(presets().size() >= 8);
     for (const Preset& preset : presets()) {
         const auto checked = checkParams(preset.params);
         QVERIFY2(checked, test::why(checked));
         QVERIFY(!preset.params.grammar.stochastic);
-        QVERIFY(*preset.description);
+        QVERIFY(*preset.description && *preset.group);
+        const bool isSpecies = preset.params.generator.kind == TreeGenerator::WeberPenn;
+        QVERIFY2(isSpecies == (*preset.latin != 0), preset.name);
+        QVERIFY2(isSpecies != (std::string_view(preset.group) == "Coursework"), preset.name);
         QVERIFY(*presetParams(preset.name) == preset.params);
     }
 }
@@ -78,10 +75,8 @@ void TestPresets::unchangedNodesHaveTheValuesOfTheirPreset()
 void TestPresets::valuesAreThoseOfTheReference()
 {
     const QJsonObject all = reference();
-    QCOMPARE(std::ranges::count_if(presets(), isClassic), all.size());
-    for (const Preset& preset : presets()) {
-        if (!isClassic(preset))
-            continue;
+    QCOMPARE(std::size_t(all.size()), courseworkPresets().size());
+    for (const Preset& preset : courseworkPresets()) {
         const QJsonObject expected = all[QLatin1String(preset.name)].toObject();
         QCOMPARE(preset.params.turtle.theta, expected["theta"].toDouble(-1));
         QCOMPARE(preset.params.turtle.alpha, expected["alpha"].toDouble(-1));
@@ -94,9 +89,7 @@ void TestPresets::valuesAreThoseOfTheReference()
 void TestPresets::rulesAreThoseOfTheReference()
 {
     const QJsonObject all = reference();
-    for (const Preset& preset : presets()) {
-        if (!isClassic(preset))
-            continue;
+    for (const Preset& preset : courseworkPresets()) {
         const QJsonObject expected = all[QLatin1String(preset.name)].toObject()["rules"].toObject();
         const auto grammar = parseGrammar(preset.params.grammar.axiom, preset.params.grammar.rules);
         QVERIFY2(grammar, test::why(grammar));

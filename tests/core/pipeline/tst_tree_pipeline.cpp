@@ -363,7 +363,7 @@ void TestTreePipeline::withoutSimplificationTheSkeletonStays()
 
 void TestTreePipeline::presetsGiveValidMeshes()
 {
-    for (const Preset& preset : presets()) {
+    for (const Preset& preset : courseworkPresets()) {
         const auto tree = TreePipeline().evaluate(preset.params);
         QVERIFY2(tree, test::why(tree));
         QVERIFY2(tree->report->valid, preset.name);

@@ -159,9 +159,8 @@ private:
 void TestEditPlaces::addPresets()
 {
     QTest::addColumn<QByteArray>("preset");
-    for (const Preset& preset : presets())
-        if (preset.params.grammar.dialect == GrammarDialect::Classic) // whose symbols are changed below
-            QTest::newRow(preset.name) << QByteArray(preset.name);
+    for (const Preset& preset : courseworkPresets())
+        QTest::newRow(preset.name) << QByteArray(preset.name);
 }
 
 void TestEditPlaces::nothingIsForced()

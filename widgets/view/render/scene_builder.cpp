@@ -125,7 +125,7 @@ struct TreeItems
             item->leaf = cache.get<LeafMaps>(ScenePart::LeafPicture, anybody, anybody, {double(shape)},
                                              [&] { return leafMaps(shape, shownLeafSize).value(); });
         }
-        const double alpha = node.params.turtle.alpha;
+        const double alpha = trunkRadius(node.params);
         const BranchFlags flags = isIsolated() && tree.simplified
                                       ? branchFlags(tree.simplified->skeleton.size(), view.isolatedBranches)
                                       : BranchFlags();
@@ -176,7 +176,7 @@ struct TreeItems
             addFoliage(ScenePart::AppleCopies, tree.apples, fruit(), FoliageModel::Fine);
         if (!tree.foliage || !view.leaves || isIsolated())
             return;
-        const double alpha = node.params.turtle.alpha;
+        const double alpha = trunkRadius(node.params);
         const auto crown = cache.get<CrownLight>(ScenePart::Crown, tree.foliage, tree.foliage, {alpha},
                                                  [&] { return crownLight(*tree.foliage, alpha); });
         for (std::size_t i = first; i < scene.meshes.size() && !crown->light.empty(); ++i)
@@ -260,7 +260,7 @@ struct TreeItems
                 openBark());
         if (!tree.foliage)
             return;
-        const double alpha = node.params.turtle.alpha;
+        const double alpha = trunkRadius(node.params);
         if (view.leaves)
             addFoliage(ScenePart::LeafCopies,
                        cache.get<TriangleMesh>(

@@ -100,7 +100,7 @@ std::optional<AppleUnder> appleUnder(const PickView& view, const glm::dvec2& pix
             return;
         const glm::dmat4 world = frame.geometryOf(document.scene(), id);
         const double radius =
-            0.5 * document.scene().find(id)->params.turtle.alpha * glm::length(glm::dvec3(world[1]));
+            0.5 * trunkRadius(document.scene().find(id)->params) * glm::length(glm::dvec3(world[1]));
         for (std::size_t apple = 0; apple < tree.foliage->apples.size(); ++apple) {
             const RigidTransform& bone = (*motion.bones)[tree.simplified->skeleton.size() + apple];
             const glm::dvec3 centre = placed(world, bone.point(tree.foliage->apples[apple].position));

@@ -45,7 +45,7 @@ inline MovingTree presetTree(std::string_view name)
 inline void addPresetRows()
 {
     QTest::addColumn<QByteArray>("name");
-    for (const Preset& preset : presets())
+    for (const Preset& preset : courseworkPresets())
         QTest::newRow(preset.name) << QByteArray(preset.name);
 }
 

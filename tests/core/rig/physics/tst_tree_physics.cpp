@@ -37,7 +37,7 @@ private slots:
 
     void bodiesAreSortedByDepth()
     {
-        for (const Preset& preset : presets()) {
+        for (const Preset& preset : courseworkPresets()) {
             const test::MovingTree tree = test::presetTree(preset.name);
             const auto body = tree.body();
             QCOMPARE(body->size(), tree.skeleton.size());

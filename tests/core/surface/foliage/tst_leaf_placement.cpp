@@ -134,7 +134,7 @@ private slots:
     void feetStandOnTheBark_data()
     {
         QTest::addColumn<QString>("name");
-        for (const Preset& preset : presets())
+        for (const Preset& preset : courseworkPresets())
             QTest::newRow(preset.name) << preset.name;
     }
     void feetStandOnTheBark()

@@ -1,0 +1,110 @@
+#include "core/generators/weber_penn/stem_course.h"
+
+#include "core/math/random.h"
+#include "core/math/reproducible.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace ramure {
+namespace {
+
+/// In the frame's plane across its tangent.
+glm::dvec3 across(const Frame& frame, double azimuth)
+{
+    const auto [sine, cosine] = maths::sincos(azimuth);
+    return cosine * frame.normal + sine * frame.binormal;
+}
+
+glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle)
+{
+    const auto [sine, cosine] = maths::sincos(angle);
+    return cosine * v + sine * glm::cross(axis, v) + (1.0 - cosine) * glm::dot(axis, v) * axis;
+}
+
+} // namespace
+
+StemCourse::StemCourse(const WeberPennParams& params, std::uint64_t seed, const Stem& stem, double length)
+    : m_level(params.level[stem.level])
+    , m_attraction(stem.level > 1 ? params.attractionUp : 0.0)
+    , m_seed(seed)
+    , m_address(stem.own)
+    , m_length(length)
+    , m_azimuth(stem.azimuth)
+    , m_position(stem.foot)
+    , m_frame(stem.frame)
+    , m_helix(turned(m_frame.tangent, glm::cross(m_frame.tangent, across(m_frame, m_azimuth)),
+                     std::abs(m_level.curveV)))
+    , m_at(stem.begin)
+{
+    if (stem.splitAngle != 0.0)
+        split(stem.splitAngle, stem.splitAzimuth);
+}
+
+void StemCourse::turnAbout(const glm::dvec3& axis, double angle)
+{
+    m_frame = transported(m_frame, glm::normalize(turned(m_frame.tangent, axis, angle)));
+}
+
+void StemCourse::turn(double angle, double azimuth)
+{
+    if (angle == 0.0)
+        return;
+    const auto [sine, cosine] = maths::sincos(angle);
+    m_frame =
+        transported(m_frame, glm::normalize(cosine * m_frame.tangent + sine * across(m_frame, azimuth)));
+}
+
+void StemCourse::split(double angle, double azimuth)
+{
+    turn(angle, azimuth);
+    m_back = -angle / std::max(m_length - m_at, 1e-9);
+    m_backAzimuth = azimuth;
+    m_before = 0.0;
+}
+
+void StemCourse::attract(double step)
+{
+    const glm::dvec3 up(0.0, 1.0, 0.0);
+    const glm::dvec3 axis = glm::cross(m_frame.tangent, up);
+    const double sine = glm::length(axis);
+    if (m_attraction == 0.0 || sine < 1e-6)
+        return;
+    const double declination = maths::atan2(sine, m_frame.tangent.y);
+    const double wanted = m_attraction * declination * sine * step / m_length;
+    turnAbout(axis / sine, std::clamp(wanted, declination - std::numbers::pi, declination));
+}
+
+void StemCourse::advance(double step)
+{
+    const double half = 0.5 * m_length;
+    const auto pieces = static_cast<double>(m_level.curveRes);
+    const double middle = m_at - 0.5 * m_before;
+    const int segment = static_cast<int>(std::min(middle / m_length * pieces, pieces - 1.0));
+    if (m_before > 0.0) {
+        const Frame before = m_frame;
+        if (segment != m_segment) {
+            Random random(m_seed, RandomStream::Stems, mixBits(m_address + std::uint64_t(segment) + 1));
+            const double most = std::max(m_level.curveV, 0.0) / m_length;
+            m_crooked = most * random.range(-1.0, 1.0);
+            m_aside = 0.5 * most * random.range(-1.0, 1.0);
+            m_segment = segment;
+        }
+        double curve = m_level.curve / m_length;
+        if (m_level.curveBack != 0.0)
+            curve = (middle < half ? m_level.curve : m_level.curveBack) / half;
+        turn((curve + m_crooked) * m_before, m_azimuth);
+        turn(m_aside * m_before, m_azimuth + 0.5 * std::numbers::pi);
+        turn(m_back * m_before, m_backAzimuth);
+        if (m_level.curveV < 0.0)
+            turnAbout(m_helix, 2.0 * std::numbers::pi * m_before / m_length);
+        attract(m_before);
+        // Frames of skeletons are carried from piece to piece, without the steps between.
+        m_frame = transported(before, m_frame.tangent);
+    }
+    m_position += step * m_frame.tangent;
+    m_at += step;
+    m_before = step;
+}
+
+} // namespace ramure

@@ -1,0 +1,87 @@
+#include "core/params/species.h"
+
+#include <array>
+
+namespace ramure {
+namespace {
+
+using S = CrownShape;
+using L = LeafShape;
+using B = BarkFamily;
+using F = FruitKind;
+
+/// The first four are those of the paper, in its numbers (doi 10.1145/218380.218427, appendix); what it says
+/// of leaves stands here as their size and distance. Two differ: the willow has 60 twigs on a shoot, not 300,
+/// with leaves on the shoots themselves, and the oak varies by 3 m in height, not by 10.
+// clang-format off
+const std::array all{
+    Species{"QuakingAspen", "Populus tremuloides", RAMURE_NOOP("Slender, with a light crown that never rests"), false,
+        {.shape = S::TendFlame, .baseSize = 0.4, .scale = 13, .scaleV = 3, .levels = 3, .ratio = 0.015, .ratioPower = 1.2,
+         .lobes = 5, .lobeDepth = 0.07, .flare = 0.6, .attractionUp = 0.5,
+         .level = {{{.curveRes = 5, .curveV = 20},
+                    {.length = 0.3, .curveRes = 5, .curve = -40, .curveV = 50, .downAngle = 60, .downAngleV = -50, .rotate = 140, .branches = 50},
+                    {.length = 0.6, .curveRes = 3, .curve = -40, .curveV = 75, .downAngle = 45, .downAngleV = 10, .rotate = 140, .branches = 30},
+                    {.length = 0, .curveRes = 1, .downAngle = 45, .downAngleV = 10, .rotate = 77, .branches = 10}}}},
+        {L::Aspen, 1.6, 1.5, 0.13, B::Ringed, 0.15}},
+    Species{"BlackTupelo", "Nyssa sylvatica", RAMURE_NOOP("A straight trunk through a narrow cone of level limbs"), false,
+        {.shape = S::TaperedCylindrical, .baseSize = 0.2, .scale = 23, .scaleV = 5, .levels = 4, .ratio = 0.015, .ratioPower = 1.3,
+         .lobes = 3, .lobeDepth = 0.1, .flare = 1, .attractionUp = 0.5,
+         .level = {{{.taper = 1.1, .curveRes = 10, .curveV = 40},
+                    {.length = 0.3, .lengthV = 0.05, .curveRes = 10, .curveV = 90, .downAngle = 60, .downAngleV = -40, .rotate = 140, .branches = 50},
+                    {.length = 0.6, .lengthV = 0.1, .curveRes = 10, .curve = -10, .curveV = 150, .downAngle = 30, .downAngleV = 10, .rotate = 140, .branches = 25},
+                    {.length = 0.4, .curveRes = 1, .downAngle = 45, .downAngleV = 10, .rotate = 140, .branches = 12}}}},
+        {L::Cherry, 1.3, 2.5, 0.035, B::Furrowed, -0.1}},
+    Species{"WeepingWillow", "Salix babylonica", RAMURE_NOOP("A short trunk below curtains of hanging shoots"), false,
+        {.shape = S::Cylindrical, .baseSize = 0.05, .scale = 15, .scaleV = 5, .levels = 4, .ratio = 0.03, .ratioPower = 2,
+         .lobes = 9, .lobeDepth = 0.03, .flare = 0.75, .attractionUp = -3,
+         .pruneRatio = 1, .pruneWidth = 0.4, .pruneWidthPeak = 0.6, .prunePowerLow = 0.001, .prunePowerHigh = 0.5,
+         .level = {{{.length = 0.8, .baseSplits = 2, .segSplits = 0.1, .splitAngle = 3, .curveRes = 8, .curveBack = 20, .curveV = 120},
+                    {.length = 0.5, .lengthV = 0.1, .segSplits = 0.2, .splitAngle = 30, .splitAngleV = 10, .curveRes = 16, .curve = 40, .curveBack = 80, .curveV = 90, .downAngle = 20, .downAngleV = 10, .rotate = -120, .rotateV = 30, .branches = 25},
+                    {.length = 1.5, .segSplits = 0.2, .splitAngle = 45, .splitAngleV = 20, .curveRes = 12, .downAngle = 30, .downAngleV = 10, .rotate = -120, .rotateV = 30, .branches = 10},
+                    {.length = 0.1, .curveRes = 1, .downAngle = 20, .downAngleV = 10, .rotate = 140, .branches = 60}}}},
+        {L::Willow, 0.5, 0.6, 0.08, B::Furrowed, 0.0}},
+    Species{"CaliforniaBlackOak", "Quercus kelloggii", RAMURE_NOOP("Low and wide, with crooked limbs from the ground on"), false,
+        {.shape = S::Hemispherical, .baseSize = 0.05, .scale = 10, .scaleV = 3, .levels = 3, .ratio = 0.018, .ratioPower = 1.3,
+         .lobes = 5, .lobeDepth = 0.1, .flare = 1.2, .attractionUp = 0.8,
+         .level = {{{.taper = 0.95, .baseSplits = 2, .segSplits = 0.4, .splitAngle = 10, .curveRes = 8, .curveV = 90},
+                    {.length = 0.8, .lengthV = 0.1, .segSplits = 0.2, .splitAngle = 10, .splitAngleV = 10, .curveRes = 10, .curve = 40, .curveBack = -70, .curveV = 150, .downAngle = 30, .downAngleV = -30, .rotate = 80, .branches = 40},
+                    {.length = 0.2, .lengthV = 0.05, .segSplits = 0.1, .splitAngle = 10, .splitAngleV = 10, .curveRes = 3, .curve = -40, .curveV = -30, .downAngle = 45, .downAngleV = 10, .rotate = 140, .branches = 120},
+                    {.length = 0.4, .curveRes = 1, .downAngle = 45, .downAngleV = 10, .rotate = 140, .branches = 0}}}},
+        {L::RedOak, 1.1, 0.8, 0.12, B::Furrowed, -0.2, F::Acorn, 0.02}},
+};
+// clang-format on
+
+} // namespace
+
+std::span<const Species> species()
+{
+    return all;
+}
+
+NodeParams speciesParams(const Species& species)
+{
+    NodeParams params;
+    params.generator.kind = TreeGenerator::WeberPenn;
+    params.weberPenn = species.growth;
+    constexpr double degree = std::numbers::pi / 180.0;
+    for (WeberPennLevel& level : params.weberPenn.level)
+        for (double WeberPennLevel::*angle :
+             {&WeberPennLevel::splitAngle, &WeberPennLevel::splitAngleV, &WeberPennLevel::curve,
+              &WeberPennLevel::curveBack, &WeberPennLevel::curveV, &WeberPennLevel::downAngle,
+              &WeberPennLevel::downAngleV, &WeberPennLevel::rotate, &WeberPennLevel::rotateV})
+            level.*angle *= degree;
+    const SpeciesDress& dress = species.dress;
+    params.leaf.shape = dress.leaf;
+    params.leaf.size = dress.size;
+    params.leaf.internode = dress.internode;
+    params.foliage.leavesCutoff = dress.twig;
+    params.bark.family = dress.bark;
+    params.bark.light = dress.light;
+    params.fruit.kind = dress.fruit;
+    params.foliage.applesProbability = dress.fruitful;
+    params.sections = {3, 6};
+    params.mesh.clampOvershoot = true;
+    return params;
+}
+
+} // namespace ramure

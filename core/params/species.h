@@ -1,0 +1,35 @@
+/// \file
+/// Trees of Weber and Penn by their numbers: what sets one species apart. Internal to the presets.
+#pragma once
+
+#include "core/params/node_params.h"
+#include <span>
+
+namespace ramure {
+
+struct SpeciesDress
+{
+    LeafShape leaf = LeafShape::Beech;
+    double size = 1.0, internode = 1.0; ///< of what the plant has on such a trunk
+    double twig = 0.1;                  ///< thinner than this share of the trunk, branches carry leaves
+    BarkFamily bark = BarkFamily::Smooth;
+    double light = 0.0;
+    FruitKind fruit = FruitKind::Faithful;
+    double fruitful = 0.0;
+};
+
+struct Species
+{
+    const char* name;        ///< "QuakingAspen"
+    const char* latin;       ///< "Populus tremuloides"
+    const char* description; ///< English, context "core"
+    bool conifer = false;
+    WeberPennParams growth; ///< with angles in degrees, unlike everywhere else
+    SpeciesDress dress;
+};
+
+std::span<const Species> species();
+/// The parameters of a node, angles in rad.
+NodeParams speciesParams(const Species& species);
+
+} // namespace ramure

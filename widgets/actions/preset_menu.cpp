@@ -1,0 +1,32 @@
+#include "widgets/actions/preset_menu.h"
+
+#include "widgets/base/core_text.h"
+#include <QMenu>
+
+namespace ramure {
+
+void addPreset(QMenu* menu, const Preset& preset, QAction* action)
+{
+    action->setToolTip(QString::fromUtf8(preset.latin));
+    if (!*preset.latin) {
+        menu->addAction(action);
+        return;
+    }
+    const QString group = QString::fromUtf8(preset.group);
+    auto* submenu = menu->findChild<QMenu*>(group, Qt::FindDirectChildrenOnly);
+    if (!submenu) {
+        submenu = new QMenu(menu);
+        submenu->setObjectName(group);
+        submenu->setToolTipsVisible(true);
+        menu->addMenu(submenu);
+    }
+    submenu->addAction(action);
+}
+
+void nameGroups(QMenu* menu)
+{
+    for (QMenu* submenu : menu->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly))
+        submenu->setTitle(coreText(submenu->objectName().toUtf8().constData()));
+}
+
+} // namespace ramure
