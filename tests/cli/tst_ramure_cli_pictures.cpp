@@ -40,14 +40,16 @@ class TestRamureCliPictures : public QObject
 
 private slots:
     void init() { test::failOnAnyWarning(); }
+    void initTestCase() { QVERIFY(QDir(m_folder.path()).mkpath(QStringLiteral("pics"))); }
 
     void badPicturesAreNamedAndDrawnAsChecks()
     {
-        const QString missing = path("gone.png"), broken = path("broken.png"), wide = path("wide.png");
+        const QString missing = path("pics/gone.png"), broken = path("pics/broken.png"),
+                      wide = path("pics/wide.png");
         QImage blue(64, 64, QImage::Format_RGB32);
         blue.fill(Qt::blue);
-        QVERIFY(blue.save(path("whole.png")));
-        test::write(broken, test::bytesOf(path("whole.png")).left(20));
+        QVERIFY(blue.save(path("pics/whole.png")));
+        test::write(broken, test::bytesOf(path("pics/whole.png")).left(20));
         QVERIFY(QImage(30'000, 1, QImage::Format_Grayscale8).save(wide));
         for (const QString& file : {missing, broken, wide}) {
             const QStringList tree = {"preset:TinyTree", "--set", "bark.colourPicture=" + file};
@@ -58,36 +60,38 @@ private slots:
             QVERIFY(!bad.value("problem").toString().isEmpty());
             if (file == wide)
                 QVERIFY(bad.value("problem").toString().contains("30000"));
-            QVERIFY(countOf(rendered(tree, "checks.png"), isMagenta) > 100);
+            QVERIFY(countOf(rendered(tree, "pics/checks.png"), isMagenta) > 100);
         }
         QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "--set", "bark.colourPicture=" + missing, "-o",
-                                  path("gone.obj")}),
+                                  path("pics/gone.obj")}),
                           missing));
-        QVERIFY(!QFile::exists(path("gone.obj")));
+        QVERIFY(!QFile::exists(path("pics/gone.obj")));
         QVERIFY(!runCli({"info", "--json", "preset:TinyTree"}).keys().contains("badPictures"));
     }
     void picturesOfFilesAreDrawnAndExported()
     {
         QImage blue(64, 32, QImage::Format_RGB32);
         blue.fill(Qt::blue);
-        const QString file = path("deep blue.jpg");
+        const QString file = path("pics/deep blue.jpg");
         QVERIFY(blue.save(file));
         const QStringList bark = {"preset:TinyTree", "--set", "bark.colourPicture=" + file};
         const QStringList bare = {"preset:TinyTree"};
-        QCOMPARE(countOf(rendered(bare, "bare.png"), isBlue), 0);
-        const int barkPixels = countOf(rendered(bark, "bark.png"), isBlue);
+        QCOMPARE(countOf(rendered(bare, "pics/bare.png"), isBlue), 0);
+        const int barkPixels = countOf(rendered(bark, "pics/bark.png"), isBlue);
         QVERIFY2(barkPixels > 300, qPrintable(QString::number(barkPixels)));
         const int leafPixels = countOf(
-            rendered({"preset:TinyTree", "--set", "foliage.leafColourPicture=" + file}, "leaf.png"), isBlue);
+            rendered({"preset:TinyTree", "--set", "foliage.leafColourPicture=" + file}, "pics/leaf.png"),
+            isBlue);
         QVERIFY2(leafPixels > 100, qPrintable(QString::number(leafPixels)));
 
-        QVERIFY(runCli(QStringList{"export"} + bark + QStringList{"-o", path("blue.obj"), "--map-size", "64"})
+        QVERIFY(runCli(QStringList{"export"} + bark +
+                       QStringList{"-o", path("pics/blue.obj"), "--map-size", "64"})
                     .code == 0);
-        const QByteArray materials = test::bytesOf(path("blue.mtl"));
+        const QByteArray materials = test::bytesOf(path("pics/blue.mtl"));
         const auto line = QRegularExpression(QStringLiteral("map_Kd (deep_blue_[0-9a-f]{8}\\.jpg)"))
                               .match(QString::fromUtf8(materials));
         QVERIFY2(line.hasMatch(), materials.constData());
-        QCOMPARE(test::bytesOf(path(qPrintable(line.captured(1)))), test::bytesOf(file));
+        QCOMPARE(test::bytesOf(path("pics/") + line.captured(1)), test::bytesOf(file));
     }
 
     void texturesRefusesBadInput()

@@ -291,7 +291,7 @@ private slots:
         QVERIFY(m_chooser->reports.isEmpty());
         QVERIFY(m_files->openFile(path("tree.ramure")));
         QCOMPARE(m_chooser->reports.size(), 1);
-        QVERIFY(m_chooser->reports.front().contains(path("gone.png")));
+        QVERIFY(m_chooser->reports.front().contains(QStringLiteral("gone.png")));
         QCOMPARE(m_document->scene().nodes().front().params.barkPictures.colour, gone);
     }
 

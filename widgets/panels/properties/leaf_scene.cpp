@@ -68,11 +68,12 @@ RenderScene leafScene(const NodeParams& params)
     Skeleton twig;
     twig.add(noIndex, {0.0, 0.0, 0.0}, {0.0, length, 0.0}, thickness * length, 0.6 * thickness * length);
     Foliage foliage = placed(twig, params);
-    const TriangleMesh one = oneLeaf(foliage.form, 1.0, FoliageModel::Fine);
-    const Box leaves = meshBox(buildLeaves(twig, foliage, 1.0, FoliageModel::Fine));
-    FoliageItem single = singleLeaf(foliage, one, length);
-    single.position.x += leaves.empty() ? 0.0 : std::min(0.0, leaves.min.x);
-    foliage.leaves.push_back(single);
+    if (const TriangleMesh one = oneLeaf(foliage.form, 1.0, FoliageModel::Fine); !one.empty()) {
+        const Box leaves = meshBox(buildLeaves(twig, foliage, 1.0, FoliageModel::Fine));
+        FoliageItem single = singleLeaf(foliage, one, length);
+        single.position.x += leaves.empty() ? 0.0 : std::min(0.0, leaves.min.x);
+        foliage.leaves.push_back(single);
+    }
 
     RenderScene scene;
     Material bark = barkMaterial(params.bark);
@@ -80,6 +81,10 @@ RenderScene leafScene(const NodeParams& params)
     MeshItem branch;
     branch.mesh = std::make_shared<const TriangleMesh>(buildRoughBranches(twig, sides));
     add(scene, std::move(branch), bark);
+    if (foliage.leaves.empty()) {
+        scene.updateBoxes();
+        return scene;
+    }
     MeshItem item;
     item.mesh = std::make_shared<const TriangleMesh>(buildLeaves(twig, foliage, 1.0, FoliageModel::Fine));
     item.copies = std::make_shared<const MeshCopies>(leafCopies(foliage, 1.0, FoliageModel::Fine));

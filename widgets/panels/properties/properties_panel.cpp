@@ -394,8 +394,10 @@ void PropertiesPanel::showLeaf()
 {
     if (m_nodes.size() != 1)
         return;
-    if (!m_largeLeaf)
+    if (!m_largeLeaf) {
         m_largeLeaf = new LeafDialog(m_document, window());
+        m_largeLeaf->move(window()->mapToGlobal(QPoint(40, 110))); // the properties stay free
+    }
     m_largeLeaf->setTree(m_nodes.front());
     m_largeLeaf->show();
     m_largeLeaf->raise();
