@@ -5159,7 +5159,7 @@
     </message>
     <message>
         <source>Angle to the parent</source>
-        <translation type="unfinished">Angle au parent</translation>
+        <translation>Angle au parent</translation>
     </message>
     <message>
         <source>Between a stem and the one that carries it: 0 goes on straight, a quarter turn stands away. Of the trunk, between it and the vertical.</source>
