@@ -187,7 +187,7 @@ private:
         m_inputs.parameters = m_gathered.data();
         return fits(rule.left, m_contexts->left[i], end) && fits(rule.right, m_contexts->right[i], end);
     }
-    bool fits(const std::optional<ParametricRule::Pattern>& pattern, Index at, double*& end) const
+    bool fits(const std::optional<ModulePattern>& pattern, Index at, double*& end) const
     {
         if (!pattern)
             return true;

@@ -168,7 +168,7 @@ private:
         return {};
     }
 
-    Done readPattern(TextScanner& text, ParametricRule::Pattern& pattern)
+    Done readPattern(TextScanner& text, ModulePattern& pattern)
     {
         const TextPlace place = text.place();
         if (!isModuleLetter(text.peek()) || text.atArrow())

@@ -52,16 +52,17 @@ struct Production
     std::vector<Computed> computed;
 };
 
+/// A module in front of the arrow.
+struct ModulePattern
+{
+    char name = 0;
+    std::size_t numbers = 0;
+};
+
 struct ParametricRule
 {
-    /// A module in front of the arrow.
-    struct Pattern
-    {
-        char name = 0;
-        std::size_t numbers = 0;
-    };
-    Pattern module;
-    std::optional<Pattern> left, right;
+    ModulePattern module;
+    std::optional<ModulePattern> left, right;
     Expression condition; ///< its parameters, as those of the productions: of the module, of left, of right
     std::vector<Production> productions; ///< at least one
     double weights = 1.0;                ///< their sum

@@ -502,7 +502,8 @@ void TestTreePipeline::randomParametersGiveValidMeshes()
         NodeParams params;
         for (const ParamDef& def : paramTable())
             QVERIFY(setParam(params, def, randomValue(def, random)));
-        const GrammarParams grammar = randomGrammar(random);
+        const GrammarParams grammar = randomGrammar(random); // of letters
+        params.grammar.dialect = grammar.dialect;
         params.grammar.axiom = grammar.axiom;
         params.grammar.rules = grammar.rules;
         params.grammar.iterations = grammar.iterations;

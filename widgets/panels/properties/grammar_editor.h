@@ -15,6 +15,7 @@ public:
     GrammarEditor(const ParamDef& def, QWidget* parent);
 
     void showValues(std::span<const ParamValue> values) override;
+    void showGrammar(const GrammarParams& grammar) override;
     void showProblem(const std::optional<Error>& error) override;
     bool showMessage(const QString& text) override;
     void retranslate(const QString& name) override;

@@ -23,6 +23,10 @@ void ParamEditor::setStandard(const std::optional<ParamValue>&)
 {
 }
 
+void ParamEditor::showGrammar(const GrammarParams&)
+{
+}
+
 void ParamEditor::showProblem(const std::optional<Error>&)
 {
 }

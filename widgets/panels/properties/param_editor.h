@@ -27,6 +27,8 @@ public:
     virtual void setStandard(const std::optional<ParamValue>& value);
     /// Marks the place of an error of the computation inside the editor, where it can.
     virtual void showProblem(const std::optional<Error>& error);
+    /// What a text of a grammar is read with: its language, and the names that there are.
+    virtual void showGrammar(const GrammarParams& grammar);
     virtual void setAngleUnit(AngleUnit unit);
     /// Dragging the parameter's label drags its number, where it is one.
     virtual void addHandle(QWidget* label);

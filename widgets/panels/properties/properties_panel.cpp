@@ -240,6 +240,11 @@ void PropertiesPanel::showRelevance()
         if (changed)
             section->applyVisibility();
     }
+    if (!m_nodes.empty())
+        for (const char* key : {"grammar.axiom", "grammar.rules", "grammar.constants"})
+            row(*findParam(key))
+                ->editor()
+                ->showGrammar(m_document->scene().find(m_nodes.front())->params.grammar);
 }
 
 void PropertiesPanel::setKeys(AutoKey* keys)

@@ -2,16 +2,18 @@
 
 #include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
-#include "widgets/panels/properties/grammar/grammar_growth.h"
 #include "widgets/panels/properties/grammar/grammar_highlighter.h"
 #include <QEvent>
 #include <QFontDatabase>
 #include <QHBoxLayout>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QScrollBar>
+#include <QTextBlock>
 #include <QTimer>
 #include <QToolButton>
+#include <QToolTip>
 #include <algorithm>
 
 namespace ramure {
@@ -20,15 +22,16 @@ namespace {
 constexpr int pauseMs = 60;           ///< the strings follow typing, but not every key
 constexpr qsizetype headLength = 220; ///< of a long string these are shown,
 constexpr qsizetype tailLength = 60;  ///< and these
+constexpr QStringView ellipsis = u" … ";
 constexpr int textLines = 14;
 
 /// The beginning and the end.
 QString elided(const std::string& text)
 {
     const QString all = QString::fromUtf8(text);
-    if (all.size() <= headLength + tailLength + 3)
+    if (all.size() <= headLength + tailLength + ellipsis.size())
         return all;
-    return all.left(headLength) + QStringLiteral(" … ") + all.right(tailLength);
+    return all.left(headLength) + ellipsis.toString() + all.right(tailLength);
 }
 
 } // namespace
@@ -68,6 +71,12 @@ GenerationsView::GenerationsView(Document* document, QWidget* parent)
     m_text->setFixedHeight(m_text->fontMetrics().lineSpacing() * textLines);
     m_text->hide();
     layout->addWidget(m_text);
+    m_text->viewport()->installEventFilter(this);
+    connect(m_text, &QPlainTextEdit::cursorPositionChanged, this, [this] {
+        if (m_text->hasFocus())
+            QToolTip::showText(m_text->viewport()->mapToGlobal(m_text->cursorRect().bottomLeft()),
+                               moduleAt(m_text->textCursor().position()), m_text->viewport());
+    });
     m_highlighter->setColours(palette());
     m_timer->setSingleShot(true);
     m_timer->setInterval(pauseMs);
@@ -130,7 +139,9 @@ void GenerationsView::showGenerations()
         m_text->clear();
         return;
     }
-    const auto generations = generationsOf(node->params.grammar);
+    m_generations.clear();
+    m_highlighter->setDialect(node->params.grammar.dialect);
+    auto generations = generationsOf(node->params.grammar);
     if (!generations) {
         m_text->setPlainText(tr("The rules give no string yet."));
         return;
@@ -154,8 +165,45 @@ void GenerationsView::showGenerations()
     if (rest > 0)
         lines += tr("… and %Ln more generation(s)", nullptr, static_cast<int>(rest));
     const int place = m_text->verticalScrollBar()->value();
+    m_generations = std::move(*generations);
     m_text->setPlainText(lines.join(u'\n'));
     m_text->verticalScrollBar()->setValue(place);
+}
+
+QString GenerationsView::moduleAt(int position) const
+{
+    const QTextBlock block = m_text->document()->findBlock(position);
+    const auto generation = static_cast<std::size_t>(block.blockNumber() / 2);
+    if (block.blockNumber() % 2 == 0 || generation >= m_generations.size())
+        return {};
+    const ModuleWord& word = m_generations[generation].word;
+    const auto size = static_cast<qsizetype>(word.modules.size());
+    qsizetype at = position - block.position();
+    if (block.length() - 1 < size && at >= headLength) // behind the ellipsis
+        at = at < headLength + ellipsis.size() ? size : size - (block.length() - 1 - at);
+    if (at < 0 || at >= size)
+        return {};
+    const Module& module = word.modules[static_cast<std::size_t>(at)];
+    QStringList numbers;
+    for (std::size_t i = 0; i < word.numbersOf(module); ++i)
+        numbers += QString::number(word.numbers[module.firstNumber + i], 'g', 6);
+    return numbers.isEmpty() ? QString()
+                             : QStringLiteral("%1(%2)")
+                                   .arg(QLatin1Char(module.name))
+                                   .arg(numbers.join(QStringLiteral(", ")));
+}
+
+bool GenerationsView::eventFilter(QObject* watched, QEvent* event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::eventFilter(watched, event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QTextCursor cursor = m_text->cursorForPosition(help->pos());
+    // The cursor goes between two letters, to the nearer place: it may stand behind the one that is meant.
+    if (m_text->cursorRect(cursor).left() > help->pos().x())
+        cursor.movePosition(QTextCursor::PreviousCharacter);
+    QToolTip::showText(help->globalPos(), moduleAt(cursor.position()), m_text->viewport());
+    return true;
 }
 
 void GenerationsView::showEvent(QShowEvent* event)

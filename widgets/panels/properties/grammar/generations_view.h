@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/document/document.h"
+#include "widgets/panels/properties/grammar/grammar_growth.h"
 #include <QPlainTextEdit>
 #include <QWidget>
 
@@ -25,8 +26,11 @@ public:
     /// The tree whose generations are shown; noNode: none, as with several selected.
     void setTree(NodeId tree);
     void setUnfolded(bool unfolded);
+    /// "A(1, 0.5)", of the module at a place of the text; empty where there is none with numbers.
+    [[nodiscard]] QString moduleAt(int position) const;
 
 protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
@@ -42,6 +46,7 @@ private:
     QLabel* m_summary;
     QPlainTextEdit* m_text;
     GrammarHighlighter* m_highlighter;
+    std::vector<Generation> m_generations; ///< two lines of the text each
     QTimer* m_timer;
     bool m_unfolded = false;
     bool m_stale = true;

@@ -1,12 +1,15 @@
 #include "widgets/panels/properties/grammar/grammar_edit.h"
 
 #include "widgets/base/theme.h"
-#include "widgets/panels/properties/grammar/grammar_highlighter.h"
+#include <QAbstractItemView>
+#include <QCompleter>
 #include <QFontDatabase>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMimeData>
+#include <QRegularExpression>
 #include <QScrollBar>
+#include <QStringListModel>
 #include <QTextBlock>
 #include <algorithm>
 
@@ -76,11 +79,12 @@ int matchingBracket(const QString& text, int position)
     return -1;
 }
 
-GrammarEdit::GrammarEdit(bool rules, QWidget* parent)
+GrammarEdit::GrammarEdit(GrammarText kind, QWidget* parent)
     : QPlainTextEdit(parent)
-    , m_rules(rules)
+    , m_kind(kind)
     , m_lines(usualLines())
     , m_message(new QLabel(this))
+    , m_completer(new QCompleter(this))
 {
     setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     setUndoRedoEnabled(false);
@@ -89,7 +93,7 @@ GrammarEdit::GrammarEdit(bool rules, QWidget* parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     document()->setDocumentMargin(5);
-    m_highlighter = new GrammarHighlighter(document(), rules ? GrammarText::Rules : GrammarText::Axiom);
+    m_highlighter = new GrammarHighlighter(document(), kind);
     m_highlighter->setColours(palette());
     connect(this, &QPlainTextEdit::cursorPositionChanged, this, &GrammarEdit::updateMarks);
     connect(this, &QPlainTextEdit::textChanged, this, [this] {
@@ -104,11 +108,54 @@ GrammarEdit::GrammarEdit(bool rules, QWidget* parent)
     m_message->setMargin(4);
     m_message->hide();
     setFixedHeight(heightOfLines());
+    m_completer->setWidget(this);
+    m_completer->setModel(new QStringListModel(m_completer));
+    connect(m_completer, qOverload<const QString&>(&QCompleter::activated), this,
+            &GrammarEdit::takeCompletion);
 }
 
 int GrammarEdit::usualLines() const
 {
-    return m_rules ? usualRuleLines : usualAxiomLines;
+    return m_kind == GrammarText::Rules ? usualRuleLines : usualAxiomLines;
+}
+
+void GrammarEdit::setDialect(GrammarDialect dialect, const QStringList& names)
+{
+    m_highlighter->setDialect(dialect);
+    static_cast<QStringListModel*>(m_completer->model())->setStringList(names);
+}
+
+/// The word that ends at the cursor; a single letter may be a module.
+static QString wordBefore(const QTextCursor& cursor)
+{
+    static const QRegularExpression word(QStringLiteral("[A-Za-z_]\\w*$"));
+    return word.match(cursor.block().text().left(cursor.positionInBlock())).captured();
+}
+
+/// Offers names that begin as the word does, where an expression stands.
+void GrammarEdit::complete()
+{
+    const QString before = textCursor().block().text().left(textCursor().positionInBlock());
+    const bool isExpression =
+        m_kind == GrammarText::Names ? before.contains(u'=') : before.count(u'(') > before.count(u')');
+    const QString word = wordBefore(textCursor());
+    m_completer->setCompletionPrefix(word);
+    const bool isWhole = m_completer->completionCount() == 1 && m_completer->currentCompletion() == word;
+    if (word.isEmpty() || !isExpression || isWhole || m_completer->completionCount() == 0) {
+        m_completer->popup()->hide();
+        return;
+    }
+    QRect at = cursorRect();
+    at.setWidth(m_completer->popup()->sizeHintForColumn(0) + 2 * fontMetrics().averageCharWidth());
+    m_completer->complete(at);
+    m_completer->popup()->setCurrentIndex(m_completer->completionModel()->index(0, 0));
+}
+
+void GrammarEdit::takeCompletion(const QString& name)
+{
+    QTextCursor cursor = textCursor();
+    cursor.insertText(name.mid(wordBefore(cursor).size()));
+    setTextCursor(cursor);
 }
 
 void GrammarEdit::setLines(int lines)
@@ -229,7 +276,12 @@ void GrammarEdit::changeEvent(QEvent* event)
 void GrammarEdit::keyPressEvent(QKeyEvent* event)
 {
     const bool newLine = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (newLine && !m_rules)
+    if (m_completer->popup()->isVisible() &&
+        (newLine || event->key() == Qt::Key_Tab || event->key() == Qt::Key_Escape)) {
+        event->ignore(); // the list takes them
+        return;
+    }
+    if (newLine && m_kind == GrammarText::Axiom)
         return;
     const bool deleting = isDeleting(event);
     if (newLine || isMoving(event) ||
@@ -238,6 +290,8 @@ void GrammarEdit::keyPressEvent(QKeyEvent* event)
     if (deleting || !event->text().isEmpty())
         m_lastWasDeleting = deleting;
     QPlainTextEdit::keyPressEvent(event);
+    if (deleting || !event->text().isEmpty())
+        complete();
 }
 
 void GrammarEdit::mousePressEvent(QMouseEvent* event)
@@ -261,7 +315,7 @@ void GrammarEdit::focusOutEvent(QFocusEvent* event)
 void GrammarEdit::insertFromMimeData(const QMimeData* source)
 {
     emit gestureBroken();
-    if (m_rules) {
+    if (m_kind != GrammarText::Axiom) {
         QPlainTextEdit::insertFromMimeData(source);
     } else {
         QString text = source->text();

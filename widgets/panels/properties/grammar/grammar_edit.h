@@ -4,20 +4,23 @@
 /// document.
 #pragma once
 
+#include "widgets/panels/properties/grammar/grammar_highlighter.h"
 #include <QPlainTextEdit>
 
+class QCompleter;
 class QLabel;
 
 namespace ramure {
-
-class GrammarHighlighter;
 
 class GrammarEdit : public QPlainTextEdit
 {
     Q_OBJECT
 public:
-    /// \param rules true: several lines of rules; false: an axiom, whose new lines are dropped.
-    GrammarEdit(bool rules, QWidget* parent);
+    /// \param kind of an axiom new lines are dropped
+    GrammarEdit(GrammarText kind, QWidget* parent);
+
+    /// How the text is read. \param names what completes a word that is typed in the parametric dialect
+    void setDialect(GrammarDialect dialect, const QStringList& names);
 
     /// Replaces the text and keeps the cursor's place where it can; never emits edited().
     void showText(const QString& text);
@@ -57,15 +60,18 @@ protected:
 private:
     void updateMarks();
     void placeMessage();
+    void complete();
+    void takeCompletion(const QString& name);
     [[nodiscard]] int heightOfLines() const;
 
-    bool m_rules;
+    GrammarText m_kind;
     int m_lines;
     QLabel* m_message;
     bool m_showing = false;
     bool m_lastWasDeleting = false;
     std::pair<int, int> m_problem{-1, -1};
     GrammarHighlighter* m_highlighter = nullptr;
+    QCompleter* m_completer;
 };
 
 /// The bracket that belongs to the one at \p position, or -1. Escaped brackets (after a backquote) do not

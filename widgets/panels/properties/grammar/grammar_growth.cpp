@@ -41,14 +41,38 @@ Counts nextCounts(const Grammar& grammar, const Counts& counts)
     return next;
 }
 
+Expected<std::vector<Generation>> modulesOf(const GrammarParams& params, int last)
+{
+    const auto grammar = parseParametric(params);
+    if (!grammar)
+        return fail(grammar.error());
+    std::vector<Generation> generations;
+    for (int i = 0; i <= last; ++i) {
+        auto word = derive(
+            *grammar, {i, params.stochastic, static_cast<std::uint64_t>(params.seed), longestGeneration});
+        if (!word && word.error().code != ErrorCode::Limit)
+            break;
+        Generation& generation = generations.emplace_back();
+        generation.atLeast = !word;
+        generation.symbols = static_cast<double>(word ? word->modules.size() : longestGeneration);
+        if (!word)
+            break;
+        generation.text = lettersOf(*word);
+        generation.word = std::move(*word);
+    }
+    return generations;
+}
+
 } // namespace
 
 Expected<std::vector<Generation>> generationsOf(const GrammarParams& params)
 {
+    const auto last = static_cast<int>(std::clamp<std::int64_t>(params.iterations, 0, mostGenerations));
+    if (params.dialect == GrammarDialect::Parametric)
+        return modulesOf(params, last);
     const auto grammar = parseGrammar(params.axiom, params.rules);
     if (!grammar)
         return fail(grammar.error());
-    const auto last = static_cast<int>(std::clamp<std::int64_t>(params.iterations, 0, mostGenerations));
     const bool byChance = params.stochastic && std::ranges::any_of(grammar->rules, [](const Rule& rule) {
                               return !rule.probabilities.empty();
                           });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/generators/parametric/derive.h"
 #include "core/params/node_params.h"
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@ struct Generation
     double symbols = 0.0;            ///< exact below 2^53
     bool atLeast = false;            ///< only a lower bound is known: it is drawn by chance, and too long
     std::optional<std::string> text; ///< where it has no more than the limit
+    ModuleWord word;                 ///< of the parametric dialect: one module a letter of the text
 };
 
 inline constexpr int mostGenerations = 24;
@@ -22,7 +24,8 @@ inline constexpr std::size_t longestGeneration = 20'000; ///< symbols
 
 /// Generations 0 (the axiom) to \p params.iterations, at most mostGenerations after the axiom. A few
 /// milliseconds: no string is longer than longestGeneration; beyond it symbols are counted, not written.
-/// Errors: those of parseGrammar.
+/// Of the parametric dialect the generation that is too long is the last one. Errors: those of parseGrammar
+/// or parseParametric; where a number is not finite, those generations that there are before.
 Expected<std::vector<Generation>> generationsOf(const GrammarParams& params);
 
 } // namespace ramure

@@ -2,6 +2,7 @@
 
 #include "widgets/base/theme.h"
 #include <QRegularExpression>
+#include <algorithm>
 
 namespace ramure {
 
@@ -25,12 +26,22 @@ void GrammarHighlighter::setColours(const QPalette& palette)
     rehighlight();
 }
 
+void GrammarHighlighter::setDialect(GrammarDialect dialect)
+{
+    if (dialect == m_dialect)
+        return;
+    m_dialect = dialect;
+    rehighlight();
+}
+
 void GrammarHighlighter::highlightBlock(const QString& text)
 {
     if (m_kind == GrammarText::Generations && currentBlock().blockNumber() % 2 == 0) {
         setFormat(0, static_cast<int>(text.size()), m_comment);
         return;
     }
+    if (m_dialect == GrammarDialect::Parametric || m_kind == GrammarText::Names)
+        return highlightModules(text);
     if (m_kind != GrammarText::Rules)
         return highlightSymbols(text, 0);
     const qsizetype first = text.indexOf(QRegularExpression(QStringLiteral("\\S")));
@@ -83,6 +94,55 @@ void GrammarHighlighter::highlightSymbols(const QString& text, qsizetype from)
             setFormat(at, 1, m_symbol);
         }
     }
+}
+
+/// Between parentheses, in conditions and among the constants stand expressions: names and numbers. All else
+/// are modules; those in front of the arrow are bold.
+void GrammarHighlighter::highlightModules(const QString& text)
+{
+    static const QRegularExpression token(QStringLiteral("#.*|->|\\d+(\\.\\d*)?([eE][+-]?\\d+)?|"
+                                                         "\\.\\d+([eE][+-]?\\d+)?|[A-Za-z_]\\w*|\\S"));
+    QTextCharFormat head = m_symbol;
+    head.setFontWeight(QFont::Bold);
+    bool isHead = m_kind == GrammarText::Rules && text.contains(QLatin1String("->"));
+    bool isCondition = m_kind == GrammarText::Names;
+    int depth = 0;
+    for (auto it = token.globalMatch(text); it.hasNext();) {
+        const auto match = it.next();
+        const QString found = match.captured();
+        const int at = static_cast<int>(match.capturedStart()), size = static_cast<int>(found.size());
+        const QChar first = found[0];
+        if (first == u'#') {
+            setFormat(at, size, m_comment);
+        } else if (found == QLatin1String("->")) {
+            isHead = isCondition = false;
+            setFormat(at, size, m_arrow);
+        } else if (first.isDigit() || (first == u'.' && size > 1)) {
+            setFormat(at, size, m_number);
+        } else if (first == u'(' || first == u')') {
+            depth = std::max(0, depth + (first == u'(' ? 1 : -1));
+            setFormat(at, size, m_arrow);
+        } else if (depth > 0 || isCondition) {
+            setFormat(at, size, first.isLetter() || first == u'_' ? m_escape : m_symbol);
+        } else if (first == u':') {
+            isCondition = isHead;
+            setFormat(at, size, m_arrow);
+        } else if (isHead) {
+            setFormat(at, size, first == u'<' || first == u'>' ? m_arrow : head);
+        } else {
+            highlightWord(at, found);
+        }
+    }
+}
+
+void GrammarHighlighter::highlightWord(int at, const QString& word)
+{
+    const QChar first = word[0];
+    const bool turns = QStringLiteral("+-&^\\/|$").contains(first);
+    setFormat(at, static_cast<int>(word.size()),
+              first == u'[' || first == u']' ? m_bracket
+              : turns                        ? m_turn
+                                             : m_symbol);
 }
 
 } // namespace ramure

@@ -78,6 +78,52 @@ private slots:
         QCOMPARE(generationsOf(params)->size(), std::size_t{1});
     }
 
+    void modulesHaveTheirNumbers()
+    {
+        GrammarParams params{"A(1)", "A(l) -> F(l)[+A(l*r)]A(l*r)", 14,       false,
+                             1,      GrammarDialect::Parametric,    "r = 0.5"};
+        const auto generations = generationsOf(params);
+        QVERIFY(generations && generations->size() > 3);
+        QCOMPARE(*(*generations)[1].text, std::string("F[+A]A"));
+        QCOMPARE((*generations)[1].word.numbers, (std::vector<double>{1.0, 0.5, 0.5}));
+        QVERIFY(generations->back().atLeast); // too long to be written, hence not counted
+        params.rules = "A(l) -> A(l";
+        QCOMPARE(generationsOf(params).error().path, std::string("grammar.rules"));
+        params.rules = "A(l) -> A(l/0)"; // what is before the mistake is shown
+        QCOMPARE(generationsOf(params)->size(), std::size_t{1});
+    }
+
+    void theModuleUnderThePointerIsTold()
+    {
+        test::TreeDocument trees;
+        NodeParams params = test::smallForks();
+        params.grammar = {"F(1)A(1,8)", "A(l,w) -> F(l)A(l*r,w)", 2, false, 1, GrammarDialect::Parametric,
+                          "r = 0.25"};
+        const NodeId tree = trees.add(params);
+        GenerationsView view(&trees.document(), nullptr);
+        view.setTree(tree);
+        view.setUnfolded(true);
+        view.show();
+        auto* text = view.findChild<QPlainTextEdit*>();
+        QTRY_VERIFY(text->toPlainText().endsWith(QStringLiteral("\nFFFA")));
+        const auto end = static_cast<int>(text->toPlainText().size());
+        QCOMPARE(view.moduleAt(end - 1), QStringLiteral("A(0.0625, 8)"));
+        QCOMPARE(view.moduleAt(end - 2), QStringLiteral("F(0.25)"));
+        for (const int nowhere : {0, end, end + 5})
+            QVERIFY(view.moduleAt(nowhere).isEmpty());
+        // Behind the ellipsis of a long text letters stand further on.
+        std::string axiom;
+        for (int i = 0; i < 400; ++i)
+            axiom += "F(" + std::to_string(i + 1) + ")";
+        QVERIFY(edit::setParam(trees.document(), {tree}, *findParam("grammar.axiom"), axiom));
+        QTRY_VERIFY(text->toPlainText().endsWith(QStringLiteral("FFFFFF")));
+        const auto last = static_cast<int>(text->toPlainText().size()) - 1;
+        QCOMPARE(view.moduleAt(last), QStringLiteral("F(400)"));
+        QCOMPARE(view.moduleAt(last - 59), QStringLiteral("F(341)"));
+        QVERIFY(view.moduleAt(last - 61).isEmpty());
+        QCOMPARE(view.moduleAt(last - 63), QStringLiteral("F(220)"));
+    }
+
     void theViewTellsWhatTheTreeHas()
     {
         test::TreeDocument trees;

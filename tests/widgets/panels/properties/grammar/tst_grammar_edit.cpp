@@ -1,7 +1,11 @@
 #include "tests/widgets/base/fixture.h"
 #include "widgets/panels/properties/grammar/grammar_edit.h"
 #include "widgets/panels/properties/grammar/height_grip.h"
+#include <QAbstractItemView>
+#include <QCompleter>
 #include <QLabel>
+#include <QTextBlock>
+#include <QTextLayout>
 
 using namespace ramure;
 
@@ -13,7 +17,7 @@ private slots:
 
     void placesThatDoNotExistMarkNothing()
     {
-        GrammarEdit edit(true, nullptr);
+        GrammarEdit edit(GrammarText::Rules, nullptr);
         edit.showText(QStringLiteral("A -> B\nB -> C"));
         for (const auto& [line, column] : {std::pair{0, 0}, {0, 5}, {7, 1}, {-1, 2}}) {
             edit.showProblem(line, column);
@@ -23,7 +27,7 @@ private slots:
 
     void problemsAreUnderlinedAtTheirBytes()
     {
-        GrammarEdit edit(true, nullptr);
+        GrammarEdit edit(GrammarText::Rules, nullptr);
         // "é" and "→" take two and three bytes, one character each.
         edit.showText(QStringLiteral("# été →x\nA -> [B"));
         edit.showProblem(1, 12);
@@ -52,9 +56,46 @@ private slots:
         QCOMPARE(matchingBracket(text, 99), -1);
     }
 
+    void modulesAreColoured()
+    {
+        GrammarEdit edit(GrammarText::Rules, nullptr);
+        edit.showText(QStringLiteral("A(l) : l > r -> [+(45)F(l*r)] # twig"));
+        edit.setDialect(GrammarDialect::Parametric, {});
+        const auto colour = [&edit](qsizetype at) {
+            for (const auto& range : edit.document()->firstBlock().layout()->formats())
+                if (at >= range.start && at < range.start + range.length)
+                    return range.format.foreground().color();
+            return QColor();
+        };
+        const QString text = edit.toPlainText();
+        const QColor number = colour(text.indexOf(u'4')), name = colour(text.indexOf(QLatin1String("l*r")));
+        QVERIFY(number.isValid() && name.isValid() && number != name);
+        QCOMPARE(colour(text.indexOf(QLatin1String("r ->"))), name); // in the condition
+        QVERIFY(colour(text.indexOf(u'[')) != colour(text.indexOf(u'F')));
+        const QColor comment = colour(text.indexOf(u'#'));
+        QCOMPARE(colour(text.size() - 1), comment);
+        edit.setDialect(GrammarDialect::Classic, {});
+        QVERIFY(colour(text.size() - 1) != comment);
+    }
+
+    void namesAreCompletedInExpressions()
+    {
+        GrammarEdit edit(GrammarText::Rules, nullptr);
+        edit.show();
+        edit.setDialect(GrammarDialect::Parametric, {QStringLiteral("ratio"), QStringLiteral("rand(")});
+        const auto* completer = edit.findChild<QCompleter*>();
+        QTest::keyClicks(&edit, QStringLiteral("A -> ra"));
+        QVERIFY(!completer->popup()->isVisible()); // modules are letters, not words
+        QTest::keyClicks(&edit, QStringLiteral("F(rat"));
+        QTRY_VERIFY(completer->popup()->isVisible());
+        QTest::keyClick(completer->popup(), Qt::Key_Return);
+        QCOMPARE(edit.toPlainText(), QStringLiteral("A -> raF(ratio"));
+        QVERIFY(!completer->popup()->isVisible());
+    }
+
     void showingATextIsNoEdit()
     {
-        GrammarEdit edit(true, nullptr);
+        GrammarEdit edit(GrammarText::Rules, nullptr);
         QSignalSpy edited(&edit, &GrammarEdit::edited);
         edit.showText(QStringLiteral("A -> BB"));
         QCOMPARE(edited.count(), 0);
@@ -64,7 +105,7 @@ private slots:
 
     void theCursorStaysWhereItWas()
     {
-        GrammarEdit edit(true, nullptr);
+        GrammarEdit edit(GrammarText::Rules, nullptr);
         edit.showText(QStringLiteral("A -> BB"));
         QTextCursor cursor = edit.textCursor();
         cursor.setPosition(5);
@@ -77,7 +118,7 @@ private slots:
 
     void axiomsHaveOneLine()
     {
-        GrammarEdit edit(false, nullptr);
+        GrammarEdit edit(GrammarText::Axiom, nullptr);
         QTest::keyClicks(&edit, "AB");
         QTest::keyClick(&edit, Qt::Key_Return);
         QCOMPARE(edit.toPlainText(), QStringLiteral("AB"));
@@ -88,7 +129,7 @@ private slots:
 
     void gesturesBreakWhereTypingPauses()
     {
-        GrammarEdit edit(true, nullptr);
+        GrammarEdit edit(GrammarText::Rules, nullptr);
         QSignalSpy broken(&edit, &GrammarEdit::gestureBroken);
         QTest::keyClicks(&edit, "A -> B");
         QCOMPARE(broken.count(), 0);
@@ -106,7 +147,7 @@ private slots:
 
     void undoBelongsToTheDocument()
     {
-        GrammarEdit edit(true, nullptr);
+        GrammarEdit edit(GrammarText::Rules, nullptr);
         QTest::keyClicks(&edit, "AB");
         QKeyEvent undo(QEvent::ShortcutOverride, Qt::Key_Z, Qt::ControlModifier);
         undo.setAccepted(false);
@@ -117,7 +158,7 @@ private slots:
 
     void neitherTextNorErrorsChangeItsHeight()
     {
-        GrammarEdit edit(true, nullptr);
+        GrammarEdit edit(GrammarText::Rules, nullptr);
         edit.resize(300, edit.height());
         edit.show();
         const int height = edit.height();
@@ -139,7 +180,7 @@ private slots:
     void theGripMakesItHigher()
     {
         QWidget page;
-        GrammarEdit edit(true, &page);
+        GrammarEdit edit(GrammarText::Rules, &page);
         HeightGrip grip(&edit, &page);
         page.show();
         const int lines = edit.lines(), height = edit.height();
