@@ -5253,6 +5253,26 @@
         <source>How far that angle may be more or less, by seed.</source>
         <translation>De combien cet angle peut être plus grand ou plus petit, selon la graine.</translation>
     </message>
+    <message>
+        <source>A white trunk, and fine twigs that hang from rising limbs</source>
+        <translation>Un tronc blanc, et de fins rameaux qui pendent de branches montantes</translation>
+    </message>
+    <message>
+        <source>A narrow column: all limbs rise close to the trunk</source>
+        <translation>Une colonne étroite : toutes les branches montent près du tronc</translation>
+    </message>
+    <message>
+        <source>A stout trunk that parts into a broad round crown</source>
+        <translation>Un tronc robuste qui s’ouvre en une large cime ronde</translation>
+    </message>
+    <message>
+        <source>A dark spire of limbs that droop and rise again</source>
+        <translation>Une flèche sombre de branches qui retombent et se relèvent</translation>
+    </message>
+    <message>
+        <source>A tall bare trunk below an open crown of tufts</source>
+        <translation>Un long tronc nu sous une cime ouverte de touffes</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
