@@ -9,11 +9,11 @@
 namespace ramure {
 namespace {
 
-/// In the frame's plane across its tangent.
-glm::dvec3 across(const Frame& frame, double azimuth)
+/// Of length 1, in the plane of a frame's normal and binormal.
+glm::dvec2 inPlane(double azimuth)
 {
     const auto [sine, cosine] = maths::sincos(azimuth);
-    return cosine * frame.normal + sine * frame.binormal;
+    return {cosine, sine};
 }
 
 glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle)
@@ -30,10 +30,12 @@ StemCourse::StemCourse(const WeberPennParams& params, std::uint64_t seed, const 
     , m_seed(seed)
     , m_address(stem.own)
     , m_length(length)
-    , m_azimuth(stem.azimuth)
+    , m_away(inPlane(stem.azimuth))
     , m_position(stem.foot)
     , m_frame(stem.frame)
-    , m_helix(turned(m_frame.tangent, glm::cross(m_frame.tangent, across(m_frame, m_azimuth)),
+    , m_tangent(stem.frame.tangent)
+    , m_helix(turned(m_tangent,
+                     glm::cross(m_tangent, m_away.x * m_frame.normal + m_away.y * m_frame.binormal),
                      std::abs(m_level.curveV)))
     , m_at(stem.begin)
 {
@@ -41,67 +43,66 @@ StemCourse::StemCourse(const WeberPennParams& params, std::uint64_t seed, const 
         split(stem.splitAngle, stem.splitAzimuth);
 }
 
-void StemCourse::turnAbout(const glm::dvec3& axis, double angle)
+void StemCourse::turn(const glm::dvec2& by)
 {
-    m_frame = transported(m_frame, glm::normalize(turned(m_frame.tangent, axis, angle)));
-}
-
-void StemCourse::turn(double angle, double azimuth)
-{
+    const double angle = glm::length(by);
     if (angle == 0.0)
         return;
     const auto [sine, cosine] = maths::sincos(angle);
-    m_frame =
-        transported(m_frame, glm::normalize(cosine * m_frame.tangent + sine * across(m_frame, azimuth)));
+    const glm::dvec3 aside = (by.x * m_frame.normal + by.y * m_frame.binormal) / angle;
+    m_tangent = glm::normalize(cosine * m_frame.tangent + sine * aside);
 }
 
 void StemCourse::split(double angle, double azimuth)
 {
-    turn(angle, azimuth);
-    m_back = -angle / std::max(m_length - m_at, 1e-9);
-    m_backAzimuth = azimuth;
+    const glm::dvec2 by = angle * inPlane(azimuth);
+    turn(by);
+    m_frame = transported(m_frame, m_tangent);
+    m_back = -by / std::max(m_length - m_at, 1e-9);
     m_before = 0.0;
 }
 
 void StemCourse::attract(double step)
 {
     const glm::dvec3 up(0.0, 1.0, 0.0);
-    const glm::dvec3 axis = glm::cross(m_frame.tangent, up);
+    const glm::dvec3 axis = glm::cross(m_tangent, up);
     const double sine = glm::length(axis);
     if (m_attraction == 0.0 || sine < 1e-6)
         return;
-    const double declination = maths::atan2(sine, m_frame.tangent.y);
+    const double declination = maths::atan2(sine, m_tangent.y);
     const double wanted = m_attraction * declination * sine * step / m_length;
-    turnAbout(axis / sine, std::clamp(wanted, declination - std::numbers::pi, declination));
+    m_tangent = glm::normalize(
+        turned(m_tangent, axis / sine, std::clamp(wanted, declination - std::numbers::pi, declination)));
 }
 
-void StemCourse::advance(double step)
+void StemCourse::bend()
 {
     const double half = 0.5 * m_length;
     const auto pieces = static_cast<double>(m_level.curveRes);
     const double middle = m_at - 0.5 * m_before;
     const int segment = static_cast<int>(std::min(middle / m_length * pieces, pieces - 1.0));
-    if (m_before > 0.0) {
-        const Frame before = m_frame;
-        if (segment != m_segment) {
-            Random random(m_seed, RandomStream::Stems, mixBits(m_address + std::uint64_t(segment) + 1));
-            const double most = std::max(m_level.curveV, 0.0) / m_length;
-            m_crooked = most * random.range(-1.0, 1.0);
-            m_aside = 0.5 * most * random.range(-1.0, 1.0);
-            m_segment = segment;
-        }
-        double curve = m_level.curve / m_length;
-        if (m_level.curveBack != 0.0)
-            curve = (middle < half ? m_level.curve : m_level.curveBack) / half;
-        turn((curve + m_crooked) * m_before, m_azimuth);
-        turn(m_aside * m_before, m_azimuth + 0.5 * std::numbers::pi);
-        turn(m_back * m_before, m_backAzimuth);
-        if (m_level.curveV < 0.0)
-            turnAbout(m_helix, 2.0 * std::numbers::pi * m_before / m_length);
-        attract(m_before);
-        // Frames of skeletons are carried from piece to piece, without the steps between.
-        m_frame = transported(before, m_frame.tangent);
+    if (segment != m_segment) {
+        Random random(m_seed, RandomStream::Stems, mixBits(m_address + std::uint64_t(segment) + 1));
+        const double most = std::max(m_level.curveV, 0.0) / m_length;
+        m_crooked = most * random.range(-1.0, 1.0);
+        m_aside = 0.5 * most * random.range(-1.0, 1.0);
+        m_segment = segment;
     }
+    double curve = m_level.curve / m_length;
+    if (m_level.curveBack != 0.0)
+        curve = (middle < half ? m_level.curve : m_level.curveBack) / half;
+    const glm::dvec2 across(-m_away.y, m_away.x);
+    turn(m_before * ((curve + m_crooked) * m_away + m_aside * across + m_back));
+    if (m_level.curveV < 0.0)
+        m_tangent = glm::normalize(turned(m_tangent, m_helix, 2.0 * std::numbers::pi * m_before / m_length));
+    attract(m_before);
+    m_frame = transported(m_frame, m_tangent);
+}
+
+void StemCourse::advance(double step)
+{
+    if (m_before > 0.0)
+        bend();
     m_position += step * m_frame.tangent;
     m_at += step;
     m_before = step;

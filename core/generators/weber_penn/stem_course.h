@@ -5,6 +5,7 @@
 
 #include "core/math/frame.h"
 #include "core/params/weber_penn_params.h"
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 namespace ramure {
@@ -42,21 +43,23 @@ public:
     void split(double angle, double azimuth);
 
 private:
-    void turn(double angle, double azimuth);
-    void turnAbout(const glm::dvec3& axis, double angle);
+    /// Rad towards normal and binormal.
+    void turn(const glm::dvec2& by);
+    void bend();
     void attract(double step);
 
     const WeberPennLevel& m_level;
     double m_attraction;
     std::uint64_t m_seed, m_address;
-    double m_length, m_azimuth;
+    double m_length;
+    glm::dvec2 m_away; ///< from what carries it: normal and binormal
     glm::dvec3 m_position;
     Frame m_frame;
+    glm::dvec3 m_tangent; ///< where the frame turns to next: carried in one step, as skeletons do
     glm::dvec3 m_helix;
-    double m_at;           ///< m along the whole stem
-    double m_before = 0.0; ///< the step before
-    double m_back = 0.0;   ///< rad a metre, of the last split
-    double m_backAzimuth = 0.0;
+    double m_at;            ///< m along the whole stem
+    double m_before = 0.0;  ///< the step before
+    glm::dvec2 m_back{0.0}; ///< rad a metre, of the last split
     int m_segment = -1;
     double m_crooked = 0.0, m_aside = 0.0; ///< rad a metre, by chance, of the segment
 };
