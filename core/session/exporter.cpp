@@ -147,6 +147,8 @@ Expected<void> addTexture(TreeMeshes& meshes, const TextureStage& texture, const
     if (meshes.apples) {
         const auto apples = std::make_shared<TriangleMesh>(*meshes.apples);
         addAppleTexture(*apples, fruitForm(params.fruit));
+        if (!params.fruitPictures.colour.empty())
+            apples->colours.clear(); // the picture takes their place
         meshes.apples = apples;
     }
     return {};

@@ -60,6 +60,8 @@ private slots:
         dialog.setTree(tree);
         dialog.resize(500, 400);
         dialog.show();
+        dialog.activateWindow(); // no window manager does it
+        QVERIFY(QTest::qWaitForWindowActive(&dialog));
         LeafView& view = *dialog.view();
         const auto settled = [&] { return !view.isBusy() && !view.picture().isNull(); };
         QTRY_VERIFY_WITH_TIMEOUT(settled(), 60'000);

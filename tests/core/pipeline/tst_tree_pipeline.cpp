@@ -41,6 +41,8 @@ ParamValue otherValue(const ParamDef& def, const NodeParams& params)
         return params.grammar.rules + "D -> E\n";
     if (key == "grammar.constants")
         return std::string("r = 0.5");
+    if ((def.flags & paramPicture) != 0)
+        return std::string("/other.png");
     const ParamValue now = def.get(params);
     if (const auto* flag = std::get_if<bool>(&now))
         return !*flag;

@@ -131,10 +131,15 @@ struct TreeItems
                                       : BranchFlags();
         std::vector<double> numbers =
             flags.empty() ? std::vector<double>() : asNumbers(view.isolatedBranches);
-        numbers.insert(numbers.begin(), {alpha, double(model)});
+        // A picture takes the place of a fruit's colours; those of leaves are tones of theirs.
+        const bool isPainted = part == ScenePart::AppleCopies && !item->material.pictures.colour.empty();
+        numbers.insert(numbers.begin(), {alpha, double(model), isPainted ? 1.0 : 0.0});
         item->copies = cache.get<MeshCopies>(part, tree.foliage, item->mesh, std::move(numbers), [&] {
             const auto make = part == ScenePart::LeafCopies ? leafCopies : appleCopies;
-            return make(*tree.foliage, alpha, model, flags);
+            MeshCopies made = make(*tree.foliage, alpha, model, flags);
+            if (isPainted)
+                made.colours.clear();
+            return made;
         });
     }
     void addLines(std::shared_ptr<const LineSet> lines, bool throughSurfaces, bool pickable)

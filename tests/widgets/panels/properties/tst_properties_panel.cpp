@@ -152,6 +152,8 @@ private:
         if (auto* picture = row->findChild<PictureEditor*>()) {
             QMimeData data;
             data.setUrls({QUrl::fromLocalFile(QStringLiteral("/pictures/bark.png"))});
+            QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+            QCoreApplication::sendEvent(picture, &enter);
             QDropEvent event({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
             QCoreApplication::sendEvent(picture, &event);
             return;
