@@ -10,6 +10,9 @@
 
 namespace ramure {
 
+/// More marked branches than these are no help to find one.
+inline constexpr std::size_t mostCurves = 2000;
+
 /// Branches as lines, as thick as they are relative to the thickest, coloured by level.
 /// \param ids per branch the id to give it, empty = its own index.
 LineSet skeletonLines(const Skeleton& skeleton, std::span<const Index> ids = {});

@@ -40,8 +40,8 @@ glm::dvec3 perez(const Sky& sky, double cosine, double angle)
 /// A film for daylight: the white of D55, what the sun and a clear sky give together, is shown as white.
 constexpr glm::dvec3 daylight{1.0 / 1.104, 1.0 / 0.987, 1.0 / 0.823};
 
-/// CIE 1931 Y, x, y to linear sRGB (IEC 61966-2-1). The formula's horizons come out purple: no sky lies below the
-/// line of the phases of daylight (CIE 15).
+/// CIE 1931 Y, x, y to linear sRGB (IEC 61966-2-1). The formula's horizons come out purple: no sky lies below
+/// the line of the phases of daylight (CIE 15).
 glm::dvec3 linearRgb(const glm::dvec3& colour)
 {
     const double tint = std::max(colour.z, colour.y * (2.870 - 3.000 * colour.y) - 0.275);

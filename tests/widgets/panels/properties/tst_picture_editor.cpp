@@ -1,8 +1,8 @@
 #include "tests/widgets/base/fixture.h"
+#include "tests/widgets/base/input.h"
 #include "widgets/panels/properties/picture_editor.h"
 #include <QFileDialog>
 #include <QLineEdit>
-#include <QMimeData>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -23,17 +23,7 @@ class TestPictureEditor : public QObject
         const ParamValue value(QFile::encodeName(picture).toStdString());
         m_editor->showValues({&value, 1});
     }
-    bool drop(const QList<QUrl>& urls)
-    {
-        QMimeData data;
-        data.setUrls(urls);
-        QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        enter.ignore();
-        QCoreApplication::sendEvent(m_editor.get(), &enter);
-        QDropEvent event({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-        QCoreApplication::sendEvent(m_editor.get(), &event);
-        return enter.isAccepted();
-    }
+    bool drop(const QList<QUrl>& urls) { return test::dropFiles(m_editor.get(), urls); }
 
 private slots:
     void init()

@@ -1,5 +1,6 @@
 #include "tests/support/kind_with.h"
 #include "tests/widgets/base/fixture.h"
+#include "tests/widgets/base/input.h"
 #include "widgets/base/number_field.h"
 #include "widgets/base/number_slider.h"
 #include "widgets/base/preferences.h"
@@ -97,23 +98,12 @@ private:
             text->setFocus();
             QTest::keyClicks(text, "B");
         } else if (auto* color = row->findChild<ColorEditor*>()) {
-            typeColor(color, "#123abc");
+            test::typeLine(color, "#123abc");
         } else if (auto* picture = row->findChild<PictureEditor*>()) {
-            auto* path = picture->findChild<QLineEdit*>();
-            path->setFocus();
-            QTest::keyClicks(path, "a");
-            QTest::keyClick(path, Qt::Key_Return);
+            test::typeLine(picture, "a");
         } else {
             QFAIL("no editor that a key can reach");
         }
-    }
-    void typeColor(ColorEditor* editor, const char* text)
-    {
-        auto* field = editor->findChild<QLineEdit*>();
-        field->setFocus();
-        field->selectAll();
-        QTest::keyClicks(field, QLatin1String(text));
-        QTest::keyClick(field, Qt::Key_Return);
     }
     /// A press, a move and a release, or a click.
     void changeByMouse(ParamRow* row)
@@ -127,16 +117,12 @@ private:
         } else if (auto* choice = row->findChild<QComboBox*>()) {
             choice->setFocus();
             const int turn = choice->currentIndex() == 0 ? -120 : 120; // away from the end of the list
-            QWheelEvent wheel(QPointF(5, 5), choice->mapToGlobal(QPointF(5, 5)), {}, {0, turn}, Qt::NoButton,
-                              Qt::NoModifier, Qt::NoScrollPhase, false);
-            QCoreApplication::sendEvent(choice, &wheel);
+            test::turnWheel(choice, turn);
         } else if (auto* dice = row->editor()->findChild<QToolButton*>()) {
             QTest::mouseClick(dice, Qt::LeftButton);
         } else if (auto* field = row->findChild<NumberField*>()) {
             QTest::mouseClick(field, Qt::LeftButton);
-            QWheelEvent wheel(QPointF(5, 5), field->mapToGlobal(QPointF(5, 5)), {}, {0, 120}, Qt::NoButton,
-                              Qt::NoModifier, Qt::NoScrollPhase, false);
-            QCoreApplication::sendEvent(field, &wheel);
+            test::turnWheel(field, 120);
         } else if (auto* color = row->findChild<ColorEditor*>()) {
             QTest::mouseClick(color->findChild<QAbstractButton*>(), Qt::LeftButton);
             color->dialog()->setCurrentColor(Qt::red); // tried first
@@ -150,12 +136,7 @@ private:
     void cutByMouse(ParamRow* row, const ParamDef& def)
     {
         if (auto* picture = row->findChild<PictureEditor*>()) {
-            QMimeData data;
-            data.setUrls({QUrl::fromLocalFile(QStringLiteral("/pictures/bark.png"))});
-            QDragEnterEvent enter({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-            QCoreApplication::sendEvent(picture, &enter);
-            QDropEvent event({5, 5}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-            QCoreApplication::sendEvent(picture, &event);
+            test::dropFiles(picture, {QUrl::fromLocalFile(QStringLiteral("/pictures/bark.png"))});
             return;
         }
         auto* text = row->findChild<GrammarEdit*>();
@@ -218,12 +199,12 @@ private slots:
         ParamRow* row = m_panel->row(param("surface.color"));
         auto* editor = row->findChild<ColorEditor*>();
         for (const char* text : {"red", "#12", "#12345", "#gggggg", "123456 7"}) {
-            typeColor(editor, text);
+            test::typeLine(editor, text);
             QVERIFY2(row->message().contains(QLatin1String(text).left(7)), text);
             QCOMPARE(m_document->undoStack()->count(), 0);
             QCOMPARE(editor->findChild<QLineEdit*>()->text(), QStringLiteral("#b8b8b8"));
         }
-        typeColor(editor, "f00");
+        test::typeLine(editor, "f00");
         QVERIFY(row->message().isEmpty());
         QVERIFY(valueOf(*m_document, 1, row->def()) == ParamValue(glm::dvec3(1.0, 0.0, 0.0)));
     }
