@@ -87,7 +87,10 @@ inline constexpr std::array growthRows{
          RAMURE_NOOP("How far each piece of branch of a tree grown by chance may taper more or less than the taper says, by "
                      "seed. No branch gets thicker towards its tip.")},
         ParamUnit::Share, {0, 0.9, 0, 0.3, 0.01, 3}, Stage::Skeleton, paramNone, treeOnly, growsByChance),
+};
 
+/// From the branches to the mesh.
+inline constexpr std::array modelRows{
     row<&NodeParams::simplify, &SimplifyParams::enabled>(
         {"simplify.enabled", simplifyGroup, RAMURE_NOOP("Merge straight runs"),
          RAMURE_NOOP("Make one branch of pieces that follow each other without a turn. The shape stays, the mesh gets "

@@ -2,7 +2,6 @@
 #include "core/params/growth_rows.h"
 #include "core/params/node_rows.h"
 #include "core/params/weber_penn_rows.h"
-
 #include <algorithm>
 
 namespace ramure {
@@ -17,9 +16,9 @@ template <std::size_t... sizes> constexpr auto joined(const std::array<ParamDef,
 }
 
 /// In the order of the interface.
-constexpr auto table =
-    joined(rows::growthRows, rows::weberPennRows, rows::weberPennLevel<0>, rows::weberPennLevel<1>,
-           rows::weberPennLevel<2>, rows::weberPennLevel<3>, rows::dressRows, rows::nodeRows);
+constexpr auto table = joined(rows::growthRows, rows::weberPennRows, rows::weberPennLevel<0>,
+                              rows::weberPennLevel<1>, rows::weberPennLevel<2>, rows::weberPennLevel<3>,
+                              rows::modelRows, rows::dressRows, rows::nodeRows);
 
 } // namespace
 
