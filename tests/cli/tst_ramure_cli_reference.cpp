@@ -136,7 +136,8 @@ private slots:
 
     void inputsAndKeysAreCompleted()
     {
-        QCOMPARE(completed({"ramure-cli", "info", "preset:S"}), (QStringList{"preset:SmallTree", "FILES"}));
+        QCOMPARE(completed({"ramure-cli", "info", "preset:S"}),
+                 (QStringList{"preset:SmallTree", "preset:SilverBirch", "preset:ScotsPine", "FILES"}));
         QCOMPARE(completed({"ramure-cli", "list", "pa"}), QStringList{"params"});
         QCOMPARE(completed({"ramure-cli", "export", "x", "--set", "grammar.see"}),
                  QStringList{"grammar.seed="});

@@ -83,10 +83,12 @@ private:
             const ParamDef& def = row->def();
             const double wish =
                 def.hardMin + part * (std::min(def.hardMax, def.hardMin + 100.0) - def.hardMin);
+            double typed = def.type == ParamType::Int ? std::round(wish) + 1 : wish;
+            if (def.type == ParamType::Int && typed == double(std::get<std::int64_t>(defaultValue(def))))
+                typed -= 1;
             field->setFocus();
             field->selectAll();
-            QTest::keyClicks(field,
-                             QString::number(def.type == ParamType::Int ? std::round(wish) + 1 : wish));
+            QTest::keyClicks(field, QString::number(typed));
             QTest::keyClick(field, Qt::Key_Return);
         } else if (auto* box = row->findChild<QCheckBox*>()) {
             box->setFocus();
