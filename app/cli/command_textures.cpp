@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
+#include "app/cli/moments.h"
 #include "app/cli/work.h"
 #include "core/evaluate/evaluator.h"
 #include "core/io/material_maps.h"
@@ -25,28 +26,28 @@ constexpr CommandText text = {
 struct Surfaces
 {
     std::vector<BarkParams> barks;
-    std::vector<LeafShape> leaves;
+    std::vector<std::pair<LeafShape, double>> leaves; ///< with their season
 };
 
-/// Each once.
-Expected<Surfaces> surfacesOf(const Scene& scene)
+/// Each once, as the keys have made it at that time.
+Expected<Surfaces> surfacesOf(const Scene& scene, const Moments& moments)
 {
     const auto trees = treesOf(scene);
     if (!trees)
         return fail(trees.error());
     TreePipeline pipeline;
-    Evaluator evaluator(pipelineSource(pipeline), {});
-    EvaluatedScene now = evaluator.at(scene, 0.0);
+    Evaluator evaluator(pipelineSource(pipeline), moments.timeline);
+    EvaluatedScene now = evaluator.at(scene, moments.timeSeconds);
     Surfaces out;
     for (const Node* tree : *trees) {
         if (!scene.isShown(tree->id))
             continue;
         const NodeParams& params = now.params(*tree);
-        const LeafShape leaf = params.leaf.shape;
+        const std::pair leaf(params.leaf.shape, params.leaf.season);
         if (params.bark.family != BarkFamily::Plain &&
             std::ranges::find(out.barks, params.bark) == out.barks.end())
             out.barks.push_back(params.bark);
-        if (leaf != LeafShape::Faithful && std::ranges::find(out.leaves, leaf) == out.leaves.end())
+        if (leaf.first != LeafShape::Faithful && std::ranges::find(out.leaves, leaf) == out.leaves.end())
             out.leaves.push_back(leaf);
     }
     if (out.barks.empty() && out.leaves.empty())
@@ -75,6 +76,10 @@ void addOptions(CommandLine& line)
                     QStringLiteral("PIXELS"), QStringLiteral("1024"));
     line.addInputOptions();
     line.addNodeOption();
+    line.add({QStringLiteral("time")},
+             QStringLiteral(
+                 "The leaves in the season that the keys have brought after so many seconds; 0 without it."),
+             QStringLiteral("SECONDS"));
     line.add({QStringLiteral("json")},
              QStringLiteral("Prints one JSON object: the names of all files, and of those written now."));
 }
@@ -96,7 +101,10 @@ Expected<int> run(const CommandLine& line)
     if (!input->scene())
         return fail(ErrorCode::Invalid, "\"%1\" is a mesh: only trees have a bark",
                     {line.arguments().front().toStdString()});
-    const auto surfaces = surfacesOf(*input->scene());
+    const auto moments = momentsOf(line, *input);
+    if (!moments)
+        return fail(moments.error());
+    const auto surfaces = surfacesOf(*input->scene(), *moments);
     if (!surfaces)
         return fail(surfaces.error());
     if (!QDir().mkpath(folder))
@@ -118,11 +126,12 @@ Expected<int> run(const CommandLine& line)
         for (std::size_t map = 0; map < mapNames.size(); ++map)
             all.append(fromText(mapFileName(bark, *size, static_cast<MaterialMap>(map))));
     }
-    for (const LeafShape leaf : surfaces->leaves) {
-        if (const auto names = writeMaps(systemPath(folder), leaf, *size); !note(names))
+    for (const auto& [leaf, season] : surfaces->leaves) {
+        if (const auto names = writeMaps(systemPath(folder), leaf, *size, season); !note(names))
             return fail(names.error());
         for (const MaterialMap map : leafMapKinds)
-            all.append(fromText(mapFileName(leaf, *size, map)));
+            if (const QString name = fromText(mapFileName(leaf, *size, map, season)); !all.contains(name))
+                all.append(name);
     }
     if (line.has("json"))
         if (const auto printed =

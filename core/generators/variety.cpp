@@ -34,6 +34,8 @@ bool varies(const WeberPennParams& params)
 
 bool variesByChance(const NodeParams& params)
 {
+    if (params.generator.kind == TreeGenerator::Colonisation)
+        return true;
     if (params.generator.kind == TreeGenerator::WeberPenn)
         return varies(params.weberPenn);
     if (params.grammar.dialect == GrammarDialect::Parametric) {

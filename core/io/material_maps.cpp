@@ -6,6 +6,9 @@
 #include "core/params/param_def.h"
 #include "core/surface/bark/bark_maps.h"
 #include "core/surface/foliage/leaf_maps.h"
+#include "core/surface/foliage/leaf_season.h"
+#include "core/surface/foliage/leaf_table.h"
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -107,12 +110,21 @@ std::string mapFileName(const BarkParams& bark, int size, MaterialMap map)
         .append(".png");
 }
 
-std::string mapFileName(LeafShape leaf, int size, MaterialMap map)
+/// Hundredths; 0 where the leaf still has, or always keeps, its colour of summer.
+static int seasonNumber(LeafShape leaf, double season)
 {
+    const int number = static_cast<int>(std::lround(100.0 * season));
+    return seasonColour(leaf, 0.01 * number) == glm::vec3(leafRow(leaf).colour) ? 0 : number;
+}
+
+std::string mapFileName(LeafShape leaf, int size, MaterialMap map, double season)
+{
+    const int number = map == MaterialMap::Colour ? seasonNumber(leaf, season) : 0;
     return std::string("leaf_")
         .append(findParam("foliage.leaf")->items[static_cast<std::size_t>(leaf)].name)
         .append("_")
         .append(std::to_string(leafMapsVersion))
+        .append(number > 0 ? "_season" + std::to_string(number) : std::string())
         .append("_")
         .append(std::to_string(size))
         .append("_")
@@ -161,11 +173,25 @@ Expected<std::vector<std::string>> writeMaps(const std::string& folder, const Ba
         [](const BarkMaps& maps, MaterialMap map) { return pictureOf(maps, map); });
 }
 
-Expected<std::vector<std::string>> writeMaps(const std::string& folder, LeafShape leaf, int size)
+/// Every pixel goes as far as the blade does.
+static Expected<LeafMaps> seasonMaps(LeafShape leaf, int size, double season)
+{
+    auto maps = leafMaps(leaf, size);
+    const int number = seasonNumber(leaf, season);
+    if (!maps || number == 0)
+        return maps;
+    const glm::vec3 tint = seasonColour(leaf, 0.01 * number) / glm::max(glm::vec3(maps->blade), 1.0F);
+    for (glm::u8vec3& colour : maps->colour)
+        colour = glm::u8vec3(glm::min(glm::vec3(colour) * tint + 0.5F, 255.0F));
+    return maps;
+}
+
+Expected<std::vector<std::string>> writeMaps(const std::string& folder, LeafShape leaf, int size,
+                                             double season)
 {
     return writeMissing(
-        folder, leafMapKinds, [&](MaterialMap map) { return mapFileName(leaf, size, map); },
-        [&] { return leafMaps(leaf, size); },
+        folder, leafMapKinds, [&](MaterialMap map) { return mapFileName(leaf, size, map, season); },
+        [&] { return seasonMaps(leaf, size, season); },
         [](const LeafMaps& maps, MaterialMap map) {
             const int side = maps.size;
             return map == MaterialMap::Colour   ? PictureBytes{side, side, 3, true, bytesOf(maps.colour)}

@@ -21,7 +21,9 @@ inline constexpr std::array mapNames = {"colour", "normal", "height", "occlusion
 /// frames of a sequence and neighbours in a folder share what is the same and never take each other's.
 std::string mapFileName(const BarkParams& bark, int size, MaterialMap map);
 /// "leaf_oak_1_1024_normal.png". The number is leafMapsVersion. \pre the map is one of leafMapKinds.
-std::string mapFileName(LeafShape leaf, int size, MaterialMap map);
+/// \param season LeafParams::season: the colours of another than summer have a name of their own,
+/// "leaf_oak_1_season40_1024_colour.png", by the hundredth.
+std::string mapFileName(LeafShape leaf, int size, MaterialMap map, double season = 0.0);
 inline constexpr std::array leafMapKinds{MaterialMap::Colour, MaterialMap::Normal, MaterialMap::Height};
 
 /// Writes the five pictures of a bark into a folder. Where all are there already, nothing is made: whoever
@@ -37,6 +39,7 @@ std::string pictureFileName(const std::string& picture);
 Expected<void> copyPictures(const std::string& folder, const PictureParams& pictures);
 
 /// Likewise of a leaf. Errors: Invalid (the faithful leaf, the size), Io.
-Expected<std::vector<std::string>> writeMaps(const std::string& folder, LeafShape leaf, int size);
+Expected<std::vector<std::string>> writeMaps(const std::string& folder, LeafShape leaf, int size,
+                                             double season = 0.0);
 
 } // namespace ramure

@@ -26,6 +26,7 @@ enum class RandomStream : std::uint64_t {
     ArmStart = 20,
     Terrain = 21,
     Stems = 30,
+    CrownPoints = 31,
     Test = 1000
 };
 

@@ -12,7 +12,8 @@ inline constexpr std::array growthRows{
     row<&NodeParams::generator, &GeneratorParams::kind>(
         {"generator.kind", generatorGroup, RAMURE_NOOP("Grows by"),
          RAMURE_NOOP("What makes the branches. Grammar: symbols that rules replace, and a turtle that draws them. Weber and "
-                     "Penn: trunk, limbs, branches and twigs, each level by its own numbers. Leaves, bark and motion stay.")},
+                     "Penn: trunk, limbs, branches and twigs, each level by its own numbers. Space colonisation: branches reach for "
+                     "points that fill a crown of your shape. Leaves, bark and motion stay.")},
         ParamUnit::None, {}, Stage::Symbols),
     row<&NodeParams::grammar, &GrammarParams::seed>(
         {"grammar.seed", generatorGroup, RAMURE_NOOP("Seed of the tree"),

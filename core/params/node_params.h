@@ -8,6 +8,7 @@
 #include "core/params/arm_params.h"
 #include "core/params/bark_params.h"
 #include "core/params/branch_place.h"
+#include "core/params/colonisation_params.h"
 #include "core/params/fruit_params.h"
 #include "core/params/leaf_params.h"
 #include "core/params/physics_params.h"
@@ -133,6 +134,7 @@ struct NodeParams
     TurtleParams turtle;
     VariationParams variation;
     WeberPennParams weberPenn;
+    ColonisationParams colonisation;
     SimplifyParams simplify;
     SectionParams sections;
     MeshParams mesh;
@@ -160,12 +162,20 @@ struct NodeParams
 };
 
 /// m; that of a tree's trunk at the ground before chance varies it, and what its leaves, fruit and motion
-/// take their size from: for a grammar the turtle's step (SPEC A1).
+/// take their size from: for a grammar the turtle's step (SPEC A1). A trunk that carries what the points call
+/// for is known only when it has grown: there it is the usual share of the height.
 inline double trunkRadius(const NodeParams& params)
 {
     const WeberPennParams& own = params.weberPenn;
-    return params.generator.kind == TreeGenerator::Grammar ? params.turtle.alpha
-                                                           : own.scale * own.level[0].length * own.ratio;
+    switch (params.generator.kind) {
+    case TreeGenerator::Grammar:
+        return params.turtle.alpha;
+    case TreeGenerator::WeberPenn:
+        return own.scale * own.level[0].length * own.ratio;
+    case TreeGenerator::Colonisation:
+        return 0.015 * (params.colonisation.crownBase + params.colonisation.crownHeight);
+    }
+    return params.turtle.alpha;
 }
 
 } // namespace ramure

@@ -48,7 +48,7 @@ enum class ParamUnit : std::uint8_t {
     Factor
 };
 
-enum ParamFlag : std::uint8_t {
+enum ParamFlag : std::uint16_t {
     paramNone = 0,
     paramAnimatable = 1, ///< may have a track on the timeline
     paramAdvanced = 2,   ///< folded away at first
@@ -58,6 +58,7 @@ enum ParamFlag : std::uint8_t {
     paramColor = 32,     ///< three numbers that are red, green and blue, 0..1
     paramPicture = 64,   ///< a text that is the path of an image file
     paramNumbered = 128, ///< a choice whose items texts may also name by their number, from 0
+    paramProfile = 256,  ///< a text that is the outline of a crown
 };
 
 /// Index of a row in paramTable(); stable within one run of the program only (files use keys).
@@ -77,7 +78,7 @@ struct ParamDef
     double step;
     int decimals;
     Stage stage;
-    std::uint8_t flags;
+    std::uint16_t flags;
     std::uint8_t kinds; ///< bit 1 << NodeKind: the kinds of node that have it
     ParamValue (*get)(const NodeParams&);
     void (*assign)(NodeParams&, const ParamValue&); ///< no check; the alternative must be the row's type

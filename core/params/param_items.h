@@ -13,8 +13,14 @@ template <>
 inline constexpr std::array itemsOf<GrammarDialect>{
     EnumItem{"classic", RAMURE_NOOP("Letters")}, EnumItem{"parametric", RAMURE_NOOP("Modules with numbers")}};
 template <>
-inline constexpr std::array itemsOf<TreeGenerator>{EnumItem{"grammar", RAMURE_NOOP("Grammar")},
-                                                   EnumItem{"weber_penn", RAMURE_NOOP("Weber and Penn")}};
+inline constexpr std::array itemsOf<TreeGenerator>{
+    EnumItem{"grammar", RAMURE_NOOP("Grammar")}, EnumItem{"weber_penn", RAMURE_NOOP("Weber and Penn")},
+    EnumItem{"colonisation", RAMURE_NOOP("Space colonisation")}};
+template <>
+inline constexpr std::array itemsOf<CrownEnvelope>{
+    EnumItem{"sphere", RAMURE_NOOP("Sphere")}, EnumItem{"hemisphere", RAMURE_NOOP("Hemisphere")},
+    EnumItem{"cone", RAMURE_NOOP("Cone")}, EnumItem{"cylinder", RAMURE_NOOP("Cylinder")},
+    EnumItem{"profile", RAMURE_NOOP("Profile")}};
 template <>
 inline constexpr std::array itemsOf<CrownShape>{
     EnumItem{"conical", RAMURE_NOOP("Conical")},

@@ -18,6 +18,8 @@ constexpr std::array parametric{"parametric"};
 constexpr std::array robust{"robust"};
 constexpr std::array grammar{"grammar"};
 constexpr std::array weberPenn{"weber_penn"};
+constexpr std::array colonisation{"colonisation"};
+constexpr std::array profile{"profile"};
 constexpr std::array transpose{"transpose"};
 constexpr std::array faithful{"faithful"};
 constexpr std::array whorled{"whorled"};
@@ -41,6 +43,7 @@ constexpr std::array relevances{
     Relevance{"turtle.tropism", "grammar.dialect", parametric},
     Relevance{"turtle.elasticity", "grammar.dialect", parametric},
     Relevance{"variation.radius", "grammar.dialect", classic},
+    Relevance{"colonisation.profile", "colonisation.envelope", profile},
     Relevance{"primitive.radius", "primitive.shape", round},
     Relevance{"primitive.height", "primitive.shape", tall},
     Relevance{"primitive.size", "primitive.shape", angular},
@@ -78,6 +81,7 @@ constexpr std::array relevances{
     Relevance{"turtle.", "generator.kind", grammar},
     Relevance{"variation.", "generator.kind", grammar},
     Relevance{"weberPenn.", "generator.kind", weberPenn},
+    Relevance{"colonisation.", "generator.kind", colonisation},
 };
 
 } // namespace

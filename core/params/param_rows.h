@@ -105,6 +105,9 @@ inline constexpr Condition* isParametric = [](const NodeParams& p) {
 inline constexpr Condition* isWeberPenn = [](const NodeParams& p) {
     return p.generator.kind == TreeGenerator::WeberPenn;
 };
+inline constexpr Condition* colonises = [](const NodeParams& p) {
+    return p.generator.kind == TreeGenerator::Colonisation;
+};
 inline constexpr Condition* usesSeed = [](const NodeParams& p) {
     return p.grammar.stochastic || p.generator.kind != TreeGenerator::Grammar;
 };
@@ -121,7 +124,7 @@ inline constexpr Condition* softensForks = [](const NodeParams& p) { return p.me
 
 template <auto... Path>
 constexpr ParamDef row(const Words& words, ParamUnit unit, const Range& range, Stage stage,
-                       std::uint8_t flags = paramNone, std::uint8_t kinds = treeOnly,
+                       std::uint16_t flags = paramNone, std::uint8_t kinds = treeOnly,
                        Condition* matters = nullptr)
 {
     using Access = Field<Path...>;

@@ -1,3 +1,4 @@
+#include "core/params/colonisation_rows.h"
 #include "core/params/dress_rows.h"
 #include "core/params/growth_rows.h"
 #include "core/params/node_rows.h"
@@ -18,7 +19,7 @@ template <std::size_t... sizes> constexpr auto joined(const std::array<ParamDef,
 /// In the order of the interface.
 constexpr auto table = joined(rows::growthRows, rows::weberPennRows, rows::weberPennLevel<0>,
                               rows::weberPennLevel<1>, rows::weberPennLevel<2>, rows::weberPennLevel<3>,
-                              rows::modelRows, rows::dressRows, rows::nodeRows);
+                              rows::colonisationRows, rows::modelRows, rows::dressRows, rows::nodeRows);
 
 } // namespace
 

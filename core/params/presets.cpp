@@ -82,6 +82,16 @@ NodeParams grown(GrammarParams grammar, TurtleParams turtle)
     return params;
 }
 
+NodeParams filling(ColonisationParams crown)
+{
+    NodeParams params;
+    params.generator.kind = TreeGenerator::Colonisation;
+    params.colonisation = std::move(crown);
+    params.sections = {3, 8};
+    params.mesh.clampOvershoot = true;
+    return params;
+}
+
 /// The coursework says how the presets grow; they wear what suits their habit.
 NodeParams dressed(NodeParams tree, LeafShape leaf, double leafSize, FruitKind fruit, double fruitful,
                    BarkFamily bark, double barkLight = 0.0)
@@ -125,11 +135,34 @@ std::vector<Preset> everyPreset()
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i].group =
             i < courseworkCount ? RAMURE_NOOP("Coursework") : RAMURE_NOOP("The Algorithmic Beauty of Plants");
-    for (const bool conifers : {false, true})
-        for (const Species& each : species())
-            if (each.conifer == conifers)
-                all.push_back({each.name, each.description, speciesParams(each), each.latin,
-                               conifers ? RAMURE_NOOP("Conifers") : RAMURE_NOOP("Broadleaved trees")});
+    ColonisationParams umbrella;
+    umbrella.envelope = CrownEnvelope::Profile;
+    umbrella.profile = "0 0, 0.6 0.15, 0.72 1, 0.9 0.8, 1 0.2";
+    umbrella.crownRadius = 4.0;
+    umbrella.points = 5000;
+    umbrella.influence = 1.5;
+    umbrella.step = 0.12;
+    for (Preset filled : {Preset{"ParkTree", RAMURE_NOOP("A round crown that its branches fill"),
+                                 dressed(filling(ColonisationParams()), LeafShape::Linden, 1.3,
+                                         FruitKind::Faithful, 0.0, BarkFamily::Furrowed)},
+                          Preset{"UmbrellaAcacia", RAMURE_NOOP("A flat roof of twigs, drawn as a profile"),
+                                 dressed(filling(umbrella), LeafShape::Mimosa, 1.1, FruitKind::Faithful, 0.0,
+                                         BarkFamily::Corky),
+                                 "Vachellia tortilis"}}) {
+        filled.group = RAMURE_NOOP("Space colonisation");
+        all.push_back(std::move(filled));
+    }
+    for (const bool conifers : {false, true}) {
+        const std::size_t first = all.size();
+        for (const auto& list : {species(), broadleavedSpecies(), coniferSpecies()})
+            for (const Species& each : list)
+                if (each.conifer == conifers)
+                    all.push_back({each.name, each.description, speciesParams(each), each.latin,
+                                   conifers ? RAMURE_NOOP("Conifers") : RAMURE_NOOP("Broadleaved trees")});
+        std::sort(all.begin() + std::ptrdiff_t(first), all.end(), [](const Preset& a, const Preset& b) {
+            return std::string_view(a.name) < std::string_view(b.name);
+        });
+    }
     return all;
 }
 

@@ -28,7 +28,10 @@ struct Species
     SpeciesDress dress;
 };
 
+/// The four of the paper, and some in its style; then ours.
 std::span<const Species> species();
+std::span<const Species> broadleavedSpecies();
+std::span<const Species> coniferSpecies();
 /// The parameters of a node, angles in rad.
 NodeParams speciesParams(const Species& species);
 

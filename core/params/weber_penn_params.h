@@ -11,7 +11,7 @@
 namespace ramure {
 
 /// The order is that of the interface; files know the names.
-enum class TreeGenerator : std::uint8_t { Grammar, WeberPenn };
+enum class TreeGenerator : std::uint8_t { Grammar, WeberPenn, Colonisation };
 
 struct GeneratorParams
 {

@@ -46,7 +46,7 @@ inline constexpr std::array levelGroups{
 // clang-format off
 template <auto Member>
 constexpr ParamDef wholeRow(const char* key, const char* label, const char* tooltip, ParamUnit unit,
-                            const Range& range, std::uint8_t flags = paramNone)
+                            const Range& range, std::uint16_t flags = paramNone)
 {
     return row<&NodeParams::weberPenn, Member>({key, weberPennGroup, label, tooltip}, unit, range, Stage::Skeleton,
                                                flags, treeOnly, isWeberPenn);
@@ -123,7 +123,7 @@ inline constexpr std::array weberPennRows{
 
 template <std::size_t n, FixedText name, auto Member>
 constexpr ParamDef levelRow(const char* label, const char* tooltip, ParamUnit unit, const Range& range,
-                            std::uint8_t flags = paramNone)
+                            std::uint16_t flags = paramNone)
 {
     return row<&NodeParams::weberPenn, &WeberPennParams::level, n, Member>(
         {levelKey<n, name>.data(), levelGroups[n], label, tooltip}, unit, range, Stage::Skeleton, flags, treeOnly,

@@ -1,5 +1,6 @@
 #include "core/pipeline/tree_pipeline.h"
 
+#include "core/generators/colonisation/colonisation.h"
 #include "core/generators/grammar/rewrite.h"
 #include "core/generators/grammar/turtle.h"
 #include "core/generators/parametric/module_turtle.h"
@@ -107,6 +108,8 @@ bool growsByGrammar(const NodeParams& params)
 /// What most likely makes a tree too large.
 const char* sizeKey(const NodeParams& params)
 {
+    if (params.generator.kind == TreeGenerator::Colonisation)
+        return "colonisation.points";
     return growsByGrammar(params) ? "grammar.iterations" : "weberPenn.levels";
 }
 
@@ -134,10 +137,12 @@ Expected<GrownSymbols> growSymbols(const NodeParams& all, const Progress& progre
 Expected<Skeleton> growSkeleton(const GrownSymbols& grown, const NodeParams& params, const Progress& progress)
 {
     const GrammarParams& grammar = params.grammar;
-    if (!growsByGrammar(params))
-        return growWeberPenn(params.weberPenn, static_cast<std::uint64_t>(grammar.seed), progress);
-    const TurtleChance chance{grammar.stochastic ? params.variation : VariationParams{0.0, 0.0, 0.0},
-                              static_cast<std::uint64_t>(grammar.seed)};
+    const auto seed = static_cast<std::uint64_t>(grammar.seed);
+    if (params.generator.kind == TreeGenerator::WeberPenn)
+        return growWeberPenn(params.weberPenn, seed, progress);
+    if (params.generator.kind == TreeGenerator::Colonisation)
+        return growColonisation(params.colonisation, seed, progress);
+    const TurtleChance chance{grammar.stochastic ? params.variation : VariationParams{0.0, 0.0, 0.0}, seed};
     if (grammar.dialect == GrammarDialect::Parametric)
         return runModuleTurtle(grown.word, params.turtle, chance, progress);
     auto skeleton = runTurtle(grown.letters, params.turtle, chance, progress);

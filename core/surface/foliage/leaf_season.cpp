@@ -18,6 +18,12 @@ float smooth(double x)
     return static_cast<float>(u * u * (3.0 - 2.0 * u));
 }
 
+/// How much of the way to its last colour a leaf has gone. \param late 0..1: when it turns.
+float turnedShare(double season, double late)
+{
+    return smooth((season - firstTurns - (lastTurns - firstTurns) * late) / turnsFor);
+}
+
 } // namespace
 
 void turnLeaves(const Skeleton& skeleton, double season, Foliage& foliage)
@@ -42,11 +48,17 @@ void turnLeaves(const Skeleton& skeleton, double season, Foliage& foliage)
         const float hue = static_cast<float>(random.unit());
         const glm::vec3 turned = glm::mix(glm::mix(autumn, summer, 0.25F * hue * hue), withered,
                                           0.6F * smooth(random.range(0.5, 2.0) * (season - firstFalls)));
-        const float share = smooth((season - firstTurns - (lastTurns - firstTurns) * late) / turnsFor);
-        leaf.tint = glm::min(glm::mix(summer, turned, share) / all, glm::vec3(1.0F));
+        leaf.tint = glm::min(glm::mix(summer, turned, turnedShare(season, late)) / all, glm::vec3(1.0F));
         return false;
     };
     foliage.shed = std::erase_if(foliage.leaves, falls);
+}
+
+glm::vec3 seasonColour(LeafShape shape, double season)
+{
+    const LeafRow& row = leafRow(shape);
+    const glm::vec3 summer(row.colour);
+    return row.evergreen ? summer : glm::mix(summer, glm::vec3(row.autumn), turnedShare(season, 0.5));
 }
 
 } // namespace ramure

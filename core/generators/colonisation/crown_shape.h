@@ -1,0 +1,50 @@
+/// \file
+/// What a crown fills: a solid of revolution about the trunk, and the points that stand in it.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/params/colonisation_params.h"
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ramure {
+
+inline constexpr std::size_t maxProfilePairs = 64;
+
+/// Pairs of height and radius, both as shares in [0, 1], in the order of the text. Errors: Syntax with the
+/// column of what is wrong; heights must grow, some radius must be over 0, and 2 to 64 pairs are needed.
+Expected<std::vector<glm::dvec2>> parseProfile(std::string_view text);
+
+/// As parseProfile() reads it.
+std::string profileText(const std::vector<glm::dvec2>& pairs);
+
+/// Radius by height, both as shares of the crown.
+class CrownOutline
+{
+public:
+    /// Errors: those of parseProfile(), path "colonisation.profile".
+    static Expected<CrownOutline> of(const ColonisationParams& params);
+    /// Nothing where \p pairs are none that parseProfile() could give.
+    static std::optional<CrownOutline> through(std::vector<glm::dvec2> pairs);
+
+    /// 0 outside of [0, 1]. A profile's curve goes through its pairs and never beyond two neighbours:
+    /// Fritsch, Carlson: "Monotone piecewise cubic interpolation" (SIAM J. Numer. Anal. 17, 1980).
+    [[nodiscard]] double radiusAt(double height) const;
+    /// Of all radii.
+    [[nodiscard]] double widest() const;
+
+private:
+    CrownEnvelope m_envelope = CrownEnvelope::Sphere;
+    std::vector<glm::dvec2> m_pairs;
+    std::vector<double> m_slopes;
+};
+
+/// \return the points of the crown in tree space, m; number i depends on \p seed and i alone. Errors: those
+/// of CrownOutline.
+Expected<std::vector<glm::dvec3>> crownPoints(const ColonisationParams& params, std::uint64_t seed);
+
+} // namespace ramure
