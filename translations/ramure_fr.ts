@@ -16,10 +16,6 @@
         <translation>&amp;Nouvel arbre</translation>
     </message>
     <message>
-        <source>Grow another random tree from the same grammar</source>
-        <translation>Faire pousser un autre arbre au hasard avec la même grammaire</translation>
-    </message>
-    <message>
         <source>&amp;Duplicate</source>
         <translation>&amp;Dupliquer</translation>
     </message>
@@ -898,6 +894,18 @@
     <message>
         <source>Smooth edges and soft shadows, while nothing moves</source>
         <translation>Bords lisses et ombres douces, tant que rien ne bouge</translation>
+    </message>
+    <message>
+        <source>Grow another tree from the same rules and numbers, with another seed</source>
+        <translation>Faire pousser un autre arbre des mêmes règles et nombres, avec une autre graine</translation>
+    </message>
+    <message>
+        <source>&amp;Crown to fill</source>
+        <translation>&amp;Houppier à remplir</translation>
+    </message>
+    <message>
+        <source>The envelope and the points that a selected tree grows to fill, where it grows by space colonisation</source>
+        <translation>L’enveloppe et les points qu’un arbre sélectionné cherche à remplir, s’il pousse par colonisation de l’espace</translation>
     </message>
 </context>
 <context>
@@ -4914,10 +4922,6 @@
         <translation>Pousse par</translation>
     </message>
     <message>
-        <source>What makes the branches. Grammar: symbols that rules replace, and a turtle that draws them. Weber and Penn: trunk, limbs, branches and twigs, each level by its own numbers. Leaves, bark and motion stay.</source>
-        <translation>Ce qui fait les branches. Grammaire : des symboles que des règles remplacent, et une tortue qui les dessine. Weber et Penn : tronc, charpentières, branches et rameaux, chaque niveau selon ses nombres. Feuilles, écorce et mouvement restent.</translation>
-    </message>
-    <message>
         <source>Weber and Penn</source>
         <translation>Weber et Penn</translation>
     </message>
@@ -5272,6 +5276,302 @@
     <message>
         <source>A tall bare trunk below an open crown of tufts</source>
         <translation>Un long tronc nu sous une cime ouverte de touffes</translation>
+    </message>
+    <message>
+        <source>the branches have more pieces than the limit of %1</source>
+        <translation>les branches ont plus de morceaux que la limite de %1</translation>
+    </message>
+    <message>
+        <source>no point of the crown comes within sight of the trunk</source>
+        <translation>aucun point du houppier n’est à portée de vue du tronc</translation>
+    </message>
+    <message>
+        <source>a number was expected here</source>
+        <translation>un nombre était attendu ici</translation>
+    </message>
+    <message>
+        <source>heights and radii of a profile are shares from 0 to 1</source>
+        <translation>les hauteurs et les rayons d’un profil sont des parts de 0 à 1</translation>
+    </message>
+    <message>
+        <source>each height must be greater than the one before</source>
+        <translation>chaque hauteur doit être supérieure à la précédente</translation>
+    </message>
+    <message>
+        <source>a profile has at most %1 pairs</source>
+        <translation>un profil a au plus %1 paires</translation>
+    </message>
+    <message>
+        <source>a comma was expected between two pairs</source>
+        <translation>une virgule était attendue entre deux paires</translation>
+    </message>
+    <message>
+        <source>a profile needs two pairs or more</source>
+        <translation>un profil demande au moins deux paires</translation>
+    </message>
+    <message>
+        <source>a profile must be wider than nothing somewhere</source>
+        <translation>un profil doit avoir une largeur quelque part</translation>
+    </message>
+    <message>
+        <source>Space colonisation</source>
+        <translation>Par colonisation</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>Enveloppe</translation>
+    </message>
+    <message>
+        <source>The solid that the crown fills, round about the trunk.</source>
+        <translation>Le solide que le houppier remplit, de révolution autour du tronc.</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>The outline of the crown: pairs of height and radius, as shares of the crown&apos;s, &quot;0 0.3, 0.5 1, 1 0&quot;. A smooth curve goes through them.</source>
+        <translation>Le contour du houppier : des paires hauteur et rayon, en parts de ceux du houppier, &quot;0 0.3, 0.5 1, 1 0&quot;. Une courbe lisse passe par ces points.</translation>
+    </message>
+    <message>
+        <source>Begins at</source>
+        <translation>Commence à</translation>
+    </message>
+    <message>
+        <source>How high above the ground the crown begins: the bare trunk.</source>
+        <translation>À quelle hauteur du sol commence le houppier : le tronc nu.</translation>
+    </message>
+    <message>
+        <source>Height of the crown</source>
+        <translation>Hauteur du houppier</translation>
+    </message>
+    <message>
+        <source>From where the crown begins to its top.</source>
+        <translation>Du début du houppier à son sommet.</translation>
+    </message>
+    <message>
+        <source>Radius of the crown</source>
+        <translation>Rayon du houppier</translation>
+    </message>
+    <message>
+        <source>Half the width of the crown where it is widest.</source>
+        <translation>La moitié de la largeur du houppier là où il est le plus large.</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Points</translation>
+    </message>
+    <message>
+        <source>Places in the crown that branches grow to reach. More of them give finer and more crowded twigs.</source>
+        <translation>Les endroits du houppier que les branches cherchent à atteindre. Davantage de points donnent des rameaux plus fins et plus serrés.</translation>
+    </message>
+    <message>
+        <source>To the surface</source>
+        <translation>Vers la surface</translation>
+    </message>
+    <message>
+        <source>0 spreads the points through the whole crown, 1 lays them all on its surface, where the light is.</source>
+        <translation>0 répartit les points dans tout le houppier, 1 les pose tous à sa surface, là où est la lumière.</translation>
+    </message>
+    <message>
+        <source>Sight</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>How far a branch sees points. Far sight gives long calm limbs, short sight restless ones.</source>
+        <translation>Jusqu’où une branche voit les points. Une vue longue donne de longues charpentières calmes, une vue courte des branches agitées.</translation>
+    </message>
+    <message>
+        <source>Reached within</source>
+        <translation>Atteint à moins de</translation>
+    </message>
+    <message>
+        <source>A point so near to a branch is reached and draws nothing any more. Small values give dense twigs, large ones a sparse crown.</source>
+        <translation>Un point si proche d’une branche est atteint et n’attire plus rien. De petites valeurs donnent des rameaux denses, de grandes un houppier clairsemé.</translation>
+    </message>
+    <message>
+        <source>Growth at once</source>
+        <translation>Pousse à la fois</translation>
+    </message>
+    <message>
+        <source>Length of the piece that a branch grows before it looks for points again.</source>
+        <translation>Longueur du morceau qu’une branche pousse avant de chercher de nouveau des points.</translation>
+    </message>
+    <message>
+        <source>What draws branches beside the points: up to the light, or down. A longer arrow draws more.</source>
+        <translation>Ce qui attire les branches en plus des points : vers le haut, la lumière, ou vers le bas. Une flèche plus longue attire davantage.</translation>
+    </message>
+    <message>
+        <source>Radii add as</source>
+        <translation>Somme des rayons</translation>
+    </message>
+    <message>
+        <source>Where branches meet, their radii to this power add up: 2 gives stout trunks, 3 slender ones.</source>
+        <translation>Là où des branches se rejoignent, leurs rayons à cette puissance s’additionnent : 2 donne des troncs forts, 3 des troncs minces.</translation>
+    </message>
+    <message>
+        <source>Radius of tips</source>
+        <translation>Rayon des bouts</translation>
+    </message>
+    <message>
+        <source>Radius of every twig at its end. All others follow from it.</source>
+        <translation>Rayon de chaque rameau à son bout. Tous les autres en découlent.</translation>
+    </message>
+    <message>
+        <source>Shortest twig</source>
+        <translation>Rameau le plus court</translation>
+    </message>
+    <message>
+        <source>Side twigs that end before this length are left out.</source>
+        <translation>Les rameaux latéraux plus courts que cette longueur sont omis.</translation>
+    </message>
+    <message>
+        <source>Smoothness</source>
+        <translation>Douceur</translation>
+    </message>
+    <message>
+        <source>0 leaves every kink that growth made, 1 straightens them into curves.</source>
+        <translation>0 laisse chaque coude de la croissance, 1 les adoucit en courbes.</translation>
+    </message>
+    <message>
+        <source>What makes the branches. Grammar: symbols that rules replace, and a turtle that draws them. Weber and Penn: trunk, limbs, branches and twigs, each level by its own numbers. Space colonisation: branches reach for points that fill a crown of your shape. Leaves, bark and motion stay.</source>
+        <translation>Ce qui fait les branches. Grammaire : des symboles que des règles remplacent, et une tortue qui les dessine. Weber et Penn : tronc, charpentières, branches et rameaux, chaque niveau par ses propres nombres. Colonisation de l’espace : les branches vont vers des points qui remplissent un houppier de votre forme. Feuilles, écorce et mouvement restent.</translation>
+    </message>
+    <message>
+        <source>Hemisphere</source>
+        <translation>Demi-sphère</translation>
+    </message>
+    <message>
+        <source>A round crown that its branches fill</source>
+        <translation>Un houppier rond que ses branches remplissent</translation>
+    </message>
+    <message>
+        <source>A flat roof of twigs, drawn as a profile</source>
+        <translation>Un toit plat de rameaux, dessiné comme un profil</translation>
+    </message>
+    <message>
+        <source>A dense oval crown on rising limbs</source>
+        <translation>Un houppier ovale et dense sur des charpentières montantes</translation>
+    </message>
+    <message>
+        <source>A small tree in layers, wide and low, with fine lobed leaves</source>
+        <translation>Un petit arbre étagé, large et bas, aux feuilles finement lobées</translation>
+    </message>
+    <message>
+        <source>A tall open dome, its limbs swept up at their ends</source>
+        <translation>Un grand dôme ouvert, aux charpentières relevées à leur bout</translation>
+    </message>
+    <message>
+        <source>A smooth grey column below a huge dense dome</source>
+        <translation>Une colonne lisse et grise sous un vaste dôme dense</translation>
+    </message>
+    <message>
+        <source>A dense tall egg, its lowest limbs hanging</source>
+        <translation>Un haut œuf dense, aux branches basses tombantes</translation>
+    </message>
+    <message>
+        <source>A heavy dome of great hands, each limb rising at its end</source>
+        <translation>Un lourd dôme de grandes mains, chaque charpentière relevée à son bout</translation>
+    </message>
+    <message>
+        <source>A straight stem with limbs in rings</source>
+        <translation>Un fût droit aux charpentières en couronnes</translation>
+    </message>
+    <message>
+        <source>A low round head of crooked limbs, hung with apples</source>
+        <translation>Une tête basse et ronde de branches tortues, chargée de pommes</translation>
+    </message>
+    <message>
+        <source>A gnarled short trunk under clouds of grey leaves</source>
+        <translation>Un tronc court et noueux sous des nuages de feuilles grises</translation>
+    </message>
+    <message>
+        <source>Stiff rising limbs close-set with fans</source>
+        <translation>Des charpentières raides et montantes, garnies d’éventails</translation>
+    </message>
+    <message>
+        <source>A great open dome on a patched trunk</source>
+        <translation>Un grand dôme ouvert sur un tronc marbré</translation>
+    </message>
+    <message>
+        <source>A vase: limbs part low and spread into a fountain</source>
+        <translation>Un vase : les charpentières se séparent bas et s’ouvrent en fontaine</translation>
+    </message>
+    <message>
+        <source>A tall silvery head on leaning limbs</source>
+        <translation>Une haute tête argentée sur des charpentières penchées</translation>
+    </message>
+    <message>
+        <source>A tall wide vase of stout limbs</source>
+        <translation>Un haut vase large de fortes charpentières</translation>
+    </message>
+    <message>
+        <source>A dark pyramid of leather leaves, clothed to the ground</source>
+        <translation>Une pyramide sombre de feuilles coriaces, vêtue jusqu’au sol</translation>
+    </message>
+    <message>
+        <source>A slight upright tree with feathered leaves and red berries</source>
+        <translation>Un arbre frêle et dressé, aux feuilles pennées et aux baies rouges</translation>
+    </message>
+    <message>
+        <source>An open airy crown of crooked limbs in tiers</source>
+        <translation>Un houppier aéré de branches tortues étagées</translation>
+    </message>
+    <message>
+        <source>A dense thorny small tree, red with haws</source>
+        <translation>Un petit arbre dense et épineux, rouge de cenelles</translation>
+    </message>
+    <message>
+        <source>A broad grey head of large feathered leaves</source>
+        <translation>Une large tête grise de grandes feuilles pennées</translation>
+    </message>
+    <message>
+        <source>A straight narrow pyramid of star leaves</source>
+        <translation>Une pyramide droite et étroite de feuilles en étoile</translation>
+    </message>
+    <message>
+        <source>A tall pale stem that sheds its bark, with hanging leaves</source>
+        <translation>Un haut fût pâle qui perd son écorce, aux feuilles pendantes</translation>
+    </message>
+    <message>
+        <source>A swollen trunk with roots for branches</source>
+        <translation>Un tronc enflé, avec des racines pour branches</translation>
+    </message>
+    <message>
+        <source>A slender open cone that is bare in winter</source>
+        <translation>Un cône élancé et ouvert, nu en hiver</translation>
+    </message>
+    <message>
+        <source>A very tall dense spire on a furrowed trunk</source>
+        <translation>Une très haute flèche dense sur un tronc crevassé</translation>
+    </message>
+    <message>
+        <source>An umbrella on a tall bare trunk</source>
+        <translation>Un parasol sur un haut tronc nu</translation>
+    </message>
+    <message>
+        <source>Wide level tables of dark needles, one above the other</source>
+        <translation>De larges plateaux d’aiguilles sombres, l’un au-dessus de l’autre</translation>
+    </message>
+    <message>
+        <source>A dark green flame, hardly wider than its trunk</source>
+        <translation>Une flamme vert sombre, à peine plus large que son tronc</translation>
+    </message>
+    <message>
+        <source>A massive flared column with a narrow crown of short limbs</source>
+        <translation>Une colonne massive et évasée à l’étroit houppier de branches courtes</translation>
+    </message>
+    <message>
+        <source>A broad dark dome, several stems from one foot</source>
+        <translation>Un large dôme sombre, plusieurs tiges d’un même pied</translation>
+    </message>
+    <message>
+        <source>Level whorled limbs with soft plumes of needles</source>
+        <translation>Des branches verticillées et horizontales aux plumets d’aiguilles souples</translation>
+    </message>
+    <message>
+        <source>A narrow regular spire, dense to the ground</source>
+        <translation>Une flèche étroite et régulière, dense jusqu’au sol</translation>
     </message>
 </context>
 <context>
@@ -6510,6 +6810,22 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::GalleryPanel</name>
+    <message>
+        <source>Make it %1</source>
+        <comment>undo step; the name of a preset</comment>
+        <translation>En faire %1</translation>
+    </message>
+    <message>
+        <source>&amp;Add to the scene</source>
+        <translation>&amp;Ajouter à la scène</translation>
+    </message>
+    <message>
+        <source>&amp;Give its numbers to the selected trees</source>
+        <translation>&amp;Donner ses nombres aux arbres sélectionnés</translation>
+    </message>
+</context>
+<context>
     <name>ramure::GenerationsView</name>
     <message>
         <source>%1, %2</source>
@@ -7447,6 +7763,10 @@ OpenGL&#xa0;: %4
         <source>The preferences cannot be stored. They hold until the program ends.</source>
         <translation>Les préférences ne peuvent pas être enregistrées. Elles valent jusqu’à la fin du programme.</translation>
     </message>
+    <message>
+        <source>Gallery</source>
+        <translation>Galerie</translation>
+    </message>
 </context>
 <context>
     <name>ramure::MenuTool</name>
@@ -7935,6 +8255,68 @@ OpenGL&#xa0;: %4
     <message>
         <source>With less, fewer moments of a long run are kept: a jump within it computes a few steps more.</source>
         <translation>Avec moins, on garde moins d’instants d’un long calcul : un saut recalcule quelques pas de plus.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::PresetGallery</name>
+    <message>
+        <source>No tree is called “%1”. Search for a name, a Latin name or a word of its description.</source>
+        <translation>Aucun arbre ne s’appelle « %1 ». Cherchez un nom, un nom latin ou un mot de sa description.</translation>
+    </message>
+    <message>
+        <source>Search trees</source>
+        <translation>Chercher des arbres</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>Latin name: habit</comment>
+        <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::ProfileCurve</name>
+    <message>
+        <source>Round</source>
+        <translation>Rond</translation>
+    </message>
+    <message>
+        <source>Egg</source>
+        <translation>Œuf</translation>
+    </message>
+    <message>
+        <source>Column</source>
+        <translation>Colonne</translation>
+    </message>
+    <message>
+        <source>Vase</source>
+        <translation>Vase</translation>
+    </message>
+    <message>
+        <source>Umbrella</source>
+        <translation>Parasol</translation>
+    </message>
+    <message>
+        <source>In tiers</source>
+        <translation>Étagé</translation>
+    </message>
+    <message>
+        <source>Add a point here</source>
+        <translation>Ajouter un point ici</translation>
+    </message>
+    <message>
+        <source>Remove the point</source>
+        <translation>Retirer le point</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::ProfileEditor</name>
+    <message>
+        <source>Drag the points; double-click to add one, right-click for more. Height goes up, half the width to the right.</source>
+        <translation>Glissez les points ; un double-clic en ajoute un, un clic droit offre le reste. La hauteur va vers le haut, la demi-largeur vers la droite.</translation>
+    </message>
+    <message>
+        <source>%1 as text</source>
+        <translation>%1 en texte</translation>
     </message>
 </context>
 <context>
@@ -8926,6 +9308,17 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::StemCurves</name>
+    <message>
+        <source>How a stem of this level tapers and bends, without chance. Thickness is drawn larger.</source>
+        <translation>Comment une tige de ce niveau s’amincit et se courbe, sans hasard. L’épaisseur est dessinée plus grande.</translation>
+    </message>
+    <message>
+        <source>How far limbs reach from the trunk, by height. Dashed: the envelope that prunes them.</source>
+        <translation>Jusqu’où les charpentières s’éloignent du tronc, selon la hauteur. En tirets : l’enveloppe qui les taille.</translation>
+    </message>
+</context>
+<context>
     <name>ramure::SurfacePreview</name>
     <message>
         <source>One leaf from above, without its neighbours</source>
@@ -8946,6 +9339,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>The leaf and a twig in a window of their own, which the properties shape</source>
         <translation>La feuille et un rameau dans une fenêtre à part, que les propriétés façonnent</translation>
+    </message>
+    <message>
+        <source>One fruit or flower from the side, with its stalk</source>
+        <translation>Un fruit ou une fleur de côté, avec sa tige</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,5 @@
 // Grammar (per output symbol), turtle (per branch), simplification (per input branch).
+#include "core/generators/colonisation/colonisation.h"
 #include "core/generators/parametric/module_turtle.h"
 #include "core/generators/weber_penn/weber_penn.h"
 #include "core/math/random.h"
@@ -49,6 +50,21 @@ void BM_weberPenn(benchmark::State& state)
     }
 }
 BENCHMARK(BM_weberPenn)->Unit(benchmark::kMicrosecond);
+
+/// 24,000 points.
+void BM_colonisation(benchmark::State& state)
+{
+    ColonisationParams params;
+    params.points = 24'000;
+    params.kill = 0.15;
+    params.step = 0.08;
+    params.influence = 0.8;
+    for (auto _ : state) {
+        const auto skeleton = growColonisation(params, 1);
+        benchmark::DoNotOptimize(skeleton->parent.data());
+    }
+}
+BENCHMARK(BM_colonisation)->Unit(benchmark::kMillisecond);
 
 void BM_grammarByChance(benchmark::State& state)
 {

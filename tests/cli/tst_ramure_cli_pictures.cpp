@@ -141,6 +141,36 @@ private slots:
         QVERIFY(isRefused(runCli({"export", "preset:TinyTree", "-o", path("x.obj"), "--map-size", "9"}),
                           "--map-size"));
     }
+    void texturesAreThoseOfTheTime()
+    {
+        QVERIFY(isRefused(runCli({"textures", "preset:TinyTree", "-o", path("keyed"), "--time", "soon"}),
+                          "--time"));
+        const QString project = path("keyed.ramure");
+        test::write(project, R"({"format": "ramure", "version": 1, "nodes": [{"id": 1, "kind": "tree",
+            "name": "Oak", "params": {"bark.family": "plain", "foliage.leaf": "maple"},
+            "tracks": {"foliage.season": {"keys": [{"time": 0, "value": 0, "mode": "LINEAR"},
+                                              {"time": 2, "value": 1}]}}}]})");
+        const auto names = [&](const QStringList& more) {
+            const test::CliRun run = runCli(
+                QStringList{"textures", project, "-o", path("keyed"), "--size", "16", "--json"} + more);
+            if (run.code != 0)
+                qWarning("%s", qPrintable(run.err));
+            return run.json().value("files").toArray();
+        };
+        const QJsonArray first = names({}), middle = names({"--time", "1"});
+        QCOMPARE(first.size(), 3);
+        QVERIFY(middle != first && middle[0].toString().contains("_season50_"));
+        QCOMPARE(middle[1], first[1]); // relief is that of summer
+        const auto red = [&](const QJsonArray& files) {
+            return QImage(path("keyed/") + files[0].toString())
+                .scaled(1, 1, {}, Qt::SmoothTransformation)
+                .pixelColor(0, 0)
+                .red();
+        };
+        QVERIFY(red(middle) > red(first) + 40);
+        QCOMPARE(names({"--time", "0"}), first);
+        QCOMPARE(names({"--time", "9"}), names({"--time", "2"}));
+    }
     void renderNeedsADisplayAndFindsOne()
     {
         QProcessEnvironment bare = QProcessEnvironment::systemEnvironment();

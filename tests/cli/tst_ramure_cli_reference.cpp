@@ -137,7 +137,9 @@ private slots:
     void inputsAndKeysAreCompleted()
     {
         QCOMPARE(completed({"ramure-cli", "info", "preset:S"}),
-                 (QStringList{"preset:SmallTree", "preset:SilverBirch", "preset:ScotsPine", "FILES"}));
+                 (QStringList{"preset:SmallTree", "preset:SilverBirch", "preset:SmallLeavedLinden",
+                              "preset:SouthernMagnolia", "preset:SugarMaple", "preset:Sweetgum",
+                              "preset:ScotsPine", "preset:StonePine", "FILES"}));
         QCOMPARE(completed({"ramure-cli", "list", "pa"}), QStringList{"params"});
         QCOMPARE(completed({"ramure-cli", "export", "x", "--set", "grammar.see"}),
                  QStringList{"grammar.seed="});

@@ -175,6 +175,7 @@ constexpr const char* floors[] = {
     "core/surface/check",
     "core/generators/grammar",
     "core/generators/parametric",
+    "core/generators/colonisation",
     "core/generators/weber_penn",
     "core/generators",
     "core/pipeline",

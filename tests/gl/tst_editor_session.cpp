@@ -134,7 +134,7 @@ private slots:
     void theProgramSaysWhatItCannotOpen()
     {
         QProcess program;
-        for (const char* input : {"preset:Baobab", "/no/such/file.ramure"}) {
+        for (const char* input : {"preset:NoSuchTree", "/no/such/file.ramure"}) {
             program.start(QStringLiteral(RAMURE_EDITOR),
                           {QLatin1String(input), QStringLiteral("--screenshot"),
                            m_folder.filePath(QStringLiteral("none.png"))});

@@ -161,8 +161,8 @@ private slots:
 
             // A branch by a click.
             const QRect view = viewOf(window);
-            QVERIFY(eventually([&] { return trunkIn(test::screenPicture(view)).has_value(); }));
-            const QImage before = test::stillView(view);
+            QImage before;
+            QVERIFY(eventually([&] { return trunkIn(before = test::stillView(view)).has_value(); }));
             const QImage panels = test::stillPicture(panelsOf(window));
             const auto trunk = trunkIn(before);
             QVERIFY(trunk);

@@ -76,11 +76,15 @@ inline TriangleMesh sampleLeaves(const Skeleton& skeleton, int perBranch, double
             continue;
         Random random(7, RandomStream::Test, i);
         for (int leaf = 0; leaf < perBranch; ++leaf) {
+            // One statement a number: compilers may choose the order of arguments.
             const auto unit = [&random] {
-                return glm::dvec3(random.range(-1.0, 1.0), random.range(-1.0, 1.0), random.range(-1.0, 1.0));
+                const double z = random.range(-1.0, 1.0);
+                const double y = random.range(-1.0, 1.0);
+                const double x = random.range(-1.0, 1.0);
+                return glm::dvec3(x, y, z);
             };
-            const glm::dvec3 at =
-                glm::mix(skeleton.p0[i], skeleton.p1[i], random.range(0.0, 1.2)) + 0.6 * side * unit();
+            const glm::dvec3 aside = 0.6 * side * unit();
+            const glm::dvec3 at = glm::mix(skeleton.p0[i], skeleton.p1[i], random.range(0.0, 1.2)) + aside;
             const glm::dvec3 u = glm::normalize(unit() + glm::dvec3(1e-3));
             const glm::dvec3 v = glm::normalize(glm::cross(u, unit() + glm::dvec3(0.0, 2e-3, 1e-3)));
             const Index base = mesh.vertexCount();

@@ -27,9 +27,10 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
     , m_undo(set->add({"edit.undo", QT_TRANSLATE_NOOP("Actions", "&Undo"), "undo", QKeySequence::Undo}))
     , m_redo(set->add({"edit.redo", QT_TRANSLATE_NOOP("Actions", "&Redo"), "redo",
                        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)}))
-    , m_newTree(set->add({"edit.newTree", QT_TRANSLATE_NOOP("Actions", "&New tree"), "new-tree",
-                          QKeySequence(Qt::Key_Space),
-                          QT_TRANSLATE_NOOP("Actions", "Grow another random tree from the same grammar")}))
+    , m_newTree(set->add(
+          {"edit.newTree", QT_TRANSLATE_NOOP("Actions", "&New tree"), "new-tree", QKeySequence(Qt::Key_Space),
+           QT_TRANSLATE_NOOP("Actions",
+                             "Grow another tree from the same rules and numbers, with another seed")}))
     , m_duplicate(
           set->add({"edit.duplicate", QT_TRANSLATE_NOOP("Actions", "&Duplicate"), "duplicate",
                     QKeySequence(Qt::CTRL | Qt::Key_D),

@@ -200,6 +200,14 @@ void ViewActions::addSwitches(ActionSet* set)
          {},
          QT_TRANSLATE_NOOP("Actions", "A line around what is selected, seen through leaves and branches")},
         settings->outlineVisible(), &ViewSettings::setOutlineVisible, &ViewSettings::outlineVisibleChanged);
+    add({"view.crowns",
+         QT_TRANSLATE_NOOP("Actions", "&Crown to fill"),
+         nullptr,
+         {},
+         QT_TRANSLATE_NOOP("Actions",
+                           "The envelope and the points that a selected tree grows to fill, where it "
+                           "grows by space colonisation")},
+        settings->crownsVisible(), &ViewSettings::setCrownsVisible, &ViewSettings::crownsVisibleChanged);
     add({"view.orthographic", QT_TRANSLATE_NOOP("Actions", "&Orthographic"), "orthographic",
          QKeySequence(Qt::Key_5)},
         settings->orthographic(), &ViewSettings::setOrthographic, &ViewSettings::orthographicChanged);

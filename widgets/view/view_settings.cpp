@@ -70,6 +70,11 @@ void ViewSettings::setOrthographic(bool on)
     set(m_orthographic, on, &ViewSettings::orthographicChanged);
 }
 
+void ViewSettings::setCrownsVisible(bool on)
+{
+    set(m_crownsVisible, on, &ViewSettings::crownsVisibleChanged);
+}
+
 void ViewSettings::setOutlineVisible(bool on)
 {
     set(m_outlineVisible, on, &ViewSettings::outlineVisibleChanged);

@@ -32,6 +32,7 @@ public:
     [[nodiscard]] bool orthographic() const { return m_orthographic; }
     [[nodiscard]] bool windVisible() const { return m_windVisible; }
     [[nodiscard]] bool outlineVisible() const { return m_outlineVisible; }
+    [[nodiscard]] bool crownsVisible() const { return m_crownsVisible; }
     [[nodiscard]] SceneLight light() const { return m_light; }
     /// With the quality, for the preferences; restoring leaves out what is no number or out of range.
     [[nodiscard]] QVariantMap savedLight() const;
@@ -50,6 +51,7 @@ public slots:
     void setOrthographic(bool on);
     void setWindVisible(bool on);
     void setOutlineVisible(bool on);
+    void setCrownsVisible(bool on);
     void setLight(ramure::SceneLight light);
 
 signals:
@@ -65,6 +67,7 @@ signals:
     void orthographicChanged(bool on);
     void windVisibleChanged(bool on);
     void outlineVisibleChanged(bool on);
+    void crownsVisibleChanged(bool on);
     void lightChanged(ramure::SceneLight light);
     /// After any of the above.
     void changed();
@@ -85,6 +88,7 @@ private:
     bool m_orthographic = false;
     bool m_windVisible = false;
     bool m_outlineVisible = true; ///< around what is selected
+    bool m_crownsVisible = true;  ///< of selected trees that grow to fill one
     SceneLight m_light;
 };
 

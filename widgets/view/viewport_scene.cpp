@@ -53,6 +53,7 @@ SceneView Viewport::Private::sceneView() const
     view.apples = settings->applesVisible();
     view.frames = settings->frameDisplay();
     view.selectedNodes = selection.nodes;
+    view.crowns = settings->crownsVisible();
     view.branchNode = selection.branchNode;
     view.branches = selection.branches;
     view.activeBranch = selection.activeBranch;

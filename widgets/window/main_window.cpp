@@ -23,6 +23,7 @@
 #include "widgets/panels/animation/key_commands.h"
 #include "widgets/panels/arm/arm_panel.h"
 #include "widgets/panels/inspector/branch_inspector.h"
+#include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/panels/scene/isolation.h"
 #include "widgets/panels/scene/scene_panel.h"
@@ -317,12 +318,17 @@ void MainWindow::changeEvent(QEvent* event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-    if (!droppedFile(event->mimeData()).isEmpty())
+    if (event->mimeData()->hasFormat(QLatin1String(presetMimeType)) ||
+        !droppedFile(event->mimeData()).isEmpty())
         event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
+    if (event->mimeData()->hasFormat(QLatin1String(presetMimeType))) {
+        event->acceptProposedAction();
+        return m_edits->addTree(QString::fromLatin1(event->mimeData()->data(QLatin1String(presetMimeType))));
+    }
     const QString path = droppedFile(event->mimeData());
     if (path.isEmpty())
         return;

@@ -4,6 +4,7 @@
 #include "widgets/panels/arm/arm_panel.h"
 #include "widgets/panels/history/history_dock.h"
 #include "widgets/panels/inspector/branch_inspector.h"
+#include "widgets/panels/presets/gallery_panel.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/panels/scene/scene_panel.h"
 #include "widgets/panels/timeline/timeline_panel.h"
@@ -36,6 +37,8 @@ std::span<const PanelRow> panels()
          "window#validation", &make<ValidationPanel, &PanelServices::analysis>},
         {"historyDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "History"), UpperRight, "window#history",
          &make<HistoryDock>},
+        {"galleryDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Gallery"), UpperRight, "window#gallery",
+         &make<GalleryPanel>},
         {"timelineDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Timeline"), Bottom, "motion#the-timeline",
          &make<TimelinePanel, &PanelServices::player, &PanelServices::plays>},
         {"keysDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Keys"), Bottom, "keys#the-dope-sheet",

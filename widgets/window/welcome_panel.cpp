@@ -1,13 +1,11 @@
 #include "widgets/window/welcome_panel.h"
 
-#include "core/params/presets.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/base/action_list.h"
 #include "widgets/base/action_set.h"
-#include "widgets/base/core_text.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/preferences.h"
-#include "widgets/window/picture_button.h"
+#include "widgets/panels/presets/preset_gallery.h"
 #include <QCheckBox>
 #include <QDir>
 #include <QEvent>
@@ -22,7 +20,6 @@
 namespace ramure {
 namespace {
 
-constexpr int columns = 2;
 constexpr int shownFiles = 5;
 constexpr int sideMargin = 20;
 constexpr int shownText = 340; ///< pixels of a file's name, before it is cut
@@ -43,6 +40,7 @@ WelcomePanel::WelcomePanel(FileActions* files, ActionSet* set, Preferences* pref
     , m_intro(new QLabel(m_page))
     , m_close(new QToolButton(m_page))
     , m_newHeading(heading())
+    , m_gallery(new PresetGallery(m_page))
     , m_recentHeading(heading())
     , m_recent(new QVBoxLayout)
     , m_open(new QPushButton(m_page))
@@ -53,6 +51,9 @@ WelcomePanel::WelcomePanel(FileActions* files, ActionSet* set, Preferences* pref
     setObjectName(QStringLiteral("welcome"));
     build();
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
+    // The page stays: one may look at several.
+    connect(m_gallery, &PresetGallery::chosen, m_files,
+            [this](const QString& name) { m_files->newFromPreset(name); });
     connect(m_open, &QPushButton::clicked, m_files, &FileActions::open);
     connect(m_files, &FileActions::openEnded, this, [this](bool opened) {
         if (opened)
@@ -92,7 +93,7 @@ void WelcomePanel::build()
     page->addWidget(m_intro);
     page->addSpacing(6);
     page->addWidget(m_newHeading);
-    page->addLayout(gallery());
+    page->addWidget(m_gallery);
     page->addSpacing(6);
     page->addWidget(m_recentHeading);
     m_recent->setSpacing(0);
@@ -120,33 +121,14 @@ void WelcomePanel::build()
     layout->addLayout(foot);
 }
 
-QGridLayout* WelcomePanel::gallery()
-{
-    auto* grid = new QGridLayout;
-    grid->setSpacing(12);
-    int at = 0;
-    for (const Preset& preset : presets()) {
-        const QString name = QString::fromLatin1(preset.name);
-        auto* button = new PictureButton(QStringLiteral(":/welcome/%1.png").arg(name), m_page);
-        button->setText(name);
-        button->setObjectName(QStringLiteral("preset.") + name);
-        // The page stays: one may look at several.
-        connect(button, &QAbstractButton::clicked, m_files, [this, name] { m_files->newFromPreset(name); });
-        grid->addWidget(button, at / columns, at % columns, Qt::AlignLeft);
-        m_pictures += button;
-        ++at;
-    }
-    grid->setColumnStretch(columns, 1);
-    return grid;
-}
-
 void WelcomePanel::open()
 {
     fillRecent();
     retranslate();
     setFixedWidth(m_page->sizeHint().width() + 14);
     show();
-    m_pictures.front()->setFocus();
+    if (QWidget* first = m_gallery->first())
+        first->setFocus();
 }
 
 void WelcomePanel::takePreferences()
@@ -215,12 +197,6 @@ void WelcomePanel::retranslate()
     m_open->setText(tr("Open a file…"));
     m_keysHeading->setText(tr("Keys to begin with"));
     m_atStart->setText(tr("Show this page at the start"));
-    std::size_t at = 0;
-    for (const Preset& preset : presets()) {
-        QWidget* picture = m_pictures[static_cast<qsizetype>(at++)];
-        picture->setToolTip(coreText(preset.description));
-        picture->setAccessibleDescription(coreText(preset.description));
-    }
     fillHints();
 }
 

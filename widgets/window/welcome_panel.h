@@ -17,6 +17,7 @@ namespace ramure {
 class ActionSet;
 class FileActions;
 class Preferences;
+class PresetGallery;
 
 class WelcomePanel : public QFrame
 {
@@ -39,7 +40,6 @@ protected:
 
 private:
     void build();
-    [[nodiscard]] QGridLayout* gallery();
     void takePreferences();
     void fillRecent();
     void fillHints();
@@ -53,13 +53,13 @@ private:
     QLabel* m_intro;
     QToolButton* m_close;
     QLabel* m_newHeading;
+    PresetGallery* m_gallery;
     QLabel* m_recentHeading;
     QVBoxLayout* m_recent;
     QPushButton* m_open;
     QLabel* m_keysHeading;
     QGridLayout* m_hints;
     QCheckBox* m_atStart;
-    QList<QWidget*> m_pictures;
     QStringList m_shownRecent;
 };
 

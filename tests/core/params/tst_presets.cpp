@@ -55,7 +55,7 @@ void TestPresets::valuesAreValidAndDeterministic()
         QVERIFY(!preset.params.grammar.stochastic);
         QVERIFY(*preset.description && *preset.group);
         const bool isSpecies = preset.params.generator.kind == TreeGenerator::WeberPenn;
-        QVERIFY2(isSpecies == (*preset.latin != 0), preset.name);
+        QVERIFY2(!isSpecies || *preset.latin, preset.name);
         const std::string_view group = preset.group;
         QVERIFY2(isSpecies == (group == "Broadleaved trees" || group == "Conifers"), preset.name);
         QVERIFY(*presetParams(preset.name) == preset.params);

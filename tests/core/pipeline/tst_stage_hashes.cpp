@@ -40,6 +40,12 @@ std::optional<NodeParams> paramsWhere(const ParamDef& def, bool matters)
     for (const ParamDef& other : paramTable())
         if (const NodeParams params = withOther(other, {}); &other != &def && fits(params))
             return params;
+    NodeParams params; // generators beyond the second
+    for (const EnumItem& item : findParam("generator.kind")->items) {
+        findParam("generator.kind")->assign(params, EnumValue{item.name});
+        if (fits(params))
+            return params;
+    }
     return std::nullopt;
 }
 

@@ -43,6 +43,8 @@ ParamValue otherValue(const ParamDef& def, const NodeParams& params)
         return std::string("r = 0.5");
     if ((def.flags & paramPicture) != 0)
         return std::string("/other.png");
+    if ((def.flags & paramProfile) != 0)
+        return std::string("0 1, 1 0.5");
     const ParamValue now = def.get(params);
     if (const auto* flag = std::get_if<bool>(&now))
         return !*flag;

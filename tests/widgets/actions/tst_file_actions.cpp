@@ -73,7 +73,7 @@ private slots:
     void unknownPresetsLeaveTheDocument()
     {
         edit();
-        QVERIFY(!m_files->newFromPreset(QStringLiteral("Baobab")));
+        QVERIFY(!m_files->newFromPreset(QStringLiteral("NoSuchTree")));
         QCOMPARE(m_chooser->reports.size(), 1);
         QCOMPARE(m_chooser->questions, 0);
         QVERIFY(m_document->isModified());

@@ -6,6 +6,7 @@
 #include "widgets/panels/properties/grammar_editor.h"
 #include "widgets/panels/properties/number_editor.h"
 #include "widgets/panels/properties/picture_editor.h"
+#include "widgets/panels/properties/profile_editor.h"
 #include "widgets/panels/properties/text_editor.h"
 #include "widgets/panels/properties/vector_editor.h"
 
@@ -32,6 +33,8 @@ ParamEditor* makeParamEditor(const ParamDef& def, QWidget* parent)
         return new GrammarEditor(def, parent);
     if (def.flags & paramPicture)
         return new PictureEditor(def, parent);
+    if (def.flags & paramProfile)
+        return new ProfileEditor(def, parent);
     return new TextEditor(def, parent);
 }
 

@@ -13,6 +13,7 @@
 #include "widgets/panels/properties/group_section.h"
 #include "widgets/panels/properties/leaf_dialog.h"
 #include "widgets/panels/properties/param_row.h"
+#include "widgets/panels/properties/stem_curves.h"
 #include "widgets/panels/properties/surface_preview.h"
 #include <QClipboard>
 #include <QEvent>
@@ -133,10 +134,19 @@ void PropertiesPanel::buildRows()
     m_leaf = new SurfacePreview(m_document, SurfacePreview::Surface::Leaf, m_content);
     row(*findParam("foliage.leaf"))->addBelow(m_leaf);
     connect(m_leaf, &SurfacePreview::largerRequested, this, &PropertiesPanel::showLeaf);
+    m_fruit = new SurfacePreview(m_document, SurfacePreview::Surface::Fruit, m_content);
+    row(*findParam("foliage.fruit"))->addBelow(m_fruit);
     m_bark = new SurfacePreview(m_document, SurfacePreview::Surface::Bark, m_content);
     row(*findParam("bark.family"))->addBelow(m_bark);
     m_object = new SurfacePreview(m_document, SurfacePreview::Surface::Object, m_content);
     row(*findParam("surface.colourPicture"))->addBelow(m_object);
+    const auto drawBelow = [this](const char* key, std::optional<std::size_t> level) {
+        m_curves.push_back(new StemCurves(m_document, level, m_content));
+        row(*findParam(key))->addBelow(m_curves.back());
+    };
+    drawBelow("weberPenn.shape", std::nullopt);
+    for (std::size_t i = 0; i < weberPennLevels; ++i)
+        drawBelow(("weberPenn.level" + std::to_string(i) + ".taper").c_str(), i);
     layout->addStretch(1);
 }
 
@@ -185,8 +195,10 @@ void PropertiesPanel::takeTargets()
     m_content->setEnabled(!locked);
     const NodeId only = m_nodes.size() == 1 ? m_nodes.front() : noNode;
     m_generations->setTree(only);
-    for (SurfacePreview* preview : {m_leaf, m_bark, m_object})
+    for (SurfacePreview* preview : {m_leaf, m_fruit, m_bark, m_object})
         preview->setNode(only);
+    for (StemCurves* curves : m_curves)
+        curves->setNode(only);
     if (m_largeLeaf && only != noNode)
         m_largeLeaf->setTree(only);
     showValues({});

@@ -21,6 +21,7 @@ class GenerationsView;
 class GroupSection;
 class LeafDialog;
 class ParamRow;
+class StemCurves;
 class SurfacePreview;
 class Preferences;
 
@@ -93,7 +94,9 @@ private:
     QLabel* m_title = nullptr;
     QLabel* m_problem = nullptr; ///< an error that belongs to no row
     GenerationsView* m_generations = nullptr;
+    std::vector<StemCurves*> m_curves;
     SurfacePreview* m_leaf = nullptr;
+    SurfacePreview* m_fruit = nullptr;
     SurfacePreview* m_bark = nullptr;
     SurfacePreview* m_object = nullptr;
     LeafDialog* m_largeLeaf = nullptr; ///< once it was wished for; the window owns it

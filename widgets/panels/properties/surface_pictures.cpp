@@ -39,12 +39,12 @@ glm::vec3 normalOf(const glm::u8vec3& stored)
     return (glm::vec3(stored) - 128.0f) / 127.0f;
 }
 
-/// Draws triangles seen from +Z into a square picture.
-class LeafPainter
+/// Draws the triangles of a leaf or a fruit, seen from +Z, into a square picture.
+class OrganPainter
 {
 public:
-    LeafPainter(const TriangleMesh& mesh, const Material& material, const std::optional<LeafMaps>& maps,
-                int size)
+    OrganPainter(const TriangleMesh& mesh, const Material& material, const std::optional<LeafMaps>& maps,
+                 int size)
         : m_mesh(mesh)
         , m_material(material)
         , m_maps(maps)
@@ -100,10 +100,10 @@ private:
     void paintPixel(Index face, int x, int y, const glm::vec3& weights)
     {
         const glm::uvec3 corners = m_mesh.triangles[face];
-        const auto mixed = [&](const auto& values) {
-            return weights.x * values[corners.x] + weights.y * values[corners.y] +
-                   weights.z * values[corners.z];
+        const auto mixedAt = [&](const glm::uvec3& which, const auto& values) {
+            return weights.x * values[which.x] + weights.y * values[which.y] + weights.z * values[which.z];
         };
+        const auto mixed = [&](const auto& values) { return mixedAt(corners, values); };
         const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(m_picture.width()) +
                         static_cast<std::size_t>(x);
         const float height = mixed(m_mesh.positions).z;
@@ -115,7 +115,8 @@ private:
             normal = -normal; // both sides are seen
         glm::vec3 colour = glm::vec3(m_material.colour) / 255.0f;
         if (m_maps && !m_mesh.uv.empty()) {
-            const glm::vec2 uv = mixed(m_mesh.uv) * float(m_maps->size);
+            const glm::uvec3 places = m_mesh.uvTriangles.empty() ? corners : m_mesh.uvTriangles[face];
+            const glm::vec2 uv = mixedAt(places, m_mesh.uv) * float(m_maps->size);
             const auto texel = [this](float value) {
                 return static_cast<std::size_t>(std::clamp(static_cast<int>(value), 0, m_maps->size - 1));
             };
@@ -134,7 +135,7 @@ private:
 
     const TriangleMesh& m_mesh;
     const Material& m_material;
-    const std::optional<LeafMaps>& m_maps; ///< where it has coverage, some of the leaf is not there
+    const std::optional<LeafMaps>& m_maps; ///< where it has coverage, some of the surface is not there
     QImage m_picture;
     std::vector<float> m_height;
     float m_scale = 1.0f;
@@ -167,6 +168,16 @@ std::vector<glm::u8vec3> colourOf(const std::vector<glm::u8vec4>& pixels)
     return {pixels.begin(), pixels.end()};
 }
 
+/// The image files of a leaf or a fruit, as if they were the maps of a leaf.
+LeafMaps imageMaps(const Material& material)
+{
+    const SurfaceImages images = surfaceImages(material);
+    LeafMaps maps{images.size, images.base, colourOf(images.colour), colourOf(images.normal), {}, {}, {}};
+    for (const glm::u8vec4& each : images.colour)
+        maps.coverage.push_back(each.a);
+    return maps;
+}
+
 QRgb barkPixel(const BarkSample& sample, const glm::vec3& right, const glm::vec3& up,
                const glm::vec3& outward)
 {
@@ -190,17 +201,28 @@ QImage leafPicture(const LeafParams& leaf, bool turns, int size, const PicturePa
     const Material material = leavesMaterial(leaf.shape, turns, pictures);
     std::optional<LeafMaps> maps;
     if (!pictures.isEmpty()) {
-        const SurfaceImages images = surfaceImages(material);
-        maps = {images.size, images.base, colourOf(images.colour), colourOf(images.normal), {}, {}, {}};
-        for (const glm::u8vec4& each : images.colour)
-            maps->coverage.push_back(each.a);
+        maps = imageMaps(material);
     } else if (leaf.shape != LeafShape::Faithful) {
         if (auto made = leafMaps(leaf.shape, std::clamp(size, leastLeafSize, mostLeafSize)))
             maps = std::move(*made);
         if (maps)
             maps->coverage.clear(); // the mesh has the outline
     }
-    return smooth(LeafPainter(mesh, material, maps, finer * size).paint());
+    return smooth(OrganPainter(mesh, material, maps, finer * size).paint());
+}
+
+QImage fruitPicture(const FruitParams& fruit, int size, const PictureParams& pictures)
+{
+    const FruitForm form = fruitForm(fruit);
+    TriangleMesh mesh = fruitMesh(form);
+    const Material material = applesMaterial(fruit.kind, pictures);
+    std::optional<LeafMaps> maps;
+    if (!pictures.isEmpty()) {
+        addAppleTexture(mesh, form);
+        mesh.colours.clear(); // the picture takes their place
+        maps = imageMaps(material);
+    }
+    return smooth(OrganPainter(mesh, material, maps, finer * size).paint());
 }
 
 QImage barkPicture(const Material& material, int size, const Progress& progress)

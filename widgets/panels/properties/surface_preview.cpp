@@ -10,6 +10,21 @@ namespace {
 
 constexpr int side = 112; ///< of one picture, device-independent pixels
 
+const char* nameOf(SurfacePreview::Surface surface)
+{
+    switch (surface) {
+    case SurfacePreview::Surface::Leaf:
+        return "leafPreview";
+    case SurfacePreview::Surface::Fruit:
+        return "fruitPreview";
+    case SurfacePreview::Surface::Bark:
+        return "barkPreview";
+    case SurfacePreview::Surface::Object:
+        return "objectPreview";
+    }
+    return "";
+}
+
 } // namespace
 
 SurfacePreview::SurfacePreview(Document* document, Surface surface, QWidget* parent)
@@ -17,9 +32,7 @@ SurfacePreview::SurfacePreview(Document* document, Surface surface, QWidget* par
     , m_document(document)
     , m_surface(surface)
 {
-    setObjectName(surface == Surface::Leaf   ? QStringLiteral("leafPreview")
-                  : surface == Surface::Bark ? QStringLiteral("barkPreview")
-                                             : QStringLiteral("objectPreview"));
+    setObjectName(QLatin1String(nameOf(surface)));
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     connect(document, &Document::changed, this, [this](const Change& change) {
         if (change.has(changeParams | changeReset | changeStructure))
@@ -36,13 +49,30 @@ SurfacePreview::SurfacePreview(Document* document, Surface surface, QWidget* par
 
 QSize SurfacePreview::sizeHint() const
 {
-    return {m_surface == Surface::Leaf ? side : 2 * side, side};
+    const bool isBall = m_surface == Surface::Bark || m_surface == Surface::Object;
+    return {isBall ? 2 * side : side, side};
 }
 
 void SurfacePreview::setNode(NodeId node)
 {
     m_node = node;
     refresh();
+}
+
+Material SurfacePreview::materialOf(const Node& node, bool turns) const
+{
+    const NodeParams& params = node.params;
+    switch (m_surface) {
+    case Surface::Leaf:
+        return leavesMaterial(params.leaf.shape, turns, params.leafPictures);
+    case Surface::Fruit:
+        return applesMaterial(params.fruit.kind, params.fruitPictures);
+    case Surface::Bark:
+        return barkMaterial(params.bark, params.barkPictures);
+    case Surface::Object:
+        break;
+    }
+    return nodeMaterial(node, params);
 }
 
 /// Asks for another picture where what it shows has changed; while nobody sees it, not yet.
@@ -56,22 +86,23 @@ void SurfacePreview::refresh()
         return;
     const NodeParams& params = node->params;
     const bool turns = params.leaf.season > 0.5;
-    const Material material = m_surface == Surface::Object ? nodeMaterial(*node, params)
-                              : m_surface == Surface::Bark
-                                  ? barkMaterial(params.bark, params.barkPictures)
-                                  : leavesMaterial(params.leaf.shape, turns, params.leafPictures);
-    if (m_isAsked && m_leaf == params.leaf && m_material == material && m_turns == turns)
+    const Material material = materialOf(*node, turns);
+    if (m_isAsked && m_leaf == params.leaf && m_fruit == params.fruit && m_material == material &&
+        m_turns == turns)
         return;
     m_leaf = params.leaf;
+    m_fruit = params.fruit;
     m_material = material;
     m_turns = turns;
     m_isAsked = true;
     const int size = static_cast<int>(side * devicePixelRatioF());
     m_job.start(
-        [surface = m_surface, leaf = m_leaf, material, turns, size](const Progress& progress) {
+        [surface = m_surface, leaf = m_leaf, fruit = m_fruit, material, turns,
+         size](const Progress& progress) {
             return Expected<QImage>(surface == Surface::Leaf
                                         ? leafPicture(leaf, turns, size, material.pictures)
-                                        : barkPicture(material, size, progress));
+                                    : surface == Surface::Fruit ? fruitPicture(fruit, size, material.pictures)
+                                                                : barkPicture(material, size, progress));
         },
         [this](Expected<QImage>&& made) {
             if (!made || made->isNull())
@@ -84,9 +115,10 @@ void SurfacePreview::refresh()
 
 void SurfacePreview::retranslate()
 {
-    setToolTip(m_surface == Surface::Leaf   ? tr("One leaf from above, without its neighbours")
-               : m_surface == Surface::Bark ? tr("The bark on a ball, and one tile of it")
-                                            : tr("The surface on a ball, and one tile of it"));
+    setToolTip(m_surface == Surface::Leaf    ? tr("One leaf from above, without its neighbours")
+               : m_surface == Surface::Fruit ? tr("One fruit or flower from the side, with its stalk")
+               : m_surface == Surface::Bark  ? tr("The bark on a ball, and one tile of it")
+                                             : tr("The surface on a ball, and one tile of it"));
     setAccessibleName(toolTip());
     if (m_larger) {
         m_larger->setText(tr("Larger…"));

@@ -1,6 +1,6 @@
 /// \file
-/// Below the choice of a leaf, a bark or the picture of another surface in the properties: what it looks
-/// like, made in the background while the numbers are dragged.
+/// Below the choice of a leaf, a fruit, a bark or the picture of another surface in the properties: what it
+/// looks like, made in the background while the numbers are dragged.
 #pragma once
 
 #include "core/document/document.h"
@@ -17,7 +17,7 @@ class SurfacePreview : public QWidget
 {
     Q_OBJECT
 public:
-    enum class Surface : std::uint8_t { Leaf, Bark, Object };
+    enum class Surface : std::uint8_t { Leaf, Fruit, Bark, Object };
 
     /// \param document is not owned and must outlive the preview.
     SurfacePreview(Document* document, Surface surface, QWidget* parent);
@@ -43,6 +43,7 @@ protected:
 
 private:
     void refresh();
+    [[nodiscard]] Material materialOf(const Node& node, bool turns) const;
     void retranslate();
 
     void placeButton();
@@ -51,6 +52,7 @@ private:
     Surface m_surface;
     NodeId m_node = noNode;
     LeafParams m_leaf;
+    FruitParams m_fruit;
     Material m_material;
     bool m_turns = false;
     bool m_isAsked = false; ///< a picture of these was asked for

@@ -6,6 +6,7 @@
 #include "core/surface/mesher/rough_model.h"
 #include "core/surface/texture/object_texture.h"
 #include "widgets/view/render/arm_items.h"
+#include "widgets/view/render/crown_marks.h"
 #include "widgets/view/render/ground_height.h"
 #include "widgets/view/render/isolated_parts.h"
 #include "widgets/view/render/line_art.h"
@@ -471,6 +472,30 @@ void outlineSelected(RenderScene& built, ScenePartCache& cache, const Scene& sce
                                                       : item.outlined;
 }
 
+/// What these trees grow to fill. Nobody frames or picks it.
+void addCrowns(RenderScene& built, EvaluatedScene& now, const std::vector<NodeId>& selected)
+{
+    for (std::size_t i = 0; i < now.scene().nodes().size(); ++i) {
+        const Node& node = now.scene().nodes()[i];
+        if (node.kind != NodeKind::Tree || !now.scene().isShown(node.id) ||
+            std::ranges::find(selected, node.id) == selected.end())
+            continue;
+        const NodeParams params = now.params(node);
+        if (params.generator.kind != TreeGenerator::Colonisation)
+            continue;
+        const auto seed = static_cast<std::uint64_t>(params.grammar.seed);
+        LineItem lines;
+        lines.lines = std::make_shared<const LineSet>(crownLines(params.colonisation));
+        PointItem points;
+        points.points = std::make_shared<const PointSet>(crownMarks(params.colonisation, seed));
+        lines.world = points.world = now.transforms()[i].geometry;
+        lines.node = points.node = node.id;
+        lines.throughSurfaces = points.throughSurfaces = true;
+        built.lines.push_back(std::move(lines));
+        built.points.push_back(std::move(points));
+    }
+}
+
 } // namespace
 
 bool isBarkReady(const TextureStage& texture, const NodeParams& params)
@@ -516,6 +541,8 @@ RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, c
     outlineSelected(built, *m_cache, scene, resultOf, view);
     updateHighlights(built, resultOf, view);
     built.updateBoxes();
+    if (view.crowns)
+        addCrowns(built, now, view.selectedNodes);
     m_cache->dropUnused();
     return built;
 }

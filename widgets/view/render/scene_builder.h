@@ -30,6 +30,7 @@ struct SceneView
     bool apples = true;
     FrameDisplay frames = FrameDisplay::None;
     std::vector<NodeId> selectedNodes; ///< shown with an outline, with all below them
+    bool crowns = false;               ///< what selected trees grow to fill
     NodeId branchNode = noNode;        ///< the tree whose branches are selected
     std::vector<Index> branches;       ///< of its simplified skeleton
     Index activeBranch = noIndex;

@@ -9,6 +9,7 @@
 #include "widgets/panels/properties/group_section.h"
 #include "widgets/panels/properties/param_row.h"
 #include "widgets/panels/properties/picture_editor.h"
+#include "widgets/panels/properties/profile_curve.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include <QColorDialog>
 #include <numbers>
@@ -75,8 +76,7 @@ private:
         }
     }
 
-    /// Types something else into the first editor of the row.
-    /// \param part of the range, for numbers
+    /// Types something else into the first editor of the row. \param part of the range, for numbers
     void typeAnother(ParamRow* row, double part = 0.27)
     {
         if (auto* field = row->findChild<NumberField*>()) {
@@ -90,6 +90,8 @@ private:
             field->selectAll();
             QTest::keyClicks(field, QString::number(typed));
             QTest::keyClick(field, Qt::Key_Return);
+        } else if (auto* curve = row->findChild<ProfileCurve*>()) {
+            test::typeLine(curve->parentWidget(), "0 1, 1 0.5");
         } else if (auto* box = row->findChild<QCheckBox*>()) {
             box->setFocus();
             QTest::keyClick(box, Qt::Key_Space);
@@ -133,13 +135,16 @@ private:
         }
     }
 
-    /// All of it marked and cut by the menu of a right click. Where there was no text, some is pasted that
-    /// way.
+    /// All is marked and cut by the menu of a right click; where there was no text, some is pasted.
     void cutByMouse(ParamRow* row, const ParamDef& def)
     {
         if (auto* picture = row->findChild<PictureEditor*>()) {
             test::dropFiles(picture, {QUrl::fromLocalFile(QStringLiteral("/pictures/bark.png"))});
             return;
+        }
+        if (auto* curve = row->findChild<ProfileCurve*>()) {
+            const QPoint handle = curve->handleAt(curve->pairs().front()).toPoint();
+            return test::drag(curve, handle, handle + QPoint(20, 0));
         }
         auto* text = row->findChild<GrammarEdit*>();
         const bool empty = std::get<std::string>(valueOf(*m_document, 1, def)).empty();

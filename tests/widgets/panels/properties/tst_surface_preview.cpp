@@ -1,4 +1,4 @@
-// What a leaf and a bark look like, beside the numbers that make them.
+// What a leaf, a fruit and a bark look like, beside the numbers that make them.
 #include "core/document/commands.h"
 #include "core/params/presets.h"
 #include "tests/widgets/base/fixture.h"
@@ -57,6 +57,29 @@ private slots:
         QCOMPARE(covered(leafPicture(flat, false, size)), 0.0); // nothing to see, and nothing breaks
     }
 
+    void everyFruitIsShown()
+    {
+        QSet<QByteArray> seen;
+        for (int kind = 0; kind < fruitKindCount; ++kind) {
+            FruitParams fruit;
+            fruit.kind = static_cast<FruitKind>(kind);
+            const QImage picture = fruitPicture(fruit, size);
+            QCOMPARE(picture.size(), QSize(size, size));
+            QVERIFY2(covered(picture) > 0.01 && covered(picture) < 0.95, qPrintable(QString::number(kind)));
+            QCOMPARE(fruitPicture(fruit, size), picture);
+            seen.insert(
+                QByteArray(reinterpret_cast<const char*>(picture.constBits()), picture.sizeInBytes()));
+        }
+        QCOMPARE(seen.size(), qsizetype{fruitKindCount});
+        FruitParams apple;
+        apple.kind = FruitKind::Apple;
+        const QImage before = fruitPicture(apple, size);
+        apple.stalk = 2.0;
+        QVERIFY(covered(fruitPicture(apple, size)) < covered(before)); // smaller beside its long stalk
+        apple.size = 0.0;
+        fruitPicture(apple, size); // nothing breaks
+    }
+
     void everyBarkIsShown()
     {
         for (int family = 0; family <= static_cast<int>(BarkFamily::Bamboo); ++family) {
@@ -88,7 +111,8 @@ private slots:
     {
         test::TreeDocument trees;
         const NodeId tree = trees.add(*presetParams("TinyTree"));
-        for (const auto surface : {SurfacePreview::Surface::Leaf, SurfacePreview::Surface::Bark}) {
+        using Surface = SurfacePreview::Surface;
+        for (const auto surface : {Surface::Leaf, Surface::Fruit, Surface::Bark}) {
             QWidget window;
             auto* preview = new SurfacePreview(&trees.document(), surface, &window);
             window.show();
@@ -97,12 +121,13 @@ private slots:
             QVERIFY(preview->isVisible());
             QTRY_VERIFY(!preview->picture().isNull());
             const QImage before = preview->picture();
-            const bool isLeaf = surface == SurfacePreview::Surface::Leaf;
             const auto set = [&](const char* key, ParamValue value) {
                 return edit::setParam(trees.document(), {tree}, *findParam(key), std::move(value))
                     .has_value();
             };
-            QVERIFY(isLeaf ? set("foliage.leafFold", 1.0) : set("bark.moss", 0.8));
+            QVERIFY(surface == Surface::Leaf    ? set("foliage.leafFold", 1.0)
+                    : surface == Surface::Fruit ? set("foliage.fruit", EnumValue{"pear"})
+                                                : set("bark.moss", 0.8));
             QTRY_VERIFY(preview->picture() != before);
             trees.document().undoStack()->undo();
             QTRY_VERIFY(preview->picture() == before);
@@ -123,6 +148,12 @@ private slots:
             LeafParams leaf;
             leaf.shape = shape;
             const QColor middle = leafPicture(leaf, false, 64, pictures).pixelColor(32, 36);
+            QVERIFY(middle.blue() > 80 && middle.red() < 30 && middle.green() < 30);
+        }
+        for (const auto kind : {FruitKind::Faithful, FruitKind::Apple}) {
+            FruitParams fruit;
+            fruit.kind = kind;
+            const QColor middle = fruitPicture(fruit, 64, pictures).pixelColor(30, 40);
             QVERIFY(middle.blue() > 80 && middle.red() < 30 && middle.green() < 30);
         }
         const QImage ball = barkPicture(barkMaterial({}, pictures), 64);

@@ -1,5 +1,9 @@
-#include "widgets/window/picture_button.h"
+#include "widgets/panels/presets/picture_button.h"
 
+#include <QApplication>
+#include <QDrag>
+#include <QMimeData>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -13,13 +17,39 @@ constexpr qreal radius = 7.0;
 
 } // namespace
 
-PictureButton::PictureButton(const QString& picture, QWidget* parent)
+PictureButton::PictureButton(const QString& preset, QWidget* parent)
     : QAbstractButton(parent)
-    , m_picture(picture)
+    , m_preset(preset)
+    , m_picture(QStringLiteral(":/welcome/%1.png").arg(preset))
 {
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::PointingHandCursor);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+int PictureButton::usualWidth()
+{
+    return pictureSize.width() + 2 * margin;
+}
+
+void PictureButton::mousePressEvent(QMouseEvent* event)
+{
+    m_pressed = event->pos();
+    QAbstractButton::mousePressEvent(event);
+}
+
+void PictureButton::mouseMoveEvent(QMouseEvent* event)
+{
+    const bool far = (event->pos() - m_pressed).manhattanLength() >= QApplication::startDragDistance();
+    if (!event->buttons().testFlag(Qt::LeftButton) || !far)
+        return QAbstractButton::mouseMoveEvent(event);
+    setDown(false);
+    auto* drag = new QDrag(this);
+    auto* named = new QMimeData;
+    named->setData(QLatin1String(presetMimeType), m_preset.toLatin1());
+    drag->setMimeData(named);
+    drag->setPixmap(m_picture.scaledToWidth(pictureSize.width() / 2, Qt::SmoothTransformation));
+    drag->exec(Qt::CopyAction);
 }
 
 QSize PictureButton::sizeHint() const
