@@ -5,6 +5,7 @@
 #include "app/cli/virtual_display.h"
 #include "app/cli/work.h"
 #include "core/evaluate/evaluator.h"
+#include "widgets/view/render/camera_items.h"
 #include "widgets/view/render/offscreen_renderer.h"
 #include "widgets/view/render/picture_file.h"
 #include "widgets/view/render/scene_builder.h"
@@ -120,18 +121,47 @@ Expected<RenderScene> treeScene(EvaluatedScene& now, DisplayMode mode)
     return SceneBuilder().build(now, resultOf, view);
 }
 
-Expected<RenderScene> sceneOf(const Input& input, const CommandLine& line, DisplayMode mode,
-                              Evaluator& evaluator, double timeSeconds, const Progress& progress)
+/// The camera of this name; noNode where none is asked for.
+Expected<NodeId> cameraNode(const Input& input, const QString& name)
+{
+    if (name.isEmpty())
+        return noNode;
+    QStringList names;
+    for (const Node& node : input.scene() ? input.scene()->nodes() : std::vector<Node>()) {
+        if (node.kind != NodeKind::Camera)
+            continue;
+        names << QString::fromStdString(node.name);
+        if (names.back() == name)
+            return node.id;
+    }
+    if (names.isEmpty())
+        return fail(ErrorCode::Unknown, "--camera \"%1\": EX,EY,EZ,TX,TY,TZ[,ANGLE] expected: there is no camera",
+                    {name.toStdString()});
+    return fail(ErrorCode::Unknown, "--camera \"%1\": no camera has this name, there is %2",
+                {name.toStdString(), commaList(names).toStdString()});
+}
+
+struct Sight
+{
+    RenderScene scene;
+    std::optional<NodeView> through; ///< of the camera that was asked for
+};
+
+Expected<Sight> sceneOf(const Input& input, const CommandLine& line, const Request& request, NodeId camera,
+                        Evaluator& evaluator, double timeSeconds, const Progress& progress)
 {
     if (input.scene()) {
         EvaluatedScene now = evaluator.at(*input.scene(), timeSeconds);
         if (auto posed = now.poseArms(progress); !posed)
             return fail(std::move(posed.error()));
-        return treeScene(now, mode);
+        auto scene = treeScene(now, request.mode);
+        if (!scene)
+            return fail(std::move(scene.error()));
+        return Sight{std::move(*scene), viewThrough(now, camera)};
     }
-    if (line.has("mode") && mode != DisplayMode::Mesh)
+    if (line.has("mode") && request.mode != DisplayMode::Mesh)
         return fail(ErrorCode::Invalid, "--mode needs a tree: the input is a mesh");
-    return sceneOfMesh(input.mesh()->joined());
+    return Sight{sceneOfMesh(input.mesh()->joined()), {}};
 }
 
 /// The platform without windows of Qt: all it needs is the X server behind DISPLAY, where it finds OpenGL.
@@ -148,10 +178,11 @@ public:
         m_renderer.emplace();
         return m_renderer->begin();
     }
-    Expected<void> draw(const RenderScene& scene, const Camera& camera, const Request& request,
+    Expected<void> draw(const RenderScene& scene, const NodeView& view, const Request& request,
                         const QString& file)
     {
-        const auto image = m_renderer->draw(scene, camera, request.size, optionsFor(request.picture, camera));
+        const auto image =
+            m_renderer->draw(scene, view.camera, request.size, optionsFor(request.picture, view));
         if (!image)
             return fail(image.error());
         return savePicture(*image, systemPath(file));
@@ -181,7 +212,7 @@ Expected<void> drawTurntable(Painter& painter, const RenderScene& scene, Camera 
     const double start = camera.yawRad;
     for (int i = 0; i < request.turntable; ++i) {
         camera.yawRad = start + 2.0 * std::numbers::pi * i / request.turntable;
-        if (auto drawn = painter.draw(scene, camera, request, numberedFile(request.file, i)); !drawn)
+        if (auto drawn = painter.draw(scene, {camera, {}}, request, numberedFile(request.file, i)); !drawn)
             return drawn;
         progress.report(double(i + 1) / request.turntable);
         if (progress.cancelled())
@@ -191,7 +222,7 @@ Expected<void> drawTurntable(Painter& painter, const RenderScene& scene, Camera 
 }
 
 /// One picture, one for each frame, or one from each side. The camera of a sequence is that of its first
-/// frame.
+/// frame, or a node's as it moves.
 Expected<void> drawAll(const Input& input, const CommandLine& line, const Request& request,
                        const Moments& moments, const Progress& progress)
 {
@@ -199,22 +230,26 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Reques
     Evaluator evaluator(pipelineSource(pipeline), moments.timeline);
     Painter painter;
     std::optional<Camera> camera;
+    const auto node = cameraNode(input, request.picture.cameraNode);
+    if (!node)
+        return fail(node.error());
     const std::vector<std::int64_t> frames =
         moments.isSequence() ? moments.frames : std::vector<std::int64_t>{0};
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const double time = moments.isSequence() ? moments.timeOf(frames[i]) : moments.timeSeconds;
-        const auto scene = sceneOf(input, line, request.mode, evaluator, time, progress);
-        if (!scene)
-            return fail(scene.error());
+        const auto shown = sceneOf(input, line, request, *node, evaluator, time, progress);
+        if (!shown)
+            return fail(shown.error());
         if (!camera) {
             if (auto begun = painter.begin(); !begun)
                 return begun;
-            camera = request.picture.camera ? *request.picture.camera : cameraFor(*scene, request.size);
+            camera = request.picture.camera ? *request.picture.camera : cameraFor(shown->scene, request.size);
         }
         if (request.turntable > 0)
-            return drawTurntable(painter, *scene, *camera, request, progress);
+            return drawTurntable(painter, shown->scene, *camera, request, progress);
         const QString file = moments.isSequence() ? numberedFile(request.file, frames[i]) : request.file;
-        if (auto drawn = painter.draw(*scene, *camera, request, file); !drawn)
+        const NodeView view = shown->through.value_or(NodeView{*camera, {}});
+        if (auto drawn = painter.draw(shown->scene, view, request, file); !drawn)
             return drawn;
         progress.report(double(i + 1) / double(frames.size()));
         if (progress.cancelled())

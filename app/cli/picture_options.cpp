@@ -44,7 +44,7 @@ Expected<std::vector<double>> numbersOf(const CommandLine& line, const char* opt
 
 Expected<Camera> cameraOf(const CommandLine& line)
 {
-    const char* form = "EX,EY,EZ,TX,TY,TZ[,ANGLE], metres and degrees,";
+    const char* form = "EX,EY,EZ,TX,TY,TZ[,ANGLE], metres and degrees, or the name of a camera";
     const auto numbers = numbersOf(line, "camera", 6, 7, form);
     if (!numbers)
         return fail(numbers.error());
@@ -138,8 +138,9 @@ void addPictureOptions(CommandLine& line)
 {
     line.add({QStringLiteral("camera")},
              QStringLiteral("Where the camera stands and what it looks at, in metres, and its vertical angle "
-                            "in degrees (40 without it). Without this option it shows all that is visible."),
-             QStringLiteral("EX,EY,EZ,TX,TY,TZ[,ANGLE]"));
+                            "in degrees (40 without it); or the name of a camera of the scene, which moves as its keys "
+                            "say. Without this option all that is visible is shown."),
+             QStringLiteral("EX,EY,EZ,TX,TY,TZ[,ANGLE]|NAME"));
     line.add({QStringLiteral("sun")},
              QStringLiteral("Where the sun stands: degrees clockwise from the north (-Z; 90 is the east, X), "
                             "and its height over the horizon, 2 to 90; 136,46 without it."),
@@ -211,7 +212,10 @@ Expected<PictureOptions> pictureOptionsOf(const CommandLine& line)
     if (!out.skyFile.isEmpty() && QFileInfo(out.skyFile).suffix().toLower() != QLatin1String("hdr"))
         return fail(ErrorCode::Unknown, "%1: unknown file ending: the sky is written as .hdr",
                     {out.skyFile.toStdString()});
-    if (line.has("camera")) {
+    const QString seenFrom = line.value("camera");
+    if (!seenFrom.isEmpty() && !seenFrom.contains(u',')) {
+        out.cameraNode = seenFrom;
+    } else if (line.has("camera")) {
         const auto camera = cameraOf(line);
         if (!camera)
             return fail(camera.error());
@@ -220,11 +224,12 @@ Expected<PictureOptions> pictureOptionsOf(const CommandLine& line)
     return out;
 }
 
-RenderOptions optionsFor(const PictureOptions& picture, const Camera& camera)
+RenderOptions optionsFor(const PictureOptions& picture, const NodeView& view)
 {
     RenderOptions options = picture.options;
+    options.lens = view.lens;
     if (picture.fStop > 0.0)
-        options.lens = {Lens::diameterOf(picture.fStop, camera.fovRad), picture.focus};
+        options.lens = {Lens::diameterOf(picture.fStop, view.camera.fovRad), picture.focus};
     return options;
 }
 

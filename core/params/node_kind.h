@@ -13,8 +13,9 @@ enum class NodeKind : std::uint8_t {
     Mesh,      ///< an imported mesh, kept in the node
     Arm,       ///< an articulated arm with its skin
     Terrain,   ///< a terrain
+    Camera,    ///< what a picture is seen from
 };
-inline constexpr int nodeKindCount = 6;
+inline constexpr int nodeKindCount = 7;
 
 constexpr std::uint8_t kindBit(NodeKind kind)
 {

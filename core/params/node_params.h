@@ -8,6 +8,7 @@
 #include "core/params/arm_params.h"
 #include "core/params/bark_params.h"
 #include "core/params/branch_place.h"
+#include "core/params/camera_params.h"
 #include "core/params/colonisation_params.h"
 #include "core/params/fruit_params.h"
 #include "core/params/leaf_params.h"
@@ -155,6 +156,7 @@ struct NodeParams
     ArmSolverParams ik;
     ArmSkinParams armSkin;
     TerrainParams terrain;
+    CameraParams camera;
     std::vector<ArmJoint> joints = defaultArmJoints(); ///< of an arm, from the foot on
     std::map<std::uint64_t, BranchParams>
         branches; ///< by Skeleton::name; only branches that differ from the default

@@ -228,6 +228,23 @@ inline constexpr std::array nodeRows{
         {"terrain.divisions", terrainGroup, RAMURE_NOOP("Divisions"),
          RAMURE_NOOP("Cells of the grid along a side.")},
         ParamUnit::Count, {1, 1024, 8, 256, 1, 0}, Stage::Mesh, paramNone, terrainOnly),
+
+    row<&NodeParams::camera, &CameraParams::angleRad>(
+        {"camera.angle", cameraGroup, RAMURE_NOOP("Angle of view"),
+         RAMURE_NOOP("From the top of the picture to its bottom: a wide lens has a large one. 27° is a lens of 50 mm before a "
+                     "film of 24 mm.")},
+        ParamUnit::Radian, {pi / 180, 150 * pi / 180, pi / 36, pi / 2, pi / 180, 4}, Stage::Placement, paramAnimatable,
+        cameraOnly),
+    row<&NodeParams::camera, &CameraParams::fStop>(
+        {"camera.fStop", cameraGroup, RAMURE_NOOP("F-stop"),
+         RAMURE_NOOP("Focal length over the opening of the lens: the smaller, the less is sharp. 0 leaves everything sharp. "
+                     "Seen in pictures that are drawn aside, not in the view.")},
+        ParamUnit::None, {0, 128, 0, 16, 0.1, 2}, Stage::Placement, paramAnimatable, cameraOnly),
+    row<&NodeParams::camera, &CameraParams::focus>(
+        {"camera.focus", cameraGroup, RAMURE_NOOP("Focus"),
+         RAMURE_NOOP("How far away is what the lens shows sharp.")},
+        ParamUnit::Metre, {0.001, 1e4, 0.1, 30, 0.1, 3}, Stage::Placement, paramAnimatable, cameraOnly,
+        hasLens),
 };
 // clang-format on
 

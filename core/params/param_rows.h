@@ -93,9 +93,10 @@ inline constexpr std::uint8_t primitiveOnly = kindBit(NodeKind::Primitive);
 inline constexpr std::uint8_t objectKinds = kindBit(NodeKind::Primitive) | kindBit(NodeKind::Mesh);
 inline constexpr std::uint8_t armOnly = kindBit(NodeKind::Arm);
 inline constexpr std::uint8_t terrainOnly = kindBit(NodeKind::Terrain);
-/// All but groups, which have no geometry.
+inline constexpr std::uint8_t cameraOnly = kindBit(NodeKind::Camera);
 inline constexpr std::uint8_t everyKind = 0xFF;
-inline constexpr std::uint8_t shapedKinds = everyKind & ~kindBit(NodeKind::Group);
+/// All that have a geometry.
+inline constexpr std::uint8_t shapedKinds = everyKind & ~kindBit(NodeKind::Group) & ~cameraOnly;
 
 using Condition = bool(const NodeParams&);
 inline constexpr Condition* growsByChance = [](const NodeParams& p) { return p.grammar.stochastic; };
@@ -120,6 +121,7 @@ inline constexpr Condition* isOfPlant = [](const NodeParams& p) {
     return p.leaf.shape != LeafShape::Faithful;
 };
 inline constexpr Condition* isHung = [](const NodeParams& p) { return p.fruit.kind != FruitKind::Faithful; };
+inline constexpr Condition* hasLens = [](const NodeParams& p) { return p.camera.fStop > 0.0; };
 inline constexpr Condition* softensForks = [](const NodeParams& p) { return p.mesh.forkSoftness > 0.0; };
 
 template <auto... Path>
@@ -205,5 +207,6 @@ inline constexpr const char* armGroup = RAMURE_NOOP("Arm");
 inline constexpr const char* ikGroup = RAMURE_NOOP("Inverse kinematics");
 inline constexpr const char* armSkinGroup = RAMURE_NOOP("Skin of the arm");
 inline constexpr const char* terrainGroup = RAMURE_NOOP("Terrain");
+inline constexpr const char* cameraGroup = RAMURE_NOOP("Camera");
 
 } // namespace ramure::rows

@@ -205,11 +205,38 @@ private slots:
             isRefused(runCli({"render", "preset:TinyTree", "-o", path("full.png"), "--size", "64x64"}, bare),
                       "No space left on device"));
     }
+    void camerasOfTheSceneTakePictures()
+    {
+        const QString file = path("film.ramure");
+        test::write(file, R"({"format": "ramure", "version": 1, "nodes": [
+            {"id": 1, "kind": "primitive", "name": "Box", "params": {"primitive.shape": "box"}},
+            {"id": 2, "kind": "camera", "name": "Front", "params": {"tree.translation": [0, 1, 5]}},
+            {"id": 3, "kind": "camera", "name": "Near", "params": {"tree.translation": [0, 1, 3],
+             "camera.angle": 0.8, "camera.fStop": 0.05, "camera.focus": 9}}]})");
+        const auto drawn = [&](const QStringList& more) {
+            const test::CliRun run = runCli(
+                QStringList{"render", file, "-o", path("seen.png"), "--size", "96x64", "--quality", "draft"} +
+                more);
+            if (run.code != 0)
+                qWarning("%s", qPrintable(run.err));
+            return QImage(path("seen.png"));
+        };
+        const QImage front = drawn({"--camera", "Front"});
+        QCOMPARE(front, drawn({"--camera", "0,1,5,0,1,0,26.986"}));
+        QCOMPARE(front, drawn({"--camera", "Front", "--node", "Box"}));
+        const QImage near = drawn({"--camera", "Near"});
+        QCOMPARE(near, drawn({"--camera", "0,1,3,0,1,-6,45.8366", "--f-stop", "0.05"}));
+        QVERIFY(near != drawn({"--camera", "0,1,3,0,1,-6,45.8366"}));
+        const auto why = runCli({"render", file, "-o", path("no.png"), "--camera", "Back"});
+        QVERIFY(isRefused(why, "no camera has this name"));
+        QVERIFY(why.err.contains("Front") && why.err.contains("Near"));
+    }
     void renderRefusesBadLightAndCameras()
     {
         const auto refused = [&](const char* option, const char* value, const char* why) {
             return isRefused(runCli({"render", "preset:TinyTree", "-o", path("no.png"), option, value}), why);
         };
+        QVERIFY(refused("--camera", "Front", "there is no camera"));
         for (const char* camera :
              {"", "1,2,3", "1,2,3,4,5,6,7,8", "1,2,3,4,5,x", "1,2,3,4,5,nan", "1,2,3,4,5,1e9"})
             QVERIFY(refused("--camera", camera, "EX,EY,EZ,TX,TY,TZ[,ANGLE]"));

@@ -11,6 +11,7 @@
 #include "widgets/base/icons.h"
 #include "widgets/base/node_words.h"
 #include "widgets/base/targets.h"
+#include "widgets/view/render/camera_items.h"
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QKeyEvent>
@@ -194,14 +195,18 @@ void EditActions::newTree()
     reportFailure(edit::newTree(*m_document, targetTrees(*m_document)));
 }
 
+/// Beside the active node.
+NodeId EditActions::parentOfNew() const
+{
+    const Node* active = m_document->scene().find(m_document->selection().activeNode());
+    return active ? (active->kind == NodeKind::Group ? active->id : active->parent) : noNode;
+}
+
 void EditActions::addNode(Node node)
 {
-    // Beside the active node.
-    const Scene& scene = m_document->scene();
-    const Node* active = scene.find(m_document->selection().activeNode());
-    const NodeId parent = active ? (active->kind == NodeKind::Group ? active->id : active->parent) : noNode;
+    const NodeId parent = parentOfNew();
     node.id = 1; // replaced by the document
-    const int row = static_cast<int>(scene.children(parent).size());
+    const int row = static_cast<int>(m_document->scene().children(parent).size());
     reportFailure(edit::insertNodes(*m_document, {std::move(node)}, parent, row));
 }
 
@@ -220,6 +225,16 @@ void EditActions::addKind(const NodeKindRow& row)
     node.name = coreText(row.label).toStdString();
     if (row.begin)
         row.begin(node.params);
+    if (row.kind == NodeKind::Camera && m_eye) {
+        const Camera eye = m_eye();
+        const glm::dmat4 above = worldMatrix(m_document->scene(), parentOfNew());
+        if (const auto place = decomposePlacement(glm::inverse(above) * standingOf(eye))) {
+            node.params.tree.translation = place->translation;
+            node.params.tree.rotation = place->rotation;
+        }
+        node.params.camera.angleRad = eye.fovRad;
+        node.params.camera.focus = eye.distance;
+    }
     addNode(std::move(node));
 }
 

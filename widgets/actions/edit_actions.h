@@ -4,7 +4,9 @@
 
 #include "core/document/document.h"
 #include "widgets/base/chooser.h"
+#include "widgets/view/render/camera.h"
 #include <QObject>
+#include <functional>
 #include <map>
 
 class QAction;
@@ -32,6 +34,9 @@ public:
     [[nodiscard]] QList<QAction*> nodeActions() const;
     void retranslate();
 
+    /// From where the artist looks: a new camera stands there.
+    void setEye(std::function<Camera()> eye) { m_eye = std::move(eye); }
+
     void newTree();
     void addTree(const QString& preset);
     void addKind(const NodeKindRow& row);
@@ -57,6 +62,7 @@ private:
     [[nodiscard]] std::map<std::uint64_t, glm::dvec3> bentBranches() const;
     void toggleVisible();
     void toggleLocked();
+    [[nodiscard]] NodeId parentOfNew() const;
     void addNode(Node node);
     void report(const Error& error);
     template <class Value> void reportFailure(const Expected<Value>& done)
@@ -69,6 +75,7 @@ private:
     Document* m_document;
     Chooser* m_chooser;
     ActionSet* m_set;
+    std::function<Camera()> m_eye;
     QAction* m_undo;
     QAction* m_redo;
     QAction* m_newTree;

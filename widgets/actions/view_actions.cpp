@@ -1,6 +1,7 @@
 #include "widgets/actions/view_actions.h"
 
 #include "widgets/actions/bookmark_actions.h"
+#include "widgets/actions/camera_actions.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/language.h"
 #include "widgets/base/preferences.h"
@@ -19,8 +20,10 @@ ViewActions::ViewActions(Document* document, ViewportHost* host, Preferences* pr
     , m_host(host)
     , m_preferences(preferences)
     , m_bookmarks(new BookmarkActions(document, host, set, this))
+    , m_cameras(new CameraActions(document, host, set, this))
 {
     connect(m_bookmarks, &BookmarkActions::messageRaised, this, &ViewActions::messageRaised);
+    connect(m_cameras, &CameraActions::messageRaised, this, &ViewActions::messageRaised);
     addFraming(set);
     addAxes(set);
     addMoves(set);
@@ -304,6 +307,7 @@ void ViewActions::fillMenu(QMenu* menu, const QList<QAction*>& panels, QAction* 
     m_moveMenu = menu->addMenu(QString());
     m_moveMenu->addActions(m_moves);
     m_bookmarks->fillMenu(menu);
+    m_cameras->fillMenu(menu);
     menu->addSeparator();
     menu->addActions(m_modes->actions());
     menu->addSeparator();
@@ -335,6 +339,7 @@ void ViewActions::retranslate()
     m_axisMenu->setTitle(tr("&View from"));
     m_moveMenu->setTitle(tr("M&ove the view"));
     m_bookmarks->retranslate();
+    m_cameras->retranslate();
     m_panelMenu->setTitle(tr("Pa&nels"));
     m_themeMenu->setTitle(tr("&Theme"));
     m_unitMenu->setTitle(tr("&Angles in"));

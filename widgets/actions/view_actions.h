@@ -13,6 +13,7 @@ namespace ramure {
 
 class ActionSet;
 class BookmarkActions;
+class CameraActions;
 class Document;
 class Preferences;
 class ViewportHost;
@@ -53,6 +54,7 @@ private:
     ViewportHost* m_host;
     Preferences* m_preferences;
     BookmarkActions* m_bookmarks;
+    CameraActions* m_cameras;
     QAction* m_frameAll = nullptr;
     QAction* m_frameSelection = nullptr;
     QAction* m_light = nullptr;

@@ -2,6 +2,7 @@
 
 #include "core/document/document.h"
 #include "widgets/dialogs/export_task.h"
+#include "widgets/view/render/camera_items.h"
 #include "widgets/view/render/offscreen_renderer.h"
 #include "widgets/view/render/picture_file.h"
 #include <QCoreApplication>
@@ -21,8 +22,15 @@ struct Pictures
     std::vector<PictureShot> shots;
 };
 
-Expected<RenderScene> sceneAt(const Pictures& pictures, double timeSeconds, Evaluator& evaluator,
-                              const Progress& progress)
+/// What there is to see at a time, and from where.
+struct Shown
+{
+    RenderScene scene;
+    std::optional<NodeView> through;
+};
+
+Expected<Shown> sceneAt(const Pictures& pictures, double timeSeconds, Evaluator& evaluator,
+                        const Progress& progress)
 {
     EvaluatedScene now = evaluator.at(pictures.scene, timeSeconds);
     if (auto posed = now.poseArms(progress); !posed)
@@ -40,32 +48,38 @@ Expected<RenderScene> sceneAt(const Pictures& pictures, double timeSeconds, Eval
         const auto found = results.find(id);
         return found == results.end() ? nullptr : &found->second;
     };
-    return SceneBuilder().build(now, resultOf, pictures.look.view);
+    return Shown{SceneBuilder().build(now, resultOf, pictures.look.view),
+                 viewThrough(now, pictures.look.through)};
 }
 
 Expected<void> drawAll(const Pictures& pictures, OffscreenRenderer& renderer, const Progress& progress)
 {
     Evaluator evaluator(pictures.rest, pictures.scene.timeline());
-    std::optional<RenderScene> scene;
+    std::optional<Shown> shown;
     const auto count = static_cast<double>(pictures.shots.size());
     for (std::size_t i = 0; i < pictures.shots.size(); ++i) {
         const PictureShot& shot = pictures.shots[i];
         const double from = static_cast<double>(i) / count;
-        if (!scene || shot.timeSeconds != pictures.shots[i - 1].timeSeconds) {
+        if (!shown || shot.timeSeconds != pictures.shots[i - 1].timeSeconds) {
             auto built =
                 sceneAt(pictures, shot.timeSeconds, evaluator, progress.part(from, from + 0.5 / count));
             if (!built)
                 return fail(std::move(built.error()));
-            scene = std::move(*built);
+            shown = std::move(*built);
         }
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         Camera camera = pictures.look.camera;
+        RenderOptions options = pictures.look.options;
+        if (shown->through && !pictures.look.allAround) {
+            camera = shown->through->camera;
+            options.lens = shown->through->lens;
+        }
         if (pictures.look.allAround)
-            camera.frameAllAround(scene->framePoints(),
+            camera.frameAllAround(shown->scene.framePoints(),
                                   double(pictures.look.size.width()) / pictures.look.size.height());
         camera.yawRad += shot.turnRad;
-        const auto image = renderer.draw(*scene, camera, pictures.look.size, pictures.look.options);
+        const auto image = renderer.draw(shown->scene, camera, pictures.look.size, options);
         if (!image)
             return fail(image.error());
         if (auto saved = savePicture(*image, shot.file); !saved)

@@ -203,6 +203,7 @@ void Viewport::paintGL()
         painter.drawText(rect().adjusted(20, 20, -20, -20), Qt::AlignCenter | Qt::TextWordWrap, d->failure);
         return;
     }
+    d->followCamera();
     d->updateShown();
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
     d->renderer->draw(d->shownScene(), d->camera(), pixels, defaultFramebufferObject(),
@@ -226,6 +227,7 @@ void Viewport::paintOverlay()
     paintTextureLegend(painter, size(), d->settings->displayMode(), d->scene->texture);
     d->defect.paintLabel(painter, view);
     painter.setRenderHint(QPainter::Antialiasing);
+    paintSeenThrough(painter);
     d->trail.paintPlayhead(painter, view, d->context.seconds());
     d->tools.paint(painter, view);
 }
@@ -233,6 +235,7 @@ void Viewport::paintOverlay()
 void Viewport::setCamera(const Camera& camera)
 {
     d->frameNext = false;
+    d->leaveCamera();
     d->setCamera(camera);
     d->settings->setOrthographic(camera.orthographic);
 }
@@ -245,6 +248,7 @@ void Viewport::moveCamera(const Camera& to)
     }
     d->frameNext = false;
     d->framed = false;
+    d->leaveCamera();
     d->flight.flyTo(to);
 }
 

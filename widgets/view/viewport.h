@@ -84,6 +84,10 @@ public:
     /// The picture as a file (PNG by the ending). Errors: Io, Unknown (ending).
     Expected<void> saveScreenshot(const QString& path);
 
+    /// The camera node that the view is that of, as time goes on; noNode: none, the view is the artist's.
+    [[nodiscard]] NodeId seenThrough() const;
+    [[nodiscard]] double shownSeconds() const; ///< the time of the picture
+
     /// The arm that is on its way to a target while nothing plays.
     [[nodiscard]] ArmReach* armReach() const;
 
@@ -94,6 +98,8 @@ public slots:
     void setAxisView(ramure::AxisView view);
     void turnOpposite();                      ///< to the other side, from above to below
     void flyTo(const ramure::Camera& camera); ///< as setCamera, on the way there
+    /// The view becomes that of a camera node, until it is moved; noNode leaves it where it is.
+    void lookThrough(ramure::NodeId camera);
     /// For keys: steps of the camera without the mouse.
     void orbitBy(double yawRad, double pitchRad);
     void zoomBy(double factor);
@@ -118,6 +124,7 @@ public slots:
 
 signals:
     void cameraChanged();
+    void seenThroughChanged();
     /// noNode, noIndex where nothing is under the cursor.
     void hovered(ramure::NodeId node, ramure::Index branch);
     /// A right click, or the menu key: on a branch, a node (noIndex), or nothing (noNode). What was clicked
@@ -154,6 +161,7 @@ private:
     void rebuildHighlights();
     void releaseRenderer();
     void paintOverlay();
+    void paintSeenThrough(QPainter& painter) const;
     void updateTrail();
     void explainWind(bool visible);
     void moveCamera(const Camera& to);

@@ -52,6 +52,7 @@ ToolPoint Viewport::Private::pointOf(const QMouseEvent& event) const
 void Viewport::Private::setCamera(const Camera& moved)
 {
     framed = false;
+    leaveCamera();
     flight.setCamera(moved);
 }
 

@@ -33,6 +33,7 @@ struct Viewport::Private final : ToolHost
     ViewSettings* settings;
 
     CameraFlight flight;
+    NodeId through = noNode; ///< the camera node that the view follows
     bool frameNext = true; ///< the next scene that has something in it is framed
     /// The camera shows all, and nobody has moved it since: it still does when the view gets another size.
     bool framed = false;
@@ -92,6 +93,8 @@ struct Viewport::Private final : ToolHost
     /// As tracks shape it now, or as the document has it.
     [[nodiscard]] const TreeResult* resultOf(NodeId id) const;
     void updateShown();
+    void followCamera();
+    void leaveCamera();
     [[nodiscard]] std::shared_ptr<const MotionFrame> motionOfNow();
     [[nodiscard]] SceneView sceneView() const;
     [[nodiscard]] SceneWish wish();

@@ -54,6 +54,8 @@ SceneView Viewport::Private::sceneView() const
     view.frames = settings->frameDisplay();
     view.selectedNodes = selection.nodes;
     view.crowns = settings->crownsVisible();
+    view.cameras = true;
+    view.seenThrough = through;
     view.branchNode = selection.branchNode;
     view.branches = selection.branches;
     view.activeBranch = selection.activeBranch;
@@ -120,6 +122,8 @@ void Viewport::onDocumentChanged(const Change& change)
         d->trail.forgetSkeletons();
     if (change.has(changeSelection | changeStructure | changeReset))
         d->updateHint();
+    if (d->through != noNode && !d->document->scene().find(d->through))
+        d->leaveCamera();
     if (change.has(changeReset)) {
         d->cameraIsOfLast = true; // and stays as long as the last document is seen
         d->frameNext = true;
@@ -148,6 +152,8 @@ void Viewport::onDocumentChanged(const Change& change)
 
 void Viewport::onSettingsChanged()
 {
+    if (d->settings->orthographic())
+        d->leaveCamera();
     d->flight.setOrthographic(d->settings->orthographic());
     wishScene();
     update();

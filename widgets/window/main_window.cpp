@@ -260,6 +260,7 @@ void MainWindow::showExportDialog()
         const ViewSettings* settings = m_host->settings();
         PictureLook look;
         look.camera = view->camera();
+        look.through = view->seenThrough();
         look.options.shading = settings->shadingMode();
         look.options.light = settings->light();
         look.view.mode = settings->displayMode();

@@ -34,6 +34,7 @@
 #include "widgets/panels/timeline/timeline_panel.h"
 #include "widgets/panels/validation/separate_dialog.h"
 #include "widgets/panels/validation/validation_panel.h"
+#include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include "widgets/window/hint_line.h"
 #include "widgets/window/isolation_button.h"
@@ -185,6 +186,8 @@ void MainWindow::buildActions()
 {
     m_files = new FileActions(m_document, m_preferences, m_chooser, m_actions, this);
     m_edits = new EditActions(m_document, m_chooser, m_actions, this);
+    if (const Viewport* view = m_host->viewport())
+        m_edits->setEye([view] { return view->camera(); });
     m_selects = new SelectActions(m_document, m_isolation, m_actions, this);
     m_views = new ViewActions(m_document, m_host, m_preferences, m_actions, this);
     connect(m_views, &ViewActions::messageRaised, this,

@@ -43,6 +43,14 @@ struct Pair
     fs::path mesh, animation; ///< empty where there is none
 };
 
+/// Blender's scripts write a camera as keys alone; its name says what it is: "Camera", "Camera.001".
+bool isCamera(const std::string& name)
+{
+    constexpr std::string_view word = "camera";
+    return std::ranges::equal(std::string_view(name).substr(0, word.size()), word,
+                              [](char a, char b) { return (a >= 'A' && a <= 'Z' ? a + 'a' - 'A' : a) == b; });
+}
+
 bool hasEnding(const fs::path& path, const char* ending)
 {
     return endingOf(path.string()) == ending;
@@ -152,7 +160,7 @@ private:
         Node node;
         node.id = static_cast<NodeId>(m_out.nodes.size() + 1);
         node.name = name;
-        node.kind = pair.mesh.empty() ? NodeKind::Group : NodeKind::Mesh;
+        node.kind = !pair.mesh.empty() ? NodeKind::Mesh : isCamera(name) ? NodeKind::Camera : NodeKind::Group;
         std::string parent;
         if (!pair.animation.empty())
             if (auto read = readAnimation(pair.animation, node, parent); !read)
@@ -161,7 +169,10 @@ private:
             if (auto read = readMesh(pair.mesh, node, parent, progress); !read)
                 return read;
         if (pair.mesh.empty())
-            note(pair.animation.string(), RAMURE_NOOP("there is no .obj of this name: a group that moves"));
+            note(pair.animation.string(),
+                 node.kind == NodeKind::Camera
+                     ? RAMURE_NOOP("there is no .obj of this name: a camera, as it is called one")
+                     : RAMURE_NOOP("there is no .obj of this name: a group that moves"));
         m_parents[node.id] = parent;
         m_out.nodes.push_back(std::move(node));
         return {};

@@ -2,12 +2,13 @@
 
 namespace ramure {
 
-extern const NodeKindRow treeKind, primitiveKind, meshKind, armKind, terrainKind, groupKind;
+extern const NodeKindRow treeKind, primitiveKind, meshKind, armKind, terrainKind, cameraKind,
+    groupKind;
 
 std::span<const NodeKindRow* const> nodeKinds()
 {
-    static constexpr const NodeKindRow* table[] = {&treeKind, &primitiveKind, &meshKind,
-                                                   &armKind,  &terrainKind,   &groupKind};
+    static constexpr const NodeKindRow* table[] = {&treeKind,    &primitiveKind, &meshKind, &armKind,
+                                                   &terrainKind, &cameraKind,    &groupKind};
     return table;
 }
 

@@ -67,7 +67,10 @@ glm::dvec3 Camera::backward() const
 
 glm::dvec3 Camera::right() const
 {
-    return {std::cos(yawRad), 0.0, -std::sin(yawRad)};
+    const glm::dvec3 level(std::cos(yawRad), 0.0, -std::sin(yawRad));
+    if (rollRad == 0.0)
+        return level;
+    return std::cos(rollRad) * level + std::sin(rollRad) * glm::cross(backward(), level);
 }
 
 glm::dvec3 Camera::up() const
@@ -155,6 +158,7 @@ void Camera::orbit(double deltaYawRad, double deltaPitchRad)
 {
     yawRad = wrapped(yawRad + deltaYawRad);
     pitchRad = std::clamp(pitchRad + deltaPitchRad, -0.5 * pi, 0.5 * pi);
+    rollRad = 0.0;
 }
 
 void Camera::pan(const glm::dvec2& deltaNdc, double aspect)
@@ -263,6 +267,7 @@ void Camera::frameAllAround(std::span<const glm::dvec3> points, double aspect, d
 void Camera::setAxisView(AxisView view)
 {
     pitchRad = 0.0;
+    rollRad = 0.0;
     switch (view) {
     case AxisView::Front:
         yawRad = 0.0;
@@ -296,6 +301,7 @@ Camera mixed(const Camera& from, const Camera& to, double t)
     result.distance = from.distance * std::pow(to.distance / from.distance, t);
     result.yawRad = wrapped(from.yawRad + t * wrapped(to.yawRad - from.yawRad));
     result.pitchRad = glm::mix(from.pitchRad, to.pitchRad, t);
+    result.rollRad = wrapped(from.rollRad + t * wrapped(to.rollRad - from.rollRad));
     result.fovRad = glm::mix(from.fovRad, to.fovRad, t);
     return result;
 }

@@ -39,6 +39,7 @@ public:
     double distance = 5.0;     ///< from the eye to the target, m
     double yawRad = 0.6;       ///< kept in (-pi, pi]
     double pitchRad = 0.12;    ///< -pi/2 .. pi/2
+    double rollRad = 0.0;      ///< about the line of sight, anticlockwise as the eye sees the camera turn
     double fovRad = 0.69;      ///< vertical opening
     bool orthographic = false; ///< shows as much at the target as the perspective does
     glm::dvec2 shift{0.0};     ///< ndc by which all that is shown is moved, as by a lens that is shifted
@@ -63,6 +64,7 @@ public:
     /// Metres per pixel at a point, for tolerances. \p pixelHeight of the picture.
     [[nodiscard]] double metresPerPixel(const glm::dvec3& world, double pixelHeight) const;
 
+    /// Brings it upright.
     void orbit(double deltaYawRad, double deltaPitchRad);
     /// Moves the picture so that what is at the target follows the cursor by \p deltaNdc.
     void pan(const glm::dvec2& deltaNdc, double aspect);

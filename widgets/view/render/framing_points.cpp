@@ -51,7 +51,7 @@ std::vector<glm::dvec3> framingPoints(const Scene& scene, const RenderScene& bui
             moving.emplace(scene.nodes()[i].id, i);
     std::vector<std::pair<std::size_t, const MeshItem*>> items;
     for (const MeshItem& item : built.meshes)
-        if (const auto found = moving.find(item.node); found != moving.end())
+        if (const auto found = moving.find(item.node); found != moving.end() && item.framed)
             items.emplace_back(found->second, &item);
     if (items.empty())
         return points;

@@ -11,12 +11,12 @@ void RenderScene::updateBoxes()
     casters = Box();
     for (const MeshItem& item : meshes) {
         const Box world = item.box.transformed(item.world);
-        box.add(world);
+        (item.framed ? box : trailBox).add(world);
         if (item.castsShadow)
             casters.add(world);
     }
     for (const LineItem& item : lines)
-        box.add(item.lines->box.transformed(item.world));
+        (item.framed ? box : trailBox).add(item.lines->box.transformed(item.world));
     for (const PointItem& item : points)
         box.add(item.points->box.transformed(item.world));
 }
@@ -101,11 +101,15 @@ std::vector<glm::dvec3> RenderScene::framePoints() const
         rim.appendTo(chosen, world);
     };
     for (const MeshItem& item : meshes) {
+        if (!item.framed)
+            continue;
         const std::size_t count = item.mesh->positions.size();
         const std::size_t step = item.motion.moves() ? std::max(usualStep, count / mostMoved) : usualStep;
         take(count, step, item.box, item.world, [&](std::size_t i) { return placeOf(item, i); });
     }
     for (const LineItem& item : lines) {
+        if (!item.framed)
+            continue;
         const auto& segments = item.lines->segments;
         take(2 * segments.size(), usualStep, item.lines->box, item.world,
              [&](std::size_t i) { return i % 2 == 0 ? segments[i / 2].a : segments[i / 2].b; });

@@ -115,6 +115,7 @@ struct MeshItem
     bool isMark = false; ///< something shown at a place of the node, no part of it
     bool castsShadow = true;
     bool pickable = true; ///< false for the nodes that are locked
+    bool framed = true;   ///< false: nobody looks for it who looks for all there is
 };
 enum class OutlinedLines : std::uint8_t { None, Selected, All };
 struct LineItem
@@ -128,6 +129,7 @@ struct LineItem
     float hidden = 0.42f;         ///< opacity of the parts behind a surface
     OutlinedLines outlined = OutlinedLines::None;
     bool pointed = false; ///< of what is pointed at: it comes and goes with the highlights
+    bool framed = true;   ///< as of a mesh
 };
 struct PointItem
 {

@@ -6,6 +6,7 @@
 #include "core/surface/mesher/rough_model.h"
 #include "core/surface/texture/object_texture.h"
 #include "widgets/view/render/arm_items.h"
+#include "widgets/view/render/camera_items.h"
 #include "widgets/view/render/crown_marks.h"
 #include "widgets/view/render/ground_height.h"
 #include "widgets/view/render/isolated_parts.h"
@@ -530,7 +531,12 @@ RenderScene SceneBuilder::build(EvaluatedScene& now, const ResultOf& resultOf, c
         if (node.kind == NodeKind::Group || !scene.isShown(node.id))
             continue;
         const glm::dmat4& world = now.transforms()[i].geometry;
-        if (node.kind == NodeKind::Arm)
+        if (node.kind == NodeKind::Camera) {
+            const bool isSelected =
+                std::ranges::find(view.selectedNodes, node.id) != view.selectedNodes.end();
+            if (view.cameras && node.id != view.seenThrough)
+                addCamera(built, *m_cache, node, now.params(node).camera, world, isSelected);
+        } else if (node.kind == NodeKind::Arm)
             addArm(built, *m_cache, node, now.params(node), world, view.mode);
         else if (isObject(node.kind))
             objects.add(node, now.params(node), world);

@@ -31,6 +31,8 @@ struct SceneView
     FrameDisplay frames = FrameDisplay::None;
     std::vector<NodeId> selectedNodes; ///< shown with an outline, with all below them
     bool crowns = false;               ///< what selected trees grow to fill
+    bool cameras = false;              ///< cameras as things that stand there; pictures have none
+    NodeId seenThrough = noNode;       ///< the camera that is not shown, as the picture is its own
     NodeId branchNode = noNode;        ///< the tree whose branches are selected
     std::vector<Index> branches;       ///< of its simplified skeleton
     Index activeBranch = noIndex;

@@ -39,6 +39,7 @@ enum class ScenePart : std::uint8_t {
     Object,
     ObjectTexture,
     Images,
+    CameraBody,
     Outlined,
 };
 

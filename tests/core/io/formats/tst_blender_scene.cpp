@@ -113,14 +113,16 @@ private slots:
         write(folder, "Wheel.001.animation",
               "0.5,LINEAR,1,2,3,0,0,0,1,1,1,1\n1,LINEAR,2,2,3,0,0,0,1,1,1,1\n");
         write(folder, "Camera.animation", "0,LINEAR,0,0,0,0,0,0,1,1,1,1\n");
+        write(folder, "camera.001.animation", "0,LINEAR,0,0,0,0,0,0,1,1,1,1\n");
+        write(folder, "Cam.animation", "0,LINEAR,0,0,0,0,0,0,1,1,1,1\n");
         write(folder, "notes.txt", "nothing");
         const auto made = importBlender(temporary.path().toStdString());
         QVERIFY2(made, test::why(made));
         const auto scene = Scene::fromNodes(made->nodes);
         QVERIFY2(scene, test::why(scene));
-        QCOMPARE(scene->nodes().size(), std::size_t(4));
+        QCOMPARE(scene->nodes().size(), std::size_t(6));
         QVERIFY(scene->nodes().front().kind == NodeKind::Group);
-        QCOMPARE(made->keyCount, std::size_t(3));
+        QCOMPARE(made->keyCount, std::size_t(5));
         QCOMPARE(made->timeline.lastFrame, std::int64_t(24));
         QVERIFY(notes(made->notes, "Camera.animation"));
         for (const Node& node : scene->nodes()) {
@@ -129,7 +131,9 @@ private slots:
                 QVERIFY(at == glm::dvec3(5.0, 6.0, 7.0));
             if (node.name == "Wheel.001") // its keys, not its TRANSFORM, below its parent
                 QVERIFY(glm::length(at - glm::dvec3(6.5, 9.0, 5.0)) < 1e-12);
-            if (node.name == "Camera")
+            if (node.name == "Camera" || node.name == "camera.001")
+                QVERIFY(node.kind == NodeKind::Camera);
+            if (node.name == "Cam")
                 QVERIFY(node.kind == NodeKind::Group);
         }
         const auto alone =

@@ -427,10 +427,8 @@ private slots:
             QCOMPARE(box->checkState(), Qt::PartiallyChecked);
         else if (auto* choice = row->findChild<QComboBox*>())
             QCOMPARE(choice->currentIndex(), -1);
-        else if (auto* color = row->findChild<ColorEditor*>())
-            QVERIFY(color->findChild<QLineEdit*>()->text().isEmpty());
-        else if (auto* picture = row->findChild<PictureEditor*>())
-            QVERIFY(picture->findChild<QLineEdit*>()->text().isEmpty());
+        else if (auto* line = row->findChild<QLineEdit*>()) // of a colour, a picture or a profile
+            QVERIFY(line->text().isEmpty());
         else
             QVERIFY(row->findChild<GrammarEdit*>()->toPlainText().isEmpty());
         row->editor()->focusProxy()->setFocus();

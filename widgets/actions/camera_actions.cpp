@@ -1,0 +1,103 @@
+#include "widgets/actions/camera_actions.h"
+
+#include "core/document/commands.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/core_text.h"
+#include "widgets/view/render/camera_items.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
+#include <QMenu>
+#include <algorithm>
+#include <glm/gtc/quaternion.hpp>
+
+namespace ramure {
+
+CameraActions::CameraActions(Document* document, ViewportHost* host, ActionSet* set, QObject* parent)
+    : QObject(parent)
+    , m_document(document)
+    , m_host(host)
+    , m_through(set->add({"view.throughCamera", QT_TRANSLATE_NOOP("Actions", "&Look through the camera"),
+                          "camera", QKeySequence(Qt::Key_0),
+                          QT_TRANSLATE_NOOP("Actions", "The view becomes that of the selected camera, or of "
+                                                       "the first one, until the view is moved")}))
+    , m_here(set->add({"view.cameraHere", QT_TRANSLATE_NOOP("Actions", "&Move the camera here"), nullptr,
+                       QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_0),
+                       QT_TRANSLATE_NOOP("Actions", "The selected camera, or the first one, comes to where "
+                                                    "the view is seen from")}))
+{
+    m_through->setCheckable(true);
+    Viewport* view = host->viewport();
+    m_through->setEnabled(view != nullptr);
+    m_here->setEnabled(view != nullptr);
+    if (!view)
+        return;
+    connect(m_through, &QAction::triggered, this, &CameraActions::lookThrough);
+    connect(m_here, &QAction::triggered, this, &CameraActions::moveHere);
+    connect(view, &Viewport::seenThroughChanged, this,
+            [this, view] { m_through->setChecked(view->seenThrough() != noNode); });
+}
+
+/// The active node, where it is a camera; else the one that is seen through; else the first.
+NodeId CameraActions::meant() const
+{
+    const Scene& scene = m_document->scene();
+    const auto isCamera = [](const Node& node) { return node.kind == NodeKind::Camera; };
+    if (const Node* active = scene.find(m_document->selection().activeNode()); active && isCamera(*active))
+        return active->id;
+    if (const NodeId through = m_host->viewport()->seenThrough(); through != noNode)
+        return through;
+    const auto first = std::ranges::find_if(scene.nodes(), isCamera);
+    return first != scene.nodes().end() ? first->id : noNode;
+}
+
+void CameraActions::lookThrough(bool on)
+{
+    Viewport* view = m_host->viewport();
+    const NodeId camera = on ? meant() : noNode;
+    view->lookThrough(camera);
+    m_through->setChecked(view->seenThrough() != noNode);
+    if (on && camera == noNode)
+        emit messageRaised(tr("There is no camera: Edit > Add > Camera makes one from this view."));
+}
+
+void CameraActions::moveHere()
+{
+    const NodeId camera = meant();
+    if (camera == noNode)
+        return emit messageRaised(tr("There is no camera: Edit > Add > Camera makes one from this view."));
+    const auto starts = transformStarts(m_document->scene(), {camera}, m_host->viewport()->shownSeconds(), true);
+    if (starts.empty())
+        return emit messageRaised(tr("This camera is locked or hidden."));
+    const TransformStart& start = starts.front();
+    const Camera now = cameraAt(start.world, {});
+    const glm::dmat3 turn = glm::dmat3(standingOf(m_host->viewport()->camera())) *
+                            glm::transpose(glm::dmat3(standingOf(now)));
+    const glm::dquat way = glm::normalize(glm::quat_cast(turn));
+    WorldTransform transform;
+    transform.pivot = start.origin();
+    transform.move = m_host->viewport()->camera().eye() - start.origin();
+    transform.angleRad = glm::angle(way);
+    if (transform.angleRad > 1e-12)
+        transform.axis = glm::axis(way);
+    auto values = transformed(start, transform);
+    const auto placed = values ? edit::placeNodes(*m_document, {{camera, std::move(*values), start.keys}},
+                                                  tr("Move the camera here"))
+                               : fail(std::move(values.error()));
+    if (!placed)
+        emit messageRaised(errorText(placed.error()));
+}
+
+void CameraActions::fillMenu(QMenu* menu)
+{
+    m_menu = menu->addMenu(QString());
+    m_menu->addActions({m_through, m_here});
+    retranslate();
+}
+
+void CameraActions::retranslate()
+{
+    if (m_menu)
+        m_menu->setTitle(tr("&Camera"));
+}
+
+} // namespace ramure
