@@ -135,7 +135,8 @@ Expected<NodeId> cameraNode(const Input& input, const QString& name)
             return node.id;
     }
     if (names.isEmpty())
-        return fail(ErrorCode::Unknown, "--camera \"%1\": EX,EY,EZ,TX,TY,TZ[,ANGLE] expected: there is no camera",
+        return fail(ErrorCode::Unknown,
+                    "--camera \"%1\": EX,EY,EZ,TX,TY,TZ[,ANGLE] expected: there is no camera",
                     {name.toStdString()});
     return fail(ErrorCode::Unknown, "--camera \"%1\": no camera has this name, there is %2",
                 {name.toStdString(), commaList(names).toStdString()});

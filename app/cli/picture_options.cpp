@@ -137,9 +137,10 @@ Expected<SceneLight> lightOf(const CommandLine& line)
 void addPictureOptions(CommandLine& line)
 {
     line.add({QStringLiteral("camera")},
-             QStringLiteral("Where the camera stands and what it looks at, in metres, and its vertical angle "
-                            "in degrees (40 without it); or the name of a camera of the scene, which moves as its keys "
-                            "say. Without this option all that is visible is shown."),
+             QStringLiteral(
+                 "Where the camera stands and what it looks at, in metres, and its vertical angle "
+                 "in degrees (40 without it); or the name of a camera of the scene, which moves as its keys "
+                 "say. Without this option all that is visible is shown."),
              QStringLiteral("EX,EY,EZ,TX,TY,TZ[,ANGLE]|NAME"));
     line.add({QStringLiteral("sun")},
              QStringLiteral("Where the sun stands: degrees clockwise from the north (-Z; 90 is the east, X), "
@@ -164,6 +165,11 @@ void addPictureOptions(CommandLine& line)
         QStringLiteral("What is sharp, with --f-stop: metres from the camera. Without it, what the camera "
                        "looks at."),
         QStringLiteral("METRES"));
+    line.addDefault(
+        {QStringLiteral("samples")},
+        QStringLiteral("So many pictures in one, 1 to 256, each seen from another part of a pixel: "
+                       "finer edges, and as many times slower."),
+        QStringLiteral("N"), QStringLiteral("1"));
     line.add({QStringLiteral("sky-picture")},
              QStringLiteral("Also writes the sky of --background sky, all around and without the sun, as a "
                             "picture for other renderers."),
@@ -189,12 +195,15 @@ Expected<PictureOptions> pictureOptionsOf(const CommandLine& line)
     if (!light)
         return fail(light.error());
     out.options.light = *light;
+    double samples = 1.0;
     for (const auto& taken :
-         {takeNumber(line, "f-stop", 0.1, 64.0, out.fStop), takeNumber(line, "focus", 0.001, 1e6, out.focus)})
+         {takeNumber(line, "f-stop", 0.1, 64.0, out.fStop), takeNumber(line, "focus", 0.001, 1e6, out.focus),
+          takeNumber(line, "samples", 1.0, 256.0, samples)})
         if (!taken)
             return fail(taken.error());
     if (line.has("focus") && !line.has("f-stop"))
         return fail(ErrorCode::Invalid, "--focus needs --f-stop");
+    out.options.pictures = int(std::lround(samples));
     const QString quality = line.value("quality");
     const auto row = std::ranges::find(qualities(), quality.toStdString(), &ModeRow<Quality>::name);
     if (row == qualities().end())

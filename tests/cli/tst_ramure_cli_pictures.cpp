@@ -210,9 +210,10 @@ private slots:
         const QString file = path("film.ramure");
         test::write(file, R"({"format": "ramure", "version": 1, "nodes": [
             {"id": 1, "kind": "primitive", "name": "Box", "params": {"primitive.shape": "box"}},
-            {"id": 2, "kind": "camera", "name": "Front", "params": {"tree.translation": [0, 1, 5]}},
+            {"id": 2, "kind": "camera", "name": "Front", "params": {"tree.translation": [0, 1, 5],
+             "camera.angle": 0.5235987755982988}},
             {"id": 3, "kind": "camera", "name": "Near", "params": {"tree.translation": [0, 1, 3],
-             "camera.angle": 0.8, "camera.fStop": 0.05, "camera.focus": 9}}]})");
+             "camera.angle": 0.6981317007977318, "camera.fStop": 0.1, "camera.focus": 9}}]})");
         const auto drawn = [&](const QStringList& more) {
             const test::CliRun run = runCli(
                 QStringList{"render", file, "-o", path("seen.png"), "--size", "96x64", "--quality", "draft"} +
@@ -222,11 +223,11 @@ private slots:
             return QImage(path("seen.png"));
         };
         const QImage front = drawn({"--camera", "Front"});
-        QCOMPARE(front, drawn({"--camera", "0,1,5,0,1,0,26.986"}));
+        QCOMPARE(front, drawn({"--camera", "0,1,5,0,1,0,30"}));
         QCOMPARE(front, drawn({"--camera", "Front", "--node", "Box"}));
         const QImage near = drawn({"--camera", "Near"});
-        QCOMPARE(near, drawn({"--camera", "0,1,3,0,1,-6,45.8366", "--f-stop", "0.05"}));
-        QVERIFY(near != drawn({"--camera", "0,1,3,0,1,-6,45.8366"}));
+        QCOMPARE(near, drawn({"--camera", "0,1,3,0,1,-6,40", "--f-stop", "0.1"}));
+        QVERIFY(near != drawn({"--camera", "0,1,3,0,1,-6,40"}));
         const auto why = runCli({"render", file, "-o", path("no.png"), "--camera", "Back"});
         QVERIFY(isRefused(why, "no camera has this name"));
         QVERIFY(why.err.contains("Front") && why.err.contains("Near"));

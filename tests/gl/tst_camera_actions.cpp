@@ -81,7 +81,8 @@ private slots:
         window.view->orbitBy(0.3, 0.0);
         QCOMPARE(window.view->seenThrough(), noNode);
         QVERIFY(!through->isChecked());
-        QVERIFY(glm::length(glm::dvec3(worldMatrix(window.document.scene(), 2)[3]) - glm::dvec3(0, 1, 8)) < 1e-12);
+        QVERIFY(glm::length(glm::dvec3(worldMatrix(window.document.scene(), 2)[3]) - glm::dvec3(0, 1, 8)) <
+                1e-12);
         through->trigger();
         through->trigger(); // once more: back to the artist's
         QCOMPARE(window.view->seenThrough(), noNode);

@@ -19,6 +19,7 @@ import numpy
 SIZE = 512
 SMALL = 128
 SAMPLES = 64
+MASK_SAMPLES = 64  # with fewer, the noise of both alone keeps thin needles from covering each other
 EXPOSURE = 0.8  # renderer.cpp
 MEADOW = (0.0931, 0.2051, 0.0612)
 THROUGH = 0.5  # material.cpp, of leaves, and what mesh.frag tints it with
@@ -65,9 +66,10 @@ def ours(cli, preset, settings, folder, name):
     eye, target = camera_of(json.loads(run(cli, "info", tree, "--json", *options)))
     place = ",".join(f"{v:.6f}" for v in (*eye, *target, ANGLE))
     common = ["--size", f"{SIZE}x{SIZE}", "--camera", place, "--quality", "best", *options]
+    finely = ["--samples", MASK_SAMPLES // 4]  # best has four a pixel
     run(cli, "render", tree, "-o", folder / f"{name}_ours.png", "--background", "sky",
         "--sky-picture", folder / "sky.hdr", *common)
-    run(cli, "render", tree, "-o", folder / f"{name}_mask.png", "--background", "none", *common)
+    run(cli, "render", tree, "-o", folder / f"{name}_mask.png", "--background", "none", *common, *finely)
     run(cli, "export", tree, "-o", folder / f"{name}.obj", "--part", "all", *options)
     return eye, target
 
@@ -234,7 +236,7 @@ def judged(cli, folder, name):
     traced = rendered(folder / f"{name}_cycles.exr", SAMPLES, False)
     bpy.data.objects.remove(plane)
     kinds_only()
-    kinds = rendered(folder / f"{name}_kinds.exr", 16, True)
+    kinds = rendered(folder / f"{name}_kinds.exr", MASK_SAMPLES, True)
     ours_picture = pixels_of(folder / f"{name}_ours.png")[..., :3]
     theirs = film(traced[..., :3])
     save(folder / f"{name}_cycles.png", theirs)

@@ -65,13 +65,14 @@ void CameraActions::moveHere()
     const NodeId camera = meant();
     if (camera == noNode)
         return emit messageRaised(tr("There is no camera: Edit > Add > Camera makes one from this view."));
-    const auto starts = transformStarts(m_document->scene(), {camera}, m_host->viewport()->shownSeconds(), true);
+    const auto starts =
+        transformStarts(m_document->scene(), {camera}, m_host->viewport()->shownSeconds(), true);
     if (starts.empty())
         return emit messageRaised(tr("This camera is locked or hidden."));
     const TransformStart& start = starts.front();
     const Camera now = cameraAt(start.world, {});
-    const glm::dmat3 turn = glm::dmat3(standingOf(m_host->viewport()->camera())) *
-                            glm::transpose(glm::dmat3(standingOf(now)));
+    const glm::dmat3 turn =
+        glm::dmat3(standingOf(m_host->viewport()->camera())) * glm::transpose(glm::dmat3(standingOf(now)));
     const glm::dquat way = glm::normalize(glm::quat_cast(turn));
     WorldTransform transform;
     transform.pivot = start.origin();

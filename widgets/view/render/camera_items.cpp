@@ -91,8 +91,8 @@ Camera cameraAt(const glm::dmat4& world, const CameraParams& params)
 
 glm::dmat4 standingOf(const Camera& camera)
 {
-    return {glm::dvec4(camera.right(), 0.0), glm::dvec4(camera.up(), 0.0),
-            glm::dvec4(camera.backward(), 0.0), glm::dvec4(camera.eye(), 1.0)};
+    return {glm::dvec4(camera.right(), 0.0), glm::dvec4(camera.up(), 0.0), glm::dvec4(camera.backward(), 0.0),
+            glm::dvec4(camera.eye(), 1.0)};
 }
 
 Lens lensOf(const CameraParams& params)

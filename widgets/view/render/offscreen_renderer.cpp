@@ -97,10 +97,11 @@ private:
 
 /// The camera seen through one point of the lens: what lies at the distance that is sharp stays where it is.
 /// Points spread evenly over the opening (Vogel 1979), and over a pixel.
-Camera throughLens(const Camera& camera, const Lens& lens, QSize size, int sample)
+/// \param sample of \p count
+Camera throughLens(const Camera& camera, const Lens& lens, QSize size, int sample, int count)
 {
     const double focus = lens.focus > 0.0 ? lens.focus : camera.distance;
-    const double share = (sample + 0.5) / lensSamples, turn = 2.399963229728653 * sample;
+    const double share = (sample + 0.5) / count, turn = 2.399963229728653 * sample;
     const glm::dvec2 off =
         0.5 * lens.diameter * std::sqrt(share) * glm::dvec2(std::cos(turn), std::sin(turn));
     const double half = focus * std::tan(0.5 * camera.fovRad);
@@ -174,11 +175,14 @@ Expected<QImage> OffscreenRenderer::draw(const RenderScene& scene, const Camera&
         // toImage resolves the samples; the colours are not multiplied by the alpha of a missing background.
         return target.toImage().convertToFormat(QImage::Format_ARGB32);
     };
-    if (options.lens.diameter <= 0.0 || camera.orthographic)
+    const bool hasLens = options.lens.diameter > 0.0 && !camera.orthographic;
+    const int count = std::max(options.pictures, hasLens ? lensSamples : 1);
+    if (count == 1)
         return picture(camera);
+    const Lens lens = hasLens ? options.lens : Lens();
     LightSum light(size);
-    for (int i = 0; i < lensSamples; ++i)
-        light.add(picture(throughLens(camera, options.lens, size, i)));
+    for (int i = 0; i < count; ++i)
+        light.add(picture(throughLens(camera, lens, size, i, count)));
     return light.mean();
 }
 

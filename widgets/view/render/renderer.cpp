@@ -16,6 +16,8 @@ namespace {
 constexpr GLenum shadowUnit = 0;
 constexpr GLenum shadowDepthUnit = 1;
 constexpr GLenum statesUnit = 2;
+constexpr GLenum nearUnit = 8; // those between are the cache's
+constexpr GLenum nearDepthUnit = 9;
 
 constexpr float exposure = 0.8f; ///< with which a film shows a surface in the middle as it is
 
@@ -48,8 +50,8 @@ struct Renderer::Picture
     PictureLight light;
     glm::vec2 viewport{1.0f};
     glm::dmat4 projectedView{1.0}; ///< eye-relative -> clip
-    glm::mat4 shadow{1.0f};        ///< eye-relative -> 0..1
-    glm::vec3 shadowScale{1.0f};
+    ShadowPlace shadow{};
+    std::optional<ShadowPlace> near{}; ///< finer, of what is near
     int shadowTaps = 0;
     double aspect = 1.0;
 
@@ -67,6 +69,7 @@ Renderer::Renderer(Gl& gl)
     : m_gl(gl)
     , m_cache(gl)
     , m_shadowMap(gl)
+    , m_nearShadow(gl)
     , m_smoothing(gl)
     , m_outline(gl)
 {
@@ -105,6 +108,11 @@ std::vector<std::pair<Renderer::Program, ShaderSources>> Renderer::programs()
         {&Renderer::m_meshWire, {mesh, "mesh.geom", surface, "#define COLOURS\n#define WIRE\n"}},
         {&Renderer::m_shadow,
          {{"skin.glsl", "skin_mesh.glsl", "copy.glsl", "shadow.vert"}, nullptr, {"shadow.frag"}}},
+        {&Renderer::m_shadowCut,
+         {{"skin.glsl", "skin_mesh.glsl", "copy.glsl", "shadow.vert"},
+          nullptr,
+          {"shadow.frag"},
+          "#define CUT\n"}},
         {&Renderer::m_world, {{"world.vert"}, nullptr, {"colour.glsl", "lighting.glsl", "world.frag"}}},
         {&Renderer::m_line, {{"states.glsl", "skin.glsl", "line.vert"}, nullptr, {"line.frag"}}},
         {&Renderer::m_point, {{"states.glsl", "skin.glsl", "point.vert"}, nullptr, {"point.frag"}}},
@@ -175,6 +183,7 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
 void Renderer::drawInto(GLuint framebuffer, const Picture& picture, QSize size)
 {
     const RenderOptions& options = picture.options;
+    m_nearShadow.bind(nearUnit, nearDepthUnit); // first: what is new is made in the first unit
     m_shadowMap.bind(shadowUnit, shadowDepthUnit);
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     beginState(size);
@@ -217,18 +226,29 @@ void Renderer::castShadows(Picture& picture)
     const RenderOptions& options = picture.options;
     if (!options.shadows || options.shading == ShadingMode::Wire)
         return;
-    const auto fit = m_shadowMap.update(picture.scene, picture.light.sun, m_cache, *m_shadow);
+    const auto fit = m_shadowMap.update(picture.scene, picture.light.sun, m_cache, {*m_shadow, *m_shadowCut});
     if (!fit)
         return;
-    const glm::dmat4 half(glm::dvec4(0.5, 0.0, 0.0, 0.0), glm::dvec4(0.0, 0.5, 0.0, 0.0),
-                          glm::dvec4(0.0, 0.0, 0.5, 0.0), glm::dvec4(0.5, 0.5, 0.5, 1.0));
-    glm::dmat4 eye(1.0);
-    eye[3] = glm::dvec4(picture.camera.eye(), 1.0);
-    picture.shadow = glm::mat4(half * fit->clip * eye);
-    picture.shadowScale = glm::vec3(fit->side / ShadowMap::size, fit->side, fit->depth);
+    picture.shadow = placeOf(*fit, picture.camera.eye());
     picture.shadowTaps = options.shadowTaps > 0 ? options.shadowTaps : (m_software ? 12 : 20);
     if (options.quality == Quality::Best && !options.hurried)
         picture.shadowTaps = std::max(picture.shadowTaps, 32);
+    if (options.quality != Quality::Draft && !options.hurried)
+        castNear(picture, fit->side);
+}
+
+/// Where the view shows but a part of what there is, that gets a map of its own.
+void Renderer::castNear(Picture& picture, double side)
+{
+    constexpr double around = 0.75, worthwhile = 0.5;
+    const Camera& camera = picture.camera;
+    const double radius = around * camera.heightAtTarget() * std::max(picture.aspect, 1.0);
+    if (2.0 * radius > worthwhile * side)
+        return;
+    const auto fit = m_nearShadow.update(picture.scene, picture.light.sun, m_cache, {*m_shadow, *m_shadowCut},
+                                         ShadowFocus{camera.target, radius});
+    if (fit)
+        picture.near = placeOf(*fit, picture.camera.eye());
 }
 
 void Renderer::beginState(QSize size)
@@ -264,11 +284,18 @@ void Renderer::setLight(ShaderProgram& program, const Picture& picture)
 {
     picture.light.set(program);
     program.set("uExposure", picture.options.quality == Quality::Draft ? 0.0f : exposure);
-    program.set("uShadow", picture.shadow);
-    program.set("uShadowScale", picture.shadowScale);
     program.set("uShadowTaps", picture.shadowTaps);
+    program.set("uShadow", picture.shadow.place);
+    program.set("uShadowScale", picture.shadow.scale);
     program.set("uShadowMap", int(shadowUnit));
     program.set("uShadowDepth", int(shadowDepthUnit));
+    program.set("uHasNear", picture.near.has_value());
+    if (picture.near) {
+        program.set("uNear", picture.near->place);
+        program.set("uNearScale", picture.near->scale);
+    }
+    program.set("uNearMap", int(nearUnit));
+    program.set("uNearDepth", int(nearDepthUnit));
 }
 
 void Renderer::setStates(ShaderProgram& program, const RenderScene& scene, NodeId node, bool hasBranches)
@@ -545,8 +572,9 @@ void Renderer::resetState()
     m_gl.glDepthFunc(GL_LESS);
     m_gl.glDisable(GL_DEPTH_TEST);
     m_gl.glDisable(GL_BLEND);
-    for (const GLenum unit : {shadowUnit, shadowDepthUnit, statesUnit, GpuCache::bonesUnit,
-                              GpuCache::coloursUnit, GpuCache::barkUnit, GpuCache::barkNormalsUnit}) {
+    for (const GLenum unit :
+         {shadowUnit, shadowDepthUnit, nearUnit, nearDepthUnit, statesUnit, GpuCache::bonesUnit,
+          GpuCache::coloursUnit, GpuCache::barkUnit, GpuCache::barkNormalsUnit}) {
         m_gl.glActiveTexture(GL_TEXTURE0 + unit);
         m_gl.glBindTexture(GL_TEXTURE_2D, 0);
         m_gl.glBindSampler(unit, 0);
@@ -559,7 +587,7 @@ void Renderer::resetState()
 RenderStats Renderer::stats() const
 {
     RenderStats stats = m_stats;
-    stats.shadowRedraws = m_shadowMap.redraws();
+    stats.shadowRedraws = m_shadowMap.redraws() + m_nearShadow.redraws();
     stats.uploads = m_cache.stats();
     return stats;
 }

@@ -61,6 +61,7 @@ private:
     Picture arrange(const RenderScene& scene, const Camera& camera, QSize size, const RenderOptions& options);
     void drawInto(GLuint framebuffer, const Picture& picture, QSize size);
     void castShadows(Picture& picture);
+    void castNear(Picture& picture, double side);
     void drawWorld(const Picture& picture);
     void drawDepth(const Picture& picture);
     void drawMeshes(const Picture& picture, ShadingMode shading, bool faded);
@@ -80,12 +81,12 @@ private:
     Gl& m_gl;
     std::unique_ptr<QOpenGLDebugLogger> m_messages; ///< null in a context that does not tell
     GpuCache m_cache;
-    ShadowMap m_shadowMap;
+    ShadowMap m_shadowMap, m_nearShadow;
     Smoothing m_smoothing;
     Outline m_outline;
     std::unique_ptr<ShaderProgram> m_plain, m_bark, m_leaf; ///< what m_mesh does, each a part of it
-    std::unique_ptr<ShaderProgram> m_mesh, m_meshColours, m_meshWire, m_shadow, m_world, m_line, m_point,
-        m_smooth, m_shrink, m_ghost;
+    std::unique_ptr<ShaderProgram> m_mesh, m_meshColours, m_meshWire, m_shadow, m_shadowCut, m_world, m_line,
+        m_point, m_smooth, m_shrink, m_ghost;
     std::unique_ptr<ShaderProgram> m_outlineRows, m_outlineColumns, m_outlineClosing, m_outlineInk;
     std::optional<std::pair<SceneLight, PictureLight>> m_light; ///< what the last picture asked for
     GLuint m_emptyArray = 0;

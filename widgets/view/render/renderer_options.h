@@ -61,6 +61,7 @@ struct RenderOptions
     bool outline = true;     ///< around what is selected
     bool world = true;       ///< sky and ground; without: a transparent background
     int samples = 4;         ///< of multisampling, where the renderer owns the target; 0 = none
+    int pictures = 1;        ///< drawn in one aside, each a part of a pixel beside the other: finer edges
     bool smoothing = false;  ///< smooth the edges of the finished picture instead of multisampling
     double pixelRatio = 1.0; ///< device pixels per logical pixel: line widths
     int shadowTaps = 0;      ///< per pixel; 0 = 20 on hardware, 12 on a software rasteriser; under 12 the

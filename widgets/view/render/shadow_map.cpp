@@ -5,7 +5,10 @@
 
 namespace ramure {
 
-ShadowFit fitShadow(const Box& casters, const glm::dvec3& sun, int size)
+namespace {
+
+/// World -> axes whose Z is towards the sun.
+glm::dmat4 sunView(const glm::dvec3& sun)
 {
     const glm::dvec3 helper = std::abs(sun.y) < 0.99 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
     const glm::dvec3 x = glm::normalize(glm::cross(helper, sun));
@@ -16,10 +19,12 @@ ShadowFit fitShadow(const Box& casters, const glm::dvec3& sun, int size)
         view[i][1] = y[i];
         view[i][2] = sun[i];
     }
-    const Box seen = casters.transformed(view);
-    // A rim of some texels keeps the soft edges inside; a flat or tiny box still has a volume.
-    const double side = std::max({seen.size().x, seen.size().y, 1e-3}) * (1.0 + 40.0 / size);
-    const glm::dvec3 c = seen.centre();
+    return view;
+}
+
+/// \param c middle of a square of \p side, in sunView.
+ShadowFit fitted(const glm::dmat4& view, const Box& seen, const glm::dvec3& c, double side)
+{
     const double pad = 0.01 * (seen.size().z + side);
     ShadowFit fit;
     fit.side = side;
@@ -28,6 +33,32 @@ ShadowFit fitShadow(const Box& casters, const glm::dvec3& sun, int size)
                           -(seen.max.z + pad), -(seen.min.z - pad)) *
                view;
     return fit;
+}
+
+} // namespace
+
+ShadowFit fitShadow(const Box& casters, const glm::dvec3& sun, int size)
+{
+    const glm::dmat4 view = sunView(sun);
+    const Box seen = casters.transformed(view);
+    // A rim of some texels keeps the soft edges inside; a flat or tiny box still has a volume.
+    const double side = std::max({seen.size().x, seen.size().y, 1e-3}) * (1.0 + 40.0 / size);
+    return fitted(view, seen, seen.centre(), side);
+}
+
+ShadowFit fitShadow(const Box& casters, const glm::dvec3& sun, const ShadowFocus& focus)
+{
+    const glm::dmat4 view = sunView(sun);
+    return fitted(view, casters.transformed(view), glm::dvec3(view * glm::dvec4(focus.centre, 1.0)),
+                  2.0 * focus.radius);
+}
+
+ShadowPlace placeOf(const ShadowFit& fit, const glm::dvec3& eye)
+{
+    const glm::dmat4 half(glm::dvec4(0.5, 0.0, 0.0, 0.0), glm::dvec4(0.0, 0.5, 0.0, 0.0),
+                          glm::dvec4(0.0, 0.0, 0.5, 0.0), glm::dvec4(0.5, 0.5, 0.5, 1.0));
+    return {glm::mat4(half * fit.clip * glm::translate(glm::dmat4(1.0), eye)),
+            glm::vec3(fit.side / ShadowMap::size, fit.side, fit.depth)};
 }
 
 ShadowMap::ShadowMap(Gl& gl)
@@ -74,20 +105,21 @@ void ShadowMap::create()
 }
 
 std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::dvec3& sun, GpuCache& cache,
-                                           ShaderProgram& program)
+                                           const DepthPrograms& programs,
+                                           const std::optional<ShadowFocus>& focus)
 {
     std::vector<Caster> casters;
     for (const MeshItem& item : scene.meshes) {
         if (item.castsShadow && !item.mesh->empty())
-            casters.push_back({&item, item.mesh, item.copies, item.motion, item.world});
+            casters.push_back({&item, item.mesh, item.copies, item.images, item.motion, item.world});
     }
     if (casters.empty() || scene.casters.empty())
         return std::nullopt;
-    if (casters == m_drawn && sun == m_sun)
+    if (casters == m_drawn && sun == m_sun && focus == m_focus)
         return m_fit;
     if (m_framebuffer == 0)
         create();
-    m_fit = fitShadow(scene.casters, sun, size);
+    m_fit = focus ? fitShadow(scene.casters, sun, *focus) : fitShadow(scene.casters, sun, size);
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
     m_gl.glViewport(0, 0, size, size);
     m_gl.glEnable(GL_DEPTH_TEST);
@@ -95,15 +127,20 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
     m_gl.glDepthFunc(GL_LESS);
     m_gl.glDisable(GL_CULL_FACE);
     m_gl.glClear(GL_DEPTH_BUFFER_BIT);
-    program.bind();
     for (const Caster& caster : casters) {
+        ShaderProgram& program = programs.of(*caster.item);
+        program.bind();
+        if (&program == &programs.cut)
+            cache.bindPictures(program, *caster.item);
         cache.bindBones(program, caster.motion);
         program.set("uClip", glm::mat4(m_fit.clip * caster.world));
-        cache.drawTriangles(cache.item(*caster.item), true); // a leaf is a few texels
+        cache.drawTriangles(cache.item(*caster.item),
+                            !focus && &program == &programs.whole); // of a few texels
     }
     m_gl.glBindVertexArray(0);
     m_drawn = std::move(casters);
     m_sun = sun;
+    m_focus = focus;
     ++m_redraws;
     return m_fit;
 }

@@ -19,6 +19,32 @@ struct ShadowFit
 /// texels.
 ShadowFit fitShadow(const Box& casters, const glm::dvec3& sun, int size);
 
+/// A place that a second, finer map is for.
+struct ShadowFocus
+{
+    glm::dvec3 centre{0.0}; ///< world
+    double radius = 1.0;    ///< m
+    bool operator==(const ShadowFocus&) const = default;
+};
+/// The same depth, less of the sides: all that throws a shadow into the place.
+ShadowFit fitShadow(const Box& casters, const glm::dvec3& sun, const ShadowFocus& focus);
+
+/// For shaders, which have positions relative to the eye.
+struct ShadowPlace
+{
+    glm::mat4 place{1.0f}; ///< -> 0..1 on the map and in depth
+    glm::vec3 scale{1.0f}; ///< m: one texel, the side, the depth
+};
+ShadowPlace placeOf(const ShadowFit& fit, const glm::dvec3& eye);
+
+/// What draws depth alone.
+struct DepthPrograms
+{
+    ShaderProgram& whole;
+    ShaderProgram& cut; ///< of surfaces that a picture cuts out
+    ShaderProgram& of(const MeshItem& item) const { return item.images && item.images->isCut ? cut : whole; }
+};
+
 /// Every function needs the map's context current.
 class ShadowMap
 {
@@ -30,10 +56,11 @@ public:
     ShadowMap(const ShadowMap&) = delete;
     ShadowMap& operator=(const ShadowMap&) = delete;
 
-    /// Redraws the map if what throws shadows or the sun has changed. Binds its own framebuffer and viewport.
-    /// \returns nothing where there is no caster.
+    /// Redraws the map if what throws shadows, the sun or the focus has changed. Binds its own framebuffer
+    /// and viewport. \returns nothing where there is no caster.
     std::optional<ShadowFit> update(const RenderScene& scene, const glm::dvec3& sun, GpuCache& cache,
-                                    ShaderProgram& program);
+                                    const DepthPrograms& programs,
+                                    const std::optional<ShadowFocus>& focus = {});
     /// Binds the depth to two units: one that compares, one that reads.
     void bind(GLenum compareUnit, GLenum readUnit);
     [[nodiscard]] std::uint64_t redraws() const { return m_redraws; }
@@ -44,12 +71,13 @@ private:
         const MeshItem* item; ///< of the scene at hand
         std::shared_ptr<const TriangleMesh> mesh;
         std::shared_ptr<const MeshCopies> copies;
+        std::shared_ptr<const SurfaceImages> images;
         ItemMotion motion;
         glm::dmat4 world;
         bool operator==(const Caster& other) const
         {
-            return mesh == other.mesh && copies == other.copies && motion == other.motion &&
-                   world == other.world;
+            return mesh == other.mesh && copies == other.copies && images == other.images &&
+                   motion == other.motion && world == other.world;
         }
     };
     void create();
@@ -61,6 +89,7 @@ private:
     GLuint m_readSampler = 0;
     std::vector<Caster> m_drawn;
     glm::dvec3 m_sun{0.0};
+    std::optional<ShadowFocus> m_focus;
     std::uint64_t m_redraws = 0;
     ShadowFit m_fit;
 };

@@ -48,8 +48,9 @@ private slots:
 
     void flatPlacesStillSeeSomething()
     {
-        for (const Camera& camera : {cameraAt(glm::dmat4(0.0), {}),
-                                     cameraAt(glm::scale(glm::dmat4(1.0), {1.0, 0.0, 0.0}), {0.5, 1.0, 0.0})}) {
+        for (const Camera& camera :
+             {cameraAt(glm::dmat4(0.0), {}),
+              cameraAt(glm::scale(glm::dmat4(1.0), {1.0, 0.0, 0.0}), {0.5, 1.0, 0.0})}) {
             QVERIFY(std::isfinite(camera.yawRad) && std::isfinite(camera.rollRad));
             QVERIFY(camera.distance > 0.0);
         }
@@ -70,7 +71,8 @@ private slots:
             const Camera camera = cameraAt(scaled, params);
             QVERIFY(difference(standingOf(camera), world) < 1e-9);
             QCOMPARE(camera.fovRad, params.angleRad);
-            QVERIFY(glm::length(camera.target - glm::dvec3(world * glm::dvec4(0, 0, -params.focus, 1))) < 1e-8);
+            QVERIFY(glm::length(camera.target - glm::dvec3(world * glm::dvec4(0, 0, -params.focus, 1))) <
+                    1e-8);
             QVERIFY(difference(camera.viewMatrix() * world, glm::dmat4(1.0)) < 1e-8);
         }
     }
