@@ -17,7 +17,7 @@ uniform sampler2DShadow uNearMap;
 uniform sampler2D uNearDepth;
 
 const mat2 golden = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888); // turns by the golden angle
-const float sunSpread = 0.035; // width of the penumbra per metre behind the edge
+uniform float uSunSpread; // width of the penumbra per metre behind the edge
 
 // The next point of a disc of count points, the i-th; each lies a golden angle further than the one before.
 vec2 discPoint(int i, int count, inout vec2 way)
@@ -41,7 +41,7 @@ vec2 depthSlope(mat4 place, vec3 scale, vec3 plane)
 // Fernando 2005, percentage-closer soft shadows: the farther behind its blocker, the softer.
 float kernelRadius(sampler2D depths, vec3 scale, vec3 at, vec2 slope, float texel, vec2 way)
 {
-    float widest = clamp(scale.z * sunSpread / scale.y, 2.0 * texel, 14.0 * texel);
+    float widest = clamp(scale.z * uSunSpread / scale.y, 2.0 * texel, 14.0 * texel);
     float sum = 0.0;
     float count = 0.0;
     for (int i = 0; i < 8; ++i) {
@@ -55,7 +55,7 @@ float kernelRadius(sampler2D depths, vec3 scale, vec3 at, vec2 slope, float texe
     if (count == 0.0)
         return 0.0;
     float gap = sum / count * scale.z;
-    return clamp(gap * sunSpread / scale.y, 1.0 * texel, widest);
+    return clamp(gap * uSunSpread / scale.y, 1.0 * texel, widest);
 }
 
 // Where a place lies in a map: lifted off the surface by as much as the map is coarse.

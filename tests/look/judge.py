@@ -19,7 +19,10 @@ import numpy
 SIZE = 512
 SMALL = 128
 SAMPLES = 64
-MASK_SAMPLES = 64  # with fewer, the noise of both alone keeps thin needles from covering each other
+# Of silhouettes: pictures of 64 parts a pixel, four samples in each. With samples thrown all over the pixel, the noise
+# of both keeps thin needles from covering each other.
+FINE = 8 * SIZE
+FINE_SAMPLES = 4
 EXPOSURE = 0.8  # renderer.cpp
 MEADOW = (0.0931, 0.2051, 0.0612)
 THROUGH = 0.5  # material.cpp, of leaves, and what mesh.frag tints it with
@@ -65,11 +68,11 @@ def ours(cli, preset, settings, folder, name):
     tree = f"preset:{preset}"
     eye, target = camera_of(json.loads(run(cli, "info", tree, "--json", *options)))
     place = ",".join(f"{v:.6f}" for v in (*eye, *target, ANGLE))
-    common = ["--size", f"{SIZE}x{SIZE}", "--camera", place, "--quality", "best", *options]
-    finely = ["--samples", MASK_SAMPLES // 4]  # best has four a pixel
+    common = ["--camera", place, *options]
     run(cli, "render", tree, "-o", folder / f"{name}_ours.png", "--background", "sky",
-        "--sky-picture", folder / "sky.hdr", *common)
-    run(cli, "render", tree, "-o", folder / f"{name}_mask.png", "--background", "none", *common, *finely)
+        "--sky-picture", folder / "sky.hdr", "--size", f"{SIZE}x{SIZE}", "--quality", "best", *common)
+    run(cli, "render", tree, "-o", folder / f"{name}_mask.png", "--background", "none",
+        "--size", f"{FINE}x{FINE}", *common)
     run(cli, "export", tree, "-o", folder / f"{name}.obj", "--part", "all", *options)
     return eye, target
 
@@ -141,6 +144,9 @@ def arrange(folder, name, eye, target):
                 node.image.colorspace_settings.name = "Non-Color"
         principled = material.node_tree.nodes.get("Principled BSDF")
         principled.inputs["Specular"].default_value = 0.2
+        colour = principled.inputs["Base Color"]
+        if not colour.is_linked:  # Kd is sRGB, and taken over as if it were linear
+            colour.default_value = (*linear(numpy.array(colour.default_value[:3])), 1)
         if material.name.startswith("leaves"):
             let_light_through(material)
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
@@ -154,14 +160,14 @@ def arrange(folder, name, eye, target):
     scene.render.engine = "CYCLES"
     scene.cycles.pixel_filter_type = "BOX"  # as the samples of our pictures count
     scene.cycles.filter_width = 1.0
-    scene.render.resolution_x = scene.render.resolution_y = SIZE
     scene.render.image_settings.file_format = "OPEN_EXR"
     scene.render.image_settings.color_depth = "32"
     scene.render.image_settings.color_mode = "RGBA"
 
 
-def rendered(path, samples, transparent):
+def rendered(path, size, samples, transparent):
     scene = bpy.context.scene
+    scene.render.resolution_x = scene.render.resolution_y = size
     scene.cycles.samples = samples
     scene.cycles.use_denoising = False
     scene.render.film_transparent = transparent
@@ -194,23 +200,26 @@ def kinds_only():
         tree.links.new(shine.outputs[0], output.inputs["Surface"])
 
 
-def film(linear):
+def film(light):
     """lighting.glsl's response, to sRGB."""
-    c = EXPOSURE * numpy.maximum(linear, 0)
+    c = EXPOSURE * numpy.maximum(light, 0)
     c = c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14)
     grey = c @ numpy.array([0.2126, 0.7152, 0.0722])
     c = numpy.clip(0.2 * grey[..., None] + 0.8 * c, 0, 1)
     return numpy.where(c <= 0.0031308, 12.92 * c, 1.055 * c ** (1 / 2.4) - 0.055)
 
 
-def smaller(picture):
-    step = SIZE // SMALL
-    return picture.reshape(SMALL, step, SMALL, step, -1).mean(axis=(1, 3))
+def shrunk(picture, size):
+    step = len(picture) // size
+    return picture.reshape(size, step, size, step, -1).mean(axis=(1, 3))
+
+
+def linear(srgb):
+    return numpy.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
 
 
 def lab(srgb):
-    linear = numpy.where(srgb <= 0.04045, srgb / 12.92, ((srgb + 0.055) / 1.055) ** 2.4)
-    xyz = linear @ numpy.array([[0.4124, 0.2126, 0.0193], [0.3576, 0.7152, 0.1192], [0.1805, 0.0722, 0.9505]])
+    xyz = linear(srgb) @ numpy.array([[0.4124, 0.2126, 0.0193], [0.3576, 0.7152, 0.1192], [0.1805, 0.0722, 0.9505]])
     t = xyz / numpy.array([0.9505, 1.0, 1.089])
     f = numpy.where(t > 0.008856, numpy.cbrt(t), 7.787 * t + 16 / 116)
     return numpy.stack([116 * f[..., 1] - 16, 500 * (f[..., 0] - f[..., 1]), 200 * (f[..., 1] - f[..., 2])], -1)
@@ -233,17 +242,17 @@ def judged(cli, folder, name):
     arrange(folder, name, eye, target)
     light(folder / "sky.hdr")
     plane = ground()
-    traced = rendered(folder / f"{name}_cycles.exr", SAMPLES, False)
+    traced = rendered(folder / f"{name}_cycles.exr", SIZE, SAMPLES, False)
     bpy.data.objects.remove(plane)
     kinds_only()
-    kinds = rendered(folder / f"{name}_kinds.exr", MASK_SAMPLES, True)
+    kinds = shrunk(rendered(folder / f"{name}_kinds.exr", FINE, FINE_SAMPLES, True), SIZE)
     ours_picture = pixels_of(folder / f"{name}_ours.png")[..., :3]
     theirs = film(traced[..., :3])
     save(folder / f"{name}_cycles.png", theirs)
-    mask = pixels_of(folder / f"{name}_mask.png")[..., 3]
+    mask = shrunk(pixels_of(folder / f"{name}_mask.png"), SIZE)[..., 3]
     both = numpy.minimum(mask, kinds[..., 3]).sum()
     overlap = both / numpy.maximum(mask, kinds[..., 3]).sum()
-    a, b, shares = smaller(ours_picture), smaller(theirs), smaller(kinds[..., :3])
+    a, b, shares = (shrunk(picture, SMALL) for picture in (ours_picture, theirs, kinds[..., :3]))
     difference = numpy.linalg.norm(lab(a) - lab(b), axis=-1)
     crown, bark = (float(difference[shares[..., i] > 0.5].mean()) if (shares[..., i] > 0.5).any() else math.nan
                    for i in (0, 1))

@@ -67,6 +67,7 @@ void PictureLight::set(ShaderProgram& program) const
     program.set("uSunLight", sunlight);
     for (std::size_t i = 0; i < ambient.size(); ++i)
         program.set(ambientNames[i], ambient[i]);
+    program.set("uSunSpread", sky ? 0.0093f : 0.035f); // as wide as it is seen; elsewhere as of a hazy day
     program.set("uStanding", sky ? 1.0f : 1.2f);
     program.set("uAround", sky ? 1.0f : 0.0f);
     program.set("uGain", gain);

@@ -226,12 +226,14 @@ void Renderer::castShadows(Picture& picture)
     const RenderOptions& options = picture.options;
     if (!options.shadows || options.shading == ShadingMode::Wire)
         return;
-    const auto fit = m_shadowMap.update(picture.scene, picture.light.sun, m_cache, {*m_shadow, *m_shadowCut});
+    const bool finest = options.quality == Quality::Best && !options.hurried;
+    const auto fit = m_shadowMap.update(picture.scene, picture.light.sun, m_cache, {*m_shadow, *m_shadowCut},
+                                        finest ? LeafDetail::All : LeafDetail::Few);
     if (!fit)
         return;
     picture.shadow = placeOf(*fit, picture.camera.eye());
     picture.shadowTaps = options.shadowTaps > 0 ? options.shadowTaps : (m_software ? 12 : 20);
-    if (options.quality == Quality::Best && !options.hurried)
+    if (finest)
         picture.shadowTaps = std::max(picture.shadowTaps, 32);
     if (options.quality != Quality::Draft && !options.hurried)
         castNear(picture, fit->side);
@@ -246,7 +248,7 @@ void Renderer::castNear(Picture& picture, double side)
     if (2.0 * radius > worthwhile * side)
         return;
     const auto fit = m_nearShadow.update(picture.scene, picture.light.sun, m_cache, {*m_shadow, *m_shadowCut},
-                                         ShadowFocus{camera.target, radius});
+                                         LeafDetail::All, ShadowFocus{camera.target, radius});
     if (fit)
         picture.near = placeOf(*fit, picture.camera.eye());
 }

@@ -105,7 +105,7 @@ void ShadowMap::create()
 }
 
 std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::dvec3& sun, GpuCache& cache,
-                                           const DepthPrograms& programs,
+                                           const DepthPrograms& programs, LeafDetail detail,
                                            const std::optional<ShadowFocus>& focus)
 {
     std::vector<Caster> casters;
@@ -115,7 +115,7 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
     }
     if (casters.empty() || scene.casters.empty())
         return std::nullopt;
-    if (casters == m_drawn && sun == m_sun && focus == m_focus)
+    if (casters == m_drawn && sun == m_sun && focus == m_focus && detail == m_detail)
         return m_fit;
     if (m_framebuffer == 0)
         create();
@@ -141,6 +141,7 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
     m_drawn = std::move(casters);
     m_sun = sun;
     m_focus = focus;
+    m_detail = detail;
     ++m_redraws;
     return m_fit;
 }

@@ -37,6 +37,9 @@ struct ShadowPlace
 };
 ShadowPlace placeOf(const ShadowFit& fit, const glm::dvec3& eye);
 
+/// Leaves of all their triangles, or of few: a leaf is some texels.
+enum class LeafDetail : std::uint8_t { Few, All };
+
 /// What draws depth alone.
 struct DepthPrograms
 {
@@ -59,7 +62,7 @@ public:
     /// Redraws the map if what throws shadows, the sun or the focus has changed. Binds its own framebuffer
     /// and viewport. \returns nothing where there is no caster.
     std::optional<ShadowFit> update(const RenderScene& scene, const glm::dvec3& sun, GpuCache& cache,
-                                    const DepthPrograms& programs,
+                                    const DepthPrograms& programs, LeafDetail detail,
                                     const std::optional<ShadowFocus>& focus = {});
     /// Binds the depth to two units: one that compares, one that reads.
     void bind(GLenum compareUnit, GLenum readUnit);
@@ -90,6 +93,7 @@ private:
     std::vector<Caster> m_drawn;
     glm::dvec3 m_sun{0.0};
     std::optional<ShadowFocus> m_focus;
+    LeafDetail m_detail = LeafDetail::Few;
     std::uint64_t m_redraws = 0;
     ShadowFit m_fit;
 };
