@@ -907,6 +907,22 @@
         <source>The envelope and the points that a selected tree grows to fill, where it grows by space colonisation</source>
         <translation>L’enveloppe et les points qu’un arbre sélectionné cherche à remplir, s’il pousse par colonisation de l’espace</translation>
     </message>
+    <message>
+        <source>&amp;Look through the camera</source>
+        <translation>&amp;Regarder par la caméra</translation>
+    </message>
+    <message>
+        <source>The view becomes that of the selected camera, or of the first one, until the view is moved</source>
+        <translation>La vue devient celle de la caméra sélectionnée, ou de la première, jusqu’à ce qu’on la bouge</translation>
+    </message>
+    <message>
+        <source>&amp;Move the camera here</source>
+        <translation>&amp;Amener la caméra ici</translation>
+    </message>
+    <message>
+        <source>The selected camera, or the first one, comes to where the view is seen from</source>
+        <translation>La caméra sélectionnée, ou la première, vient là d’où l’on regarde</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -5573,6 +5589,54 @@
         <source>A narrow regular spire, dense to the ground</source>
         <translation>Une flèche étroite et régulière, dense jusqu’au sol</translation>
     </message>
+    <message>
+        <source>there is no .obj of this name: a camera, as it is called one</source>
+        <translation>il n’y a pas de .obj de ce nom : une caméra, puisqu’elle en porte le nom</translation>
+    </message>
+    <message>
+        <source>Angle of view</source>
+        <translation>Angle de vue</translation>
+    </message>
+    <message>
+        <source>From the top of the picture to its bottom: a wide lens has a large one. 27° is a lens of 50 mm before a film of 24 mm.</source>
+        <translation>Du haut de l’image à son bas : un grand-angle en a un grand. 27° correspondent à un objectif de 50 mm devant un film de 24 mm.</translation>
+    </message>
+    <message>
+        <source>F-stop</source>
+        <translation>Ouverture</translation>
+    </message>
+    <message>
+        <source>Focal length over the opening of the lens: the smaller, the less is sharp. 0 leaves everything sharp. Seen in pictures that are drawn aside, not in the view.</source>
+        <translation>Focale divisée par l’ouverture de l’objectif : plus elle est petite, moins il y a de netteté. 0 laisse tout net. Se voit dans les images dessinées à part, pas dans la vue.</translation>
+    </message>
+    <message>
+        <source>Focus</source>
+        <translation>Mise au point</translation>
+    </message>
+    <message>
+        <source>How far away is what the lens shows sharp.</source>
+        <translation>À quelle distance se trouve ce que l’objectif montre net.</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>caméra</translation>
+    </message>
+    <message>
+        <source>Camera: %1</source>
+        <translation>Caméra : %1</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Caméra</translation>
+    </message>
+    <message>
+        <source>Add a camera that sees what the view shows</source>
+        <translation>Ajouter une caméra qui voit ce que montre la vue</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -6479,6 +6543,25 @@ OpenGL&#xa0;: %4
     <message>
         <source>Return</source>
         <translation>Entrée</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::CameraActions</name>
+    <message>
+        <source>There is no camera: Edit &gt; Add to the scene &gt; Camera makes one from this view.</source>
+        <translation>Il n’y a pas de caméra : Édition &gt; Ajouter à la scène &gt; Caméra en fait une de cette vue.</translation>
+    </message>
+    <message>
+        <source>This camera is locked or hidden.</source>
+        <translation>Cette caméra est verrouillée ou masquée.</translation>
+    </message>
+    <message>
+        <source>Move the camera here</source>
+        <translation>Amener la caméra ici</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Caméra</translation>
     </message>
 </context>
 <context>
@@ -8261,7 +8344,7 @@ OpenGL&#xa0;: %4
     <name>ramure::PresetGallery</name>
     <message>
         <source>No tree is called “%1”. Search for a name, a Latin name or a word of its description.</source>
-        <translation>Aucun arbre ne s’appelle « %1 ». Cherchez un nom, un nom latin ou un mot de sa description.</translation>
+        <translation>Aucun arbre ne s’appelle «&#xa0;%1&#xa0;». Cherchez un nom, un nom latin ou un mot de sa description.</translation>
     </message>
     <message>
         <source>Search trees</source>
@@ -9747,6 +9830,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>No wind blows in this scene: select a tree to set its wind with the arrow.</source>
         <translation>Aucun vent ne souffle dans cette scène : sélectionnez un arbre pour régler son vent avec la flèche.</translation>
+    </message>
+    <message>
+        <source>Through “%1”</source>
+        <translation>À travers « %1 »</translation>
     </message>
 </context>
 <context>

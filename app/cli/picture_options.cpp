@@ -177,8 +177,8 @@ void addPictureOptions(CommandLine& line)
     line.addDefault(
         {QStringLiteral("quality")},
         QStringLiteral("draft (sun and sky light alone), good (crowns that are darker inside, the "
-                       "response of film; the usual) or best (several samples a pixel, softer "
-                       "shadows; slower)."),
+                       "response of film; the usual) or best (several samples a pixel, shadows "
+                       "of whole leaves; slower)."),
         QStringLiteral("draft|good|best"), QStringLiteral("good"));
     line.addDefault(
         {QStringLiteral("background")},

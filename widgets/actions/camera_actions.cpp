@@ -57,14 +57,16 @@ void CameraActions::lookThrough(bool on)
     view->lookThrough(camera);
     m_through->setChecked(view->seenThrough() != noNode);
     if (on && camera == noNode)
-        emit messageRaised(tr("There is no camera: Edit > Add > Camera makes one from this view."));
+        emit messageRaised(
+            tr("There is no camera: Edit > Add to the scene > Camera makes one from this view."));
 }
 
 void CameraActions::moveHere()
 {
     const NodeId camera = meant();
     if (camera == noNode)
-        return emit messageRaised(tr("There is no camera: Edit > Add > Camera makes one from this view."));
+        return emit messageRaised(
+            tr("There is no camera: Edit > Add to the scene > Camera makes one from this view."));
     const auto starts =
         transformStarts(m_document->scene(), {camera}, m_host->viewport()->shownSeconds(), true);
     if (starts.empty())
