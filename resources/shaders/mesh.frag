@@ -19,6 +19,7 @@ uniform float uGlint;      // strength of the highlight
 uniform float uThrough;    // share of the light that shines through, for leaves
 uniform bool uTwoSided;
 uniform float uOpacity;
+uniform bool uCovers; // what a picture cuts out covers some of a pixel's samples
 uniform vec4 uBackward;    // orthographic: direction to the eye, w = 1; perspective: w = 0
 
 out vec4 fragment;
@@ -132,7 +133,10 @@ void main()
                : uHasBark             ? barkColour(normal)
                                       : ownColour();
     float gloss = uImages > 0 ? 2.0 * (1.0 - texture(uBarkNormals, v.uv).a) : 1.0; // of pictures, roughness
-    bool isOpen = uImages == 1 && uPaint == 0 && texture(uBark, v.uv).a < 0.5;
+    bool isCut = uImages == 1 && uPaint == 0;
+    float there = isCut ? texture(uBark, v.uv).a : 1.0;
+    if (isCut && uCovers) // an edge as wide as a pixel (Golus, "Anti-aliased alpha test", 2017)
+        there = clamp((there - 0.5) / max(fwidth(there), 1e-4) + 0.5, 0.0, 1.0);
     vec3 paint = painted(v.uv, v.relative, own);
     vec3 albedo = toLinear(mix(paint, v.tint.rgb, v.tint.a)) * v.shade;
     if (!gl_FrontFacing) {
@@ -141,7 +145,7 @@ void main()
         if (!uTwoSided)
             albedo = mix(albedo, vec3(dot(albedo, vec3(0.3333))), 0.6) * 0.5;
     }
-    if (isOpen) // after everything that looks at its neighbours
+    if (isCut && there < (uCovers ? 0.01 : 0.5)) // after everything that looks at its neighbours
         discard;
 #ifdef WIRE
     float edge = min(min(edgeDistance.x, edgeDistance.y), edgeDistance.z);
@@ -155,6 +159,6 @@ void main()
     vec3 colour = shaded(albedo, normal, plane, gloss);
     fragment = vec4(dithered(toSrgb(mix(colour, albedo * 0.06, 0.75 * line))), uOpacity);
 #else
-    fragment = vec4(dithered(toSrgb(shaded(albedo, normal, plane, gloss))), uOpacity);
+    fragment = vec4(dithered(toSrgb(shaded(albedo, normal, plane, gloss))), uCovers ? there : uOpacity);
 #endif
 }

@@ -323,6 +323,13 @@ const GpuBlock& GpuCache::images(const std::shared_ptr<const SurfaceImages>& ima
     const auto [block, isNew] = slot(images);
     if (isNew) {
         block.texture = picture(images->size, images->colour);
+        GLint level = 0, size = images->size;
+        for (const auto& smaller : images->isCut ? smallerPictures(size, images->colour)
+                                                 : std::vector<std::vector<glm::u8vec4>>()) {
+            size = std::max(1, size / 2);
+            m_gl.glTexImage2D(GL_TEXTURE_2D, ++level, GL_RGBA8, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                              smaller.data());
+        }
         block.normals = picture(images->size, images->normal);
     }
     return block;

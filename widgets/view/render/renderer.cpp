@@ -2,6 +2,7 @@
 
 #include "core/base/stopwatch.h"
 #include "widgets/view/render/gl_setup.h"
+#include "widgets/view/render/renderer_picture.h"
 #include <QOpenGLContext>
 #include <QOpenGLDebugLogger>
 #include <QOpenGLVersionFunctionsFactory>
@@ -41,29 +42,6 @@ static bool isDrawnLarge(QSize size, const RenderOptions& options)
     return options.quality == Quality::Best && !options.hurried && size.width() <= largestSide &&
            size.height() <= largestSide;
 }
-
-struct Renderer::Picture
-{
-    const RenderScene& scene;
-    const Camera& camera;
-    const RenderOptions& options;
-    PictureLight light;
-    glm::vec2 viewport{1.0f};
-    glm::dmat4 projectedView{1.0}; ///< eye-relative -> clip
-    ShadowPlace shadow{};
-    std::optional<ShadowPlace> near{}; ///< finer, of what is near
-    int shadowTaps = 0;
-    double aspect = 1.0;
-
-    /// World axes and scale, the origin in the eye: keeps floats precise wherever the scene lies.
-    [[nodiscard]] glm::dmat4 relative(const glm::dmat4& world) const
-    {
-        glm::dmat4 moved = world;
-        moved[3] -= glm::dvec4(camera.eye(), 0.0);
-        return moved;
-    }
-    [[nodiscard]] float lift() const { return camera.orthographic ? 2e-4f : 4e-5f; }
-};
 
 Renderer::Renderer(Gl& gl)
     : m_gl(gl)
@@ -187,6 +165,7 @@ void Renderer::drawInto(GLuint framebuffer, const Picture& picture, QSize size)
     m_shadowMap.bind(shadowUnit, shadowDepthUnit);
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     beginState(size);
+    m_gl.glGetIntegerv(GL_SAMPLES, &m_samples);
     if (options.world)
         drawWorld(picture);
     if (options.shading == ShadingMode::Solid) // the wireframe's other program would not give the same depths
@@ -405,6 +384,10 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     program.set("uTileSize", item.tileSize);
     program.set("uOpacity", item.opacity);
     m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
+    const bool covers = m_samples > 1 && item.images && item.images->isCut && item.opacity >= 1.0f;
+    program.set("uCovers", covers);
+    for (const GLenum how : {GLenum(GL_SAMPLE_ALPHA_TO_COVERAGE), GLenum(GL_SAMPLE_ALPHA_TO_ONE)})
+        covers ? m_gl.glEnable(how) : m_gl.glDisable(how);
     m_cache.drawTriangles(block, picture.options.hurried);
     m_gl.glFrontFace(GL_CCW);
 }
@@ -487,82 +470,6 @@ void Renderer::drawOutline(const Picture& picture, GLuint target)
     m_line->set("uOnlySelected", false);
     m_gl.glBindVertexArray(m_emptyArray);
     m_outline.end(target, {*m_outlineRows, *m_outlineColumns, *m_outlineClosing, *m_outlineInk});
-}
-
-/// Each hides its own inside, but nothing else: what stands behind it shines through.
-void Renderer::drawGhosts(const Picture& picture)
-{
-    if (picture.scene.ghosts.empty())
-        return;
-    m_ghost->bind();
-    m_ghost->set("uBackward",
-                 glm::vec4(glm::vec3(picture.camera.backward()), picture.camera.orthographic ? 1.0f : 0.0f));
-    m_gl.glDepthMask(GL_FALSE);
-    m_gl.glEnable(GL_CULL_FACE);
-    m_gl.glEnable(GL_POLYGON_OFFSET_FILL); // where it lies in a surface, that is seen
-    m_gl.glPolygonOffset(1.0f, 2.0f);
-    for (const GhostItem& item : picture.scene.ghosts) {
-        const GpuBlock& block = m_cache.mesh(item.mesh, nullptr);
-        const glm::dmat4 relative = picture.relative(item.world);
-        m_ghost->set("uClip", glm::mat4(picture.projectedView * relative));
-        m_ghost->set("uRelative", glm::mat4(relative));
-        m_ghost->set("uNormal", glm::mat3(glm::inverseTranspose(glm::dmat3(item.world))));
-        m_ghost->set("uColour", glm::vec4(item.colour) / 255.0f);
-        m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
-        m_gl.glBindVertexArray(block.vertexArray);
-        m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
-    }
-    m_gl.glFrontFace(GL_CCW);
-    m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
-    m_gl.glDisable(GL_CULL_FACE);
-    m_gl.glDepthMask(GL_TRUE);
-}
-
-void Renderer::drawLines(const Picture& picture, bool hidden)
-{
-    m_line->bind();
-    m_line->set("uViewport", picture.viewport);
-    m_line->set("uPixelRatio", float(picture.options.pixelRatio));
-    m_line->set("uLift", hidden ? 0.0f : picture.lift());
-    m_gl.glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
-    m_gl.glDepthMask(hidden ? GL_FALSE : GL_TRUE);
-    for (const LineItem& item : picture.scene.lines) {
-        if (hidden && !item.throughSurfaces)
-            continue;
-        m_line->set("uOpacity", hidden ? item.hidden : 1.0f);
-        drawLineItem(picture, item);
-    }
-}
-
-void Renderer::drawLineItem(const Picture& picture, const LineItem& item)
-{
-    const GpuBlock& block = m_cache.lines(item.lines);
-    setStates(*m_line, picture.scene, item.node);
-    m_cache.bindBones(*m_line, item.motion);
-    m_line->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
-    m_gl.glBindVertexArray(block.vertexArray);
-    m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
-}
-
-void Renderer::drawPoints(const Picture& picture, bool hidden)
-{
-    m_point->bind();
-    m_point->set("uViewport", picture.viewport);
-    m_point->set("uPixelRatio", float(picture.options.pixelRatio));
-    m_point->set("uLift", hidden ? 0.0f : 1.5f * picture.lift());
-    m_gl.glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
-    m_gl.glDepthMask(hidden ? GL_FALSE : GL_TRUE);
-    for (const PointItem& item : picture.scene.points) {
-        if (hidden && !item.throughSurfaces)
-            continue;
-        m_point->set("uOpacity", hidden ? item.hidden : 1.0f);
-        const GpuBlock& block = m_cache.points(item.points);
-        setStates(*m_point, picture.scene, item.node);
-        m_cache.bindBones(*m_point, item.motion);
-        m_point->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
-        m_gl.glBindVertexArray(block.vertexArray);
-        m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
-    }
 }
 
 void Renderer::resetState()

@@ -91,6 +91,7 @@ private:
     std::optional<std::pair<SceneLight, PictureLight>> m_light; ///< what the last picture asked for
     GLuint m_emptyArray = 0;
     GLuint m_noStates = 0; ///< a texture of one plain branch
+    GLint m_samples = 0;   ///< of a pixel of the picture at hand
     bool m_software = false;
     RenderStats m_stats;
 };

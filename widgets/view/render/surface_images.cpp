@@ -260,4 +260,48 @@ std::uint64_t pictureStamp(const PictureParams& pictures)
     return hash.value();
 }
 
+/// Half as large; colours count as far as they are there.
+static std::vector<glm::vec4> halved(int size, const std::vector<glm::vec4>& pixels)
+{
+    const int half = std::max(1, size / 2);
+    std::vector<glm::vec4> out;
+    out.reserve(std::size_t(half) * std::size_t(half));
+    for (int y = 0; y < half; ++y)
+        for (int x = 0; x < half; ++x) {
+            glm::vec4 sum(0.0f), plain(0.0f);
+            for (int i = 0; i < 4; ++i) {
+                const int column = std::min(2 * x + i % 2, size - 1), row = std::min(2 * y + i / 2, size - 1);
+                const glm::vec4& from = pixels[std::size_t(row) * std::size_t(size) + std::size_t(column)];
+                sum += glm::vec4(from.a * glm::vec3(from), from.a);
+                plain += 0.25f * from;
+            }
+            out.emplace_back(sum.a > 0.0f ? glm::vec3(sum) / sum.a : glm::vec3(plain), 0.25f * sum.a);
+        }
+    return out;
+}
+
+std::vector<std::vector<glm::u8vec4>> smallerPictures(int size, const std::vector<glm::u8vec4>& pixels)
+{
+    constexpr float threshold = 127.5f;
+    std::vector<glm::vec4> level(pixels.begin(), pixels.end());
+    const auto isThere = [](const glm::vec4& pixel) { return pixel.a > threshold; };
+    const double share = double(std::ranges::count_if(level, isThere)) / double(level.size());
+    std::vector<std::vector<glm::u8vec4>> out;
+    for (; size > 1; size = std::max(1, size / 2)) {
+        level = halved(size, level);
+        std::vector<float> opacities;
+        for (const glm::vec4& pixel : level)
+            opacities.push_back(pixel.a);
+        const auto gone = std::min(opacities.size() - 1,
+                                   std::size_t(std::llround((1.0 - share) * double(opacities.size()))));
+        std::ranges::nth_element(opacities, opacities.begin() + std::ptrdiff_t(gone));
+        const float least = std::max(opacities[gone], 1.0f); // of what has to be there
+        const float factor = share > 0.0 ? 128.0f / least : 0.0f;
+        auto& bytes = out.emplace_back();
+        for (const glm::vec4& pixel : level)
+            bytes.emplace_back(glm::vec4(glm::vec3(pixel), std::min(pixel.a * factor, 255.0f)) + 0.5f);
+    }
+    return out;
+}
+
 } // namespace ramure

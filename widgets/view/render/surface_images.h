@@ -39,6 +39,11 @@ struct SurfaceImages
 /// \pre the material has pictures.
 SurfaceImages surfaceImages(const Material& material);
 
+/// The picture at half the size, a quarter and so on, down to one pixel. As much of each is there (opacity of
+/// a half or more) as of the whole: seen from afar a leaf gets neither thin nor solid. Castano, "Computing
+/// alpha mipmaps", 2010. \param pixels size * size of them
+std::vector<std::vector<glm::u8vec4>> smallerPictures(int size, const std::vector<glm::u8vec4>& pixels);
+
 /// A number for the files as they are now: another one where one of them was written again.
 std::uint64_t pictureStamp(const PictureParams& pictures);
 

@@ -6,6 +6,8 @@
 #include <QFile>
 #include <QGuiApplication>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <cmath>
 #include <sys/stat.h>
 
 using namespace ramure;
@@ -128,6 +130,45 @@ private slots:
         saved(filled({80, 80}, Qt::blue), "stamp.png");
         QVERIFY(pictureStamp(pictures) != before);
         QVERIFY(pictureStamp({}) != before);
+    }
+    void smallerPicturesShowAsMuch_data()
+    {
+        QTest::addColumn<int>("size");
+        QTest::addColumn<double>("share");
+        for (const int size : {64, 100, 256})
+            for (const double share : {0.0, 0.1, 0.5, 0.9, 1.0})
+                QTest::addRow("%d, %g", size, share) << size << share;
+    }
+    void smallerPicturesShowAsMuch()
+    {
+        QFETCH(const int, size);
+        QFETCH(const double, share);
+        std::vector<double> field; // thin shapes with soft edges
+        for (int i = 0; i < size * size; ++i) {
+            const double x = i % size, y = double(i / size);
+            field.push_back(std::sin(0.9 * x + 0.31 * y) + std::sin(0.37 * x - 0.71 * y));
+        }
+        std::vector<double> sorted = field;
+        std::ranges::sort(sorted);
+        const double least =
+            sorted[std::min(sorted.size() - 1, std::size_t((1.0 - share) * double(sorted.size())))];
+        std::vector<glm::u8vec4> pixels;
+        for (const double at : field)
+            pixels.emplace_back(40, 120, 30,
+                                share == 0.0 ? 0 : int(std::clamp(128.0 + 300.0 * (at - least), 0.0, 255.0)));
+        const auto shareOf = [](const std::vector<glm::u8vec4>& of) {
+            return double(std::ranges::count_if(of, [](const auto& p) { return p.a >= 128; })) /
+                   double(of.size());
+        };
+        const auto levels = smallerPictures(size, pixels);
+        QCOMPARE(levels.back().size(), std::size_t(1));
+        for (const auto& level : levels) {
+            if (level.size() >= 32 * 32) // smaller ones are all alike
+                QVERIFY2(std::abs(shareOf(level) - shareOf(pixels)) <= 0.02,
+                         qPrintable(QString::number(shareOf(level))));
+            for (const auto& pixel : level) // no dark rims
+                QVERIFY(pixel.a == 0 || glm::u8vec3(pixel) == glm::u8vec3(40, 120, 30));
+        }
     }
 };
 

@@ -1,0 +1,83 @@
+// Ghosts, lines and points.
+#include "widgets/view/render/renderer_picture.h"
+#include <glm/gtc/matrix_inverse.hpp>
+
+namespace ramure {
+
+/// Each hides its own inside, but nothing else: what stands behind it shines through.
+void Renderer::drawGhosts(const Picture& picture)
+{
+    if (picture.scene.ghosts.empty())
+        return;
+    m_ghost->bind();
+    m_ghost->set("uBackward",
+                 glm::vec4(glm::vec3(picture.camera.backward()), picture.camera.orthographic ? 1.0f : 0.0f));
+    m_gl.glDepthMask(GL_FALSE);
+    m_gl.glEnable(GL_CULL_FACE);
+    m_gl.glEnable(GL_POLYGON_OFFSET_FILL); // where it lies in a surface, that is seen
+    m_gl.glPolygonOffset(1.0f, 2.0f);
+    for (const GhostItem& item : picture.scene.ghosts) {
+        const GpuBlock& block = m_cache.mesh(item.mesh, nullptr);
+        const glm::dmat4 relative = picture.relative(item.world);
+        m_ghost->set("uClip", glm::mat4(picture.projectedView * relative));
+        m_ghost->set("uRelative", glm::mat4(relative));
+        m_ghost->set("uNormal", glm::mat3(glm::inverseTranspose(glm::dmat3(item.world))));
+        m_ghost->set("uColour", glm::vec4(item.colour) / 255.0f);
+        m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
+        m_gl.glBindVertexArray(block.vertexArray);
+        m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
+    }
+    m_gl.glFrontFace(GL_CCW);
+    m_gl.glDisable(GL_POLYGON_OFFSET_FILL);
+    m_gl.glDisable(GL_CULL_FACE);
+    m_gl.glDepthMask(GL_TRUE);
+}
+
+void Renderer::drawLines(const Picture& picture, bool hidden)
+{
+    m_line->bind();
+    m_line->set("uViewport", picture.viewport);
+    m_line->set("uPixelRatio", float(picture.options.pixelRatio));
+    m_line->set("uLift", hidden ? 0.0f : picture.lift());
+    m_gl.glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
+    m_gl.glDepthMask(hidden ? GL_FALSE : GL_TRUE);
+    for (const LineItem& item : picture.scene.lines) {
+        if (hidden && !item.throughSurfaces)
+            continue;
+        m_line->set("uOpacity", hidden ? item.hidden : 1.0f);
+        drawLineItem(picture, item);
+    }
+}
+
+void Renderer::drawLineItem(const Picture& picture, const LineItem& item)
+{
+    const GpuBlock& block = m_cache.lines(item.lines);
+    setStates(*m_line, picture.scene, item.node);
+    m_cache.bindBones(*m_line, item.motion);
+    m_line->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+    m_gl.glBindVertexArray(block.vertexArray);
+    m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
+}
+
+void Renderer::drawPoints(const Picture& picture, bool hidden)
+{
+    m_point->bind();
+    m_point->set("uViewport", picture.viewport);
+    m_point->set("uPixelRatio", float(picture.options.pixelRatio));
+    m_point->set("uLift", hidden ? 0.0f : 1.5f * picture.lift());
+    m_gl.glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
+    m_gl.glDepthMask(hidden ? GL_FALSE : GL_TRUE);
+    for (const PointItem& item : picture.scene.points) {
+        if (hidden && !item.throughSurfaces)
+            continue;
+        m_point->set("uOpacity", hidden ? item.hidden : 1.0f);
+        const GpuBlock& block = m_cache.points(item.points);
+        setStates(*m_point, picture.scene, item.node);
+        m_cache.bindBones(*m_point, item.motion);
+        m_point->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+        m_gl.glBindVertexArray(block.vertexArray);
+        m_gl.glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, block.count);
+    }
+}
+
+} // namespace ramure
