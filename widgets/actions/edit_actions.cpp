@@ -4,7 +4,7 @@
 #include "core/generators/variety.h"
 #include "core/params/presets.h"
 #include "core/scene/kinds/node_kinds.h"
-#include "core/scene/preset_scene.h"
+#include "core/session/planting.h"
 #include "widgets/actions/preset_menu.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/core_text.h"
@@ -210,12 +210,9 @@ void EditActions::addNode(Node node)
     reportFailure(edit::insertNodes(*m_document, {std::move(node)}, parent, row));
 }
 
-void EditActions::addTree(const QString& preset)
+void EditActions::addTree(const QString& preset, const std::optional<glm::dvec3>& place)
 {
-    auto tree = presetTree(preset.toStdString());
-    if (!tree)
-        return report(tree.error());
-    addNode(std::move(*tree));
+    reportFailure(edit::plantTree(*m_document, preset.toStdString(), parentOfNew(), place));
 }
 
 void EditActions::addKind(const NodeKindRow& row)

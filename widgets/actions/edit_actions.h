@@ -8,6 +8,7 @@
 #include <QObject>
 #include <functional>
 #include <map>
+#include <optional>
 
 class QAction;
 class QMenu;
@@ -38,7 +39,8 @@ public:
     void setEye(std::function<Camera()> eye) { m_eye = std::move(eye); }
 
     void newTree();
-    void addTree(const QString& preset);
+    /// \param place world; nothing: where there is room.
+    void addTree(const QString& preset, const std::optional<glm::dvec3>& place = {});
     void addKind(const NodeKindRow& row);
     /// \param shape name of an item of primitive.shape, \param label what the node is called.
     void addPrimitive(const char* shape, const QString& label);

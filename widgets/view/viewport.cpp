@@ -259,6 +259,18 @@ void Viewport::frameBox(const Box& box)
     moveCamera(to);
 }
 
+std::optional<glm::dvec3> Viewport::groundAt(QPointF position) const
+{
+    constexpr double farthest = 20.0; // times the camera's distance
+    const PickView view = d->view();
+    const ViewRay ray = d->camera().ray(view.ndc({position.x(), position.y()}), view.aspect());
+    const double way = (d->scene->ground - ray.origin.y) / ray.direction.y;
+    if (!(way > 0.0 && way < farthest * d->camera().distance))
+        return std::nullopt;
+    const glm::dvec3 at = ray.origin + way * ray.direction;
+    return glm::dvec3(at.x, d->scene->ground, at.z);
+}
+
 void Viewport::frameAll()
 {
     if (d->isStale()) {

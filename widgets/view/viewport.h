@@ -19,6 +19,7 @@
 #include <QOpenGLWidget>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace ramure {
 
@@ -87,6 +88,9 @@ public:
     /// The camera node that the view is that of, as time goes on; noNode: none, the view is the artist's.
     [[nodiscard]] NodeId seenThrough() const;
     [[nodiscard]] double shownSeconds() const; ///< the time of the picture
+
+    /// What the cursor at \p position points at on the ground; nothing where that is far away, or the sky.
+    [[nodiscard]] std::optional<glm::dvec3> groundAt(QPointF position) const;
 
     /// The arm that is on its way to a target while nothing plays.
     [[nodiscard]] ArmReach* armReach() const;

@@ -37,6 +37,7 @@ struct Viewport::Private final : ToolHost
     bool frameNext = true; ///< the next scene that has something in it is framed
     /// The camera shows all, and nobody has moved it since: it still does when the view gets another size.
     bool framed = false;
+    bool framesAgain = false; ///< nodes have come or gone since, and are not all seen yet
     quint64 frameAfter = 0; ///< serial number of a wish: scenes up to it are of another document
     /// From where the last document was looked at means nothing for this one.
     bool cameraIsOfLast = false;
@@ -98,6 +99,7 @@ struct Viewport::Private final : ToolHost
     [[nodiscard]] std::shared_ptr<const MotionFrame> motionOfNow();
     [[nodiscard]] SceneView sceneView() const;
     [[nodiscard]] SceneWish wish();
+    [[nodiscard]] bool isAllGrown() const;
     [[nodiscard]] bool isPosedDraft(const Change& change) const;
     [[nodiscard]] RenderOptions options(double pixelRatio) const;
 

@@ -84,6 +84,14 @@ const TreeResult* Viewport::Private::resultOf(NodeId id) const
     return result ? &result->tree : nullptr;
 }
 
+/// Of every tree there is a result, or a reason.
+bool Viewport::Private::isAllGrown() const
+{
+    return std::ranges::all_of(document->scene().nodes(), [this](const Node& node) {
+        return node.kind != NodeKind::Tree || document->isCurrent(node.id);
+    });
+}
+
 /// The draft of a bent tree is worse than its pose.
 bool Viewport::Private::isPosedDraft(const Change& change) const
 {
@@ -124,6 +132,7 @@ void Viewport::onDocumentChanged(const Change& change)
         d->updateHint();
     if (d->through != noNode && !d->document->scene().find(d->through))
         d->leaveCamera();
+    d->framesAgain = d->framesAgain || (change.has(changeStructure) && d->framed);
     if (change.has(changeReset)) {
         d->cameraIsOfLast = true; // and stays as long as the last document is seen
         d->frameNext = true;
@@ -248,6 +257,9 @@ void Viewport::showScene()
         d->flight.setCamera(camera);
     }
     if (!d->isStale()) {
+        if (d->framesAgain && d->framed)
+            d->framing = Private::Framing::All;
+        d->framesAgain = d->framesAgain && d->framed && !d->isAllGrown();
         const auto framing = std::exchange(d->framing, Private::Framing::None);
         if (framing == Private::Framing::All)
             frameAll();

@@ -328,7 +328,11 @@ void MainWindow::dropEvent(QDropEvent* event)
 {
     if (event->mimeData()->hasFormat(QLatin1String(presetMimeType))) {
         event->acceptProposedAction();
-        return m_edits->addTree(QString::fromLatin1(event->mimeData()->data(QLatin1String(presetMimeType))));
+        const Viewport* view = m_host->viewport();
+        const QPointF at = view ? QPointF(view->mapFrom(this, event->position().toPoint())) : QPointF();
+        const bool isInView = view && view->isVisible() && view->rect().contains(at.toPoint());
+        return m_edits->addTree(QString::fromLatin1(event->mimeData()->data(QLatin1String(presetMimeType))),
+                                isInView ? view->groundAt(at) : std::nullopt);
     }
     const QString path = droppedFile(event->mimeData());
     if (path.isEmpty())

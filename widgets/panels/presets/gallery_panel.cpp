@@ -3,7 +3,7 @@
 #include "core/document/commands.h"
 #include "core/document/document.h"
 #include "core/params/presets.h"
-#include "core/scene/preset_scene.h"
+#include "core/session/planting.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/targets.h"
 #include "widgets/panels/presets/preset_gallery.h"
@@ -67,13 +67,8 @@ QSize GalleryPanel::sizeHint() const
 
 void GalleryPanel::add(const QString& preset)
 {
-    auto tree = presetTree(preset.toStdString());
-    if (!tree)
-        return complain(tree.error());
-    tree->id = 1; // replaced by the document
-    const int row = static_cast<int>(m_document->scene().children(noNode).size());
-    if (const auto added = edit::insertNodes(*m_document, {std::move(*tree)}, noNode, row); !added)
-        complain(added.error());
+    if (const auto planted = edit::plantTree(*m_document, preset.toStdString()); !planted)
+        complain(planted.error());
 }
 
 void GalleryPanel::give(const QString& preset)

@@ -1,0 +1,76 @@
+#include "core/session/planting.h"
+
+#include "core/document/commands.h"
+#include "core/math/box.h"
+#include "core/scene/object_mesh.h"
+#include "core/scene/preset_scene.h"
+#include <algorithm>
+
+namespace ramure {
+namespace {
+
+/// In the node's own space.
+Box boxOf(const Document& document, const Node& node)
+{
+    Box box;
+    box.add(glm::dvec3(0.0));
+    const NodeResult* result = document.result(node.id);
+    if (result && result->tree.simplified) {
+        const Skeleton& skeleton = result->tree.simplified->skeleton;
+        for (Index i = 0; i < skeleton.size(); ++i)
+            box.add(skeleton.p1[i]);
+    }
+    if (const auto mesh = isObject(node.kind) ? objectMesh(node, node.params) : nullptr)
+        for (const glm::vec3& p : mesh->positions)
+            box.add(glm::dvec3(p));
+    return box;
+}
+
+} // namespace
+
+double usualReach(const NodeParams& params)
+{
+    switch (params.generator.kind) {
+    case TreeGenerator::Grammar:
+        break;
+    case TreeGenerator::WeberPenn:
+        return 0.35 * params.weberPenn.scale;
+    case TreeGenerator::Colonisation:
+        return params.colonisation.crownRadius;
+    }
+    return 10.0 * params.turtle.alpha;
+}
+
+glm::dvec3 freePlace(const Document& document, double reach)
+{
+    const Scene& scene = document.scene();
+    std::optional<double> right;
+    for (const Node& node : scene.nodes()) {
+        // Trees stand on a terrain, and nobody stumbles over a camera.
+        const bool counts = node.kind != NodeKind::Group && node.kind != NodeKind::Camera &&
+                            node.kind != NodeKind::Terrain && scene.isShown(node.id);
+        if (!counts)
+            continue;
+        const Box world = boxOf(document, node).transformed(worldMatrix(scene, node.id));
+        right = std::max(right.value_or(world.max.x), world.max.x);
+    }
+    return {right ? *right + reach : 0.0, 0.0, 0.0};
+}
+
+Expected<NodeId> edit::plantTree(Document& document, const std::string& preset, NodeId parent,
+                                 const std::optional<glm::dvec3>& place)
+{
+    auto tree = presetTree(preset);
+    if (!tree)
+        return fail(std::move(tree.error()));
+    const glm::dvec3 wanted = place ? *place : freePlace(document, usualReach(tree->params));
+    const glm::dmat4 above = worldMatrix(document.scene(), parent);
+    const auto inParent =
+        decomposePlacement(above) ? glm::dvec3(glm::inverse(above) * glm::dvec4(wanted, 1.0)) : wanted;
+    tree->params.tree.translation = inParent;
+    tree->id = 1; // replaced by the document
+    const int row = static_cast<int>(document.scene().children(parent).size());
+    return insertNodes(document, {std::move(*tree)}, parent, row);
+}
+
+} // namespace ramure

@@ -1,0 +1,24 @@
+/// \file
+/// Trees that are added to a scene stand where there is room.
+#pragma once
+
+#include "core/document/document.h"
+#include <optional>
+
+namespace ramure {
+
+/// m: about how far to the side a tree of these numbers reaches, before it has grown.
+double usualReach(const NodeParams& params);
+
+/// On the ground, to the right (+X) of everything that is shown, with room for what reaches so far; the
+/// origin where there is nothing. World. Trees without a result, and what has no shape, count as a point.
+glm::dvec3 freePlace(const Document& document, double reach);
+
+namespace edit {
+/// One step of undo; the tree is selected. \param parent noNode: at the top \param place world; nothing: a
+/// free one. Errors: those of presetTree and insertNodes.
+Expected<NodeId> plantTree(Document& document, const std::string& preset, NodeId parent = noNode,
+                           const std::optional<glm::dvec3>& place = {});
+} // namespace edit
+
+} // namespace ramure

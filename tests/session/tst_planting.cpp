@@ -1,0 +1,96 @@
+#include "core/session/planting.h"
+
+#include "core/document/commands.h"
+#include "core/params/presets.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "tests/support/suite.h"
+
+using namespace ramure;
+
+class TestPlanting : public QObject
+{
+    Q_OBJECT
+
+    static Node node(NodeId id, NodeKind kind, const glm::dvec3& place)
+    {
+        Node made;
+        made.id = id;
+        made.kind = kind;
+        made.params.tree.translation = place;
+        return made;
+    }
+    static glm::dvec3 placeOf(const Document& document, NodeId id)
+    {
+        return glm::dvec3(worldMatrix(document.scene(), id)[3]);
+    }
+
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void unknownPresetsAreRefused()
+    {
+        Document document;
+        const auto planted = edit::plantTree(document, "NoSuchTree");
+        QVERIFY(!planted);
+        QCOMPARE(document.undoStack()->count(), 0);
+    }
+    void theFirstStandsInTheOrigin()
+    {
+        Document document;
+        document.reset(
+            *Scene::fromNodes({node(1, NodeKind::Group, {9, 0, 0}), node(2, NodeKind::Camera, {8, 1, 0}),
+                               node(3, NodeKind::Terrain, {7, 0, 0})}),
+            {});
+        QVERIFY(freePlace(document, 3.0) == glm::dvec3(0.0));
+        const auto planted = edit::plantTree(document, "TinyTree");
+        QVERIFY2(planted, test::why(planted));
+        QVERIFY(placeOf(document, *planted) == glm::dvec3(0.0));
+        QCOMPARE(document.selection().activeNode(), *planted);
+    }
+    void theNextStandsBesideWhatIsThere()
+    {
+        Document document;
+        const auto first = edit::plantTree(document, "TinyTree");
+        QVERIFY(first);
+        NodeResult result;
+        result.tree = *TreePipeline().evaluate(document.scene().find(*first)->params);
+        double right = 0.0;
+        for (const glm::dvec3& p : result.tree.simplified->skeleton.p1)
+            right = std::max(right, p.x);
+        document.setResult(*first, std::move(result));
+        for (const char* preset : {"ParkTree", "SilverBirch", "SmallTree"}) { // of each generator
+            const auto second = edit::plantTree(document, preset);
+            QVERIFY2(second, test::why(second));
+            const double reach = usualReach(document.scene().find(*second)->params);
+            QVERIFY(reach > 0.5);
+            QVERIFY(std::abs(placeOf(document, *second).x - (right + reach)) < 1e-9);
+            document.undoStack()->undo();
+            QVERIFY(!document.scene().find(*second));
+        }
+    }
+    void hiddenOnesTakeNoRoomAndShapesDo()
+    {
+        Document document;
+        Node hidden = node(1, NodeKind::Primitive, {50, 0, 0});
+        hidden.visible = false;
+        Node box = node(2, NodeKind::Primitive, {4, 0, 0});
+        box.params.primitive.shape = PrimitiveShape::Box;
+        box.params.primitive.size = {2, 2, 2};
+        document.reset(*Scene::fromNodes({hidden, box}), {});
+        QVERIFY(glm::length(freePlace(document, 3.0) - glm::dvec3(8, 0, 0)) < 1e-6);
+    }
+    void aGivenPlaceIsTakenWhateverStandsAbove()
+    {
+        Document document;
+        Node group = node(1, NodeKind::Group, {5, 1, 0});
+        group.params.tree.rotation = {0.1, 0.8, 0.0};
+        group.params.tree.scale = {2, 2, 2};
+        document.reset(*Scene::fromNodes({group}), {});
+        const auto planted = edit::plantTree(document, "TinyTree", 1, glm::dvec3(-3, 0, 2));
+        QVERIFY2(planted, test::why(planted));
+        QVERIFY(glm::length(placeOf(document, *planted) - glm::dvec3(-3, 0, 2)) < 1e-9);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestPlanting)
+#include "tst_planting.moc"
