@@ -5,6 +5,7 @@
 #include "widgets/base/action_set.h"
 #include "widgets/base/icons.h"
 #include "widgets/base/preferences.h"
+#include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/presets/preset_gallery.h"
 #include <QCheckBox>
 #include <QDir>
@@ -40,7 +41,7 @@ WelcomePanel::WelcomePanel(FileActions* files, ActionSet* set, Preferences* pref
     , m_intro(new QLabel(m_page))
     , m_close(new QToolButton(m_page))
     , m_newHeading(heading())
-    , m_gallery(new PresetGallery(m_page))
+    , m_gallery(new PresetGallery(PictureButton::usualWidth, m_page))
     , m_recentHeading(heading())
     , m_recent(new QVBoxLayout)
     , m_open(new QPushButton(m_page))

@@ -6,6 +6,7 @@
 #include "core/session/planting.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/targets.h"
+#include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/presets/preset_gallery.h"
 #include <QAction>
 #include <QEvent>
@@ -29,7 +30,7 @@ bool isOfSpecies(const ParamDef& def)
 GalleryPanel::GalleryPanel(Document* document, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
-    , m_gallery(new PresetGallery(this))
+    , m_gallery(new PresetGallery(PictureButton::smallWidth, this))
     , m_problem(new QLabel(this))
     , m_add(new QAction(this))
     , m_give(new QAction(this))

@@ -10,26 +10,22 @@
 namespace ramure {
 namespace {
 
-constexpr QSize pictureSize(176, 110);
+constexpr int aspectWidth = 8, aspectHeight = 5;
 constexpr int margin = 1;
 constexpr int textGap = 5;
 constexpr qreal radius = 7.0;
 
 } // namespace
 
-PictureButton::PictureButton(const QString& preset, QWidget* parent)
+PictureButton::PictureButton(const QString& preset, int width, QWidget* parent)
     : QAbstractButton(parent)
     , m_preset(preset)
     , m_picture(QStringLiteral(":/welcome/%1.png").arg(preset))
+    , m_size(width, width * aspectHeight / aspectWidth)
 {
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::PointingHandCursor);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-}
-
-int PictureButton::usualWidth()
-{
-    return pictureSize.width() + 2 * margin;
 }
 
 void PictureButton::mousePressEvent(QMouseEvent* event)
@@ -48,21 +44,20 @@ void PictureButton::mouseMoveEvent(QMouseEvent* event)
     auto* named = new QMimeData;
     named->setData(QLatin1String(presetMimeType), m_preset.toLatin1());
     drag->setMimeData(named);
-    drag->setPixmap(m_picture.scaledToWidth(pictureSize.width() / 2, Qt::SmoothTransformation));
+    drag->setPixmap(m_picture.scaledToWidth(m_size.width() / 2, Qt::SmoothTransformation));
     drag->exec(Qt::CopyAction);
 }
 
 QSize PictureButton::sizeHint() const
 {
-    return {pictureSize.width() + 2 * margin,
-            pictureSize.height() + textGap + fontMetrics().height() + 2 * margin};
+    return {m_size.width() + 2 * margin, m_size.height() + textGap + fontMetrics().height() + 2 * margin};
 }
 
 void PictureButton::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHints(QPainter::Antialiasing | QPainter::SmoothPixmapTransform);
-    const QRectF place(QPointF(margin, margin), QSizeF(pictureSize));
+    const QRectF place(QPointF(margin, margin), QSizeF(m_size));
     QPainterPath rounded;
     rounded.addRoundedRect(place, radius, radius);
     painter.save();
@@ -80,7 +75,8 @@ void PictureButton::paintEvent(QPaintEvent*)
     painter.drawPath(rounded);
     painter.setPen(palette().color(QPalette::WindowText));
     const QRectF below(margin, place.bottom() + textGap, place.width(), fontMetrics().height());
-    painter.drawText(below, Qt::AlignHCenter | Qt::AlignVCenter, text());
+    painter.drawText(below, Qt::AlignHCenter | Qt::AlignVCenter,
+                     fontMetrics().elidedText(text(), Qt::ElideRight, m_size.width()));
 }
 
 void PictureButton::enterEvent(QEnterEvent* event)

@@ -12,10 +12,11 @@ class PictureButton : public QAbstractButton
     Q_OBJECT
 public:
     /// \param preset whose picture is among the resources, twice as large as it is shown
-    explicit PictureButton(const QString& preset, QWidget* parent = nullptr);
+    /// \param width of the picture, logical pixels
+    PictureButton(const QString& preset, int width, QWidget* parent);
 
     [[nodiscard]] const QString& preset() const { return m_preset; }
-    [[nodiscard]] static int usualWidth();
+    static constexpr int usualWidth = 176, smallWidth = 128;
 
     [[nodiscard]] QSize sizeHint() const override;
 
@@ -29,6 +30,7 @@ protected:
 private:
     QString m_preset;
     QPixmap m_picture;
+    QSize m_size; ///< of the picture as it is shown
     QPoint m_pressed;
 };
 

@@ -19,11 +19,6 @@ namespace {
 constexpr int gap = 12;
 constexpr int usualColumns = 2;
 
-int pictureWidth()
-{
-    return PictureButton::usualWidth() + gap;
-}
-
 /// All names that it has and what it is like, to search in.
 QString searchedText(const Preset& preset)
 {
@@ -41,8 +36,9 @@ QString spacedName(const QString& preset)
     return QString(preset).replace(word, QStringLiteral(" "));
 }
 
-PresetGallery::PresetGallery(QWidget* parent)
+PresetGallery::PresetGallery(int pictureWidth, QWidget* parent)
     : QWidget(parent)
+    , m_pictureWidth(pictureWidth)
     , m_search(new QLineEdit(this))
     , m_none(new QLabel(this))
 {
@@ -77,7 +73,7 @@ void PresetGallery::addPicture(std::size_t preset)
         m_groups.push_back({own.group, heading, grid, {}});
     }
     const QString name = QString::fromLatin1(own.name);
-    auto* picture = new PictureButton(name, this);
+    auto* picture = new PictureButton(name, m_pictureWidth, this);
     picture->setText(spacedName(name));
     picture->setObjectName(QStringLiteral("preset.") + name);
     picture->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -140,7 +136,7 @@ void PresetGallery::filter()
 /// What is shown, without gaps, in as many columns as there is room for.
 void PresetGallery::arrange()
 {
-    const int columns = std::max(1, (width() + gap) / pictureWidth());
+    const int columns = std::max(1, (width() + gap) / columnWidth());
     if (columns == m_columns)
         return;
     m_columns = columns;
@@ -159,14 +155,20 @@ void PresetGallery::arrange()
     }
 }
 
+/// With the gap beside it.
+int PresetGallery::columnWidth() const
+{
+    return m_groups.front().pictures.front()->sizeHint().width() + gap;
+}
+
 QSize PresetGallery::sizeHint() const
 {
-    return {usualColumns * pictureWidth() - gap, QWidget::sizeHint().height()};
+    return {usualColumns * columnWidth() - gap, QWidget::sizeHint().height()};
 }
 
 QSize PresetGallery::minimumSizeHint() const
 {
-    return {pictureWidth() - gap, QWidget::minimumSizeHint().height()};
+    return {columnWidth() - gap, QWidget::minimumSizeHint().height()};
 }
 
 void PresetGallery::resizeEvent(QResizeEvent* event)

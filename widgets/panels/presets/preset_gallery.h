@@ -21,7 +21,8 @@ class PresetGallery : public QWidget
 {
     Q_OBJECT
 public:
-    explicit PresetGallery(QWidget* parent);
+    /// \param pictureWidth of each, logical pixels
+    PresetGallery(int pictureWidth, QWidget* parent);
 
     [[nodiscard]] QLineEdit* search() const { return m_search; }
     /// The first picture that is shown, or null.
@@ -54,7 +55,9 @@ private:
     void filter();
     void arrange();
     void retranslate();
+    [[nodiscard]] int columnWidth() const;
 
+    int m_pictureWidth;
     QLineEdit* m_search;
     QLabel* m_none;
     std::vector<Group> m_groups;
