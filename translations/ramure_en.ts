@@ -228,6 +228,16 @@
     </message>
 </context>
 <context>
+    <name>ramure::FileActions</name>
+    <message numerus="yes">
+        <source>%n picture(s) copied into “%1”.</source>
+        <translation>
+            <numerusform>%n picture copied into “%1”.</numerusform>
+            <numerusform>%n pictures copied into “%1”.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::GenerationsView</name>
     <message numerus="yes">
         <source>%Ln symbol(s)</source>

@@ -923,6 +923,14 @@
         <source>The selected camera, or the first one, comes to where the view is seen from</source>
         <translation>La caméra sélectionnée, ou la première, vient là d’où l’on regarde</translation>
     </message>
+    <message>
+        <source>Pac&amp;k pictures</source>
+        <translation>Emba&amp;ller les images</translation>
+    </message>
+    <message>
+        <source>Copy all image files that the scene uses into a folder beside the project, to give both away</source>
+        <translation>Copier tous les fichiers d’image de la scène dans un dossier à côté du projet, pour donner les deux</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -1139,6 +1147,10 @@
             <numerusform>Supprimer %n modification de branche</numerusform>
             <numerusform>Supprimer %n modifications de branches</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Pack pictures</source>
+        <translation>Emballer les images</translation>
     </message>
 </context>
 <context>
@@ -5637,6 +5649,18 @@
         <source>Add a camera that sees what the view shows</source>
         <translation>Ajouter une caméra qui voit ce que montre la vue</translation>
     </message>
+    <message>
+        <source>the file cannot be written: %1</source>
+        <translation>le fichier ne peut pas être écrit : %1</translation>
+    </message>
+    <message>
+        <source>the scene has no file yet: save it first, its pictures are copied beside it</source>
+        <translation>la scène n’a pas encore de fichier : enregistrez-la d’abord, ses images sont copiées à côté</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>le dossier ne peut pas être créé</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -6890,6 +6914,21 @@ OpenGL&#xa0;: %4
     <message>
         <source>Pictures that cannot be shown; their paths are kept:</source>
         <translation>Images qui ne peuvent être montrées ; leurs chemins sont gardés :</translation>
+    </message>
+    <message>
+        <source>The pictures could not be packed.</source>
+        <translation>Les images n’ont pas pu être emballées.</translation>
+    </message>
+    <message>
+        <source>All pictures of the scene lie beside the project already.</source>
+        <translation>Toutes les images de la scène sont déjà à côté du projet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n picture(s) copied into “%1”.</source>
+        <translation>
+            <numerusform>%n image copiée dans « %1 ».</numerusform>
+            <numerusform>%n images copiées dans « %1 ».</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "core/params/presets.h"
 #include "core/scene/demo_scenes.h"
 #include "core/scene/preset_scene.h"
+#include "core/session/packing.h"
 #include "widgets/actions/import_actions.h"
 #include "widgets/actions/preset_menu.h"
 #include "widgets/base/action_set.h"
@@ -40,6 +41,12 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
     , m_saveAs(set->add({"file.saveAs", QT_TRANSLATE_NOOP("Actions", "Save &as…"), "save-as",
                          QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
                          QT_TRANSLATE_NOOP("Actions", "Save the scene under another name")}))
+    , m_pack(set->add({"file.packPictures",
+                       QT_TRANSLATE_NOOP("Actions", "Pac&k pictures"),
+                       nullptr,
+                       {},
+                       QT_TRANSLATE_NOOP("Actions", "Copy all image files that the scene uses into a folder "
+                                                    "beside the project, to give both away")}))
     , m_export(set->add({"file.export", QT_TRANSLATE_NOOP("Actions", "&Export…"), "export",
                          QKeySequence(Qt::CTRL | Qt::Key_E),
                          QT_TRANSLATE_NOOP("Actions", "Write meshes, sequences of frames or pictures")}))
@@ -64,6 +71,7 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
     connect(m_open, &QAction::triggered, this, &FileActions::open);
     connect(m_save, &QAction::triggered, this, &FileActions::save);
     connect(m_saveAs, &QAction::triggered, this, &FileActions::saveAs);
+    connect(m_pack, &QAction::triggered, this, &FileActions::packPictures);
     connect(m_export, &QAction::triggered, this, &FileActions::exportRequested);
     connect(m_quit, &QAction::triggered, this, &FileActions::quitRequested);
     m_quit->setMenuRole(QAction::QuitRole);
@@ -87,6 +95,7 @@ void FileActions::fillMenu(QMenu* menu, QAction* welcome, const QList<QAction*>&
     menu->addSeparator();
     menu->addAction(m_save);
     menu->addAction(m_saveAs);
+    menu->addAction(m_pack);
     menu->addSeparator();
     menu->addActions(imports);
     menu->addAction(m_export);
@@ -296,6 +305,19 @@ void FileActions::remember(const QString& path)
 bool FileActions::save()
 {
     return m_document->filePath().isEmpty() ? saveAs() : saveTo(m_document->filePath());
+}
+
+void FileActions::packPictures()
+{
+    if (m_document->filePath().isEmpty() && !saveAs())
+        return;
+    const auto packed = edit::packPictures(*m_document);
+    if (!packed)
+        return reportError(tr("The pictures could not be packed."), packed.error());
+    m_chooser->report(Severity::Info, *packed == 0
+                                          ? tr("All pictures of the scene lie beside the project already.")
+                                          : tr("%n picture(s) copied into “%1”.", nullptr, int(*packed))
+                                                .arg(QDir(packedFolder(m_document->filePath())).dirName()));
 }
 
 bool FileActions::saveAs()

@@ -59,6 +59,7 @@ signals:
     void quitRequested();
 
 private:
+    void packPictures();
     bool saveTo(const QString& path);
     bool openProject(const QString& path);
     bool takeObjects(const QString& path, std::optional<Scene> scene);
@@ -75,6 +76,7 @@ private:
     QAction* m_open;
     QAction* m_save;
     QAction* m_saveAs;
+    QAction* m_pack;
     QAction* m_export;
     QAction* m_quit;
     QMenu* m_newMenu = nullptr;
