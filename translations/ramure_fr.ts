@@ -5618,10 +5618,6 @@
         <translation>Ouverture</translation>
     </message>
     <message>
-        <source>Focal length over the opening of the lens: the smaller, the less is sharp. 0 leaves everything sharp. Seen in pictures that are drawn aside, not in the view.</source>
-        <translation>Focale divisée par l’ouverture de l’objectif : plus elle est petite, moins il y a de netteté. 0 laisse tout net. Se voit dans les images dessinées à part, pas dans la vue.</translation>
-    </message>
-    <message>
         <source>Focus</source>
         <translation>Mise au point</translation>
     </message>
@@ -5660,6 +5656,10 @@
     <message>
         <source>the folder cannot be made</source>
         <translation>le dossier ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>Focal length over the opening of the lens: the smaller, the less is sharp. 0 leaves everything sharp. Seen in pictures, and in the view while it looks through the camera and nothing moves.</source>
+        <translation>Focale divisée par l’ouverture de l’objectif : plus elle est petite, moins il y a de netteté. 0 laisse tout net. Se voit dans les images, et dans la vue tant qu’elle regarde par la caméra et que rien ne bouge.</translation>
     </message>
 </context>
 <context>

@@ -141,7 +141,7 @@ void addPictureOptions(CommandLine& line)
                  "Where the camera stands and what it looks at, in metres, and its vertical angle "
                  "in degrees (40 without it); or the name of a camera of the scene, which moves as its keys "
                  "say. Without this option all that is visible is shown."),
-             QStringLiteral("EX,EY,EZ,TX,TY,TZ[,ANGLE]|NAME"));
+             QStringLiteral("EX,EY,EZ,TX,TY,TZ[,ANGLE]"));
     line.add({QStringLiteral("sun")},
              QStringLiteral("Where the sun stands: degrees clockwise from the north (-Z; 90 is the east, X), "
                             "and its height over the horizon, 2 to 90; 136,46 without it."),

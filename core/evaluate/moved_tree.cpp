@@ -41,8 +41,10 @@ Foliage movedFoliage(const Foliage& rest, const NodeMotion& motion)
         item.position = bone.point(item.position);
         item.orientation = bone.rotation * item.orientation;
     };
-    for (FoliageItem& apple : now.apples)
-        move(apple, bones[apple.branch]);
+    const std::size_t leaves = motion.firstLeaf == noIndex ? bones.size() : motion.firstLeaf;
+    for (std::size_t i = 0; i < now.apples.size();
+         ++i) // each has a bone of its own, and may lie on the ground
+        move(now.apples[i], bones[leaves - now.apples.size() + i]);
     for (std::size_t i = 0; i < now.leaves.size(); ++i)
         move(now.leaves[i], bones[motion.firstLeaf == noIndex ? now.leaves[i].branch : motion.firstLeaf + i]);
     return now;

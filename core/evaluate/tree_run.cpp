@@ -41,6 +41,7 @@ Expected<void> TreeRun::setLeaves(const TreeResult& tree, bool smooth)
 {
     m_swing.reset();
     m_motion.firstLeaf = noIndex;
+    m_fruit = tree.foliage ? FruitSwing(*tree.foliage, m_alpha) : FruitSwing();
     if (!tree.foliage)
         return {};
     const Skeleton& skeleton = tree.simplified->skeleton;
@@ -156,13 +157,15 @@ static Box movedBox(const TreeBody& body, const std::vector<RigidTransform>& bon
     return box.grown(thickest + leafReach * body.appleRadius);
 }
 
-Expected<void> TreeRun::seek(std::int64_t step, Pose& pose, LeafBends& bends, const Progress& progress)
+Expected<void> TreeRun::seek(std::int64_t step, Stand& stand, const Progress& progress)
 {
     auto there = m_cache->seek(step, progress);
     if (there) {
-        m_cache->pose(pose);
+        const TreeBody& body = m_cache->physics().body();
+        m_cache->pose(stand.pose);
+        stand.fruit = m_fruit.carried(body, m_cache->state());
         if (m_swing)
-            m_swing->swing(m_cache->physics().body(), m_cache->state(), m_cache->params(), m_leaf, bends);
+            m_swing->swing(body, m_cache->state(), m_cache->params(), m_leaf, stand.bends);
     }
     return there;
 }
@@ -171,16 +174,19 @@ std::vector<RigidTransform> TreeRun::bones()
 {
     const TreeBody& body = m_cache->physics().body();
     const PhysicsState& state = m_cache->state();
-    const std::size_t branches = m_pose.bones.size(), apples = body.appleSlot.size();
+    const Pose& pose = m_now.pose;
+    const std::size_t branches = pose.bones.size(), apples = body.appleSlot.size();
     std::vector<RigidTransform> bones(branches + apples + (m_swing ? m_swing->size() : 0));
-    std::ranges::copy(m_pose.bones, bones.begin());
+    std::ranges::copy(pose.bones, bones.begin());
     for (std::size_t apple = 0; apple < apples; ++apple)
-        bones[branches + apple] = m_pose.bones[body.branchOf[body.appleSlot[apple]]];
+        bones[branches + apple] = pose.bones[body.branchOf[body.appleSlot[apple]]];
+    if (m_cache->step() != 0) // the beginning is the rest, to the last bit
+        m_fruit.pose(m_now.fruit, std::span(bones).subspan(branches, apples));
     const std::vector<RigidTransform> loose = m_cache->physics().loosePoses(state);
     for (std::size_t i = 0; i < loose.size(); ++i)
         bones[branches + state.loose[i].apple] = loose[i];
-    if (m_swing && m_cache->step() != 0) // the beginning is the rest, to the last bit
-        m_swing->pose(m_pose.bones, m_motion.method, m_bends, std::span(bones).subspan(branches + apples));
+    if (m_swing && m_cache->step() != 0)
+        m_swing->pose(pose.bones, m_motion.method, m_now.bends, std::span(bones).subspan(branches + apples));
     return bones;
 }
 
@@ -190,25 +196,26 @@ Expected<NodeMotion> TreeRun::motionAt(double seconds, const TimelineSettings& t
     using Clock = std::chrono::steady_clock;
     const LoopBlend blend = loopBlend(timeline, seconds);
     if (blend.weight > 0.0) // the run goes back for the pose of the round before
-        if (auto there = seek(m_cache->stepAt(blend.earlierSeconds), m_earlier, m_earlierBends,
-                              progress.part(0.0, 0.5));
+        if (auto there = seek(m_cache->stepAt(blend.earlierSeconds), m_earlier, progress.part(0.0, 0.5));
             !there)
             return fail(std::move(there.error()));
     const std::int64_t step = m_cache->stepAt(seconds), from = m_cache->step();
     const Clock::time_point start = Clock::now();
-    if (auto there = seek(step, m_pose, m_bends, progress.part(blend.weight > 0.0 ? 0.5 : 0.0, 1.0)); !there)
+    if (auto there = seek(step, m_now, progress.part(blend.weight > 0.0 ? 0.5 : 0.0, 1.0)); !there)
         return fail(std::move(there.error()));
     NodeMotion motion = m_motion;
     if (step > from)
         motion.stepSeconds =
             std::chrono::duration<double>(Clock::now() - start).count() / double(step - from);
     if (blend.weight > 0.0) {
-        blendPose(m_cache->physics().body(), m_earlier, blend.weight, m_pose);
-        m_bends.blend(m_earlierBends, static_cast<float>(blend.weight));
+        blendPose(m_cache->physics().body(), m_earlier.pose, blend.weight, m_now.pose);
+        m_now.bends.blend(m_earlier.bends, static_cast<float>(blend.weight));
+        for (std::size_t i = 0; i < m_now.fruit.size(); ++i)
+            m_now.fruit[i] = glm::mix(m_now.fruit[i], m_earlier.fruit[i], blend.weight);
     }
     const TreeBody& body = m_cache->physics().body();
     motion.bones = std::make_shared<const std::vector<RigidTransform>>(bones());
-    motion.box = movedBox(body, *motion.bones);
+    motion.box = movedBox(body, *motion.bones).grown(m_fruit.reach());
     if (m_swing)
         motion.box = motion.box.grown(m_swing->reach());
     motion.figures = m_cache->physics().figures(m_cache->state());

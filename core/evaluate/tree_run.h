@@ -5,6 +5,7 @@
 
 #include "core/evaluate/node_motion.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/rig/physics/fruit_swing.h"
 #include "core/rig/physics/leaf_swing.h"
 #include "core/rig/physics/physics_cache.h"
 #include <optional>
@@ -35,8 +36,15 @@ private:
     bool setBody(const TreeResult& rest, const NodeParams& params);
     Expected<void> setSkins(const TreeResult& rest, SkinMethod method);
     Expected<void> setLeaves(const TreeResult& rest, bool smooth);
-    [[nodiscard]] std::vector<RigidTransform> bones(); ///< of the pose and the bends
-    Expected<void> seek(std::int64_t step, Pose& pose, LeafBends& bends, const Progress& progress);
+    /// How a tree stands at a step.
+    struct Stand
+    {
+        Pose pose;
+        LeafBends bends;
+        std::vector<glm::dvec3> fruit; ///< how fast each is carried
+    };
+    [[nodiscard]] std::vector<RigidTransform> bones(); ///< of how it stands now
+    Expected<void> seek(std::int64_t step, Stand& stand, const Progress& progress);
     void setTrackedPhysics(const PhysicsParams& params, const NodeAnimation& animation, double seconds);
 
     std::shared_ptr<const SimplifiedSkeleton> m_skeleton;
@@ -52,8 +60,8 @@ private:
     LeafParams m_leaf;
     std::shared_ptr<const Foliage> m_leavesOf;
     std::optional<LeafSwing> m_swing; ///< of plants' leaves
-    Pose m_pose, m_earlier;
-    LeafBends m_bends, m_earlierBends;
+    FruitSwing m_fruit;
+    Stand m_now, m_earlier;
 };
 
 /// The tree as it stands in a motion: skeletons, sections, meshes and foliage in their place of then, the

@@ -238,7 +238,7 @@ inline constexpr std::array nodeRows{
     row<&NodeParams::camera, &CameraParams::fStop>(
         {"camera.fStop", cameraGroup, RAMURE_NOOP("F-stop"),
          RAMURE_NOOP("Focal length over the opening of the lens: the smaller, the less is sharp. 0 leaves everything sharp. "
-                     "Seen in pictures that are drawn aside, not in the view.")},
+                     "Seen in pictures, and in the view while it looks through the camera and nothing moves.")},
         ParamUnit::None, {0, 128, 0, 16, 0.1, 2}, Stage::Placement, paramAnimatable, cameraOnly),
     row<&NodeParams::camera, &CameraParams::focus>(
         {"camera.focus", cameraGroup, RAMURE_NOOP("Focus"),

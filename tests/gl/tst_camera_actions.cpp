@@ -9,6 +9,7 @@
 #include "widgets/view/render/gl_setup.h"
 #include <QApplication>
 #include <QMenu>
+#include <utility>
 
 using namespace ramure;
 
@@ -89,6 +90,42 @@ private slots:
         through->trigger();
         QVERIFY(edit::removeNodes(window.document, {2}));
         QCOMPARE(window.view->seenThrough(), noNode);
+    }
+    void anOpenLensBlursTheViewAtRest()
+    {
+        test::ViewWindow window;
+        Node camera = node(2, NodeKind::Camera, {0, 1, 4});
+        camera.params.camera.focus = 4.0;
+        window.document.reset(*Scene::fromNodes({node(1, NodeKind::Primitive, {0, 0, 0}),
+                                                 node(3, NodeKind::Primitive, {3, 0, -9}), camera}),
+                              {});
+        window.show({320, 240});
+        window.view->lookThrough(2);
+        window.waitForPicture();
+        QTRY_VERIFY(!window.view->isSettling());
+        window.waitForPicture();
+        const QImage sharp = window.view->grabFramebuffer();
+        QVERIFY(edit::setParam(window.document, {2}, *findParam("camera.fStop"), 0.1));
+        window.waitForPicture();
+        QTRY_VERIFY(!window.view->isSettling());
+        // As good as it gets: the next picture is the same.
+        QImage last;
+        QTRY_VERIFY(std::exchange(last, window.view->grabFramebuffer()) == window.view->grabFramebuffer());
+        window.keep("open_lens");
+        const auto contrastAt = [&](const QImage& image, const glm::dvec3& place) {
+            const QPoint at = window.pixelOf(place);
+            int most = 0;
+            for (int x = at.x() - 12; x < at.x() + 12; ++x)
+                most = std::max(most,
+                                std::abs(qGray(image.pixel(x, at.y())) - qGray(image.pixel(x + 1, at.y()))));
+            return most;
+        };
+        const glm::dvec3 nearEdge(0.5, 0.5, 0.0), farEdge(2.5, 0.5, -9.0);
+        QVERIFY(contrastAt(last, farEdge) < 0.5 * contrastAt(sharp, farEdge));
+        QVERIFY(contrastAt(last, nearEdge) > 0.5 * contrastAt(sharp, nearEdge));
+        window.view->orbitBy(0.2, 0.0); // left: everything is sharp
+        QTRY_VERIFY(!window.view->isSettling());
+        window.waitForPicture();
     }
     void theCameraComesToTheView()
     {

@@ -206,8 +206,7 @@ void Viewport::paintGL()
     d->followCamera();
     d->updateShown();
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
-    d->renderer->draw(d->shownScene(), d->camera(), pixels, defaultFramebufferObject(),
-                      d->options(devicePixelRatioF()));
+    d->draw(pixels, d->options(devicePixelRatioF()));
     const RenderStats stats = d->renderer->stats();
     for (auto& block : d->renderer->takeReleased())
         d->builder.dispose(std::move(block));

@@ -34,11 +34,22 @@ struct Viewport::Private final : ToolHost
 
     CameraFlight flight;
     NodeId through = noNode; ///< the camera node that the view follows
+    Lens lens;               ///< its
+    /// The pictures through the lens so far, and of what they are.
+    struct LensPictures
+    {
+        int count = 0;
+        std::shared_ptr<const RenderScene> scene;
+        Camera camera;
+        Lens lens;
+        QSize size;
+    };
+    LensPictures lensPictures;
     bool frameNext = true; ///< the next scene that has something in it is framed
     /// The camera shows all, and nobody has moved it since: it still does when the view gets another size.
     bool framed = false;
     bool framesAgain = false; ///< nodes have come or gone since, and are not all seen yet
-    quint64 frameAfter = 0; ///< serial number of a wish: scenes up to it are of another document
+    quint64 frameAfter = 0;   ///< serial number of a wish: scenes up to it are of another document
     /// From where the last document was looked at means nothing for this one.
     bool cameraIsOfLast = false;
     enum class Framing : std::uint8_t { None, All, Selection };
@@ -95,6 +106,7 @@ struct Viewport::Private final : ToolHost
     [[nodiscard]] const TreeResult* resultOf(NodeId id) const;
     void updateShown();
     void followCamera();
+    void draw(QSize pixels, const RenderOptions& options);
     void leaveCamera();
     [[nodiscard]] std::shared_ptr<const MotionFrame> motionOfNow();
     [[nodiscard]] SceneView sceneView() const;

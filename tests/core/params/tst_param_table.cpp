@@ -431,16 +431,17 @@ void TestParamTable::kindsOfNodes()
         };
         const bool placement = inGroup("tree"), own = inGroup("local");
         const bool primitive = inGroup("primitive"), surface = inGroup("surface");
-        const bool skin = inGroup("skin"), terrain = inGroup("terrain");
+        const bool skin = inGroup("skin"), terrain = inGroup("terrain"), camera = inGroup("camera");
         const bool picture = (def.flags & paramPicture) != 0;
         const bool arm = inGroup("arm") || inGroup("ik") || inGroup("armSkin");
         QCOMPARE(hasParam(NodeKind::Group, def), placement);
-        QCOMPARE(hasParam(NodeKind::Tree, def), !primitive && !surface && !arm && !terrain);
+        QCOMPARE(hasParam(NodeKind::Tree, def), !primitive && !surface && !arm && !terrain && !camera);
         QCOMPARE(hasParam(NodeKind::Arm, def), placement || own || (surface && !picture) || skin || arm);
         QCOMPARE(hasParam(NodeKind::Terrain, def), placement || own || (surface && !picture) || terrain);
         QCOMPARE(hasParam(NodeKind::Primitive, def), placement || own || primitive || surface);
         QCOMPARE(hasParam(NodeKind::Mesh, def), placement || own || surface);
-        QCOMPARE(def.stage == Stage::Placement, placement || own || surface || picture);
+        QCOMPARE(hasParam(NodeKind::Camera, def), placement || camera);
+        QCOMPARE(def.stage == Stage::Placement, placement || own || surface || picture || camera);
     }
 }
 

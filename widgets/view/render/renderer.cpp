@@ -49,6 +49,8 @@ Renderer::Renderer(Gl& gl)
     , m_shadowMap(gl)
     , m_nearShadow(gl)
     , m_smoothing(gl)
+    , m_lensPicture(gl)
+    , m_lensSum(gl, GL_RGBA32F)
     , m_outline(gl)
 {
 }
@@ -96,6 +98,8 @@ std::vector<std::pair<Renderer::Program, ShaderSources>> Renderer::programs()
         {&Renderer::m_point, {{"states.glsl", "skin.glsl", "point.vert"}, nullptr, {"point.frag"}}},
         {&Renderer::m_smooth, {{"world.vert"}, nullptr, {"smooth.frag"}}},
         {&Renderer::m_shrink, {{"world.vert"}, nullptr, {"shrink.frag"}}},
+        {&Renderer::m_lensAdd, {{"world.vert"}, nullptr, {"colour.glsl", "lens_add.frag"}}},
+        {&Renderer::m_lensShow, {{"world.vert"}, nullptr, {"colour.glsl", "lens_show.frag"}}},
         {&Renderer::m_ghost, {{"ghost.vert"}, nullptr, {"ghost.frag"}}},
         {&Renderer::m_outlineRows, {{"world.vert"}, nullptr, {"outline_spread.frag"}, "#define ROWS\n"}},
         {&Renderer::m_outlineColumns, {{"world.vert"}, nullptr, {"outline_spread.frag"}}},
@@ -156,6 +160,32 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
     ++m_stats.pictures;
     m_stats.drawMs = watch.elapsed().wallMs;
     m_stats.drawCpuMs = watch.elapsed().cpuMs;
+}
+
+void Renderer::drawThroughLens(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
+                               const RenderOptions& options, int sample)
+{
+    const GLuint aside = m_lensPicture.begin(size), sum = m_lensSum.begin(size);
+    if (aside == 0 || sum == 0)
+        return draw(scene, camera, size, framebuffer, options);
+    if (sample < lensSamples)
+        draw(scene, throughLens(camera, options.lens, size, sample, lensSamples), size, aside, options);
+    m_gl.glViewport(0, 0, size.width(), size.height());
+    m_gl.glBindVertexArray(m_emptyArray);
+    if (sample < lensSamples) {
+        m_gl.glBindFramebuffer(GL_FRAMEBUFFER, sum);
+        m_gl.glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+        if (sample == 0)
+            m_gl.glClear(GL_COLOR_BUFFER_BIT);
+        m_gl.glEnable(GL_BLEND);
+        m_gl.glBlendFunc(GL_ONE, GL_ONE);
+        m_lensPicture.end(sum, *m_lensAdd);
+        m_gl.glDisable(GL_BLEND);
+    }
+    m_lensShow->bind();
+    m_lensShow->set("uShare", 1.0f / float(std::min(sample + 1, lensSamples)));
+    m_lensSum.end(framebuffer, *m_lensShow);
+    resetState();
 }
 
 void Renderer::drawInto(GLuint framebuffer, const Picture& picture, QSize size)

@@ -43,6 +43,11 @@ public:
     /// and depth test off, no program, buffer or texture bound.
     void draw(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
               const RenderOptions& options);
+    /// One of the pictures that make depth of field (offscreen_renderer.h), and in \p framebuffer the mean of
+    /// those from 0 on: the more, the finer. Past the last nothing is drawn anew.
+    /// \param sample 0, or one more than the time before with the same scene, camera, lens and size.
+    void drawThroughLens(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
+                         const RenderOptions& options, int sample);
     /// Large scenes before they are drawn: see GpuCache::prepare. The context must be current.
     bool prepare(const RenderScene& scene, std::size_t bytes) { return m_cache.prepare(scene, bytes); }
     [[nodiscard]] std::vector<std::shared_ptr<const void>> takeReleased() { return m_cache.takeReleased(); }
@@ -83,10 +88,11 @@ private:
     GpuCache m_cache;
     ShadowMap m_shadowMap, m_nearShadow;
     Smoothing m_smoothing;
+    Smoothing m_lensPicture, m_lensSum;
     Outline m_outline;
     std::unique_ptr<ShaderProgram> m_plain, m_bark, m_leaf; ///< what m_mesh does, each a part of it
     std::unique_ptr<ShaderProgram> m_mesh, m_meshColours, m_meshWire, m_shadow, m_shadowCut, m_world, m_line,
-        m_point, m_smooth, m_shrink, m_ghost;
+        m_point, m_smooth, m_shrink, m_lensAdd, m_lensShow, m_ghost;
     std::unique_ptr<ShaderProgram> m_outlineRows, m_outlineColumns, m_outlineClosing, m_outlineInk;
     std::optional<std::pair<SceneLight, PictureLight>> m_light; ///< what the last picture asked for
     GLuint m_emptyArray = 0;

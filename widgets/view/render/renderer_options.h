@@ -3,6 +3,7 @@
 #pragma once
 
 #include "widgets/view/render/display_mode.h"
+#include "widgets/view/render/lens.h"
 #include <cmath>
 #include <cstdint>
 #include <glm/trigonometric.hpp>
@@ -38,16 +39,6 @@ struct SceneLight
                 -std::cos(azimuth) * std::cos(height)};
     }
     bool operator==(const SceneLight&) const = default;
-};
-
-/// What a lens does not show sharp. Pictures that are drawn aside have it, the viewport has not.
-struct Lens
-{
-    double diameter = 0.0; ///< of its opening, m; 0: everything is sharp
-    double focus = 0.0;    ///< m from the eye along the view; 0: the camera's target
-    /// \param fStop focal length over the opening, of a film of 24 mm \param fovRad the picture's vertical
-    /// angle
-    static double diameterOf(double fStop, double fovRad) { return 0.012 / std::tan(0.5 * fovRad) / fStop; }
 };
 
 struct RenderOptions

@@ -2,8 +2,9 @@
 
 namespace ramure {
 
-Smoothing::Smoothing(Gl& gl)
+Smoothing::Smoothing(Gl& gl, GLenum format)
     : m_gl(gl)
+    , m_format(format)
 {
 }
 
@@ -30,8 +31,8 @@ GLuint Smoothing::begin(QSize size)
     m_size = size;
     m_gl.glGenTextures(1, &m_colour);
     m_gl.glBindTexture(GL_TEXTURE_2D, m_colour);
-    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, size.width(), size.height(), 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                      nullptr);
+    m_gl.glTexImage2D(GL_TEXTURE_2D, 0, GLint(m_format), size.width(), size.height(), 0, GL_RGBA,
+                      GL_UNSIGNED_BYTE, nullptr);
     for (const GLenum filter : {GLenum(GL_TEXTURE_MIN_FILTER), GLenum(GL_TEXTURE_MAG_FILTER)})
         m_gl.glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
     for (const GLenum wrap : {GLenum(GL_TEXTURE_WRAP_S), GLenum(GL_TEXTURE_WRAP_T)})

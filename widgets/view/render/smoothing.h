@@ -12,7 +12,8 @@ namespace ramure {
 class Smoothing
 {
 public:
-    explicit Smoothing(Gl& gl);
+    /// \param format of its colours
+    explicit Smoothing(Gl& gl, GLenum format = GL_RGBA8);
     ~Smoothing();
     Smoothing(const Smoothing&) = delete;
     Smoothing& operator=(const Smoothing&) = delete;
@@ -26,6 +27,7 @@ private:
     void free();
 
     Gl& m_gl;
+    GLenum m_format;
     QSize m_size;
     GLuint m_colour = 0;
     GLuint m_depth = 0;
