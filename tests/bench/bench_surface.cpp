@@ -1,6 +1,7 @@
 // Sections (per ring vertex), rough model and branch mesh (per triangle), normals (per triangle), foliage
-// (per leaf).
+// (per leaf), bark (per family).
 #include "core/skeleton/sections.h"
+#include "core/surface/bark/bark_maps.h"
 #include "core/surface/foliage/foliage.h"
 #include "core/surface/mesher/rough_model.h"
 #include "tests/bench/bench_trees.h"
@@ -64,5 +65,15 @@ void BM_foliage(benchmark::State& state)
     items(state, count);
 }
 BENCHMARK(BM_foliage)->Arg(8)->Arg(12)->Unit(benchmark::kMicrosecond);
+
+/// All five maps at 1024 pixels a side.
+void BM_barkMaps(benchmark::State& state)
+{
+    BarkParams params;
+    params.family = static_cast<BarkFamily>(state.range(0));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(bench::need(barkMaps(params, 1024)).height.data());
+}
+BENCHMARK(BM_barkMaps)->DenseRange(1, 12)->Unit(benchmark::kMillisecond);
 
 } // namespace

@@ -21,7 +21,7 @@ struct PictureLook
     QSize size{1920, 1080}; ///< pixels
     Camera camera;
     NodeId through = noNode; ///< a camera node in its place, wherever that is at the time
-    bool allAround = false; ///< the camera's place is that from which everything is seen as it turns
+    bool allAround = false;  ///< the camera's place is that from which everything is seen as it turns
     RenderOptions options;
     SceneView view;
 };

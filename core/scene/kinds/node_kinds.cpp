@@ -2,8 +2,7 @@
 
 namespace ramure {
 
-extern const NodeKindRow treeKind, primitiveKind, meshKind, armKind, terrainKind, cameraKind,
-    groupKind;
+extern const NodeKindRow treeKind, primitiveKind, meshKind, armKind, terrainKind, cameraKind, groupKind;
 
 std::span<const NodeKindRow* const> nodeKinds()
 {
