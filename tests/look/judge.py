@@ -35,10 +35,10 @@ ROWS = {
     "FanTree": ("FanTree", []),
     "TinyTree": ("TinyTree", []),
     "Fern2D": ("Fern2D", []),
-    "birch": ("FanTree", ["foliage.leaf=birch", "foliage.fruit=faithful", "bark.family=ringed"]),
+    "birch": ("FanTree", ["foliage.leaf=birch", "foliage.applesProbability=0", "bark.family=ringed"]),
     "oak": ("TinyTree", ["foliage.leaf=oak", "foliage.fruit=acorn", "bark.family=furrowed"]),
     "pine": ("TinyTree", ["foliage.leaf=scotsPine", "foliage.fruit=cone", "bark.family=plated"]),
-    "maple": ("SmallTree", ["foliage.leaf=maple", "foliage.fruit=faithful", "bark.family=plated"]),
+    "maple": ("SmallTree", ["foliage.leaf=maple", "foliage.applesProbability=0", "bark.family=plated"]),
     "palm": ("TinyTree", ["foliage.leaf=palm", "foliage.fruit=coconut", "bark.family=palmScars"]),
     "apple": ("SmallTree", ["foliage.leaf=apple", "foliage.fruit=apple", "bark.family=scaly"]),
 }
