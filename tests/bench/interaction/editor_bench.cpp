@@ -99,6 +99,34 @@ void EditorBench::setLeavesPerTwig(int leaves)
     settle();
 }
 
+void EditorBench::setTriangles(int triangles)
+{
+    const NodeId tree = m_document.scene().nodes().front().id;
+    (void)edit::setParam(m_document, {tree}, *findParam("mesh.targetTriangles"),
+                         ParamValue(std::int64_t(triangles)));
+    settle();
+}
+
+double EditorBench::frameMs(Quality quality, QSize size, int times)
+{
+    m_window.viewportHost()->settings()->setQuality(quality);
+    view()->setFixedSize(size);
+    settle();
+    view()->frameAll();
+    settle();
+    (void)m_window.analysis()->waitForAll(patienceMs);
+    waitMs(2000); // what else the background makes
+    std::vector<double> all;
+    for (int i = 0; i <= times; ++i) { // the first one draws the shadow maps, too
+        const Stopwatch watch;
+        (void)view()->grabFramebuffer();
+        if (i > 0)
+            all.push_back(watch.elapsed().wallMs);
+    }
+    std::ranges::sort(all);
+    return all[all.size() / 2];
+}
+
 void EditorBench::setMode(DisplayMode mode)
 {
     m_window.viewportHost()->settings()->setDisplayMode(mode);

@@ -60,6 +60,10 @@ public:
     };
     PlayTimes play(int milliseconds);
     void setLeavesPerTwig(int leaves);
+    /// \p triangles: the budget of the mesh.
+    void setTriangles(int triangles);
+    /// One picture of the view at rest, the median of \p times; the rasteriser is what is measured.
+    double frameMs(Quality quality, QSize size, int times);
 
 private:
     [[nodiscard]] Viewport* view() const;

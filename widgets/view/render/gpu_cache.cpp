@@ -120,12 +120,13 @@ void GpuCache::restAttributes()
         gl.glVertexAttrib4f(place, 0.0f, 0.0f, 0.0f, 1.0f);
 }
 
-void GpuCache::drawTriangles(const GpuBlock& block, bool light)
+void GpuCache::drawTriangles(const GpuBlock& block, LeafDetail detail)
 {
     m_gl.glBindVertexArray(block.vertexArray);
+    const auto [from, count] = block.detail[std::size_t(detail)];
     if (block.copies > 0)
-        m_gl.glDrawElementsInstanced(GL_TRIANGLES, light ? block.light : block.count, GL_UNSIGNED_INT,
-                                     offset(light ? block.lightFrom : 0), block.copies);
+        m_gl.glDrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(3 * count), GL_UNSIGNED_INT,
+                                     offset(sizeof(glm::uvec3) * from), block.copies);
     else
         m_gl.glDrawElements(GL_TRIANGLES, block.count, GL_UNSIGNED_INT, nullptr);
 }
@@ -212,9 +213,8 @@ void GpuCache::fillCopies(GpuBlock& block, const MeshCopies& copies)
 {
     fillMesh(block, copies.shape);
     block.copies = static_cast<GLsizei>(copies.copies.size());
-    block.count = static_cast<GLsizei>(3 * copies.faces);
-    block.light = static_cast<GLsizei>(3 * copies.lightFaces);
-    block.lightFrom = sizeof(glm::uvec3) * (copies.shape.faceCount() - copies.lightFaces);
+    block.count = static_cast<GLsizei>(3 * copies.faces().count);
+    block.detail = copies.detail;
     m_gl.glBindVertexArray(block.vertexArray);
     addBuffer(block, GL_ARRAY_BUFFER, copies.copies.data(), copies.copies.size() * sizeof(MeshCopy));
     constexpr GLsizei stride = sizeof(MeshCopy);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "widgets/view/render/buffer_pool.h"
+#include "widgets/view/render/mesh_copies.h"
 #include "widgets/view/render/render_scene.h"
 #include "widgets/view/render/shader_program.h"
 #include <cstdint>
@@ -19,13 +20,12 @@ struct GpuBlock
     std::shared_ptr<const void> source;
     GLuint vertexArray = 0;
     std::vector<GpuBuffer> buffers;
-    GLuint texture = 0;               ///< of a mesh: the colours of its triangles
-    GLuint normals = 0;               ///< of bark: a second texture
-    GLsizei count = 0;                ///< indices, instances, or entries
-    GLsizei copies = 0;               ///< of a mesh: how many are drawn; 0: it is drawn itself
-    GLsizei light = 0;                ///< indices of the copies' shape of fewer faces, its last ones
-    std::size_t lightFrom = 0;        ///< bytes to the first of them
-    std::shared_ptr<const void> skin; ///< of a mesh: whose influences its vertex array reads
+    GLuint texture = 0;                        ///< of a mesh: the colours of its triangles
+    GLuint normals = 0;                        ///< of bark: a second texture
+    GLsizei count = 0;                         ///< indices, instances, or entries
+    GLsizei copies = 0;                        ///< of a mesh: how many are drawn; 0: it is drawn itself
+    std::array<MeshCopies::Faces, 3> detail{}; ///< of copies, by LeafDetail
+    std::shared_ptr<const void> skin;          ///< of a mesh: whose influences its vertex array reads
     std::uint64_t usedIn = 0;
     bool prepared = false; ///< kept for a picture to come
 
@@ -70,8 +70,8 @@ public:
     const GpuBlock& item(const MeshItem& item);
     /// All that is no copy stands where its mesh has it: to be called before triangles are drawn.
     void restAttributes();
-    /// Leaves the block's vertex array bound. \param light copies of fewer faces.
-    void drawTriangles(const GpuBlock& block, bool light = false);
+    /// Leaves the block's vertex array bound. \param detail of copies.
+    void drawTriangles(const GpuBlock& block, LeafDetail detail = LeafDetail::All);
     /// A texture: per bone the rotation (x, y, z, w) and the translation.
     const GpuBlock& bones(const std::shared_ptr<const std::vector<RigidTransform>>& bones);
     const GpuBlock& lines(const std::shared_ptr<const LineSet>& lines);

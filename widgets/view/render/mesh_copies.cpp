@@ -1,6 +1,8 @@
 #include "widgets/view/render/mesh_copies.h"
 
+#include "core/math/box.h"
 #include "core/surface/foliage/foliage_texture.h"
+#include "widgets/view/render/far_shape.h"
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -26,8 +28,9 @@ std::uint32_t packed(const glm::u8vec3& colour)
 
 /// Appends a mesh, split so that a colour belongs to a vertex: the number of a triangle among all copies need
 /// not be known.
-void append(MeshCopies& made, const TriangleMesh& mesh)
+void append(MeshCopies& made, const TriangleMesh& mesh, LeafDetail coarsest = LeafDetail::All)
 {
+    const Index from = made.shape.faceCount();
     const bool coloured = mesh.colours.size() == mesh.triangles.size();
     TriangleMesh& shape = made.shape;
     const bool hasTexture = !mesh.uv.empty(), isSplit = !mesh.uvTriangles.empty();
@@ -49,6 +52,51 @@ void append(MeshCopies& made, const TriangleMesh& mesh)
             made.colours.emplace_back(colour, 255);
         }
     }
+    // A coarser one takes the place of all that are coarser still.
+    for (std::size_t how = 0; how <= std::size_t(coarsest); ++how)
+        made.detail[how] = {from, shape.faceCount() - from};
+}
+
+/// The coarsest of a shape: its mean colour, and texture coordinates of what lies nearest.
+void appendFar(MeshCopies& made)
+{
+    TriangleMesh& shape = made.shape;
+    const MeshCopies::Faces few = made.faces(LeafDetail::Few);
+    TriangleMesh near;
+    near.positions = shape.positions;
+    near.triangles.assign(shape.triangles.begin() + few.from, shape.triangles.begin() + few.from + few.count);
+    const TriangleMesh far = farShape(near);
+    if (far.empty() || far.faceCount() >= few.count)
+        return;
+    glm::vec3 colour(0.0f);
+    for (const glm::uvec3& face : near.triangles)
+        for (int corner = 0; corner < 3; ++corner)
+            colour += glm::vec3(made.colours[face[corner]]) / float(3 * few.count);
+    const Index first = shape.vertexCount();
+    for (std::size_t v = 0; v < far.positions.size(); ++v) {
+        const glm::vec3 at = far.positions[v];
+        const auto away = [&](const glm::uvec3& face) { return glm::distance(at, near.positions[face[0]]); };
+        const glm::uvec3 nearest = *std::ranges::min_element(near.triangles, {}, away);
+        shape.positions.push_back(at);
+        shape.normals.push_back(far.normals[v]);
+        if (!shape.uv.empty())
+            shape.uv.push_back(glm::vec2(shape.uv[nearest[0]]));
+        made.colours.emplace_back(glm::u8vec3(colour + 0.5f), 255);
+    }
+    made.detail[std::size_t(LeafDetail::Least)] = {shape.faceCount(), far.faceCount()};
+    for (const glm::uvec3& face : far.triangles)
+        shape.triangles.push_back(face + first);
+}
+
+void measure(MeshCopies& made)
+{
+    Box box;
+    for (const glm::vec3& position : made.shape.positions)
+        box.add(glm::dvec3(position));
+    float largest = 0.0f;
+    for (const MeshCopy& copy : made.copies)
+        largest = std::max(largest, copy.size);
+    made.reach = largest * float(2.0 * box.radius());
 }
 
 std::vector<MeshCopy> spread(const std::vector<FoliageItem>& items, const std::vector<bool>& shown)
@@ -86,13 +134,13 @@ MeshCopies leafCopies(const Foliage& foliage, double alpha, FoliageModel model,
     if (model == FoliageModel::Fine && leaf.uv.empty()) // those of plants have their own
         addLeafTexture(leaf, foliage.form);
     append(made, leaf);
-    made.faces = made.lightFaces = made.shape.faceCount();
-    if (foliage.form.shape == LeafShape::Faithful || model == FoliageModel::Rough)
-        return made;
-    LeafForm simple = foliage.form;
-    simple.detail = 1;
-    append(made, oneLeaf(simple, alpha, model));
-    made.lightFaces = made.shape.faceCount() - made.faces;
+    if (foliage.form.shape != LeafShape::Faithful && model != FoliageModel::Rough) {
+        LeafForm simple = foliage.form;
+        simple.detail = 1;
+        append(made, oneLeaf(simple, alpha, model), LeafDetail::Few);
+        appendFar(made);
+    }
+    measure(made);
     return made;
 }
 
@@ -105,7 +153,8 @@ MeshCopies appleCopies(const Foliage& foliage, double alpha, FoliageModel model,
     if (model == FoliageModel::Fine)
         addAppleTexture(apple, foliage.fruit);
     append(made, apple);
-    made.faces = made.lightFaces = made.shape.faceCount();
+    appendFar(made);
+    measure(made);
     return made;
 }
 

@@ -4,6 +4,8 @@
 #pragma once
 
 #include "core/surface/foliage/foliage.h"
+#include <array>
+#include <cstdint>
 #include <glm/vec4.hpp>
 #include <memory>
 #include <vector>
@@ -20,14 +22,27 @@ struct MeshCopy
     glm::u8vec4 tint{255}; ///< sRGB, times the shape's own
 };
 
+/// How much is drawn of each copy.
+enum class LeafDetail : std::uint8_t {
+    Least, ///< a few triangles (far_shape.h): from far away
+    Few,   ///< a leaf's outline
+    All,
+};
+
 /// Any beginning of the copies is spread over the whole tree: fewer of them still are its crown.
 struct MeshCopies
 {
-    TriangleMesh shape; ///< its first faces, then once more of fewer faces, for masks
-    Index faces = 0, lightFaces = 0;
+    struct Faces
+    {
+        Index from = 0, count = 0;
+    };
+    TriangleMesh shape;               ///< once in each detail, the finest first
+    std::array<Faces, 3> detail;      ///< of the shape, by LeafDetail
+    float reach = 0.0f;               ///< m, across the largest copy
     std::vector<glm::u8vec4> colours; ///< sRGB, per vertex of the shape; empty: white
     std::vector<MeshCopy> copies;
 
+    [[nodiscard]] Faces faces(LeafDetail how = LeafDetail::All) const { return detail[std::size_t(how)]; }
     /// Which of the merged mesh's pieces a copy is.
     [[nodiscard]] std::size_t pieceOf(std::size_t copy) const;
 };

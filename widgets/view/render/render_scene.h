@@ -113,6 +113,7 @@ struct MeshItem
     double margin = 0.0;    ///< m, of arms: how far it stands away from the bones
     NodeId node = noNode;
     bool isMark = false; ///< something shown at a place of the node, no part of it
+    bool closed = false; ///< its back faces are never seen
     bool castsShadow = true;
     bool pickable = true; ///< false for the nodes that are locked
     bool framed = true;   ///< false: nobody looks for it who looks for all there is

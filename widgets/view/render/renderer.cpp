@@ -360,20 +360,32 @@ void Renderer::drawWorld(const Picture& picture)
     m_gl.glDepthFunc(GL_LEQUAL);
 }
 
+/// The depth pass and the shading pass must draw the same triangles.
+void Renderer::drawItem(const Picture& picture, const MeshItem& item, const GpuBlock& block)
+{
+    const bool culls = item.closed && picture.options.shading == ShadingMode::Solid;
+    m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
+    culls ? m_gl.glEnable(GL_CULL_FACE) : m_gl.glDisable(GL_CULL_FACE);
+    m_cache.drawTriangles(block, picture.detailOf(item));
+    m_gl.glDisable(GL_CULL_FACE);
+    m_gl.glFrontFace(GL_CCW);
+}
+
 void Renderer::drawMeshDepth(const Picture& picture, const MeshItem& item)
 {
     m_cache.bindBones(*m_shadow, item.motion);
     m_shadow->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
-    m_cache.drawTriangles(m_cache.item(item), picture.options.hurried);
+    drawItem(picture, item, m_cache.item(item));
 }
 
-// Leaves cover each other many times over: with the depth known, only what is seen is shaded.
+// Leaves cover each other many times over: with the depth known, only what is seen is shaded. Of small ones
+// drawing them twice costs more than shading what is hidden.
 void Renderer::drawDepth(const Picture& picture)
 {
     m_shadow->bind();
     m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     for (const MeshItem& item : picture.scene.meshes)
-        if (item.opacity >= 1.0f && !(item.images && item.images->isCut))
+        if (item.opacity >= 1.0f && !(item.images && item.images->isCut) && !picture.isOfSmall(item))
             drawMeshDepth(picture, item);
     m_gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
@@ -413,13 +425,11 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
     program.set("uPaint", int(item.paint));
     program.set("uTileSize", item.tileSize);
     program.set("uOpacity", item.opacity);
-    m_gl.glFrontFace(glm::determinant(glm::dmat3(item.world)) < 0.0 ? GL_CW : GL_CCW);
     const bool covers = m_samples > 1 && item.images && item.images->isCut && item.opacity >= 1.0f;
     program.set("uCovers", covers);
     for (const GLenum how : {GLenum(GL_SAMPLE_ALPHA_TO_COVERAGE), GLenum(GL_SAMPLE_ALPHA_TO_ONE)})
         covers ? m_gl.glEnable(how) : m_gl.glDisable(how);
-    m_cache.drawTriangles(block, picture.options.hurried);
-    m_gl.glFrontFace(GL_CCW);
+    drawItem(picture, item, block);
 }
 
 /// Where triangles have colours of their own they are counted, which costs software rasterisers time: only
@@ -481,7 +491,7 @@ void Renderer::drawOutline(const Picture& picture, GLuint target)
         m_cache.bindBones(*m_shadow, item.motion);
         m_shadow->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
         if (item.copies) {
-            m_cache.drawTriangles(block, true);
+            m_cache.drawTriangles(block, std::min(picture.detailOf(item), LeafDetail::Few));
         } else {
             m_gl.glBindVertexArray(block.vertexArray);
             m_outline.mask(*item.outlined, block.count);

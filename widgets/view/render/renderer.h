@@ -73,6 +73,7 @@ private:
     void beginMeshes(ShaderProgram& program, const Picture& picture, ShadingMode shading);
     ShaderProgram& programOf(const MeshItem& item, ShadingMode shading);
     void drawMesh(ShaderProgram& program, const Picture& picture, const MeshItem& item);
+    void drawItem(const Picture& picture, const MeshItem& item, const GpuBlock& block);
     void drawMeshDepth(const Picture& picture, const MeshItem& item);
     void drawFaded(const Picture& picture);
     void drawOutline(const Picture& picture, GLuint target);

@@ -80,4 +80,33 @@ void Renderer::drawPoints(const Picture& picture, bool hidden)
     }
 }
 
+// A mesh that is no copy is large.
+double Renderer::Picture::copyPixels(const MeshItem& item) const
+{
+    if (!item.copies)
+        return std::numeric_limits<double>::infinity();
+    const Box box = item.box.transformed(item.world);
+    const double away = camera.orthographic
+                            ? camera.distance
+                            : glm::distance(camera.eye(), glm::clamp(camera.eye(), box.min, box.max));
+    return double(viewport.y) * item.copies->reach * glm::length(glm::dvec3(item.world[0])) *
+           camera.distance / (camera.heightAtTarget() * std::max(away, 1e-9));
+}
+
+bool Renderer::Picture::isOfSmall(const MeshItem& item) const
+{
+    constexpr double fewPixels = 40.0;
+    return copyPixels(item) < fewPixels;
+}
+
+LeafDetail Renderer::Picture::detailOf(const MeshItem& item) const
+{
+    constexpr double farPixels = 16.0;
+    if (options.quality == Quality::Best && !options.hurried)
+        return LeafDetail::All;
+    if (!item.images && copyPixels(item) < farPixels)
+        return LeafDetail::Least;
+    return options.hurried || isOfSmall(item) ? LeafDetail::Few : LeafDetail::All;
+}
+
 } // namespace ramure

@@ -27,6 +27,11 @@ struct Renderer::Picture
         moved[3] -= glm::dvec4(camera.eye(), 0.0);
         return moved;
     }
+    /// How large the nearest copy can be; infinity of what is no copy.
+    [[nodiscard]] double copyPixels(const MeshItem& item) const;
+    [[nodiscard]] bool isOfSmall(const MeshItem& item) const;
+    /// Copies of a picture need its texture coordinates, and are never of the least.
+    [[nodiscard]] LeafDetail detailOf(const MeshItem& item) const;
     [[nodiscard]] float lift() const { return camera.orthographic ? 2e-4f : 4e-5f; }
 };
 

@@ -155,6 +155,12 @@ struct TreeItems
             scene.points.push_back({std::move(points), world, node.id, false});
     }
 
+    /// Some branches alone are open where the others were.
+    void closed(MeshItem* branches) const
+    {
+        if (branches)
+            branches->closed = !isIsolated();
+    }
     [[nodiscard]] Material leaf() const
     {
         return tree.foliage ? leavesMaterial(tree.foliage->form.shape, tree.foliage->form.turns,
@@ -173,7 +179,7 @@ struct TreeItems
         if (!tree.branches)
             addMesh(tree.draftTubes, openBark(node.params.bark, node.params.barkPictures));
         else if (!pictured())
-            addMesh({tree.branches, &tree.branches->mesh}, bark());
+            closed(addMesh({tree.branches, &tree.branches->mesh}, bark()));
         if (view.leaves)
             addFoliage(ScenePart::LeafCopies, tree.leaves, leaf(), FoliageModel::Fine);
         if (view.apples)
@@ -201,6 +207,7 @@ struct TreeItems
         MeshItem* item = addMesh({made, &made->mesh}, bark());
         if (!item)
             return nullptr;
+        closed(item);
         item->tileSize = static_cast<float>(made->coordinates->tileSize);
         if (item->mesh.get() == &made->mesh)
             item->split = {{tree.branches, &tree.branches->mesh}, {made, &made->coordinates->vertex}};

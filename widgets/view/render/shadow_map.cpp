@@ -134,8 +134,7 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
             cache.bindPictures(program, *caster.item);
         cache.bindBones(program, caster.motion);
         program.set("uClip", glm::mat4(m_fit.clip * caster.world));
-        cache.drawTriangles(cache.item(*caster.item),
-                            !focus && &program == &programs.whole); // of a few texels
+        cache.drawTriangles(cache.item(*caster.item), &program == &programs.cut ? LeafDetail::All : detail);
     }
     m_gl.glBindVertexArray(0);
     m_drawn = std::move(casters);

@@ -37,9 +37,6 @@ struct ShadowPlace
 };
 ShadowPlace placeOf(const ShadowFit& fit, const glm::dvec3& eye);
 
-/// Leaves of all their triangles, or of few: a leaf is some texels.
-enum class LeafDetail : std::uint8_t { Few, All };
-
 /// What draws depth alone.
 struct DepthPrograms
 {

@@ -49,11 +49,18 @@ private slots:
     {
         const TriangleMesh merged = buildLeaves(m_skeleton, m_foliage, 0.5, FoliageModel::Fine);
         const MeshCopies made = leafCopies(m_foliage, 0.5, FoliageModel::Fine);
-        QCOMPARE(std::size_t(made.faces) * made.copies.size(), merged.triangles.size());
-        QVERIFY(made.lightFaces < made.faces && made.faces + made.lightFaces == made.shape.faceCount());
+        QCOMPARE(std::size_t(made.faces().count) * made.copies.size(), merged.triangles.size());
+        Index all = 0;
+        for (const LeafDetail how : {LeafDetail::All, LeafDetail::Few, LeafDetail::Least}) {
+            QCOMPARE(made.faces(how).from, all);
+            all += made.faces(how).count;
+        }
+        QCOMPARE(made.shape.faceCount(), all);
+        QVERIFY(made.faces(LeafDetail::Few).count < made.faces().count);
+        QCOMPARE(made.faces(LeafDetail::Least).count, 2u);
         for (std::size_t i = 0; i < made.copies.size(); ++i)
-            for (Index f = 0; f < made.faces; ++f) {
-                const std::size_t face = made.pieceOf(i) * made.faces + f;
+            for (Index f = 0; f < made.faces().count; ++f) {
+                const std::size_t face = made.pieceOf(i) * made.faces().count + f;
                 for (int corner = 0; corner < 3; ++corner) {
                     const Index vertex = made.shape.triangles[f][corner];
                     const Index other = merged.triangles[face][corner];
