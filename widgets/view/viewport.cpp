@@ -63,7 +63,7 @@ RenderOptions Viewport::Private::options(double pixelRatio) const
     options.outline = settings->outlineVisible();
     options.light = settings->light();
     options.pixelRatio = pixelRatio;
-    options.smoothing = software;
+    options.smoothing = options.sparing = software;
     return options;
 }
 

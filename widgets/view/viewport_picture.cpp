@@ -14,7 +14,7 @@ QImage Viewport::screenshot()
     const QSize pixels = (QSizeF(size()) * devicePixelRatioF()).toSize();
     RenderOptions options = d->options(devicePixelRatioF());
     options.shadowTaps = 24;
-    options.smoothing = options.hurried = false;
+    options.smoothing = options.sparing = options.hurried = false;
     options.outline = false;
     d->updateShown();
     auto image = renderImage(d->shownScene(), d->camera(), pixels, options);

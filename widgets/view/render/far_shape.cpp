@@ -124,4 +124,17 @@ TriangleMesh farShape(const TriangleMesh& shape)
     return glm::length(extent.facing) > closing * extent.area ? rhombus(shape, extent) : octahedron(extent);
 }
 
+TriangleMesh widened(TriangleMesh few, const TriangleMesh& whole)
+{
+    const Extent extent = extentOf(few);
+    if (extent.area <= 0.0 || glm::length(extent.facing) <= 0.0)
+        return few;
+    const glm::dvec3 normal = glm::normalize(extent.facing);
+    const glm::dvec3 across = glm::cross(normal, longestAcross(few, extent, normal));
+    const double wider = std::clamp(extentOf(whole).area / extent.area, 1.0, 1.5) - 1.0;
+    for (glm::vec3& position : few.positions)
+        position += glm::vec3(wider * glm::dot(glm::dvec3(position) - extent.middle, across) * across);
+    return few;
+}
+
 } // namespace ramure

@@ -11,4 +11,8 @@ namespace ramure {
 /// space of \p shape. Empty where nothing has an area.
 TriangleMesh farShape(const TriangleMesh& shape);
 
+/// A leaf of few triangles, wider by what they lack of the area of \p whole; never narrower, at most half as
+/// wide again.
+TriangleMesh widened(TriangleMesh few, const TriangleMesh& whole);
+
 } // namespace ramure

@@ -137,7 +137,7 @@ MeshCopies leafCopies(const Foliage& foliage, double alpha, FoliageModel model,
     if (foliage.form.shape != LeafShape::Faithful && model != FoliageModel::Rough) {
         LeafForm simple = foliage.form;
         simple.detail = 1;
-        append(made, oneLeaf(simple, alpha, model), LeafDetail::Few);
+        append(made, widened(oneLeaf(simple, alpha, model), leaf), LeafDetail::Few);
         appendFar(made);
     }
     measure(made);

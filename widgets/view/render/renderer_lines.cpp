@@ -96,7 +96,7 @@ double Renderer::Picture::copyPixels(const MeshItem& item) const
 bool Renderer::Picture::isOfSmall(const MeshItem& item) const
 {
     constexpr double fewPixels = 40.0;
-    return copyPixels(item) < fewPixels;
+    return options.sparing && copyPixels(item) < fewPixels;
 }
 
 LeafDetail Renderer::Picture::detailOf(const MeshItem& item) const
@@ -104,7 +104,7 @@ LeafDetail Renderer::Picture::detailOf(const MeshItem& item) const
     constexpr double farPixels = 16.0;
     if (options.quality == Quality::Best && !options.hurried)
         return LeafDetail::All;
-    if (!item.images && copyPixels(item) < farPixels)
+    if (options.sparing && !item.images && copyPixels(item) < farPixels)
         return LeafDetail::Least;
     return options.hurried || isOfSmall(item) ? LeafDetail::Few : LeafDetail::All;
 }

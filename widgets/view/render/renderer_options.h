@@ -46,6 +46,7 @@ struct RenderOptions
     ShadingMode shading = ShadingMode::Solid;
     Quality quality = Quality::Draft;
     bool hurried = false; ///< something moves: leaves of fewer triangles, one sample a pixel
+    bool sparing = false; ///< small leaves of fewer triangles, for views that a processor draws
     bool grid = false;    ///< metric grid on the ground
     bool ground = true;   ///< without: the sky alone, and what lies below the ground is seen
     bool shadows = true;

@@ -69,6 +69,22 @@ private slots:
             QVERIFY(glm::dot(glm::dvec3(facing), up) > 0.0);
         }
     }
+    void aSimplerLeafGetsTheAreaOfTheWhole()
+    {
+        LeafForm form;
+        form.shape = LeafShape::Linden;
+        const TriangleMesh whole = oneLeaf(form, 0.3, FoliageModel::Fine);
+        form.detail = 1;
+        const TriangleMesh few = oneLeaf(form, 0.3, FoliageModel::Fine), wide = widened(few, whole);
+        QVERIFY(few.faceCount() < whole.faceCount());
+        QCOMPARE(wide.faceCount(), few.faceCount());
+        const glm::dvec3 up(farShape(whole).normals[0]);
+        const double wanted = shadow(whole, up);
+        QVERIFY(shadow(few, up) < 0.95 * wanted);
+        QVERIFY(std::abs(shadow(wide, up) - wanted) < 0.15 * wanted);
+        QVERIFY(widened({}, whole).empty());
+        QVERIFY(widened(whole, few).positions == whole.positions); // never narrower
+    }
     void aFruitStaysAsWideAsItIs()
     {
         const TriangleMesh fruit = oneApple({}, 0.3, FoliageModel::Fine), far = farShape(fruit);
