@@ -13,10 +13,11 @@ namespace ramure::cli {
 namespace {
 
 constexpr CommandText text = {
-    "import", "makes a project of meshes or of what a script for Blender wrote", "INPUT",
-    "Makes a project of mesh files, or writes a project as files for Blender.",
+    "import", "makes a project of meshes, trees of other programs or what a script for Blender wrote",
+    "INPUT", "Makes a project of mesh files, or writes a project as files for Blender.",
     "INPUT is any file {read}, or what a script for Blender wrote: NAME.obj with a line TRANSFORM, "
-    "NAME.animation, or a folder of them; the other file of the same name is read too. Colours come from the "
+    "NAME.animation, or a folder of them; the other file of the same name is read too; or a tree of Arbaro "
+    "(.xml) or ez-tree (.json), which becomes one of Weber and Penn. Colours come from the "
     ".mtl that an .obj names. A file that Ramure wrote says its axes and its unit itself. All that was "
     "guessed or mended is told on the standard error, or under \"notes\" with "
     "--json.\nThe other way round: INPUT is a .ramure or demo:NAME, and -o a folder that exists."};

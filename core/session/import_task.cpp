@@ -34,7 +34,7 @@ void ImportTask::startScene(const QString& path)
 void ImportTask::read(const QString& path)
 {
     m_job.start([file = QFile::encodeName(path).toStdString()](
-                    const Progress& progress) { return importBlender(file, {}, progress); },
+                    const Progress& progress) { return importObjects(file, {}, progress); },
                 [this](Expected<BlenderImport>&& result) { finish(std::move(result)); });
 }
 

@@ -25,7 +25,9 @@ ImportActions::ImportActions(Document* document, Preferences* preferences, Choos
     , m_file(
           set->add({"file.import", QT_TRANSLATE_NOOP("Actions", "&Import…"), "open",
                     QKeySequence(Qt::CTRL | Qt::Key_I),
-                    QT_TRANSLATE_NOOP("Actions", "Add objects to the scene: meshes, and keys from Blender")}))
+                    QT_TRANSLATE_NOOP(
+                        "Actions",
+                        "Add objects to the scene: meshes, keys from Blender, trees of Arbaro and ez-tree")}))
     , m_folder(set->add(
           {"file.importFolder",
            QT_TRANSLATE_NOOP("Actions", "Import &folder…"),
@@ -46,7 +48,8 @@ bool ImportActions::canImport(const QString& path)
 
 QString ImportActions::fileFilter()
 {
-    return tr("Objects and keys (%1)").arg(QString::fromStdString(endingList(FormatUse::Import, "*.", " ")));
+    return tr("Objects, keys and trees (%1)")
+        .arg(QString::fromStdString(endingList(FormatUse::Import, "*.", " ")));
 }
 
 bool ImportActions::isRunning() const

@@ -2,11 +2,13 @@
 
 namespace ramure {
 
-extern const FileFormat objFormat, plyFormat, plyTextFormat, animationFormat;
+extern const FileFormat objFormat, plyFormat, plyTextFormat, animationFormat, arbaroFormat,
+    ezTreeFormat;
 
 std::span<const FileFormat* const> fileFormats()
 {
-    static constexpr const FileFormat* table[] = {&objFormat, &plyFormat, &plyTextFormat, &animationFormat};
+    static constexpr const FileFormat* table[] = {&objFormat,       &plyFormat,    &plyTextFormat,
+                                                  &animationFormat, &arbaroFormat, &ezTreeFormat};
     return table;
 }
 
