@@ -30,9 +30,12 @@ constexpr CommandText text = {
     "world. Of several trees the objects are "
     "branches_1, leaves_1, apples_1, branches_2 and so on; arms (their skin as it is "
     "at --time), terrains, primitives and imported meshes are objects with the names "
-    "of their nodes. Files are written under "
+    "of their nodes. With --frames a .glb moves: one file with skins and an animation; of other "
+    "formats each frame has a file. Files are written under "
     "another name and renamed: an error or Ctrl+C "
     "leaves the old file as it was."};
+
+constexpr int mostJoints = 65535;
 
 /// A value of an option by its name.
 template <class Value> struct Choice
@@ -71,6 +74,7 @@ struct Request
     bool texture = true;
     bool instances = false; ///< leaves and apples as a list
     int mapSize = WriteOptions().mapSize;
+    int joints = WriteOptions().joints;
     FileSpace space;
     bool requireValid = false;
     QString report; ///< file, or empty
@@ -89,6 +93,19 @@ Expected<int> mapSizeFrom(const CommandLine& line)
     return size;
 }
 
+Expected<int> jointsFrom(const CommandLine& line)
+{
+    const QString given = line.value("joints");
+    bool isNumber = false;
+    const int joints = given.toInt(&isNumber);
+    if (given == QLatin1String("all"))
+        return 0;
+    if (isNumber && joints >= 1 && joints <= mostJoints)
+        return joints;
+    return fail(ErrorCode::Invalid, "--joints \"%1\": all, or 1 to %2 expected",
+                {given.toStdString(), std::to_string(mostJoints)});
+}
+
 Expected<Request> requestOf(const CommandLine& line)
 {
     Request out;
@@ -102,6 +119,10 @@ Expected<Request> requestOf(const CommandLine& line)
     if (!mapSize)
         return fail(mapSize.error());
     out.mapSize = *mapSize;
+    const auto joints = jointsFrom(line);
+    if (!joints)
+        return fail(joints.error());
+    out.joints = *joints;
     const auto space = fileSpaceFrom(line);
     if (!space)
         return fail(space.error());
@@ -165,8 +186,10 @@ TreeSource notingSource(TreePipeline& pipeline)
     };
 }
 
+/// \param clip further times, for formats that hold them
 Expected<void> exportAt(const Scene& scene, const Request& request, double timeSeconds, Evaluator& evaluator,
-                        const QStringList& files, const Progress& progress)
+                        const QStringList& files, const Progress& progress,
+                        const std::vector<double>& clip = {})
 {
     const auto count = static_cast<double>(files.size());
     for (qsizetype i = 0; i < files.size(); ++i) {
@@ -178,6 +201,9 @@ Expected<void> exportAt(const Scene& scene, const Request& request, double timeS
         options.write.ascii = request.ascii;
         options.write.mapSize = request.mapSize;
         options.texture = request.texture;
+        options.write.joints = request.joints;
+        options.write.tell = [](const Error& note) { printError(fromText(note.message())); };
+        options.clip = clip;
         options.space = request.space;
         const double from = static_cast<double>(i) / count;
         const auto written = exportScene(evaluator.at(scene, timeSeconds), options, systemPath(file),
@@ -194,15 +220,27 @@ Expected<void> exportMoments(const Scene& scene, const Request& request, const M
 {
     if (!moments.isSequence())
         return exportAt(scene, request, moments.timeSeconds, evaluator, request.files, progress);
+    QStringList whole, each; // files that move, and those of which every frame has one
+    for (const QString& file : request.files)
+        ((formatOf(request, file).holds & holdsClip) ? whole : each) << file;
+    std::vector<double> clip;
+    for (const std::int64_t frame : moments.frames)
+        clip.push_back(moments.timeOf(frame));
+    const double first = clip.front(), share = whole.isEmpty() ? 0.0 : each.isEmpty() ? 1.0 : 0.5;
+    clip.erase(clip.begin());
+    if (auto written = exportAt(scene, request, first, evaluator, whole, progress.part(0.0, share), clip);
+        !written || each.isEmpty())
+        return written;
+    const Progress rest = progress.part(share, 1.0);
     const auto count = static_cast<double>(moments.frames.size());
     for (std::size_t i = 0; i < moments.frames.size(); ++i) {
         const std::int64_t frame = moments.frames[i];
         QStringList files;
-        for (const QString& file : request.files)
+        for (const QString& file : each)
             files << numberedFile(file, frame);
         const double from = static_cast<double>(i) / count;
         const auto written = exportAt(scene, request, moments.timeOf(frame), evaluator, files,
-                                      progress.part(from, from + 1.0 / count));
+                                      rest.part(from, from + 1.0 / count));
         if (!written)
             return written;
     }
@@ -356,6 +394,10 @@ void addOptions(CommandLine& line)
         QStringLiteral("Pixels a side, 16 to 8192, of the pictures of bark that are written beside "
                        "an .obj and named in its .mtl; 0: none, the bark has its mean colour."),
         QStringLiteral("PIXELS"), QString::number(WriteOptions().mapSize));
+    line.addDefault({QStringLiteral("joints")},
+                    QStringLiteral("Of each tree in a .glb with --frames, at most, or all: thin branches "
+                                   "go with those that carry them, and it is said how far that is off."),
+                    QStringLiteral("NUMBER|all"), QString::number(WriteOptions().joints));
     addSpaceOptions(line);
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes a format that has both as text, not binary."));
     addMomentOptions(line, MomentOptions::Sequence);

@@ -52,11 +52,12 @@ QString roffCommand(const Command& command)
     return out;
 }
 
-/// Words to choose from, where a value's name lists them.
+/// Words to choose from, where a value's name lists them; what is in capitals stands for something to type.
 QStringList choicesOf(const QString& valueName)
 {
-    const bool isChoice = !valueName.isEmpty() && valueName.front().isLower();
-    return isChoice ? valueName.split(QLatin1Char('|')) : QStringList();
+    QStringList out = valueName.split(QLatin1Char('|'));
+    out.removeIf([](const QString& word) { return word.isEmpty() || word != word.toLower(); });
+    return out;
 }
 
 QStringList setWords()

@@ -12,12 +12,21 @@
 
 namespace ramure {
 
+/// Of a node whose meshes have skins: for formats that do with fewer bones.
+struct ExportBone
+{
+    Index parent = noIndex;         ///< stands before it
+    double size = 0.0;              ///< m, how thick: of fewer the thickest stay
+    glm::dvec3 foot{0.0}, tip{0.0}; ///< at rest, in the space of the meshes
+};
+
 struct ExportNode
 {
     std::string name;
     Index parent = noIndex; ///< stands before it; noIndex: the world
     SkinMethod method = SkinMethod::DualQuaternion;
     bool isArm = false; ///< its meshes and bones have Z up: armUpright() stands between them and the node
+    std::vector<ExportBone> bones{}; ///< none: nothing is known of them but where they go
 };
 
 struct ExportMesh

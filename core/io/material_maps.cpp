@@ -44,7 +44,41 @@ PictureBytes pictureOf(const BarkMaps& maps, MaterialMap map)
     return {};
 }
 
+PictureBytes pictureOf(const LeafMaps& maps, MaterialMap map)
+{
+    const int side = maps.size;
+    return map == MaterialMap::Colour   ? PictureBytes{side, side, 3, true, bytesOf(maps.colour)}
+           : map == MaterialMap::Normal ? PictureBytes{side, side, 3, false, bytesOf(maps.normal)}
+                                        : PictureBytes{side, side, 1, false, bytesOf(maps.height)};
+}
+
+template <class Maps>
+Expected<std::vector<MadeMap>> encoded(const Expected<Maps>& maps, std::span<const MaterialMap> kinds)
+{
+    if (!maps)
+        return fail(maps.error());
+    std::vector<MadeMap> out;
+    for (const MaterialMap map : kinds) {
+        auto png = pngOf(pictureOf(*maps, map));
+        if (!png)
+            return fail(std::move(png.error()));
+        out.push_back({map, std::move(*png)});
+    }
+    return out;
+}
+
 } // namespace
+
+Expected<std::vector<MadeMap>> makeMaps(const BarkParams& bark, int size, std::span<const MaterialMap> kinds,
+                                        const Progress& progress)
+{
+    return encoded(barkMaps(bark, size, progress), kinds);
+}
+
+Expected<std::vector<MadeMap>> makeMaps(LeafShape leaf, int size, std::span<const MaterialMap> kinds)
+{
+    return encoded(leafMaps(leaf, size), kinds);
+}
 
 /// Of a hash, in hex.
 static std::string eightDigits(std::uint64_t hash)
@@ -71,24 +105,31 @@ std::string pictureFileName(const std::string& picture)
         .append(path.extension().string());
 }
 
+Expected<std::string> pictureBytes(const std::string& path)
+{
+    std::error_code problem;
+    std::ifstream file;
+    if (std::filesystem::is_regular_file(path, problem)) // nobody waits for a pipe
+        file.open(path, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    if (file.is_open() && !file.bad())
+        return bytes;
+    auto error = fail(ErrorCode::Io, RAMURE_NOOP("the picture is missing or cannot be read"));
+    error.value().file = path;
+    return error;
+}
+
 Expected<void> copyPictures(const std::string& folder, const PictureParams& pictures)
 {
     for (const auto member : pictureFiles) {
         const std::string& path = pictures.*member;
         if (path.empty())
             continue;
-        std::error_code problem;
-        std::ifstream file;
-        if (std::filesystem::is_regular_file(path, problem)) // nobody waits for a pipe
-            file.open(path, std::ios::binary);
-        const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-        if (!file.is_open() || file.bad()) {
-            auto error = fail(ErrorCode::Io, RAMURE_NOOP("the picture is missing or cannot be read"));
-            error.value().file = path;
-            return error;
-        }
+        const auto bytes = pictureBytes(path);
+        if (!bytes)
+            return fail(bytes.error());
         const std::string to = (std::filesystem::path(folder) / pictureFileName(path)).string();
-        if (auto done = writeFile(to, bytes); !done)
+        if (auto done = writeFile(to, *bytes); !done)
             return done;
     }
     return {};
@@ -192,12 +233,7 @@ Expected<std::vector<std::string>> writeMaps(const std::string& folder, LeafShap
     return writeMissing(
         folder, leafMapKinds, [&](MaterialMap map) { return mapFileName(leaf, size, map, season); },
         [&] { return seasonMaps(leaf, size, season); },
-        [](const LeafMaps& maps, MaterialMap map) {
-            const int side = maps.size;
-            return map == MaterialMap::Colour   ? PictureBytes{side, side, 3, true, bytesOf(maps.colour)}
-                   : map == MaterialMap::Normal ? PictureBytes{side, side, 3, false, bytesOf(maps.normal)}
-                                                : PictureBytes{side, side, 1, false, bytesOf(maps.height)};
-        });
+        [](const LeafMaps& maps, MaterialMap map) { return pictureOf(maps, map); });
 }
 
 } // namespace ramure

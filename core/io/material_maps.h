@@ -9,6 +9,7 @@
 #include "core/params/leaf_params.h"
 #include "core/params/picture_params.h"
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,22 @@ inline constexpr std::array leafMapKinds{MaterialMap::Colour, MaterialMap::Norma
 Expected<std::vector<std::string>> writeMaps(const std::string& folder, const BarkParams& bark, int size,
                                              const Progress& progress = {});
 
+/// A picture as the bytes of a PNG file.
+struct MadeMap
+{
+    MaterialMap map;
+    std::string png;
+};
+/// The same pictures in memory, those of \p kinds in their order. Errors: Invalid, Limit, Cancelled.
+Expected<std::vector<MadeMap>> makeMaps(const BarkParams& bark, int size, std::span<const MaterialMap> kinds,
+                                        const Progress& progress = {});
+/// Of a leaf in summer. \pre all are of leafMapKinds.
+Expected<std::vector<MadeMap>> makeMaps(LeafShape leaf, int size, std::span<const MaterialMap> kinds);
+
 /// Of a copy of an image file: its own name with a number for where it came from, "oak_1f3a9c04.jpg".
 std::string pictureFileName(const std::string& picture);
+/// The bytes of an image file. Error: Io (missing, no file, unreadable), with the file.
+Expected<std::string> pictureBytes(const std::string& path);
 /// Copies the image files of a surface into a folder, as they are. Errors, all with the file: Io (missing, no
 /// file, unreadable; not written).
 Expected<void> copyPictures(const std::string& folder, const PictureParams& pictures);

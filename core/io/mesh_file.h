@@ -34,7 +34,9 @@ struct WriteOptions
 {
     bool ascii = false;    ///< where the format has a form of text beside a binary one
     std::string comment{}; ///< one line in the head of the file, after the program's name; empty: none
-    int mapSize = 1024;    ///< pixels a side of the pictures of materials beside the file; 0: none
+    int mapSize = 1024;    ///< pixels a side of the pictures of materials; 0: none
+    int joints = 256;      ///< of a tree in a clip, at most; 0: as many as it has branches
+    std::function<void(const Error& note)> tell{}; ///< what was left out or made simpler; may be empty
 };
 
 /// Writes PATH and, beside it, the .mtl with the same stem, and the pictures of barks whose meshes have

@@ -6,24 +6,82 @@
 
 namespace ramure {
 
-Expected<void> writePng(const std::string& path, const PictureBytes& picture)
+Expected<std::string> pngOf(const PictureBytes& picture)
 {
     png_image image{};
     image.version = PNG_IMAGE_VERSION;
     image.width = static_cast<png_uint_32>(picture.width);
     image.height = static_cast<png_uint_32>(picture.height);
     image.format = picture.channels == 1 ? PNG_FORMAT_GRAY : PNG_FORMAT_RGB;
+    if (picture.channels == 4)
+        image.format = PNG_FORMAT_RGBA;
     if (!picture.areColours)
         image.flags = PNG_IMAGE_FLAG_COLORSPACE_NOT_sRGB;
     std::string file(PNG_IMAGE_PNG_SIZE_MAX(image), '\0');
     png_alloc_size_t size = file.size();
     const png_int_32 fromBelow = -picture.width * picture.channels;
-    if (!png_image_write_to_memory(&image, file.data(), &size, 0, picture.bytes.data(), fromBelow, nullptr)) {
-        auto error = fail(ErrorCode::Io, RAMURE_NOOP("the picture could not be made: %1"), {image.message});
-        error.value().file = path;
-        return error;
+    if (!png_image_write_to_memory(&image, file.data(), &size, 0, picture.bytes.data(), fromBelow, nullptr))
+        return fail(ErrorCode::Io, RAMURE_NOOP("the picture could not be made: %1"), {image.message});
+    file.resize(size);
+    return file;
+}
+
+namespace {
+
+struct Pixels
+{
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> bytes; ///< row by row from the lowest one up
+};
+
+Expected<Pixels> pixelsOf(std::string_view file, png_uint_32 format)
+{
+    png_image image{};
+    image.version = PNG_IMAGE_VERSION;
+    Pixels out;
+    if (png_image_begin_read_from_memory(&image, file.data(), file.size())) {
+        image.format = format;
+        out.width = static_cast<int>(image.width);
+        out.height = static_cast<int>(image.height);
+        out.bytes.resize(PNG_IMAGE_SIZE(image));
+        const png_int_32 fromBelow = -static_cast<png_int_32>(PNG_IMAGE_ROW_STRIDE(image));
+        if (png_image_finish_read(&image, nullptr, out.bytes.data(), fromBelow, nullptr))
+            return out;
     }
-    return writeFile(path, std::string_view(file).substr(0, size));
+    const std::string why = image.message;
+    png_image_free(&image);
+    return fail(ErrorCode::Invalid, RAMURE_NOOP("no PNG that can be read: %1"), {why});
+}
+
+} // namespace
+
+Expected<std::string> maskedPng(std::string_view colour, std::string_view opacity)
+{
+    const auto alpha = pixelsOf(opacity, PNG_FORMAT_GRAY);
+    if (!alpha)
+        return fail(alpha.error());
+    Pixels out{alpha->width, alpha->height, std::vector<std::uint8_t>(4 * alpha->bytes.size(), 255)};
+    if (!colour.empty()) {
+        auto read = pixelsOf(colour, PNG_FORMAT_RGBA);
+        if (!read)
+            return fail(std::move(read.error()));
+        out = std::move(*read);
+    }
+    const auto width = static_cast<std::size_t>(out.width), height = static_cast<std::size_t>(out.height);
+    const auto across = static_cast<std::size_t>(alpha->width), up = static_cast<std::size_t>(alpha->height);
+    for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t x = 0; x < width; ++x)
+            out.bytes[4 * (y * width + x) + 3] = alpha->bytes[y * up / height * across + x * across / width];
+    return pngOf({out.width, out.height, 4, true, out.bytes});
+}
+
+Expected<void> writePng(const std::string& path, const PictureBytes& picture)
+{
+    auto file = pngOf(picture);
+    if (file)
+        return writeFile(path, *file);
+    file.error().file = path;
+    return fail(std::move(file.error()));
 }
 
 } // namespace ramure

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace ramure {
 
@@ -13,11 +14,16 @@ namespace ramure {
 struct PictureBytes
 {
     int width = 0, height = 0;
-    int channels = 3;       ///< 1: grey, 3: red, green, blue
+    int channels = 3;       ///< 1: grey, 3: red, green, blue, 4: and alpha
     bool areColours = true; ///< sRGB; else numbers, which nobody may convert
     std::span<const std::uint8_t> bytes;
 };
 
+/// The bytes of the file. Error: Io.
+Expected<std::string> pngOf(const PictureBytes& picture);
+/// A picture whose alpha is the brightness of another one, which is stretched to its size. \param colour the
+/// bytes of a PNG file; empty: white, as large as the other one. Error: Invalid, one is no PNG.
+Expected<std::string> maskedPng(std::string_view colour, std::string_view opacity);
 /// Error: Io (with file).
 Expected<void> writePng(const std::string& path, const PictureBytes& picture);
 

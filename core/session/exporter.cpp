@@ -180,6 +180,26 @@ void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes
     out.frames.front().bones[tree.number] = motion.bones;
 }
 
+/// Branches, and what hangs on them with bones of its own: apples, leaves.
+std::vector<ExportBone> bonesOf(const Skeleton& skeleton, const Foliage* foliage, const NodeMotion& motion)
+{
+    std::vector<ExportBone> bones;
+    if (!motion.bones)
+        return bones;
+    for (Index i = 0; i < skeleton.size(); ++i)
+        bones.push_back({skeleton.parent[i], skeleton.a0[i], skeleton.p0[i], skeleton.p1[i]});
+    const auto hang = [&](const std::vector<FoliageItem>& items, double size) {
+        for (const FoliageItem& item : items)
+            if (bones.size() < motion.bones->size())
+                bones.push_back({item.branch, size, item.position, item.position});
+    };
+    if (foliage) {
+        hang(foliage->apples, 1e-9); // they fall: joints, if there are some left
+        hang(foliage->leaves, 0.0);  // never: there are too many of them
+    }
+    return bones;
+}
+
 /// Leaves and apples as instances in the place of meshes.
 void takeInstances(ExportScene& out, const Candidate& tree, TreeMeshes& meshes,
                    const FoliageInstances& instances)
@@ -328,6 +348,8 @@ Expected<void> addFineTree(ExportScene& out, const Candidate& tree, EvaluatedSce
     if (options.texture)
         if (auto done = addTexture(meshes, *posed->rest.texture, params, progress); !done)
             return done;
+    out.nodes[tree.number].bones =
+        bonesOf(posed->rest.simplified->skeleton, posed->rest.foliage.get(), posed->motion);
     addMeshes(out, tree, meshes, params, posed->motion);
     return {};
 }
@@ -482,12 +504,15 @@ Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, c
     const auto format = findFormat(path, FormatUse::Write, options.write.ascii);
     if (!format)
         return fail(format.error());
+    if (!options.clip.empty() && options.instances)
+        return fail(ErrorCode::Invalid,
+                    RAMURE_NOOP("instances of leaves do not move: merge them, or write one moment"));
     const auto collected = collectExport(std::move(scene), options, progress.part(0.0, 0.5));
     if (!collected)
         return fail(collected.error());
     WriteOptions head = options.write;
     head.comment = options.space.comment();
-    if (!collected->copies.empty())
+    if (!collected->copies.empty() && ((*format)->holds & holdsCopies) == 0)
         if (auto listed = writeCopyList(path, *collected, head, progress.part(0.5, 0.6)); !listed)
             return listed;
     return (*format)->write(path, *collected, head, progress.part(0.6, 1.0));

@@ -49,7 +49,7 @@ Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& o
 
 /// Writes a format of core/io/formats/file_format.h, by the ending of \p path, which is checked before
 /// anything is computed. A list of instances is written before it. Errors: Unknown (another ending), those of
-/// collectExport and of core/io; the old file is intact then.
+/// collectExport and of core/io; Invalid (a clip of instances); the old file is intact then.
 Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, const std::string& path,
                            const Progress& progress = {});
 /// What a file of this format gets where nobody chose: of one that has no objects the one closed mesh alone.

@@ -396,7 +396,7 @@ void ExportDialog::browse()
     if (chosen.isEmpty())
         return;
     setPath(chosen);
-    if (!m_moments->isNumbered())
+    if (!isNumbered())
         m_mayReplace = path(); // the chooser has asked
 }
 
@@ -426,7 +426,15 @@ void ExportDialog::run()
     setMessage({}, false);
     if (isInBackground())
         return startSequence();
-    m_task->startExport(*m_document, options(), path(), m_moments->timeSeconds());
+    ExportOptions what = options();
+    double seconds = m_moments->timeSeconds();
+    if (isClip()) {
+        const FrameSequence frames = m_moments->frames();
+        seconds = frames.timeOf(frames.first);
+        for (std::int64_t i = 1; i < frames.count(); ++i)
+            what.clip.push_back(frames.timeOf(frames.frame(i)));
+    }
+    m_task->startExport(*m_document, what, path(), seconds);
     updateWidgets();
 }
 
@@ -500,8 +508,8 @@ void ExportDialog::retranslate()
     m_foliage->setToolTip(tr(
         "Merged: the file holds every leaf and every fruit. List of instances: it holds the rest, and beside "
         "it stand a table, FILE_leaves.csv, with a row for each leaf, fruit and flower (its shape, material, "
-        "branch, colour and matrix), and one OBJ for each shape. Much smaller, for programs that draw "
-        "instances."));
+        "branch, colour and matrix), and one OBJ for each shape; in a GLB they stand inside. Much smaller, "
+        "for programs that draw instances."));
     m_branches->setText(tr("Branches"));
     m_leaves->setText(tr("Leaves"));
     m_apples->setText(tr("Apples"));

@@ -85,6 +85,8 @@ private:
     void run();
     // export_sequence.cpp
     void updateSummary();
+    [[nodiscard]] bool isClip() const;
+    [[nodiscard]] bool isNumbered() const; ///< a file for each frame
     [[nodiscard]] bool isInBackground() const;
     [[nodiscard]] bool mayStart();
     [[nodiscard]] bool mayReplaceFiles();

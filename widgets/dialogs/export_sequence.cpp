@@ -55,9 +55,20 @@ void ExportDialog::setPictureLook(const PictureLook& look)
     setPicturesEnabled(true);
 }
 
+/// One file that moves.
+bool ExportDialog::isClip() const
+{
+    return holds(holdsClip) && m_moments->moment() == ExportMoment::Sequence;
+}
+
+bool ExportDialog::isNumbered() const
+{
+    return m_moments->isNumbered() && !isClip();
+}
+
 bool ExportDialog::isInBackground() const
 {
-    return !format() || m_moments->isNumbered();
+    return !format() || isNumbered();
 }
 
 /// Names, number and size of what will be there afterwards.
@@ -72,16 +83,19 @@ void ExportDialog::updateSummary()
     QString file = path();
     if (QFileInfo(file).suffix().isEmpty())
         file += u'.' + suffix();
-    if (count > 1) {
+    if (isClip() && count > 0) {
+        parts += tr("%Ln frame(s) in one file", nullptr, int(count));
+        count = 1;
+    } else if (count > 1) {
         const auto nameOf = [&](std::int64_t i) {
             return QFileInfo(numbered(file, turns ? i : frames.frame(i))).fileName();
         };
         parts += QStringLiteral("%1 … %2").arg(nameOf(0), nameOf(count - 1));
-    } else if (count == 1 && m_moments->isNumbered()) {
+    } else if (count == 1 && isNumbered()) {
         parts += QFileInfo(numbered(file, frames.first)).fileName();
     }
     const bool materials = format() && *format()->beside != '\0' && options().model != ExportModel::Skeleton;
-    if (m_moments->isNumbered() && !options().instances)
+    if (isNumbered() && !options().instances)
         parts += tr("%Ln file(s)", nullptr, int(count * (materials ? 2 : 1)));
     const QSize size = m_pictures->pictureSize();
     const double each = !format() ? bytesPerPixel * size.width() * size.height()
@@ -105,6 +119,9 @@ bool ExportDialog::mayStart()
     } else if (QFileInfo(path()).suffix().toLower() != QLatin1String("png")) {
         return refuse(tr("Unknown file ending: pictures are written as .png"));
     }
+    if (isClip())
+        if (const auto fine = checkSequence(m_moments->frames()); !fine)
+            return refuse(errorText(fine.error()));
     if (!isInBackground())
         return true;
     if (!m_sequences || m_sequences->isRunning())
@@ -125,14 +142,14 @@ bool ExportDialog::mayReplaceFiles()
     if (m_moments->moment() == ExportMoment::Turntable) {
         for (int i = 0; i < m_moments->turns(); ++i)
             names += QFileInfo(numbered(path(), i)).fileName();
-    } else if (m_moments->moment() == ExportMoment::Sequence) {
+    } else if (m_moments->moment() == ExportMoment::Sequence && !isClip()) {
         const FrameSequence frames = m_moments->frames();
         for (std::int64_t i = 0; i < frames.count(); ++i)
             names += QFileInfo(numbered(path(), frames.frame(i))).fileName();
     } else {
         names += QFileInfo(path()).fileName();
     }
-    if (m_moments->isNumbered())
+    if (isNumbered())
         wish += QStringLiteral(" %1 %2").arg(names.size()).arg(names.front());
     if (m_mayReplace == wish)
         return true;
@@ -143,10 +160,9 @@ bool ExportDialog::mayReplaceFiles()
     if (count == 0)
         return true;
     m_mayReplace = wish;
-    setMessage(m_moments->isNumbered()
-                   ? tr("%Ln of these files are there already. Export once more to replace them.", nullptr,
-                        int(count))
-                   : tr("“%1” is there already. Export once more to replace it.").arg(names.front()),
+    setMessage(isNumbered() ? tr("%Ln of these files are there already. Export once more to replace them.",
+                                 nullptr, int(count))
+                            : tr("“%1” is there already. Export once more to replace it.").arg(names.front()),
                false);
     return false;
 }

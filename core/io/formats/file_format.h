@@ -15,8 +15,10 @@ struct ImportOptions;
 enum FormatHolds : std::uint8_t {
     holdsObjects = 1, ///< objects by name, each with its material; else all is one mesh
     holdsTexture = 2,
-    holdsSpace = 4, ///< any axes and unit
-    holdsLines = 8, ///< a skeleton as line segments
+    holdsSpace = 4,   ///< any axes and unit
+    holdsLines = 8,   ///< a skeleton as line segments
+    holdsCopies = 16, ///< leaves and fruit as instances
+    holdsClip = 32,   ///< a sequence of frames as one file that moves
 };
 
 /// Bytes of a vertex and of a triangle, about.

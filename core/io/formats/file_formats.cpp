@@ -2,12 +2,12 @@
 
 namespace ramure {
 
-extern const FileFormat objFormat, plyFormat, plyTextFormat, animationFormat, arbaroFormat,
+extern const FileFormat objFormat, plyFormat, plyTextFormat, glbFormat, animationFormat, arbaroFormat,
     ezTreeFormat;
 
 std::span<const FileFormat* const> fileFormats()
 {
-    static constexpr const FileFormat* table[] = {&objFormat,       &plyFormat,    &plyTextFormat,
+    static constexpr const FileFormat* table[] = {&objFormat,       &plyFormat,    &plyTextFormat, &glbFormat,
                                                   &animationFormat, &arbaroFormat, &ezTreeFormat};
     return table;
 }

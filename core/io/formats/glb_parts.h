@@ -1,0 +1,100 @@
+/// \file
+/// The parts of a GLB file: one buffer with its views and accessors, vertices as graphics cards have them,
+/// and materials with their pictures. Internal to glb_format.cpp. Names are those of the glTF 2.0
+/// specification (Khronos Group, 2021), which has Y up and metres, as the program does.
+#pragma once
+
+#include "core/io/export_scene.h"
+#include <glm/gtc/type_precision.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
+
+namespace ramure::glb {
+
+using Json = nlohmann::json;
+
+enum class Target : int { None = 0, Vertices = 34962, Indices = 34963 };
+enum class Number : int { Byte = 5121, Short = 5123, Int = 5125, Float = 5126 };
+
+/// Everything but the JSON.
+class Buffer
+{
+public:
+    /// \return the number of the view. It starts where any number may.
+    std::size_t addView(std::string_view bytes, Target target = Target::None);
+    template <class T> std::size_t addValues(const std::vector<T>& values, Target target = Target::None)
+    {
+        return addView({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)}, target);
+    }
+    /// \param type "SCALAR", "VEC3" ... \return the number of the accessor
+    std::size_t addAccessor(std::size_t view, Number number, const char* type, std::size_t count,
+                            bool isNormalised = false);
+    Json& accessor(std::size_t at) { return m_accessors[at]; }
+
+    /// \param root gets the views and accessors. Errors: Limit (4 GiB), those of FileWriter; Cancelled.
+    Expected<void> write(const std::string& path, Json root, const Progress& progress) &&;
+
+private:
+    std::string m_bytes;
+    Json m_views = Json::array(), m_accessors = Json::array();
+};
+
+/// A vertex wherever position, place in the picture or colour differ.
+struct Vertices
+{
+    std::vector<glm::vec3> positions, normals; ///< normals: as many, or none
+    std::vector<glm::vec2> uv;                 ///< as many, or none; rows of pictures from the top
+    std::vector<glm::vec4> tangents;           ///< as many, or none; w: the handedness
+    std::vector<glm::u16vec4> colours;         ///< as many, or none; linear, 65535 is 1
+    std::vector<Index> from;                   ///< per vertex its vertex in the mesh
+    std::vector<Index> indices;
+    /// What makes one surface of it again: of these indices, each is to be that vertex.
+    std::vector<Index> mergeIndices, mergeValues;
+};
+/// \param textured with texture coordinates, where there are some
+Vertices verticesOf(const TriangleMesh& mesh, bool textured);
+/// What pictures of normals need: x around or to the right, y along the branch or to the tip of the leaf. As
+/// in E. Lengyel, Foundations of Game Engine Development, volume 2 (2019), chapter 7.5. \pre uv and normals.
+void addTangents(Vertices& vertices);
+
+/// Linear, of an sRGB byte, and of sRGB from 0 to 1.
+float linear(std::uint8_t channel);
+glm::vec3 linear(const glm::vec3& colour);
+
+/// Materials and their pictures, each once.
+class Materials
+{
+public:
+    /// \param mapSize pixels a side of pictures that the program makes; 0: no pictures
+    Materials(Buffer& buffer, int mapSize)
+        : m_buffer(buffer)
+        , m_mapSize(mapSize)
+    {
+    }
+
+    /// Whether it has pictures, which need texture coordinates.
+    [[nodiscard]] bool isPictured(const Material& material) const;
+    /// Of what was added: does it have a picture of normals?
+    [[nodiscard]] bool hasNormals(std::size_t material) const;
+    /// \param textured \param coloured what the mesh has. \return its number. Errors: those of the maps; Io
+    /// and Invalid of image files (with file), of which PNG and JPEG can stand in a GLB.
+    Expected<std::size_t> add(const Material& material, bool textured, bool coloured,
+                              const Progress& progress);
+    /// Materials, textures, images and the extensions that they need.
+    void addTo(Json& root) const;
+
+private:
+    Expected<void> addPictures(Json& out, const Material& material, const Progress& progress);
+    Expected<void> addOwnPictures(Json& out, const Material& material);
+    Expected<void> addOwn(Json& place, const std::string& path);
+    [[nodiscard]] Json texture(const std::string& name, std::string_view bytes, const char* type);
+
+    Buffer& m_buffer;
+    int m_mapSize;
+    Json m_materials = Json::array(), m_textures = Json::array(), m_images = Json::array();
+    std::map<std::string, std::size_t> m_numbers;        ///< of materials by their keys
+    std::map<std::string, std::size_t> m_textureNumbers; ///< by the names of the pictures
+    bool m_isTranslucent = false;
+};
+
+} // namespace ramure::glb
