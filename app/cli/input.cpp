@@ -4,6 +4,7 @@
 #include "core/params/param_def.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/demo_scenes.h"
+#include "core/scene/growth_spaces.h"
 #include "core/scene/object_mesh.h"
 #include "core/scene/preset_scene.h"
 #include <QFileInfo>
@@ -107,6 +108,7 @@ Expected<Input> loadInput(const QString& text, const QStringList& sets, const Pr
             return fail(scene.error());
         if (const auto applied = applySettings(*scene, sets); !applied)
             return fail(applied.error());
+        linkGrowthSpaces(*scene);
         return Input{std::move(*scene)};
     }
     if (!findFormat(systemPath(text), FormatUse::Read))

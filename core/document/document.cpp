@@ -1,6 +1,7 @@
 #include "core/document/document.h"
 
 #include "core/document/document_command.h"
+#include "core/scene/growth_spaces.h"
 #include "core/skeleton/edit_places.h"
 
 #include <QSignalBlocker>
@@ -77,6 +78,7 @@ void Document::reset(Scene scene, const QString& path, std::string extras)
         change.nodes.push_back(node.id);
     emit aboutToBeChanged(change);
     m_scene = std::move(scene);
+    linkGrowthSpaces(m_scene);
     m_selection = {};
     m_results.clear();
     m_shapeRevisions.clear();
@@ -173,6 +175,26 @@ void Document::settle(const Change& change)
             m_shapeRevisions[id] = change.revision;
     if (change.has(changeStructure))
         dropGone();
+}
+
+/// Trees that fill solids or grow around them grow anew where these have changed: part of the change itself,
+/// and undone with it.
+void Document::followSolids()
+{
+    auto stale = staleGrowthSpaces(m_scene);
+    if (stale.empty())
+        return;
+    Change change;
+    change.kinds = changeParams;
+    change.firstStale = Stage::Skeleton;
+    change.revision = m_revision;
+    for (const auto& [id, link] : stale)
+        change.nodes.push_back(id);
+    emit aboutToBeChanged(change);
+    for (auto& [id, link] : stale)
+        m_scene.find(id)->params.colonisation.space = std::move(link);
+    settle(change);
+    emit changed(change);
 }
 
 void Document::dropGone()

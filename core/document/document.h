@@ -86,6 +86,7 @@ public:
         edit(m_scene);
         settle(change);
         emit changed(change);
+        followSolids();
     }
 
 signals:
@@ -94,6 +95,7 @@ signals:
 
 private:
     void settle(const Change& change);
+    void followSolids();
     void dropGone();
     [[nodiscard]] Selection valid(Selection selection) const;
     [[nodiscard]] Selection followed(const TreeResult& before, const TreeResult& after) const;

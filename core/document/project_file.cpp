@@ -6,6 +6,7 @@
 #include "core/document/project_migrations.h"
 #include "core/document/project_places.h"
 #include "core/document/project_timeline.h"
+#include "core/scene/growth_spaces.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -119,6 +120,7 @@ static Expected<Project> readParsed(QJsonObject root)
     if (!bookmarks)
         return fail(bookmarks.error());
     scene->setBookmarks(*bookmarks);
+    linkGrowthSpaces(*scene);
     root.remove(QLatin1String("format"));
     root.remove(QLatin1String("version"));
     return Project{std::move(*scene), json::extrasText(root)};

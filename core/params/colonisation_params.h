@@ -3,20 +3,22 @@
 /// colonization algorithm" (Eurographics Workshop on Natural Phenomena 2007). Lengths in metres, tree space.
 #pragma once
 
+#include "core/params/growth_space.h"
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
 
 namespace ramure {
 
-/// What the crown fills: solids of revolution about the trunk. The order is that of the interface; files
-/// know the names.
+/// What the crown fills: all but the last are solids of revolution about the trunk. The order is that of the
+/// interface; files know the names.
 enum class CrownEnvelope : std::uint8_t {
     Sphere, ///< an ellipsoid, where height and width differ
     Hemisphere,
     Cone,
     Cylinder,
     Profile, ///< as the profile's curve says
+    Solid,   ///< what of the scene stands below the tree to be filled
 };
 
 struct ColonisationParams
@@ -38,7 +40,15 @@ struct ColonisationParams
     double tipRadius = 0.007;
     double thinning = 0.2;  ///< shorter twigs are left out
     double smoothing = 0.6; ///< 0: as grown; 1: kinks are gone
+    GrowthSpaceLink space;  ///< no parameter: what the scene says
     bool operator==(const ColonisationParams&) const = default;
 };
+
+/// m, tree space.
+inline double crownTop(const ColonisationParams& params)
+{
+    const bool fillsSolid = params.envelope == CrownEnvelope::Solid && params.space.top > 0.0;
+    return fillsSolid ? params.space.top : params.crownBase + params.crownHeight;
+}
 
 } // namespace ramure

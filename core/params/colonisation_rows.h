@@ -20,7 +20,8 @@ constexpr ParamDef crownRow(const Words& words, ParamUnit unit, const Range& ran
 inline constexpr std::array colonisationRows{
     crownRow<&ColonisationParams::envelope>(
         {"colonisation.envelope", crownGroup, RAMURE_NOOP("Envelope"),
-         RAMURE_NOOP("The solid that the crown fills, round about the trunk.")},
+         RAMURE_NOOP("The solid that the crown fills, round about the trunk; or solids of the scene, which stand below the tree and "
+                     "say that trees fill them.")},
         ParamUnit::None, {}),
     crownRow<&ColonisationParams::profile>(
         {"colonisation.profile", crownGroup, RAMURE_NOOP("Profile"),

@@ -149,7 +149,8 @@ struct NodeParams
     PlacementParams local; ///< of its own geometry alone: not handed on to the children (SPEC B2)
     PrimitiveParams primitive;
     SurfaceParams surface;
-    PictureParams surfacePictures; ///< of primitives and imported meshes
+    GrowthRole growthRole = GrowthRole::None; ///< of primitives and imported meshes
+    PictureParams surfacePictures;            ///< of primitives and imported meshes
     PhysicsParams physics;
     SkinParams skin;
     ArmParams arm;
@@ -175,7 +176,7 @@ inline double trunkRadius(const NodeParams& params)
     case TreeGenerator::WeberPenn:
         return own.scale * own.level[0].length * own.ratio;
     case TreeGenerator::Colonisation:
-        return 0.015 * (params.colonisation.crownBase + params.colonisation.crownHeight);
+        return 0.015 * crownTop(params.colonisation);
     }
     return params.turtle.alpha;
 }

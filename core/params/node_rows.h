@@ -71,6 +71,12 @@ inline constexpr std::array nodeRows{
     pictureRow<&NodeParams::surfacePictures, &PictureParams::occlusion>("surface.occlusionPicture", surfacePicturesGroup, objectKinds),
     pictureRow<&NodeParams::surfacePictures, &PictureParams::opacity>("surface.opacityPicture", surfacePicturesGroup, objectKinds),
 
+    row<&NodeParams::growthRole>(
+        {"solid.growth", surfaceGroup, RAMURE_NOOP("Trees"),
+         RAMURE_NOOP("What trees that grow by space colonisation make of it. A tree fills solids below it in the scene, once its "
+                     "envelope is a solid of the scene; all of them grow around obstacles. Hidden ones count too.")},
+        ParamUnit::None, {}, Stage::Placement, paramNone, objectKinds),
+
     row<&NodeParams::physics, &PhysicsParams::mode>(
         {"physics.mode", physicsGroup, RAMURE_NOOP("Mode"),
          RAMURE_NOOP("Robust: damped springs that stay calm for every value. Faithful: the step of the reference, exactly, "

@@ -18,9 +18,13 @@ inline constexpr std::array itemsOf<TreeGenerator>{
     EnumItem{"colonisation", RAMURE_NOOP("Space colonisation")}};
 template <>
 inline constexpr std::array itemsOf<CrownEnvelope>{
-    EnumItem{"sphere", RAMURE_NOOP("Sphere")}, EnumItem{"hemisphere", RAMURE_NOOP("Hemisphere")},
-    EnumItem{"cone", RAMURE_NOOP("Cone")}, EnumItem{"cylinder", RAMURE_NOOP("Cylinder")},
-    EnumItem{"profile", RAMURE_NOOP("Profile")}};
+    EnumItem{"sphere", RAMURE_NOOP("Sphere")},   EnumItem{"hemisphere", RAMURE_NOOP("Hemisphere")},
+    EnumItem{"cone", RAMURE_NOOP("Cone")},       EnumItem{"cylinder", RAMURE_NOOP("Cylinder")},
+    EnumItem{"profile", RAMURE_NOOP("Profile")}, EnumItem{"solid", RAMURE_NOOP("Solid of the scene")}};
+template <>
+inline constexpr std::array itemsOf<GrowthRole>{EnumItem{"none", RAMURE_NOOP("Are not concerned")},
+                                                EnumItem{"envelope", RAMURE_NOOP("Fill it")},
+                                                EnumItem{"obstacle", RAMURE_NOOP("Grow around it")}};
 template <>
 inline constexpr std::array itemsOf<CrownShape>{
     EnumItem{"conical", RAMURE_NOOP("Conical")},

@@ -20,6 +20,7 @@ constexpr std::array grammar{"grammar"};
 constexpr std::array weberPenn{"weber_penn"};
 constexpr std::array colonisation{"colonisation"};
 constexpr std::array profile{"profile"};
+constexpr std::array revolved{"sphere", "hemisphere", "cone", "cylinder", "profile"};
 constexpr std::array transpose{"transpose"};
 constexpr std::array faithful{"faithful"};
 constexpr std::array whorled{"whorled"};
@@ -44,6 +45,9 @@ constexpr std::array relevances{
     Relevance{"turtle.elasticity", "grammar.dialect", parametric},
     Relevance{"variation.radius", "grammar.dialect", classic},
     Relevance{"colonisation.profile", "colonisation.envelope", profile},
+    Relevance{"colonisation.crownBase", "colonisation.envelope", revolved},
+    Relevance{"colonisation.crownHeight", "colonisation.envelope", revolved},
+    Relevance{"colonisation.crownRadius", "colonisation.envelope", revolved},
     Relevance{"primitive.radius", "primitive.shape", round},
     Relevance{"primitive.height", "primitive.shape", tall},
     Relevance{"primitive.size", "primitive.shape", angular},

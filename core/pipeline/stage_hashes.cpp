@@ -53,6 +53,8 @@ StageHashes::StageHashes(const NodeParams& params)
         add(hash, def.get(params));
         of(def.stage) = hash.value();
     }
+    if (params.generator.kind == TreeGenerator::Colonisation && params.colonisation.space.hash != 0)
+        of(Stage::Skeleton) = StageHash(of(Stage::Skeleton)).add(params.colonisation.space.hash).value();
     // So far each has its own parameters alone: now what comes before it too.
     const auto follow = [&of](Stage stage, std::uint64_t before) {
         of(stage) = StageHash(before).add(of(stage)).value();

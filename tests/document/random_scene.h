@@ -4,6 +4,7 @@
 
 #include "core/math/random.h"
 #include "core/params/param_def.h"
+#include "core/scene/growth_spaces.h"
 #include "core/scene/scene.h"
 
 #include <algorithm>
@@ -134,6 +135,7 @@ inline Scene randomScene(Random& random, std::uint32_t most = 12)
         [[maybe_unused]] const auto done =
             scene.insert({randomNode(id, parent, random)}, parent, static_cast<int>(random.below(5)));
     }
+    linkGrowthSpaces(scene);
     return scene;
 }
 

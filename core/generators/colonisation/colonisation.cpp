@@ -162,10 +162,10 @@ private:
 Expected<Skeleton> growColonisation(const ColonisationParams& params, std::uint64_t seed,
                                     const Progress& progress)
 {
-    const auto points = crownPoints(params, seed);
+    const auto points = crownPoints(params, seed, progress.part(0.0, 0.2));
     if (!points)
         return fail(points.error());
-    auto nodes = colonise(params, *points, progress);
+    auto nodes = colonise(params, *points, progress.part(0.2, 1.0));
     if (!nodes)
         return fail(std::move(nodes.error()));
     return AxisMaker(params, std::move(*nodes)).run();

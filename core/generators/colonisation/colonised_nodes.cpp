@@ -1,5 +1,6 @@
 #include "core/generators/colonisation/colonised_nodes.h"
 
+#include "core/generators/colonisation/growth_space.h"
 #include "core/generators/grammar/turtle.h"
 #include <algorithm>
 #include <array>
@@ -119,13 +120,21 @@ private:
         return error;
     }
 
+    /// Behind an obstacle.
+    [[nodiscard]] bool isHidden(const glm::dvec3& at, const glm::dvec3& from) const
+    {
+        return m_params.space.space && m_params.space.space->blocks(from, at);
+    }
+
     /// Up until a point is in sight. \return whether one is; if not, the foot is all there is.
     bool raiseTrunk()
     {
-        const double top = m_params.crownBase + m_params.crownHeight;
+        const double top = crownTop(m_params);
         while (m_seen.empty() && m_nodes.at.back().y < top && m_nodes.at.size() <= maxBranches) {
-            const glm::dvec3& last = m_nodes.at.back();
-            addNode(last + glm::dvec3(0.0, m_params.step, 0.0), Index(m_nodes.at.size() - 1));
+            const glm::dvec3 last = m_nodes.at.back(), next = last + glm::dvec3(0.0, m_params.step, 0.0);
+            if (isHidden(next, last))
+                break;
+            addNode(next, Index(m_nodes.at.size() - 1));
         }
         if (!m_seen.empty())
             return true;
@@ -151,7 +160,7 @@ private:
             for (Index i = first; i < end; ++i) {
                 const glm::dvec3 way = points[i] - at;
                 const double distance = glm::dot(way, way);
-                if (distance >= m_distance[i] || distance > reach)
+                if (distance >= m_distance[i] || distance > reach || isHidden(points[i], at))
                     continue;
                 if (m_distance[i] == unseen)
                     m_seen.push_back(i);
@@ -208,7 +217,10 @@ private:
         m_pull[node] = glm::dvec3(0.0);
         const double length = glm::length(towards);
         const glm::dvec3 to = m_nodes.at[node] + m_params.step / std::max(length, 1e-9) * towards;
-        const bool blocked = length < 1e-9 || to.y <= 0.0 || isTaken(to, node);
+        const glm::dvec3& from = m_nodes.at[node];
+        // Wood is thicker than its axis: it keeps away from obstacles by half a step.
+        const bool blocked =
+            length < 1e-9 || to.y <= 0.0 || isTaken(to, node) || isHidden(to + 0.5 * (to - from), from);
         if (blocked)
             m_stuck[node] = true;
         else

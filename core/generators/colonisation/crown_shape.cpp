@@ -1,6 +1,7 @@
 #include "core/generators/colonisation/crown_shape.h"
 
 #include "core/base/number_text.h"
+#include "core/generators/colonisation/growth_space.h"
 #include "core/generators/parametric/text_scanner.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
@@ -133,6 +134,8 @@ double CrownOutline::radiusAt(double height) const
         return 1.0 - height;
     case CrownEnvelope::Cylinder:
         return 1.0;
+    case CrownEnvelope::Solid:
+        return 0.0;
     case CrownEnvelope::Profile:
         break;
     }
@@ -147,7 +150,9 @@ double CrownOutline::radiusAt(double height) const
            t * t * (3.0 - 2.0 * t) * above->y - t * t * left * width * m_slopes[i + 1];
 }
 
-Expected<std::vector<glm::dvec3>> crownPoints(const ColonisationParams& params, std::uint64_t seed)
+namespace {
+
+Expected<std::vector<glm::dvec3>> revolvedPoints(const ColonisationParams& params, std::uint64_t seed)
 {
     const auto outline = CrownOutline::of(params);
     if (!outline)
@@ -170,6 +175,37 @@ Expected<std::vector<glm::dvec3>> crownPoints(const ColonisationParams& params, 
         points.emplace_back(aside * cosine, params.crownBase + params.crownHeight * height, aside * sine);
     }
     return points;
+}
+
+Expected<std::vector<glm::dvec3>> solidPoints(const ColonisationParams& params, std::uint64_t seed,
+                                              const Progress& progress)
+{
+    const GrowthSpace nothing({});
+    const GrowthSpace& space = params.space.space ? *params.space.space : nothing;
+    if (auto checked = space.checkEnvelope(); !checked)
+        return fail(std::move(checked.error()));
+    return space.points(params.points, params.surface, seed, progress);
+}
+
+} // namespace
+
+Expected<std::vector<glm::dvec3>> crownPoints(const ColonisationParams& params, std::uint64_t seed,
+                                              const Progress& progress)
+{
+    auto points = params.envelope == CrownEnvelope::Solid ? solidPoints(params, seed, progress)
+                                                          : revolvedPoints(params, seed);
+    if (!points || !params.space.space)
+        return points;
+    std::erase_if(*points, [&](const glm::dvec3& point) {
+        return !progress.cancelled() && params.space.space->blocks(point);
+    });
+    if (progress.cancelled())
+        return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+    if (!points->empty())
+        return points;
+    auto error = fail(ErrorCode::Invalid, RAMURE_NOOP("the obstacles leave no room for the crown"));
+    error.value().path = "colonisation.envelope";
+    return error;
 }
 
 } // namespace ramure

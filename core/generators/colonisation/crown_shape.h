@@ -1,8 +1,9 @@
 /// \file
-/// What a crown fills: a solid of revolution about the trunk, and the points that stand in it.
+/// What a crown fills: a solid of revolution about the trunk or solids of the scene, and the points in it.
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/progress.h"
 #include "core/params/colonisation_params.h"
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -43,8 +44,10 @@ private:
     std::vector<double> m_slopes;
 };
 
-/// \return the points of the crown in tree space, m; number i depends on \p seed and i alone. Errors: those
-/// of CrownOutline.
-Expected<std::vector<glm::dvec3>> crownPoints(const ColonisationParams& params, std::uint64_t seed);
+/// \return the points of the crown in tree space, m; number i depends on \p seed and i alone. Those inside
+/// obstacles are left out. Errors: those of CrownOutline and of GrowthSpace; Invalid (obstacles leave none),
+/// Cancelled.
+Expected<std::vector<glm::dvec3>> crownPoints(const ColonisationParams& params, std::uint64_t seed,
+                                              const Progress& progress = {});
 
 } // namespace ramure

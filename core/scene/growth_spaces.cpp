@@ -1,0 +1,125 @@
+#include "core/scene/growth_spaces.h"
+
+#include "core/generators/colonisation/growth_space.h"
+#include "core/math/stage_hash.h"
+#include "core/scene/object_mesh.h"
+#include <algorithm>
+#include <glm/matrix.hpp>
+#include <optional>
+
+namespace ramure {
+namespace {
+
+struct Placed
+{
+    const Node* node;
+    std::shared_ptr<const TriangleMesh> mesh; ///< own space
+    glm::dmat4 world{1.0};
+};
+
+bool isSolid(const Node& node)
+{
+    return (node.kind == NodeKind::Primitive || node.kind == NodeKind::Mesh) &&
+           node.params.growthRole != GrowthRole::None;
+}
+
+bool colonises(const Node& node)
+{
+    return node.kind == NodeKind::Tree && node.params.generator.kind == TreeGenerator::Colonisation;
+}
+
+glm::dmat4 geometryMatrix(const Scene& scene, const Node& node)
+{
+    return worldMatrix(scene, node.id) * placementMatrix(node.params.local);
+}
+
+std::vector<Placed> solidsOf(const Scene& scene)
+{
+    std::vector<Placed> solids;
+    for (const Node& node : scene.nodes())
+        if (isSolid(node))
+            if (const auto mesh = objectSolid(node, node.params);
+                mesh && *mesh && !(*mesh)->triangles.empty())
+                solids.push_back({&node, *mesh, geometryMatrix(scene, node)});
+    return solids;
+}
+
+void add(StageHash& hash, const Placed& solid, const glm::dmat4& place)
+{
+    hash.add(std::string_view(solid.node->name)).add(static_cast<int>(solid.node->params.growthRole));
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 3; ++row)
+            hash.add(place[column][row]);
+    for (const glm::vec3& p : solid.mesh->positions)
+        hash.add(double(p.x)).add(double(p.y)).add(double(p.z));
+    for (const glm::uvec3& t : solid.mesh->triangles)
+        hash.add(t.x).add(t.y).add(t.z);
+}
+
+std::shared_ptr<const TriangleMesh> moved(const TriangleMesh& mesh, const glm::dmat4& place)
+{
+    TriangleMesh out;
+    out.positions.reserve(mesh.positions.size());
+    for (const glm::vec3& p : mesh.positions)
+        out.positions.emplace_back(place * glm::dvec4(p, 1.0));
+    out.triangles = mesh.triangles;
+    return std::make_shared<const TriangleMesh>(std::move(out));
+}
+
+/// Nothing where the tree has the same already.
+std::optional<GrowthSpaceLink> linkOf(const Scene& scene, const Node& tree, const std::vector<Placed>& solids)
+{
+    const bool fills = tree.params.colonisation.envelope == CrownEnvelope::Solid;
+    const glm::dmat4 intoTree = glm::inverse(geometryMatrix(scene, tree));
+    StageHash hash(fills ? 1 : 0);
+    std::vector<const Placed*> mine;
+    for (const Placed& solid : solids) {
+        const bool isEnvelope = solid.node->params.growthRole == GrowthRole::Envelope;
+        if (isEnvelope && !(fills && scene.isAncestor(tree.id, solid.node->id)))
+            continue;
+        mine.push_back(&solid);
+        add(hash, solid, intoTree * solid.world);
+    }
+    GrowthSpaceLink link;
+    if (!mine.empty() || fills)
+        link.hash = hash.value();
+    if (link == tree.params.colonisation.space)
+        return std::nullopt;
+    std::vector<GrowthSpace::Solid> moving;
+    for (const Placed* solid : mine)
+        moving.push_back({solid->node->name, moved(*solid->mesh, intoTree * solid->world),
+                          solid->node->params.growthRole});
+    if (link.hash != 0) {
+        link.space = std::make_shared<const GrowthSpace>(std::move(moving));
+        link.top = link.space->top();
+    }
+    return link;
+}
+
+} // namespace
+
+std::map<NodeId, GrowthSpaceLink> staleGrowthSpaces(const Scene& scene)
+{
+    std::map<NodeId, GrowthSpaceLink> stale;
+    std::optional<std::vector<Placed>> solids;
+    for (const Node& node : scene.nodes()) {
+        if (!colonises(node)) {
+            if (node.params.colonisation.space.hash != 0)
+                stale.emplace(node.id, GrowthSpaceLink());
+            continue;
+        }
+        if (!solids)
+            solids = solidsOf(scene);
+        if (auto link = linkOf(scene, node, *solids))
+            stale.emplace(node.id, std::move(*link));
+    }
+    return stale;
+}
+
+void linkGrowthSpaces(Scene& scene)
+{
+    for (auto& [id, link] : staleGrowthSpaces(scene))
+        scene.find(id)->params.colonisation.space = std::move(link);
+}
+
+} // namespace ramure

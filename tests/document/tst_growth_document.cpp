@@ -1,0 +1,90 @@
+#include "core/document/commands.h"
+#include "core/document/document.h"
+#include "core/document/project_file.h"
+#include "core/scene/growth_spaces.h"
+#include "tests/support/suite.h"
+#include <QTemporaryDir>
+
+using namespace ramure;
+
+/// Trees that grow around solids follow them through edits, undo and files.
+class TestGrowthDocument : public QObject
+{
+    Q_OBJECT
+
+    static Node node(NodeId id, NodeKind kind, const char* name)
+    {
+        Node made;
+        made.id = id;
+        made.kind = kind;
+        made.name = name;
+        if (kind == NodeKind::Tree)
+            made.params.generator.kind = TreeGenerator::Colonisation;
+        return made;
+    }
+
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void treesGrowAnewWhereSolidsChange()
+    {
+        Document document;
+        const NodeId tree = *edit::insertNodes(document, {node(1, NodeKind::Tree, "Tree")}, noNode, 0);
+        const NodeId other = *edit::insertNodes(document, {node(1, NodeKind::Tree, "Other")}, noNode, 0);
+        QVERIFY(edit::setParam(document, {other}, *findParam("generator.kind"), EnumValue{"weber_penn"}));
+        const NodeId box = *edit::insertNodes(document, {node(1, NodeKind::Primitive, "Box")}, tree, 0);
+        const Scene before = document.scene();
+        const auto space = [&] { return document.scene().find(tree)->params.colonisation.space; };
+        QVERIFY(space().hash == 0);
+
+        std::vector<NodeId> regrown;
+        connect(&document, &Document::changed, this, [&](const Change& change) {
+            if (change.has(changeParams) && change.firstStale == Stage::Skeleton)
+                regrown.insert(regrown.end(), change.nodes.begin(), change.nodes.end());
+        });
+        QVERIFY(edit::setParam(document, {box}, *findParam("solid.growth"), EnumValue{"obstacle"}));
+        QCOMPARE(regrown, std::vector<NodeId>{tree});
+        QCOMPARE(document.shapeRevision(tree), document.revision());
+        const GrowthSpaceLink around = space();
+        QVERIFY(around.hash != 0);
+
+        QVERIFY(edit::setParam(document, {box}, *findParam("tree.translation"), glm::dvec3(3, 1, 0)));
+        QVERIFY(!(space() == around));
+        document.undoStack()->undo();
+        QVERIFY(space() == around);
+        QCOMPARE(regrown.size(), std::size_t(3));
+        QVERIFY(edit::removeNodes(document, {box}));
+        QVERIFY(space().hash == 0);
+        document.undoStack()->undo();
+        QVERIFY(space() == around);
+        document.undoStack()->undo();
+        QVERIFY(document.scene() == before);
+
+        regrown.clear();
+        QVERIFY(edit::setParam(document, {box}, *findParam("surface.color"), glm::dvec3(1, 0, 0)));
+        QVERIFY(edit::setNodeVisible(document, {box}, false));
+        QVERIFY(regrown.empty()); // nothing that matters to growth
+    }
+    void filesKnowTheSolidsAlone()
+    {
+        Document document;
+        const NodeId tree = *edit::insertNodes(document, {node(1, NodeKind::Tree, "Tree")}, noNode, 0);
+        const NodeId ball = *edit::insertNodes(document, {node(1, NodeKind::Primitive, "Ball")}, tree, 0);
+        QVERIFY(edit::setParam(document, {ball}, *findParam("solid.growth"), EnumValue{"envelope"}));
+        QVERIFY(edit::setParam(document, {tree}, *findParam("colonisation.envelope"), EnumValue{"solid"}));
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("tree.ramure"));
+        QVERIFY(saveProjectFile(document.project(), file));
+        const auto read = loadProjectFile(file);
+        QVERIFY(read && read->scene == document.scene());
+        QVERIFY(read->scene.find(tree)->params.colonisation.space.space);
+        Scene bare = read->scene;
+        bare.find(tree)->params.colonisation.space = {};
+        Document opened;
+        opened.reset(bare, file);
+        QVERIFY(opened.scene() == document.scene());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestGrowthDocument)
+#include "tst_growth_document.moc"
