@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
+#include "app/cli/json_measures.h"
 #include "app/cli/mesh_check.h"
 #include "app/cli/moments.h"
 #include "core/document/project_json.h"
@@ -7,6 +8,7 @@
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
 #include "core/skeleton/edit_places.h"
+#include "core/skeleton/measures.h"
 #include "widgets/view/render/surface_images.h"
 #include <QJsonArray>
 #include <QJsonObject>
@@ -30,7 +32,8 @@ constexpr CommandText text = {
     "terrains, primitives and imported meshes also the vertices and faces, of arms the joints, the reach and "
     "the tip (m, the arm's own space, as it is at --time). \"edits\" counts the branches shaped by hand: in "
     "their places, matched by likeness, and without a place; \"badPictures\" names image files that are "
-    "missing or cannot be read; \"axes\" with --axes lists the stems. Of a file "
+    "missing or cannot be read; \"axes\" with --axes lists the stems; \"measures\" are a tree's height, the "
+    "diameter of its stem 1.3 m above the ground and the width of its crown without leaves (m). Of a file "
     "{read}: vertices, faces, box and its objects."};
 
 /// What is said of one skeleton, or of several together.
@@ -49,7 +52,8 @@ struct TreeFacts
     SkeletonFacts full, simplified;
     std::int64_t leaves = 0, shed = 0; ///< shed: by the season; below 0: there would be too many leaves
     EditCount edits;
-    QJsonArray axes; ///< where they were asked for
+    QJsonArray axes;                      ///< where they were asked for
+    std::optional<TreeMeasures> measures; ///< of one tree
 };
 
 SkeletonFacts factsOf(const Skeleton& skeleton)
@@ -108,6 +112,8 @@ QJsonObject jsonTree(const TreeFacts& tree)
                            {QStringLiteral("unplaced"), qint64(tree.edits.unplaced.size())}});
     if (!tree.axes.isEmpty())
         out.insert(QStringLiteral("axes"), tree.axes);
+    if (tree.measures)
+        out.insert(QStringLiteral("measures"), jsonMeasures(*tree.measures));
     return out;
 }
 
@@ -181,7 +187,7 @@ Expected<std::vector<TreeFacts>> factsOfTrees(EvaluatedScene& scene, const std::
                        factsOf(simplified), foliage ? std::int64_t(foliage->leaves.size()) : -1,
                        foliage ? std::int64_t(foliage->shed) : 0,
                        countEdits(now.params.branches, *result->simplified),
-                       axes ? jsonAxes(*result->skeleton) : QJsonArray()});
+                       axes ? jsonAxes(*result->skeleton) : QJsonArray(), measuresOf(*result->skeleton)});
     }
     return out;
 }

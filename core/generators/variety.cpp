@@ -50,4 +50,13 @@ bool variesByChance(const NodeParams& params)
            (params.grammar.iterations > 0 && std::ranges::any_of(grammar->rules, chooses));
 }
 
+NodeParams reseeded(NodeParams params, std::int64_t seed)
+{
+    if (params.generator.kind == TreeGenerator::Grammar)
+        params.grammar.stochastic = true;
+    params.grammar.seed = seed;
+    params.foliage.seed = seed;
+    return params;
+}
+
 } // namespace ramure

@@ -11,4 +11,7 @@ namespace ramure {
 /// that cannot be read gives no tree, hence no other one.
 bool variesByChance(const NodeParams& params);
 
+/// The tree of another seed, branches and leaves: grown by chance, also where it was not.
+NodeParams reseeded(NodeParams params, std::int64_t seed);
+
 } // namespace ramure

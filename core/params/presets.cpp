@@ -163,6 +163,8 @@ std::vector<Preset> everyPreset()
             return std::string_view(a.name) < std::string_view(b.name);
         });
     }
+    for (std::size_t i = courseworkCount; i < all.size(); ++i) // those of the coursework have no scale
+        all[i].params.texture.tileSize = grownBarkTile(all[i].params.bark.family);
     return all;
 }
 

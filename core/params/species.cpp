@@ -49,9 +49,9 @@ const std::array all{
                     {.length = 0.4, .curveRes = 1, .downAngle = 45, .downAngleV = 10, .rotate = 140, .branches = 0}}}},
         {L::RedOak, 1.1, 0.8, 0.12, B::Furrowed, -0.2, F::Acorn, 0.02}},
     Species{"SilverBirch", "Betula pendula", RAMURE_NOOP("A white trunk, and fine twigs that hang from rising limbs"), false,
-        {.shape = S::TendFlame, .baseSize = 0.2, .scale = 16, .scaleV = 2, .levels = 3, .ratio = 0.012, .ratioPower = 1.5, .lobes = 0, .flare = 0.4, .attractionUp = -1.6,
+        {.shape = S::TendFlame, .baseSize = 0.2, .scale = 16.4, .scaleV = 2, .levels = 3, .ratio = 0.0149, .ratioPower = 1.5, .lobes = 0, .flare = 0.4, .attractionUp = -1.6,
          .level = {{{.curveRes = 8, .curveV = 30},
-                    {.length = 0.32, .lengthV = 0.05, .curveRes = 8, .curve = -25, .curveBack = 50, .curveV = 60, .downAngle = 45, .downAngleV = -20, .rotate = 137, .rotateV = 20, .branches = 42},
+                    {.length = 0.417, .lengthV = 0.05, .curveRes = 8, .curve = -25, .curveBack = 50, .curveV = 60, .downAngle = 45, .downAngleV = -20, .rotate = 137, .rotateV = 20, .branches = 42},
                     {.length = 0.5, .lengthV = 0.1, .curveRes = 6, .curve = 30, .curveV = 50, .downAngle = 45, .downAngleV = 15, .rotate = 137, .rotateV = 20, .branches = 22},
                     {.length = 0.3, .curveRes = 1}}}},
         {L::Birch, 1.5, 1.5, 0.12, B::Ringed, 0.1}},
@@ -93,6 +93,24 @@ std::span<const Species> species()
     return all;
 }
 
+double grownBarkTile(BarkFamily family)
+{
+    switch (family) {
+    case BarkFamily::Smooth:
+    case BarkFamily::Mosaic:
+        return 1.0;
+    case BarkFamily::Ringed:
+    case BarkFamily::Peeling:
+    case BarkFamily::Fibrous:
+        return 0.6;
+    case BarkFamily::Scaly:
+    case BarkFamily::Corky:
+        return 0.4;
+    default:
+        return 0.5;
+    }
+}
+
 NodeParams speciesParams(const Species& species)
 {
     NodeParams params;
@@ -115,6 +133,7 @@ NodeParams speciesParams(const Species& species)
     params.fruit.kind = dress.fruit;
     params.foliage.applesProbability = dress.fruitful;
     params.sections = {3, 6};
+    params.mesh.targetTriangles = 300'000; // which makes trunks round; twigs do with less than the sections
     params.mesh.clampOvershoot = true;
     return params;
 }

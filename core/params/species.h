@@ -32,6 +32,8 @@ struct Species
 std::span<const Species> species();
 std::span<const Species> broadleavedSpecies();
 std::span<const Species> coniferSpecies();
+/// m, so that plates, furrows and scars are as large as on grown trees.
+double grownBarkTile(BarkFamily family);
 /// The parameters of a node, angles in rad.
 NodeParams speciesParams(const Species& species);
 

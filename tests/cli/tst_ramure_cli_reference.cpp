@@ -126,9 +126,11 @@ private slots:
                 if (option.value.contains(QLatin1String("FILE")))
                     QCOMPARE(completed({"ramure-cli", command, option.names.front(), ""}),
                              QStringList{"FILES"});
-                else if (option.value.contains(QLatin1Char('|')))
-                    QCOMPARE(completed({"ramure-cli", command, "x", option.names.front(), ""}),
-                             option.value.split(QLatin1Char('|')));
+                else if (option.value.contains(QLatin1Char('|'))) {
+                    QStringList words = option.value.split(QLatin1Char('|'));
+                    words.removeAll(QStringLiteral("NUMBER")); // any
+                    QCOMPARE(completed({"ramure-cli", command, "x", option.names.front(), ""}), words);
+                }
             }
             QCOMPARE(completed({"ramure-cli", command, "-"}), expected);
         }

@@ -17,8 +17,10 @@ float step(float from, float to, float x)
 /// Moves a place about, so that borders wander.
 vec2 warped(vec2 p, ivec2 period, vec2 by, int octaves, Seed seed)
 {
-    return p + by * vec2(fractalNoise(p, period, octaves, seed + 101u),
-                         fractalNoise(p, period, octaves, seed + 201u));
+    const auto moved = [&](float at, float most, Seed own) {
+        return most != 0.0f ? at + most * fractalNoise(p, period, octaves, own) : at;
+    };
+    return {moved(p.x, by.x, seed + 101u), moved(p.y, by.y, seed + 201u)};
 }
 /// Sharp crests where the noise passes zero.
 float ridged(vec2 p, ivec2 period, int octaves, Seed seed)
@@ -99,7 +101,7 @@ BarkSample ringedBark(vec2 p, Seed seed)
     const Cells scar = cellsAt(warped(p, {6, 6}, {0.05f, 0.05f}, 3, seed), {2, 2}, 0.9f, seed + 71u);
     const float black =
         share(scar.id * 13u) < 0.35f ? step(0.34f, 0.16f, glm::length(scar.from * vec2(0.8f, 1.5f))) : 0.0f;
-    const float torn = black * fractalNoise(p, {12, 10}, 3, seed + 81u);
+    const float torn = black > 0.0f ? black * fractalNoise(p, {12, 10}, 3, seed + 81u) : 0.0f;
     return {0.68f + 0.14f * film - 0.22f * dashes + 0.3f * torn - 0.2f * black, film,
             glm::max(0.75f * dashes, black)};
 }

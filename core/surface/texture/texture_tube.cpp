@@ -149,15 +149,13 @@ void TubeTexture::chooseTiles(double before)
     m_knots.clear();
     if (before > 0.0)
         m_knots.push_back({0.0, before});
-    std::size_t i = 0;
     if (before > 0.0 && m_highestWall == 0.0) { // the parent's whole last cross-section is the front
-        const double off = before / fitting(radiusAt(m_sections.back()));
-        if (off < maths::exp(tolerated) && off > maths::exp(-tolerated)) {
-            for (const double along : m_sections)
-                m_knots.push_back({along, before});
-            i = m_sections.size();
-        }
+        const double fits = fitting(radiusAt(m_sections.back()));
+        const bool goesOn = std::abs(maths::log(before / fits)) < tolerated;
+        m_knots.push_back({m_sections.back(), goesOn ? before : fits});
+        return;
     }
+    std::size_t i = 0;
     while (i < m_sections.size()) {
         // A root's first cross-section, at its foot, has the number of the next.
         const double first = radiusAt(m_knots.empty() ? 0.5 * m_sections[i] : m_sections[i]);

@@ -1,0 +1,71 @@
+#include "core/params/named_seeds.h"
+
+#include "core/base/error.h"
+#include <algorithm>
+
+namespace ramure {
+namespace {
+
+struct Row
+{
+    std::string_view preset;
+    std::array<std::int64_t, namedSeedCount> seeds;
+};
+
+constexpr std::array all{
+    Row{"BalsamFir", {19, 13, 10, 14, 6, 34}},
+    Row{"Baobab", {1, 35, 33, 40, 26, 13}},
+    Row{"BlackLocust", {1, 34, 36, 13, 15, 31}},
+    Row{"BlackTupelo", {19, 13, 10, 20, 4, 34}},
+    Row{"BlueGum", {3, 13, 33, 38, 2, 34}},
+    Row{"CaliforniaBlackOak", {27, 13, 38, 14, 1, 34}},
+    Row{"CommonAsh", {16, 35, 36, 4, 31, 13}},
+    Row{"CommonWalnut", {16, 34, 10, 27, 40, 13}},
+    Row{"CommonYew", {16, 2, 10, 27, 4, 13}},
+    Row{"DouglasFir", {19, 13, 10, 20, 6, 34}},
+    Row{"EasternCottonwood", {15, 34, 38, 36, 40, 13}},
+    Row{"EasternWhitePine", {1, 31, 33, 10, 6, 13}},
+    Row{"EnglishOak", {23, 34, 38, 36, 31, 13}},
+    Row{"EuropeanBeech", {40, 22, 10, 2, 30, 13}},
+    Row{"EuropeanLarch", {40, 13, 10, 14, 6, 34}},
+    Row{"FieldElm", {23, 20, 36, 19, 7, 13}},
+    Row{"GiantSequoia", {1, 13, 33, 10, 23, 34}},
+    Row{"Ginkgo", {1, 13, 36, 24, 32, 34}},
+    Row{"Hawthorn", {19, 34, 38, 4, 23, 13}},
+    Row{"HorseChestnut", {19, 13, 10, 21, 22, 34}},
+    Row{"ItalianCypress", {1, 13, 10, 40, 19, 34}},
+    Row{"JapaneseMaple", {40, 34, 33, 35, 37, 13}},
+    Row{"LebanonCedar", {1, 22, 33, 20, 30, 13}},
+    Row{"LombardyPoplar", {23, 13, 36, 27, 38, 34}},
+    Row{"LondonPlane", {23, 20, 38, 4, 29, 13}},
+    Row{"NorwaySpruce", {19, 13, 10, 29, 6, 34}},
+    Row{"OliveTree", {18, 28, 33, 26, 23, 25}},
+    Row{"OrchardApple", {3, 25, 10, 36, 23, 13}},
+    Row{"QuakingAspen", {19, 13, 10, 8, 14, 34}},
+    Row{"Rowan", {23, 13, 33, 30, 31, 34}},
+    Row{"ScotsPine", {1, 13, 33, 40, 26, 34}},
+    Row{"SilverBirch", {40, 13, 33, 8, 31, 34}},
+    Row{"SmallLeavedLinden", {19, 31, 10, 18, 38, 13}},
+    Row{"SouthernMagnolia", {1, 34, 10, 20, 23, 13}},
+    Row{"StonePine", {23, 13, 38, 20, 4, 34}},
+    Row{"SugarMaple", {40, 13, 33, 21, 31, 34}},
+    Row{"Sweetgum", {23, 13, 33, 24, 26, 34}},
+    Row{"UmbrellaAcacia", {33, 23, 5, 18, 2, 7}},
+    Row{"WeepingWillow", {1, 13, 33, 19, 34, 31}},
+    Row{"WhiteWillow", {16, 34, 36, 40, 1, 13}},
+    Row{"WildCherry", {1, 13, 38, 8, 31, 34}},
+};
+
+} // namespace
+
+const std::array<const char*, namedSeedCount> seedNames = {RAMURE_NOOP("typical"), RAMURE_NOOP("tall"),
+                                                           RAMURE_NOOP("low"),     RAMURE_NOOP("wide"),
+                                                           RAMURE_NOOP("slender"), RAMURE_NOOP("stout")};
+
+const std::array<std::int64_t, namedSeedCount>* namedSeeds(std::string_view preset)
+{
+    const auto found = std::ranges::find(all, preset, &Row::preset);
+    return found == all.end() ? nullptr : &found->seeds;
+}
+
+} // namespace ramure

@@ -1,0 +1,36 @@
+/// \file
+/// What foresters measure of a tree: how large grown trees of a species are, as published.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace ramure {
+
+/// All in m.
+struct TreeMeasures
+{
+    double height = 0.0;
+    double stemDiameter = 0.0; ///< 1.3 m above the ground; 0 of a tree that is not so high
+    double crownWidth = 0.0;   ///< mean over all directions
+};
+
+struct PublishedMeasures
+{
+    std::string_view latin; ///< as in Preset
+    TreeMeasures mean;      ///< of the quarter with the thickest stems
+    int measured = 0;       ///< trees in all
+};
+
+/// What all rows are from.
+inline constexpr const char* publishedSource =
+    "E. G. McPherson, N. S. van Doorn, P. J. Peper: Urban tree database. Forest Service Research Data "
+    "Archive, Fort Collins 2016, doi 10.2737/RDS-2016-0005";
+
+std::span<const PublishedMeasures> publishedMeasures();
+/// nullptr of a species that is not among them.
+const PublishedMeasures* publishedMeasures(std::string_view latin);
+
+} // namespace ramure
