@@ -226,6 +226,13 @@
             <numerusform>%Ln of these files are there already. Export once more to replace them.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%Ln frame(s) in one file</source>
+        <translation>
+            <numerusform>%Ln frame in one file</numerusform>
+            <numerusform>%Ln frames in one file</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>ramure::FileActions</name>

@@ -860,10 +860,6 @@
         <translation>Ouvrir un fichier Ramure, ou des objets dans une nouvelle scène</translation>
     </message>
     <message>
-        <source>Add objects to the scene: meshes, and keys from Blender</source>
-        <translation>Ajouter des objets à la scène : maillages, et clés venues de Blender</translation>
-    </message>
-    <message>
         <source>L&amp;ight and backdrop…</source>
         <translation>Lum&amp;ière et fond…</translation>
     </message>
@@ -930,6 +926,18 @@
     <message>
         <source>Copy all image files that the scene uses into a folder beside the project, to give both away</source>
         <translation>Copier tous les fichiers d’image de la scène dans un dossier à côté du projet, pour donner les deux</translation>
+    </message>
+    <message>
+        <source>M&amp;ore like this…</source>
+        <translation>D’autres se&amp;mblables…</translation>
+    </message>
+    <message>
+        <source>Nine trees of the same numbers that chance grew otherwise, to choose from</source>
+        <translation>Neuf arbres de mêmes valeurs que le hasard a fait pousser autrement, au choix</translation>
+    </message>
+    <message>
+        <source>Add objects to the scene: meshes, keys from Blender, trees of Arbaro and ez-tree</source>
+        <translation>Ajouter des objets à la scène : maillages, clés de Blender, arbres d’Arbaro et d’ez-tree</translation>
     </message>
 </context>
 <context>
@@ -5350,10 +5358,6 @@
         <translation>Enveloppe</translation>
     </message>
     <message>
-        <source>The solid that the crown fills, round about the trunk.</source>
-        <translation>Le solide que le houppier remplit, de révolution autour du tronc.</translation>
-    </message>
-    <message>
         <source>Profile</source>
         <translation>Profil</translation>
     </message>
@@ -5660,6 +5664,250 @@
     <message>
         <source>Focal length over the opening of the lens: the smaller, the less is sharp. 0 leaves everything sharp. Seen in pictures, and in the view while it looks through the camera and nothing moves.</source>
         <translation>Focale divisée par l’ouverture de l’objectif : plus elle est petite, moins il y a de netteté. 0 laisse tout net. Se voit dans les images, et dans la vue tant qu’elle regarde par la caméra et que rien ne bouge.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: a name of 1 to %2 characters expected, without / \ : * ? &quot; &lt; &gt; | and without a dot in front</source>
+        <translation>« %1 » : un nom de 1 à %2 caractères est attendu, sans / \ : * ? &quot; &lt; &gt; | et sans point au début</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot;: there is a preset of this name already</source>
+        <translation>« %1 » : il y a déjà un modèle de ce nom</translation>
+    </message>
+    <message>
+        <source>%1: there is no tree in it</source>
+        <translation>%1 : ne contient aucun arbre</translation>
+    </message>
+    <message>
+        <source>cannot make the folder %1</source>
+        <translation>impossible de créer le dossier %1</translation>
+    </message>
+    <message>
+        <source>%1: cannot be renamed: %2</source>
+        <translation>%1 : impossible de le renommer : %2</translation>
+    </message>
+    <message>
+        <source>%1: cannot be moved to the trash: %2</source>
+        <translation>%1 : impossible de le mettre à la corbeille : %2</translation>
+    </message>
+    <message>
+        <source>Your own</source>
+        <translation>Les vôtres</translation>
+    </message>
+    <message>
+        <source>typical</source>
+        <translation>typique</translation>
+    </message>
+    <message>
+        <source>tall</source>
+        <translation>élevé</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>bas</translation>
+    </message>
+    <message>
+        <source>wide</source>
+        <translation>large</translation>
+    </message>
+    <message>
+        <source>slender</source>
+        <translation>élancé</translation>
+    </message>
+    <message>
+        <source>stout</source>
+        <translation>trapu</translation>
+    </message>
+    <message>
+        <source>the obstacles leave no room for the crown</source>
+        <translation>les obstacles ne laissent pas de place à la couronne</translation>
+    </message>
+    <message>
+        <source>below the tree stands no solid that trees fill</source>
+        <translation>sous l’arbre ne se trouve aucun solide que les arbres remplissent</translation>
+    </message>
+    <message>
+        <source>%1 is not closed: it has no inside that a tree could fill</source>
+        <translation>%1 n’est pas fermé : il n’a pas d’intérieur qu’un arbre pourrait remplir</translation>
+    </message>
+    <message>
+        <source>%1 lies below the foot of the tree</source>
+        <translation>%1 se trouve plus bas que le pied de l’arbre</translation>
+    </message>
+    <message>
+        <source>The solid that the crown fills, round about the trunk; or solids of the scene, which stand below the tree and say that trees fill them.</source>
+        <translation>Le solide que remplit la couronne, tout autour du tronc ; ou des solides de la scène, placés sous l’arbre et que les arbres doivent remplir.</translation>
+    </message>
+    <message>
+        <source>Trees</source>
+        <translation>Les arbres</translation>
+    </message>
+    <message>
+        <source>What trees that grow by space colonisation make of it. A tree fills solids below it in the scene, once its envelope is a solid of the scene; all of them grow around obstacles. Hidden ones count too.</source>
+        <translation>Ce qu’en font les arbres qui poussent par colonisation de l’espace. Un arbre remplit les solides placés sous lui dans la scène, dès que son enveloppe est un solide de la scène ; tous poussent autour des obstacles. Ceux qui sont cachés comptent aussi.</translation>
+    </message>
+    <message>
+        <source>Solid of the scene</source>
+        <translation>Solide de la scène</translation>
+    </message>
+    <message>
+        <source>Are not concerned</source>
+        <translation>Ne s’en soucient pas</translation>
+    </message>
+    <message>
+        <source>Fill it</source>
+        <translation>Le remplissent</translation>
+    </message>
+    <message>
+        <source>Grow around it</source>
+        <translation>Le contournent</translation>
+    </message>
+    <message>
+        <source>no &lt;arbaro&gt; with a &lt;species&gt;: not a tree of Arbaro</source>
+        <translation>ni &lt;arbaro&gt; ni &lt;species&gt; : ce n’est pas un arbre d’Arbaro</translation>
+    </message>
+    <message>
+        <source>the XML is broken or cut off (%1)</source>
+        <translation>le XML est abîmé ou coupé (%1)</translation>
+    </message>
+    <message>
+        <source>a &lt;param&gt; needs a name and a value</source>
+        <translation>un &lt;param&gt; a besoin d’un nom (name) et d’une valeur (value)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; stands here twice</source>
+        <translation>« %1 » est là deux fois</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no number</source>
+        <translation>« %1 » n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>%1 levels: only %2 grow</source>
+        <translation>%1 niveaux : seuls %2 poussent</translation>
+    </message>
+    <message>
+        <source>leaves in a fan stand along the twig instead</source>
+        <translation>les feuilles en éventail se placent le long du rameau</translation>
+    </message>
+    <message>
+        <source>%1 has no counterpart</source>
+        <translation>%1 n’a pas d’équivalent</translation>
+    </message>
+    <message>
+        <source>Tree of Arbaro</source>
+        <translation>Arbre d’Arbaro</translation>
+    </message>
+    <message>
+        <source>a number is expected</source>
+        <translation>un nombre est attendu</translation>
+    </message>
+    <message>
+        <source>a text is expected</source>
+        <translation>un texte est attendu</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to 3 is expected</source>
+        <translation>un nombre entier de 0 à 3 est attendu</translation>
+    </message>
+    <message>
+        <source>length and radius must be more than zero</source>
+        <translation>la longueur et le rayon doivent dépasser zéro</translation>
+    </message>
+    <message>
+        <source>for a picture of many leaves, %1 of them grow, each %2 times shorter</source>
+        <translation>pour une image de plusieurs feuilles, il en pousse %1, chacune %2 fois plus courte</translation>
+    </message>
+    <message>
+        <source>a unit of length is taken as a metre</source>
+        <translation>une unité de longueur est lue comme un mètre</translation>
+    </message>
+    <message>
+        <source>stems end in points, and are longer by the ones that went on from their ends</source>
+        <translation>les tiges finissent en pointe, et s’allongent de celles qui continuaient à leur bout</translation>
+    </message>
+    <message>
+        <source>the JSON is broken or cut off</source>
+        <translation>le JSON est abîmé ou coupé</translation>
+    </message>
+    <message>
+        <source>no &quot;branch&quot;: not a tree of ez-tree</source>
+        <translation>aucun « branch » : ce n’est pas un arbre d’ez-tree</translation>
+    </message>
+    <message>
+        <source>Tree of ez-tree</source>
+        <translation>Arbre d’ez-tree</translation>
+    </message>
+    <message>
+        <source>a file of parameters has no axes and no unit</source>
+        <translation>un fichier de paramètres n’a ni axes ni unité</translation>
+    </message>
+    <message>
+        <source>larger than 4 MiB: that is no file of parameters</source>
+        <translation>plus de 4 Mio : ce n’est pas un fichier de paramètres</translation>
+    </message>
+    <message>
+        <source>%1 is no whole number</source>
+        <translation>%1 n’est pas un nombre entier</translation>
+    </message>
+    <message>
+        <source>%1 is none of its choices</source>
+        <translation>%1 n’est pas l’un de ses choix</translation>
+    </message>
+    <message>
+        <source>leaves and bark are those of the preset %1</source>
+        <translation>les feuilles et l’écorce sont celles du modèle %1</translation>
+    </message>
+    <message>
+        <source>the leaves are those of &quot;%1&quot;, by the name</source>
+        <translation>les feuilles sont celles de « %1 », d’après le nom</translation>
+    </message>
+    <message>
+        <source>the plant is not known: the leaves are those of a beech</source>
+        <translation>plante inconnue : les feuilles sont celles d’un hêtre</translation>
+    </message>
+    <message>
+        <source>Favourites</source>
+        <translation>Favoris</translation>
+    </message>
+    <message>
+        <source>a GLB holds up to 4 GiB: fewer leaves or triangles</source>
+        <translation>un GLB contient jusqu’à 4 Gio : moins de feuilles ou de triangles</translation>
+    </message>
+    <message>
+        <source>a coordinate of %1 is not a finite number</source>
+        <translation>une coordonnée de %1 n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>a GLB always has Y up and metres</source>
+        <translation>un GLB a toujours Y en haut et des mètres</translation>
+    </message>
+    <message>
+        <source>Binary glTF</source>
+        <translation>glTF binaire</translation>
+    </message>
+    <message>
+        <source>GLB (glTF), for games and the web</source>
+        <translation>GLB (glTF), pour les jeux et le web</translation>
+    </message>
+    <message>
+        <source>only PNG and JPEG can stand in a GLB</source>
+        <translation>un GLB ne contient que du PNG et du JPEG</translation>
+    </message>
+    <message>
+        <source>no PNG that can be read: %1</source>
+        <translation>ce n’est pas un PNG lisible : %1</translation>
+    </message>
+    <message>
+        <source>%1 has more than 65535 joints: choose fewer</source>
+        <translation>%1 a plus de 65535 articulations : choisissez-en moins</translation>
+    </message>
+    <message>
+        <source>%1: %2 joints for %3 bones; no tip is more than %4 m from its place</source>
+        <translation>%1 : %2 articulations pour %3 os ; aucun bout n’est à plus de %4 m de sa place</translation>
+    </message>
+    <message>
+        <source>instances of leaves do not move: merge them, or write one moment</source>
+        <translation>les instances de feuilles ne bougent pas : réunissez-les, ou écrivez un seul instant</translation>
     </message>
 </context>
 <context>
@@ -6671,6 +6919,11 @@ OpenGL&#xa0;: %4
         <source>Branches cannot be cut yet. Esc selects the tree alone: then Del deletes it.</source>
         <translation>Les branches ne peuvent pas encore être coupées. Échap sélectionne l’arbre seul : Suppr le supprime alors.</translation>
     </message>
+    <message>
+        <source>Make it %1</source>
+        <comment>undo step; the name of a preset</comment>
+        <translation>En faire %1</translation>
+    </message>
 </context>
 <context>
     <name>ramure::ExportDialog</name>
@@ -6841,12 +7094,19 @@ OpenGL&#xa0;: %4
         <translation>Liste d’instances</translation>
     </message>
     <message>
-        <source>Merged: the file holds every leaf and every fruit. List of instances: it holds the rest, and beside it stand a table, FILE_leaves.csv, with a row for each leaf, fruit and flower (its shape, material, branch, colour and matrix), and one OBJ for each shape. Much smaller, for programs that draw instances.</source>
-        <translation>Réunis : le fichier contient chaque feuille et chaque fruit. Liste d’instances : il contient le reste, et à côté se trouvent une table, FICHIER_leaves.csv, avec une ligne par feuille, fruit et fleur (forme, matériau, branche, couleur et matrice), et un OBJ par forme. Bien plus petit, pour les programmes qui dessinent des instances.</translation>
-    </message>
-    <message>
         <source>Leaves and fruit</source>
         <translation>Feuilles et fruits</translation>
+    </message>
+    <message>
+        <source>Merged: the file holds every leaf and every fruit. List of instances: it holds the rest, and beside it stand a table, FILE_leaves.csv, with a row for each leaf, fruit and flower (its shape, material, branch, colour and matrix), and one OBJ for each shape; in a GLB they stand inside. Much smaller, for programs that draw instances.</source>
+        <translation>Réunis : le fichier contient chaque feuille et chaque fruit. Liste d’instances : il contient le reste, et à côté se trouvent une table, FICHIER_leaves.csv, avec une ligne par feuille, fruit et fleur (forme, matériau, branche, couleur et matrice), et un OBJ par forme ; dans un GLB elles sont à l’intérieur. Bien plus petit, pour les programmes qui dessinent des instances.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln frame(s) in one file</source>
+        <translation>
+            <numerusform>%Ln image dans un seul fichier</numerusform>
+            <numerusform>%Ln images dans un seul fichier</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6945,6 +7205,42 @@ OpenGL&#xa0;: %4
     <message>
         <source>&amp;Give its numbers to the selected trees</source>
         <translation>&amp;Donner ses nombres aux arbres sélectionnés</translation>
+    </message>
+    <message>
+        <source>&amp;More like this…</source>
+        <translation>D’autres &amp;semblables…</translation>
+    </message>
+    <message>
+        <source>Save as preset</source>
+        <translation>Enregistrer comme modèle</translation>
+    </message>
+    <message>
+        <source>Rename preset</source>
+        <translation>Renommer le modèle</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Nom :</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Renommer…</translation>
+    </message>
+    <message>
+        <source>Move to the &amp;trash</source>
+        <translation>Mettre à la &amp;corbeille</translation>
+    </message>
+    <message>
+        <source>Show in the &amp;folder</source>
+        <translation>Montrer dans le &amp;dossier</translation>
+    </message>
+    <message>
+        <source>&amp;Save as preset…</source>
+        <translation>&amp;Enregistrer comme modèle…</translation>
+    </message>
+    <message>
+        <source>Keep the numbers of the selected tree among your own presets</source>
+        <translation>Garder les valeurs de l’arbre sélectionné parmi vos propres modèles</translation>
     </message>
 </context>
 <context>
@@ -7202,12 +7498,12 @@ OpenGL&#xa0;: %4
         <translation>« %1 » a été ouvert.</translation>
     </message>
     <message>
-        <source>Objects and keys (%1)</source>
-        <translation>Objets et clés (%1)</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Objects, keys and trees (%1)</source>
+        <translation>Objets, clés et arbres (%1)</translation>
     </message>
 </context>
 <context>
@@ -7889,6 +8185,18 @@ OpenGL&#xa0;: %4
         <source>Gallery</source>
         <translation>Galerie</translation>
     </message>
+    <message>
+        <source>Let go: “%1” becomes this tree</source>
+        <translation>Lâchez : « %1 » devient cet arbre</translation>
+    </message>
+    <message>
+        <source>Let go: plant it here</source>
+        <translation>Lâchez : le planter ici</translation>
+    </message>
+    <message>
+        <source>Let go: plant it where there is room</source>
+        <translation>Lâchez : le planter là où il y a de la place</translation>
+    </message>
 </context>
 <context>
     <name>ramure::MenuTool</name>
@@ -8196,6 +8504,17 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::PictureButton</name>
+    <message>
+        <source>Take it out of the favourites</source>
+        <translation>Le retirer des favoris</translation>
+    </message>
+    <message>
+        <source>Add it to the favourites</source>
+        <translation>L’ajouter aux favoris</translation>
+    </message>
+</context>
+<context>
     <name>ramure::PictureEditor</name>
     <message>
         <source>Pictures (*.png *.jpg *.jpeg)</source>
@@ -8393,6 +8712,14 @@ OpenGL&#xa0;: %4
         <source>%1: %2</source>
         <comment>Latin name: habit</comment>
         <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>%1: a tree that you have kept</source>
+        <translation>%1 : un arbre que vous avez gardé</translation>
+    </message>
+    <message>
+        <source>&amp;Favourite</source>
+        <translation>&amp;Favori</translation>
     </message>
 </context>
 <context>
@@ -9059,6 +9386,42 @@ OpenGL&#xa0;: %4
     <message>
         <source>How far the frame is turned about the curve since the parent&apos;s end: the roll by hand and the twist up to here.</source>
         <translation>De combien le repère a tourné autour de la courbe depuis le bout du parent&#xa0;: le roulis à la main et la torsion jusqu’ici.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::SeedsDialog</name>
+    <message>
+        <source>More like %1</source>
+        <translation>D’autres comme %1</translation>
+    </message>
+    <message>
+        <source>Nine &amp;others</source>
+        <translation>Neuf &amp;autres</translation>
+    </message>
+    <message>
+        <source>Click a tree to add it to the scene.</source>
+        <translation>Cliquez sur un arbre pour l’ajouter à la scène.</translation>
+    </message>
+    <message>
+        <source>Click a tree: the one in the scene grows like it.</source>
+        <translation>Cliquez sur un arbre : celui de la scène pousse comme lui.</translation>
+    </message>
+    <message>
+        <source>Nothing but the places of its leaves varies: no rule has chances, and the variation of angles, lengths and radii is 0 %.</source>
+        <translation>Seules les places de ses feuilles varient : aucune règle n’a de hasard, et la variation des angles, des longueurs et des rayons est de 0 %.</translation>
+    </message>
+    <message>
+        <source>Growing %1 of %2 …</source>
+        <translation>Pousse : %1 sur %2…</translation>
+    </message>
+    <message>
+        <source>Seed %1</source>
+        <translation>Graine %1</translation>
+    </message>
+    <message>
+        <source>Seed %1: %2</source>
+        <comment>2: tall, wide …</comment>
+        <translation>Graine %1 : %2</translation>
     </message>
 </context>
 <context>

@@ -112,6 +112,31 @@ Expected<void> edit::setComponent(Document& document, const std::vector<NodeId>&
     return {};
 }
 
+namespace {
+void addSeed(std::vector<ParamEntry>& entries, const Node& tree, std::int64_t seed)
+{
+    const NodeParams wanted = reseeded(tree.params, seed);
+    for (const char* key : {"grammar.stochastic", "grammar.seed", "foliage.seed"}) {
+        const ParamDef* def = findParam(key);
+        if (def->get(wanted) != def->get(tree.params))
+            entries.push_back({{tree.id, def}, def->get(wanted)});
+    }
+}
+} // namespace
+
+Expected<void> edit::reseedTree(Document& document, NodeId tree, std::int64_t seed)
+{
+    const auto ids = editable(document.scene(), {tree});
+    if (!ids)
+        return fail(ids.error());
+    if (ids->empty() || document.scene().find(tree)->kind != NodeKind::Tree)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("there is no tree that could be drawn anew"));
+    std::vector<ParamEntry> entries;
+    addSeed(entries, *document.scene().find(tree), seed);
+    pushSet<ParamTarget>(document, std::move(entries), DocumentCommand::tr("New tree"));
+    return {};
+}
+
 Expected<void> edit::newTree(Document& document, const std::vector<NodeId>& nodes)
 {
     std::vector<NodeId> trees;
@@ -137,10 +162,7 @@ Expected<void> edit::newTree(Document& document, const std::vector<NodeId>& node
         while (std::find(given.begin(), given.end(), seed) != given.end())
             seed = nextSeed(seed);
         given.push_back(seed);
-        if (params.generator.kind == TreeGenerator::Grammar)
-            entries.push_back({{id, findParam("grammar.stochastic")}, true});
-        entries.push_back({{id, findParam("grammar.seed")}, seed});
-        entries.push_back({{id, findParam("foliage.seed")}, seed});
+        addSeed(entries, *document.scene().find(id), seed);
     }
     pushSet<ParamTarget>(document, std::move(entries), DocumentCommand::tr("New tree"));
     return {};

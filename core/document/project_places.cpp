@@ -12,22 +12,22 @@ namespace ramure::json {
 
 namespace {
 
-struct CountField
+struct PrintCount
 {
     const char* key;
     std::uint32_t AxisPrint::*member;
 };
-constexpr CountField counts[] = {{"fork", &AxisPrint::fork},
+constexpr PrintCount printCounts[] = {{"fork", &AxisPrint::fork},
                                  {"mate", &AxisPrint::mate},
                                  {"forks", &AxisPrint::forks},
                                  {"mates", &AxisPrint::mates}};
 
-struct NumberField
+struct PrintNumber
 {
     const char* key;
     double AxisPrint::*member;
 };
-constexpr NumberField numbers[] = {{"s", &AxisPrint::s},
+constexpr PrintNumber printNumbers[] = {{"s", &AxisPrint::s},
                                    {"share", &AxisPrint::share},
                                    {"downAngle", &AxisPrint::downAngle},
                                    {"azimuth", &AxisPrint::azimuth},
@@ -57,13 +57,13 @@ Expected<AxisPrint> readPrint(const QJsonObject& object)
     if (!address)
         return fail(address.error());
     print.address = *address;
-    for (const CountField& field : counts) {
+    for (const PrintCount& field : printCounts) {
         const auto number = readCount(object, field.key);
         if (!number)
             return fail(number.error());
         print.*field.member = *number;
     }
-    for (const NumberField& field : numbers) {
+    for (const PrintNumber& field : printNumbers) {
         const QJsonValue number = object.value(QLatin1String(field.key));
         if (!number.isDouble())
             return failAt(field.key, ErrorCode::Invalid, RAMURE_NOOP("a number is expected here"));
@@ -75,9 +75,9 @@ Expected<AxisPrint> readPrint(const QJsonObject& object)
 QJsonObject writePrint(const AxisPrint& print)
 {
     QJsonObject object{{QStringLiteral("id"), branchKey(print.address)}};
-    for (const CountField& field : counts)
+    for (const PrintCount& field : printCounts)
         object.insert(QLatin1String(field.key), qint64(print.*field.member));
-    for (const NumberField& field : numbers)
+    for (const PrintNumber& field : printNumbers)
         object.insert(QLatin1String(field.key), print.*field.member + 0.0); // -0 is written as 0
     return object;
 }

@@ -16,7 +16,7 @@
 namespace ramure {
 
 static const QLatin1String noteKey("recovery");
-static const QLatin1String ending(".ramure");
+static const QLatin1String projectEnding(".ramure");
 
 static const QLatin1String lockEnding(".lock");
 
@@ -39,7 +39,7 @@ static void removeWithParts(const QFileInfo& recoveryFile)
 /// Programs killed before their first recovery file was complete leave a lock, and perhaps a part of one.
 static void removeOrphans(const QDir& folder)
 {
-    for (const QFileInfo& file : folder.entryInfoList({u'*' + ending + lockEnding}, QDir::Files)) {
+    for (const QFileInfo& file : folder.entryInfoList({u'*' + projectEnding + lockEnding}, QDir::Files)) {
         const QFileInfo owner(file.absoluteFilePath().chopped(lockEnding.size()));
         if (owner.exists())
             continue;
@@ -69,7 +69,7 @@ struct Autosave::Private
     explicit Private(Autosave* autosave, Document* doc, const QString& folder)
         : q(autosave)
         , document(doc)
-        , path(QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + ending))
+        , path(QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces) + projectEnding))
     {
         claim();
     }
@@ -217,7 +217,7 @@ std::vector<Recoverable> recoverableProjects(const QString& folder)
 {
     removeOrphans(QDir(folder));
     std::vector<Recoverable> found;
-    const QStringList pattern{QStringLiteral("*") + ending};
+    const QStringList pattern{QStringLiteral("*") + projectEnding};
     for (const QFileInfo& file : QDir(folder).entryInfoList(pattern, QDir::Files)) {
         Recoverable entry;
         entry.recoveryPath = file.absoluteFilePath();

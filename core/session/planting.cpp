@@ -2,9 +2,11 @@
 
 #include "core/document/commands.h"
 #include "core/math/box.h"
+#include "core/params/param_def.h"
 #include "core/scene/object_mesh.h"
 #include "core/scene/preset_scene.h"
 #include <algorithm>
+#include <string_view>
 
 namespace ramure {
 namespace {
@@ -60,17 +62,39 @@ glm::dvec3 freePlace(const Document& document, double reach)
 Expected<NodeId> edit::plantTree(Document& document, const std::string& preset, NodeId parent,
                                  const std::optional<glm::dvec3>& place)
 {
-    auto tree = presetTree(preset);
-    if (!tree)
-        return fail(std::move(tree.error()));
-    const glm::dvec3 wanted = place ? *place : freePlace(document, usualReach(tree->params));
+    return presetTree(preset).and_then(
+        [&](Node&& tree) { return plantTree(document, std::move(tree), parent, place); });
+}
+
+Expected<NodeId> edit::plantTree(Document& document, Node tree, NodeId parent,
+                                 const std::optional<glm::dvec3>& place)
+{
+    const glm::dvec3 wanted = place ? *place : freePlace(document, usualReach(tree.params));
     const glm::dmat4 above = worldMatrix(document.scene(), parent);
     const auto inParent =
         decomposePlacement(above) ? glm::dvec3(glm::inverse(above) * glm::dvec4(wanted, 1.0)) : wanted;
-    tree->params.tree.translation = inParent;
-    tree->id = 1; // replaced by the document
+    tree.params.tree.translation = inParent;
+    tree.id = 1; // replaced by the document
     const int row = static_cast<int>(document.scene().children(parent).size());
-    return insertNodes(document, {std::move(*tree)}, parent, row);
+    return insertNodes(document, {std::move(tree)}, parent, row);
+}
+
+/// What a species is, without where a tree stands and what holds it.
+static bool isOfSpecies(const ParamDef& def)
+{
+    const std::string_view key = def.key;
+    return hasParam(NodeKind::Tree, def) && def.stage != Stage::Placement && !key.starts_with("tree.") &&
+           !key.starts_with("local.") && !key.starts_with("physics.");
+}
+
+Expected<void> edit::makeTreesLike(Document& document, const std::vector<NodeId>& trees, const Node& like,
+                                   const QString& step)
+{
+    std::vector<std::pair<const ParamDef*, ParamValue>> values;
+    for (const ParamDef& def : paramTable())
+        if (isOfSpecies(def))
+            values.emplace_back(&def, def.get(like.params));
+    return setParams(document, trees, values, step);
 }
 
 } // namespace ramure

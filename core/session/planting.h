@@ -19,6 +19,13 @@ namespace edit {
 /// free one. Errors: those of presetTree and insertNodes.
 Expected<NodeId> plantTree(Document& document, const std::string& preset, NodeId parent = noNode,
                            const std::optional<glm::dvec3>& place = {});
+/// The same of any tree, which needs no id.
+Expected<NodeId> plantTree(Document& document, Node tree, NodeId parent = noNode,
+                           const std::optional<glm::dvec3>& place = {});
+/// These trees get the numbers that make \p like what it is; where they stand, what holds them and what was
+/// done to their branches stays. One step of undo, with this name. Errors: those of setParams.
+Expected<void> makeTreesLike(Document& document, const std::vector<NodeId>& trees, const Node& like,
+                             const QString& step);
 } // namespace edit
 
 } // namespace ramure

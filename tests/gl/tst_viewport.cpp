@@ -381,6 +381,17 @@ private slots:
         window.click(trunk);
         QVERIFY(window.document.selection().branches.empty());
     }
+    /// Where a tree of the gallery would be let go.
+    void whatIsUnderAPlaceIsKnown()
+    {
+        Window window(2);
+        const auto over = [&window](std::size_t i) {
+            return window.pixelOf(middle(window.skeleton(i), 0) + glm::dvec3(3.0 * double(i), 0, 0));
+        };
+        QTRY_COMPARE(window.view->nodeAt(over(1)), window.tree(1));
+        QCOMPARE(window.view->nodeAt(over(0)), window.tree(0));
+        QCOMPARE(window.view->nodeAt({3, 3}), noNode);
+    }
     void placementMovesWithoutUploading()
     {
         Window window(2);

@@ -3,6 +3,7 @@
 #include "core/document/commands.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/scene/preset_scene.h"
 #include "tests/support/suite.h"
 
 using namespace ramure;
@@ -33,6 +34,26 @@ private slots:
         const auto planted = edit::plantTree(document, "NoSuchTree");
         QVERIFY(!planted);
         QCOMPARE(document.undoStack()->count(), 0);
+    }
+    /// In one step; where they stand and what holds them stays.
+    void treesBecomeOthersWhereTheyStand()
+    {
+        Document document;
+        const NodeId tree = *edit::plantTree(document, "TinyTree", noNode, glm::dvec3(3, 0, 1));
+        QVERIFY(edit::setParam(document, {tree}, *findParam("physics.seed"), std::int64_t(7)));
+        const NodeParams before = document.scene().find(tree)->params;
+        const int steps = document.undoStack()->count();
+        const Node like = *presetTree("NorwaySpruce");
+        QVERIFY(edit::makeTreesLike(document, {tree}, like, QStringLiteral("Make it")));
+        QCOMPARE(document.undoStack()->count(), steps + 1);
+        NodeParams expected = like.params;
+        expected.tree = before.tree;
+        expected.physics = before.physics;
+        QVERIFY(document.scene().find(tree)->params == expected);
+        document.undoStack()->undo();
+        QVERIFY(document.scene().find(tree)->params == before);
+        QVERIFY(edit::setNodeLocked(document, {tree}, true));
+        QVERIFY(!edit::makeTreesLike(document, {tree}, like, QStringLiteral("Make it")));
     }
     void theFirstStandsInTheOrigin()
     {

@@ -1,6 +1,7 @@
 #include "widgets/actions/edit_actions.h"
 
 #include "core/document/commands.h"
+#include "core/document/own_presets.h"
 #include "core/generators/variety.h"
 #include "core/params/presets.h"
 #include "core/scene/kinds/node_kinds.h"
@@ -46,6 +47,12 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
                              nullptr,
                              {},
                              QT_TRANSLATE_NOOP("Actions", "Take back how the selected branches were bent")}))
+    , m_more(set->add({"edit.moreLikeThis",
+                       QT_TRANSLATE_NOOP("Actions", "M&ore like this…"),
+                       nullptr,
+                       {},
+                       QT_TRANSLATE_NOOP("Actions", "Nine trees of the same numbers that chance grew "
+                                                    "otherwise, to choose from")}))
     , m_visible(set->add(
           {"edit.visible", QT_TRANSLATE_NOOP("Actions", "&Hide or show"), "eye", QKeySequence(Qt::Key_H)}))
     , m_locked(set->add({"edit.locked", QT_TRANSLATE_NOOP("Actions", "Loc&k or unlock"), "lock",
@@ -65,6 +72,8 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
         m_addKinds += set->add({row->addId, row->addText, row->icon, {}, row->addTip, "core"});
         connect(m_addKinds.back(), &QAction::triggered, this, [this, row] { addKind(*row); });
     }
+    connect(m_more, &QAction::triggered, this,
+            [this] { emit moreRequested(targetTrees(*m_document).front()); });
     connect(m_duplicate, &QAction::triggered, this, &EditActions::duplicateSelected);
     connect(m_rename, &QAction::triggered, this, &EditActions::renameRequested);
     connect(m_delete, &QAction::triggered, this, &EditActions::removeSelected);
@@ -107,7 +116,7 @@ void EditActions::fillMenu(QMenu* menu)
 
 QList<QAction*> EditActions::nodeActions() const
 {
-    return {m_duplicate, m_rename, m_visible, m_locked, m_delete};
+    return {m_more, m_duplicate, m_rename, m_visible, m_locked, m_delete};
 }
 
 void EditActions::retranslate()
@@ -141,6 +150,7 @@ void EditActions::update()
     const bool canVary = std::ranges::any_of(
         trees, [this](NodeId id) { return variesByChance(m_document->scene().find(id)->params); });
     m_newTree->setEnabled(canVary);
+    m_more->setEnabled(trees.size() == 1);
     m_set->setTip(m_newTree, trees.empty() || canVary
                                  ? QString()
                                  : tr("New tree: nothing can vary. No rule has chances, and the variation of "
@@ -212,7 +222,23 @@ void EditActions::addNode(Node node)
 
 void EditActions::addTree(const QString& preset, const std::optional<glm::dvec3>& place)
 {
-    reportFailure(edit::plantTree(*m_document, preset.toStdString(), parentOfNew(), place));
+    reportFailure(namedTree(preset).and_then(
+        [&](Node&& tree) { return edit::plantTree(*m_document, std::move(tree), parentOfNew(), place); }));
+}
+
+bool EditActions::canBecome(NodeId tree) const
+{
+    const Node* node = m_document->scene().find(tree);
+    return node && node->kind == NodeKind::Tree && !m_document->scene().isLocked(tree);
+}
+
+void EditActions::makeLike(NodeId tree, const QString& preset)
+{
+    reportFailure(namedTree(preset).and_then([&](const Node& like) {
+        const QString name = spacedName(QString::fromStdString(like.name));
+        return edit::makeTreesLike(*m_document, {tree}, like,
+                                   tr("Make it %1", "undo step; the name of a preset").arg(name));
+    }));
 }
 
 void EditActions::addKind(const NodeKindRow& row)

@@ -39,14 +39,20 @@ public:
     void setEye(std::function<Camera()> eye) { m_eye = std::move(eye); }
 
     void newTree();
-    /// \param place world; nothing: where there is room.
+    /// \param preset as namedTree takes it \param place world; nothing: where there is room.
     void addTree(const QString& preset, const std::optional<glm::dvec3>& place = {});
+    /// Of a preset that is let go over a node: a tree that can be changed.
+    [[nodiscard]] bool canBecome(NodeId tree) const;
+    /// \pre canBecome.
+    void makeLike(NodeId tree, const QString& preset);
     void addKind(const NodeKindRow& row);
     /// \param shape name of an item of primitive.shape, \param label what the node is called.
     void addPrimitive(const char* shape, const QString& label);
 
 signals:
     void renameRequested();
+    /// Others of this tree's kind are wished for.
+    void moreRequested(NodeId tree);
     void messageRaised(const QString& text);
     /// The copies are selected, at the places of their originals.
     void duplicated();
@@ -86,6 +92,7 @@ private:
     QAction* m_rename;
     QAction* m_delete;
     QAction* m_straighten;
+    QAction* m_more;
     QAction* m_visible;
     QAction* m_locked;
     QMenu* m_addMenu = nullptr;

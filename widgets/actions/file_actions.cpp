@@ -1,11 +1,11 @@
 #include "widgets/actions/file_actions.h"
 
 #include "core/base/file_writer.h"
+#include "core/document/own_presets.h"
 #include "core/document/project_file.h"
 #include "core/io/formats/file_format.h"
 #include "core/params/presets.h"
 #include "core/scene/demo_scenes.h"
-#include "core/scene/preset_scene.h"
 #include "core/session/packing.h"
 #include "widgets/actions/import_actions.h"
 #include "widgets/actions/preset_menu.h"
@@ -180,7 +180,11 @@ bool FileActions::mayDiscard()
 
 bool FileActions::newFromPreset(const QString& preset)
 {
-    return startWith(presetScene(preset.toStdString()), tr("There is no such preset."));
+    return startWith(namedTree(preset).and_then([](Node&& tree) {
+        tree.id = 1;
+        return Scene::fromNodes({std::move(tree)});
+    }),
+                     tr("There is no such preset."));
 }
 
 bool FileActions::newFromDemo(const QString& demo)

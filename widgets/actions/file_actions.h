@@ -39,6 +39,7 @@ public:
     bool mayDiscard();
     /// Each returns whether it was done; errors are reported to the chooser, and the document stays as it
     /// was.
+    /// \param preset as namedTree takes it.
     bool newFromPreset(const QString& preset);
     bool newFromDemo(const QString& demo); ///< see core/scene/demo_scenes.h
     /// A project, or objects into a new scene without a name; what can be read asks about unsaved changes.

@@ -2,13 +2,14 @@
 
 #include "widgets/base/core_text.h"
 #include <QMenu>
+#include <string_view>
 
 namespace ramure {
 
 void addPreset(QMenu* menu, const Preset& preset, QAction* action)
 {
     action->setToolTip(QString::fromUtf8(preset.latin));
-    if (!*preset.latin) {
+    if (std::string_view(preset.group) == presets().front().group) {
         menu->addAction(action);
         return;
     }

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QStringList>
 
 namespace ramure {
@@ -32,6 +33,12 @@ QString errorTextWithPlace(const Error& error)
         place += QCoreApplication::translate("Errors", "column %1").arg(error.column);
     const QString text = errorText(error);
     return place.isEmpty() ? text : QStringLiteral("%1: %2").arg(place.join(QStringLiteral(", ")), text);
+}
+
+QString spacedName(const QString& preset)
+{
+    static const QRegularExpression word(QStringLiteral("(?<=[a-z])(?=[A-Z][a-z])"));
+    return QString(preset).replace(word, QStringLiteral(" "));
 }
 
 } // namespace ramure

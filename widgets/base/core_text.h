@@ -14,4 +14,7 @@ QString errorText(const Error& error);
 /// With the place in front: "tree.ramure, line 3, column 7: ...".
 QString errorTextWithPlace(const Error& error);
 
+/// The name of a preset as it is read: "SilverBirch", "Silver Birch".
+QString spacedName(const QString& preset);
+
 } // namespace ramure

@@ -27,6 +27,7 @@ const QString folderKey = QStringLiteral("files/folder");
 const QString exportSpaceKey = QStringLiteral("files/exportSpace");
 const QString findsKey = QStringLiteral("window/recentFinds");
 const QString tourKey = QStringLiteral("window/tourSeen");
+const QString favouritesKey = QStringLiteral("gallery/favourites");
 const QString foldedKey = QStringLiteral("properties/folded");
 const QString lightKey = QStringLiteral("view/light");
 const QString toolsKey = QStringLiteral("window/tools");
@@ -325,6 +326,16 @@ bool Preferences::tourSeen() const
 void Preferences::setTourSeen()
 {
     set(tourKey, true);
+}
+
+QStringList Preferences::favouritePresets() const
+{
+    return m_settings.value(favouritesKey).toStringList();
+}
+
+void Preferences::setFavouritePresets(const QStringList& presets)
+{
+    store(favouritesKey, presets);
 }
 
 QStringList Preferences::foldedGroups() const

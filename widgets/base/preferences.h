@@ -95,6 +95,10 @@ public:
     [[nodiscard]] bool tourSeen() const;
     void setTourSeen();
 
+    /// Of the gallery, as namedTree takes them, in the order in which they became that.
+    [[nodiscard]] QStringList favouritePresets() const;
+    void setFavouritePresets(const QStringList& presets);
+
     [[nodiscard]] QStringList foldedGroups() const;
     void setFoldedGroups(const QStringList& groups);
 

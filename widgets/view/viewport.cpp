@@ -258,6 +258,13 @@ void Viewport::frameBox(const Box& box)
     moveCamera(to);
 }
 
+NodeId Viewport::nodeAt(QPointF position) const
+{
+    const auto& scene = d->picker.latest();
+    const auto hit = scene ? scene->pick(d->view(), {position.x(), position.y()}) : std::nullopt;
+    return hit ? hit->node : noNode;
+}
+
 std::optional<glm::dvec3> Viewport::groundAt(QPointF position) const
 {
     constexpr double farthest = 20.0; // times the camera's distance

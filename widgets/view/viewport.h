@@ -92,6 +92,9 @@ public:
     /// What the cursor at \p position points at on the ground; nothing where that is far away, or the sky.
     [[nodiscard]] std::optional<glm::dvec3> groundAt(QPointF position) const;
 
+    /// What is seen at \p position; noNode: nothing, or it is not yet known.
+    [[nodiscard]] NodeId nodeAt(QPointF position) const;
+
     /// The arm that is on its way to a target while nothing plays.
     [[nodiscard]] ArmReach* armReach() const;
 

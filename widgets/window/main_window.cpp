@@ -324,15 +324,43 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event)
         event->acceptProposedAction();
 }
 
+MainWindow::DropPlace MainWindow::dropPlace(QPointF at) const
+{
+    const Viewport* view = m_host->viewport();
+    const QPointF inView = view ? QPointF(view->mapFrom(this, at.toPoint())) : QPointF();
+    if (!view || !view->isVisible() || !view->rect().contains(inView.toPoint()))
+        return {};
+    const NodeId node = view->nodeAt(inView);
+    return m_edits->canBecome(node) ? DropPlace{node, {}} : DropPlace{noNode, view->groundAt(inView)};
+}
+
+/// Says what letting go would do.
+void MainWindow::dragMoveEvent(QDragMoveEvent* event)
+{
+    event->acceptProposedAction();
+    if (!event->mimeData()->hasFormat(QLatin1String(presetMimeType)))
+        return;
+    const DropPlace target = dropPlace(event->position());
+    const Node* tree = m_document->scene().find(target.tree);
+    QString text;
+    if (tree)
+        text = tr("Let go: “%1” becomes this tree").arg(QString::fromStdString(tree->name));
+    else
+        text = target.place ? tr("Let go: plant it here") : tr("Let go: plant it where there is room");
+    statusBar()->showMessage(text, dropMessageMs);
+}
+
 void MainWindow::dropEvent(QDropEvent* event)
 {
     if (event->mimeData()->hasFormat(QLatin1String(presetMimeType))) {
         event->acceptProposedAction();
-        const Viewport* view = m_host->viewport();
-        const QPointF at = view ? QPointF(view->mapFrom(this, event->position().toPoint())) : QPointF();
-        const bool isInView = view && view->isVisible() && view->rect().contains(at.toPoint());
-        return m_edits->addTree(QString::fromLatin1(event->mimeData()->data(QLatin1String(presetMimeType))),
-                                isInView ? view->groundAt(at) : std::nullopt);
+        const QString preset = QString::fromUtf8(event->mimeData()->data(QLatin1String(presetMimeType)));
+        const DropPlace target = dropPlace(event->position());
+        if (target.tree != noNode)
+            m_edits->makeLike(target.tree, preset);
+        else
+            m_edits->addTree(preset, target.place);
+        return;
     }
     const QString path = droppedFile(event->mimeData());
     if (path.isEmpty())

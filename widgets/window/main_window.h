@@ -36,6 +36,7 @@ class ProgramActions;
 class PropertiesPanel;
 class Recompute;
 class ScenePanel;
+class SeedsDialog;
 class SequenceTask;
 class SelectActions;
 class StatusPanel;
@@ -88,11 +89,20 @@ protected:
     void closeEvent(QCloseEvent* event) override;
     void changeEvent(QEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
+    void dragMoveEvent(QDragMoveEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
-    static constexpr int messageMs = 6000;
+    static constexpr int messageMs = 6000, dropMessageMs = 1500;
     static constexpr int layoutVersion = 3; ///< of saveState; another one means another set of docks
+
+    /// Where a tree of the gallery is let go.
+    struct DropPlace
+    {
+        NodeId tree = noNode;            ///< that it would change
+        std::optional<glm::dvec3> place; ///< else where it is planted; nothing: where there is room
+    };
+    [[nodiscard]] DropPlace dropPlace(QPointF at) const;
 
     void addPanel(const PanelRow& row, QWidget* content);
     /// Of a panel of the table.
@@ -154,6 +164,7 @@ private:
     FileActions* m_files = nullptr;
     EditActions* m_edits = nullptr;
     SelectActions* m_selects = nullptr;
+    SeedsDialog* m_seeds = nullptr; ///< once it was wished for
     ViewActions* m_views = nullptr;
     TransformActions* m_transforms = nullptr;
     ImportActions* m_imports = nullptr;

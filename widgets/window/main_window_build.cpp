@@ -16,6 +16,7 @@
 #include "widgets/base/preferences.h"
 #include "widgets/base/timeline_ruler.h"
 #include "widgets/dialogs/export_dialog.h"
+#include "widgets/dialogs/seeds_dialog.h"
 #include "widgets/dialogs/sequence_task.h"
 #include "widgets/help/help_places.h"
 #include "widgets/panels/animation/key_actions.h"
@@ -24,6 +25,7 @@
 #include "widgets/panels/arm/arm_mesh_row.h"
 #include "widgets/panels/arm/arm_panel.h"
 #include "widgets/panels/inspector/branch_inspector.h"
+#include "widgets/panels/presets/gallery_panel.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/panels/scene/isolation.h"
 #include "widgets/panels/scene/scene_panel.h"
@@ -222,6 +224,14 @@ void MainWindow::buildActions()
     connect(m_files, &FileActions::succeeded, m_banner, &QWidget::hide);
     connect(m_files, &FileActions::exportRequested, this, &MainWindow::showExportDialog);
     connect(m_files, &FileActions::quitRequested, this, &QWidget::close);
+    const auto seeds = [this] {
+        if (!m_seeds)
+            m_seeds = new SeedsDialog(m_document, this);
+        return m_seeds;
+    };
+    connect(m_edits, &EditActions::moreRequested, this, [seeds](NodeId tree) { seeds()->offerFor(tree); });
+    connect(findChild<GalleryPanel*>(), &GalleryPanel::moreRequested, this,
+            [seeds](const Node& like) { seeds()->offerNew(like); });
     connect(m_edits, &EditActions::renameRequested, this, [this] {
         showPanel(m_scene);
         m_scene->renameActive();

@@ -38,7 +38,7 @@ std::span<const PanelRow> panels()
         {"historyDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "History"), UpperRight, "window#history",
          &make<HistoryDock>},
         {"galleryDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Gallery"), UpperRight, "window#gallery",
-         &make<GalleryPanel>},
+         &make<GalleryPanel, &PanelServices::preferences>},
         {"timelineDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Timeline"), Bottom, "motion#the-timeline",
          &make<TimelinePanel, &PanelServices::player, &PanelServices::plays>},
         {"keysDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Keys"), Bottom, "keys#the-dope-sheet",

@@ -1,5 +1,6 @@
 #include "widgets/window/welcome_panel.h"
 
+#include "core/document/own_presets.h"
 #include "widgets/actions/file_actions.h"
 #include "widgets/base/action_list.h"
 #include "widgets/base/action_set.h"
@@ -41,7 +42,7 @@ WelcomePanel::WelcomePanel(FileActions* files, ActionSet* set, Preferences* pref
     , m_intro(new QLabel(m_page))
     , m_close(new QToolButton(m_page))
     , m_newHeading(heading())
-    , m_gallery(new PresetGallery(PictureButton::usualWidth, m_page))
+    , m_gallery(new PresetGallery(PictureButton::usualWidth, preferences, m_page))
     , m_recentHeading(heading())
     , m_recent(new QVBoxLayout)
     , m_open(new QPushButton(m_page))
@@ -125,6 +126,7 @@ void WelcomePanel::build()
 void WelcomePanel::open()
 {
     fillRecent();
+    m_gallery->showOwn(OwnPresets());
     retranslate();
     setFixedWidth(m_page->sizeHint().width() + 14);
     show();

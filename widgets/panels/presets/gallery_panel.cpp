@@ -2,38 +2,37 @@
 
 #include "core/document/commands.h"
 #include "core/document/document.h"
-#include "core/params/presets.h"
 #include "core/session/planting.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/targets.h"
 #include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/presets/preset_gallery.h"
+#include "widgets/view/tree_pictures.h"
 #include <QAction>
+#include <QDesktopServices>
 #include <QEvent>
+#include <QFile>
+#include <QInputDialog>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollArea>
+#include <QUrl>
 #include <QVBoxLayout>
+#include <cstring>
 
 namespace ramure {
-namespace {
-
-/// What a species is, without where a tree stands and what holds it.
-bool isOfSpecies(const ParamDef& def)
-{
-    const std::string_view key = def.key;
-    return hasParam(NodeKind::Tree, def) && def.stage != Stage::Placement && !key.starts_with("tree.") &&
-           !key.starts_with("local.") && !key.starts_with("physics.");
-}
-
-} // namespace
-
-GalleryPanel::GalleryPanel(Document* document, QWidget* parent)
+GalleryPanel::GalleryPanel(Document* document, Preferences* preferences, QWidget* parent)
     : QWidget(parent)
     , m_document(document)
-    , m_gallery(new PresetGallery(PictureButton::smallWidth, this))
+    , m_gallery(new PresetGallery(PictureButton::smallWidth, preferences, this))
     , m_problem(new QLabel(this))
     , m_add(new QAction(this))
     , m_give(new QAction(this))
+    , m_more(new QAction(this))
+    , m_rename(new QAction(this))
+    , m_remove(new QAction(this))
+    , m_reveal(new QAction(this))
+    , m_keep(new QPushButton(this))
 {
     m_problem->setObjectName(QStringLiteral("problem"));
     m_problem->setWordWrap(true);
@@ -49,17 +48,38 @@ GalleryPanel::GalleryPanel(Document* document, QWidget* parent)
     scroll->setWidget(content);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
+    auto* above = new QHBoxLayout;
+    above->setContentsMargins(8, 8, 8, 0);
+    above->addWidget(m_keep);
+    above->addStretch(1);
+    layout->addLayout(above);
     layout->addWidget(m_problem);
     layout->addWidget(scroll, 1);
     m_gallery->addChoice(m_add);
     m_gallery->addChoice(m_give);
+    m_gallery->addChoice(m_more);
+    for (QAction* action : {m_rename, m_remove, m_reveal})
+        m_gallery->addChoice(action, true);
+    connect(m_keep, &QPushButton::clicked, this, &GalleryPanel::keep);
+    connect(m_rename, &QAction::triggered, this, &GalleryPanel::rename);
+    connect(m_remove, &QAction::triggered, this, &GalleryPanel::remove);
+    connect(m_reveal, &QAction::triggered, this,
+            [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(m_own.folder())); });
     connect(m_gallery, &PresetGallery::chosen, this, &GalleryPanel::add);
     connect(m_add, &QAction::triggered, this, [this] { add(m_gallery->menuPreset()); });
     connect(m_give, &QAction::triggered, this, [this] { give(m_gallery->menuPreset()); });
+    connect(m_more, &QAction::triggered, this, [this] {
+        if (const auto tree = namedTree(m_gallery->menuPreset()))
+            emit moreRequested(*tree);
+        else
+            complain(tree.error());
+    });
     connect(m_document, &Document::changed, this, &GalleryPanel::follow);
     retranslate();
     follow();
 }
+
+GalleryPanel::~GalleryPanel() = default;
 
 QSize GalleryPanel::sizeHint() const
 {
@@ -68,22 +88,100 @@ QSize GalleryPanel::sizeHint() const
 
 void GalleryPanel::add(const QString& preset)
 {
-    if (const auto planted = edit::plantTree(*m_document, preset.toStdString()); !planted)
+    const auto planted = namedTree(preset).and_then(
+        [this](Node&& tree) { return edit::plantTree(*m_document, std::move(tree)); });
+    if (!planted)
         complain(planted.error());
 }
 
 void GalleryPanel::give(const QString& preset)
 {
-    const auto params = presetParams(preset.toStdString());
-    if (!params)
-        return complain(params.error());
-    std::vector<std::pair<const ParamDef*, ParamValue>> values;
-    for (const ParamDef& def : paramTable())
-        if (isOfSpecies(def))
-            values.emplace_back(&def, def.get(*params));
-    const QString text = tr("Make it %1", "undo step; the name of a preset").arg(spacedName(preset));
-    if (const auto given = edit::setParams(*m_document, targetTrees(*m_document), values, text); !given)
+    const auto tree = namedTree(preset);
+    if (!tree)
+        return complain(tree.error());
+    const QString name = spacedName(QString::fromStdString(tree->name));
+    const QString text = tr("Make it %1", "undo step; the name of a preset").arg(name);
+    if (const auto given = edit::makeTreesLike(*m_document, targetTrees(*m_document), *tree, text); !given)
         complain(given.error());
+}
+
+void GalleryPanel::keep()
+{
+    const Node* tree = m_document->scene().find(targetTrees(*m_document).front());
+    askName(tr("Save as preset"), m_own.freeName(spacedName(QString::fromStdString(tree->name))),
+            [this, tree = *tree](const QString& name) { return m_own.save(name, tree); });
+}
+
+void GalleryPanel::rename()
+{
+    const QString name = m_gallery->menuPreset().mid(int(std::strlen(OwnPresets::mark)));
+    askName(tr("Rename preset"), name, [this, name](const QString& other) {
+        const auto renamed = m_own.rename(name, other);
+        if (renamed)
+            m_gallery->followRename(QLatin1String(OwnPresets::mark) + name,
+                                    QLatin1String(OwnPresets::mark) + other);
+        return renamed;
+    });
+}
+
+void GalleryPanel::remove()
+{
+    const auto removed = m_own.remove(m_gallery->menuPreset().mid(int(std::strlen(OwnPresets::mark))));
+    refreshOwn();
+    if (!removed)
+        complain(removed.error());
+}
+
+/// Does not block.
+void GalleryPanel::askName(const QString& title, const QString& suggestion,
+                           std::function<Expected<void>(const QString&)> use)
+{
+    auto* dialog = new QInputDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    dialog->setLabelText(tr("Name:"));
+    dialog->setTextValue(suggestion);
+    connect(dialog, &QInputDialog::textValueSelected, this,
+            [this, use = std::move(use)](const QString& name) {
+                const auto done = use(name.trimmed());
+                refreshOwn();
+                if (!done)
+                    complain(done.error());
+            });
+    dialog->open();
+}
+
+void GalleryPanel::refreshOwn()
+{
+    m_problem->hide();
+    m_gallery->showOwn(m_own);
+    drawMissing();
+}
+
+/// One after another: of what was kept just now, and of files that somebody has put there.
+void GalleryPanel::drawMissing()
+{
+    for (const QString& name : m_own.names()) {
+        if (m_undrawn.contains(name) || QFile::exists(m_own.pictureFile(name)))
+            continue;
+        const auto tree = m_own.load(name);
+        if (!tree) { // a click on it says why
+            m_undrawn += name;
+            continue;
+        }
+        if (!m_pictures)
+            m_pictures = std::make_unique<TreePictures>();
+        else if (m_pictures->isBusy())
+            return;
+        m_pictures->draw(
+            tree->params, QSize(2 * PictureButton::usualWidth, 220), [this, name](Expected<QImage>&& made) {
+                if (!made || !made->save(m_own.pictureFile(name)))
+                    m_undrawn += name;
+                m_gallery->showOwn(m_own);
+                QMetaObject::invokeMethod(this, &GalleryPanel::drawMissing, Qt::QueuedConnection);
+            });
+        return;
+    }
 }
 
 void GalleryPanel::complain(const Error& error)
@@ -95,13 +193,27 @@ void GalleryPanel::complain(const Error& error)
 void GalleryPanel::follow()
 {
     m_problem->hide();
-    m_give->setEnabled(!targetTrees(*m_document).empty());
+    const auto trees = targetTrees(*m_document);
+    m_give->setEnabled(!trees.empty());
+    m_keep->setEnabled(trees.size() == 1);
 }
 
 void GalleryPanel::retranslate()
 {
     m_add->setText(tr("&Add to the scene"));
     m_give->setText(tr("&Give its numbers to the selected trees"));
+    m_more->setText(tr("&More like this…"));
+    m_rename->setText(tr("&Rename…"));
+    m_remove->setText(tr("Move to the &trash"));
+    m_reveal->setText(tr("Show in the &folder"));
+    m_keep->setText(tr("&Save as preset…"));
+    m_keep->setToolTip(tr("Keep the numbers of the selected tree among your own presets"));
+}
+
+void GalleryPanel::showEvent(QShowEvent* event)
+{
+    QWidget::showEvent(event);
+    refreshOwn();
 }
 
 void GalleryPanel::changeEvent(QEvent* event)

@@ -2,10 +2,14 @@
 
 #include <QApplication>
 #include <QDrag>
+#include <QHelpEvent>
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
+#include <QToolTip>
+#include <cmath>
+#include <numbers>
 
 namespace ramure {
 namespace {
@@ -14,13 +18,27 @@ constexpr int aspectWidth = 8, aspectHeight = 5;
 constexpr int margin = 1;
 constexpr int textGap = 5;
 constexpr qreal radius = 7.0;
+constexpr int starSize = 20, starGap = 4;
+
+QPainterPath starIn(const QRectF& place)
+{
+    QPainterPath star;
+    for (int i = 0; i < 10; ++i) {
+        const double angle = (i - 2.5) * std::numbers::pi / 5.0, reach = i % 2 == 0 ? 0.5 : 0.2;
+        const QPointF corner =
+            place.center() + reach * place.width() * QPointF(std::cos(angle), std::sin(angle));
+        i == 0 ? star.moveTo(corner) : star.lineTo(corner);
+    }
+    star.closeSubpath();
+    return star;
+}
 
 } // namespace
 
 PictureButton::PictureButton(const QString& preset, int width, QWidget* parent)
     : QAbstractButton(parent)
     , m_preset(preset)
-    , m_picture(QStringLiteral(":/welcome/%1.png").arg(preset))
+    , m_picture(preset.isEmpty() ? QPixmap() : QPixmap(QStringLiteral(":/welcome/%1.png").arg(preset)))
     , m_size(width, width * aspectHeight / aspectWidth)
 {
     setFocusPolicy(Qt::StrongFocus);
@@ -28,23 +46,65 @@ PictureButton::PictureButton(const QString& preset, int width, QWidget* parent)
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
 }
 
+void PictureButton::setPicture(const QPixmap& picture)
+{
+    m_picture = picture;
+    update();
+}
+
+void PictureButton::setStar(bool on)
+{
+    m_hasStar = true;
+    m_isStarred = on;
+    update();
+}
+
+QRect PictureButton::starPlace() const
+{
+    return {m_size.width() + margin - starSize - starGap, margin + starGap, starSize, starSize};
+}
+
+/// The star has a tip of its own, and its press is none of the button's.
+bool PictureButton::event(QEvent* event)
+{
+    const auto* help = event->type() == QEvent::ToolTip ? static_cast<QHelpEvent*>(event) : nullptr;
+    if (!help || !m_hasStar || !starPlace().contains(help->pos()))
+        return QAbstractButton::event(event);
+    QToolTip::showText(help->globalPos(),
+                       m_isStarred ? tr("Take it out of the favourites") : tr("Add it to the favourites"),
+                       this);
+    return true;
+}
+
 void PictureButton::mousePressEvent(QMouseEvent* event)
 {
     m_pressed = event->pos();
-    QAbstractButton::mousePressEvent(event);
+    if (!m_hasStar || !starPlace().contains(m_pressed))
+        QAbstractButton::mousePressEvent(event);
+}
+
+void PictureButton::mouseReleaseEvent(QMouseEvent* event)
+{
+    const bool isOnStar = m_hasStar && starPlace().contains(m_pressed);
+    if (!isOnStar)
+        QAbstractButton::mouseReleaseEvent(event);
+    else if (event->button() == Qt::LeftButton && starPlace().contains(event->pos()))
+        emit starClicked();
 }
 
 void PictureButton::mouseMoveEvent(QMouseEvent* event)
 {
     const bool far = (event->pos() - m_pressed).manhattanLength() >= QApplication::startDragDistance();
-    if (!event->buttons().testFlag(Qt::LeftButton) || !far)
+    if (!event->buttons().testFlag(Qt::LeftButton) || !far || m_preset.isEmpty() ||
+        (m_hasStar && starPlace().contains(m_pressed)))
         return QAbstractButton::mouseMoveEvent(event);
     setDown(false);
     auto* drag = new QDrag(this);
     auto* named = new QMimeData;
-    named->setData(QLatin1String(presetMimeType), m_preset.toLatin1());
+    named->setData(QLatin1String(presetMimeType), m_preset.toUtf8());
     drag->setMimeData(named);
-    drag->setPixmap(m_picture.scaledToWidth(m_size.width() / 2, Qt::SmoothTransformation));
+    if (hasPicture())
+        drag->setPixmap(m_picture.scaledToWidth(m_size.width() / 2, Qt::SmoothTransformation));
     drag->exec(Qt::CopyAction);
 }
 
@@ -62,7 +122,10 @@ void PictureButton::paintEvent(QPaintEvent*)
     rounded.addRoundedRect(place, radius, radius);
     painter.save();
     painter.setClipPath(rounded);
-    painter.drawPixmap(place, m_picture, QRectF(m_picture.rect()));
+    if (m_picture.isNull())
+        painter.fillRect(place, palette().color(QPalette::Base));
+    else
+        painter.drawPixmap(place, m_picture, QRectF(m_picture.rect()));
     if (isDown())
         painter.fillRect(place, QColor(0, 0, 0, 50));
     painter.restore();
@@ -73,10 +136,24 @@ void PictureButton::paintEvent(QPaintEvent*)
     painter.setPen(QPen(line, lit ? 2.0 : 1.0));
     painter.setBrush(Qt::NoBrush);
     painter.drawPath(rounded);
+    if (m_hasStar && (m_isStarred || underMouse()))
+        paintStar(painter);
     painter.setPen(palette().color(QPalette::WindowText));
     const QRectF below(margin, place.bottom() + textGap, place.width(), fontMetrics().height());
     painter.drawText(below, Qt::AlignHCenter | Qt::AlignVCenter,
                      fontMetrics().elidedText(text(), Qt::ElideRight, m_size.width()));
+}
+
+/// On a disc, so that it is seen before a sky as well as before leaves.
+void PictureButton::paintStar(QPainter& painter) const
+{
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 120));
+    painter.drawEllipse(starPlace());
+    const QColor colour = m_isStarred ? QColor(0xFF, 0xC8, 0x3D) : QColor(Qt::white);
+    painter.setPen(QPen(colour, 1.2));
+    painter.setBrush(m_isStarred ? QBrush(colour) : QBrush(Qt::NoBrush));
+    painter.drawPath(starIn(QRectF(starPlace()).adjusted(2, 2, -2, -2)));
 }
 
 void PictureButton::enterEvent(QEnterEvent* event)

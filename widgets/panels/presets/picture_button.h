@@ -1,5 +1,6 @@
 /// \file
-/// The picture of a preset with its name below it: a button that can be dragged into the view.
+/// The picture of a preset with its name below it: a button that can be dragged into the view. In its corner
+/// there may be a star, which a click sets and takes away.
 #pragma once
 
 #include <QAbstractButton>
@@ -11,30 +12,46 @@ class PictureButton : public QAbstractButton
 {
     Q_OBJECT
 public:
-    /// \param preset whose picture is among the resources, twice as large as it is shown
-    /// \param width of the picture, logical pixels
+    /// \param preset whose picture is among the resources, twice as large as it is shown; empty: there is
+    /// none, and nothing can be dragged \param width of the picture, logical pixels
     PictureButton(const QString& preset, int width, QWidget* parent);
 
     [[nodiscard]] const QString& preset() const { return m_preset; }
+    /// \param picture null: there is none yet
+    void setPicture(const QPixmap& picture);
+    [[nodiscard]] const QPixmap& picture() const { return m_picture; }
+    [[nodiscard]] bool hasPicture() const { return !m_picture.isNull(); }
+    [[nodiscard]] QSize pictureSize() const { return m_size; } ///< logical pixels
+    /// From now on it has a star: always seen where it is \p on, else under the mouse.
+    void setStar(bool on);
+    [[nodiscard]] QRect starPlace() const;
     static constexpr int usualWidth = 176, smallWidth = 128;
 
     [[nodiscard]] QSize sizeHint() const override;
 
+signals:
+    void starClicked();
+
 protected:
+    bool event(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void enterEvent(QEnterEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
 private:
+    void paintStar(QPainter& painter) const;
+
     QString m_preset;
     QPixmap m_picture;
     QSize m_size; ///< of the picture as it is shown
     QPoint m_pressed;
+    bool m_hasStar = false, m_isStarred = false;
 };
 
-/// Of what is dragged: the name of a preset in Latin-1.
+/// Of what is dragged: what namedTree takes, in UTF-8.
 inline constexpr const char* presetMimeType = "application/x-ramure-preset";
 
 } // namespace ramure

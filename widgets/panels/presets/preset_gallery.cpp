@@ -1,14 +1,15 @@
 #include "widgets/panels/presets/preset_gallery.h"
 
+#include "core/document/own_presets.h"
 #include "core/params/presets.h"
 #include "widgets/base/core_text.h"
+#include "widgets/base/preferences.h"
 #include "widgets/panels/presets/picture_button.h"
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QRegularExpression>
 #include <QResizeEvent>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -30,15 +31,10 @@ QString searchedText(const Preset& preset)
 
 } // namespace
 
-QString spacedName(const QString& preset)
-{
-    static const QRegularExpression word(QStringLiteral("(?<=[a-z])(?=[A-Z][a-z])"));
-    return QString(preset).replace(word, QStringLiteral(" "));
-}
-
-PresetGallery::PresetGallery(int pictureWidth, QWidget* parent)
+PresetGallery::PresetGallery(int pictureWidth, Preferences* preferences, QWidget* parent)
     : QWidget(parent)
     , m_pictureWidth(pictureWidth)
+    , m_preferences(preferences)
     , m_search(new QLineEdit(this))
     , m_none(new QLabel(this))
 {
@@ -51,75 +47,158 @@ PresetGallery::PresetGallery(int pictureWidth, QWidget* parent)
     layout->setSpacing(6);
     layout->addWidget(m_search);
     layout->addWidget(m_none);
-    for (std::size_t i = 0; i < presets().size(); ++i)
-        addPicture(i);
+    addGroup(RAMURE_NOOP("Favourites"));
+    addGroup(RAMURE_NOOP("Your own"));
+    for (const Preset& preset : presets()) {
+        if (m_groups.back().name != std::string_view(preset.group))
+            addGroup(preset.group);
+        const QString name = QString::fromLatin1(preset.name);
+        addPicture(m_groups.back(), name, spacedName(name), &preset);
+    }
     layout->addStretch(1);
     connect(m_search, &QLineEdit::textChanged, this, &PresetGallery::filter);
+    connect(m_preferences, &Preferences::changed, this, [this] {
+        if (m_favourites != m_preferences->favouritePresets())
+            showFavourites();
+    });
     retranslate();
+    showFavourites();
+}
+
+void PresetGallery::addGroup(const char* name)
+{
+    auto* heading = new QLabel(this);
+    heading->setObjectName(QStringLiteral("galleryGroup"));
+    auto* grid = new QGridLayout;
+    grid->setSpacing(gap);
+    auto* all = static_cast<QVBoxLayout*>(layout());
+    all->addWidget(heading);
+    all->addLayout(grid);
+    m_groups.push_back({name, heading, grid, {}});
+}
+
+/// \param id as namedTree takes it
+void PresetGallery::addPicture(Group& group, const QString& id, const QString& name, const Preset* preset)
+{
+    auto* picture = new PictureButton(id, m_pictureWidth, this);
+    picture->setText(name);
+    const bool isFavourite = &group == &m_groups.front();
+    picture->setObjectName((isFavourite ? QStringLiteral("favourite.") : QStringLiteral("preset.")) + id);
+    picture->setStar(isFavourite);
+    picture->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(picture, &QAbstractButton::clicked, this, [this, id] { emit chosen(id); });
+    connect(picture, &PictureButton::starClicked, this, [this, id] { changeFavourite(id); });
+    connect(picture, &QWidget::customContextMenuRequested, this,
+            [this, picture](const QPoint& at) { openMenu(picture, at); });
+    group.items.push_back({picture, preset});
+}
+
+void PresetGallery::clear(Group& group)
+{
+    for (const Item& item : group.items) {
+        group.grid->removeWidget(item.picture);
+        item.picture->hide();
+        item.picture->deleteLater(); // its menu or its star may have been what changed it
+    }
+    group.items.clear();
+}
+
+/// Own ones that are no longer there are passed over, not forgotten: a folder may come back.
+void PresetGallery::showFavourites()
+{
+    m_favourites = m_preferences->favouritePresets();
+    Group& favourites = m_groups.front();
+    clear(favourites);
+    QWidget* before = m_search;
+    for (const QString& id : m_favourites) {
+        for (std::size_t i = 1; i < m_groups.size(); ++i)
+            for (const Item& item : m_groups[i].items) {
+                if (item.picture->preset() != id)
+                    continue;
+                addPicture(favourites, id, item.picture->text(), item.preset);
+                favourites.items.back().picture->setPicture(item.picture->picture());
+                describe(favourites.items.back());
+                setTabOrder(before, favourites.items.back().picture);
+                before = favourites.items.back().picture;
+            }
+    }
+    for (std::size_t i = 1; i < m_groups.size(); ++i)
+        for (const Item& item : m_groups[i].items)
+            item.picture->setStar(m_favourites.contains(item.picture->preset()));
     filter();
 }
 
-void PresetGallery::addPicture(std::size_t preset)
+void PresetGallery::changeFavourite(const QString& id)
 {
-    const Preset& own = presets()[preset];
-    if (m_groups.empty() || m_groups.back().name != std::string_view(own.group)) {
-        auto* heading = new QLabel(this);
-        heading->setObjectName(QStringLiteral("galleryGroup"));
-        auto* grid = new QGridLayout;
-        grid->setSpacing(gap);
-        auto* all = static_cast<QVBoxLayout*>(layout());
-        all->addWidget(heading);
-        all->addLayout(grid);
-        m_groups.push_back({own.group, heading, grid, {}});
+    QStringList favourites = m_preferences->favouritePresets();
+    if (favourites.removeAll(id) == 0)
+        favourites += id;
+    m_preferences->setFavouritePresets(favourites);
+}
+
+void PresetGallery::followRename(const QString& from, const QString& to)
+{
+    QStringList favourites = m_preferences->favouritePresets();
+    std::ranges::replace(favourites, from, to);
+    m_preferences->setFavouritePresets(favourites);
+}
+
+void PresetGallery::showOwn(const OwnPresets& presets)
+{
+    Group& own = m_groups[1];
+    clear(own);
+    QWidget* before = m_search;
+    for (const QString& name : presets.names()) {
+        addPicture(own, QLatin1String(OwnPresets::mark) + name, name, nullptr);
+        own.items.back().picture->setPicture(QPixmap(presets.pictureFile(name)));
+        describe(own.items.back());
+        setTabOrder(before, own.items.back().picture);
+        before = own.items.back().picture;
     }
-    const QString name = QString::fromLatin1(own.name);
-    auto* picture = new PictureButton(name, m_pictureWidth, this);
-    picture->setText(spacedName(name));
-    picture->setObjectName(QStringLiteral("preset.") + name);
-    picture->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(picture, &QAbstractButton::clicked, this, [this, name] { emit chosen(name); });
-    connect(picture, &QWidget::customContextMenuRequested, this,
-            [this, picture](const QPoint& at) { openMenu(picture, at); });
-    m_groups.back().pictures.push_back(picture);
+    showFavourites();
 }
 
 QWidget* PresetGallery::first() const
 {
     for (const Group& group : m_groups)
-        for (PictureButton* picture : group.pictures)
-            if (!picture->isHidden())
-                return picture;
+        for (const Item& item : group.items)
+            if (!item.picture->isHidden())
+                return item.picture;
     return nullptr;
 }
 
-void PresetGallery::addChoice(QAction* action)
+void PresetGallery::addChoice(QAction* action, bool own)
 {
-    m_choices += action;
+    (own ? m_ownChoices : m_choices) += action;
 }
 
 void PresetGallery::openMenu(PictureButton* picture, const QPoint& at)
 {
-    if (m_choices.isEmpty())
-        return;
     m_menuPreset = picture->preset();
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addActions(m_choices);
+    QAction* star = menu->addAction(tr("&Favourite"), this, [this] { changeFavourite(m_menuPreset); });
+    star->setCheckable(true);
+    star->setChecked(m_favourites.contains(m_menuPreset));
+    if (m_menuPreset.startsWith(QLatin1String(OwnPresets::mark))) {
+        menu->addSeparator();
+        menu->addActions(m_ownChoices);
+    }
     menu->popup(picture->mapToGlobal(at));
 }
 
 void PresetGallery::filter()
 {
     const QStringList words = m_search->text().toLower().split(u' ', Qt::SkipEmptyParts);
-    std::size_t at = 0;
     bool any = false;
     for (const Group& group : m_groups) {
         bool some = false;
-        for (PictureButton* picture : group.pictures) {
-            const QString text = searchedText(presets()[at++]);
+        for (const Item& item : group.items) {
+            const QString text = item.preset ? searchedText(*item.preset) : item.picture->text().toLower();
             const bool hit =
                 std::ranges::all_of(words, [&text](const QString& word) { return text.contains(word); });
-            picture->setVisible(hit);
+            item.picture->setVisible(hit);
             some = some || hit;
         }
         group.heading->setVisible(some);
@@ -142,11 +221,11 @@ void PresetGallery::arrange()
     m_columns = columns;
     for (const Group& group : m_groups) {
         int at = 0;
-        for (PictureButton* picture : group.pictures) {
-            group.grid->removeWidget(picture);
-            if (picture->isHidden())
+        for (const Item& item : group.items) {
+            group.grid->removeWidget(item.picture);
+            if (item.picture->isHidden())
                 continue;
-            group.grid->addWidget(picture, at / columns, at % columns, Qt::AlignLeft | Qt::AlignTop);
+            group.grid->addWidget(item.picture, at / columns, at % columns, Qt::AlignLeft | Qt::AlignTop);
             ++at;
         }
         for (int column = 0; column < group.grid->columnCount(); ++column)
@@ -158,7 +237,7 @@ void PresetGallery::arrange()
 /// With the gap beside it.
 int PresetGallery::columnWidth() const
 {
-    return m_groups.front().pictures.front()->sizeHint().width() + gap;
+    return m_groups.back().items.front().picture->sizeHint().width() + gap;
 }
 
 QSize PresetGallery::sizeHint() const
@@ -181,17 +260,20 @@ void PresetGallery::retranslate()
 {
     m_search->setPlaceholderText(tr("Search trees"));
     m_search->setAccessibleName(m_search->placeholderText());
-    std::size_t at = 0;
     for (const Group& group : m_groups) {
         group.heading->setText(coreText(group.name));
-        for (PictureButton* picture : group.pictures) {
-            const Preset& preset = presets()[at++];
-            const QString about = coreText(preset.description), latin = QString::fromUtf8(preset.latin);
-            picture->setToolTip(latin.isEmpty() ? about
-                                                : tr("%1: %2", "Latin name: habit").arg(latin, about));
-            picture->setAccessibleDescription(about);
-        }
+        for (const Item& item : group.items)
+            describe(item);
     }
+}
+
+void PresetGallery::describe(const Item& item)
+{
+    if (!item.preset)
+        return item.picture->setToolTip(tr("%1: a tree that you have kept").arg(item.picture->text()));
+    const QString about = coreText(item.preset->description), latin = QString::fromUtf8(item.preset->latin);
+    item.picture->setToolTip(latin.isEmpty() ? about : tr("%1: %2", "Latin name: habit").arg(latin, about));
+    item.picture->setAccessibleDescription(about);
 }
 
 void PresetGallery::changeEvent(QEvent* event)

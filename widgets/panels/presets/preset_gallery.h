@@ -1,5 +1,6 @@
 /// \file
-/// The trees that ship with the program as pictures, group by group, with a search.
+/// The trees that ship with the program as pictures, group by group, with a search; those of the user before
+/// them, and before all the favourites, which stand in their own groups as well.
 #pragma once
 
 #include <QWidget>
@@ -12,24 +13,28 @@ class QLineEdit;
 
 namespace ramure {
 
+class OwnPresets;
 class PictureButton;
-
-/// "SilverBirch": "Silver Birch".
-QString spacedName(const QString& preset);
+class Preferences;
+struct Preset;
 
 class PresetGallery : public QWidget
 {
     Q_OBJECT
 public:
     /// \param pictureWidth of each, logical pixels
-    PresetGallery(int pictureWidth, QWidget* parent);
+    /// \param preferences know the favourites; not owned
+    PresetGallery(int pictureWidth, Preferences* preferences, QWidget* parent);
 
     [[nodiscard]] QLineEdit* search() const { return m_search; }
     /// The first picture that is shown, or null.
     [[nodiscard]] QWidget* first() const;
-    /// Of a picture's menu, beside what a click does.
-    void addChoice(QAction* action);
-    /// Whose menu was opened last.
+    /// Of a picture's menu, beside what a click does. \param own of the user's pictures alone
+    void addChoice(QAction* action, bool own = false);
+    void showOwn(const OwnPresets& presets);
+    /// A favourite stays one under its new name.
+    void followRename(const QString& from, const QString& to);
+    /// Whose menu was opened last, as namedTree takes it.
     [[nodiscard]] const QString& menuPreset() const { return m_menuPreset; }
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -42,15 +47,25 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
+    struct Item
+    {
+        PictureButton* picture;
+        const Preset* preset; ///< null: the user's
+    };
     struct Group
     {
         const char* name; ///< English, context "core"
         QLabel* heading;
         QGridLayout* grid;
-        std::vector<PictureButton*> pictures;
+        std::vector<Item> items;
     };
 
-    void addPicture(std::size_t preset);
+    void addGroup(const char* name);
+    void addPicture(Group& group, const QString& id, const QString& name, const Preset* preset);
+    void clear(Group& group);
+    void showFavourites();
+    void changeFavourite(const QString& id);
+    void describe(const Item& item);
     void openMenu(PictureButton* picture, const QPoint& at);
     void filter();
     void arrange();
@@ -58,11 +73,13 @@ private:
     [[nodiscard]] int columnWidth() const;
 
     int m_pictureWidth;
+    Preferences* m_preferences;
     QLineEdit* m_search;
     QLabel* m_none;
-    std::vector<Group> m_groups;
-    QList<QAction*> m_choices;
+    std::vector<Group> m_groups; ///< the favourites, the user's, then those of the program
+    QList<QAction*> m_choices, m_ownChoices;
     QString m_menuPreset;
+    QStringList m_favourites; ///< as they are shown
     int m_columns = 0;
 };
 

@@ -1,11 +1,17 @@
+#include "core/document/own_presets.h"
 #include "core/params/presets.h"
+#include "core/scene/preset_scene.h"
 #include "tests/widgets/base/fixture.h"
+#include "widgets/base/preferences.h"
 #include "widgets/panels/presets/gallery_panel.h"
 #include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/presets/preset_gallery.h"
 #include <QAction>
+#include <QInputDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <set>
 
 using namespace ramure;
@@ -14,7 +20,9 @@ class TestGalleryPanel : public QObject
 {
     Q_OBJECT
     test::OwnSettings m_settings;
+    std::unique_ptr<QTemporaryDir> m_data; ///< of the user
     std::unique_ptr<Document> m_document;
+    std::unique_ptr<Preferences> m_preferences;
     std::unique_ptr<GalleryPanel> m_panel;
 
     PictureButton* picture(const char* preset)
@@ -29,6 +37,16 @@ class TestGalleryPanel : public QObject
                 names += each->preset();
         return names;
     }
+    /// Answers the question for a name.
+    void answer(const QString& name)
+    {
+        auto* dialog = m_panel->findChild<QInputDialog*>();
+        QVERIFY(dialog);
+        dialog->setTextValue(name);
+        dialog->accept();
+        QTRY_VERIFY(!m_panel->findChild<QInputDialog*>());
+    }
+    bool complains() { return !m_panel->findChild<QLabel*>(QStringLiteral("problem"))->isHidden(); }
     /// As by its menu.
     void give(const char* preset)
     {
@@ -40,12 +58,20 @@ private slots:
     void init()
     {
         test::failOnWidgetWarning();
+        m_data = std::make_unique<QTemporaryDir>();
+        qputenv("XDG_DATA_HOME", m_data->path().toUtf8());
         m_document = std::make_unique<Document>();
-        m_panel = std::make_unique<GalleryPanel>(m_document.get());
+        m_preferences = std::make_unique<Preferences>();
+        m_preferences->setFavouritePresets({});
+        m_panel = std::make_unique<GalleryPanel>(m_document.get(), m_preferences.get());
         m_panel->resize(420, 500);
         m_panel->show();
     }
-    void cleanup() { m_panel.reset(); }
+    void cleanup()
+    {
+        m_panel.reset();
+        m_preferences.reset();
+    }
 
     void lockedTreesStayAsTheyAre()
     {
@@ -98,6 +124,61 @@ private slots:
         QVERIFY(m_document->scene().nodes().empty());
     }
 
+    void keptTreesStandFirst()
+    {
+        QVERIFY(!m_panel->keepButton()->isEnabled());
+        picture("TinyTree")->click();
+        const NodeId tree = m_document->scene().nodes().front().id;
+        QVERIFY(edit::setParam(*m_document, {tree}, *findParam("foliage.seed"), std::int64_t(5)));
+        const NodeParams kept = m_document->scene().find(tree)->params;
+        m_panel->keepButton()->click();
+        answer(QStringLiteral("My tree"));
+        QVERIFY(!complains());
+        QCOMPARE(m_panel->gallery()->first(), picture("own:My tree"));
+        QCOMPARE(m_panel->gallery()->search()->nextInFocusChain(), picture("own:My tree"));
+        m_panel->gallery()->search()->setText(QStringLiteral("tree my"));
+        QCOMPARE(shown(), QStringList{QStringLiteral("own:My tree")});
+        m_panel->gallery()->search()->clear();
+
+        picture("own:My tree")->click();
+        QCOMPARE(m_document->scene().nodes().back().name, std::string("My tree"));
+        QCOMPARE(m_document->scene().nodes().back().params.foliage.seed, kept.foliage.seed);
+        give("own:My tree");
+        QVERIFY(!complains());
+
+        m_panel->keepButton()->click();
+        answer(QStringLiteral("My tree")); // taken
+        QVERIFY(complains());
+        m_panel->keepButton()->click();
+        answer(QStringLiteral("a/b"));
+        QVERIFY(complains());
+        QCOMPARE(OwnPresets().names(), QStringList{QStringLiteral("My tree")});
+    }
+    void ownMenusRenameAndRemove()
+    {
+        QVERIFY(OwnPresets().save(QStringLiteral("Old"), *presetTree("TinyTree")));
+        m_panel->hide();
+        m_panel->show(); // what lies in the folder is found then
+        emit picture("own:Old")->customContextMenuRequested({});
+        m_panel->renameAction()->trigger();
+        answer(QStringLiteral("New"));
+        QVERIFY(picture("own:New") && !complains());
+        QFile::remove(OwnPresets().folder() + QStringLiteral("/New.ramure")); // behind our back
+        picture("own:New")->click();
+        QVERIFY(complains());
+        emit picture("own:New")->customContextMenuRequested({});
+        m_panel->removeAction()->trigger();
+        QVERIFY(complains());
+        QCOMPARE(shown().size(), qsizetype(presets().size()));
+        QVERIFY(OwnPresets().save(QStringLiteral("Other"), *presetTree("TinyTree")));
+        m_panel->hide();
+        m_panel->show();
+        emit picture("own:Other")->customContextMenuRequested({});
+        m_panel->removeAction()->trigger();
+        QVERIFY(!complains());
+        QVERIFY(OwnPresets().names().isEmpty());
+    }
+
     /// In one step; the tree stays where it is.
     void givingMakesTheSelectedTreeAnother()
     {
@@ -116,6 +197,46 @@ private slots:
         QVERIFY(m_document->scene().find(tree)->params == expected);
         m_document->undoStack()->undo();
         QVERIFY(m_document->scene().find(tree)->params == before);
+    }
+
+    void favouritesStandFirst()
+    {
+        const auto favourites = [this] {
+            QStringList names;
+            for (const PictureButton* each : m_panel->findChildren<PictureButton*>())
+                if (!each->isHidden() && each->objectName().startsWith(QStringLiteral("favourite.")))
+                    names += each->preset();
+            return names;
+        };
+        const auto clickStar = [](PictureButton* on) {
+            QTest::mouseClick(on, Qt::LeftButton, {}, on->starPlace().center());
+        };
+        // Of what is no longer there nothing is shown.
+        m_preferences->setFavouritePresets({QStringLiteral("own:Gone"), QStringLiteral("FanTree")});
+        QCOMPARE(favourites(), QStringList{QStringLiteral("FanTree")});
+        clickStar(picture("SilverBirch"));
+        QCOMPARE(favourites(), (QStringList{QStringLiteral("FanTree"), QStringLiteral("SilverBirch")}));
+        QCOMPARE(m_preferences->favouritePresets().size(), qsizetype(3));
+        QVERIFY(m_document->scene().nodes().empty()); // the star alone was clicked
+        auto* first = qobject_cast<PictureButton*>(m_panel->gallery()->first());
+        QVERIFY(first && first->preset() == QLatin1String("FanTree") && first->hasPicture());
+        first->click();
+        QCOMPARE(m_document->scene().nodes().back().name, std::string("FanTree"));
+        m_panel->gallery()->search()->setText(QStringLiteral("birch"));
+        QCOMPARE(favourites(), QStringList{QStringLiteral("SilverBirch")});
+        m_panel->gallery()->search()->clear();
+        clickStar(first); // which is gone with it
+        QCOMPARE(favourites(), QStringList{QStringLiteral("SilverBirch")});
+
+        QVERIFY(OwnPresets().save(QStringLiteral("Mine"), *presetTree("TinyTree")));
+        m_panel->hide();
+        m_panel->show();
+        clickStar(picture("own:Mine"));
+        QCOMPARE(favourites(), (QStringList{QStringLiteral("SilverBirch"), QStringLiteral("own:Mine")}));
+        emit picture("own:Mine")->customContextMenuRequested({});
+        m_panel->renameAction()->trigger();
+        answer(QStringLiteral("Ours"));
+        QCOMPARE(favourites(), (QStringList{QStringLiteral("SilverBirch"), QStringLiteral("own:Ours")}));
     }
 
     void narrowPanelsHaveOneColumn()

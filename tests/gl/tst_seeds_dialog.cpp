@@ -1,0 +1,129 @@
+#include "widgets/dialogs/seeds_dialog.h"
+
+#include "core/document/commands.h"
+#include "core/generators/variety.h"
+#include "core/params/named_seeds.h"
+#include "core/params/presets.h"
+#include "core/scene/preset_scene.h"
+#include "tests/support/suite.h"
+#include "tests/widgets/tree_document.h"
+#include "widgets/panels/presets/picture_button.h"
+#include <QLabel>
+#include <QPushButton>
+
+using namespace ramure;
+
+/// Nine trees that chance grew otherwise.
+class TestSeedsDialog : public QObject
+{
+    Q_OBJECT
+
+    static int drawnOf(const SeedsDialog& dialog)
+    {
+        return int(std::ranges::count_if(dialog.choices(), [](auto* each) { return each->hasPicture(); }));
+    }
+
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void aTreeThatCannotGrowSaysWhy()
+    {
+        Document document;
+        SeedsDialog dialog(&document, nullptr);
+        Node broken = *presetTree("SmallTree");
+        broken.params.grammar.rules = "A -> [";
+        dialog.offerNew(broken);
+        const auto* hint = dialog.findChild<QLabel*>();
+        QTRY_VERIFY2(hint->text().contains(QStringLiteral("bracket")) || hint->text().contains(u'['),
+                     qPrintable(hint->text()));
+        QCOMPARE(drawnOf(dialog), 0);
+        dialog.offerFor(77); // there is no such tree: nothing changes
+        QCOMPARE(dialog.windowTitle(), QStringLiteral("More like Small Tree"));
+    }
+    void lockedTreesStayAsTheyAre()
+    {
+        test::TreeDocument trees;
+        const NodeId tree = trees.add(*presetParams("TinyTree"));
+        QVERIFY(edit::setNodeLocked(trees.document(), {tree}, true));
+        SeedsDialog dialog(&trees.document(), nullptr);
+        dialog.offerFor(tree);
+        const int steps = trees.document().undoStack()->count();
+        dialog.choices()[3]->click();
+        QCOMPARE(trees.document().undoStack()->count(), steps);
+        QVERIFY(dialog.findChild<QLabel*>()->text().contains(QStringLiteral("lock")));
+    }
+    void namedSeedsComeFirst()
+    {
+        Document document;
+        SeedsDialog dialog(&document, nullptr);
+        dialog.offerNew(*presetTree("SilverBirch"));
+        const auto& named = *namedSeeds("SilverBirch");
+        for (int i = 0; i < int(namedSeedCount); ++i) {
+            QCOMPARE(dialog.seedOf(i), named[std::size_t(i)]);
+            QVERIFY(
+                dialog.choices()[std::size_t(i)]->text().contains(QLatin1String(seedNames[std::size_t(i)])));
+        }
+        const std::int64_t last = dialog.seedOf(SeedsDialog::count - 1);
+        dialog.otherButton()->click();
+        QCOMPARE(dialog.seedOf(0), last + 1);
+        QVERIFY(!dialog.choices()[0]->text().contains(QLatin1String(seedNames[0])));
+        Node other = *presetTree("SilverBirch");
+        other.params.weberPenn.scale *= 2.0; // the names are those of other trees
+        dialog.offerNew(other);
+        QCOMPARE(dialog.seedOf(0), other.params.grammar.seed + 1);
+    }
+    void eachPictureIsAnother()
+    {
+        Document document;
+        SeedsDialog dialog(&document, nullptr);
+        dialog.offerNew(*presetTree("TinyTree"));
+        QCOMPARE(drawnOf(dialog), 0);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.drawn(), SeedsDialog::count, 60'000);
+        QCOMPARE(drawnOf(dialog), SeedsDialog::count);
+        QImage first = dialog.choices()[0]->grab().toImage(), second = dialog.choices()[1]->grab().toImage();
+        QVERIFY(first != second);
+        const std::int64_t before = dialog.seedOf(0);
+        dialog.otherButton()->click();
+        QCOMPARE(dialog.seedOf(0), before + SeedsDialog::count);
+        QCOMPARE(drawnOf(dialog), 0);
+        dialog.close(); // while it draws: the rest is left undone
+    }
+    /// What is added, and what a tree becomes, is the tree of the picture; one step of undo each.
+    void choicesAreTreesOfTheirSeed()
+    {
+        test::TreeDocument trees;
+        Document& document = trees.document();
+        SeedsDialog dialog(&document, nullptr);
+        const Node like = *presetTree("SilverBirch");
+        dialog.offerNew(like);
+        dialog.choices()[4]->click();
+        dialog.choices()[5]->click();
+        const std::int64_t chosen = dialog.seedOf(4);
+        QCOMPARE(document.scene().nodes().size(), std::size_t(2));
+        NodeParams expected = reseeded(like.params, dialog.seedOf(4));
+        QVERIFY(document.scene().nodes().front().params == expected);
+        QVERIFY(document.scene().nodes().back().params.grammar.seed == dialog.seedOf(5));
+        document.undoStack()->undo();
+        QCOMPARE(document.scene().nodes().size(), std::size_t(1));
+
+        const NodeId tree = document.scene().nodes().front().id;
+        dialog.offerFor(tree);
+        dialog.choices()[8]->click();
+        expected = reseeded(expected, dialog.seedOf(8));
+        QVERIFY(document.scene().find(tree)->params == expected);
+        document.undoStack()->undo();
+        QCOMPARE(document.scene().find(tree)->params.grammar.seed, chosen);
+    }
+    void aTreeWithoutChanceSaysThatOnlyLeavesVary()
+    {
+        Document document;
+        SeedsDialog dialog(&document, nullptr);
+        Node like = *presetTree("TernaryTree");
+        like.params.variation = {0.0, 0.0, 0.0};
+        dialog.offerNew(like);
+        QVERIFY(dialog.findChild<QLabel*>()->text().contains(QStringLiteral("leaves varies")));
+    }
+};
+
+QTEST_MAIN(TestSeedsDialog)
+#include "tst_seeds_dialog.moc"

@@ -1,0 +1,93 @@
+#include "widgets/view/tree_pictures.h"
+
+#include "core/evaluate/evaluator.h"
+#include "core/pipeline/tree_pipeline.h"
+#include "widgets/view/render/offscreen_renderer.h"
+#include "widgets/view/render/scene_builder.h"
+#include <algorithm>
+#include <utility>
+
+namespace ramure {
+namespace {
+
+constexpr std::int64_t mostTriangles = 60'000; ///< of bark: more is not seen in a small picture
+
+Expected<RenderScene> grown(TreePipeline& pipeline, const NodeParams& params, const Progress& progress)
+{
+    Node tree;
+    tree.id = 1;
+    tree.kind = NodeKind::Tree;
+    tree.name = "tree";
+    tree.params = params;
+    tree.params.tree = {};
+    if (tree.params.mesh.targetTriangles > 0)
+        tree.params.mesh.targetTriangles = std::min(tree.params.mesh.targetTriangles, mostTriangles);
+    auto scene = Scene::fromNodes({std::move(tree)});
+    if (!scene)
+        return fail(std::move(scene.error()));
+    Evaluator evaluator(pipelineSource(pipeline), scene->timeline());
+    EvaluatedScene now = evaluator.at(*scene, 0.0);
+    const auto result = now.tree(scene->nodes().front(), Stage::Foliage, progress);
+    if (!result)
+        return fail(result.error());
+    return SceneBuilder().build(
+        now, [&](NodeId) { return &*result; }, SceneView());
+}
+
+} // namespace
+
+struct TreePictures::Drawer
+{
+    OffscreenRenderer renderer; ///< made on the thread of the interface
+    bool hasBegun = false;
+    TreePipeline pipeline;
+
+    Expected<QImage> draw(const NodeParams& params, QSize size, const Progress& progress)
+    {
+        if (!hasBegun)
+            if (auto begun = renderer.begin(); !begun)
+                return fail(std::move(begun.error()));
+        hasBegun = true;
+        const auto scene = grown(pipeline, params, progress);
+        if (!scene)
+            return fail(scene.error());
+        if (progress.cancelled())
+            return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+        Camera camera;
+        camera.frame(scene->framePoints(), double(size.width()) / double(size.height()));
+        return renderer.draw(*scene, camera, size);
+    }
+};
+
+TreePictures::TreePictures(QObject* parent)
+    : QObject(parent)
+    , m_drawer(std::make_shared<Drawer>())
+    , m_job(nullptr, Job::Manner::Polite)
+{
+    m_drawer->pipeline.setCacheSize(1);
+}
+
+/// The context ends on the thread that it was made on.
+TreePictures::~TreePictures()
+{
+    m_job.start([drawer = m_drawer](const Progress&) -> Expected<void> {
+        if (std::exchange(drawer->hasBegun, false))
+            drawer->renderer.end();
+        return {};
+    });
+    m_job.wait(Job::patience);
+}
+
+void TreePictures::draw(const NodeParams& params, QSize size, Take take)
+{
+    m_job.start([drawer = m_drawer, params,
+                 size](const Progress& progress) { return drawer->draw(params, size, progress); },
+                [take = std::move(take)](Expected<QImage>&& made) { take(std::move(made)); });
+}
+
+void TreePictures::stop()
+{
+    m_job.forget();
+}
+
+} // namespace ramure
