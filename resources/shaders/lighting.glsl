@@ -110,6 +110,14 @@ float sunlight(vec3 relative, vec3 normal, vec3 plane)
     return sum + far * (outside ? 1.0 : lit(uShadowMap, uShadowDepth, uShadow, uShadowScale, at, plane));
 }
 
+uniform sampler2D uOcclusion; // over the whole picture: what stands close by hides of the sky
+uniform vec2 uOcclusionScale; // per pixel; 0: nothing does
+
+float skyReaching()
+{
+    return uOcclusionScale.x > 0.0 ? texture(uOcclusion, gl_FragCoord.xy * uOcclusionScale).r : 1.0;
+}
+
 vec3 ambient(vec3 n)
 {
     vec3 sum = uAmbient[0] + n.y * uAmbient[1] + n.z * uAmbient[2] + n.x * uAmbient[3];

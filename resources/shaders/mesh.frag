@@ -101,11 +101,11 @@ vec3 shaded(vec3 albedo, vec3 normal, vec3 plane, float gloss)
     float facing = dot(normal, uSun);
     vec3 side = uTwoSided ? plane : normal;
     float sun = sunlight(v.relative, dot(side, uSun) < 0.0 ? -side : side, plane);
-    float open = 1.0;
+    float open = uThrough > 0.0 ? 1.0 : skyReaching(); // a crown's light knows already what leaves hide
     vec3 round = normal;
     if (uHasCrown) {
         vec4 crown = texture(uCrown, (uCrownPlace * vec4(v.relative, 1.0)).xyz);
-        open = mix(innermost, 1.0, crown.a);
+        open *= mix(innermost, 1.0, crown.a);
         if (uThrough > 0.0)
             round = normalize(mix(normal, 2.0 * crown.xyz - 1.0, roundness) + 1e-4 * normal);
     }

@@ -75,7 +75,7 @@ vec3 ground(vec3 relative, vec2 at, vec2 width)
     if (uStudio.r >= 0.0) { // in full light exactly the colour behind it: there is no horizon
         const vec3 eye = vec3(0.2126, 0.7152, 0.0722); // brightness alone: shadows are grey
         float shaded = dot(eye, ambient(up)) / dot(eye, ambient(up) + uSunLight * uSun.y);
-        return toLinear(uStudio) * mix(shaded, 1.0, sunlight(relative, up, up));
+        return toLinear(uStudio) * mix(shaded * skyReaching(), 1.0, sunlight(relative, up, up));
     }
     float broad = max(width.x, width.y);
     float mottle = (noise(at / uMottle) - 0.5) * (1.0 - smoothstep(0.2, 0.7, broad / uMottle));
@@ -83,7 +83,7 @@ vec3 ground(vec3 relative, vec2 at, vec2 width)
     mottle += 0.7 * (noise(at / fine) - 0.5) * (1.0 - smoothstep(0.2, 0.7, broad / fine));
     vec3 albedo = toLinear(groundGreen) * (1.0 + 0.14 * mottle);
     float sun = sunlight(relative, up, up);
-    return albedo * (ambient(up) + uSunLight * uSun.y * sun);
+    return albedo * (skyReaching() * ambient(up) + uSunLight * uSun.y * sun);
 }
 
 // Lines over the ground, or where it is not shown in the air; "strength" is how much of the pixel they take.

@@ -107,12 +107,16 @@ void EditorBench::setTriangles(int triangles)
     settle();
 }
 
-double EditorBench::frameMs(Quality quality, QSize size, int times)
+double EditorBench::frameMs(Quality quality, QSize size, int times, bool selected)
 {
     m_window.viewportHost()->settings()->setQuality(quality);
     view()->setFixedSize(size);
     settle();
     view()->frameAll();
+    Selection selection;
+    if (selected)
+        selection.nodes = {m_document.scene().nodes().front().id};
+    m_document.setSelection(selection);
     settle();
     (void)m_window.analysis()->waitForAll(patienceMs);
     waitMs(2000); // what else the background makes

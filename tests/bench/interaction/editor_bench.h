@@ -63,7 +63,8 @@ public:
     /// \p triangles: the budget of the mesh.
     void setTriangles(int triangles);
     /// One picture of the view at rest, the median of \p times; the rasteriser is what is measured.
-    double frameMs(Quality quality, QSize size, int times);
+    /// \param selected whether the tree is, which draws a line around it.
+    double frameMs(Quality quality, QSize size, int times, bool selected);
 
 private:
     [[nodiscard]] Viewport* view() const;

@@ -19,6 +19,7 @@ constexpr GLenum shadowDepthUnit = 1;
 constexpr GLenum statesUnit = 2;
 constexpr GLenum nearUnit = 8; // those between are the cache's
 constexpr GLenum nearDepthUnit = 9;
+constexpr GLenum occlusionUnit = 10;
 
 constexpr float exposure = 0.8f; ///< with which a film shows a surface in the middle as it is
 
@@ -52,6 +53,7 @@ Renderer::Renderer(Gl& gl)
     , m_lensPicture(gl)
     , m_lensSum(gl, GL_RGBA32F)
     , m_outline(gl)
+    , m_occlusion(gl)
 {
 }
 
@@ -101,6 +103,8 @@ std::vector<std::pair<Renderer::Program, ShaderSources>> Renderer::programs()
         {&Renderer::m_lensAdd, {{"world.vert"}, nullptr, {"colour.glsl", "lens_add.frag"}}},
         {&Renderer::m_lensShow, {{"world.vert"}, nullptr, {"colour.glsl", "lens_show.frag"}}},
         {&Renderer::m_ghost, {{"ghost.vert"}, nullptr, {"ghost.frag"}}},
+        {&Renderer::m_occlude, {{"world.vert"}, nullptr, {"occlusion.glsl", "occlusion.frag"}}},
+        {&Renderer::m_occludeBlur, {{"world.vert"}, nullptr, {"occlusion.glsl", "occlusion_blur.frag"}}},
         {&Renderer::m_outlineRows, {{"world.vert"}, nullptr, {"outline_spread.frag"}, "#define ROWS\n"}},
         {&Renderer::m_outlineColumns, {{"world.vert"}, nullptr, {"outline_spread.frag"}}},
         {&Renderer::m_outlineClosing,
@@ -147,6 +151,7 @@ void Renderer::draw(const RenderScene& scene, const Camera& camera, QSize size, 
     const GLuint aside = shrinks || options.smoothing ? m_smoothing.begin(drawn) : 0;
     const bool large = shrinks && aside != 0;
     Picture picture = arrange(scene, camera, large ? drawn : size, large ? own : options);
+    occlude(picture, size);
     castShadows(picture);
     drawInto(aside != 0 ? aside : framebuffer, picture, large ? drawn : size);
     m_cache.freeUnused();
@@ -193,6 +198,9 @@ void Renderer::drawInto(GLuint framebuffer, const Picture& picture, QSize size)
     const RenderOptions& options = picture.options;
     m_nearShadow.bind(nearUnit, nearDepthUnit); // first: what is new is made in the first unit
     m_shadowMap.bind(shadowUnit, shadowDepthUnit);
+    m_gl.glActiveTexture(GL_TEXTURE0 + occlusionUnit);
+    m_gl.glBindTexture(GL_TEXTURE_2D, picture.occluded ? m_occlusion.texture() : 0);
+    m_gl.glActiveTexture(GL_TEXTURE0);
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     beginState(size);
     m_gl.glGetIntegerv(GL_SAMPLES, &m_samples);
@@ -228,6 +236,41 @@ Renderer::Picture Renderer::arrange(const RenderScene& scene, const Camera& came
         m_light = {options.light, lightOf(options.light)};
     picture.light = m_light->second;
     return picture;
+}
+
+/// In pictures at rest. Before the shadows: the ground is drawn without, which is quicker.
+void Renderer::occlude(Picture& picture, QSize size)
+{
+    constexpr double ofScene = 0.06, ofView = 0.08; // how far what counts as close is away
+    const RenderOptions& options = picture.options;
+    const Box& box = picture.scene.box;
+    const bool draft =
+        options.quality == Quality::Draft || (options.sparing && options.quality == Quality::Good);
+    if (draft || options.hurried || options.shading != ShadingMode::Solid || box.empty() ||
+        !m_occlusion.begin(size))
+        return;
+    m_gl.glEnable(GL_DEPTH_TEST);
+    m_gl.glDepthMask(GL_TRUE);
+    if (options.world && options.ground)
+        drawWorld(picture);
+    m_gl.glDepthFunc(GL_LEQUAL);
+    const DepthPrograms programs{*m_shadow, *m_shadowCut};
+    for (const MeshItem& item : picture.scene.meshes) {
+        if (item.opacity < 1.0f)
+            continue;
+        ShaderProgram& program = programs.of(item);
+        program.bind();
+        if (&program == &programs.cut)
+            m_cache.bindPictures(program, item);
+        m_cache.bindBones(program, item.motion);
+        program.set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+        drawItem(picture, item, m_cache.item(item));
+    }
+    m_gl.glBindVertexArray(m_emptyArray);
+    m_occlusion.end(picture.camera, picture.projectedView,
+                    std::min(ofScene * box.radius(), ofView * picture.camera.heightAtTarget()),
+                    {*m_occlude, *m_occludeBlur});
+    picture.occluded = true;
 }
 
 void Renderer::castShadows(Picture& picture)
@@ -307,6 +350,8 @@ void Renderer::setLight(ShaderProgram& program, const Picture& picture)
     }
     program.set("uNearMap", int(nearUnit));
     program.set("uNearDepth", int(nearDepthUnit));
+    program.set("uOcclusion", int(occlusionUnit));
+    program.set("uOcclusionScale", picture.occluded ? 1.0f / picture.viewport : glm::vec2(0.0f));
 }
 
 void Renderer::setStates(ShaderProgram& program, const RenderScene& scene, NodeId node, bool hasBranches)
@@ -522,8 +567,8 @@ void Renderer::resetState()
     m_gl.glDisable(GL_DEPTH_TEST);
     m_gl.glDisable(GL_BLEND);
     for (const GLenum unit :
-         {shadowUnit, shadowDepthUnit, nearUnit, nearDepthUnit, statesUnit, GpuCache::bonesUnit,
-          GpuCache::coloursUnit, GpuCache::barkUnit, GpuCache::barkNormalsUnit}) {
+         {shadowUnit, shadowDepthUnit, nearUnit, nearDepthUnit, occlusionUnit, statesUnit,
+          GpuCache::bonesUnit, GpuCache::coloursUnit, GpuCache::barkUnit, GpuCache::barkNormalsUnit}) {
         m_gl.glActiveTexture(GL_TEXTURE0 + unit);
         m_gl.glBindTexture(GL_TEXTURE_2D, 0);
         m_gl.glBindSampler(unit, 0);

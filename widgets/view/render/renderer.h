@@ -5,6 +5,7 @@
 
 #include "widgets/view/render/camera.h"
 #include "widgets/view/render/gpu_cache.h"
+#include "widgets/view/render/occlusion.h"
 #include "widgets/view/render/outline.h"
 #include "widgets/view/render/picture_light.h"
 #include "widgets/view/render/renderer_options.h"
@@ -65,6 +66,7 @@ private:
     void setStates(ShaderProgram& program, const RenderScene& scene, NodeId node, bool hasBranches = true);
     Picture arrange(const RenderScene& scene, const Camera& camera, QSize size, const RenderOptions& options);
     void drawInto(GLuint framebuffer, const Picture& picture, QSize size);
+    void occlude(Picture& picture, QSize size);
     void castShadows(Picture& picture);
     void castNear(Picture& picture, double side);
     void drawWorld(const Picture& picture);
@@ -91,9 +93,11 @@ private:
     Smoothing m_smoothing;
     Smoothing m_lensPicture, m_lensSum;
     Outline m_outline;
+    Occlusion m_occlusion;
     std::unique_ptr<ShaderProgram> m_plain, m_bark, m_leaf; ///< what m_mesh does, each a part of it
     std::unique_ptr<ShaderProgram> m_mesh, m_meshColours, m_meshWire, m_shadow, m_shadowCut, m_world, m_line,
         m_point, m_smooth, m_shrink, m_lensAdd, m_lensShow, m_ghost;
+    std::unique_ptr<ShaderProgram> m_occlude, m_occludeBlur;
     std::unique_ptr<ShaderProgram> m_outlineRows, m_outlineColumns, m_outlineClosing, m_outlineInk;
     std::optional<std::pair<SceneLight, PictureLight>> m_light; ///< what the last picture asked for
     GLuint m_emptyArray = 0;

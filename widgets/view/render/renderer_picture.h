@@ -18,6 +18,7 @@ struct Renderer::Picture
     ShadowPlace shadow{};
     std::optional<ShadowPlace> near{}; ///< finer, of what is near
     int shadowTaps = 0;
+    bool occluded = false; ///< what stands close by hides some of the sky
     double aspect = 1.0;
 
     /// World axes and scale, the origin in the eye: keeps floats precise wherever the scene lies.
