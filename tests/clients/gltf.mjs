@@ -1,0 +1,141 @@
+// Our GLB before programs of others:  node gltf.mjs RAMURE_CLI FOLDER
+// Khronos' validator finds nothing; Manifold reads every closed mesh as one solid of the volume that it has by our own
+// triangles, and refuses it with a triangle taken out; three.js plays a tree in the wind to where we say that it is.
+// One line for each program; 1 where something was found. Files stay in FOLDER.
+import {execFileSync} from 'node:child_process';
+import {mkdirSync, readFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {join} from 'node:path';
+
+import {fromArrayBuffer, readMesh} from 'manifold-3d/lib/gltf-io.js';
+import Module from 'manifold-3d';
+import * as three from 'three';
+import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
+
+const [cli, folder] = process.argv.slice(2);
+const require = createRequire(import.meta.url);
+const validator = require('gltf-validator');
+const versionOf = name => JSON.parse(readFileSync(new URL(`node_modules/${name}/package.json`, import.meta.url))).version;
+mkdirSync(folder, {recursive: true});
+
+const findings = [];
+const find = (condition, text) => condition || findings.push(text);
+const ramure = (...words) => execFileSync(cli, words, {encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe']});
+const exported = (name, input, ...options) => {
+  const path = join(folder, name);
+  ramure('export', input, '-o', path, ...options);
+  return path;
+};
+const arrayOf = path => {
+  const bytes = readFileSync(path);
+  return bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
+};
+const told = (program, version, files, text) =>
+  console.log(`${program} ${version}: ${files} files, ${text}${findings.length ? `; FOUND: ${findings.join('; ')}` : ''}`);
+
+const trees = JSON.parse(ramure('list', 'presets', '--json')).map(preset => preset.name);
+const some = ['SmallTree', 'FanTree', 'TinyTree', 'SilverBirch', 'EnglishOak', 'ScotsPine', 'WeepingWillow', 'Baobab'];
+find(some.every(name => trees.includes(name)), 'a preset has gone');
+const wind = ['preset:TinyTree', '--frames', '0:24', '--fps', '24', '--set', 'skin.method=linear', '--joints', 'all'];
+
+async function validated() {
+  const files = some.map(name => exported(`${name}.glb`, `preset:${name}`, '--map-size', '64'));
+  files.push(exported('instances.glb', 'preset:SmallTree', '--leaves', 'instances', '--map-size', '64'));
+  files.push(exported('plain.glb', 'preset:SilverBirch', '--map-size', '0'));
+  files.push(exported('wind.glb', ...wind, '--map-size', '0'));
+  files.push(exported('few-joints.glb', 'preset:SmallTree', '--frames', '0:5', '--joints', '64', '--map-size', '0'));
+  files.push(exported('arm.glb', 'demo:Arm', '--frames', '0:24'));
+  for (const file of files) {
+    const {issues} = await validator.validateBytes(new Uint8Array(arrayOf(file)), {maxIssues: 20});
+    const bad = issues.messages.filter(message => message.severity < 2);
+    find(bad.length === 0, `${file}: ${bad.slice(0, 3).map(message => `${message.code} ${message.pointer}`).join(', ')}`);
+  }
+  told('gltf-validator', versionOf('gltf-validator'), files.length, 'no errors, no warnings');
+}
+
+// By the divergence theorem, of the triangles as they stand in the file.
+function volumeOf({vertProperties, triVerts, numProp}) {
+  let sum = 0;
+  const at = i => vertProperties.subarray(numProp * triVerts[i], numProp * triVerts[i] + 3);
+  for (let i = 0; i < triVerts.length; i += 3) {
+    const [a, b, c] = [at(i), at(i + 1), at(i + 2)];
+    sum += a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return sum / 6;
+}
+
+async function solid() {
+  const module = await Module();
+  module.setup();
+  const statusOf = given => {
+    try {
+      const body = new module.Manifold(new module.Mesh(given));
+      return [body.status(), body.volume(), body.decompose().length];
+    } catch (error) {
+      return [error.code ?? String(error), 0, 0];
+    }
+  };
+  let most = 0;
+  for (const name of some) {
+    const document = await fromArrayBuffer(arrayOf(join(folder, `${name}.glb`)));
+    const mesh = document.getRoot().listMeshes().find(one => one.getName().startsWith('branches'));
+    find(mesh?.getExtension('EXT_mesh_manifold'), `${name}: no EXT_mesh_manifold`);
+    const {mesh: given} = readMesh(mesh, []);
+    const own = volumeOf(given);
+    const [status, volume] = statusOf(given);
+    find(status === 'NoError', `${name}: ${status}`);
+    const off = Math.abs(volume - own) / own;
+    most = Math.max(most, off);
+    find(off <= 1e-5, `${name}: volume ${volume}, ours ${own}`);
+    const [open] = statusOf({...given, triVerts: given.triVerts.slice(3), runIndex: undefined});
+    find(open === 'NotManifold', `${name} without a triangle: ${open}`);
+  }
+  told('manifold-3d', versionOf('manifold-3d'), some.length, `closed solids, volume within ${most.toExponential(1)}`);
+}
+
+async function replayed() {
+  const loader = new GLTFLoader();
+  const open = path => new Promise((resolve, reject) => loader.parse(arrayOf(path), '', resolve, reject));
+  const playing = await open(join(folder, 'wind.glb'));
+  const mixer = new three.AnimationMixer(playing.scene);
+  const action = mixer.clipAction(playing.animations[0]);
+  action.clampWhenFinished = true; // else its last frame is its first
+  action.setLoop(three.LoopOnce).play();
+  let skinned;
+  playing.scene.traverse(one => { if (one.isSkinnedMesh && one.name.startsWith('branches')) skinned = one; });
+  const frames = [0, 7, 24];
+  let most = 0, height = 0;
+  for (const frame of frames) {
+    const still = await open(exported(`still-${frame}.glb`, 'preset:TinyTree', '--time', String(frame / 24), '--set',
+      'skin.method=linear', '--map-size', '0'));
+    let mesh;
+    still.scene.traverse(one => { if (one.isMesh && one.name.startsWith('branches')) mesh = one; });
+    still.scene.updateMatrixWorld(true);
+    mesh.geometry.computeBoundingBox();
+    height = mesh.geometry.boundingBox.max.y - mesh.geometry.boundingBox.min.y;
+    mixer.setTime(frame / 24);
+    playing.scene.updateMatrixWorld(true);
+    skinned.skeleton.update();
+    const [at, wanted] = [new three.Vector3(), new three.Vector3()];
+    const places = mesh.geometry.attributes.position;
+    find(places.count === skinned.geometry.attributes.position.count, 'other vertices');
+    for (let i = 0; i < places.count; ++i) {
+      skinned.getVertexPosition(i, at).applyMatrix4(skinned.matrixWorld);
+      wanted.fromBufferAttribute(places, i).applyMatrix4(mesh.matrixWorld);
+      most = Math.max(most, at.distanceTo(wanted));
+    }
+  }
+  find(most <= 1e-5 * height, `a vertex is ${most / height} of the height from where we say that it is`);
+  told('three', versionOf('three'), frames.length + 1, `replayed within ${(most / height).toExponential(1)} of the height`);
+}
+
+for (const judge of [validated, solid, replayed]) {
+  const before = findings.length;
+  try {
+    await judge();
+  } catch (error) {
+    findings.push(`${judge.name}: ${error.stderr ?? error.stack ?? error}`);
+    console.log(findings.at(-1));
+  }
+  if (findings.length > before) process.exitCode = 1;
+}
