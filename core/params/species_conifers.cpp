@@ -61,7 +61,7 @@ const std::array all{
                     {.length = 0.397, .lengthV = 0.08, .segSplits = 0.1, .splitAngle = 25, .curveRes = 6, .curve = -10, .curveV = 50, .downAngle = 62, .downAngleV = -25, .rotate = 137, .rotateV = 20, .branches = 50},
                     {.length = 0.34, .lengthV = 0.06, .curveRes = 3, .curve = 20, .curveV = 40, .downAngle = 50, .downAngleV = 10, .rotate = -95, .rotateV = 20, .branches = 56},
                     {.length = 0.3, .curveRes = 1}}}},
-        {L::Yew, 2.6, 1.6, 0.3, B::Peeling, -0.1}},
+        {L::Yew, 3.0, 1.4, 0.36, B::Peeling, -0.1}},
     Species{"EasternWhitePine", "Pinus strobus", RAMURE_NOOP("Level whorled limbs with soft plumes of needles"), true,
         {.shape = S::Conical, .baseSize = 0.14, .scale = 19.7, .scaleV = 2, .levels = 3, .ratio = 0.0165, .ratioPower = 1.35, .lobes = 0, .flare = 0.5, .attractionUp = 0.6,
          .level = {{{.curveRes = 8, .curveV = 10},
