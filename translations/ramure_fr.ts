@@ -2158,6 +2158,46 @@
 <context>
     <name>core</name>
     <message>
+        <source>A slim leaning trunk with a mop of feather fronds</source>
+        <translation>Un tronc mince et penché, coiffé de palmes en plumes</translation>
+    </message>
+    <message>
+        <source>A straight column under a fountain of stiff fronds</source>
+        <translation>Une colonne droite sous une fontaine de palmes raides</translation>
+    </message>
+    <message>
+        <source>A stout column below a head of fans</source>
+        <translation>Une forte colonne sous une tête d’éventails</translation>
+    </message>
+    <message>
+        <source>A fibrous trunk with a parasol of ferns</source>
+        <translation>Un tronc fibreux et son parasol de fougères</translation>
+    </message>
+    <message>
+        <source>Forking corky arms that end in bunches of daggers</source>
+        <translation>Des bras de liège fourchus, terminés par des bouquets de poignards</translation>
+    </message>
+    <message>
+        <source>A broken pine trunk with the stubs of its limbs</source>
+        <translation>Un tronc de pin brisé, avec les moignons de ses branches</translation>
+    </message>
+    <message>
+        <source>A young birch, three metres high</source>
+        <translation>Un jeune bouleau, haut de trois mètres</translation>
+    </message>
+    <message>
+        <source>An English oak in winter, without a leaf</source>
+        <translation>Un chêne pédonculé en hiver, sans une feuille</translation>
+    </message>
+    <message>
+        <source>Palms and rosettes</source>
+        <translation>Palmiers et rosettes</translation>
+    </message>
+    <message>
+        <source>Forms</source>
+        <translation>Formes</translation>
+    </message>
+    <message>
         <source>A round dense head on a short straight trunk</source>
         <translation>Une tête ronde et dense sur un tronc court et droit</translation>
     </message>

@@ -1,5 +1,6 @@
 #include "core/params/presets.h"
 
+#include "core/params/organ_presets.h"
 #include "core/params/species.h"
 #include <algorithm>
 #include <vector>
@@ -105,6 +106,47 @@ NodeParams dressed(NodeParams tree, LeafShape leaf, double leafSize, FruitKind f
     return tree;
 }
 
+/// Species in another state than a grown tree's in summer.
+std::vector<Preset> forms(std::span<const Preset> grown)
+{
+    const auto like = [grown](std::string_view name) {
+        return std::ranges::find(grown, name, &Preset::name)->params;
+    };
+    constexpr const char* group = RAMURE_NOOP("Forms");
+    Preset snag{"DeadSnag", RAMURE_NOOP("A broken pine trunk with the stubs of its limbs"), like("ScotsPine"),
+                "", group};
+    WeberPennParams& dead = snag.params.weberPenn;
+    dead.levels = 2;
+    dead.baseSize = 0.25;
+    dead.ratioPower = 1.0;
+    dead.level[0].taper = 0.75;
+    dead.level[0].curveV = 0.9;
+    dead.level[1].length = 0.16;
+    dead.level[1].lengthV = 0.1;
+    dead.level[1].branches = 17;
+    snag.params.foliage.leavesCutoff = 0.0;
+    snag.params.foliage.applesProbability = 0.0;
+    snag.params.bark.family = BarkFamily::Fibrous;
+    snag.params.bark.light = 0.3;
+    Preset sapling{"Sapling", RAMURE_NOOP("A young birch, three metres high"), like("SilverBirch"), "",
+                   group};
+    WeberPennParams& young = sapling.params.weberPenn;
+    young.scale = 3.2;
+    young.scaleV = 0.4;
+    young.ratio = 0.011;
+    young.baseSize = 0.12;
+    young.level[1].branches = 16;
+    young.level[2].branches = 7;
+    sapling.params.leaf.size = 4.0;
+    sapling.params.leaf.internode = 3.0;
+    sapling.params.foliage.leavesCutoff = 0.3;
+    Preset bare{"WinterOak", RAMURE_NOOP("An English oak in winter, without a leaf"), like("EnglishOak"), "",
+                group};
+    bare.params.leaf.season = 1.0;
+    bare.params.foliage.applesProbability = 0.0;
+    return {std::move(snag), std::move(sapling), std::move(bare)};
+}
+
 constexpr std::size_t courseworkCount = 4;
 
 std::vector<Preset> everyPreset()
@@ -163,6 +205,8 @@ std::vector<Preset> everyPreset()
             return std::string_view(a.name) < std::string_view(b.name);
         });
     }
+    for (const auto& more : {organPresets(), forms(all)})
+        all.insert(all.end(), more.begin(), more.end());
     for (std::size_t i = courseworkCount; i < all.size(); ++i) // those of the coursework have no scale
         all[i].params.texture.tileSize = grownBarkTile(all[i].params.bark.family);
     return all;

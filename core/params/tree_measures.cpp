@@ -26,6 +26,7 @@ constexpr std::array all{
     PublishedMeasures{"Carpinus betulus", {13.3, 0.53, 11.1}, 151, britishTrees},
     PublishedMeasures{"Castanea sativa", {16.5, 1.35, 14.4}, 128, britishTrees},
     PublishedMeasures{"Cedrus deodara", {24.4, 1.06, 19.3}, 89, urbanTrees},
+    PublishedMeasures{"Cocos nucifera", {21.2, 0.39, 5.4}, 34, urbanTrees},
     PublishedMeasures{"Crataegus monogyna", {6.1, 0.33, 5.7}, 564, britishTrees},
     PublishedMeasures{"Eucalyptus globulus", {37.4, 1.22, 20.4}, 66, urbanTrees},
     PublishedMeasures{"Fagus sylvatica", {21.1, 0.69, 17.0}, 38, urbanTrees},
@@ -40,6 +41,7 @@ constexpr std::array all{
     PublishedMeasures{"Magnolia grandiflora", {15.0, 0.74, 13.0}, 336, urbanTrees},
     PublishedMeasures{"Malus domestica", {7.1, 0.40, 7.6}, 251, britishTrees},
     PublishedMeasures{"Olea europaea", {9.2, 0.60, 7.5}, 36, urbanTrees},
+    PublishedMeasures{"Phoenix dactylifera", {15.8, 0.58, 6.3}, 56, urbanTrees},
     PublishedMeasures{"Picea abies", {18.0, 0.52, 9.1}, 48, britishTrees},
     PublishedMeasures{"Picea pungens", {17.3, 0.62, 9.5}, 97, urbanTrees},
     PublishedMeasures{"Pinus strobus", {20.4, 0.64, 12.8}, 71, urbanTrees},
@@ -59,6 +61,7 @@ constexpr std::array all{
     PublishedMeasures{"Taxus baccata", {13.4, 0.84, 11.3}, 146, britishTrees},
     PublishedMeasures{"Tilia cordata", {19.6, 0.80, 14.2}, 195, urbanTrees},
     PublishedMeasures{"Ulmus americana", {25.0, 1.08, 22.4}, 243, urbanTrees},
+    PublishedMeasures{"Washingtonia filifera", {12.2, 0.82, 3.7}, 71, urbanTrees},
 };
 
 } // namespace
