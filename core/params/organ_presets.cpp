@@ -55,6 +55,7 @@ NodeParams paramsOf(const Plant& plant)
     params.foliage.applesProbability = 0.0;
     params.fruit.kind = plant.fruit;
     params.bark.family = plant.bark;
+    params.simplify.enabled = false; // a crown is thinner than the trunk it goes on from
     params.sections = {3, 8};
     params.mesh.clampOvershoot = true;
     return params;

@@ -194,7 +194,7 @@ const std::array all{
                     {.length = 0.604, .lengthV = 0.08, .segSplits = 0.15, .splitAngle = 30, .splitAngleV = 10, .curveRes = 8, .curve = 35, .curveBack = -60, .curveV = 90, .downAngle = 62, .downAngleV = -20, .rotate = 137, .rotateV = 20, .branches = 26},
                     {.length = 0.3, .lengthV = 0.08, .curveRes = 4, .curve = -20, .curveV = 90, .downAngle = 52, .downAngleV = 14, .rotate = 137, .rotateV = 20, .branches = 70},
                     {.length = 0.3, .curveRes = 1}}}},
-        {L::Olive, 1.0, 0.5, 0.11, B::Furrowed, 0.1}},
+        {L::Box, 2.0, 0.7, 0.1, B::Furrowed, 0.1}},
     Species{"AmericanElm", "Ulmus americana", RAMURE_NOOP("A wide fountain: the trunk parts low, its limbs arch over"), false,
         {.shape = S::InverseConical, .baseSize = 0.28, .scale = 19.6, .scaleV = 1.6, .levels = 3, .ratio = 0.0294, .ratioPower = 1.3, .flare = 0.8, .attractionUp = 0.1,
          .level = {{{.length = 0.9, .baseSplits = 1, .segSplits = 0.3, .splitAngle = 26, .splitAngleV = 6, .curveRes = 8, .curveV = 20},
