@@ -147,6 +147,25 @@ std::vector<Preset> forms(std::span<const Preset> grown)
     return {std::move(snag), std::move(sapling), std::move(bare)};
 }
 
+std::vector<Preset> colonised()
+{
+    ColonisationParams umbrella;
+    umbrella.envelope = CrownEnvelope::Profile;
+    umbrella.profile = "0 0, 0.6 0.15, 0.72 1, 0.9 0.8, 1 0.2";
+    umbrella.crownRadius = 4.0;
+    umbrella.points = 5000;
+    umbrella.influence = 1.5;
+    umbrella.step = 0.12;
+    constexpr const char* group = RAMURE_NOOP("Space colonisation");
+    return {{"ParkTree", RAMURE_NOOP("A round crown that its branches fill"),
+             dressed(filling(ColonisationParams()), LeafShape::Linden, 1.3, FruitKind::Faithful, 0.0,
+                     BarkFamily::Furrowed),
+             "", group},
+            {"UmbrellaAcacia", RAMURE_NOOP("A flat roof of twigs, drawn as a profile"),
+             dressed(filling(umbrella), LeafShape::Mimosa, 1.1, FruitKind::Faithful, 0.0, BarkFamily::Corky),
+             "Vachellia tortilis", group}};
+}
+
 constexpr std::size_t courseworkCount = 4;
 
 std::vector<Preset> everyPreset()
@@ -177,23 +196,8 @@ std::vector<Preset> everyPreset()
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i].group =
             i < courseworkCount ? RAMURE_NOOP("Coursework") : RAMURE_NOOP("The Algorithmic Beauty of Plants");
-    ColonisationParams umbrella;
-    umbrella.envelope = CrownEnvelope::Profile;
-    umbrella.profile = "0 0, 0.6 0.15, 0.72 1, 0.9 0.8, 1 0.2";
-    umbrella.crownRadius = 4.0;
-    umbrella.points = 5000;
-    umbrella.influence = 1.5;
-    umbrella.step = 0.12;
-    for (Preset filled : {Preset{"ParkTree", RAMURE_NOOP("A round crown that its branches fill"),
-                                 dressed(filling(ColonisationParams()), LeafShape::Linden, 1.3,
-                                         FruitKind::Faithful, 0.0, BarkFamily::Furrowed)},
-                          Preset{"UmbrellaAcacia", RAMURE_NOOP("A flat roof of twigs, drawn as a profile"),
-                                 dressed(filling(umbrella), LeafShape::Mimosa, 1.1, FruitKind::Faithful, 0.0,
-                                         BarkFamily::Corky),
-                                 "Vachellia tortilis"}}) {
-        filled.group = RAMURE_NOOP("Space colonisation");
-        all.push_back(std::move(filled));
-    }
+    const auto filled = colonised();
+    all.insert(all.end(), filled.begin(), filled.end());
     for (const bool conifers : {false, true}) {
         const std::size_t first = all.size();
         for (const auto& list : {species(), broadleavedSpecies(), coniferSpecies()})

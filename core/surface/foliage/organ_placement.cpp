@@ -1,11 +1,11 @@
 #include "core/surface/foliage/organ_placement.h"
 
+#include "core/math/frame.h"
 #include "core/surface/foliage/leaf_placement.h"
 #include "core/surface/foliage/leaf_table.h"
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <glm/gtx/quaternion.hpp>
 
 namespace ramure {
 namespace {
@@ -16,17 +16,24 @@ struct Stand
     glm::dvec3 foot, heading, up;
 };
 
+/// \p v taken along as one frame turns into the other.
+glm::dvec3 turned(const glm::dvec3& v, const Frame& from, const Frame& to)
+{
+    return glm::dot(v, from.tangent) * to.tangent + glm::dot(v, from.normal) * to.normal +
+           glm::dot(v, from.binormal) * to.binormal;
+}
+
 Stand standOf(const Skeleton& skeleton, const Organ& organ)
 {
     const Index b = organ.branch;
     const glm::dvec3 way = skeleton.p1[b] - skeleton.p0[b];
     const double length = glm::length(way);
-    const glm::dquat turn = length > 0.0 ? glm::rotation(organ.axis, way / length) : glm::dquat(1, 0, 0, 0);
-    Stand stand{glm::mix(skeleton.p0[b], skeleton.p1[b], organ.share) + turn * organ.offset,
-                turn * organ.heading, turn * organ.up};
+    const Frame drawn = frameFromTangent(organ.axis);
+    const Frame now = length > 0.0 ? transported(drawn, way / length) : drawn;
+    Stand stand{glm::mix(skeleton.p0[b], skeleton.p1[b], organ.share) + turned(organ.offset, drawn, now),
+                turned(organ.heading, drawn, now), turned(organ.up, drawn, now)};
     // Out of the wood, on the side to which it points.
-    const glm::dvec3 axis = turn * organ.axis;
-    const glm::dvec3 aside = stand.heading - glm::dot(stand.heading, axis) * axis;
+    const glm::dvec3 aside = stand.heading - glm::dot(stand.heading, now.tangent) * now.tangent;
     if (glm::length(aside) > 1e-3)
         stand.foot += glm::mix(skeleton.a0[b], skeleton.a1[b], organ.share) * glm::normalize(aside);
     return stand;

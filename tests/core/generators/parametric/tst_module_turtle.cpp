@@ -348,6 +348,12 @@ void TestModuleTurtle::organsStandOnTheirBranches()
         QVERIFY(high.x - low.x > 0.25F && high.x - low.x < 0.45F); // a blade of 0.3 m and its petiole
         QVERIFY(tree->foliage->apples.front().position.y > 2.0);
     }
+    Skeleton bent = *drawn("F(1)~(leaf, 0.3)");
+    bent.p1[0] = {1, 0, 0};
+    const auto foliage = placeFoliage(bent, params.foliage, params.leaf, params.fruit, 0.1);
+    QVERIFY2(foliage, test::why(foliage));
+    QVERIFY(near(foliage->leaves.front().position, {1, 0, 0}));
+    QVERIFY(near(foliage->leaves.front().orientation * glm::dvec3(0, 1, 0), {1, 0, 0}, 1e-6));
 }
 
 QTEST_GUILESS_MAIN(TestModuleTurtle)
