@@ -2158,6 +2158,118 @@
 <context>
     <name>core</name>
     <message>
+        <source>A slim leaning trunk with a mop of feather fronds</source>
+        <translation>Un tronc mince et penché, coiffé de palmes en plumes</translation>
+    </message>
+    <message>
+        <source>A straight column under a fountain of stiff fronds</source>
+        <translation>Une colonne droite sous une fontaine de palmes raides</translation>
+    </message>
+    <message>
+        <source>A stout column below a head of fans</source>
+        <translation>Une forte colonne sous une tête d’éventails</translation>
+    </message>
+    <message>
+        <source>A fibrous trunk with a parasol of ferns</source>
+        <translation>Un tronc fibreux et son parasol de fougères</translation>
+    </message>
+    <message>
+        <source>Forking corky arms that end in bunches of daggers</source>
+        <translation>Des bras de liège fourchus, terminés par des bouquets de poignards</translation>
+    </message>
+    <message>
+        <source>A broken pine trunk with the stubs of its limbs</source>
+        <translation>Un tronc de pin brisé, avec les moignons de ses branches</translation>
+    </message>
+    <message>
+        <source>A young birch, three metres high</source>
+        <translation>Un jeune bouleau, haut de trois mètres</translation>
+    </message>
+    <message>
+        <source>An English oak in winter, without a leaf</source>
+        <translation>Un chêne pédonculé en hiver, sans une feuille</translation>
+    </message>
+    <message>
+        <source>Palms and rosettes</source>
+        <translation>Palmiers et rosettes</translation>
+    </message>
+    <message>
+        <source>Forms</source>
+        <translation>Formes</translation>
+    </message>
+    <message>
+        <source>A round dense head on a short straight trunk</source>
+        <translation>Une tête ronde et dense sur un tronc court et droit</translation>
+    </message>
+    <message>
+        <source>A tall open dome of stout rising limbs</source>
+        <translation>Un haut dôme ouvert de fortes branches montantes</translation>
+    </message>
+    <message>
+        <source>A huge ribbed trunk below a broad crown of long leaves</source>
+        <translation>Un énorme tronc côtelé sous une large cime de longues feuilles</translation>
+    </message>
+    <message>
+        <source>Far wider than high: heavy limbs that sink and rise again</source>
+        <translation>Bien plus large que haut&#xa0;: de lourdes branches qui plongent et remontent</translation>
+    </message>
+    <message>
+        <source>A wide fountain: the trunk parts low, its limbs arch over</source>
+        <translation>Une large fontaine&#xa0;: le tronc se divise bas, ses branches retombent en arceaux</translation>
+    </message>
+    <message>
+        <source>A straight tall mast with short rising limbs</source>
+        <translation>Un haut mât droit aux courtes branches montantes</translation>
+    </message>
+    <message>
+        <source>A light open crown that lets the sun through</source>
+        <translation>Une cime légère et ouverte qui laisse passer le soleil</translation>
+    </message>
+    <message>
+        <source>A loose vase of ferny leaves on crooked limbs</source>
+        <translation>Un vase lâche de feuilles de fougère sur des branches tortues</translation>
+    </message>
+    <message>
+        <source>A vast flat parasol on a short stout trunk</source>
+        <translation>Un vaste parasol plat sur un tronc court et fort</translation>
+    </message>
+    <message>
+        <source>A slim cone beside water, with round dark leaves</source>
+        <translation>Un cône élancé au bord de l’eau, aux feuilles rondes et sombres</translation>
+    </message>
+    <message>
+        <source>A fluted grey trunk in a close egg of leaves</source>
+        <translation>Un tronc gris cannelé dans un œuf serré de feuilles</translation>
+    </message>
+    <message>
+        <source>A stiff broad cone of level limbs</source>
+        <translation>Un cône raide et large de branches étagées</translation>
+    </message>
+    <message>
+        <source>A tower with a narrow crown of sinking limbs</source>
+        <translation>Une tour à la cime étroite, aux branches tombantes</translation>
+    </message>
+    <message>
+        <source>A wide cone whose limbs and top hang over</source>
+        <translation>Un large cône dont les branches et la flèche retombent</translation>
+    </message>
+    <message>
+        <source>the name of an organ is expected here: %1</source>
+        <translation>un nom d’organe est attendu ici&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>there is no organ &quot;%1&quot;; there are %2</source>
+        <translation>il n’y a pas d’organe «&#xa0;%1&#xa0;»&#xa0;; il y a %2</translation>
+    </message>
+    <message>
+        <source>%1 asks for a size below 0, or beyond all measure</source>
+        <translation>%1 demande une taille inférieure à 0, ou démesurée</translation>
+    </message>
+    <message>
+        <source>%1 has no branch before it that could carry it</source>
+        <translation>%1 n’a avant lui aucune branche qui puisse le porter</translation>
+    </message>
+    <message>
         <source>&quot;%1&quot; has no branches</source>
         <translation>«&#xa0;%1&#xa0;» n’a pas de branches</translation>
     </message>

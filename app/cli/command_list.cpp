@@ -141,7 +141,7 @@ Expected<void> addSpecies(QJsonObject& entry, TreePipeline& pipeline, const Pres
     entry.insert(QStringLiteral("published"),
                  published ? QJsonValue(jsonMeasures(published->mean)) : QJsonValue());
     entry.insert(QStringLiteral("source"),
-                 published ? QJsonValue(QLatin1String(publishedSource)) : QJsonValue());
+                 published ? QJsonValue(QLatin1String(published->source)) : QJsonValue());
     return {};
 }
 

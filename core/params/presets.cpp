@@ -1,5 +1,6 @@
 #include "core/params/presets.h"
 
+#include "core/params/organ_presets.h"
 #include "core/params/species.h"
 #include <algorithm>
 #include <vector>
@@ -105,6 +106,66 @@ NodeParams dressed(NodeParams tree, LeafShape leaf, double leafSize, FruitKind f
     return tree;
 }
 
+/// Species in another state than a grown tree's in summer.
+std::vector<Preset> forms(std::span<const Preset> grown)
+{
+    const auto like = [grown](std::string_view name) {
+        return std::ranges::find(grown, name, &Preset::name)->params;
+    };
+    constexpr const char* group = RAMURE_NOOP("Forms");
+    Preset snag{"DeadSnag", RAMURE_NOOP("A broken pine trunk with the stubs of its limbs"), like("ScotsPine"),
+                "", group};
+    WeberPennParams& dead = snag.params.weberPenn;
+    dead.levels = 2;
+    dead.baseSize = 0.25;
+    dead.ratioPower = 1.0;
+    dead.level[0].taper = 0.75;
+    dead.level[0].curveV = 0.9;
+    dead.level[1].length = 0.16;
+    dead.level[1].lengthV = 0.1;
+    dead.level[1].branches = 17;
+    snag.params.foliage.leavesCutoff = 0.0;
+    snag.params.foliage.applesProbability = 0.0;
+    snag.params.bark.family = BarkFamily::Fibrous;
+    snag.params.bark.light = 0.3;
+    Preset sapling{"Sapling", RAMURE_NOOP("A young birch, three metres high"), like("SilverBirch"), "",
+                   group};
+    WeberPennParams& young = sapling.params.weberPenn;
+    young.scale = 3.2;
+    young.scaleV = 0.4;
+    young.ratio = 0.011;
+    young.baseSize = 0.12;
+    young.level[1].branches = 16;
+    young.level[2].branches = 7;
+    sapling.params.leaf.size = 4.0;
+    sapling.params.leaf.internode = 3.0;
+    sapling.params.foliage.leavesCutoff = 0.3;
+    Preset bare{"WinterOak", RAMURE_NOOP("An English oak in winter, without a leaf"), like("EnglishOak"), "",
+                group};
+    bare.params.leaf.season = 1.0;
+    bare.params.foliage.applesProbability = 0.0;
+    return {std::move(snag), std::move(sapling), std::move(bare)};
+}
+
+std::vector<Preset> colonised()
+{
+    ColonisationParams umbrella;
+    umbrella.envelope = CrownEnvelope::Profile;
+    umbrella.profile = "0 0, 0.6 0.15, 0.72 1, 0.9 0.8, 1 0.2";
+    umbrella.crownRadius = 4.0;
+    umbrella.points = 5000;
+    umbrella.influence = 1.5;
+    umbrella.step = 0.12;
+    constexpr const char* group = RAMURE_NOOP("Space colonisation");
+    return {{"ParkTree", RAMURE_NOOP("A round crown that its branches fill"),
+             dressed(filling(ColonisationParams()), LeafShape::Linden, 1.3, FruitKind::Faithful, 0.0,
+                     BarkFamily::Furrowed),
+             "", group},
+            {"UmbrellaAcacia", RAMURE_NOOP("A flat roof of twigs, drawn as a profile"),
+             dressed(filling(umbrella), LeafShape::Mimosa, 1.1, FruitKind::Faithful, 0.0, BarkFamily::Corky),
+             "Vachellia tortilis", group}};
+}
+
 constexpr std::size_t courseworkCount = 4;
 
 std::vector<Preset> everyPreset()
@@ -135,23 +196,8 @@ std::vector<Preset> everyPreset()
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i].group =
             i < courseworkCount ? RAMURE_NOOP("Coursework") : RAMURE_NOOP("The Algorithmic Beauty of Plants");
-    ColonisationParams umbrella;
-    umbrella.envelope = CrownEnvelope::Profile;
-    umbrella.profile = "0 0, 0.6 0.15, 0.72 1, 0.9 0.8, 1 0.2";
-    umbrella.crownRadius = 4.0;
-    umbrella.points = 5000;
-    umbrella.influence = 1.5;
-    umbrella.step = 0.12;
-    for (Preset filled : {Preset{"ParkTree", RAMURE_NOOP("A round crown that its branches fill"),
-                                 dressed(filling(ColonisationParams()), LeafShape::Linden, 1.3,
-                                         FruitKind::Faithful, 0.0, BarkFamily::Furrowed)},
-                          Preset{"UmbrellaAcacia", RAMURE_NOOP("A flat roof of twigs, drawn as a profile"),
-                                 dressed(filling(umbrella), LeafShape::Mimosa, 1.1, FruitKind::Faithful, 0.0,
-                                         BarkFamily::Corky),
-                                 "Vachellia tortilis"}}) {
-        filled.group = RAMURE_NOOP("Space colonisation");
-        all.push_back(std::move(filled));
-    }
+    const auto filled = colonised();
+    all.insert(all.end(), filled.begin(), filled.end());
     for (const bool conifers : {false, true}) {
         const std::size_t first = all.size();
         for (const auto& list : {species(), broadleavedSpecies(), coniferSpecies()})
@@ -163,6 +209,8 @@ std::vector<Preset> everyPreset()
             return std::string_view(a.name) < std::string_view(b.name);
         });
     }
+    for (const auto& more : {organPresets(), forms(all)})
+        all.insert(all.end(), more.begin(), more.end());
     for (std::size_t i = courseworkCount; i < all.size(); ++i) // those of the coursework have no scale
         all[i].params.texture.tileSize = grownBarkTile(all[i].params.bark.family);
     return all;

@@ -22,12 +22,8 @@ struct PublishedMeasures
     std::string_view latin; ///< as in Preset
     TreeMeasures mean;      ///< of the quarter with the thickest stems
     int measured = 0;       ///< trees in all
+    const char* source = "";
 };
-
-/// What all rows are from.
-inline constexpr const char* publishedSource =
-    "E. G. McPherson, N. S. van Doorn, P. J. Peper: Urban tree database. Forest Service Research Data "
-    "Archive, Fort Collins 2016, doi 10.2737/RDS-2016-0005";
 
 std::span<const PublishedMeasures> publishedMeasures();
 /// nullptr of a species that is not among them.

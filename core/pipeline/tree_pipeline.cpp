@@ -53,7 +53,7 @@ std::size_t bytesOf(const GrownSymbols& grown)
 std::size_t bytesOf(const Skeleton& s)
 {
     return bytesOf(s.parent) + bytesOf(s.p0) + bytesOf(s.p1) + bytesOf(s.a0) + bytesOf(s.a1) +
-           bytesOf(s.level) + bytesOf(s.key) + bytesOf(s.source);
+           bytesOf(s.level) + bytesOf(s.key) + bytesOf(s.source) + bytesOf(s.organs);
 }
 std::size_t bytesOf(const SimplifiedSkeleton& s)
 {

@@ -3,6 +3,7 @@
 #include "core/math/reproducible.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <numbers>
 
 namespace ramure {
@@ -82,6 +83,24 @@ void merge(const Skeleton& skeleton, const AngleTest& angle, const std::vector<I
     }
 }
 
+/// Organs stay where they are, on the branch that took theirs in.
+void moveOrgans(const Skeleton& skeleton, SimplifiedSkeleton& result)
+{
+    Skeleton& out = result.skeleton;
+    out.organs = skeleton.organs;
+    for (Organ& organ : out.organs) {
+        const Index from = organ.branch, into = result.mergedInto[from];
+        const glm::dvec3 place = glm::mix(skeleton.p0[from], skeleton.p1[from], organ.share) + organ.offset;
+        const glm::dvec3 way = out.p1[into] - out.p0[into];
+        const double squared = glm::dot(way, way);
+        organ.branch = into;
+        organ.axis = squared > 0.0 ? way / std::sqrt(squared) : organ.axis;
+        organ.share =
+            squared > 0.0 ? std::clamp(glm::dot(place - out.p0[into], way) / squared, 0.0, 1.0) : 1.0;
+        organ.offset = place - glm::mix(out.p0[into], out.p1[into], organ.share);
+    }
+}
+
 } // namespace
 
 SimplifiedSkeleton simplify(const Skeleton& skeleton, double rotationThresholdRad)
@@ -105,6 +124,7 @@ Expected<SimplifiedSkeleton> simplify(const Skeleton& skeleton, double rotationT
     }
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+    moveOrgans(skeleton, result);
     return result;
 }
 

@@ -12,6 +12,22 @@
 
 namespace ramure {
 
+enum class OrganKind : std::uint8_t { Leaf, Fruit };
+
+/// A leaf, fruit or flower that a grammar puts in one place. What it says is of the branch as it was drawn: a
+/// branch that is bent later takes its organs along.
+struct Organ
+{
+    Index branch = noIndex;
+    OrganKind kind = OrganKind::Leaf;
+    double share = 1.0;               ///< of the branch's length, from its start
+    glm::dvec3 offset{0.0};           ///< m, from there
+    glm::dvec3 axis{0.0};             ///< unit, the branch's direction
+    glm::dvec3 heading{0.0}, up{0.0}; ///< unit: where it points, where its upper side looks
+    double size = -1.0; ///< m, of a leaf its length, of a fruit its width; below 0: as large as usual
+    bool operator==(const Organ&) const = default;
+};
+
 /// Invariants: all arrays have one length; parent[i] < i or noIndex (a root); a child starts at its parent's
 /// p1.
 struct Skeleton
@@ -26,6 +42,7 @@ struct Skeleton
         source; ///< before simplification: noIndex-free 0..n-1; after: the first branch merged into it
     /// Names other than the keys, ascending by branch: see name().
     std::vector<std::pair<Index, std::uint64_t>> renamed;
+    std::vector<Organ> organs; ///< as they were drawn
 
     [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
     [[nodiscard]] bool empty() const { return parent.empty(); }

@@ -42,6 +42,9 @@ ROWS = {
     "palm": ("TinyTree", ["foliage.leaf=palm", "foliage.fruit=coconut", "bark.family=palmScars"]),
     "apple": ("SmallTree", ["foliage.leaf=apple", "foliage.fruit=apple", "bark.family=scaly"]),
 }
+# Presets as they are; any other may be named, too.
+SPECIES = ["QuakingAspen", "SilverBirch", "EnglishOak", "EuropeanBeech", "WeepingWillow", "SugarMaple", "LondonPlane",
+           "OliveTree", "ScotsPine", "NorwaySpruce", "CoconutPalm", "TreeFern"]
 
 
 def run(*arguments):
@@ -237,7 +240,7 @@ def similarity(a, b):
 
 
 def judged(cli, folder, name):
-    preset, settings = ROWS[name]
+    preset, settings = ROWS.get(name, (name, []))
     eye, target = ours(cli, preset, settings, folder, name)
     arrange(folder, name, eye, target)
     light(folder / "sky.hdr")
@@ -277,7 +280,7 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     rows = ["| tree | silhouette | crown | bark | structure | bars |", "| --- | ---: | ---: | ---: | ---: | --- |"]
     print("\n".join(rows))
-    for name in arguments[2:] or ROWS:
+    for name in arguments[2:] or [*ROWS, *SPECIES]:
         found = judged(cli, folder, name)
         held = [not value < bar if i in (0, 3) else not value > bar for i, (value, bar) in enumerate(zip(found, BARS))]
         said = "met" if all(held) else "not met"

@@ -146,6 +146,8 @@ private:
         case '%':
             skipBranch();
             break;
+        case '~':
+            return putOrgan(state, module);
         default:
             break;
         }
@@ -238,6 +240,23 @@ private:
         state.branch = i;
         state.isApart = false;
         state.turns = 0;
+    }
+
+    const char* putOrgan(const State& state, const Module& module)
+    {
+        const std::optional<OrganKind> kind = m_word.sources[module.source].organ;
+        if (!kind)
+            return nullptr;
+        const double size = numberOf(module, -1.0);
+        if (m_word.numbersOf(module) > 0 && !(size >= 0.0 && size <= farthest))
+            return RAMURE_NOOP("%1 asks for a size below 0, or beyond all measure");
+        if (state.branch == noIndex)
+            return RAMURE_NOOP("%1 has no branch before it that could carry it");
+        const glm::dvec3 end = m_skeleton.p1[state.branch];
+        m_skeleton.organs.push_back({state.branch, *kind, 1.0, state.position - end,
+                                     glm::normalize(end - m_skeleton.p0[state.branch]), state.heading,
+                                     state.up, size});
+        return nullptr;
     }
 
     void bend(State& state)

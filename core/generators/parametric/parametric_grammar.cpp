@@ -14,6 +14,16 @@ constexpr const char* constantsPath = "grammar.constants";
 constexpr std::array<std::string_view, 9> functions{"min", "max",  "abs",   "sqrt", "sin",
                                                     "cos", "rand", "order", "age"};
 
+struct OrganName
+{
+    std::string_view name;
+    OrganKind kind;
+};
+/// Flowers are a kind of fruit (core/params/fruit_params.h).
+constexpr std::array organNames{OrganName{"leaf", OrganKind::Leaf}, OrganName{"fruit", OrganKind::Fruit},
+                                OrganName{"flower", OrganKind::Fruit}};
+constexpr const char* organList = "leaf, fruit, flower";
+
 using Done = Expected<void>;
 
 /// Calls \p visit(line, number) for every line of the text until one fails.
@@ -277,13 +287,14 @@ private:
         const auto first = static_cast<std::uint32_t>(out.numbers.size());
         out.modules.push_back({first, static_cast<std::uint16_t>(m_made.sources.size()), 0, name});
         const bool hasNumbers = name != '[' && name != ']' && text.take("(");
+        std::optional<OrganKind> organ;
+        if (hasNumbers && name == '~')
+            if (auto done = readOrgan(text, organ); !done)
+                return done;
         if (hasNumbers) {
-            if (name == '~')
-                skipOrganName(text);
-            do
+            for (bool more = !organ || text.take(","); more; more = text.take(","))
                 if (auto done = readNumber(text, out); !done)
                     return done;
-            while (text.take(","));
             if (!text.take(")"))
                 return failAt(text.place(), ErrorCode::Syntax,
                               RAMURE_NOOP("an operator, \",\" or \")\" is expected here"));
@@ -291,16 +302,25 @@ private:
         const std::size_t numbers = out.numbers.size() - first;
         if (numbers > mostModuleNumbers)
             return tooManyNumbers(place);
-        m_made.sources.push_back({name, static_cast<std::uint8_t>(numbers), place});
+        m_made.sources.push_back({name, static_cast<std::uint8_t>(numbers), organ, place});
         return {};
     }
 
     /// The kind of an organ is a word, its size the first number.
-    static void skipOrganName(TextScanner& text)
+    static Done readOrgan(TextScanner& text, std::optional<OrganKind>& organ)
     {
-        TextScanner after = text;
-        if (!after.takeName().empty() && after.take(","))
-            text = after;
+        const TextPlace place = text.place();
+        const std::string_view name = text.takeName();
+        const auto found = std::ranges::find(organNames, name, &OrganName::name);
+        if (found == organNames.end())
+            return name.empty()
+                       ? failAt(place, ErrorCode::Syntax,
+                                RAMURE_NOOP("the name of an organ is expected here: %1"), {organList})
+                       : failAt(place, ErrorCode::Unknown,
+                                RAMURE_NOOP("there is no organ \"%1\"; there are %2"),
+                                {std::string(name), organList});
+        organ = found->kind;
+        return {};
     }
 
     Done readNumber(TextScanner& text, Production& out)

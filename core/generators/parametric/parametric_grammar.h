@@ -7,6 +7,8 @@
 ///     module    = letter [ "(" ... ")" ]       names in front of the arrow, expressions behind it
 ///     constants = lines of: name "=" expression
 ///
+/// ~(name, size) names an organ: leaf, fruit or flower.
+///
 /// A letter is one of A-Z a-z + - & ^ \ / | $ ! % ~ [ ]. The first rule whose module, contexts and condition
 /// fit is used; a module fits where it has as many numbers. A context is the one module before it on the way
 /// from the root, or the next one after it on the same branch: brackets are skipped. Comments begin with #.
@@ -14,6 +16,7 @@
 
 #include "core/generators/parametric/expression.h"
 #include "core/params/node_params.h"
+#include "core/skeleton/skeleton.h"
 #include <array>
 #include <optional>
 #include <vector>
@@ -24,7 +27,8 @@ namespace ramure {
 struct ModuleSource
 {
     char name = 0;
-    std::uint8_t numbers = 0; ///< that it carries
+    std::uint8_t numbers = 0;       ///< that it carries
+    std::optional<OrganKind> organ; ///< of ~(name, size)
     TextPlace place;
 };
 

@@ -8,6 +8,7 @@
 #include "core/surface/foliage/leaf_placement.h"
 #include "core/surface/foliage/leaf_season.h"
 #include "core/surface/foliage/leaf_table.h"
+#include "core/surface/foliage/organ_placement.h"
 #include <algorithm>
 #include <cmath>
 
@@ -212,6 +213,8 @@ Expected<Foliage> placeFoliage(const Skeleton& skeleton, const FoliageParams& pa
     if (!apples)
         return fail(std::move(apples.error()));
     Foliage made{std::move(*leaves), std::move(*apples), leafForm(leaf), hung};
+    if (auto done = placeOrgans(skeleton, leaf, alpha, made); !done)
+        return fail(std::move(done.error()));
     if (made.form.turns && made.form.shape != LeafShape::Faithful)
         turnLeaves(skeleton, leaf.season, made);
     return made;

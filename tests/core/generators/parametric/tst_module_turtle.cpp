@@ -59,6 +59,8 @@ private slots:
     void cutsTheRestOfTheBranch();
     void tropismBends();
     void levelsAndAxes();
+    void organsPointAhead();
+    void organsStandOnTheirBranches();
     void chanceVariesTurnsAndLengths();
     void booksTrees_data();
     void booksTrees();
@@ -70,7 +72,8 @@ private slots:
 
 void TestModuleTurtle::badNumbersNameTheirPlace()
 {
-    for (const char* const bad : {"F\n F(0-1)", "F\n !(0-1)", "F\n f(1e10)", "F\n f(0-2)F"}) {
+    for (const char* const bad :
+         {"F\n F(0-1)", "F\n !(0-1)", "F\n f(1e10)", "F\n f(0-2)F", "F\n ~(leaf, 0-1)", "\n ~(leaf, 1)F"}) {
         const auto s = drawn(bad);
         QVERIFY2(!s, bad);
         QCOMPARE(s.error().path, std::string("grammar.axiom"));
@@ -303,6 +306,54 @@ void TestModuleTurtle::meshesAreSound()
         QVERIFY2(result, test::why(result));
         QVERIFY2(result->report->valid, tree.figure);
     }
+}
+
+void TestModuleTurtle::organsPointAhead()
+{
+    const auto s = drawn("~F(2)[+(90)~(leaf, 0.5)]~(fruit)[&(90)~(flower, 0.1)]");
+    QVERIFY2(s, test::why(s));
+    QCOMPARE(s->organs.size(), std::size_t(3));
+    QVERIFY(s->organs[0].kind == OrganKind::Leaf && s->organs[0].size == 0.5);
+    QVERIFY(near(s->organs[0].heading, {-1, 0, 0}) && near(s->organs[0].up, {0, 0, 1}));
+    QVERIFY(s->organs[1].kind == OrganKind::Fruit && s->organs[1].size < 0.0);
+    QVERIFY(near(s->organs[1].heading, {0, 1, 0}) && near(s->organs[1].offset, {0, 0, 0}));
+    QVERIFY(s->organs[2].kind == OrganKind::Fruit && near(s->organs[2].axis, {0, 1, 0}));
+}
+
+/// Merged into a longer branch, bent with it, and in the foliage as any other leaf.
+void TestModuleTurtle::organsStandOnTheirBranches()
+{
+    NodeParams params;
+    params.grammar = {
+        "!(0.1)F(1)[+(90)~(leaf, 0.3)]F(1)~(fruit, 0.2)", "", 0, false, 1, GrammarDialect::Parametric, ""};
+    params.foliage.leavesCutoff = 0.0; // nothing grows by itself
+    params.leaf.shape = LeafShape::Beech;
+    params.fruit.kind = FruitKind::Apple;
+    for (const bool merged : {false, true}) {
+        params.simplify.enabled = merged;
+        TreePipeline pipeline;
+        const auto tree = pipeline.evaluate(params, Stage::Foliage);
+        QVERIFY2(tree, test::why(tree));
+        QCOMPARE(tree->simplified->skeleton.size(), Index(merged ? 1 : 2));
+        QCOMPARE(tree->foliage->leaves.size(), std::size_t(1));
+        QCOMPARE(tree->foliage->apples.size(), std::size_t(1));
+        const FoliageItem& leaf = tree->foliage->leaves.front();
+        QVERIFY(glm::length(leaf.position - glm::dvec3(-0.05, 1.0, 0.0)) < 0.01); // on the bark
+        QVERIFY(near(leaf.orientation * glm::dvec3(0, 1, 0), {-1, 0, 0}, 1e-6));
+        glm::vec3 low(1e9F), high(-1e9F);
+        for (const glm::vec3& p : tree->leaves->positions) {
+            low = glm::min(low, p);
+            high = glm::max(high, p);
+        }
+        QVERIFY(high.x - low.x > 0.25F && high.x - low.x < 0.45F); // a blade of 0.3 m and its petiole
+        QVERIFY(tree->foliage->apples.front().position.y > 2.0);
+    }
+    Skeleton bent = *drawn("F(1)~(leaf, 0.3)");
+    bent.p1[0] = {1, 0, 0};
+    const auto foliage = placeFoliage(bent, params.foliage, params.leaf, params.fruit, 0.1);
+    QVERIFY2(foliage, test::why(foliage));
+    QVERIFY(near(foliage->leaves.front().position, {1, 0, 0}));
+    QVERIFY(near(foliage->leaves.front().orientation * glm::dvec3(0, 1, 0), {1, 0, 0}, 1e-6));
 }
 
 QTEST_GUILESS_MAIN(TestModuleTurtle)

@@ -58,6 +58,10 @@ void TestParametricGrammar::errorsNameTheirPlace_data()
     add("0/0 in a condition", "A", "A(l) : 0/0 > l -> F", "", rules, 1, 9);
     add("0/0 in a constant", "A", "", "a = 1\nb = 0/0", constants, 2, 6);
     add("no arrow", "A", "A", "", rules, 1, 2);
+    add("an organ that there is not", "F\n ~(petal, 1)", "", "", axiom, 2, 4);
+    add("an organ of a rule that there is not", "A", "\nA(s) -> F~(s)", "", rules, 2, 12);
+    add("an organ without a name", "A", "A -> F~(0.1)", "", rules, 1, 9);
+    add("an organ without the number after its comma", "F~(leaf,)", "", "", axiom, 1, 9);
     add("no module before the arrow", "A", "-> F", "", rules, 1, 1);
     add("an unknown name", "A", "A(l) -> F(l * k)", "", rules, 1, 15);
     add("a name for two", "A", "A(l) < B(l) -> F", "", rules, 1, 13);

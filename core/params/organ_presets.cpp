@@ -1,0 +1,93 @@
+#include "core/params/organ_presets.h"
+
+namespace ramure {
+namespace {
+
+// clang-format off
+/// Trunk T, crown K of fronds P, leaflets along each; r turns from one to the next.
+constexpr const char* turns = "r = 137.5";
+constexpr const char* coconutRules = R"(T(n) : n < 12 -> &(2-n*0.35)F(0.86)!(0.4-0.012*n)&(1-n*0.2)F(0.86)!(0.394-0.012*n)T(n+1)
+K(n) : n < 7 -> [/(n*4*r)&(18+n*14)!(0.07)P(0)][/(n*4*r+r)&(22+n*14)!(0.07)P(0)][/(n*4*r+2*r)&(25+n*14)!(0.07)P(0)][/(n*4*r+3*r)&(29+n*14)!(0.07)P(0)]B(n)F(0.07)K(n+1)
+B(n) : n == 5 -> [/(40)&(110)~(fruit,0.26)][/(130)&(120)~(fruit,0.26)][/(210)&(115)~(fruit,0.26)][/(300)&(120)~(fruit,0.26)]
+P(m) : m < 8 -> F(0.19)!(0.06-0.005*m)[+(58)&(18)~(leaf,0.95-0.05*m)][-(58)&(18)~(leaf,0.95-0.05*m)]&(5)F(0.19)[+(55)&(18)~(leaf,0.93-0.05*m)][-(55)&(18)~(leaf,0.93-0.05*m)]&(5)P(m+1)
+)";
+constexpr const char* datePalmRules = R"(T(n) : n < 12 -> F(0.54)!(0.59-0.002*n)F(0.54)!(0.59-0.002*n)T(n+1)
+K(n) : n < 9 -> [/(n*4*r)&(12+n*13)!(0.08)P(0)][/(n*4*r+r)&(15+n*13)!(0.08)P(0)][/(n*4*r+2*r)&(18+n*13)!(0.08)P(0)][/(n*4*r+3*r)&(21+n*13)!(0.08)P(0)]F(0.12)K(n+1)
+P(m) : m < 8 -> F(0.21)!(0.07-0.006*m)[+(48)^(12)~(leaf,0.8-0.04*m)][-(48)^(12)~(leaf,0.8-0.04*m)]&(2.6)F(0.21)[+(46)^(12)~(leaf,0.78-0.04*m)][-(46)^(12)~(leaf,0.78-0.04*m)]&(2.6)P(m+1)
+)";
+constexpr const char* fanPalmRules = R"(T(n) : n < 10 -> F(0.52)!(0.82-0.012*n)F(0.52)!(0.816-0.012*n)T(n+1)
+K(n) : n < 9 -> [/(n*4*r)&(14+n*12)!(0.05)P(0)][/(n*4*r+r)&(17+n*12)!(0.05)P(0)][/(n*4*r+2*r)&(20+n*12)!(0.05)P(0)][/(n*4*r+3*r)&(23+n*12)!(0.05)P(0)]F(0.17)K(n+1)
+P(m) : m < 4 -> F(0.43)!(0.044-0.005*m)&(3)P(m+1)
+P(m) : m == 4 -> F(0.2)~(leaf,1)P(5)
+)";
+constexpr const char* treeFernRules = R"(T(n) : n < 6 -> &(1.5)F(0.3)!(0.24-0.006*n)F(0.3)T(n+1)
+K(n) : n < 7 -> F(0.09)[/(n*3*r)&(28+n*8)~(leaf,2.4)][/(n*3*r+r)&(31+n*8)~(leaf,2.6)][/(n*3*r+2*r)&(34+n*8)~(leaf,2.3)]K(n+1)
+)";
+/// Arms A and B end in bunches L.
+constexpr const char* joshuaTreeRules = R"(A(s,n) : n < 3 -> !(0.38*s)F(0.8*s)[/(n*70)&(38)B(s*0.86,n)][/(n*70+125)&(46)B(s*0.82,n)][/(n*70+240)&(42)B(s*0.8,n)]
+A(s,n) -> L(0)
+B(s,n) -> !(0.28*s)F(0.8*s)^(9)F(0.8*s)A(s*0.95,n+1)
+L(k) : k < 3 -> !(0.2)F(0.16)[/(k*4*r)&(25+k*30)~(leaf,0.65)][/(k*4*r+r)&(28+k*30)~(leaf,0.65)][/(k*4*r+2*r)&(31+k*30)~(leaf,0.65)][/(k*4*r+3*r)&(35+k*30)~(leaf,0.65)][/(k*4*r+35)&(40+k*28)~(leaf,0.6)][/(k*4*r+160)&(50+k*27)~(leaf,0.6)][/(k*4*r+280)&(45+k*27)~(leaf,0.6)]/(61)[/(k*4*r)&(25+k*30)~(leaf,0.65)][/(k*4*r+r)&(28+k*30)~(leaf,0.65)][/(k*4*r+2*r)&(31+k*30)~(leaf,0.65)][/(k*4*r+3*r)&(35+k*30)~(leaf,0.65)][/(k*4*r+35)&(40+k*28)~(leaf,0.6)][/(k*4*r+160)&(50+k*27)~(leaf,0.6)][/(k*4*r+280)&(45+k*27)~(leaf,0.6)]L(k+1)
+)";
+// clang-format on
+
+struct Plant
+{
+    const char* axiom;
+    const char* rules;
+    std::int64_t iterations;
+    LeafShape leaf;
+    double leafWidth, leafCurl;
+    BarkFamily bark;
+    FruitKind fruit = FruitKind::Faithful;
+};
+
+/// In metres and degrees. Nothing grows but what the rules say.
+NodeParams paramsOf(const Plant& plant)
+{
+    NodeParams params;
+    params.grammar = {plant.axiom, plant.rules, plant.iterations, false, 1, GrammarDialect::Parametric,
+                      turns};
+    params.leaf.shape = plant.leaf;
+    params.leaf.width = plant.leafWidth;
+    params.leaf.curl = plant.leafCurl;
+    params.foliage.leavesCutoff = 0.0;
+    params.foliage.applesProbability = 0.0;
+    params.fruit.kind = plant.fruit;
+    params.bark.family = plant.bark;
+    params.simplify.enabled = false; // a crown is thinner than the trunk it goes on from
+    params.sections = {3, 8};
+    params.mesh.clampOvershoot = true;
+    return params;
+}
+
+} // namespace
+
+std::vector<Preset> organPresets()
+{
+    constexpr const char* group = RAMURE_NOOP("Palms and rosettes");
+    return {
+        {"CoconutPalm", RAMURE_NOOP("A slim leaning trunk with a mop of feather fronds"),
+         paramsOf({"!(0.55)F(0.2)!(0.44)T(0)!(0.14)F(0.15)K(0)", coconutRules, 16, LeafShape::Willow, 0.5,
+                   0.5, BarkFamily::PalmScars, FruitKind::Coconut}),
+         "Cocos nucifera", group},
+        {"DatePalm", RAMURE_NOOP("A straight column under a fountain of stiff fronds"),
+         paramsOf({"!(0.7)F(0.2)!(0.6)T(0)!(0.12)F(0.2)K(0)", datePalmRules, 16, LeafShape::Willow, 0.6, 0.1,
+                   BarkFamily::PalmScars}),
+         "Phoenix dactylifera", group},
+        {"FanPalm", RAMURE_NOOP("A stout column below a head of fans"),
+         paramsOf({"!(1)F(0.3)!(0.84)T(0)!(0.1)F(0.25)K(0)", fanPalmRules, 16, LeafShape::FanPalm, 1, 0.5,
+                   BarkFamily::PalmScars}),
+         "Washingtonia filifera", group},
+        {"JoshuaTree", RAMURE_NOOP("Forking corky arms that end in bunches of daggers"),
+         paramsOf({"!(0.7)F(0.6)!(0.5)F(1.0)A(1,0)", joshuaTreeRules, 9, LeafShape::Grass, 2, 0,
+                   BarkFamily::Corky}),
+         "Yucca brevifolia", group},
+        {"TreeFern", RAMURE_NOOP("A fibrous trunk with a parasol of ferns"),
+         paramsOf({"!(0.34)F(0.2)!(0.26)T(0)K(0)", treeFernRules, 16, LeafShape::Fern, 1, 1.1,
+                   BarkFamily::Fibrous}),
+         "Dicksonia antarctica", group},
+    };
+}
+
+} // namespace ramure
