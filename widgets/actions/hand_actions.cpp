@@ -15,12 +15,13 @@ HandActions::HandActions(Document* document, ViewportHost* host, QActionGroup* t
     : QObject(parent)
     , m_document(document)
     , m_settings(host->settings()->hand())
-    , m_keep(set->add({"hand.keepSelected",
-                       QT_TRANSLATE_NOOP("Actions", "Keep &only this limb"),
-                       nullptr,
-                       {},
-                       QT_TRANSLATE_NOOP("Actions", "All goes but the limb of the active branch, what grows on "
-                                                    "it and the way down to the ground")}))
+    , m_keep(
+          set->add({"hand.keepSelected",
+                    QT_TRANSLATE_NOOP("Actions", "Keep &only this limb"),
+                    nullptr,
+                    {},
+                    QT_TRANSLATE_NOOP("Actions", "All goes but the limb of the active branch, what grows on "
+                                                 "it and the way down to the ground")}))
     , m_leaves(set->add({"hand.toggleLeaves",
                          QT_TRANSLATE_NOOP("Actions", "Leaves of the l&imb on or off"),
                          nullptr,
@@ -40,8 +41,7 @@ HandActions::HandActions(Document* document, ViewportHost* host, QActionGroup* t
     connect(m_settings, &HandSettings::toolChanged, this, &HandActions::followTool);
     connect(m_keep, &QAction::triggered, this, [this] {
         const Selection& selection = m_document->selection();
-        if (const auto limb =
-                LimbFinder().startOf(*m_document, selection.branchNode, selection.activeBranch))
+        if (const auto limb = LimbFinder().startOf(*m_document, selection.branchNode, selection.activeBranch))
             report(keepLimb(*m_document, *limb));
     });
     connect(m_leaves, &QAction::triggered, this,

@@ -47,7 +47,8 @@ ToolPoint Viewport::Private::pointAt(QPointF position) const
 
 ToolPoint Viewport::Private::pointOf(const QMouseEvent& event) const
 {
-    return {view(), event.position(), event.button(), event.modifiers(), event.position(), pressure, isEraser};
+    return {view(),           event.position(), event.button(), event.modifiers(),
+            event.position(), pressure,         isEraser};
 }
 
 void Viewport::Private::setCamera(const Camera& moved)

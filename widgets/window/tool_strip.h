@@ -20,8 +20,8 @@ class ToolStrip : public QWidget
 {
     Q_OBJECT
 public:
-    /// \param tools all actions of the tool bar, one of which is checked. \param transforms what the tools that
-    /// move nodes have: shown with them. Nothing is owned but \p transforms.
+    /// \param tools all actions of the tool bar, one of which is checked. \param transforms what the tools
+    /// that move nodes have: shown with them. Nothing is owned but \p transforms.
     ToolStrip(ViewSettings* settings, QList<QAction*> tools, QToolBar* transforms, QWidget* parent);
 
     void retranslate();

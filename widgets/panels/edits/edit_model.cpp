@@ -29,7 +29,8 @@ QString editText(const TreeEdit& edit)
 {
     const EditOperationInfo& info = infoOf(edit.operation);
     const QString name = coreText(info.label);
-    if (info.fields & editFactor && edit.operation != EditOperation::Graft && edit.operation != EditOperation::Root)
+    if (info.fields & editFactor && edit.operation != EditOperation::Graft &&
+        edit.operation != EditOperation::Root)
         return EditModel::tr("%1 × %2", "an edit and its factor")
             .arg(name, QLocale().toString(edit.factor, 'f', 2));
     if (edit.operation == EditOperation::Cut)
@@ -231,8 +232,7 @@ QMimeData* EditModel::mimeData(const QModelIndexList& indexes) const
 }
 
 /// The row is moved by a command; false: the view has nothing to take away.
-bool EditModel::dropMimeData(const QMimeData* data, Qt::DropAction, int row, int,
-                             const QModelIndex& parent)
+bool EditModel::dropMimeData(const QMimeData* data, Qt::DropAction, int row, int, const QModelIndex& parent)
 {
     bool good = false;
     const int from = data->data(rowType).toInt(&good);

@@ -1,6 +1,6 @@
 /// \file
-/// The edits that a hand made to one tree, in the order in which they act: a row each, to be renamed, switched
-/// on and off and moved.
+/// The edits that a hand made to one tree, in the order in which they act: a row each, to be renamed,
+/// switched on and off and moved.
 #pragma once
 
 #include "core/document/document.h"

@@ -106,10 +106,11 @@ void EditsPanel::follow()
 {
     const Node* node = m_document->scene().find(m_model->tree());
     m_pages->setCurrentWidget(m_model->rowCount() > 0 ? m_list : static_cast<QWidget*>(m_empty));
-    m_empty->setText(node ? tr("Nothing was done by hand to “%1” yet. Choose a tool beside the view: cut, bend, "
-                               "draw. Each thing that you do is listed here, and is kept when the tree changes.")
-                                .arg(QString::fromStdString(node->name))
-                          : tr("Select a tree: what was done to it by hand is listed here."));
+    m_empty->setText(
+        node ? tr("Nothing was done by hand to “%1” yet. Choose a tool beside the view: cut, bend, "
+                  "draw. Each thing that you do is listed here, and is kept when the tree changes.")
+                   .arg(QString::fromStdString(node->name))
+             : tr("Select a tree: what was done to it by hand is listed here."));
     if (node)
         m_title->setText(QString::fromStdString(node->name));
     QItemSelection again;
@@ -172,8 +173,7 @@ void EditsPanel::selectBranches()
     next.nodes = {m_model->tree()};
     LimbFinder finder;
     for (const std::uint64_t id : selectedIds()) {
-        const auto limb =
-            finder.limb(*m_document, m_model->tree(), m_model->addressAt(m_model->rowOf(id)));
+        const auto limb = finder.limb(*m_document, m_model->tree(), m_model->addressAt(m_model->rowOf(id)));
         next.branches.insert(next.branches.end(), limb.begin(), limb.end());
     }
     if (!next.branches.empty()) {
@@ -193,11 +193,10 @@ void EditsPanel::fillCopyMenu()
         if (node.kind != NodeKind::Tree || node.id == m_model->tree())
             continue;
         QString name = QString::fromStdString(node.name);
-        m_copyMenu->addAction(icon("tree"), name.replace(u'&', QStringLiteral("&&")), this,
-                              [this, to = node.id] {
-                                  report(edit::copyTreeEdits(*m_document, m_model->tree(), selectedIds(),
-                                                             {to}));
-                              });
+        m_copyMenu->addAction(
+            icon("tree"), name.replace(u'&', QStringLiteral("&&")), this, [this, to = node.id] {
+                report(edit::copyTreeEdits(*m_document, m_model->tree(), selectedIds(), {to}));
+            });
     }
 }
 
@@ -238,8 +237,8 @@ bool EditsPanel::eventFilter(QObject* watched, QEvent* event)
     if (watched != m_view || (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress))
         return QWidget::eventFilter(watched, event);
     const auto* key = static_cast<QKeyEvent*>(event);
-    const bool moves = key->modifiers() == Qt::AltModifier &&
-                       (key->key() == Qt::Key_Up || key->key() == Qt::Key_Down);
+    const bool moves =
+        key->modifiers() == Qt::AltModifier && (key->key() == Qt::Key_Up || key->key() == Qt::Key_Down);
     const bool plain = key->modifiers() == Qt::NoModifier;
     const bool deletes = plain && key->key() == Qt::Key_Delete;
     if (event->type() == QEvent::ShortcutOverride) {

@@ -17,9 +17,9 @@
 namespace ramure {
 namespace {
 
-constexpr double ofParent = 0.55;                     ///< radius of the foot, of what it grows on there
-constexpr double softest = 0.35, hardest = 1.4;       ///< radius by pressure, of the usual one
-constexpr double leastWay = 3.0;                      ///< logical pixels from one place to the next
+constexpr double ofParent = 0.55;               ///< radius of the foot, of what it grows on there
+constexpr double softest = 0.35, hardest = 1.4; ///< radius by pressure, of the usual one
+constexpr double leastWay = 3.0;                ///< logical pixels from one place to the next
 
 class DrawTool : public EditTool
 {

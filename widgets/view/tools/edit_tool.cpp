@@ -74,8 +74,7 @@ bool EditTool::press(const ToolPoint& point)
     const auto limb = m_context.isPlaying() ? std::nullopt : limbAt(point);
     const NodeMotion* moved = motion && limb ? motion->of(limb->node) : nullptr;
     if (m_context.isPlaying() || (moved && moved->moves())) {
-        m_context.host.raiseMessage(
-            Words::tr("Trees are shaped at rest: stop, and go to the first frame."));
+        m_context.host.raiseMessage(Words::tr("Trees are shaped at rest: stop, and go to the first frame."));
         return false;
     }
     return take(point, limb);
@@ -154,8 +153,8 @@ void paintRing(QPainter& painter, const PickView& view, const glm::dmat4& world,
     for (int i = 0; i <= sides; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / sides;
         const glm::dvec3 way = std::cos(angle) * frame.normal + std::sin(angle) * frame.binormal;
-        const auto at = view.pixel(
-            glm::dvec3(world * glm::dvec4(limb.seen + reach * limb.radius * way, 1.0)));
+        const auto at =
+            view.pixel(glm::dvec3(world * glm::dvec4(limb.seen + reach * limb.radius * way, 1.0)));
         if (!at)
             return;
         ring << QPointF(at->x, at->y);

@@ -1,8 +1,8 @@
 #include "widgets/view/tools/gizmo_tool.h"
 
-#include "widgets/view/tools/readout.h"
 #include "core/math/drag_maths.h"
 #include "widgets/base/node_words.h"
+#include "widgets/view/tools/readout.h"
 #include "widgets/view/tools/tool_table.h"
 #include <QKeyEvent>
 #include <QPainter>

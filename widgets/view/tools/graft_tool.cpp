@@ -31,8 +31,9 @@ public:
         if (!isChosen())
             return;
         if (offers.held() == Qt::NoModifier)
-            offers.add(ToolOffers::Click, m_source ? tr("Click: the copy grows here · Shift + click: copy another limb")
-                                                   : tr("Click a limb: copy it"));
+            offers.add(ToolOffers::Click,
+                       m_source ? tr("Click: the copy grows here · Shift + click: copy another limb")
+                                : tr("Click a limb: copy it"));
         else if (offers.held() == Qt::ShiftModifier)
             offers.add(ToolOffers::Click, tr("Shift: click copies another limb"));
     }

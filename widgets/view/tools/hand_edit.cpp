@@ -18,8 +18,7 @@ Expected<std::unique_ptr<HandEdit>> HandEdit::begin(Document& document, NodeId t
     const NodeResult* result = document.result(tree);
     if (!result || result->error || !result->tree.grown)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("\"%1\" has not grown yet"), {node->name});
-    return std::unique_ptr<HandEdit>(
-        new HandEdit(document, tree, result->tree.grown, node->params.edits));
+    return std::unique_ptr<HandEdit>(new HandEdit(document, tree, result->tree.grown, node->params.edits));
 }
 
 HandEdit::HandEdit(Document& document, NodeId tree, std::shared_ptr<const Skeleton> grown,

@@ -28,11 +28,11 @@ public:
     Expected<void> add(const TreeEdit& edit, bool inTreeSpace = true);
     /// Those that were added, for their numbers to be changed; show() after it.
     [[nodiscard]] std::vector<TreeEdit>& edits() { return m_edits; }
-    /// In the place of all so far, each of them as if it were the only one: for a stroke that goes on. Not with
-    /// add(). Errors: likewise.
+    /// In the place of all so far, each of them as if it were the only one: for a stroke that goes on. Not
+    /// with add(). Errors: likewise.
     Expected<void> replace(const std::vector<TreeEdit>& edits, bool inTreeSpace = true);
-    /// The gesture goes on with the tree's last edit, where that is one of this kind of this limb alone: then it is
-    /// in edits(), and not in the context. Before anything is added.
+    /// The gesture goes on with the tree's last edit, where that is one of this kind of this limb alone: then
+    /// it is in edits(), and not in the context. Before anything is added.
     bool resume(EditOperation operation, std::uint64_t address);
     /// The document gets the edits. Errors: those of edit::putTreeEdits.
     Expected<void> show();
@@ -54,9 +54,9 @@ private:
     GestureId m_gesture = 0;
 };
 
-/// The limbs go, with all on them; of one that is meant from a place on, what lies above it. What is gone with
-/// another one is left out. \param whole limbs go from their feet on, wherever they are meant. One step of
-/// undo. Errors: why not; then nothing changes.
+/// The limbs go, with all on them; of one that is meant from a place on, what lies above it. What is gone
+/// with another one is left out. \param whole limbs go from their feet on, wherever they are meant. One step
+/// of undo. Errors: why not; then nothing changes.
 Expected<void> removeLimbs(Document& document, const std::vector<LimbHit>& limbs, bool whole);
 /// All goes but this limb. Errors: likewise.
 Expected<void> keepLimb(Document& document, const LimbHit& limb);

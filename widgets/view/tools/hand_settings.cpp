@@ -78,7 +78,8 @@ std::span<const HandFlag> handFlags()
 {
     using enum HandTool;
     static constexpr HandFlag rows[] = {
-        {toolBit(Length) | toolBit(Thickness), "withBelow", QT_TRANSLATE_NOOP("HandOptions", "With all that grows on it"),
+        {toolBit(Length) | toolBit(Thickness), "withBelow",
+         QT_TRANSLATE_NOOP("HandOptions", "With all that grows on it"),
          QT_TRANSLATE_NOOP("HandOptions", "Else the limb alone changes"), &HandOptions::withBelow},
         {toolBit(Draw), "drawPressure", QT_TRANSLATE_NOOP("HandOptions", "Pen pressure"),
          QT_TRANSLATE_NOOP("HandOptions", "The harder the pen is pressed, the thicker the branch"),

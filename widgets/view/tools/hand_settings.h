@@ -12,13 +12,26 @@
 namespace ramure {
 
 /// None: clicks select, modifiers bend, and nodes are moved (GizmoSettings::tool).
-enum class HandTool : quint8 { None, Cut, Saw, Remove, Keep, Bend, Length, Thickness, Draw, Graft, Prune, Leaves };
+enum class HandTool : quint8 {
+    None,
+    Cut,
+    Saw,
+    Remove,
+    Keep,
+    Bend,
+    Length,
+    Thickness,
+    Draw,
+    Graft,
+    Prune,
+    Leaves
+};
 
 /// A button of the tool bar.
 struct HandToolRow
 {
     HandTool tool;
-    const char* id; ///< of its action: "hand.cut"
+    const char* id;   ///< of its action: "hand.cut"
     const char* text; ///< English, context "Actions", with a mnemonic
     const char* icon;
     Qt::Key key;
@@ -30,15 +43,15 @@ const HandToolRow& handTool(HandTool tool);
 
 struct HandOptions
 {
-    double sawThickest = 0.05;  ///< m, radius of what the saw goes through
-    bool withBelow = true;      ///< Length and Thickness: also of what grows on the limb
-    double drawRadius = 0.0;    ///< m, at the foot; 0: to suit the parent
-    double drawTip = 0.3;       ///< radius at the tip, of that at the foot
-    double drawSmooth = 0.6;    ///< 0: as drawn, 1: very smooth
-    bool drawPressure = true;   ///< the pen's pressure gives the radius
-    double graftSize = 1.0;     ///< factor
-    int copies = 1;             ///< Draw and Graft: so many around the trunk
-    bool mirrored = false;      ///< Draw: and once more across the trunk
+    double sawThickest = 0.05; ///< m, radius of what the saw goes through
+    bool withBelow = true;     ///< Length and Thickness: also of what grows on the limb
+    double drawRadius = 0.0;   ///< m, at the foot; 0: to suit the parent
+    double drawTip = 0.3;      ///< radius at the tip, of that at the foot
+    double drawSmooth = 0.6;   ///< 0: as drawn, 1: very smooth
+    bool drawPressure = true;  ///< the pen's pressure gives the radius
+    double graftSize = 1.0;    ///< factor
+    int copies = 1;            ///< Draw and Graft: so many around the trunk
+    bool mirrored = false;     ///< Draw: and once more across the trunk
     EditShapeKind shape = EditShapeKind::Sphere;
     bool operator==(const HandOptions&) const = default;
 };

@@ -46,8 +46,8 @@ public:
     std::vector<LimbHit> meantBy(const Document& document, const LimbHit& hit);
     /// The same of the selection alone.
     std::vector<LimbHit> selected(const Document& document);
-    /// Branches of the simplified skeleton of a limb above that place, with all that grows there. \param whole
-    /// from the foot of the limb on
+    /// Branches of the simplified skeleton of a limb above that place, with all that grows there. \param
+    /// whole from the foot of the limb on
     std::vector<Index> above(const Document& document, const LimbHit& hit, bool whole);
     /// All branches of the limb that an edit acts on; empty: there is no such axis.
     std::vector<Index> limb(const Document& document, NodeId node, std::uint64_t address);

@@ -38,7 +38,8 @@ public:
     void offer(ToolOffers& offers) const override
     {
         if (isChosen() && offers.held() == Qt::NoModifier)
-            offers.add(ToolOffers::Drag, tr("Drag from the middle of the tree outwards: it is cut to the shape"));
+            offers.add(ToolOffers::Drag,
+                       tr("Drag from the middle of the tree outwards: it is cut to the shape"));
     }
     void paint(QPainter& painter, const PickView& view) override;
 
@@ -84,8 +85,7 @@ bool PruneTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
     m_edit = std::move(*edit);
     m_world = worldOf(tree);
     m_inverse = glm::inverse(m_world);
-    const SkeletonStats stats =
-        skeletonStats(m_context.document.result(tree)->tree.simplified->skeleton);
+    const SkeletonStats stats = skeletonStats(m_context.document.result(tree)->tree.simplified->skeleton);
     const glm::dvec3 centre(m_world * glm::dvec4(0.5 * (stats.min + stats.max), 1.0));
     m_middle = glm::dvec3(m_inverse * glm::dvec4(pulledTo(point.view, point.pixel(), centre), 1.0));
     m_moves = false;
@@ -140,7 +140,7 @@ void PruneTool::release(const ToolPoint& point)
 {
     if (!m_edit)
         return;
-    m_moves &&report(prune(point)) ? m_edit->keep() : m_edit->cancel();
+    m_moves&& report(prune(point)) ? m_edit->keep() : m_edit->cancel();
     if (!m_moves)
         m_context.host.raiseMessage(tr("Drag from the middle of the tree outwards."));
     m_edit.reset();
@@ -164,7 +164,8 @@ std::vector<std::vector<glm::dvec3>> linesOf(const EditShape& shape, const glm::
         std::vector<glm::dvec3> line;
         for (int i = 0; i <= sides; ++i) {
             const double angle = 2.0 * std::numbers::pi * i / sides;
-            line.push_back(middle + radius * (std::cos(angle) * frame.normal + std::sin(angle) * frame.binormal));
+            line.push_back(middle +
+                           radius * (std::cos(angle) * frame.normal + std::sin(angle) * frame.binormal));
         }
         return line;
     };

@@ -142,10 +142,9 @@ bool SawTool::cutTree(const Seen& tree, const glm::dvec2& from, const glm::dvec2
     const Skeleton& skeleton = tree.tree->skeleton;
     bool any = false;
     for (Index b = 0; b < tree.start.size(); ++b) {
-        const auto share = tree.start[b] && tree.end[b] ? crossing(from, to, *tree.start[b], *tree.end[b])
-                                                        : std::nullopt;
-        if (!share ||
-            glm::mix(skeleton.a0[b], skeleton.a1[b], *share) > m_context.hand.options().sawThickest)
+        const auto share =
+            tree.start[b] && tree.end[b] ? crossing(from, to, *tree.start[b], *tree.end[b]) : std::nullopt;
+        if (!share || glm::mix(skeleton.a0[b], skeleton.a1[b], *share) > m_context.hand.options().sawThickest)
             continue;
         if (!m_edit) {
             auto edit = HandEdit::begin(m_context.document, tree.node);

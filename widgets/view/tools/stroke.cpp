@@ -46,8 +46,7 @@ void smooth(std::vector<StrokePoint>& points, int rounds)
         StrokePoint before = points.front();
         for (std::size_t i = 1; i + 1 < points.size(); ++i) {
             const StrokePoint here = points[i];
-            points[i].position =
-                0.25 * before.position + 0.5 * here.position + 0.25 * points[i + 1].position;
+            points[i].position = 0.25 * before.position + 0.5 * here.position + 0.25 * points[i + 1].position;
             points[i].radius = 0.25 * before.radius + 0.5 * here.radius + 0.25 * points[i + 1].radius;
             before = here;
         }
@@ -63,8 +62,8 @@ std::vector<StrokePoint> strokeBranch(const std::vector<StrokePoint>& drawn, con
         return {};
     // As long as the branch is thick twice over, as the crossing of forks is.
     const double wanted = length / (2.0 * std::max(shape.footRadius, 1e-6));
-    const auto count = static_cast<std::size_t>(
-        std::clamp(std::round(wanted), double(leastPoints), double(mostPoints)));
+    const auto count =
+        static_cast<std::size_t>(std::clamp(std::round(wanted), double(leastPoints), double(mostPoints)));
     std::vector<StrokePoint> points = spaced(drawn, length, count);
     const double perPoint = double(points.size()) / double(mostPoints);
     smooth(points, static_cast<int>(std::round(shape.smoothing * mostRounds * perPoint * perPoint)) +

@@ -28,7 +28,7 @@ struct ToolPoint
     QPointF at;                            ///< logical pixels from the upper left corner
     Qt::MouseButton button = Qt::NoButton; ///< that went down or up
     Qt::KeyboardModifiers held;
-    QPointF pressed; ///< where the button of the gesture went down
+    QPointF pressed;                ///< where the button of the gesture went down
     std::optional<double> pressure; ///< 0..1, of a pen; nothing: a mouse
     bool isEraser = false;          ///< the other end of the pen
 
@@ -77,7 +77,7 @@ public:
 
     /// Nothing goes on. \return whether what is under the cursor is the tool's own: a handle, say
     virtual bool hover(const ToolPoint&) { return false; }
-    virtual void leave() {} ///< the cursor is elsewhere
+    virtual void leave() {}                                                  ///< the cursor is elsewhere
     [[nodiscard]] virtual QCursor cursor() const { return Qt::ArrowCursor; } ///< while it hovers
     /// The one of the tool bar: presses are its own before those of others, and so is the cursor.
     [[nodiscard]] virtual bool isChosen() const { return false; }
