@@ -74,10 +74,10 @@ bool Viewport::Private::pickBox(QPointF cornerA, QPointF cornerB,
 void Viewport::Private::markBranches(NodeId node, std::vector<Index> branches)
 {
     const bool any = node != noNode && !branches.empty();
-    Branches next = any ? Branches{node, std::move(branches)} : Branches();
-    if (next == marked)
+    Branches wanted = any ? Branches{node, std::move(branches)} : Branches();
+    if (wanted == marked)
         return;
-    marked = std::move(next);
+    marked = std::move(wanted);
     highlightsStale = true;
     widget->update();
 }

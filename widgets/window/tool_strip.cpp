@@ -16,7 +16,7 @@
 namespace ramure {
 namespace {
 
-constexpr int iconSide = 18, height = 36, leastTip = 120;
+constexpr int iconSide = 18, stripHeight = 36, leastTip = 120;
 
 QString words(const char* english)
 {
@@ -36,7 +36,7 @@ ToolStrip::ToolStrip(ViewSettings* settings, QList<QAction*> tools, QToolBar* tr
 {
     setObjectName(QStringLiteral("toolStrip"));
     setAttribute(Qt::WA_StyledBackground);
-    setFixedHeight(height);
+    setFixedHeight(stripHeight);
     m_name->setObjectName(QStringLiteral("partTitle"));
     m_tip->setObjectName(QStringLiteral("dim"));
     m_tip->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

@@ -82,9 +82,10 @@ bool EditTool::press(const ToolPoint& point)
 
 void EditTool::documentChanged(const Change& change)
 {
+    if (change.has(changeResults | changeReset | changeStructure))
+        setAim({}); // of a tree that is another one now
     if (!change.has(changeReset | changeStructure))
         return;
-    setAim({});
     forget();
     if (isBusy())
         end();

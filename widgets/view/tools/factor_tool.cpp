@@ -71,6 +71,7 @@ bool FactorTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb
     auto edit = HandEdit::begin(m_context.document, limb->node);
     if (!edit)
         return report(tl::unexpected(edit.error()));
+    setAim({});
     m_edit = std::move(*edit);
     m_limb = *limb;
     if (!report(addAll())) {
