@@ -11,6 +11,7 @@
 #include "widgets/panels/edits/edits_panel.h"
 #include "widgets/view/render/gl_setup.h"
 #include "widgets/view/tools/hand_edit.h"
+#include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include "widgets/window/main_window.h"
@@ -179,7 +180,8 @@ private slots:
         key(Qt::Key_D);
         const QPoint foot = pixelOf(0, 0.5);
         const QPointingDevice pen(QStringLiteral("pen"), 77, QInputDevice::DeviceType::Stylus,
-                                  QPointingDevice::PointerType::Pen, QInputDevice::Capability::Pressure, 1, 2);
+                                  QPointingDevice::PointerType::Pen, QInputDevice::Capability::Pressure, 1,
+                                  2);
         const auto send = [&](QEvent::Type type, QPoint at, double pressure, Qt::MouseButton button) {
             const QPointF global = view()->mapToGlobal(QPointF(at));
             QTabletEvent event(type, &pen, at, global, pressure, 0, 0, 0, 0, 0, {}, button,

@@ -56,15 +56,18 @@ struct HandBench : ToolBench
         const glm::dvec3 at = glm::mix(skeleton(id).p0[branch], skeleton(id).p1[branch], share);
         return pixelOf(at + document.scene().find(id)->params.tree.translation);
     }
-    /// A branch without children that is seen, hit where on() says.
+    /// A branch without children that is seen, hit where on() says, and is not of the trunk.
     [[nodiscard]] Index twig(NodeId id = 1)
     {
         LimbFinder finder;
+        const TreeAxes& axes = *finder.axes(document, id);
         const ChildLists children = childLists(skeleton(id));
         for (Index b = skeleton(id).size(); b-- > 0;) {
             const QPointF at = on(b, 0.6, id);
             const auto hit = latestPickScene()->pick(view(), {at.x(), at.y()});
-            if (children.count(b) == 0 && hit && hit->node == id && hit->branch == b)
+            const auto limb = finder.startOf(document, id, b);
+            if (limb && axes.axes[limb->axis].parent != noIndex && children.count(b) == 0 && hit &&
+                hit->node == id && hit->branch == b)
                 return b;
         }
         return noIndex;

@@ -56,6 +56,7 @@ ToolStrip::ToolStrip(ViewSettings* settings, QList<QAction*> tools, QToolBar* tr
         connect(tool, &QAction::toggled, this, &ToolStrip::follow);
         connect(tool, &QAction::changed, this, &ToolStrip::follow);
     }
+    connect(m_settings, &HandSettings::toolChanged, this, &ToolStrip::follow);
     connect(m_settings, &HandSettings::optionsChanged, this, &ToolStrip::takeValues);
     retranslate();
     takeValues();

@@ -62,11 +62,11 @@ NodeId EditModel::treeMeant() const
 
 void EditModel::follow(const Change& change)
 {
-    if (change.has(changeReset))
-        m_tree = noNode;
     if (change.has(changeReset | changeStructure | changeSelection | changeBranches | changeResults |
                    changeNodeState))
         update();
+    if (change.has(changeReset | changeStructure | changeNodeState))
+        emit listChanged(); // the tree may be called otherwise
 }
 
 void EditModel::update()

@@ -271,7 +271,8 @@ void GizmoTool::offer(ToolOffers& offers) const
 {
     const QString target = whatMoves();
     const QString keys = m_context.gestureKeys ? m_context.gestureKeys() : QString();
-    if (offers.held() == Qt::NoModifier && !target.isEmpty() && !keys.isEmpty())
+    const bool isMeant = m_context.hand.tool() == HandTool::None; // else a tree is shaped
+    if (isMeant && offers.held() == Qt::NoModifier && !target.isEmpty() && !keys.isEmpty())
         offers.add(ToolOffers::Keys, tr("%1: move, rotate, scale %2").arg(keys, target));
 }
 

@@ -9,7 +9,8 @@ namespace ramure {
 namespace {
 
 constexpr std::size_t mostPoints = 40, leastPoints = 4;
-constexpr int mostRounds = 40; ///< of smoothing
+constexpr std::size_t densePoints = 160; ///< in which it is smoothed
+constexpr int mostRounds = 400;          ///< of smoothing
 
 double lengthOf(const std::vector<StrokePoint>& points)
 {
@@ -64,10 +65,9 @@ std::vector<StrokePoint> strokeBranch(const std::vector<StrokePoint>& drawn, con
     const double wanted = length / (2.0 * std::max(shape.footRadius, 1e-6));
     const auto count =
         static_cast<std::size_t>(std::clamp(std::round(wanted), double(leastPoints), double(mostPoints)));
-    std::vector<StrokePoint> points = spaced(drawn, length, count);
-    const double perPoint = double(points.size()) / double(mostPoints);
-    smooth(points, static_cast<int>(std::round(shape.smoothing * mostRounds * perPoint * perPoint)) +
-                       (shape.smoothing > 0.0 ? 1 : 0));
+    std::vector<StrokePoint> dense = spaced(drawn, length, densePoints);
+    smooth(dense, static_cast<int>(std::round(shape.smoothing * shape.smoothing * mostRounds)));
+    std::vector<StrokePoint> points = spaced(dense, lengthOf(dense), count);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double share = double(i) / double(points.size() - 1);
         points[i].radius *= glm::mix(shape.footRadius, shape.tipRadius, share);

@@ -47,8 +47,9 @@ void TestClickTools::besideTheTreeTheyLeaveThePress()
 void TestClickTools::lockedTreesStay()
 {
     HandBench bench(HandTool::Remove);
+    const QPointF at = bench.on(bench.twig());
     QVERIFY(edit::setNodeLocked(bench.document, {1}, true));
-    bench.click(bench.on(bench.twig()));
+    bench.click(at);
     QVERIFY(bench.edits().empty());
 }
 
@@ -100,7 +101,7 @@ void TestClickTools::theHandSeesWhatGoes()
     bench.tools.hover(bench.at(bench.on(0, 0.5)));
     QCOMPARE(bench.marked, bench.all());
     QVERIFY(bench.says("cut here", bench.on(0, 0.5)));
-    QCOMPARE(bench.tools.cursor().shape(), Qt::BitmapCursor);
+    QVERIFY(bench.tools.cursor().shape() != Qt::ArrowCursor);
     bench.tools.hover(bench.at({2.0, 2.0}));
     QVERIFY(bench.marked.empty());
     bench.tools.hover(bench.at(bench.on(0, 0.5)));

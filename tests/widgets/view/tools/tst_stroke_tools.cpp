@@ -66,7 +66,7 @@ void TestStrokeTools::strokesAreEvenSmoothAndThinOut()
     for (std::size_t i = 1; i < branch.size(); ++i) {
         QVERIFY(branch[i].radius < branch[i - 1].radius);
         QVERIFY(branch[i].position.x > branch[i - 1].position.x);
-        if (i + 1 < branch.size())
+        if (i > 1 && i + 2 < branch.size()) // its ends stay
             QVERIFY(std::abs(branch[i].position.y) < 0.011);
     }
     QVERIFY(std::abs(branch.front().radius - 0.05) < 1e-9 && std::abs(branch.back().radius - 0.01) < 1e-9);
