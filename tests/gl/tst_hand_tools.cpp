@@ -1,5 +1,6 @@
 // The tools that shape trees in the real window: bar, strip, keys, Escape, a pen, menus.
 #include "core/session/recompute.h"
+#include "tests/gl/desk.h"
 #include "tests/support/cannot_run.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/file_actions.h"
@@ -32,6 +33,7 @@ class TestHandTools : public QObject
     Q_OBJECT
 private:
     static constexpr int patienceMs = 60'000;
+    std::unique_ptr<test::Desk> m_desk;
     test::OwnSettings m_settings;
     std::unique_ptr<Preferences> m_preferences;
     std::unique_ptr<Language> m_language;
@@ -71,7 +73,11 @@ private slots:
         const OpenGlProbe probe = probeOpenGl();
         if (!probe.available)
             RAMURE_CANNOT_RUN(qPrintable(probe.reason));
+        if (!test::Desk::missing().isEmpty())
+            RAMURE_CANNOT_RUN(qPrintable(test::Desk::missing()));
+        m_desk = std::make_unique<test::Desk>(); // shortcuts need an active window
     }
+    void cleanupTestCase() { m_desk.reset(); }
     void init()
     {
         test::failOnAnyWarning();

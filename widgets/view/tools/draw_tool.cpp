@@ -72,7 +72,7 @@ bool DrawTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
 {
     if (!limb) {
         m_context.host.raiseMessage(tr("A new branch begins on a branch: press there, and drag."));
-        return false;
+        return true; // the drag that follows selects nothing
     }
     auto edit = HandEdit::begin(m_context.document, limb->node);
     if (!edit)

@@ -61,13 +61,14 @@ std::vector<StrokePoint> strokeBranch(const std::vector<StrokePoint>& drawn, con
     const double length = lengthOf(drawn);
     if (drawn.size() < 2 || !(length > std::max(shape.footRadius, 1e-6)))
         return {};
-    // As long as the branch is thick twice over, as the crossing of forks is.
-    const double wanted = length / (2.0 * std::max(shape.footRadius, 1e-6));
-    const auto count =
-        static_cast<std::size_t>(std::clamp(std::round(wanted), double(leastPoints), double(mostPoints)));
     std::vector<StrokePoint> dense = spaced(drawn, length, densePoints);
     smooth(dense, static_cast<int>(std::round(shape.smoothing * shape.smoothing * mostRounds)));
-    std::vector<StrokePoint> points = spaced(dense, lengthOf(dense), count);
+    const double smoothed = lengthOf(dense);
+    // As long as the branch is thick twice over, as the crossing of forks is.
+    const double wanted = smoothed / (2.0 * std::max(shape.footRadius, 1e-6));
+    const auto count =
+        static_cast<std::size_t>(std::clamp(std::round(wanted), double(leastPoints), double(mostPoints)));
+    std::vector<StrokePoint> points = spaced(dense, smoothed, count);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const double share = double(i) / double(points.size() - 1);
         points[i].radius *= glm::mix(shape.footRadius, shape.tipRadius, share);
