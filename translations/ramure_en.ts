@@ -55,6 +55,41 @@
             <numerusform>Delete %n edits of branches</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Shape %n limb(s)</source>
+        <translation>
+            <numerusform>Shape %n limb</numerusform>
+            <numerusform>Shape %n limbs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n edit(s) of the tree</source>
+        <translation>
+            <numerusform>Delete %n edit of the tree</numerusform>
+            <numerusform>Delete %n edits of the tree</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Switch %n edit(s) on</source>
+        <translation>
+            <numerusform>Switch %n edit on</numerusform>
+            <numerusform>Switch %n edits on</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Switch %n edit(s) off</source>
+        <translation>
+            <numerusform>Switch %n edit off</numerusform>
+            <numerusform>Switch %n edits off</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Copy %n edit(s) of the tree</source>
+        <translation>
+            <numerusform>Copy %n edit of the tree</numerusform>
+            <numerusform>Copy %n edits of the tree</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>

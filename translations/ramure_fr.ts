@@ -1160,6 +1160,49 @@
         <source>Pack pictures</source>
         <translation>Emballer les images</translation>
     </message>
+    <message numerus="yes">
+        <source>Shape %n limb(s)</source>
+        <translation>
+            <numerusform>Façonner %n branche</numerusform>
+            <numerusform>Façonner %n branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n edit(s) of the tree</source>
+        <translation>
+            <numerusform>Supprimer %n modification de l’arbre</numerusform>
+            <numerusform>Supprimer %n modifications de l’arbre</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Switch %n edit(s) on</source>
+        <translation>
+            <numerusform>Activer %n modification</numerusform>
+            <numerusform>Activer %n modifications</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Switch %n edit(s) off</source>
+        <translation>
+            <numerusform>Désactiver %n modification</numerusform>
+            <numerusform>Désactiver %n modifications</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rename edit</source>
+        <translation>Renommer une modification</translation>
+    </message>
+    <message>
+        <source>Move edit</source>
+        <translation>Déplacer une modification</translation>
+    </message>
+    <message numerus="yes">
+        <source>Copy %n edit(s) of the tree</source>
+        <translation>
+            <numerusform>Copier %n modification de l’arbre</numerusform>
+            <numerusform>Copier %n modifications de l’arbre</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>Errors</name>
@@ -5909,6 +5952,218 @@
         <source>instances of leaves do not move: merge them, or write one moment</source>
         <translation>les instances de feuilles ne bougent pas : réunissez-les, ou écrivez un seul instant</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; has no such edit</source>
+        <translation>«&#xa0;%1&#xa0;» n’a pas cette modification</translation>
+    </message>
+    <message>
+        <source>a JSON object is expected here</source>
+        <translation>un objet JSON est attendu ici</translation>
+    </message>
+    <message>
+        <source>every edit needs a name of its own</source>
+        <translation>chaque modification doit avoir un nom à elle</translation>
+    </message>
+    <message>
+        <source>there is no such tree</source>
+        <translation>cet arbre n’existe pas</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no such value</source>
+        <translation>«&#xa0;%1&#xa0;» n’a pas cette valeur</translation>
+    </message>
+    <message>
+        <source>unknown operation &quot;%1&quot;</source>
+        <translation>opération inconnue «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 numbers are expected here</source>
+        <translation>%1 nombres sont attendus ici</translation>
+    </message>
+    <message>
+        <source>a sphere, a box or a cone is expected here</source>
+        <translation>une sphère, une boîte ou un cône est attendu ici</translation>
+    </message>
+    <message>
+        <source>&quot;tree&quot; or &quot;parent&quot; is expected here</source>
+        <translation>«&#xa0;tree&#xa0;» ou «&#xa0;parent&#xa0;» est attendu ici</translation>
+    </message>
+    <message>
+        <source>the limb is missing</source>
+        <translation>la branche maîtresse manque</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Enlever</translation>
+    </message>
+    <message>
+        <source>Keep only this</source>
+        <translation>Ne garder que ceci</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Plier</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Torsader</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Dessiner</translation>
+    </message>
+    <message>
+        <source>Extend</source>
+        <translation>Prolonger</translation>
+    </message>
+    <message>
+        <source>Redraw</source>
+        <translation>Redessiner</translation>
+    </message>
+    <message>
+        <source>Graft</source>
+        <translation>Greffer</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Déplacer</translation>
+    </message>
+    <message>
+        <source>Prune to a shape</source>
+        <translation>Tailler selon une forme</translation>
+    </message>
+    <message>
+        <source>Attract</source>
+        <translation>Attirer</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Peigner</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Feuilles</translation>
+    </message>
+    <message>
+        <source>Root</source>
+        <translation>Racine</translation>
+    </message>
+    <message>
+        <source>a stroke needs between one and 100000 points</source>
+        <translation>un trait a entre un et 100000 points</translation>
+    </message>
+    <message>
+        <source>points need three finite coordinates and a radius that is not negative</source>
+        <translation>les points ont trois coordonnées finies et un rayon qui n’est pas négatif</translation>
+    </message>
+    <message>
+        <source>the stroke goes nowhere</source>
+        <translation>le trait ne mène nulle part</translation>
+    </message>
+    <message>
+        <source>the shape has no extent</source>
+        <translation>la forme n’a pas d’étendue</translation>
+    </message>
+    <message>
+        <source>a limb has at most 100000 pieces</source>
+        <translation>une branche maîtresse a au plus 100000 morceaux</translation>
+    </message>
+    <message>
+        <source>the pieces of a limb must follow their parents</source>
+        <translation>les morceaux d’une branche maîtresse doivent suivre leurs parents</translation>
+    </message>
+    <message>
+        <source>the pieces of an axis must follow each other</source>
+        <translation>les morceaux d’un axe doivent se suivre</translation>
+    </message>
+    <message>
+        <source>a graft needs a limb of this tree, or one of its own</source>
+        <translation>une greffe demande une branche de cet arbre, ou la sienne</translation>
+    </message>
+    <message>
+        <source>there is no such operation</source>
+        <translation>cette opération n’existe pas</translation>
+    </message>
+    <message>
+        <source>must be a finite number within its range</source>
+        <translation>doit être un nombre fini, entre ses limites</translation>
+    </message>
+    <message>
+        <source>must be three finite numbers</source>
+        <translation>doit être trois nombres finis</translation>
+    </message>
+    <message>
+        <source>a direction must not be zero</source>
+        <translation>une direction ne doit pas être nulle</translation>
+    </message>
+    <message>
+        <source>nothing in the tree looks like what was edited</source>
+        <translation>rien dans l’arbre ne ressemble à ce qui avait été modifié</translation>
+    </message>
+    <message>
+        <source>an edit before has taken the limb away</source>
+        <translation>une modification d’avant a enlevé la branche</translation>
+    </message>
+    <message>
+        <source>no branch is within reach</source>
+        <translation>aucune branche n’est à portée</translation>
+    </message>
+    <message>
+        <source>there is nothing above the bend</source>
+        <translation>il n’y a rien au-dessus de la pliure</translation>
+    </message>
+    <message>
+        <source>a curl must end above its start</source>
+        <translation>un enroulement doit finir au-dessus de son début</translation>
+    </message>
+    <message>
+        <source>nothing grows on this axis</source>
+        <translation>rien ne pousse sur cet axe</translation>
+    </message>
+    <message>
+        <source>only what stands on the ground has a root</source>
+        <translation>seul ce qui tient au sol a une racine</translation>
+    </message>
+    <message>
+        <source>the tree has no such limb</source>
+        <translation>l’arbre n’a pas cette branche</translation>
+    </message>
+    <message>
+        <source>nothing of the tree would be left</source>
+        <translation>il ne resterait rien de l’arbre</translation>
+    </message>
+    <message>
+        <source>there is nothing above the cut</source>
+        <translation>il n’y a rien au-dessus de la coupe</translation>
+    </message>
+    <message>
+        <source>there is nothing else</source>
+        <translation>il n’y a rien d’autre</translation>
+    </message>
+    <message>
+        <source>nothing stands out of the shape</source>
+        <translation>rien ne dépasse de la forme</translation>
+    </message>
+    <message>
+        <source>a limb cannot be grafted into itself</source>
+        <translation>une branche ne peut pas être greffée sur elle-même</translation>
+    </message>
+    <message>
+        <source>the axis has no length</source>
+        <translation>l’axe n’a pas de longueur</translation>
+    </message>
+    <message>
+        <source>what stands on the ground has no place on a parent</source>
+        <translation>ce qui tient au sol n’a pas de place sur un parent</translation>
+    </message>
+    <message>
+        <source>a limb cannot be put on itself</source>
+        <translation>une branche ne peut pas être mise sur elle-même</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -10144,6 +10399,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Delete &amp;all</source>
         <translation>&amp;Tout supprimer</translation>
+    </message>
+    <message>
+        <source>on a limb made by hand</source>
+        <translation>sur une branche faite à la main</translation>
     </message>
 </context>
 <context>
