@@ -155,7 +155,7 @@ BENCHMARK(BM_editPlaces)->Unit(benchmark::kMillisecond);
 /// tree as grown are kept from one time to the next.
 void BM_editOfOneLimb(benchmark::State& state)
 {
-    const Skeleton grown = bench::Growth("SmallTree", 11).skeleton();
+    const Skeleton grown = bench::Growth("SmallTree", 10).skeleton();
     const TreeAxes axes = axesOf(grown);
     const EditContext context(grown, {});
     TreeEdit edit;
@@ -185,7 +185,7 @@ BENCHMARK(BM_editOfOneLimb)
 /// What a tool does when it is pressed.
 void BM_editContext(benchmark::State& state)
 {
-    const Skeleton grown = bench::Growth("SmallTree", 11).skeleton();
+    const Skeleton grown = bench::Growth("SmallTree", 10).skeleton();
     for (auto _ : state) {
         const EditContext context(grown, {});
         benchmark::DoNotOptimize(context.has(1));

@@ -13,6 +13,7 @@ class TestEditedGrowth : public QObject
 private slots:
     void init() { test::failOnAnyWarning(); }
     void draws();
+    void growsOnWhatIsDrawn();
     void drawsFromTheGround();
     void extends();
     void redraws();
@@ -51,6 +52,29 @@ void TestEditedGrowth::draws()
     QVERIFY(shaped.make(turn));
     QVERIFY(isNear(shaped.axis(*id)->share, 0.4));
     QVERIFY(isNear(shaped.axis(*id)->downAngle, drawn->downAngle));
+}
+
+void TestEditedGrowth::growsOnWhatIsDrawn()
+{
+    Shaped shaped;
+    TreeEdit edit = editOf(EditOperation::Draw, shaped.address[0]);
+    edit.at = 0.4;
+    edit.below = true;
+    edit.points = {{{1.0, 2.5, 0.0}, 0.0}};
+    const auto id = shaped.make(edit);
+    QVERIFY(id);
+    const Axis limb = *shaped.axis(shaped.address[1]), twig = *shaped.axis(shaped.address[2]),
+               drawn = *shaped.axis(*id);
+    const TreeAxes axes = axesOf(shaped.skeleton());
+    QCOMPARE(axes.axes.size(), std::size_t{6}); // a twig as that of the limb
+    const Axis& grown = axes.axes.back();
+    QCOMPARE(axes.axes[grown.parent].address, *id);
+    QVERIFY(isNear(grown.share, twig.share));
+    QVERIFY(isNear(grown.downAngle, twig.downAngle));
+    QVERIFY(isNear(grown.length / drawn.length, twig.length / limb.length));
+    // It can be edited too, and has a name of its own.
+    QVERIFY(shaped.make(editOf(EditOperation::Remove, grown.address)));
+    QCOMPARE(axesOf(shaped.skeleton()).axes.size(), std::size_t{5});
 }
 
 void TestEditedGrowth::drawsFromTheGround()
