@@ -1274,37 +1274,37 @@
     <message numerus="yes">
         <source>Delete %n edit(s) of the tree</source>
         <translation>
-            <numerusform>Supprimer %n retouche de l’arbre</numerusform>
-            <numerusform>Supprimer %n retouches de l’arbre</numerusform>
+            <numerusform>Supprimer %n modification de l’arbre</numerusform>
+            <numerusform>Supprimer %n modifications de l’arbre</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Switch %n edit(s) on</source>
         <translation>
-            <numerusform>Remettre %n retouche</numerusform>
-            <numerusform>Remettre %n retouches</numerusform>
+            <numerusform>Activer %n modification</numerusform>
+            <numerusform>Activer %n modifications</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Switch %n edit(s) off</source>
         <translation>
-            <numerusform>Couper %n retouche</numerusform>
-            <numerusform>Couper %n retouches</numerusform>
+            <numerusform>Désactiver %n modification</numerusform>
+            <numerusform>Désactiver %n modifications</numerusform>
         </translation>
     </message>
     <message>
         <source>Rename edit</source>
-        <translation>Renommer une retouche</translation>
+        <translation>Renommer une modification</translation>
     </message>
     <message>
         <source>Move edit</source>
-        <translation>Déplacer une retouche</translation>
+        <translation>Déplacer une modification</translation>
     </message>
     <message numerus="yes">
         <source>Copy %n edit(s) of the tree</source>
         <translation>
-            <numerusform>Copier %n retouche de l’arbre</numerusform>
-            <numerusform>Copier %n retouches de l’arbre</numerusform>
+            <numerusform>Copier %n modification de l’arbre</numerusform>
+            <numerusform>Copier %n modifications de l’arbre</numerusform>
         </translation>
     </message>
 </context>
@@ -6141,11 +6141,47 @@
     </message>
     <message>
         <source>&quot;%1&quot; has no such edit</source>
-        <translation>« %1 » n’a pas une telle retouche</translation>
+        <translation>«&#xa0;%1&#xa0;» n’a pas cette modification</translation>
+    </message>
+    <message>
+        <source>a JSON object is expected here</source>
+        <translation>un objet JSON est attendu ici</translation>
+    </message>
+    <message>
+        <source>every edit needs a name of its own</source>
+        <translation>chaque modification doit avoir un nom à elle</translation>
+    </message>
+    <message>
+        <source>there is no such tree</source>
+        <translation>cet arbre n’existe pas</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no such value</source>
+        <translation>«&#xa0;%1&#xa0;» n’a pas cette valeur</translation>
+    </message>
+    <message>
+        <source>unknown operation &quot;%1&quot;</source>
+        <translation>opération inconnue «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 numbers are expected here</source>
+        <translation>%1 nombres sont attendus ici</translation>
+    </message>
+    <message>
+        <source>a sphere, a box or a cone is expected here</source>
+        <translation>une sphère, une boîte ou un cône est attendu ici</translation>
+    </message>
+    <message>
+        <source>&quot;tree&quot; or &quot;parent&quot; is expected here</source>
+        <translation>«&#xa0;tree&#xa0;» ou «&#xa0;parent&#xa0;» est attendu ici</translation>
+    </message>
+    <message>
+        <source>the limb is missing</source>
+        <translation>la branche maîtresse manque</translation>
     </message>
     <message>
         <source>Cut</source>
-        <translation>Coupe</translation>
+        <translation>Couper</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -6153,39 +6189,39 @@
     </message>
     <message>
         <source>Keep only this</source>
-        <translation>Ne garder que cela</translation>
+        <translation>Ne garder que ceci</translation>
     </message>
     <message>
         <source>Bend</source>
-        <translation>Courbure</translation>
+        <translation>Plier</translation>
     </message>
     <message>
         <source>Twist</source>
-        <translation>Torsion</translation>
+        <translation>Torsader</translation>
     </message>
     <message>
         <source>Draw</source>
-        <translation>Dessin</translation>
+        <translation>Dessiner</translation>
     </message>
     <message>
         <source>Extend</source>
-        <translation>Prolongement</translation>
+        <translation>Prolonger</translation>
     </message>
     <message>
         <source>Redraw</source>
-        <translation>Nouveau tracé</translation>
+        <translation>Redessiner</translation>
     </message>
     <message>
         <source>Graft</source>
-        <translation>Greffe</translation>
+        <translation>Greffer</translation>
     </message>
     <message>
         <source>Move</source>
-        <translation>Déplacement</translation>
+        <translation>Déplacer</translation>
     </message>
     <message>
         <source>Prune to a shape</source>
-        <translation>Taille en forme</translation>
+        <translation>Tailler selon une forme</translation>
     </message>
     <message>
         <source>Attract</source>
@@ -6221,11 +6257,11 @@
     </message>
     <message>
         <source>a limb has at most 100000 pieces</source>
-        <translation>une branche a au plus 100000 morceaux</translation>
+        <translation>une branche maîtresse a au plus 100000 morceaux</translation>
     </message>
     <message>
         <source>the pieces of a limb must follow their parents</source>
-        <translation>les morceaux d’une branche doivent suivre leurs parents</translation>
+        <translation>les morceaux d’une branche maîtresse doivent suivre leurs parents</translation>
     </message>
     <message>
         <source>the pieces of an axis must follow each other</source>
@@ -6233,19 +6269,15 @@
     </message>
     <message>
         <source>a graft needs a limb of this tree, or one of its own</source>
-        <translation>une greffe a besoin d’une branche de cet arbre, ou d’une branche à elle</translation>
+        <translation>une greffe demande une branche de cet arbre, ou la sienne</translation>
     </message>
     <message>
         <source>there is no such operation</source>
         <translation>cette opération n’existe pas</translation>
     </message>
     <message>
-        <source>the limb is missing</source>
-        <translation>la branche manque</translation>
-    </message>
-    <message>
         <source>must be a finite number within its range</source>
-        <translation>doit être un nombre fini dans ses limites</translation>
+        <translation>doit être un nombre fini, entre ses limites</translation>
     </message>
     <message>
         <source>must be three finite numbers</source>
@@ -6256,16 +6288,12 @@
         <translation>une direction ne doit pas être nulle</translation>
     </message>
     <message>
-        <source>every edit needs a name of its own</source>
-        <translation>chaque retouche a besoin d’un nom à elle</translation>
-    </message>
-    <message>
         <source>nothing in the tree looks like what was edited</source>
-        <translation>rien dans l’arbre ne ressemble à ce qui a été retouché</translation>
+        <translation>rien dans l’arbre ne ressemble à ce qui avait été modifié</translation>
     </message>
     <message>
         <source>an edit before has taken the limb away</source>
-        <translation>une retouche précédente a enlevé la branche</translation>
+        <translation>une modification d’avant a enlevé la branche</translation>
     </message>
     <message>
         <source>no branch is within reach</source>
@@ -6273,7 +6301,7 @@
     </message>
     <message>
         <source>there is nothing above the bend</source>
-        <translation>il n’y a rien au-dessus de la courbure</translation>
+        <translation>il n’y a rien au-dessus de la pliure</translation>
     </message>
     <message>
         <source>a curl must end above its start</source>
@@ -6285,7 +6313,7 @@
     </message>
     <message>
         <source>only what stands on the ground has a root</source>
-        <translation>seul ce qui se tient au sol a une racine</translation>
+        <translation>seul ce qui tient au sol a une racine</translation>
     </message>
     <message>
         <source>the tree has no such limb</source>
@@ -6317,7 +6345,7 @@
     </message>
     <message>
         <source>what stands on the ground has no place on a parent</source>
-        <translation>ce qui se tient au sol n’a pas de place sur un parent</translation>
+        <translation>ce qui tient au sol n’a pas de place sur un parent</translation>
     </message>
     <message>
         <source>a limb cannot be put on itself</source>
@@ -10882,6 +10910,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Delete &amp;all</source>
         <translation>&amp;Tout supprimer</translation>
+    </message>
+    <message>
+        <source>on a limb made by hand</source>
+        <translation>sur une branche faite à la main</translation>
     </message>
 </context>
 <context>

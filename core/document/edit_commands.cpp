@@ -1,32 +1,111 @@
-// The edits of trees: every command sets the whole list of a tree, which is what undo gives back.
+// The edits of trees: every command leads from one list to another.
 #include "core/document/document_command.h"
 #include "core/params/tree_edit_table.h"
 
 #include <QCoreApplication>
+#include <iterator>
+#include <map>
 
 namespace ramure {
 
 namespace {
 
-struct EditsTarget
+/// What leads from one list of edits to another: a range of the first and what stands in its place.
+struct EditsChange
 {
-    using Value = std::vector<TreeEdit>;
-    static constexpr CommandId id = CommandId::SetTreeEdits;
+    NodeId node = noNode;
+    std::size_t at = 0, count = 0;
+    std::vector<TreeEdit> with;
 
-    NodeId node;
-    Stage stale = Stage::Skeleton; ///< Placement: only names change, nothing is made anew
-
-    [[nodiscard]] Value get(const Node& from) const { return from.params.edits; }
-    void set(Node& into, Value value) const { into.params.edits = std::move(value); }
-    void describe(Change& change) const
+    [[nodiscard]] bool isNothing() const { return count == 0 && with.empty(); }
+    /// Makes it, and becomes the way back.
+    void exchange(std::vector<TreeEdit>& list)
     {
-        change.kinds |= changeBranches;
-        change.firstStale = std::min(change.firstStale, stale);
-        addOnce(change.nodes, node);
+        const auto first = list.begin() + static_cast<std::ptrdiff_t>(at);
+        const auto last = first + static_cast<std::ptrdiff_t>(count);
+        std::vector<TreeEdit> before(std::make_move_iterator(first), std::make_move_iterator(last));
+        count = with.size();
+        list.insert(list.erase(first, last), std::make_move_iterator(with.begin()),
+                    std::make_move_iterator(with.end()));
+        with = std::move(before);
     }
-    bool operator==(const EditsTarget&) const = default;
 };
-using EditsEntry = SetCommand<EditsTarget>::Entry;
+
+EditsChange changeBetween(NodeId node, const std::vector<TreeEdit>& from, const std::vector<TreeEdit>& to)
+{
+    const auto [a, b] = std::ranges::mismatch(from, to);
+    auto fromEnd = from.end();
+    auto toEnd = to.end();
+    while (fromEnd != a && toEnd != b && *(fromEnd - 1) == *(toEnd - 1)) {
+        --fromEnd;
+        --toEnd;
+    }
+    return {node, static_cast<std::size_t>(a - from.begin()), static_cast<std::size_t>(fromEnd - a),
+            std::vector<TreeEdit>(b, toEnd)};
+}
+
+/// Keeps what differs, not the lists: a tree may have a thousand edits, and a session as many steps.
+class EditsCommand final : public DocumentCommand
+{
+public:
+    EditsCommand(Document& document, std::vector<EditsChange> changes, Stage stale, GestureId gesture,
+                 const QString& text)
+        : DocumentCommand(document, CommandId::SetTreeEdits, gesture, text)
+        , m_changes(std::move(changes))
+        , m_stale(stale)
+    {
+    }
+    bool mergeWith(const QUndoCommand* other) override
+    {
+        const auto* next = dynamic_cast<const EditsCommand*>(other);
+        if (!next || next->gesture() != gesture() ||
+            !std::ranges::equal(m_changes, next->m_changes, {}, &EditsChange::node, &EditsChange::node))
+            return false;
+        // Both are done: from the list of now back over the other to the one before both.
+        for (std::size_t i = 0; i < m_changes.size(); ++i) {
+            const std::vector<TreeEdit>& now = document().scene().find(m_changes[i].node)->params.edits;
+            std::vector<TreeEdit> before = now;
+            EditsChange(next->m_changes[i]).exchange(before);
+            m_changes[i].exchange(before);
+            m_changes[i] = changeBetween(m_changes[i].node, now, before);
+        }
+        m_stale = std::min(m_stale, next->m_stale);
+        setObsolete(std::ranges::all_of(m_changes, &EditsChange::isNothing));
+        return true;
+    }
+
+private:
+    void swap() override
+    {
+        Change change;
+        change.kinds = changeBranches;
+        change.firstStale = m_stale;
+        for (const EditsChange& part : m_changes)
+            change.nodes.push_back(part.node);
+        document().applyChange(change, [this](Scene& scene) {
+            for (EditsChange& part : m_changes)
+                if (Node* node = scene.find(part.node))
+                    part.exchange(node->params.edits);
+        });
+    }
+
+    std::vector<EditsChange> m_changes; ///< each node once
+    Stage m_stale;                      ///< Placement: only names change, nothing is made anew
+};
+
+using Lists = std::map<NodeId, std::vector<TreeEdit>>; ///< by tree: all its edits
+
+/// Pushes unless nothing would change.
+void pushLists(Document& document, const Lists& lists, const QString& text, GestureId gesture = 0,
+               Stage stale = Stage::Skeleton)
+{
+    std::vector<EditsChange> changes;
+    for (const auto& [id, list] : lists)
+        changes.push_back(changeBetween(id, document.scene().find(id)->params.edits, list));
+    if (!std::ranges::all_of(changes, &EditsChange::isNothing))
+        document.push(std::make_unique<EditsCommand>(document, std::move(changes), stale, gesture, text));
+}
+
 using Ids = std::vector<std::uint64_t>;
 
 Expected<const Node*> editableTree(const Document& document, NodeId id)
@@ -94,7 +173,7 @@ Expected<std::vector<std::uint64_t>> edit::putTreeEdits(Document& document, Node
         put(list, edits[i]);
         ids.push_back(edits[i].id);
     }
-    pushSet<EditsTarget>(document, {EditsEntry{{id}, std::move(list)}}, putText(edits), gesture);
+    pushLists(document, {{id, std::move(list)}}, putText(edits), gesture);
     return ids;
 }
 
@@ -104,9 +183,9 @@ Expected<void> edit::removeTreeEdits(Document& document, NodeId id, const Ids& i
     if (!list)
         return fail(std::move(list.error()));
     std::erase_if(*list, [&ids](const TreeEdit& edit) { return std::ranges::count(ids, edit.id) > 0; });
-    pushSet<EditsTarget>(
-        document, {EditsEntry{{id}, std::move(*list)}},
-        DocumentCommand::tr("Delete %n edit(s) of the tree", nullptr, static_cast<int>(ids.size())), gesture);
+    pushLists(document, {{id, std::move(*list)}},
+              DocumentCommand::tr("Delete %n edit(s) of the tree", nullptr, static_cast<int>(ids.size())),
+              gesture);
     return {};
 }
 
@@ -119,9 +198,9 @@ Expected<void> edit::setTreeEditsEnabled(Document& document, NodeId id, const Id
         if (std::ranges::count(ids, edit.id) > 0)
             edit.enabled = enabled;
     const int count = static_cast<int>(ids.size());
-    pushSet<EditsTarget>(document, {EditsEntry{{id}, std::move(*list)}},
-                         enabled ? DocumentCommand::tr("Switch %n edit(s) on", nullptr, count)
-                                 : DocumentCommand::tr("Switch %n edit(s) off", nullptr, count));
+    pushLists(document, {{id, std::move(*list)}},
+              enabled ? DocumentCommand::tr("Switch %n edit(s) on", nullptr, count)
+                      : DocumentCommand::tr("Switch %n edit(s) off", nullptr, count));
     return {};
 }
 
@@ -131,8 +210,7 @@ Expected<void> edit::renameTreeEdit(Document& document, NodeId id, std::uint64_t
     if (!list)
         return fail(std::move(list.error()));
     std::ranges::find(*list, wanted, &TreeEdit::id)->name = name.toStdString();
-    pushSet<EditsTarget>(document, {EditsEntry{{id, Stage::Placement}, std::move(*list)}},
-                         DocumentCommand::tr("Rename edit"));
+    pushLists(document, {{id, std::move(*list)}}, DocumentCommand::tr("Rename edit"), 0, Stage::Placement);
     return {};
 }
 
@@ -146,7 +224,7 @@ Expected<void> edit::moveTreeEdit(Document& document, NodeId id, std::uint64_t w
     list->erase(at);
     const auto last = static_cast<std::ptrdiff_t>(list->size());
     list->insert(list->begin() + std::clamp<std::ptrdiff_t>(row, 0, last), std::move(moved));
-    pushSet<EditsTarget>(document, {EditsEntry{{id}, std::move(*list)}}, DocumentCommand::tr("Move edit"));
+    pushLists(document, {{id, std::move(*list)}}, DocumentCommand::tr("Move edit"));
     return {};
 }
 
@@ -162,22 +240,17 @@ Expected<void> edit::copyTreeEdits(Document& document, NodeId from, const Ids& i
             copied.push_back(edit);
     if (copied.empty())
         return fail(ErrorCode::Unknown, RAMURE_NOOP("\"%1\" has no such edit"), {source->name});
-    std::vector<EditsEntry> entries;
-    std::vector<NodeId> trees;
-    for (const NodeId id : to)
-        addOnce(trees, id);
-    for (const NodeId id : trees) {
+    Lists lists;
+    for (const NodeId id : to) {
         const auto tree = editableTree(document, id);
         if (!tree)
             return fail(tree.error());
-        std::vector<TreeEdit> list = (*tree)->params.edits;
+        std::vector<TreeEdit>& list = lists[id] = (*tree)->params.edits;
         for (const TreeEdit& edit : copied)
             put(list, edit);
-        entries.push_back({{id}, std::move(list)});
     }
-    pushSet<EditsTarget>(
-        document, std::move(entries),
-        DocumentCommand::tr("Copy %n edit(s) of the tree", nullptr, static_cast<int>(copied.size())));
+    pushLists(document, lists,
+              DocumentCommand::tr("Copy %n edit(s) of the tree", nullptr, static_cast<int>(copied.size())));
     return {};
 }
 

@@ -99,7 +99,7 @@ struct TreeEdit
     glm::dvec3 direction{0.0, 1.0, 0.0};
     glm::dvec3 centre{0.0}; ///< m, of a brush
     glm::dvec3 offset{0.0}; ///< m
-    bool below = false;     ///< Length and Thickness: also of what grows on the axis
+    bool below = false;     ///< also what grows on the axis; Draw: as on a limb beside it
     bool shown = true;
     EditShape shape{};
     std::vector<StrokePoint> points{}; ///< Draw and Redraw: from the fork; Extend: from the tip, in its frame

@@ -4,6 +4,7 @@
 #include "core/math/reproducible.h"
 #include "core/math/stage_hash.h"
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 namespace ramure::edits {
@@ -94,6 +95,19 @@ Scion scionOf(const TreeEdit& edit)
     return scion;
 }
 
+/// m along its parent, where an axis stands.
+double distanceOfFork(const EditTree& tree, Index axis)
+{
+    const Index below = tree.piece(tree.axis(axis).first).parent;
+    double sum = 0.0;
+    for (Index i = tree.axis(tree.piece(below).axis).first; i != noIndex; i = tree.piece(i).next) {
+        sum += tree.length(i);
+        if (i == below)
+            break;
+    }
+    return sum;
+}
+
 /// Grows a limb in a seat's frame.
 void growLimb(EditTree& tree, const Scion& scion, const TreeEdit& edit, Index below, const Seat& seat)
 {
@@ -115,6 +129,56 @@ void growLimb(EditTree& tree, const Scion& scion, const TreeEdit& edit, Index be
                               size * piece.a1, levels[i]);
         if (!scion.bare.empty())
             tree.piece(made[i]).bare = scion.bare[i] != 0;
+    }
+}
+
+/// The axis beside a share of a parent that carries most, nearer ones first; noIndex: none carries anything.
+Index fullestSibling(const EditTree& tree, Index parent, Index except, double share)
+{
+    std::unordered_map<Index, Index> carried; // by axis
+    std::vector<Index> siblings;
+    for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after) {
+        const EditPiece& piece = tree.piece(i);
+        if (piece.parent == noIndex || tree.axis(piece.axis).first != i)
+            continue;
+        const Index below = tree.piece(piece.parent).axis;
+        ++carried[below];
+        if (below == parent && piece.axis != except)
+            siblings.push_back(piece.axis);
+    }
+    Index best = noIndex;
+    double bestWorth = 0.0;
+    const double whole = tree.axisLength(parent);
+    for (const Index sibling : siblings) {
+        const auto count = carried.find(sibling);
+        if (count == carried.end() || tree.axisLength(sibling) == 0.0)
+            continue;
+        const double away = std::abs(distanceOfFork(tree, sibling) / whole - share);
+        const double worth = static_cast<double>(count->second) / (1.0 + 4.0 * away);
+        if (worth > bestWorth) {
+            bestWorth = worth;
+            best = sibling;
+        }
+    }
+    return best;
+}
+
+/// What grows on one axis grows on another, at the same shares, in proportion.
+void growAs(EditTree& tree, const TreeEdit& edit, Index model, Index axis)
+{
+    const double whole = tree.axisLength(model);
+    TreeEdit part = edit;
+    part.factor = tree.axisLength(axis) / whole;
+    std::vector<Index> limbs;
+    for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after)
+        if (const EditPiece& piece = tree.piece(i); piece.parent != noIndex && piece.axis != model &&
+                                                    tree.axis(piece.axis).first == i &&
+                                                    tree.piece(piece.parent).axis == model)
+            limbs.push_back(piece.axis);
+    for (const Index limb : limbs) {
+        const Scion scion = scionOf(tree, edit.id, limb);
+        const Index below = tree.splitAt(forkSpot(tree, axis, distanceOfFork(tree, limb) / whole));
+        growLimb(tree, scion, part, below, turnedSeat(tree, below, 0.0));
     }
 }
 
@@ -172,6 +236,10 @@ Expected<void> draw(EditTree& tree, const TreeEdit& edit, Index target, Index /*
     for (std::size_t i = 1; i < points.size(); ++i)
         below = tree.extend(axis, below, points[i - 1].position, points[i].position, points[i - 1].radius,
                             points[i].radius, level);
+    if (!edit.below || target == noIndex)
+        return {};
+    if (const Index model = fullestSibling(tree, target, axis, edit.at); model != noIndex)
+        growAs(tree, edit, model, axis);
     return {};
 }
 
