@@ -1016,10 +1016,6 @@
         <translation>&amp;Dessiner</translation>
     </message>
     <message>
-        <source>Drag from a branch: a new one grows along the stroke</source>
-        <translation>Glisser à partir d’une branche : une nouvelle pousse le long du trait</translation>
-    </message>
-    <message>
         <source>&amp;Graft</source>
         <translation>&amp;Greffer</translation>
     </message>
@@ -1042,6 +1038,10 @@
     <message>
         <source>Click a limb: its leaves go, or come back</source>
         <translation>Cliquer sur une branche : ses feuilles s’en vont ou reviennent</translation>
+    </message>
+    <message>
+        <source>Drag from a branch or the ground: a branch grows along the stroke</source>
+        <translation>Glisser à partir d’une branche ou du sol : une branche pousse le long du trait</translation>
     </message>
 </context>
 <context>
@@ -1531,6 +1531,30 @@
         <source>Menu of what is under the cursor</source>
         <translation>Menu de ce qui est sous le curseur</translation>
     </message>
+    <message>
+        <source>While a tree is shaped by hand</source>
+        <translation>Pendant qu’un arbre est façonné à la main</translation>
+    </message>
+    <message>
+        <source>The factor of a length or a thickness</source>
+        <translation>Le facteur d’une longueur ou d’une épaisseur</translation>
+    </message>
+    <message>
+        <source>The factor in steps</source>
+        <translation>Le facteur par pas</translation>
+    </message>
+    <message>
+        <source>Copy another limb, with the graft tool</source>
+        <translation>Copier une autre branche, avec la greffe</translation>
+    </message>
+    <message>
+        <source>Back to how it was; without a gesture: lay the tool down</source>
+        <translation>Comme c’était ; sans geste : poser l’outil</translation>
+    </message>
+    <message>
+        <source>In the list of edits: earlier or later</source>
+        <translation>Dans la liste des retouches : plus tôt ou plus tard</translation>
+    </message>
 </context>
 <context>
     <name>GizmoDrag</name>
@@ -1644,6 +1668,14 @@
     <message>
         <source>What stands out of it is cut</source>
         <translation>Ce qui en dépasse est coupé</translation>
+    </message>
+    <message>
+        <source>With twigs</source>
+        <translation>Avec rameaux</translation>
+    </message>
+    <message>
+        <source>Twigs grow on the branch as on those beside it</source>
+        <translation>Des rameaux poussent sur la branche comme sur ses voisines</translation>
     </message>
 </context>
 <context>
@@ -7334,16 +7366,16 @@ OpenGL&#xa0;: %4
         <translation>Une branche pousse le long du trait · lâcher : fait · Échap : aucune</translation>
     </message>
     <message>
-        <source>Drag from a branch: a new one along the line</source>
-        <translation>Glisser à partir d’une branche : une nouvelle le long du trait</translation>
-    </message>
-    <message>
-        <source>A new branch begins on a branch: press there, and drag.</source>
-        <translation>Une nouvelle branche commence sur une branche : appuyez là, et glissez.</translation>
-    </message>
-    <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Drag from a branch or the ground: a new branch along the line</source>
+        <translation>Glisser à partir d’une branche ou du sol : une nouvelle branche le long du trait</translation>
+    </message>
+    <message>
+        <source>A new branch begins on a branch, or on the ground near the tree: press there, and drag.</source>
+        <translation>Une nouvelle branche commence sur une branche, ou au sol près de l’arbre : appuyez là, et glissez.</translation>
     </message>
 </context>
 <context>
@@ -8044,8 +8076,8 @@ OpenGL&#xa0;: %4
 <context>
     <name>ramure::HandActions</name>
     <message>
-        <source>Shape by ha&amp;nd</source>
-        <translation>&amp;Façonner à la main</translation>
+        <source>Shape &amp;by hand</source>
+        <translation>Façonner à la &amp;main</translation>
     </message>
 </context>
 <context>

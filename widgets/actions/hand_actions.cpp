@@ -65,7 +65,7 @@ void HandActions::fillMenu(QMenu* editMenu)
 void HandActions::retranslate()
 {
     if (m_menu)
-        m_menu->setTitle(tr("Shape by ha&nd"));
+        m_menu->setTitle(tr("Shape &by hand"));
 }
 
 void HandActions::followTool()

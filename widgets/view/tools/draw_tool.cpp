@@ -1,4 +1,4 @@
-// A stroke from a branch becomes a branch.
+// A stroke from a branch, or from the ground, becomes a branch.
 #include "core/math/frame.h"
 #include "widgets/view/tools/edit_tool.h"
 #include "widgets/view/tools/motion_tools.h"
@@ -41,7 +41,7 @@ public:
     void offer(ToolOffers& offers) const override
     {
         if (isChosen() && offers.held() == Qt::NoModifier)
-            offers.add(ToolOffers::Drag, tr("Drag from a branch: a new one along the line"));
+            offers.add(ToolOffers::Drag, tr("Drag from a branch or the ground: a new branch along the line"));
     }
     void paint(QPainter& painter, const PickView& view) override;
 
@@ -54,6 +54,7 @@ protected:
     }
 
 private:
+    std::optional<LimbHit> groundUnder(const ToolPoint& point);
     void addPoint(const ToolPoint& point);
     [[nodiscard]] double pressureOf(const ToolPoint& point) const;
     [[nodiscard]] std::vector<TreeEdit> branches(const glm::dvec3& sight) const;
@@ -61,7 +62,7 @@ private:
     [[nodiscard]] double footRadius() const;
 
     std::unique_ptr<HandEdit> m_edit;
-    LimbHit m_limb;
+    LimbHit m_limb; ///< without an address: the ground
     glm::dmat4 m_world{1.0}, m_inverse{1.0};
     TurnedLimb m_turned;
     std::vector<StrokePoint> m_drawn; ///< tree space, as it is seen; the pen's share of the radius as radius
@@ -70,22 +71,51 @@ private:
 
 bool DrawTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
 {
-    if (!limb) {
-        m_context.host.raiseMessage(tr("A new branch begins on a branch: press there, and drag."));
+    const auto from = limb ? limb : groundUnder(point);
+    if (!from) {
+        m_context.host.raiseMessage(
+            tr("A new branch begins on a branch, or on the ground near the tree: press there, and drag."));
         return true; // the drag that follows selects nothing
     }
-    auto edit = HandEdit::begin(m_context.document, limb->node);
+    auto edit = HandEdit::begin(m_context.document, from->node);
     if (!edit)
         return report(tl::unexpected(edit.error()));
     m_edit = std::move(*edit);
-    m_limb = *limb;
-    m_world = worldOf(limb->node);
+    m_limb = *from;
+    m_world = worldOf(from->node);
     m_inverse = glm::inverse(m_world);
-    m_turned = TurnedLimb(m_context.document, *limb);
+    m_turned = limb ? TurnedLimb(m_context.document, *limb) : TurnedLimb();
     m_drawn = {{m_limb.seen, pressureOf(point)}};
     m_at = point.at;
     setAim({});
     return true;
+}
+
+/// On the ground that the tree that is meant stands on; nothing far away from it.
+std::optional<LimbHit> DrawTool::groundUnder(const ToolPoint& point)
+{
+    constexpr double farthest = 2.0; // times the height of the tree, or its width
+    const NodeId tree = treeMeant(m_context.document);
+    const TreeAxes* axes = m_context.limbs.axes(m_context.document, tree);
+    if (!axes || axes->axes.empty() || m_context.document.scene().isLocked(tree))
+        return std::nullopt;
+    const Skeleton& skeleton = m_context.document.result(tree)->tree.simplified->skeleton;
+    const SkeletonStats stats = skeletonStats(skeleton);
+    const glm::dmat4 inverse = glm::inverse(worldOf(tree));
+    const ViewRay ray = point.view.camera.ray(point.view.ndc(point.pixel()), point.view.aspect());
+    const glm::dvec3 eye(inverse * glm::dvec4(ray.origin, 1.0)),
+        way(inverse * glm::dvec4(ray.direction, 0.0));
+    const glm::dvec3 foot = skeleton.p0[0];
+    const double share = (foot.y - eye.y) / way.y;
+    const glm::dvec3 at = eye + share * way;
+    if (!(share > 0.0) || glm::length(at - foot) > farthest * glm::length(stats.max - stats.min))
+        return std::nullopt;
+    LimbHit ground;
+    ground.node = tree;
+    ground.seen = at;
+    ground.along = {0.0, 1.0, 0.0};
+    ground.radius = skeleton.a0[0];
+    return ground;
 }
 
 /// In the plane across the sight through the foot.
@@ -119,6 +149,8 @@ std::vector<TreeEdit> DrawTool::branches(const glm::dvec3& sight) const
     shape.footRadius = footRadius();
     shape.tipRadius = options.drawTip * shape.footRadius;
     const std::vector<StrokePoint> stroke = strokeBranch(m_drawn, shape);
+    const bool isGround = m_limb.address == 0;
+    const glm::dvec3 middle = isGround ? glm::dvec3(0.0) : m_limb.seen; // of the copies
     std::vector<TreeEdit> edits;
     for (int copy = 0; copy < options.copies && !stroke.empty(); ++copy)
         for (int side = 0; side < (options.mirrored ? 2 : 1); ++side) {
@@ -127,13 +159,14 @@ std::vector<TreeEdit> DrawTool::branches(const glm::dvec3& sight) const
             edit.operation = EditOperation::Draw;
             edit.target.address = m_limb.address;
             edit.at = m_limb.share;
-            for (std::size_t i = 1; i < stroke.size(); ++i) {
-                glm::dvec3 way = stroke[i].position - m_limb.seen;
+            edit.below = options.drawTwigs && !isGround;
+            for (std::size_t i = isGround ? 0 : 1; i < stroke.size(); ++i) {
+                glm::dvec3 way = stroke[i].position - middle;
                 const glm::dvec3 across = glm::cross(m_limb.along, sight);
                 if (side == 1 && glm::dot(across, across) > 1e-12)
                     way -= 2.0 * glm::dot(way, across) / glm::dot(across, across) * across;
                 way = glm::angleAxis(angle, m_limb.along) * way;
-                edit.points.push_back({m_turned.grown(m_limb.seen + way), stroke[i].radius});
+                edit.points.push_back({m_turned.grown(middle + way), stroke[i].radius});
             }
             edits.push_back(std::move(edit));
         }

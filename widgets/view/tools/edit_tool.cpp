@@ -6,6 +6,7 @@
 #include "widgets/view/tools/hand_cursor.h"
 #include <QCoreApplication>
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -138,6 +139,16 @@ void ClickTool::sceneReady()
     const auto limb = isChosen() ? limbAt(point) : std::nullopt;
     if (limb)
         report(act(*limb, point.held));
+}
+
+NodeId treeMeant(const Document& document)
+{
+    const auto isTree = [](const Node& node) { return node.kind == NodeKind::Tree; };
+    const Node* active = document.scene().find(document.selection().activeNode());
+    if (active && isTree(*active))
+        return active->id;
+    const auto& nodes = document.scene().nodes();
+    return std::ranges::count_if(nodes, isTree) == 1 ? std::ranges::find_if(nodes, isTree)->id : noNode;
 }
 
 void paintRing(QPainter& painter, const PickView& view, const glm::dmat4& world, const LimbHit& limb,

@@ -70,6 +70,8 @@ private:
     std::optional<ToolPoint> m_waiting; ///< a click before there was anything to pick in
 };
 
+/// Beside all trees: the one that is selected, or the only one; noNode: there is none.
+NodeId treeMeant(const Document& document);
 /// A ring around a place on a limb.
 void paintRing(QPainter& painter, const PickView& view, const glm::dmat4& world, const LimbHit& limb,
                const QColor& colour);

@@ -48,7 +48,6 @@ protected:
     void forget() override { m_edit.reset(); }
 
 private:
-    [[nodiscard]] NodeId treeMeant() const;
     [[nodiscard]] EditShape shapeTo(const PickView& view, QPointF at) const;
     Expected<void> prune(const ToolPoint& point);
 
@@ -60,21 +59,9 @@ private:
     QPointF m_at;
 };
 
-/// Beside all trees: the one that is selected, or the only one.
-NodeId PruneTool::treeMeant() const
-{
-    const Scene& scene = m_context.document.scene();
-    const auto isTree = [](const Node& node) { return node.kind == NodeKind::Tree; };
-    const Node* active = scene.find(m_context.document.selection().activeNode());
-    if (active && isTree(*active))
-        return active->id;
-    const auto& nodes = scene.nodes();
-    return std::ranges::count_if(nodes, isTree) == 1 ? std::ranges::find_if(nodes, isTree)->id : noNode;
-}
-
 bool PruneTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
 {
-    const NodeId tree = limb ? limb->node : treeMeant();
+    const NodeId tree = limb ? limb->node : treeMeant(m_context.document);
     if (tree == noNode) {
         m_context.host.raiseMessage(tr("Press on the tree that is to be pruned, or select it first."));
         return false;

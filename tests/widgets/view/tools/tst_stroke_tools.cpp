@@ -19,6 +19,8 @@ private slots:
     void aBranchBeginsOnABranch();
     void aBranchGrowsAlongTheStroke();
     void theBranchCanGrowManyTimes();
+    void aBranchGrowsFromTheGround();
+    void twigsGrowOnIt();
     void thePenSaysHowThick();
     void theEraserSaws();
     void escapeTakesTheBranchBack();
@@ -162,6 +164,35 @@ void TestStrokeTools::theBranchCanGrowManyTimes()
     bench.grow();
     for (const TreeEdit& edit : bench.edits())
         QVERIFY(!LimbFinder().limb(bench.document, 1, edit.id).empty());
+}
+
+void TestStrokeTools::aBranchGrowsFromTheGround()
+{
+    HandBench bench(HandTool::Draw);
+    bench.camera.pitchRad = 0.3;
+    const QPointF ground = bench.pixelOf({0.4, 0.0, 0.2});
+    stroke(bench, way(ground, ground + QPointF(40.0, -160.0)));
+    QVERIFY2(bench.edits().size() == 1, qPrintable(bench.messages.join(u'\n')));
+    QCOMPARE(bench.edits().front().target.address, std::uint64_t(0));
+    bench.grow();
+    const auto grown = LimbFinder().limb(bench.document, 1, bench.edits().front().id);
+    QVERIFY(!grown.empty());
+    QCOMPARE(bench.skeleton().parent[grown.front()], noIndex);
+    QVERIFY(glm::length(bench.skeleton().p0[grown.front()] - glm::dvec3(0.4, 0.0, 0.2)) < 1e-3);
+}
+
+void TestStrokeTools::twigsGrowOnIt()
+{
+    HandBench bench(HandTool::Draw);
+    HandOptions options = bench.hand.options();
+    options.drawTwigs = true;
+    bench.hand.setOptions(options);
+    const QPointF trunk = bench.on(0, 0.5);
+    stroke(bench, way(trunk, trunk + QPointF(160.0, -60.0)));
+    QCOMPARE(bench.edits().size(), std::size_t(1));
+    QVERIFY(bench.edits().front().below);
+    bench.grow();
+    QVERIFY(!LimbFinder().limb(bench.document, 1, bench.edits().front().id).empty());
 }
 
 void TestStrokeTools::thePenSaysHowThick()
