@@ -21,6 +21,7 @@ std::unique_ptr<Tool> makeDrawTool(ToolContext& context);
 std::unique_ptr<Tool> makeGraftTool(ToolContext& context);
 std::unique_ptr<Tool> makePruneTool(ToolContext& context);
 std::unique_ptr<Tool> makeLeavesTool(ToolContext& context);
+std::unique_ptr<Tool> makeEditMarks(ToolContext& context);
 std::unique_ptr<Tool> makeGizmoTool(ToolContext& context);
 std::unique_ptr<Tool> makeJointTool(ToolContext& context);
 std::unique_ptr<Tool> makeWindTool(ToolContext& context);
@@ -44,6 +45,7 @@ inline constexpr ToolMaker toolTable[] = {
     makeGraftTool,
     makePruneTool,
     makeLeavesTool,
+    makeEditMarks,
     makeGizmoTool,
     makeJointTool,
     makeWindTool,

@@ -1,5 +1,7 @@
 #include "tests/support/hand_bench.h"
 #include "tests/support/suite.h"
+#include <QImage>
+#include <QPainter>
 
 using namespace ramure;
 using test::HandBench;
@@ -24,6 +26,7 @@ private slots:
     void onlyTheLimbIsKept();
     void leavesGoAndComeBack();
     void stepsAreUndone();
+    void limbsThatWereChangedAreMarked();
 };
 
 void TestClickTools::withoutAToolNothingIsCut()
@@ -216,6 +219,25 @@ void TestClickTools::stepsAreUndone()
     QVERIFY(bench.document.scene().find(1)->params == before);
     bench.grow();
     QVERIFY(bench.skeleton() == skeleton);
+}
+
+void TestClickTools::limbsThatWereChangedAreMarked()
+{
+    HandBench bench(HandTool::Cut);
+    const auto painted = [&bench] {
+        QImage picture(800, 600, QImage::Format_RGB32);
+        picture.fill(Qt::black);
+        QPainter painter(&picture);
+        bench.tools.paint(painter, bench.view());
+        painter.end();
+        return picture;
+    };
+    const QImage before = painted();
+    bench.click(bench.on(bench.twig()));
+    bench.grow();
+    QVERIFY(painted() != before);
+    bench.hand.setTool(HandTool::None);
+    QVERIFY(painted() == before);
 }
 
 QTEST_MAIN(TestClickTools)
