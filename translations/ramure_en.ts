@@ -55,6 +55,41 @@
             <numerusform>Delete %n edits of branches</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Shape %n limb(s)</source>
+        <translation>
+            <numerusform>Shape %n limb</numerusform>
+            <numerusform>Shape %n limbs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n edit(s) of the tree</source>
+        <translation>
+            <numerusform>Delete %n edit of the tree</numerusform>
+            <numerusform>Delete %n edits of the tree</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Switch %n edit(s) on</source>
+        <translation>
+            <numerusform>Switch %n edit on</numerusform>
+            <numerusform>Switch %n edits on</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Switch %n edit(s) off</source>
+        <translation>
+            <numerusform>Switch %n edit off</numerusform>
+            <numerusform>Switch %n edits off</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Copy %n edit(s) of the tree</source>
+        <translation>
+            <numerusform>Copy %n edit of the tree</numerusform>
+            <numerusform>Copy %n edits of the tree</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
@@ -203,10 +238,10 @@
 <context>
     <name>ramure::EditActions</name>
     <message numerus="yes">
-        <source>De&amp;lete %n branch(es): not possible yet</source>
+        <source>De&amp;lete %n branch(es)</source>
         <translation>
-            <numerusform>De&amp;lete %n branch: not possible yet</numerusform>
-            <numerusform>De&amp;lete %n branches: not possible yet</numerusform>
+            <numerusform>De&amp;lete %n branch</numerusform>
+            <numerusform>De&amp;lete %n branches</numerusform>
         </translation>
     </message>
 </context>
@@ -379,6 +414,16 @@
         <translation>
             <numerusform>For the selected branch.</numerusform>
             <numerusform>For all %n selected branches.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::SawTool</name>
+    <message numerus="yes">
+        <source>%n cut(s)</source>
+        <translation>
+            <numerusform>%n cut</numerusform>
+            <numerusform>%n cuts</numerusform>
         </translation>
     </message>
 </context>

@@ -204,10 +204,6 @@
         <translation>Ne rien sélecti&amp;onner</translation>
     </message>
     <message>
-        <source>Take the selection of branches and nodes back</source>
-        <translation>Retirer la sélection des branches et des nœuds</translation>
-    </message>
-    <message>
         <source>&amp;Welcome page</source>
         <translation>Page d’accuei&amp;l</translation>
     </message>
@@ -939,6 +935,114 @@
         <source>Add objects to the scene: meshes, keys from Blender, trees of Arbaro and ez-tree</source>
         <translation>Ajouter des objets à la scène : maillages, clés de Blender, arbres d’Arbaro et d’ez-tree</translation>
     </message>
+    <message>
+        <source>Keep &amp;only this limb</source>
+        <translation>Ne &amp;garder que cette branche</translation>
+    </message>
+    <message>
+        <source>All goes but the limb of the active branch, what grows on it and the way down to the ground</source>
+        <translation>Tout s’en va sauf la branche active, ce qui pousse dessus et le chemin jusqu’au sol</translation>
+    </message>
+    <message>
+        <source>Leaves of the l&amp;imb on or off</source>
+        <translation>Feuilles de la branche &amp;ou non</translation>
+    </message>
+    <message>
+        <source>The leaves of the selected limbs go, or come back</source>
+        <translation>Les feuilles des branches sélectionnées s’en vont ou reviennent</translation>
+    </message>
+    <message>
+        <source>Lay the tool down; without one, take the selection back</source>
+        <translation>Poser l’outil ; sans outil, désélectionner tout</translation>
+    </message>
+    <message>
+        <source>&amp;Cut</source>
+        <translation>&amp;Couper</translation>
+    </message>
+    <message>
+        <source>Cut a branch where you click: what lies above falls away</source>
+        <translation>Couper une branche là où l’on clique : ce qui est au-dessus tombe</translation>
+    </message>
+    <message>
+        <source>&amp;Saw</source>
+        <translation>&amp;Scier</translation>
+    </message>
+    <message>
+        <source>Draw a line through twigs: all that it crosses is cut there</source>
+        <translation>Tracer une ligne à travers les rameaux : tout ce qu’elle croise y est coupé</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Enlever</translation>
+    </message>
+    <message>
+        <source>Click a limb: it goes, with all that grows on it</source>
+        <translation>Cliquer sur une branche : elle s’en va, avec tout ce qui pousse dessus</translation>
+    </message>
+    <message>
+        <source>&amp;Keep only</source>
+        <translation>&amp;Ne garder que</translation>
+    </message>
+    <message>
+        <source>Click a limb: all goes but it, what grows on it and the way down</source>
+        <translation>Cliquer sur une branche : tout s’en va sauf elle, ce qui pousse dessus et le chemin jusqu’en bas</translation>
+    </message>
+    <message>
+        <source>&amp;Bend</source>
+        <translation>&amp;Plier</translation>
+    </message>
+    <message>
+        <source>Drag a branch: the limb follows the hand</source>
+        <translation>Glisser une branche : elle suit la main</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Longueur</translation>
+    </message>
+    <message>
+        <source>Drag a branch along itself: longer or shorter</source>
+        <translation>Glisser une branche le long d’elle-même : plus longue ou plus courte</translation>
+    </message>
+    <message>
+        <source>&amp;Thickness</source>
+        <translation>É&amp;paisseur</translation>
+    </message>
+    <message>
+        <source>Drag a branch to the right: thicker, to the left: thinner</source>
+        <translation>Glisser une branche à droite : plus épaisse, à gauche : plus mince</translation>
+    </message>
+    <message>
+        <source>&amp;Draw</source>
+        <translation>&amp;Dessiner</translation>
+    </message>
+    <message>
+        <source>&amp;Graft</source>
+        <translation>&amp;Greffer</translation>
+    </message>
+    <message>
+        <source>Click a limb to copy it, then click where it is to grow</source>
+        <translation>Cliquer sur une branche pour la copier, puis là où elle doit pousser</translation>
+    </message>
+    <message>
+        <source>&amp;Prune to a shape</source>
+        <translation>&amp;Tailler en forme</translation>
+    </message>
+    <message>
+        <source>Drag a shape around the tree: what stands out of it is cut</source>
+        <translation>Tirer une forme autour de l’arbre : ce qui en dépasse est coupé</translation>
+    </message>
+    <message>
+        <source>L&amp;eaves on or off</source>
+        <translation>&amp;Feuilles ou non</translation>
+    </message>
+    <message>
+        <source>Click a limb: its leaves go, or come back</source>
+        <translation>Cliquer sur une branche : ses feuilles s’en vont ou reviennent</translation>
+    </message>
+    <message>
+        <source>Drag from a branch or the ground: a branch grows along the stroke</source>
+        <translation>Glisser à partir d’une branche ou du sol : une branche pousse le long du trait</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -1159,6 +1263,49 @@
     <message>
         <source>Pack pictures</source>
         <translation>Emballer les images</translation>
+    </message>
+    <message numerus="yes">
+        <source>Shape %n limb(s)</source>
+        <translation>
+            <numerusform>Façonner %n branche</numerusform>
+            <numerusform>Façonner %n branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Delete %n edit(s) of the tree</source>
+        <translation>
+            <numerusform>Supprimer %n modification de l’arbre</numerusform>
+            <numerusform>Supprimer %n modifications de l’arbre</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Switch %n edit(s) on</source>
+        <translation>
+            <numerusform>Activer %n modification</numerusform>
+            <numerusform>Activer %n modifications</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Switch %n edit(s) off</source>
+        <translation>
+            <numerusform>Désactiver %n modification</numerusform>
+            <numerusform>Désactiver %n modifications</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Rename edit</source>
+        <translation>Renommer une modification</translation>
+    </message>
+    <message>
+        <source>Move edit</source>
+        <translation>Déplacer une modification</translation>
+    </message>
+    <message numerus="yes">
+        <source>Copy %n edit(s) of the tree</source>
+        <translation>
+            <numerusform>Copier %n modification de l’arbre</numerusform>
+            <numerusform>Copier %n modifications de l’arbre</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1384,6 +1531,30 @@
         <source>Menu of what is under the cursor</source>
         <translation>Menu de ce qui est sous le curseur</translation>
     </message>
+    <message>
+        <source>While a tree is shaped by hand</source>
+        <translation>Pendant qu’un arbre est façonné à la main</translation>
+    </message>
+    <message>
+        <source>The factor of a length or a thickness</source>
+        <translation>Le facteur d’une longueur ou d’une épaisseur</translation>
+    </message>
+    <message>
+        <source>The factor in steps</source>
+        <translation>Le facteur par pas</translation>
+    </message>
+    <message>
+        <source>Copy another limb, with the graft tool</source>
+        <translation>Copier une autre branche, avec la greffe</translation>
+    </message>
+    <message>
+        <source>Back to how it was; without a gesture: lay the tool down</source>
+        <translation>Comme c’était ; sans geste : poser l’outil</translation>
+    </message>
+    <message>
+        <source>In the list of edits: earlier or later</source>
+        <translation>Dans la liste des retouches : plus tôt ou plus tard</translation>
+    </message>
 </context>
 <context>
     <name>GizmoDrag</name>
@@ -1414,6 +1585,97 @@
     <message>
         <source>key</source>
         <translation>clé</translation>
+    </message>
+</context>
+<context>
+    <name>HandOptions</name>
+    <message>
+        <source>Up to</source>
+        <translation>Jusqu’à</translation>
+    </message>
+    <message>
+        <source>The saw goes through twigs of at most this radius</source>
+        <translation>La scie passe à travers les rameaux d’au plus ce rayon</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>At the foot of the new branch. 0: to suit what it grows on</source>
+        <translation>Au pied de la nouvelle branche. 0 : selon ce sur quoi elle pousse</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <translation>Bout</translation>
+    </message>
+    <message>
+        <source>Radius at the tip, of that at the foot</source>
+        <translation>Rayon au bout, par rapport à celui du pied</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Lissage</translation>
+    </message>
+    <message>
+        <source>How much the trembling of the hand is taken out</source>
+        <translation>Combien le tremblement de la main est ôté</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Of the copy, against the original</source>
+        <translation>De la copie, par rapport à l’original</translation>
+    </message>
+    <message>
+        <source>Around the trunk</source>
+        <translation>Autour du tronc</translation>
+    </message>
+    <message>
+        <source>How many grow at once, evenly turned about what they grow on</source>
+        <translation>Combien poussent à la fois, régulièrement autour de ce qui les porte</translation>
+    </message>
+    <message>
+        <source>With all that grows on it</source>
+        <translation>Avec tout ce qui pousse dessus</translation>
+    </message>
+    <message>
+        <source>Else the limb alone changes</source>
+        <translation>Sinon la branche seule change</translation>
+    </message>
+    <message>
+        <source>Pen pressure</source>
+        <translation>Pression du stylet</translation>
+    </message>
+    <message>
+        <source>The harder the pen is pressed, the thicker the branch</source>
+        <translation>Plus le stylet appuie, plus la branche est épaisse</translation>
+    </message>
+    <message>
+        <source>Mirrored</source>
+        <translation>En miroir</translation>
+    </message>
+    <message>
+        <source>A second branch grows across what the first one grows on</source>
+        <translation>Une seconde branche pousse de l’autre côté de ce qui porte la première</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Forme</translation>
+    </message>
+    <message>
+        <source>What stands out of it is cut</source>
+        <translation>Ce qui en dépasse est coupé</translation>
+    </message>
+    <message>
+        <source>With twigs</source>
+        <translation>Avec rameaux</translation>
+    </message>
+    <message>
+        <source>Twigs grow on the branch as on those beside it</source>
+        <translation>Des rameaux poussent sur la branche comme sur ses voisines</translation>
     </message>
 </context>
 <context>
@@ -6021,6 +6283,226 @@
         <source>instances of leaves do not move: merge them, or write one moment</source>
         <translation>les instances de feuilles ne bougent pas : réunissez-les, ou écrivez un seul instant</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; has no such edit</source>
+        <translation>«&#xa0;%1&#xa0;» n’a pas cette modification</translation>
+    </message>
+    <message>
+        <source>a JSON object is expected here</source>
+        <translation>un objet JSON est attendu ici</translation>
+    </message>
+    <message>
+        <source>every edit needs a name of its own</source>
+        <translation>chaque modification doit avoir un nom à elle</translation>
+    </message>
+    <message>
+        <source>there is no such tree</source>
+        <translation>cet arbre n’existe pas</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has no such value</source>
+        <translation>«&#xa0;%1&#xa0;» n’a pas cette valeur</translation>
+    </message>
+    <message>
+        <source>unknown operation &quot;%1&quot;</source>
+        <translation>opération inconnue «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>%1 numbers are expected here</source>
+        <translation>%1 nombres sont attendus ici</translation>
+    </message>
+    <message>
+        <source>a sphere, a box or a cone is expected here</source>
+        <translation>une sphère, une boîte ou un cône est attendu ici</translation>
+    </message>
+    <message>
+        <source>&quot;tree&quot; or &quot;parent&quot; is expected here</source>
+        <translation>«&#xa0;tree&#xa0;» ou «&#xa0;parent&#xa0;» est attendu ici</translation>
+    </message>
+    <message>
+        <source>the limb is missing</source>
+        <translation>la branche maîtresse manque</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Enlever</translation>
+    </message>
+    <message>
+        <source>Keep only this</source>
+        <translation>Ne garder que ceci</translation>
+    </message>
+    <message>
+        <source>Bend</source>
+        <translation>Plier</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation>Torsader</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Dessiner</translation>
+    </message>
+    <message>
+        <source>Extend</source>
+        <translation>Prolonger</translation>
+    </message>
+    <message>
+        <source>Redraw</source>
+        <translation>Redessiner</translation>
+    </message>
+    <message>
+        <source>Graft</source>
+        <translation>Greffer</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Déplacer</translation>
+    </message>
+    <message>
+        <source>Prune to a shape</source>
+        <translation>Tailler selon une forme</translation>
+    </message>
+    <message>
+        <source>Attract</source>
+        <translation>Attirer</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Peigner</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Feuilles</translation>
+    </message>
+    <message>
+        <source>Root</source>
+        <translation>Racine</translation>
+    </message>
+    <message>
+        <source>a stroke needs between one and 100000 points</source>
+        <translation>un trait a entre un et 100000 points</translation>
+    </message>
+    <message>
+        <source>points need three finite coordinates and a radius that is not negative</source>
+        <translation>les points ont trois coordonnées finies et un rayon qui n’est pas négatif</translation>
+    </message>
+    <message>
+        <source>the stroke goes nowhere</source>
+        <translation>le trait ne mène nulle part</translation>
+    </message>
+    <message>
+        <source>the shape has no extent</source>
+        <translation>la forme n’a pas d’étendue</translation>
+    </message>
+    <message>
+        <source>a limb has at most 100000 pieces</source>
+        <translation>une branche maîtresse a au plus 100000 morceaux</translation>
+    </message>
+    <message>
+        <source>the pieces of a limb must follow their parents</source>
+        <translation>les morceaux d’une branche maîtresse doivent suivre leurs parents</translation>
+    </message>
+    <message>
+        <source>the pieces of an axis must follow each other</source>
+        <translation>les morceaux d’un axe doivent se suivre</translation>
+    </message>
+    <message>
+        <source>a graft needs a limb of this tree, or one of its own</source>
+        <translation>une greffe demande une branche de cet arbre, ou la sienne</translation>
+    </message>
+    <message>
+        <source>there is no such operation</source>
+        <translation>cette opération n’existe pas</translation>
+    </message>
+    <message>
+        <source>must be a finite number within its range</source>
+        <translation>doit être un nombre fini, entre ses limites</translation>
+    </message>
+    <message>
+        <source>must be three finite numbers</source>
+        <translation>doit être trois nombres finis</translation>
+    </message>
+    <message>
+        <source>a direction must not be zero</source>
+        <translation>une direction ne doit pas être nulle</translation>
+    </message>
+    <message>
+        <source>nothing in the tree looks like what was edited</source>
+        <translation>rien dans l’arbre ne ressemble à ce qui avait été modifié</translation>
+    </message>
+    <message>
+        <source>an edit before has taken the limb away</source>
+        <translation>une modification d’avant a enlevé la branche</translation>
+    </message>
+    <message>
+        <source>no branch is within reach</source>
+        <translation>aucune branche n’est à portée</translation>
+    </message>
+    <message>
+        <source>there is nothing above the bend</source>
+        <translation>il n’y a rien au-dessus de la pliure</translation>
+    </message>
+    <message>
+        <source>a curl must end above its start</source>
+        <translation>un enroulement doit finir au-dessus de son début</translation>
+    </message>
+    <message>
+        <source>nothing grows on this axis</source>
+        <translation>rien ne pousse sur cet axe</translation>
+    </message>
+    <message>
+        <source>only what stands on the ground has a root</source>
+        <translation>seul ce qui tient au sol a une racine</translation>
+    </message>
+    <message>
+        <source>the tree has no such limb</source>
+        <translation>l’arbre n’a pas cette branche</translation>
+    </message>
+    <message>
+        <source>nothing of the tree would be left</source>
+        <translation>il ne resterait rien de l’arbre</translation>
+    </message>
+    <message>
+        <source>there is nothing above the cut</source>
+        <translation>il n’y a rien au-dessus de la coupe</translation>
+    </message>
+    <message>
+        <source>there is nothing else</source>
+        <translation>il n’y a rien d’autre</translation>
+    </message>
+    <message>
+        <source>nothing stands out of the shape</source>
+        <translation>rien ne dépasse de la forme</translation>
+    </message>
+    <message>
+        <source>a limb cannot be grafted into itself</source>
+        <translation>une branche ne peut pas être greffée sur elle-même</translation>
+    </message>
+    <message>
+        <source>the axis has no length</source>
+        <translation>l’axe n’a pas de longueur</translation>
+    </message>
+    <message>
+        <source>what stands on the ground has no place on a parent</source>
+        <translation>ce qui tient au sol n’a pas de place sur un parent</translation>
+    </message>
+    <message>
+        <source>a limb cannot be put on itself</source>
+        <translation>une branche ne peut pas être mise sur elle-même</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has not grown yet</source>
+        <translation>« %1 » n’a pas encore poussé</translation>
+    </message>
+    <message>
+        <source>no branch is meant</source>
+        <translation>aucune branche n’est désignée</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -6975,6 +7457,40 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::CutTool</name>
+    <message>
+        <source>Click: cut here</source>
+        <translation>Clic : couper ici</translation>
+    </message>
+    <message>
+        <source>Click a branch: cut it there</source>
+        <translation>Clic sur une branche : la couper là</translation>
+    </message>
+    <message>
+        <source>Release: cut here · Esc: not at all</source>
+        <translation>Lâcher : couper ici · Échap : pas du tout</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::DrawTool</name>
+    <message>
+        <source>A branch grows along the line · release: done · Esc: none</source>
+        <translation>Une branche pousse le long du trait · lâcher : fait · Échap : aucune</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Drag from a branch or the ground: a new branch along the line</source>
+        <translation>Glisser à partir d’une branche ou du sol : une nouvelle branche le long du trait</translation>
+    </message>
+    <message>
+        <source>A new branch begins on a branch, or on the ground near the tree: press there, and drag.</source>
+        <translation>Une nouvelle branche commence sur une branche, ou au sol près de l’arbre : appuyez là, et glissez.</translation>
+    </message>
+</context>
+<context>
     <name>ramure::EditActions</name>
     <message>
         <source>&amp;Add to the scene</source>
@@ -7012,13 +7528,6 @@ OpenGL&#xa0;: %4
         <source>Loc&amp;k %1</source>
         <translation>&amp;Verrouiller %1</translation>
     </message>
-    <message numerus="yes">
-        <source>De&amp;lete %n branch(es): not possible yet</source>
-        <translation>
-            <numerusform>&amp;Supprimer %n branche : pas encore possible</numerusform>
-            <numerusform>&amp;Supprimer %n branches : pas encore possible</numerusform>
-        </translation>
-    </message>
     <message>
         <source>De&amp;lete %1</source>
         <translation>&amp;Supprimer %1</translation>
@@ -7028,13 +7537,124 @@ OpenGL&#xa0;: %4
         <translation>Nouvel arbre : rien ne peut varier. Aucune règle ne comporte de hasard, et la variation des angles, longueurs et rayons est de 0 %</translation>
     </message>
     <message>
-        <source>Branches cannot be cut yet. Esc selects the tree alone: then Del deletes it.</source>
-        <translation>Les branches ne peuvent pas encore être coupées. Échap sélectionne l’arbre seul : Suppr le supprime alors.</translation>
-    </message>
-    <message>
         <source>Make it %1</source>
         <comment>undo step; the name of a preset</comment>
         <translation>En faire %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>De&amp;lete %n branch(es)</source>
+        <translation>
+            <numerusform>Su&amp;pprimer %n branche</numerusform>
+            <numerusform>Su&amp;pprimer %n branches</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::EditModel</name>
+    <message>
+        <source>%1 %</source>
+        <comment>a share</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <comment>an edit and its factor</comment>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <comment>an edit and its place</comment>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Leaves on</source>
+        <translation>Feuilles remises</translation>
+    </message>
+    <message>
+        <source>Leaves off</source>
+        <translation>Feuilles ôtées</translation>
+    </message>
+    <message>
+        <source>no place at present</source>
+        <translation>sans place à présent</translation>
+    </message>
+    <message>
+        <source>It is kept, and acts again as soon as there is such a limb: %1</source>
+        <translation>Elle est gardée, et agit de nouveau dès qu’il y a une telle branche : %1</translation>
+    </message>
+    <message>
+        <source>Edit</source>
+        <translation>Retouche</translation>
+    </message>
+    <message>
+        <source>Limb</source>
+        <translation>Branche</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::EditTool</name>
+    <message>
+        <source>Trees are shaped at rest: stop, and go to the first frame.</source>
+        <translation>Les arbres se façonnent au repos : arrêtez, et allez à la première image.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::EditsPanel</name>
+    <message>
+        <source>Nothing was done by hand to “%1” yet. Choose a tool beside the view: cut, bend, draw. Each thing that you do is listed here, and is kept when the tree changes.</source>
+        <translation>Rien n’a encore été fait à la main à « %1 ». Choisissez un outil à côté de la vue : couper, plier, dessiner. Tout ce que vous faites est énuméré ici, et reste quand l’arbre change.</translation>
+    </message>
+    <message>
+        <source>Select a tree: what was done to it by hand is listed here.</source>
+        <translation>Sélectionnez un arbre : ce qui lui a été fait à la main est énuméré ici.</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Switch on</source>
+        <translation>Remettre</translation>
+    </message>
+    <message>
+        <source>Switch off</source>
+        <translation>Couper</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Plus tôt</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Plus tard</translation>
+    </message>
+    <message>
+        <source>Copy to</source>
+        <translation>Copier vers</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Earlier (Alt+Up): it acts before the one above</source>
+        <translation>Plus tôt (Alt+Haut) : elle agit avant celle du dessus</translation>
+    </message>
+    <message>
+        <source>Later (Alt+Down): it acts after the one below</source>
+        <translation>Plus tard (Alt+Bas) : elle agit après celle du dessous</translation>
+    </message>
+    <message>
+        <source>Copy the selected edits to another tree</source>
+        <translation>Copier les retouches sélectionnées vers un autre arbre</translation>
+    </message>
+    <message>
+        <source>Delete the selected edits (Del)</source>
+        <translation>Supprimer les retouches sélectionnées (Suppr)</translation>
+    </message>
+    <message>
+        <source>Edits by hand</source>
+        <translation>Retouches à la main</translation>
     </message>
 </context>
 <context>
@@ -7219,6 +7839,41 @@ OpenGL&#xa0;: %4
             <numerusform>%Ln image dans un seul fichier</numerusform>
             <numerusform>%Ln images dans un seul fichier</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::FactorTool</name>
+    <message>
+        <source>Digits: factor · wheel: more or less · Enter or click: done · Esc: back</source>
+        <translation>Chiffres : facteur · molette : plus ou moins · Entrée ou clic : fait · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Release: done · wheel: more or less · digits: factor · Ctrl: steps · Esc: back</source>
+        <translation>Lâcher : fait · molette : plus ou moins · chiffres : facteur · Ctrl : par pas · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Drag a branch along itself: its length</source>
+        <translation>Glisser une branche le long d’elle-même : sa longueur</translation>
+    </message>
+    <message>
+        <source>Drag a branch to the right or left: its thickness</source>
+        <translation>Glisser une branche à droite ou à gauche : son épaisseur</translation>
+    </message>
+    <message>
+        <source>Click: type a factor</source>
+        <translation>Clic : taper un facteur</translation>
+    </message>
+    <message>
+        <source>Length × %1</source>
+        <translation>Longueur × %1</translation>
+    </message>
+    <message>
+        <source>Thickness × %1</source>
+        <translation>Épaisseur × %1</translation>
+    </message>
+    <message>
+        <source> · type a number</source>
+        <translation> · tapez un nombre</translation>
     </message>
 </context>
 <context>
@@ -7462,6 +8117,33 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::GraftTool</name>
+    <message>
+        <source>Release: copy this limb · Esc: not this one</source>
+        <translation>Lâcher : copier cette branche · Échap : pas celle-là</translation>
+    </message>
+    <message>
+        <source>Release: it grows here · Esc: nowhere</source>
+        <translation>Lâcher : elle pousse ici · Échap : nulle part</translation>
+    </message>
+    <message>
+        <source>Click: the copy grows here · Shift + click: copy another limb</source>
+        <translation>Clic : la copie pousse ici · Maj + clic : copier une autre branche</translation>
+    </message>
+    <message>
+        <source>Click a limb: copy it</source>
+        <translation>Clic sur une branche : la copier</translation>
+    </message>
+    <message>
+        <source>Shift: click copies another limb</source>
+        <translation>Maj : un clic copie une autre branche</translation>
+    </message>
+    <message>
+        <source>The limb is copied: click where it is to grow.</source>
+        <translation>La branche est copiée : cliquez là où elle doit pousser.</translation>
+    </message>
+</context>
+<context>
     <name>ramure::GroupSection</name>
     <message>
         <source>Copy, paste or reset this group</source>
@@ -7501,6 +8183,13 @@ OpenGL&#xa0;: %4
     <message>
         <source>Reset values</source>
         <translation>Rétablir les valeurs</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::HandActions</name>
+    <message>
+        <source>Shape &amp;by hand</source>
+        <translation>Façonner à la &amp;main</translation>
     </message>
 </context>
 <context>
@@ -7710,6 +8399,17 @@ OpenGL&#xa0;: %4
     <message>
         <source>Turn joint %1</source>
         <translation>Tourner l&apos;articulation %1</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::KeepTool</name>
+    <message>
+        <source>Click: all goes but this limb</source>
+        <translation>Clic : tout s’en va sauf cette branche</translation>
+    </message>
+    <message>
+        <source>Release: all goes but this limb · Esc: all stays</source>
+        <translation>Lâcher : tout s’en va sauf cette branche · Échap : tout reste</translation>
     </message>
 </context>
 <context>
@@ -8025,6 +8725,17 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::LeavesTool</name>
+    <message>
+        <source>Click: the leaves of the limb go; once more: they come back</source>
+        <translation>Clic : les feuilles de la branche s’en vont ; encore une fois : elles reviennent</translation>
+    </message>
+    <message>
+        <source>Release: leaves off or on · Esc: as they were</source>
+        <translation>Lâcher : feuilles ou non · Échap : comme elles étaient</translation>
+    </message>
+</context>
+<context>
     <name>ramure::LightDialog</name>
     <message>
         <source>Light and backdrop</source>
@@ -8180,6 +8891,10 @@ OpenGL&#xa0;: %4
         <source>out of reach: %1 m short</source>
         <translation>hors d&apos;atteinte : il manque %1 m</translation>
     </message>
+    <message>
+        <source>Drag: bend the limb · Shift: trunk and root, too</source>
+        <translation>Glisser : plier la branche · Maj : tronc et racine aussi</translation>
+    </message>
 </context>
 <context>
     <name>ramure::MainWindow</name>
@@ -8308,6 +9023,14 @@ OpenGL&#xa0;: %4
     <message>
         <source>Let go: plant it where there is room</source>
         <translation>Lâchez : le planter là où il y a de la place</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Outils</translation>
+    </message>
+    <message>
+        <source>Edits</source>
+        <translation>Retouches</translation>
     </message>
 </context>
 <context>
@@ -8943,6 +9666,37 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::PruneTool</name>
+    <message>
+        <source>What stands out of the shape is cut · release: done · Esc: nothing is cut</source>
+        <translation>Ce qui dépasse de la forme est coupé · lâcher : fait · Échap : rien n’est coupé</translation>
+    </message>
+    <message>
+        <source>Drag from the middle of the tree outwards: it is cut to the shape</source>
+        <translation>Glisser du milieu de l’arbre vers l’extérieur : il est taillé en forme</translation>
+    </message>
+    <message>
+        <source>Press on the tree that is to be pruned, or select it first.</source>
+        <translation>Appuyez sur l’arbre à tailler, ou sélectionnez-le d’abord.</translation>
+    </message>
+    <message>
+        <source>Drag from the middle of the tree outwards.</source>
+        <translation>Glissez du milieu de l’arbre vers l’extérieur.</translation>
+    </message>
+    <message>
+        <source>radius %1 m</source>
+        <translation>rayon %1 m</translation>
+    </message>
+    <message>
+        <source>radius %1 m, %2 m high</source>
+        <translation>rayon %1 m, %2 m de haut</translation>
+    </message>
+    <message>
+        <source>%1 m wide, %2 m high</source>
+        <translation>%1 m de large, %2 m de haut</translation>
+    </message>
+</context>
+<context>
     <name>ramure::PullTool</name>
     <message>
         <source>The branch is pulled · release: it swings back</source>
@@ -9017,6 +9771,17 @@ OpenGL&#xa0;: %4
     <message>
         <source>never saved</source>
         <translation>jamais enregistré</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::RemoveTool</name>
+    <message>
+        <source>Click: the limb goes · one of several selected: all of them</source>
+        <translation>Clic : la branche s’en va · une de plusieurs sélectionnées : toutes</translation>
+    </message>
+    <message>
+        <source>Release: it goes · Esc: it stays</source>
+        <translation>Lâcher : elle s’en va · Échap : elle reste</translation>
     </message>
 </context>
 <context>
@@ -9149,6 +9914,24 @@ OpenGL&#xa0;: %4
     <message>
         <source>Timecode</source>
         <translation>Timecode</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::SawTool</name>
+    <message>
+        <source>What the line crosses is cut · release: done · Esc: nothing is cut</source>
+        <translation>Ce que la ligne croise est coupé · lâcher : fait · Échap : rien n’est coupé</translation>
+    </message>
+    <message>
+        <source>Drag a line through twigs: they are cut there</source>
+        <translation>Tirer une ligne à travers des rameaux : ils y sont coupés</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cut(s)</source>
+        <translation>
+            <numerusform>%n coupe</numerusform>
+            <numerusform>%n coupes</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -10142,6 +10925,21 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::ToolStrip</name>
+    <message>
+        <source>Sphere</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Boîte</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Cône</translation>
+    </message>
+</context>
+<context>
     <name>ramure::TransformActions</name>
     <message>
         <source>Trans&amp;form</source>
@@ -10256,6 +11054,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Delete &amp;all</source>
         <translation>&amp;Tout supprimer</translation>
+    </message>
+    <message>
+        <source>on a limb made by hand</source>
+        <translation>sur une branche faite à la main</translation>
     </message>
 </context>
 <context>

@@ -5,9 +5,11 @@
 #include "app/cli/moments.h"
 #include "core/document/project_json.h"
 #include "core/math/box.h"
+#include "core/params/tree_edit_table.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/scene/object_mesh.h"
 #include "core/skeleton/edit_places.h"
+#include "core/skeleton/edits/apply_edits.h"
 #include "core/skeleton/measures.h"
 #include "widgets/view/render/surface_images.h"
 #include <QJsonArray>
@@ -31,7 +33,9 @@ constexpr CommandText text = {
     "row after row; \"geometry\" is where its own shape stands, which its children do not see; of arms, "
     "terrains, primitives and imported meshes also the vertices and faces, of arms the joints, the reach and "
     "the tip (m, the arm's own space, as it is at --time). \"edits\" counts the branches shaped by hand: in "
-    "their places, matched by likeness, and without a place; \"badPictures\" names image files that are "
+    "their places, matched by likeness, and without a place, the edits of `edit` among them, which \"list\" "
+    "there "
+    "names with what became of each; \"badPictures\" names image files that are "
     "missing or cannot be read; \"axes\" with --axes lists the stems; \"measures\" are a tree's height, the "
     "diameter of its stem 1.3 m above the ground and the width of its crown without leaves (m). Of a file "
     "{read}: vertices, faces, box and its objects."};
@@ -52,6 +56,8 @@ struct TreeFacts
     SkeletonFacts full, simplified;
     std::int64_t leaves = 0, shed = 0; ///< shed: by the season; below 0: there would be too many leaves
     EditCount edits;
+    LayerCount layer;
+    QJsonArray editList;
     QJsonArray axes;                      ///< where they were asked for
     std::optional<TreeMeasures> measures; ///< of one tree
 };
@@ -106,15 +112,40 @@ QJsonObject jsonTree(const TreeFacts& tree)
         out.insert(QStringLiteral("leaves"), qint64(tree.leaves));
         out.insert(QStringLiteral("shed"), qint64(tree.shed));
     }
-    out.insert(QStringLiteral("edits"),
-               QJsonObject{{QStringLiteral("placed"), qint64(tree.edits.placed)},
-                           {QStringLiteral("matched"), qint64(tree.edits.matched)},
-                           {QStringLiteral("unplaced"), qint64(tree.edits.unplaced.size())}});
+    QJsonObject edits{
+        {QStringLiteral("placed"), qint64(tree.edits.placed + tree.layer.placed)},
+        {QStringLiteral("matched"), qint64(tree.edits.matched + tree.layer.matched)},
+        {QStringLiteral("unplaced"), qint64(tree.edits.unplaced.size()) + qint64(tree.layer.unplaced)}};
+    if (!tree.editList.isEmpty())
+        edits.insert(QStringLiteral("list"), tree.editList);
+    out.insert(QStringLiteral("edits"), edits);
     if (!tree.axes.isEmpty())
         out.insert(QStringLiteral("axes"), tree.axes);
     if (tree.measures)
         out.insert(QStringLiteral("measures"), jsonMeasures(*tree.measures));
     return out;
+}
+
+/// The edits of a tree in their order, and what became of them.
+QJsonArray jsonEdits(const std::vector<TreeEdit>& edits, const EditReport* report)
+{
+    constexpr const char* states[] = {"off", "placed", "matched", "unplaced", "idle"};
+    QJsonArray list;
+    for (std::size_t i = 0; report && i < report->size(); ++i) {
+        const EditOutcome& outcome = (*report)[i];
+        QJsonObject entry{
+            {QStringLiteral("id"), json::branchKey(outcome.id)},
+            {QStringLiteral("op"), QLatin1String(infoOf(edits[i].operation).key)},
+            {QStringLiteral("state"), QLatin1String(states[static_cast<std::size_t>(outcome.state)])}};
+        if (!edits[i].name.empty())
+            entry.insert(QStringLiteral("name"), fromText(edits[i].name));
+        if (outcome.address != 0)
+            entry.insert(QStringLiteral("target"), json::branchKey(outcome.address));
+        if (const std::string why = outcome.why.plain(); !why.empty())
+            entry.insert(QStringLiteral("why"), fromText(why));
+        list.append(entry);
+    }
+    return list;
 }
 
 QJsonArray jsonAxes(const Skeleton& skeleton)
@@ -187,6 +218,8 @@ Expected<std::vector<TreeFacts>> factsOfTrees(EvaluatedScene& scene, const std::
                        factsOf(simplified), foliage ? std::int64_t(foliage->leaves.size()) : -1,
                        foliage ? std::int64_t(foliage->shed) : 0,
                        countEdits(now.params.branches, *result->simplified),
+                       result->edits ? countLayer(*result->edits) : LayerCount(),
+                       jsonEdits(now.params.edits, result->edits.get()),
                        axes ? jsonAxes(*result->skeleton) : QJsonArray(), measuresOf(*result->skeleton)});
     }
     return out;
@@ -329,6 +362,9 @@ Expected<void> showScene(EvaluatedScene now, const Checked& checked, bool json, 
         sum.symbols += tree.symbols;
         sum.edits.placed += tree.edits.placed;
         sum.edits.matched += tree.edits.matched;
+        sum.layer.placed += tree.layer.placed;
+        sum.layer.matched += tree.layer.matched;
+        sum.layer.unplaced += tree.layer.unplaced;
         sum.edits.unplaced.insert(sum.edits.unplaced.end(), tree.edits.unplaced.begin(),
                                   tree.edits.unplaced.end());
         add(sum.full, tree.full, world);

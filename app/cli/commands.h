@@ -19,6 +19,7 @@ struct Command
 extern const Command listCommand;
 extern const Command infoCommand;
 extern const Command importCommand;
+extern const Command editCommand;
 extern const Command exportCommand;
 extern const Command validateCommand;
 extern const Command simulateCommand;
@@ -27,9 +28,9 @@ extern const Command renderCommand;
 extern const Command texturesCommand;
 
 /// In the order of the help.
-inline constexpr std::array allCommands = {&listCommand,   &infoCommand,     &importCommand,
-                                           &exportCommand, &validateCommand, &simulateCommand,
-                                           &ikCommand,     &renderCommand,   &texturesCommand};
+inline constexpr std::array allCommands = {&listCommand,   &infoCommand,     &importCommand,   &editCommand,
+                                           &exportCommand, &validateCommand, &simulateCommand, &ikCommand,
+                                           &renderCommand, &texturesCommand};
 
 /// An option that stands in a command's place.
 struct ProgramOption

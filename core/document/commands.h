@@ -27,6 +27,7 @@ enum class CommandId : int {
     SetArmMesh,
     PlaceNodes,
     SetBookmark,
+    SetTreeEdits,
 };
 
 /// A gesture: commands with the same id merge. 0 = never merge.
@@ -110,6 +111,26 @@ Expected<void> setBranchBends(Document& document, NodeId node,
 /// bend is not finite.
 Expected<void> turnBranches(Document& document, NodeId node,
                             const std::map<std::uint64_t, glm::dvec3>& bendRad, GestureId gesture = 0);
+/// Edits of a tree (core/params/tree_edit.h). Those whose id the tree has already are put in the place of
+/// these, the others at the end of the list, each with an id of its own where it has none; returns the ids.
+/// A drag gives the edit again and again, with the id that the first call returned: one step. Whether an edit
+/// can act is not asked here: core/skeleton/edits/edit_context.h. Errors: Unknown (node), Invalid (locked, no
+/// tree, what checkTreeEdit refuses; path = "edits[0].at").
+Expected<std::vector<std::uint64_t>> putTreeEdits(Document& document, NodeId tree,
+                                                  std::vector<TreeEdit> edits, GestureId gesture = 0);
+/// Errors of these: those of editable trees; Unknown (no edit of that id).
+Expected<void> removeTreeEdits(Document& document, NodeId tree, const std::vector<std::uint64_t>& ids,
+                               GestureId gesture = 0);
+Expected<void> setTreeEditsEnabled(Document& document, NodeId tree, const std::vector<std::uint64_t>& ids,
+                                   bool enabled);
+/// An empty name is that of the operation.
+Expected<void> renameTreeEdit(Document& document, NodeId tree, std::uint64_t id, const QString& name);
+/// \param row in the list without the edit itself; past its end: the last.
+Expected<void> moveTreeEdit(Document& document, NodeId tree, std::uint64_t id, int row);
+/// The edits as they are, with their ids, at the ends of the lists of other trees, as one step. What a tree
+/// has of them already is put in their place.
+Expected<void> copyTreeEdits(Document& document, NodeId from, const std::vector<std::uint64_t>& ids,
+                             const std::vector<NodeId>& to);
 /// Sets the joints of an arm: their number, lengths, angles and limits. Errors: Unknown (node), Invalid
 /// (locked, no arm, what checkArm refuses).
 Expected<void> setJoints(Document& document, NodeId node, std::vector<ArmJoint> joints, const QString& text,

@@ -24,6 +24,7 @@
 //         {
 //           "branches": {"00c0ffee00c0ffee": {"roll": 0.5}},   per-branch values by Skeleton::name, in hex;
 //                                                              "place": project_places.h
+//           "edits": [{"op": "cut", ...}],                     of a tree: project_edits.h
 //           "id": 2,                                           any whole number from 1, unique in the file
 //           "kind": "tree",
 //           "locked": true,                                    left out where false

@@ -1,9 +1,11 @@
 #include "core/document/project_json.h"
 
 #include "core/document/project_arm.h"
+#include "core/document/project_edits.h"
 #include "core/document/project_mesh.h"
 #include "core/document/project_places.h"
 #include "core/document/project_tracks.h"
+#include "core/params/tree_edit_table.h"
 #include "core/rig/arm/arm_shape.h"
 
 #include <QJsonArray>
@@ -61,6 +63,8 @@ QJsonObject writeNode(const Node& node)
         object.insert(QStringLiteral("params"), params);
     if (const QJsonObject branches = writeBranches(node); !branches.isEmpty())
         object.insert(QStringLiteral("branches"), branches);
+    if (node.kind == NodeKind::Tree && !node.params.edits.empty())
+        object.insert(QStringLiteral("edits"), writeEdits(node.params.edits));
     if (node.kind == NodeKind::Arm && node.params.joints != defaultArmJoints())
         object.insert(QStringLiteral("joints"), writeJoints(node.params.joints));
     if (const QJsonObject tracks = writeTracks(node.animation); !tracks.isEmpty())
@@ -83,9 +87,10 @@ public:
 
     Expected<Node> read()
     {
-        for (const auto step : {&NodeReader::readIds, &NodeReader::readKind, &NodeReader::readState,
-                                &NodeReader::readParams, &NodeReader::readBranches, &NodeReader::readArm,
-                                &NodeReader::readAnimation, &NodeReader::readGeometry})
+        for (const auto step :
+             {&NodeReader::readIds, &NodeReader::readKind, &NodeReader::readState, &NodeReader::readParams,
+              &NodeReader::readBranches, &NodeReader::readTreeEdits, &NodeReader::readArm,
+              &NodeReader::readAnimation, &NodeReader::readGeometry})
             if (auto done = (this->*step)(); !done)
                 return fail(std::move(done.error()));
         m_node.extras = extrasText(m_rest);
@@ -231,6 +236,19 @@ private:
         return {};
     }
 
+    Expected<void> readTreeEdits()
+    {
+        if (m_node.kind != NodeKind::Tree || !m_rest.contains(QLatin1String("edits")))
+            return {};
+        const QJsonValue value = m_rest.take(QLatin1String("edits"));
+        if (!value.isArray())
+            return failAt("edits", ErrorCode::Invalid, RAMURE_NOOP("an array is expected here"));
+        auto edits = readEdits(value.toArray());
+        if (!edits)
+            return failInside("edits", std::move(edits.error()));
+        m_node.params.edits = std::move(*edits);
+        return checkTreeEdits(m_node.params.edits);
+    }
     Expected<void> readArm()
     {
         if (m_node.kind != NodeKind::Arm || !m_rest.contains(QLatin1String("joints")))

@@ -16,6 +16,7 @@
 #include "core/params/picture_params.h"
 #include "core/params/primitive_params.h"
 #include "core/params/skin_params.h"
+#include "core/params/tree_edit.h"
 #include "core/params/weber_penn_params.h"
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -161,6 +162,7 @@ struct NodeParams
     std::vector<ArmJoint> joints = defaultArmJoints(); ///< of an arm, from the foot on
     std::map<std::uint64_t, BranchParams>
         branches; ///< by Skeleton::name; only branches that differ from the default
+    std::vector<TreeEdit> edits; ///< of a tree, in the order in which they act
     bool operator==(const NodeParams&) const = default;
 };
 

@@ -3,6 +3,7 @@
 #include "core/params/param_def.h"
 
 #include "core/params/arm_params.h"
+#include "core/params/tree_edit_table.h"
 
 #include <algorithm>
 #include <charconv>
@@ -277,7 +278,7 @@ Expected<void> checkParams(const NodeParams& params)
         error.value().path = "branches." + numberText(key) + (rollIsFinite ? ".bendRad" : ".rollRad");
         return error;
     }
-    return {};
+    return checkTreeEdits(params.edits);
 }
 
 } // namespace ramure

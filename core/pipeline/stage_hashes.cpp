@@ -38,6 +38,41 @@ void add(StageHash& hash, const BranchPlace& place)
             .add(p.radius);
 }
 
+void add(StageHash& hash, const glm::dvec3& v)
+{
+    hash.add(v.x).add(v.y).add(v.z);
+}
+
+void add(StageHash& hash, const EditTarget& target)
+{
+    add(hash.add(target.address).add(target.maker), target.place);
+}
+
+/// Its name alone changes nothing.
+void add(StageHash& hash, const TreeEdit& edit)
+{
+    hash.add(edit.id).add(static_cast<int>(edit.operation)).add(edit.enabled);
+    add(hash, edit.target);
+    add(hash, edit.other);
+    hash.add(edit.at).add(edit.from).add(edit.to).add(edit.factor).add(edit.angleRad).add(edit.azimuthRad);
+    hash.add(edit.radius).add(edit.strength).add(edit.below).add(edit.shown);
+    for (const glm::dvec3& v : {edit.rotation, edit.direction, edit.centre, edit.offset})
+        add(hash, v);
+    hash.add(static_cast<int>(edit.shape.kind));
+    for (const double number : edit.shape.numbers)
+        hash.add(number);
+    hash.add(edit.points.size());
+    for (const StrokePoint& point : edit.points) {
+        add(hash, point.position);
+        hash.add(point.radius);
+    }
+    hash.add(edit.limb.size());
+    for (const LimbPiece& piece : edit.limb) {
+        add(hash.add(piece.parent).add(piece.axis).add(piece.a0).add(piece.a1), piece.p0);
+        add(hash, piece.p1);
+    }
+}
+
 } // namespace
 
 StageHashes::StageHashes(const NodeParams& params)
@@ -60,6 +95,11 @@ StageHashes::StageHashes(const NodeParams& params)
         of(stage) = StageHash(before).add(of(stage)).value();
     };
     follow(Stage::Skeleton, of(Stage::Symbols));
+    m_grown = of(Stage::Skeleton);
+    StageHash edited(m_grown);
+    for (const TreeEdit& edit : params.edits)
+        add(edited, edit);
+    of(Stage::Skeleton) = edited.value();
     follow(Stage::Simplified, of(Stage::Skeleton));
     StageHash bent(of(Stage::Simplified));
     for (const auto& [key, branch] : params.branches)

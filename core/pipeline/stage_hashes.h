@@ -21,7 +21,11 @@ public:
         return m_hashes[static_cast<std::size_t>(stage)];
     }
 
+    /// Of what the generator makes, before any edit.
+    [[nodiscard]] std::uint64_t grown() const { return m_grown; }
+
 private:
+    std::uint64_t m_grown = 0;
     std::array<std::uint64_t, stageCount> m_hashes{};
 };
 

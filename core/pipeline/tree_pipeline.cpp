@@ -13,6 +13,7 @@
 #include "core/pipeline/stage_hashes.h"
 #include "core/skeleton/bend.h"
 #include "core/skeleton/edit_places.h"
+#include "core/skeleton/edits/apply_edits.h"
 #include "core/surface/mesher/mesh_divisions.h"
 #include "core/surface/mesher/mesh_scratch.h"
 #include <algorithm>
@@ -53,7 +54,16 @@ std::size_t bytesOf(const GrownSymbols& grown)
 std::size_t bytesOf(const Skeleton& s)
 {
     return bytesOf(s.parent) + bytesOf(s.p0) + bytesOf(s.p1) + bytesOf(s.a0) + bytesOf(s.a1) +
-           bytesOf(s.level) + bytesOf(s.key) + bytesOf(s.source) + bytesOf(s.organs);
+           bytesOf(s.level) + bytesOf(s.key) + bytesOf(s.source) + bytesOf(s.organs) + bytesOf(s.axisStarts);
+}
+std::size_t bytesOf(const TreeAxes& tree)
+{
+    return bytesOf(tree.axes) + bytesOf(tree.nodes) + bytesOf(tree.axisOf) + bytesOf(tree.forksBelow) +
+           bytesOf(tree.start);
+}
+std::size_t bytesOf(const EditedSkeleton& edited)
+{
+    return bytesOf(edited.skeleton) + bytesOf(edited.report);
 }
 std::size_t bytesOf(const SimplifiedSkeleton& s)
 {
@@ -280,6 +290,8 @@ struct TreePipeline::Cache
 {
     StageCache<GrownSymbols> symbols;
     StageCache<Skeleton> skeleton;
+    StageCache<TreeAxes> axes; ///< of trees with edits, as they have grown
+    StageCache<EditedSkeleton> edited;
     StageCache<SimplifiedSkeleton> simplified;
     StageCache<SectionSet> sections;
     StageCache<MeshedBranches> branches;
@@ -290,6 +302,8 @@ struct TreePipeline::Cache
     {
         symbols.setCapacity(capacity);
         skeleton.setCapacity(capacity);
+        axes.setCapacity(capacity);
+        edited.setCapacity(capacity);
         simplified.setCapacity(capacity);
         sections.setCapacity(capacity);
         branches.setCapacity(capacity);
@@ -386,9 +400,29 @@ private:
     }
     Expected<void> skeleton()
     {
-        return cached(m_cache.skeleton, m_hashes[Stage::Skeleton], m_progress,
+        return cached(m_cache.skeleton, m_hashes.grown(), m_progress,
                       [&] { return growSkeleton(*m_grown, m_params, m_progress.part(0.05, 0.1)); })
-            .map([&](auto made) { m_result.skeleton = std::move(made); });
+            .and_then([&](auto made) {
+                m_result.grown = made;
+                m_result.skeleton = std::move(made);
+                return edited();
+            });
+    }
+    Expected<void> edited()
+    {
+        if (m_params.edits.empty())
+            return {};
+        const Skeleton& grown = *m_result.grown;
+        const auto axes = cached(m_cache.axes, m_hashes.grown(), m_progress,
+                                 [&]() -> Expected<TreeAxes> { return axesOf(grown); });
+        if (!axes)
+            return fail(axes.error());
+        return cached(m_cache.edited, m_hashes[Stage::Skeleton], m_progress,
+                      [&]() -> Expected<EditedSkeleton> { return applyEdits(grown, **axes, m_params.edits); })
+            .map([&](auto made) {
+                m_result.skeleton = std::shared_ptr<const Skeleton>(made, &made->skeleton);
+                m_result.edits = std::shared_ptr<const EditReport>(made, &made->report);
+            });
     }
     Expected<void> simplified()
     {

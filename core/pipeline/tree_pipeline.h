@@ -8,6 +8,7 @@
 #include "core/params/node_params.h"
 #include "core/params/stage.h"
 #include "core/pipeline/texture_stage.h"
+#include "core/skeleton/edits/edit_report.h"
 #include "core/skeleton/sections.h"
 #include "core/skeleton/simplify.h"
 #include "core/surface/foliage/foliage.h"
@@ -22,7 +23,9 @@ namespace ramure {
 struct TreeResult
 {
     std::shared_ptr<const std::string> symbols; ///< empty where no grammar grows
-    std::shared_ptr<const Skeleton> skeleton;   ///< as the generator made it
+    std::shared_ptr<const Skeleton> grown;      ///< as the generator made it
+    std::shared_ptr<const Skeleton> skeleton;   ///< with the edits of the tree; without any the same as grown
+    std::shared_ptr<const EditReport> edits;    ///< what became of them; null: there are none
     std::shared_ptr<const SimplifiedSkeleton>
         simplified;                             ///< equal to the skeleton where simplify.enabled is off
     std::shared_ptr<const SectionSet> sections; ///< of the simplified skeleton

@@ -1,6 +1,6 @@
 /// \file
-/// What an artist set by hand on branches that are not there at present. It is kept, and finds its place
-/// again as soon as the tree grows one that looks like it (core/skeleton/edit_places.h).
+/// What an artist set by hand on branches, and did to limbs, that are not there at present. It is kept, and
+/// finds its place again as soon as the tree grows one that looks like it (core/skeleton/edit_places.h).
 #pragma once
 
 #include "core/document/document.h"
@@ -11,7 +11,8 @@ namespace ramure {
 struct UnplacedEdit
 {
     NodeId node = noNode;
-    std::uint64_t name = 0; ///< NodeParams::branches
+    std::uint64_t name = 0;  ///< NodeParams::branches
+    bool isTreeEdit = false; ///< the name is a TreeEdit::id of NodeParams::edits
     bool operator==(const UnplacedEdit&) const = default;
 };
 

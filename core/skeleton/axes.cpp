@@ -3,6 +3,7 @@
 #include "core/math/frame.h"
 #include "core/math/random.h"
 #include "core/math/reproducible.h"
+#include <algorithm>
 #include <cmath>
 
 namespace ramure {
@@ -29,7 +30,7 @@ public:
             const Index parent = m_skeleton.parent[i];
             if (parent == noIndex)
                 ++m_roots;
-            else if (m_next[parent] == noIndex && m_skeleton.level[i] == m_skeleton.level[parent])
+            else if (m_next[parent] == noIndex && continues(i))
                 m_next[parent] = i;
             else
                 ++m_mates[parent];
@@ -67,6 +68,20 @@ private:
         ++axis.nodes;
     }
 
+    /// Whether a branch may be the next one of its parent's axis.
+    [[nodiscard]] bool continues(Index i) const
+    {
+        return m_skeleton.axisStarts.empty() ? m_skeleton.level[i] == m_skeleton.level[m_skeleton.parent[i]]
+                                             : startAt(i) == m_skeleton.axisStarts.end();
+    }
+    /// Where the list of the axes that edits left has a branch.
+    [[nodiscard]] auto startAt(Index i) const -> decltype(Skeleton::axisStarts)::const_iterator
+    {
+        const auto at =
+            std::ranges::lower_bound(m_skeleton.axisStarts, i, {}, &std::pair<Index, std::uint64_t>::first);
+        return at != m_skeleton.axisStarts.end() && at->first == i ? at : m_skeleton.axisStarts.end();
+    }
+
     /// The axis that starts with a branch.
     Axis started(Index i, const Frame& before, const glm::dvec3& direction)
     {
@@ -86,7 +101,9 @@ private:
             axis.mates = m_mates[parent];
             axis.s = m_tree.start[parent] + m_skeleton.length(parent);
         }
-        axis.address = axisAddress(parentAddress, axis.fork, axis.mate);
+        const auto kept = startAt(i);
+        axis.address = kept == m_skeleton.axisStarts.end() ? axisAddress(parentAddress, axis.fork, axis.mate)
+                                                           : kept->second;
         const double x = glm::dot(direction, before.normal), y = glm::dot(direction, before.binormal);
         const double aside = std::sqrt(x * x + y * y);
         axis.downAngle = maths::atan2(aside, glm::dot(direction, before.tangent));

@@ -152,8 +152,14 @@ private:
         const std::span<const Index> children(m_children.data() + m_first[rowOf(parent)],
                                               m_children.data() + m_first[rowOf(parent) + 1]);
         const Change change = parentBefore ? changeOf(*parentBefore, m_tree.axes[parent]) : Change::None;
+        for (const Index child : wanted)
+            if (const Index itself = sameAddress(known[child].print, children);
+                itself != noIndex && !m_taken[itself])
+                take(known[child], itself, used);
         std::vector<Index> rest;
         for (const Index child : wanted) {
+            if (known[child].found != noIndex)
+                continue;
             const AxisPrint& print = known[child].print;
             const Index same = change == Change::Inserted ? noIndex : sameRank(print, children);
             if (same != noIndex && !m_taken[same] &&
@@ -172,6 +178,22 @@ private:
         for (Index row = 0; row < rest.size(); ++row)
             if (found[row] != noIndex)
                 take(known[rest[row]], children[found[row]], used);
+    }
+
+    /// The child of the same address in the very same place: where edits (core/skeleton/edits/) made or took
+    /// away what stood beside it, it is itself still.
+    [[nodiscard]] Index sameAddress(const AxisPrint& print, std::span<const Index> children) const
+    {
+        constexpr double rounding = 1e-6;
+        const auto at =
+            std::ranges::find(children, print.address, [this](Index i) { return m_tree.axes[i].address; });
+        if (at == children.end())
+            return noIndex;
+        const Axis& axis = m_tree.axes[*at];
+        const bool isThere = std::abs(axis.s - print.s) <= rounding * (1.0 + print.s) &&
+                             std::abs(axis.downAngle - print.downAngle) <= rounding &&
+                             std::abs(axis.azimuth - print.azimuth) <= rounding;
+        return isThere ? *at : noIndex;
     }
 
     /// The child at the same rank of the same fork, if it can be meant.

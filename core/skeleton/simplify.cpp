@@ -62,16 +62,33 @@ void append(const Skeleton& skeleton, Index i, Index parent, Skeleton& out)
     out.source.push_back(skeleton.source[i]);
 }
 
+/// Leaves may end where a branch does.
+bool differs(const std::vector<bool>& bare, Index a, Index b)
+{
+    return !bare.empty() && bare[a] != bare[b];
+}
+
+/// By branch; empty where leaves grow on all.
+std::vector<bool> bareBranches(const Skeleton& skeleton)
+{
+    if (skeleton.bare.empty())
+        return {};
+    std::vector<bool> bare(skeleton.size(), false);
+    for (const Index i : skeleton.bare)
+        bare[i] = true;
+    return bare;
+}
+
 /// Continues for the branches from \p from up to \p to.
-void merge(const Skeleton& skeleton, const AngleTest& angle, const std::vector<Index>& children, Index from,
-           Index to, SimplifiedSkeleton& result)
+void merge(const Skeleton& skeleton, const AngleTest& angle, const std::vector<Index>& children,
+           const std::vector<bool>& bare, Index from, Index to, SimplifiedSkeleton& result)
 {
     Skeleton& out = result.skeleton;
     std::vector<Index>& mergedInto = result.mergedInto;
     for (Index i = from; i < to; ++i) {
         const Index parent = skeleton.parent[i];
         const Index into = parent == noIndex ? noIndex : mergedInto[parent];
-        if (parent != noIndex && children[parent] == 1 &&
+        if (parent != noIndex && children[parent] == 1 && !differs(bare, i, parent) &&
             angle.isBelow(out.p1[into] - out.p0[into], skeleton.p1[i] - skeleton.p0[i])) {
             out.p1[into] = skeleton.p1[i];
             out.a1[into] = skeleton.a1[i];
@@ -80,6 +97,8 @@ void merge(const Skeleton& skeleton, const AngleTest& angle, const std::vector<I
         }
         mergedInto[i] = out.size();
         append(skeleton, i, into, out);
+        if (!bare.empty() && bare[i])
+            out.bare.push_back(mergedInto[i]);
     }
 }
 
@@ -115,12 +134,13 @@ Expected<SimplifiedSkeleton> simplify(const Skeleton& skeleton, double rotationT
     result.mergedInto.resize(skeleton.size());
     const AngleTest angle(rotationThresholdRad);
     const std::vector<Index> children = countChildren(skeleton);
+    const std::vector<bool> bare = bareBranches(skeleton);
     result.skeleton.reserve(skeleton.size());
     constexpr Index stride = Index(1) << 19;
     for (Index from = 0; from < skeleton.size(); from += stride) {
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-        merge(skeleton, angle, children, from, std::min(skeleton.size(), from + stride), result);
+        merge(skeleton, angle, children, bare, from, std::min(skeleton.size(), from + stride), result);
     }
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));

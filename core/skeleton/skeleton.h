@@ -43,6 +43,10 @@ struct Skeleton
     /// Names other than the keys, ascending by branch: see name().
     std::vector<std::pair<Index, std::uint64_t>> renamed;
     std::vector<Organ> organs; ///< as they were drawn
+    /// First branches of axes with the axes' addresses, ascending, where edits were made: axes are no longer
+    /// where levels say, and keep their addresses whatever happened beside them. Empty: by levels and ranks.
+    std::vector<std::pair<Index, std::uint64_t>> axisStarts;
+    std::vector<Index> bare; ///< branches on which no leaf and no fruit grows, ascending
 
     [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
     [[nodiscard]] bool empty() const { return parent.empty(); }

@@ -3,7 +3,10 @@
 #include "core/generators/parametric/module_turtle.h"
 #include "core/generators/weber_penn/weber_penn.h"
 #include "core/math/random.h"
+#include "core/params/tree_edit_table.h"
 #include "core/skeleton/edit_places.h"
+#include "core/skeleton/edits/apply_edits.h"
+#include "core/skeleton/edits/edit_context.h"
 #include "tests/bench/bench_trees.h"
 #include "tests/support/book_trees.h"
 #include <benchmark/benchmark.h>
@@ -147,5 +150,48 @@ void BM_editPlaces(benchmark::State& state)
     state.SetLabel(std::to_string(axes.axes.size()) + " axes");
 }
 BENCHMARK(BM_editPlaces)->Unit(benchmark::kMillisecond);
+
+/// One edit of a limb in a tree of about 10,000 branches, as a drag makes it again and again: axes of the
+/// tree as grown are kept from one time to the next.
+void BM_editOfOneLimb(benchmark::State& state)
+{
+    const Skeleton grown = bench::Growth("SmallTree", 10).skeleton();
+    const TreeAxes axes = axesOf(grown);
+    const EditContext context(grown, {});
+    TreeEdit edit;
+    edit.operation = static_cast<EditOperation>(state.range(0));
+    edit.target.address = axes.axes[axes.axes.size() / 2].address;
+    edit.other.address = axes.axes.back().address;
+    edit.id = 1;
+    edit.points = {{glm::dvec3(0.5, 1.0, 0.0), 0.01}, {glm::dvec3(1.0, 1.5, 0.5), 0.01}};
+    edit.rotation = {0.1, 0.2, 0.0};
+    edit.shape.numbers = {0.0, 2.0, 0.0, 1.0, 0.0, 0.0};
+    edit = bench::need(context.prepared(edit, true));
+    for (auto _ : state) {
+        const EditedSkeleton edited = applyEdits(grown, axes, {&edit, 1});
+        benchmark::DoNotOptimize(edited.skeleton.parent.data());
+    }
+    state.SetLabel(std::string(infoOf(edit.operation).key) + ", " + std::to_string(grown.size()) +
+                   " branches");
+}
+BENCHMARK(BM_editOfOneLimb)
+    ->Arg(int(EditOperation::Cut))
+    ->Arg(int(EditOperation::Curl))
+    ->Arg(int(EditOperation::Draw))
+    ->Arg(int(EditOperation::Graft))
+    ->Arg(int(EditOperation::Prune))
+    ->Unit(benchmark::kMicrosecond);
+
+/// What a tool does when it is pressed.
+void BM_editContext(benchmark::State& state)
+{
+    const Skeleton grown = bench::Growth("SmallTree", 10).skeleton();
+    for (auto _ : state) {
+        const EditContext context(grown, {});
+        benchmark::DoNotOptimize(context.has(1));
+    }
+    state.SetLabel(std::to_string(grown.size()) + " branches");
+}
+BENCHMARK(BM_editContext)->Unit(benchmark::kMicrosecond);
 
 } // namespace

@@ -28,8 +28,9 @@ private slots:
             QTest::newRow(arguments) << words(arguments) << QString::fromUtf8(part);
         };
         QTest::newRow("nothing") << QStringList() << "missing command";
-        row("grow", "unknown command \"grow\": list, info, import, export, validate, simulate, ik, render, "
-                    "textures expected");
+        row("grow",
+            "unknown command \"grow\": list, info, import, edit, export, validate, simulate, ik, render, "
+            "textures expected");
         row("--nonsense", "unknown command");
         row("info", "missing INPUT");
         row("info preset:SmallTree preset:FanTree", "unexpected argument \"preset:FanTree\"");
@@ -165,7 +166,8 @@ private slots:
         QCOMPARE(runCli({"-h"}).out, program.out);
         QCOMPARE(runCli({"--version"}).out,
                  QStringLiteral("ramure-cli %1\n").arg(QLatin1String(RAMURE_VERSION)));
-        for (const char* command : {"list", "info", "export", "validate", "simulate", "ik", "render"}) {
+        for (const char* command :
+             {"list", "info", "edit", "export", "validate", "simulate", "ik", "render"}) {
             QVERIFY(program.out.contains(QLatin1String(command)));
             const test::CliRun help = runCli({QLatin1String(command), "--help"});
             QCOMPARE(help.code, 0);

@@ -165,6 +165,7 @@ constexpr const char* floors[] = {
     "core/math",
     "core/params",
     "core/skeleton",
+    "core/skeleton/edits",
     "core/surface/mesh",
     "core/surface/proof",
     "core/surface/mesher",

@@ -1,6 +1,7 @@
 #include "core/math/random.h"
 #include "core/session/unplaced_edits.h"
 #include "core/skeleton/axes.h"
+#include "core/skeleton/edits/edit_context.h"
 #include "tests/support/suite.h"
 #include "tests/widgets/tree_document.h"
 
@@ -46,7 +47,9 @@ private slots:
     void editsFollowTheirBranches();
     void renamedBranchesAreEditedUnderTheirNames();
     void lostOnesAreListedAndComeBack();
+    void lostEditsOfLimbsAreListed();
     void selectedBranchesStaySelected();
+    void whatIsDoneToOtherLimbsMovesNone();
     void randomEditsUndoToTheSameBytes();
 };
 
@@ -93,13 +96,38 @@ void TestBranchPlaces::renamedBranchesAreEditedUnderTheirNames()
             QVERIFY(f.trees.skeleton(f.tree).name(i) != name);
 }
 
+void TestBranchPlaces::whatIsDoneToOtherLimbsMovesNone()
+{
+    Fixture f;
+    Document& document = f.trees.document();
+    std::vector<std::uint64_t> names;
+    for (Index i = 0; i < f.trees.skeleton(f.tree).size(); ++i)
+        names.push_back(f.trees.skeleton(f.tree).key[i]);
+    QVERIFY(edit::setBranchRoll(document, f.tree, names, 0.5));
+    QVERIFY(f.trees.compute(f.tree));
+    const std::vector<Axis> axes = axesOf(*document.result(f.tree)->tree.grown).axes;
+    for (std::size_t removed = 1; removed < axes.size(); ++removed) {
+        TreeEdit remove;
+        remove.operation = EditOperation::Remove;
+        remove.target.address = axes[removed].address;
+        const auto ids = edit::putTreeEdits(document, f.tree, {remove});
+        QVERIFY(ids && f.trees.compute(f.tree));
+        const Skeleton& left = f.trees.skeleton(f.tree);
+        QVERIFY(left.size() < names.size());
+        for (const std::uint64_t name : names)
+            if (std::ranges::find(left.key, name) != left.key.end())
+                QCOMPARE(left.key[f.branch(name)], name);
+        QVERIFY(edit::removeTreeEdits(document, f.tree, *ids));
+    }
+}
+
 void TestBranchPlaces::lostOnesAreListedAndComeBack()
 {
     Fixture f;
     const std::uint64_t name = f.trees.skeleton(f.tree).name(5);
     QVERIFY(edit::setBranchRoll(f.trees.document(), f.tree, {name}, 0.5));
     f.setAxiom("F");
-    QCOMPARE(unplacedEdits(f.trees.document()), (std::vector<UnplacedEdit>{{f.tree, name}}));
+    QCOMPARE(unplacedEdits(f.trees.document()), (std::vector<UnplacedEdit>{{f.tree, name, false}}));
     QCOMPARE(f.params().branches.at(name).rollRad, 0.5); // kept
     f.setAxiom(axiom);
     QVERIFY(unplacedEdits(f.trees.document()).empty());
@@ -109,6 +137,26 @@ void TestBranchPlaces::lostOnesAreListedAndComeBack()
     QVERIFY(f.params().branches.empty());
     f.trees.document().undoStack()->undo();
     QCOMPARE(unplacedEdits(f.trees.document()).size(), std::size_t{1});
+}
+
+void TestBranchPlaces::lostEditsOfLimbsAreListed()
+{
+    Fixture f;
+    Document& document = f.trees.document();
+    const Skeleton& grown = *document.result(f.tree)->tree.grown;
+    TreeEdit cut;
+    cut.operation = EditOperation::Cut;
+    cut.target.address = axesOf(grown).axes[5].address;
+    const auto ids = edit::putTreeEdits(document, f.tree, {*EditContext(grown, {}).prepared(cut, true)});
+    QVERIFY(ids && f.trees.compute(f.tree));
+    QVERIFY(unplacedEdits(document).empty());
+    f.setAxiom("F");
+    QCOMPARE(unplacedEdits(document), (std::vector<UnplacedEdit>{{f.tree, ids->front(), true}}));
+    f.setAxiom(axiom);
+    QVERIFY(unplacedEdits(document).empty());
+    f.setAxiom("F");
+    QVERIFY(edit::removeTreeEdits(document, f.tree, *ids));
+    QVERIFY(unplacedEdits(document).empty());
 }
 
 void TestBranchPlaces::selectedBranchesStaySelected()

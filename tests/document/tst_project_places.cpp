@@ -129,7 +129,7 @@ void TestProjectPlaces::olderFilesKeepWhatHasNone()
     test::TreeDocument trees;
     const NodeId tree = trees.add(test::smallForks());
     QVERIFY(edit::setBranchRoll(trees.document(), tree, {42}, 0.5)); // no such branch
-    QCOMPARE(unplacedEdits(trees.document()), (std::vector<UnplacedEdit>{{tree, 42}}));
+    QCOMPARE(unplacedEdits(trees.document()), (std::vector<UnplacedEdit>{{tree, 42, false}}));
     auto old = readProject(olderFile(trees.document()));
     QVERIFY2(old, test::why(old));
     QVERIFY(old->scene.find(tree)->params.branches.at(42).place.way.empty());

@@ -12,8 +12,9 @@ struct ToolBench : ToolHost
 {
     Document document;
     GizmoSettings gizmo;
+    HandSettings hand;
     ArmReach reach{&document};
-    ToolContext context{*this, document, gizmo, reach};
+    ToolContext context{*this, document, gizmo, hand, reach};
     ToolManager tools{context};
 
     // What the host has, and what it was asked for.
@@ -26,6 +27,7 @@ struct ToolBench : ToolHost
     bool ready = true; ///< what is picked in
     std::optional<AxisView> side;
     QStringList messages;
+    std::vector<Index> marked; ///< branches
     int repaints = 0;
     /// Says what is in the box that is looked at.
     std::function<void(const std::vector<PickedBranches>&)> answerBox;
@@ -53,6 +55,7 @@ struct ToolBench : ToolHost
         return ready;
     }
     void dispose(std::shared_ptr<const void>) override {}
+    void markBranches(NodeId, std::vector<Index> branches) override { marked = std::move(branches); }
     void repaint() override { ++repaints; }
     void updateHint() override {}
     void raiseMessage(const QString& text) override { messages << text; }
@@ -78,7 +81,7 @@ struct ToolBench : ToolHost
     [[nodiscard]] ToolPoint at(QPointF place, Qt::MouseButton button = Qt::NoButton,
                                Qt::KeyboardModifiers held = {}) const
     {
-        return {view(), place, button, held, place};
+        return {view(), place, button, held, place, std::nullopt, false};
     }
     /// Logical pixels of a point of the world.
     [[nodiscard]] QPointF pixelOf(const glm::dvec3& world) const

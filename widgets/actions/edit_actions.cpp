@@ -13,6 +13,7 @@
 #include "widgets/base/node_words.h"
 #include "widgets/base/targets.h"
 #include "widgets/view/render/camera_items.h"
+#include "widgets/view/tools/hand_edit.h"
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QKeyEvent>
@@ -177,7 +178,7 @@ void EditActions::updateTexts()
     say(m_visible, active && !active->visible ? tr("S&how %1") : tr("&Hide %1"));
     say(m_locked, active && active->locked ? tr("Unloc&k %1") : tr("Loc&k %1"));
     if (const auto branches = selection.branches.size(); branches > 0)
-        m_set->setText(m_delete, tr("De&lete %n branch(es): not possible yet", nullptr, int(branches)));
+        m_set->setText(m_delete, tr("De&lete %n branch(es)", nullptr, int(branches)));
     else
         say(m_delete, tr("De&lete %1"));
     emit targetNamed(what);
@@ -273,9 +274,11 @@ void EditActions::addPrimitive(const char* shape, const QString& label)
 
 void EditActions::removeSelected()
 {
-    if (!m_document->selection().branches.empty())
-        return emit messageRaised(
-            tr("Branches cannot be cut yet. Esc selects the tree alone: then Del deletes it."));
+    if (!m_document->selection().branches.empty()) {
+        if (auto done = removeLimbs(*m_document, LimbFinder().selected(*m_document), false); !done)
+            emit messageRaised(errorText(done.error()));
+        return;
+    }
     reportFailure(edit::removeNodes(*m_document, selected()));
 }
 

@@ -4,6 +4,7 @@
 #include "widgets/base/chooser.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/preferences.h"
+#include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include <QDir>
@@ -29,7 +30,7 @@ PictureActions::PictureActions(ViewportHost* host, Preferences* preferences, Cho
     , m_clearSelection(
           set->add({"edit.clearSelection", QT_TRANSLATE_NOOP("Actions", "Select n&othing"), nullptr,
                     QKeySequence(Qt::Key_Escape),
-                    QT_TRANSLATE_NOOP("Actions", "Take the selection of branches and nodes back")}))
+                    QT_TRANSLATE_NOOP("Actions", "Lay the tool down; without one, take the selection back")}))
 {
     // Only in the view: lists, fields and messages have their own Ctrl+A and Escape.
     for (QAction* action : selectionActions()) {
@@ -48,7 +49,10 @@ PictureActions::PictureActions(ViewportHost* host, Preferences* preferences, Cho
         emit messageRaised(tr("The picture is on the clipboard"));
     });
     connect(m_selectAll, &QAction::triggered, view, &Viewport::selectAllBranches);
-    connect(m_clearSelection, &QAction::triggered, view, &Viewport::clearSelection);
+    connect(m_clearSelection, &QAction::triggered, view, [view, hand = host->settings()->hand()] {
+        // The first Escape lays a tool down.
+        hand->tool() == HandTool::None ? view->clearSelection() : hand->setTool(HandTool::None);
+    });
 }
 
 QList<QAction*> PictureActions::pictureActions() const

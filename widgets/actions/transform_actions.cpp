@@ -3,6 +3,7 @@
 #include "widgets/actions/tool_settings_dialog.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/preferences.h"
+#include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include <QActionGroup>
@@ -20,6 +21,7 @@ TransformActions::TransformActions(ViewportHost* host, Preferences* preferences,
     , m_preferences(preferences)
     , m_window(window)
     , m_settings(host->settings()->gizmo())
+    , m_hand(host->settings()->hand())
     , m_tools(new QActionGroup(this))
     , m_spaces(new QActionGroup(this))
 {
@@ -37,7 +39,7 @@ TransformActions::TransformActions(ViewportHost* host, Preferences* preferences,
             return keys.join(u' ');
         });
     } else {
-        for (QAction* action : m_tools->actions() + m_spaces->actions() + m_gestures + viewActions())
+        for (QAction* action : m_own + m_spaces->actions() + m_gestures + viewActions())
             action->setEnabled(false);
         m_snap->setEnabled(false);
     }
@@ -45,6 +47,7 @@ TransformActions::TransformActions(ViewportHost* host, Preferences* preferences,
         take();
         m_preferences->setToolSettings(m_settings->saved());
     });
+    connect(m_hand, &HandSettings::toolChanged, this, &TransformActions::take);
     connect(preferences, &Preferences::changed, this,
             [this] { m_settings->setRadians(m_preferences->angleUnit() == AngleUnit::Radians); });
     take();
@@ -72,8 +75,11 @@ void TransformActions::addTools(ActionSet* set)
         action->setCheckable(true);
         action->setData(int(tool));
         m_tools->addAction(action);
-        connect(action, &QAction::triggered, m_settings,
-                [this, value = tool] { m_settings->setTool(value); });
+        m_own += action;
+        connect(action, &QAction::triggered, m_settings, [this, value = tool] {
+            m_hand->setTool(HandTool::None);
+            m_settings->setTool(value);
+        });
     }
     const std::pair<ActionSpec, TransformSpace> spaces[] = {
         {{"tool.local", QT_TRANSLATE_NOOP("Actions", "&Local axes"), nullptr, {}}, TransformSpace::Local},
@@ -147,6 +153,11 @@ void TransformActions::addSwitches(ActionSet* set)
     connect(m_edit, &QAction::triggered, this, &TransformActions::showSettings);
 }
 
+QList<QAction*> TransformActions::toolActions() const
+{
+    return m_own;
+}
+
 QList<QAction*> TransformActions::viewActions() const
 {
     return {m_path, m_ghosts};
@@ -154,8 +165,9 @@ QList<QAction*> TransformActions::viewActions() const
 
 void TransformActions::take()
 {
-    for (QAction* action : m_tools->actions())
-        action->setChecked(action->data().toInt() == int(m_settings->tool()));
+    const bool any = m_hand->tool() == HandTool::None;
+    for (QAction* action : m_own)
+        action->setChecked(any && action->data().toInt() == int(m_settings->tool()));
     for (QAction* action : m_spaces->actions())
         action->setChecked(action->data().toInt() == int(m_settings->space()));
     m_snap->setChecked(m_settings->snaps());
@@ -170,7 +182,7 @@ void TransformActions::fillMenu(QMenu* editMenu)
     m_menu = editMenu->addMenu(QString());
     m_menu->addActions(m_gestures);
     m_menu->addSeparator();
-    m_menu->addActions(m_tools->actions());
+    m_menu->addActions(m_own);
     m_menu->addSeparator();
     m_menu->addActions(m_spaces->actions());
     m_menu->addSeparator();
@@ -180,7 +192,6 @@ void TransformActions::fillMenu(QMenu* editMenu)
 
 void TransformActions::fillToolBar(QToolBar* bar)
 {
-    bar->addActions(m_tools->actions());
     m_spaceBox = new QComboBox(bar);
     m_spaceBox->setObjectName(QStringLiteral("transformSpace"));
     m_spaceBox->addItems({QString(), QString(), QString()});

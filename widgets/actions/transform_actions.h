@@ -1,6 +1,6 @@
 /// \file
-/// Tools that move nodes in the view: the toolbar's buttons, the Transform menu, and of the View menu the
-/// path and the ghosts. What is chosen is remembered, but for the tool.
+/// Tools that move nodes in the view: their buttons, the Transform menu, the axes and steps of the strip over
+/// the view, and of the View menu the path and the ghosts. What is chosen is remembered, but for the tool.
 #pragma once
 
 #include <QObject>
@@ -15,6 +15,7 @@ namespace ramure {
 
 class ActionSet;
 class GizmoSettings;
+class HandSettings;
 class Preferences;
 class ViewportHost;
 
@@ -26,7 +27,11 @@ public:
     TransformActions(ViewportHost* host, Preferences* preferences, ActionSet* set, QWidget* window);
 
     void fillMenu(QMenu* editMenu);
+    /// Axes and steps.
     void fillToolBar(QToolBar* bar);
+    /// One tool of all is chosen; those that shape trees join it.
+    [[nodiscard]] QActionGroup* toolGroup() const { return m_tools; }
+    [[nodiscard]] QList<QAction*> toolActions() const;
     /// Of the View menu.
     [[nodiscard]] QList<QAction*> viewActions() const;
     void retranslate();
@@ -47,7 +52,9 @@ private:
     Preferences* m_preferences;
     QWidget* m_window;
     GizmoSettings* m_settings;
+    HandSettings* m_hand;
     QActionGroup* m_tools;
+    QList<QAction*> m_own; ///< of m_tools
     QActionGroup* m_spaces;
     QList<QAction*> m_gestures;
     QAction* m_snap = nullptr;

@@ -63,6 +63,19 @@ GestureKeys viewKeys()
          {Words::tr("Add to the selection, or take away"), mouse(Words::tr("click"), Qt::ShiftModifier)}}};
 }
 
+GestureKeys handKeys()
+{
+    return {
+        Words::tr("While a tree is shaped by hand"),
+        {{Words::tr("The factor of a length or a thickness"), QStringLiteral("0 … 9  .  ,")},
+         {Words::tr("The factor in steps"), mouse(Words::tr("drag"), Qt::ControlModifier)},
+         {Words::tr("Copy another limb, with the graft tool"), mouse(Words::tr("click"), Qt::ShiftModifier)},
+         {Words::tr("Done"), named({Qt::Key_Return})},
+         {Words::tr("Back to how it was; without a gesture: lay the tool down"), named({Qt::Key_Escape})},
+         {Words::tr("In the list of edits: earlier or later"),
+          named({Qt::ALT | Qt::Key_Up, Qt::ALT | Qt::Key_Down})}}};
+}
+
 GestureKeys sheetKeys()
 {
     return {Words::tr("While the dope sheet has the focus"),
@@ -109,7 +122,7 @@ GestureKeys curveKeys()
 
 QList<GestureKeys> gestureKeys()
 {
-    return {transformKeys(), viewKeys(), sheetKeys(), curveKeys()};
+    return {transformKeys(), viewKeys(), handKeys(), sheetKeys(), curveKeys()};
 }
 
 } // namespace ramure

@@ -1,6 +1,7 @@
 #include "widgets/dialogs/unplaced_dialog.h"
 
 #include "core/document/commands.h"
+#include "core/params/tree_edit_table.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/fact_text.h"
 #include <QDialogButtonBox>
@@ -12,6 +13,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <map>
 
@@ -50,6 +52,19 @@ QString whereText(const BranchPlace& place)
         return UnplacedDialog::tr("Limb of %1 that started %2 up the trunk").arg(length, start);
     return UnplacedDialog::tr("Branch of order %1, %2 long, that started %3 along the one below")
         .arg(QLocale().toString(order), length, start);
+}
+
+/// What an edit does, and where its branch was.
+std::pair<QString, QString> textsOf(const Node& node, const UnplacedEdit& edit, AngleUnit unit)
+{
+    if (!edit.isTreeEdit) {
+        const BranchParams& values = node.params.branches.at(edit.name);
+        return {whatText(values, unit), whereText(values.place)};
+    }
+    const TreeEdit& found = *std::ranges::find(node.params.edits, edit.name, &TreeEdit::id);
+    const bool wasDrawn = found.target.place.way.empty();
+    return {found.name.empty() ? coreText(infoOf(found.operation).label) : QString::fromStdString(found.name),
+            wasDrawn ? UnplacedDialog::tr("on a limb made by hand") : whereText(found.target.place)};
 }
 
 } // namespace
@@ -107,26 +122,28 @@ void UnplacedDialog::follow()
     m_list->clear();
     for (const UnplacedEdit& edit : m_edits) {
         const Node& node = *m_document->scene().find(edit.node);
-        const BranchParams& values = node.params.branches.at(edit.name);
-        new QTreeWidgetItem(
-            m_list, {QString::fromStdString(node.name), whatText(values, m_unit), whereText(values.place)});
+        const auto [what, where] = textsOf(node, edit, m_unit);
+        new QTreeWidgetItem(m_list, {QString::fromStdString(node.name), what, where});
     }
     m_list->setCurrentItem(m_list->topLevelItem(0));
 }
 
 void UnplacedDialog::remove(bool all)
 {
-    std::map<NodeId, std::vector<std::uint64_t>> names;
+    std::map<std::pair<NodeId, bool>, std::vector<std::uint64_t>> names; // true: of edits of the tree
     for (int row = 0; row < m_list->topLevelItemCount(); ++row)
         if (all || m_list->topLevelItem(row)->isSelected()) {
             const UnplacedEdit& edit = m_edits[static_cast<std::size_t>(row)];
-            names[edit.node].push_back(edit.name);
+            names[{edit.node, edit.isTreeEdit}].push_back(edit.name);
         }
-    for (const auto& [node, list] : names)
-        if (const auto done = edit::removeBranchEdits(*m_document, node, list); !done) {
+    for (const auto& [of, list] : names) {
+        const auto done = of.second ? edit::removeTreeEdits(*m_document, of.first, list)
+                                    : edit::removeBranchEdits(*m_document, of.first, list);
+        if (!done) {
             QMessageBox::warning(this, windowTitle(), errorText(done.error()));
             return;
         }
+    }
 }
 
 void UnplacedDialog::keyPressEvent(QKeyEvent* event)

@@ -16,12 +16,24 @@ struct PageName
     bool isTask;
 };
 constexpr PageName pageNames[] = {
-    {firstHandbookPage, false}, {"ten-oaks", true},     {"print-bonsai", true},
-    {"bend-limb", true},        {"fill-a-shape", true}, {"blender-and-back", true},
-    {"window", false},          {"grammar", false},     {"parameters", false},
-    {"motion", false},          {"animation", false},   {"keys", false},
-    {"transform", false},       {"arm", false},         {"files", false},
-    {"command-line", false},    {"performance", false},
+    {firstHandbookPage, false},
+    {"ten-oaks", true},
+    {"print-bonsai", true},
+    {"bend-limb", true},
+    {"fill-a-shape", true},
+    {"blender-and-back", true},
+    {"window", false},
+    {"grammar", false},
+    {"parameters", false},
+    {"motion", false},
+    {"animation", false},
+    {"keys", false},
+    {"hand", false},
+    {"transform", false},
+    {"arm", false},
+    {"files", false},
+    {"command-line", false},
+    {"performance", false},
 };
 
 /// Nothing where there is no such page in this language.

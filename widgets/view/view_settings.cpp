@@ -2,13 +2,23 @@
 
 #include "widgets/view/render/sky.h"
 #include "widgets/view/tools/gizmo_settings.h"
+#include "widgets/view/tools/hand_settings.h"
 
 namespace ramure {
 
 ViewSettings::ViewSettings(QObject* parent)
     : QObject(parent)
     , m_gizmo(new GizmoSettings(this))
+    , m_hand(new HandSettings(this))
 {
+    connect(m_hand, &HandSettings::toolChanged, m_gizmo, [this](HandTool tool) {
+        if (tool != HandTool::None)
+            m_gizmo->setTool(TransformTool::Select);
+    });
+    connect(m_gizmo, &GizmoSettings::changed, m_hand, [this] {
+        if (m_gizmo->tool() != TransformTool::Select)
+            m_hand->setTool(HandTool::None);
+    });
 }
 
 template <class T> void ViewSettings::set(T& member, T value, void (ViewSettings::*signal)(T))

@@ -10,6 +10,7 @@
 namespace ramure {
 
 class GizmoSettings;
+class HandSettings;
 
 class ViewSettings : public QObject
 {
@@ -19,6 +20,8 @@ public:
 
     /// Tools that move nodes, paths and ghosts: its own changed() tells, changed() here does not.
     [[nodiscard]] GizmoSettings* gizmo() const { return m_gizmo; }
+    /// Tools that shape trees: likewise. Only one tool of both is chosen.
+    [[nodiscard]] HandSettings* hand() const { return m_hand; }
 
     [[nodiscard]] DisplayMode displayMode() const { return m_displayMode; }
     [[nodiscard]] ShadingMode shadingMode() const { return m_shadingMode; }
@@ -76,6 +79,7 @@ private:
     template <class T> void set(T& member, T value, void (ViewSettings::*signal)(T));
 
     GizmoSettings* m_gizmo;
+    HandSettings* m_hand;
     DisplayMode m_displayMode = DisplayMode::Mesh;
     ShadingMode m_shadingMode = ShadingMode::Solid;
     Quality m_quality = Quality::Good; ///< while nothing moves

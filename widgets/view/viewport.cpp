@@ -96,7 +96,7 @@ Viewport::Viewport(Document* document, ViewSettings* settings, QWidget* parent)
     d->uploading.setSingleShot(true);
     connect(&d->uploading, &QTimer::timeout, this, &Viewport::uploadScene);
     connect(&d->picker, &BackgroundPicker::readyChanged, this, [this] {
-        d->tools.picks().tryAgain();
+        d->tools.sceneReady();
         if (underMouse())
             hoverAt(d->cursor);
     });

@@ -1,12 +1,13 @@
 /// \file
-/// The 3D view of a document. Follows the document's signals and the ViewSettings; changes only the
-/// selection. All shortcuts belong to actions of the main window; the viewport offers slots.
+/// The 3D view of a document. Follows the document's signals and the ViewSettings; changes the selection,
+/// and what its tools change. All shortcuts belong to actions of the main window; the viewport offers slots.
 ///
 /// Left click selects (Shift adds or removes), left drag over the scene selects by box, Esc (an action)
 /// clears; Ctrl+drag on a branch of a tree at rest bends the limb after the hand (the wheel sets how many
-/// branches follow), on a terrain or another surface it sets and drags the target of the arm; the wheel zooms
-/// to the cursor; Alt+left drag orbits in both navigation styles; the arrow keys orbit; a right click asks
-/// for a menu.
+/// branches follow), on a terrain or another surface it sets and drags the target of the arm; a tool that
+/// shapes trees, where one is chosen (ViewSettings::hand), gets presses before all these; the wheel zooms to
+/// the cursor; Alt+left drag orbits in both navigation styles; the arrow keys orbit; a right click asks for a
+/// menu.
 #pragma once
 
 #include "core/base/error.h"
@@ -151,6 +152,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
     void leaveEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;

@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QNativeGestureEvent>
+#include <QTabletEvent>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -41,12 +42,13 @@ PickView Viewport::Private::view() const
 
 ToolPoint Viewport::Private::pointAt(QPointF position) const
 {
-    return {view(), position, Qt::NoButton, held, position};
+    return {view(), position, Qt::NoButton, held, position, pressure, isEraser};
 }
 
 ToolPoint Viewport::Private::pointOf(const QMouseEvent& event) const
 {
-    return {view(), event.position(), event.button(), event.modifiers(), event.position()};
+    return {view(),           event.position(), event.button(), event.modifiers(),
+            event.position(), pressure,         isEraser};
 }
 
 void Viewport::Private::setCamera(const Camera& moved)
@@ -67,6 +69,17 @@ bool Viewport::Private::pickBox(QPointF cornerA, QPointF cornerB,
                                 std::function<void(const std::vector<PickedBranches>&)> done)
 {
     return picker.pickBox(view(), {cornerA.x(), cornerA.y()}, {cornerB.x(), cornerB.y()}, std::move(done));
+}
+
+void Viewport::Private::markBranches(NodeId node, std::vector<Index> branches)
+{
+    const bool any = node != noNode && !branches.empty();
+    Branches wanted = any ? Branches{node, std::move(branches)} : Branches();
+    if (wanted == marked)
+        return;
+    marked = std::move(wanted);
+    highlightsStale = true;
+    widget->update();
 }
 
 void Viewport::Private::updateHint()
@@ -110,6 +123,15 @@ void Viewport::beginMovingCopies()
     beginTransform(TransformTool::Move);
     if (isTransforming())
         joinToLastStep(*d->document, d->tools.tool<GizmoTool>().gesture());
+}
+
+/// Only what the mouse does not say: the same event follows as that of a mouse.
+void Viewport::tabletEvent(QTabletEvent* event)
+{
+    const bool touches = event->type() != QEvent::TabletRelease && event->buttons() != Qt::NoButton;
+    d->pressure = touches ? std::optional(event->pressure()) : std::nullopt;
+    d->isEraser = touches && event->pointerType() == QPointingDevice::PointerType::Eraser;
+    event->ignore();
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event)

@@ -77,6 +77,7 @@ struct Viewport::Private final : ToolHost
     InspectedSection inspected;
     Branches isolated;
     Branches pointed; ///< by a row of the scene panel
+    Branches marked;  ///< by a tool: what it would change
     DefectMark defect;
 
     std::unique_ptr<Renderer> renderer;
@@ -95,8 +96,10 @@ struct Viewport::Private final : ToolHost
     QTimer hoverRest;
     QPointF cursor;
     Qt::KeyboardModifiers held;
+    std::optional<double> pressure; ///< of the pen that touches
+    bool isEraser = false;
     HintSource hints;
-    ToolContext context{*this, *document, *settings->gizmo(), reach};
+    ToolContext context{*this, *document, *settings->gizmo(), *settings->hand(), reach};
     ToolManager tools{context}; ///< last: it uses the above
 
     [[nodiscard]] const Camera& camera() const { return flight.camera(); }
@@ -136,6 +139,7 @@ struct Viewport::Private final : ToolHost
     bool pickBox(QPointF cornerA, QPointF cornerB,
                  std::function<void(const std::vector<PickedBranches>&)> done) override;
     void dispose(std::shared_ptr<const void> block) override { builder.dispose(std::move(block)); }
+    void markBranches(NodeId node, std::vector<Index> branches) override;
     void repaint() override { widget->update(); }
     void updateHint() override;
     void raiseMessage(const QString& text) override { emit widget->messageRaised(text); }

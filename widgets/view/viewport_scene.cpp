@@ -60,12 +60,13 @@ SceneView Viewport::Private::sceneView() const
     view.branches = selection.branches;
     view.activeBranch = selection.activeBranch;
     // What is pointed at elsewhere goes before what the mouse left behind here.
-    view.hoverNode = pointed.node != noNode ? pointed.node : context.hoverNode;
-    if (pointed.node != noNode)
-        view.hoverBranches = pointed.branches;
+    const Branches& shownAs = pointed.node != noNode ? pointed : marked;
+    view.hoverNode = shownAs.node != noNode ? shownAs.node : context.hoverNode;
+    if (shownAs.node != noNode)
+        view.hoverBranches = shownAs.branches;
     else if (context.hoverBranch != noIndex)
         view.hoverBranches = {context.hoverBranch};
-    view.hoverThrough = pointed.node != noNode && !pointed.branches.empty();
+    view.hoverThrough = shownAs.node != noNode && !shownAs.branches.empty();
     if (pointed.node != noNode && pointed.branches.empty())
         view.hoverNodes = withAllBelow(document->scene(), pointed.node);
     view.inspected = inspected;
@@ -140,7 +141,7 @@ void Viewport::onDocumentChanged(const Change& change)
         d->framing = Private::Framing::None;
         d->context.hoverNode = noNode;
         d->context.hoverBranch = noIndex;
-        d->pointed = {};
+        d->pointed = d->marked = {};
         d->inspected = {};
         clearDefect();
     }
@@ -265,7 +266,7 @@ void Viewport::showScene()
             frameAll();
         else if (framing == Private::Framing::Selection)
             frameSelection();
-        d->tools.picks().tryAgain();
+        d->tools.sceneReady();
     }
     update();
 }

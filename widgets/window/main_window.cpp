@@ -6,6 +6,7 @@
 #include "core/session/player.h"
 #include "widgets/actions/edit_actions.h"
 #include "widgets/actions/file_actions.h"
+#include "widgets/actions/hand_actions.h"
 #include "widgets/actions/help_actions.h"
 #include "widgets/actions/import_actions.h"
 #include "widgets/actions/picture_actions.h"
@@ -22,6 +23,7 @@
 #include "widgets/panels/animation/key_actions.h"
 #include "widgets/panels/animation/key_commands.h"
 #include "widgets/panels/arm/arm_panel.h"
+#include "widgets/panels/edits/edits_panel.h"
 #include "widgets/panels/inspector/branch_inspector.h"
 #include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/properties/properties_panel.h"
@@ -90,7 +92,9 @@ MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* pr
     layout->addWidget(m_banner);
     auto* beside = new QHBoxLayout; // the welcome page and the view
     beside->setSpacing(0);
-    beside->addWidget(m_host, 1);
+    auto* column = new QVBoxLayout; // the strip, and under it the view beside its tools
+    column->setSpacing(0);
+    beside->addLayout(column, 1);
     layout->addLayout(beside, 1);
     setCentralWidget(centre);
 
@@ -98,6 +102,7 @@ MainWindow::MainWindow(Document* document, Recompute* recompute, Preferences* pr
     buildActions();
     buildMenus();
     buildToolBar();
+    buildHandBar(column);
     buildStatusBar();
     beside->insertWidget(0, m_welcome);
     connectPanels();
@@ -122,12 +127,14 @@ void MainWindow::connectPanels()
     connect(m_scene, &ScenePanel::frameRequested, m_views->frameSelectionAction(), &QAction::trigger);
     connect(m_selects, &SelectActions::messageRaised, this, say);
     connect(m_edits, &EditActions::messageRaised, this, say);
+    connect(m_hands, &HandActions::messageRaised, this, say);
     connect(m_edits, &EditActions::targetNamed, m_transforms, &TransformActions::nameTarget);
     connect(m_selects, &SelectActions::searchRequested, this, [this] {
         showPanel(m_scene);
         m_scene->focusSearch();
     });
     connect(m_inspector, &BranchInspector::messageRaised, this, say);
+    connect(findChild<EditsPanel*>(), &EditsPanel::messageRaised, this, say);
     connect(m_validation, &ValidationPanel::messageRaised, this, say);
     connect(m_timeline, &TimelinePanel::messageRaised, this, say);
     connect(m_bakes, &BakeActions::messageRaised, this, say);
@@ -193,7 +200,7 @@ void MainWindow::connectViewport(Viewport* view)
 void MainWindow::showViewMenu(const QPoint& at, NodeId node, Index branch)
 {
     ViewMenuActions actions;
-    actions.branches = {m_inspect, m_roll, m_edits->straightenAction()};
+    actions.branches = QList{m_inspect, m_roll, m_edits->straightenAction()} + m_hands->branchActions();
     actions.gestures = m_transforms->gestures();
     actions.nodes = m_edits->nodeActions();
     actions.steps = m_selects->stepActions();

@@ -5,6 +5,8 @@
 #include "core/document/document.h"
 #include <QMainWindow>
 
+class QVBoxLayout;
+
 namespace ramure {
 
 class ArmPanel;
@@ -16,6 +18,7 @@ class BranchInspector;
 class Chooser;
 class EditActions;
 class FileActions;
+class HandActions;
 class HelpActions;
 class HintLine;
 class Isolation;
@@ -41,6 +44,7 @@ class SequenceTask;
 class SelectActions;
 class StatusPanel;
 class TimelinePanel;
+class ToolStrip;
 class TransformActions;
 class ValidationPanel;
 class ViewActions;
@@ -94,7 +98,7 @@ protected:
 
 private:
     static constexpr int messageMs = 6000, dropMessageMs = 1500;
-    static constexpr int layoutVersion = 3; ///< of saveState; another one means another set of docks
+    static constexpr int layoutVersion = 4; ///< of saveState; another one means another set of docks
 
     /// Where a tree of the gallery is let go.
     struct DropPlace
@@ -119,6 +123,7 @@ private:
     }
     void buildMenus();
     void buildToolBar();
+    void buildHandBar(QVBoxLayout* column);
     void buildStatusBar();
     void connectPanels();
     void connectViewport(Viewport* view);
@@ -167,6 +172,7 @@ private:
     SeedsDialog* m_seeds = nullptr; ///< once it was wished for
     ViewActions* m_views = nullptr;
     TransformActions* m_transforms = nullptr;
+    HandActions* m_hands = nullptr;
     ImportActions* m_imports = nullptr;
     PictureActions* m_pictures = nullptr;
     ProgramActions* m_program = nullptr;
@@ -187,6 +193,8 @@ private:
     QMenu* m_keysMenu = nullptr;
     QMenu* m_helpMenu = nullptr;
     QToolBar* m_toolBar = nullptr;
+    QToolBar* m_handBar = nullptr; ///< at the view's left edge
+    ToolStrip* m_strip = nullptr;  ///< over the view
     ArmPanel* m_arm = nullptr;
     QList<QDockWidget*> m_docks; ///< one for each row of panels()
     bool m_keysShown = false;

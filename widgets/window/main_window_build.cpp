@@ -3,6 +3,7 @@
 #include "core/session/auto_key.h"
 #include "widgets/actions/edit_actions.h"
 #include "widgets/actions/file_actions.h"
+#include "widgets/actions/hand_actions.h"
 #include "widgets/actions/help_actions.h"
 #include "widgets/actions/import_actions.h"
 #include "widgets/actions/picture_actions.h"
@@ -45,11 +46,13 @@
 #include "widgets/window/panels.h"
 #include "widgets/window/problem_button.h"
 #include "widgets/window/status_panel.h"
+#include "widgets/window/tool_strip.h"
 #include "widgets/window/unplaced_button.h"
 #include "widgets/window/welcome_panel.h"
 #include <QDir>
 #include <QDockWidget>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QMenuBar>
 #include <QStatusBar>
 #include <QTabBar>
@@ -196,6 +199,7 @@ void MainWindow::buildActions()
             [this](const QString& text) { statusBar()->showMessage(text, messageMs); });
     m_transforms = new TransformActions(m_host, m_preferences, m_actions, this);
     m_views->setTrailActions(m_transforms->viewActions());
+    m_hands = new HandActions(m_document, m_host, m_transforms->toolGroup(), m_actions, this);
     m_search = m_actions->add(
         {"view.search", QT_TRANSLATE_NOOP("Actions", "Find a &parameter"), "search", QKeySequence::Find});
     m_separate = m_actions->add(
@@ -282,6 +286,7 @@ void MainWindow::buildMenus()
     m_edits->fillMenu(m_editMenu);
     m_editMenu->addSeparator();
     m_transforms->fillMenu(m_editMenu);
+    m_hands->fillMenu(m_editMenu);
     m_editMenu->addAction(m_separate);
     m_editMenu->addAction(m_search);
     m_editMenu->addSeparator();
@@ -310,7 +315,7 @@ void MainWindow::buildMenus()
                               m_playMenu, m_keysMenu, m_helpMenu};
     m_program->setMenus(menus);
     m_help->setMenus(menus);
-    m_scene->setMenuActions(m_edits->nodeActions(), m_selects);
+    m_scene->setMenuActions(m_edits->nodeActions(), m_selects, m_hands->branchActions());
 }
 
 void MainWindow::buildToolBar()
@@ -328,10 +333,33 @@ void MainWindow::buildToolBar()
     m_toolBar->addActions(m_views->modeActions());
     m_toolBar->addSeparator();
     m_toolBar->addActions({m_views->frameAllAction(), m_views->frameSelectionAction()});
-    m_toolBar->addSeparator();
-    m_transforms->fillToolBar(m_toolBar);
     auto* newTree = qobject_cast<QToolButton*>(m_toolBar->widgetForAction(m_edits->newTreeAction()));
     newTree->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+}
+
+/// Nodes are moved and trees are shaped in the view: the tools stand beside it, their options over it.
+void MainWindow::buildHandBar(QVBoxLayout* column)
+{
+    QWidget* centre = centralWidget();
+    const QList<QAction*> tools = m_transforms->toolActions() + m_hands->toolActions();
+    m_handBar = new QToolBar(centre);
+    m_handBar->setObjectName(QStringLiteral("handBar"));
+    m_handBar->setOrientation(Qt::Vertical);
+    m_handBar->setIconSize({18, 18});
+    m_handBar->addActions(m_transforms->toolActions());
+    m_handBar->addSeparator();
+    m_handBar->addActions(m_hands->toolActions());
+    auto* transforms = new QToolBar(centre);
+    transforms->setObjectName(QStringLiteral("transformBar"));
+    transforms->setIconSize({18, 18});
+    m_transforms->fillToolBar(transforms);
+    m_strip = new ToolStrip(m_host->settings(), tools, transforms, centre);
+    column->addWidget(m_strip);
+    auto* view = new QHBoxLayout;
+    view->setSpacing(0);
+    view->addWidget(m_handBar);
+    view->addWidget(m_host, 1);
+    column->addLayout(view, 1);
 }
 
 void MainWindow::buildStatusBar()
@@ -391,6 +419,7 @@ void MainWindow::retranslate()
     m_edits->retranslate();
     m_views->retranslate();
     m_transforms->retranslate();
+    m_hands->retranslate();
     m_fileMenu->setTitle(tr("&File"));
     m_editMenu->setTitle(tr("&Edit"));
     m_selectMenu->setTitle(tr("&Select"));
@@ -399,6 +428,7 @@ void MainWindow::retranslate()
     m_keysMenu->setTitle(tr("&Keys"));
     m_helpMenu->setTitle(tr("He&lp"));
     m_toolBar->setWindowTitle(tr("Toolbar"));
+    m_handBar->setWindowTitle(tr("Tools"));
     for (std::size_t i = 0; i < panels().size(); ++i)
         m_docks[qsizetype(i)]->setWindowTitle(tr(panels()[i].title));
     m_keyActions->retranslate();

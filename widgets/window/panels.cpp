@@ -2,6 +2,7 @@
 
 #include "widgets/panels/animation/key_panel.h"
 #include "widgets/panels/arm/arm_panel.h"
+#include "widgets/panels/edits/edits_panel.h"
 #include "widgets/panels/history/history_dock.h"
 #include "widgets/panels/inspector/branch_inspector.h"
 #include "widgets/panels/presets/gallery_panel.h"
@@ -31,6 +32,8 @@ std::span<const PanelRow> panels()
          &make<ScenePanel, &PanelServices::preferences>},
         {"propertiesDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Properties"), LowerRight,
          "window#properties", &make<PropertiesPanel, &PanelServices::preferences>},
+        {"editsDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Edits"), LowerRight, "hand#the-list-of-edits",
+         &make<EditsPanel>},
         {"inspectorDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Inspector"), LowerRight,
          "window#inspector", &make<BranchInspector>},
         {"validationDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Validation"), LowerRight,

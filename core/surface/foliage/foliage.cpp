@@ -83,9 +83,13 @@ private:
 std::vector<Index> thinBranches(const Skeleton& skeleton, double below)
 {
     std::vector<Index> thin;
-    for (Index i = 0; i < skeleton.size(); ++i)
-        if (skeleton.a0[i] < below)
+    auto bare = skeleton.bare.begin();
+    for (Index i = 0; i < skeleton.size(); ++i) {
+        if (bare != skeleton.bare.end() && *bare == i)
+            ++bare;
+        else if (skeleton.a0[i] < below)
             thin.push_back(i);
+    }
     return thin;
 }
 

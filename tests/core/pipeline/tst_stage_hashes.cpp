@@ -2,6 +2,8 @@
 #include "core/pipeline/stage_hashes.h"
 #include "tests/support/suite.h"
 
+#include <functional>
+
 using namespace ramure;
 
 namespace {
@@ -67,6 +69,7 @@ private slots:
     void whatDoesNotMatterChangesNothing();
     void branchesChangeTheirStages();
     void budgetsNeedNoSections();
+    void editsChangeTheSkeleton();
 };
 
 void TestStageHashes::everyRowChangesItsStage_data()
@@ -130,6 +133,33 @@ void TestStageHashes::budgetsNeedNoSections()
     const StageHashes after(params);
     QVERIFY(after[Stage::Sections] != before[Stage::Sections]);
     QCOMPARE(after[Stage::Mesh], before[Stage::Mesh]);
+}
+
+void TestStageHashes::editsChangeTheSkeleton()
+{
+    NodeParams params;
+    const StageHashes plain(params);
+    QCOMPARE(plain.grown(), plain[Stage::Skeleton]);
+    TreeEdit edit;
+    edit.id = 1;
+    edit.target.address = 7;
+    params.edits = {edit};
+    const StageHashes edited(params);
+    QCOMPARE(edited.grown(), plain.grown());
+    QCOMPARE(edited[Stage::Symbols], plain[Stage::Symbols]);
+    for (const Stage stage :
+         {Stage::Skeleton, Stage::Simplified, Stage::Sections, Stage::Mesh, Stage::Foliage, Stage::Texture})
+        QVERIFY(edited[stage] != plain[stage]);
+    params.edits.front().name = "Its name changes nothing";
+    QCOMPARE(StageHashes(params)[Stage::Skeleton], edited[Stage::Skeleton]);
+    for (const auto& change : std::initializer_list<std::function<void(TreeEdit&)>>{
+             [](TreeEdit& e) { e.enabled = false; }, [](TreeEdit& e) { e.at = 0.7; },
+             [](TreeEdit& e) { e.target.address = 8; }, [](TreeEdit& e) { e.points.resize(1); },
+             [](TreeEdit& e) { e.operation = EditOperation::Cut; }}) {
+        NodeParams other = params;
+        change(other.edits.front());
+        QVERIFY(StageHashes(other)[Stage::Skeleton] != edited[Stage::Skeleton]);
+    }
 }
 
 QTEST_GUILESS_MAIN(TestStageHashes)

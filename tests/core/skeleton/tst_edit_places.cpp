@@ -1,15 +1,15 @@
-#include "core/generators/grammar/grammar.h"
-#include "core/generators/grammar/rewrite.h"
 #include "core/math/random.h"
 #include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
 #include "core/skeleton/edit_places.h"
+#include "tests/support/step_map.h"
 #include "tests/support/suite.h"
 
 #include <functional>
 #include <set>
 
 using namespace ramure;
+using test::afterOneMore, test::shifted, test::StepMap;
 
 namespace {
 
@@ -32,47 +32,6 @@ BranchEdits randomEdits(const TreeResult& tree, std::uint64_t seed)
         edits[skeleton.key[random.below(skeleton.size())]].rollRad = 0.5;
     rememberPlaces(*tree.skeleton, *tree.simplified, edits);
     return edits;
-}
-
-bool isDrawn(char symbol)
-{
-    return std::string_view("+-/\\^_[]").find(symbol) == std::string_view::npos;
-}
-
-/// By step of the turtle before: the step after that stands for it; noIndex: it is gone.
-using StepMap = std::vector<Index>;
-
-/// One iteration more: what a symbol became outside brackets.
-StepMap afterOneMore(const NodeParams& params, const std::string& symbols)
-{
-    StepMap map;
-    Index at = 0;
-    for (const char symbol : symbols) {
-        if (!isDrawn(symbol))
-            continue;
-        const auto grammar = parseGrammar(std::string(1, symbol), params.grammar.rules);
-        RewriteOptions once;
-        once.iterations = 1;
-        const std::string became = *rewrite(*grammar, once);
-        Index found = noIndex;
-        int depth = 0;
-        for (const char c : became) {
-            depth += c == '[' ? 1 : c == ']' ? -1 : 0;
-            if (isDrawn(c) && depth == 0 && found == noIndex)
-                found = at;
-            at += isDrawn(c) ? 1 : 0;
-        }
-        map.push_back(found);
-    }
-    return map;
-}
-
-StepMap shifted(Index steps, Index from, Index by)
-{
-    StepMap map;
-    for (Index i = 0; i < steps; ++i)
-        map.push_back(i < from ? i : i + by);
-    return map;
 }
 
 struct Share

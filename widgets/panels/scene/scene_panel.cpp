@@ -116,8 +116,10 @@ void ScenePanel::prepareView(SceneTree* view, const char* name)
     connect(view->header(), &QWidget::customContextMenuRequested, this, &ScenePanel::showHeaderMenu);
 }
 
-void ScenePanel::setMenuActions(const QList<QAction*>& actions, const SelectActions* selects)
+void ScenePanel::setMenuActions(const QList<QAction*>& actions, const SelectActions* selects,
+                                const QList<QAction*>& branches)
 {
+    m_branchActions = branches;
     m_menuActions = actions;
     m_selects = selects;
 }
@@ -499,6 +501,8 @@ void ScenePanel::showMenu(const QPoint& position)
     }
     menu.addSeparator();
     menu.addActions(m_menuActions);
+    if (!m_document->selection().branches.empty())
+        menu.addActions(m_branchActions);
     if (!isSearching()) {
         menu.addSeparator();
         const QModelIndex current = m_view->currentIndex();

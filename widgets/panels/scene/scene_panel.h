@@ -34,8 +34,10 @@ public:
     [[nodiscard]] SceneResults* results() const { return m_results; }
     [[nodiscard]] SceneTree* resultView() const { return m_list; }
     [[nodiscard]] SceneSearch* search() const { return m_search; }
-    /// The menu of a right click: actions on nodes, and those of the Select menu.
-    void setMenuActions(const QList<QAction*>& actions, const SelectActions* selects = nullptr);
+    /// The menu of a right click: actions on nodes, those of the Select menu, and what is offered where
+    /// branches are selected.
+    void setMenuActions(const QList<QAction*>& actions, const SelectActions* selects = nullptr,
+                        const QList<QAction*>& branches = {});
     /// Where the playhead is, in seconds: see SceneModel::setTime.
     void setTime(std::function<double()> time);
     [[nodiscard]] QSize sizeHint() const override { return {360, 260}; }
@@ -100,7 +102,7 @@ private:
     SceneTree* m_view;
     SceneTree* m_list;
     QStackedLayout* m_stack;
-    QList<QAction*> m_menuActions;
+    QList<QAction*> m_menuActions, m_branchActions;
     const SelectActions* m_selects = nullptr;
     bool m_syncing = false;
     bool m_searching = false;

@@ -2,6 +2,7 @@
 
 #include "core/math/drag_maths.h"
 #include "widgets/base/node_words.h"
+#include "widgets/view/tools/readout.h"
 #include "widgets/view/tools/tool_table.h"
 #include <QKeyEvent>
 #include <QPainter>
@@ -82,25 +83,6 @@ void paintSweep(QPainter& painter, const PickView& view, const GizmoDrag& drag)
     ink.setAlpha(70);
     painter.setBrush(ink);
     painter.drawPolygon(sector);
-}
-
-/// Beside the cursor, on a ground of its own: readable on any picture.
-void paintReadout(QPainter& painter, QPointF at, QSize picture, const QString& text)
-{
-    QFont font = painter.font();
-    font.setWeight(QFont::DemiBold);
-    painter.setFont(font);
-    QRectF box(QPointF(0.0, 0.0), painter.fontMetrics().size(Qt::TextSingleLine, text) + QSize(18, 10));
-    box.moveTopLeft(at + QPointF(18.0, 18.0));
-    if (box.right() > picture.width() - 4.0)
-        box.moveRight(picture.width() - 4.0);
-    if (box.bottom() > picture.height() - 4.0)
-        box.moveBottom(at.y() - 12.0);
-    painter.setPen(QPen(QColor(255, 255, 255, 60), 1.0));
-    painter.setBrush(QColor(20, 26, 32, 215));
-    painter.drawRoundedRect(box, 5.0, 5.0);
-    painter.setPen(Qt::white);
-    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 } // namespace
@@ -289,7 +271,8 @@ void GizmoTool::offer(ToolOffers& offers) const
 {
     const QString target = whatMoves();
     const QString keys = m_context.gestureKeys ? m_context.gestureKeys() : QString();
-    if (offers.held() == Qt::NoModifier && !target.isEmpty() && !keys.isEmpty())
+    const bool isMeant = m_context.hand.tool() == HandTool::None; // else a tree is shaped
+    if (isMeant && offers.held() == Qt::NoModifier && !target.isEmpty() && !keys.isEmpty())
         offers.add(ToolOffers::Keys, tr("%1: move, rotate, scale %2").arg(keys, target));
 }
 

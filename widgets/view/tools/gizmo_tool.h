@@ -23,7 +23,7 @@ public:
 
     bool hover(const ToolPoint& point) override;
     void leave() override { show(std::nullopt); }
-    [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
+    [[nodiscard]] QCursor cursor() const override { return Qt::SizeAllCursor; }
     bool press(const ToolPoint& point) override;
     void pressAgain(const ToolPoint& point) override;
     void drag(const ToolPoint& point) override;

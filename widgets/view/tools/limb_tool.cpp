@@ -1,5 +1,6 @@
 // A limb follows the hand: seen at once as a pose, made anew when the hand rests or lets go.
 #include "widgets/view/tools/gizmo_handles.h"
+#include "widgets/view/tools/hand_cursor.h"
 #include "widgets/view/tools/limb_drag.h"
 #include "widgets/view/tools/pending_pick.h"
 #include "widgets/view/tools/tool_table.h"
@@ -22,6 +23,8 @@ class LimbTool : public Tool
 public:
     explicit LimbTool(ToolContext& context);
 
+    [[nodiscard]] bool isChosen() const override { return m_context.hand.tool() == HandTool::Bend; }
+    [[nodiscard]] QCursor cursor() const override { return m_cursor; }
     bool press(const ToolPoint& point) override;
     void drag(const ToolPoint& point) override;
     void release(const ToolPoint& point) override;
@@ -45,6 +48,7 @@ private:
     bool m_moves = false;             ///< the pointer has left the place of the press
     std::size_t m_branches = LimbDrag::usualBranches;
     QTimer m_rest;
+    QCursor m_cursor = handCursor(HandTool::Bend);
 };
 
 LimbTool::LimbTool(ToolContext& context)
@@ -57,7 +61,8 @@ LimbTool::LimbTool(ToolContext& context)
 
 bool LimbTool::press(const ToolPoint& point)
 {
-    if (point.button != Qt::LeftButton || !point.held.testFlag(Qt::ControlModifier))
+    const bool bends = isChosen() || point.held.testFlag(Qt::ControlModifier);
+    if (point.button != Qt::LeftButton || !bends)
         return false;
     const auto scene = m_context.host.pickScene(pickPatience);
     const auto hit = scene ? scene->pick(point.view, point.pixel()) : std::nullopt;
@@ -179,7 +184,9 @@ void LimbTool::offer(ToolOffers& offers) const
 {
     if (m_context.isPlaying() || !m_context.isOverBranch())
         return;
-    if (offers.held() == Qt::NoModifier)
+    if (isChosen() && offers.held() == Qt::NoModifier)
+        offers.add(ToolOffers::Drag, tr("Drag: bend the limb · Shift: trunk and root, too"));
+    else if (offers.held() == Qt::NoModifier)
         offers.add(ToolOffers::Drag, tr("Ctrl + drag: bend the limb"));
     else if (offers.held() == Qt::ControlModifier)
         offers.add(ToolOffers::Drag, tr("Ctrl: drag bends the limb (with Shift: trunk and root, too)"));

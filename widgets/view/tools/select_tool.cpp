@@ -42,6 +42,8 @@ public:
     }
     void offer(ToolOffers& offers) const override
     {
+        if (m_context.hand.tool() != HandTool::None)
+            return;
         const bool overBranch = m_context.isOverBranch();
         const bool overNode = m_context.document.scene().find(m_context.hoverNode) != nullptr;
         if (offers.held() == Qt::ShiftModifier)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "widgets/view/tools/tool_context.h"
+#include <QCursor>
 #include <QObject>
 #include <QSize>
 #include <QStringList>
@@ -27,7 +28,9 @@ struct ToolPoint
     QPointF at;                            ///< logical pixels from the upper left corner
     Qt::MouseButton button = Qt::NoButton; ///< that went down or up
     Qt::KeyboardModifiers held;
-    QPointF pressed; ///< where the button of the gesture went down
+    QPointF pressed;                ///< where the button of the gesture went down
+    std::optional<double> pressure; ///< 0..1, of a pen; nothing: a mouse
+    bool isEraser = false;          ///< the other end of the pen
 
     [[nodiscard]] glm::dvec2 pixel() const { return {at.x(), at.y()}; }
     /// Far enough from there to be a drag.
@@ -74,8 +77,11 @@ public:
 
     /// Nothing goes on. \return whether what is under the cursor is the tool's own: a handle, say
     virtual bool hover(const ToolPoint&) { return false; }
-    virtual void leave() {} ///< the cursor is elsewhere
-    [[nodiscard]] virtual Qt::CursorShape cursor() const { return Qt::ArrowCursor; } ///< while it hovers
+    virtual void leave() {}                                                  ///< the cursor is elsewhere
+    [[nodiscard]] virtual QCursor cursor() const { return Qt::ArrowCursor; } ///< while it hovers
+    /// The one of the tool bar: presses are its own before those of others, and so is the cursor.
+    [[nodiscard]] virtual bool isChosen() const { return false; }
+    virtual void sceneReady() {} ///< what is picked in is that of the document of now
     /// \return whether the tool takes it: then it begins
     virtual bool press(const ToolPoint& point) = 0;
     virtual void pressAgain(const ToolPoint&) {} ///< any button, while it goes on

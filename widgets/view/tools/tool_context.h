@@ -7,6 +7,8 @@
 #include "core/session/auto_key.h"
 #include "core/session/player.h"
 #include "widgets/view/tools/gizmo_settings.h"
+#include "widgets/view/tools/hand_settings.h"
+#include "widgets/view/tools/limb_finder.h"
 #include "widgets/view/tools/limb_pose.h"
 #include "widgets/view/tools/tool_host.h"
 
@@ -23,6 +25,7 @@ struct ToolContext
     ToolHost& host;
     Document& document;
     GizmoSettings& gizmo;
+    HandSettings& hand;
     ArmReach& reach;
     Player* player = nullptr;               ///< null: nothing plays
     AutoKey* keys = nullptr;                ///< null: no edit becomes a key
@@ -31,6 +34,8 @@ struct ToolContext
 
     /// A limb that follows the hand, from then on until its mesh is shown.
     std::unique_ptr<LimbPose> limbPose{};
+
+    LimbFinder limbs{}; ///< of what is under the cursor
 
     NodeId hoverNode = noNode; ///< under the cursor while nothing goes on
     Index hoverBranch = noIndex;

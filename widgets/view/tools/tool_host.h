@@ -40,6 +40,9 @@ public:
     /// Lets go of something large where that does not hold up the interface.
     virtual void dispose(std::shared_ptr<const void> last) = 0;
 
+    /// Of this tree these branches are shown as what would change, until noNode is given.
+    virtual void markBranches(NodeId node, std::vector<Index> branches) = 0;
+
     virtual void repaint() = 0;
     virtual void updateHint() = 0;
     /// What the hand wanted and could not have, and why.

@@ -131,9 +131,19 @@ void ToolManager::playingStopped()
         tool->playingStopped();
 }
 
-Qt::CursorShape ToolManager::cursor() const
+void ToolManager::sceneReady()
 {
-    return m_hovering ? m_hovering->cursor() : Qt::ArrowCursor;
+    m_picks.tryAgain();
+    for (const auto& tool : m_tools)
+        tool->sceneReady();
+}
+
+QCursor ToolManager::cursor() const
+{
+    if (m_hovering)
+        return m_hovering->cursor();
+    const auto chosen = std::ranges::find_if(m_tools, [](const auto& tool) { return tool->isChosen(); });
+    return chosen == m_tools.end() ? QCursor(Qt::ArrowCursor) : (*chosen)->cursor();
 }
 
 QString ToolManager::hint(ToolPoint point) const

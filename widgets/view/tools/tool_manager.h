@@ -47,8 +47,10 @@ public:
     void focusLost();
 
     void playingStopped();
+    /// After what is picked in, or what is shown, has become ready.
+    void sceneReady();
 
-    [[nodiscard]] Qt::CursorShape cursor() const;
+    [[nodiscard]] QCursor cursor() const;
     /// For the status bar.
     [[nodiscard]] QString hint(ToolPoint point) const;
     void paint(QPainter& painter, const PickView& view) const;

@@ -11,6 +11,17 @@ using ToolMaker = std::unique_ptr<Tool> (*)(ToolContext& context);
 
 std::unique_ptr<Tool> makeCubeTool(ToolContext& context);
 std::unique_ptr<Tool> makeNavigationTool(ToolContext& context);
+std::unique_ptr<Tool> makeCutTool(ToolContext& context);
+std::unique_ptr<Tool> makeSawTool(ToolContext& context);
+std::unique_ptr<Tool> makeRemoveTool(ToolContext& context);
+std::unique_ptr<Tool> makeKeepTool(ToolContext& context);
+std::unique_ptr<Tool> makeLengthTool(ToolContext& context);
+std::unique_ptr<Tool> makeThicknessTool(ToolContext& context);
+std::unique_ptr<Tool> makeDrawTool(ToolContext& context);
+std::unique_ptr<Tool> makeGraftTool(ToolContext& context);
+std::unique_ptr<Tool> makePruneTool(ToolContext& context);
+std::unique_ptr<Tool> makeLeavesTool(ToolContext& context);
+std::unique_ptr<Tool> makeEditMarks(ToolContext& context);
 std::unique_ptr<Tool> makeGizmoTool(ToolContext& context);
 std::unique_ptr<Tool> makeJointTool(ToolContext& context);
 std::unique_ptr<Tool> makeWindTool(ToolContext& context);
@@ -24,6 +35,17 @@ std::unique_ptr<Tool> makeMenuTool(ToolContext& context);
 inline constexpr ToolMaker toolTable[] = {
     makeCubeTool,
     makeNavigationTool,
+    makeCutTool,
+    makeSawTool,
+    makeRemoveTool,
+    makeKeepTool,
+    makeLengthTool,
+    makeThicknessTool,
+    makeDrawTool,
+    makeGraftTool,
+    makePruneTool,
+    makeLeavesTool,
+    makeEditMarks,
     makeGizmoTool,
     makeJointTool,
     makeWindTool,

@@ -73,7 +73,7 @@ void TestGizmoTool::aHandleMovesAndEscapeTakesItBack()
 {
     Bench bench;
     QVERIFY(bench.tools.hover(bench.at(bench.grip())));
-    QCOMPARE(bench.tools.cursor(), Qt::SizeAllCursor);
+    QCOMPARE(bench.tools.cursor().shape(), Qt::SizeAllCursor);
     const QPointF from = bench.grip();
     bench.drag(from, from + QPointF(60.0, 0.0));
     QVERIFY(bench.place().x > 0.1);

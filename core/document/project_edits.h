@@ -1,0 +1,33 @@
+/// \file
+/// The edits of a tree in project files, and one by one in scripts.
+///
+/// A project has "edits" in a node: a list of {"id", "op", "target": {"id", "place" ...}} and the values of
+/// the operation that are not the default; "name" where it has one, "enabled" where that is false. A script
+/// names limbs by their addresses alone and has "angle" and "azimuth" in degrees; all else is the same:
+/// points [x, y, z, radius], shapes {"sphere": [x, y, z, r]}, {"box": [x, y, z, X, Y, Z]} or
+/// {"cone": [x, y, z, r, height]}.
+#pragma once
+
+#include "core/base/error.h"
+#include "core/params/tree_edit.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+
+namespace ramure::json {
+
+QJsonArray writeEdits(const std::vector<TreeEdit>& edits);
+/// Errors: Invalid, Unknown (path inside, "[2].at").
+Expected<std::vector<TreeEdit>> readEdits(const QJsonArray& array);
+
+/// One line of a script: an edit for each of the limbs that "target" lists, or one. Their targets have no
+/// places, and ids only where the line says so.
+struct ScriptEdits
+{
+    std::vector<TreeEdit> edits;
+    bool inTreeSpace = true; ///< else "frame" is "parent"
+};
+/// Errors: Invalid, Unknown (operation, key), path = the key.
+Expected<ScriptEdits> readScriptEdits(const QJsonObject& line);
+
+} // namespace ramure::json

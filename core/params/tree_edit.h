@@ -1,0 +1,110 @@
+/// \file
+/// What a hand did to a tree: a list beside the parameters, applied in its order to what the generator grew
+/// (core/skeleton/edits/). Plain values; which of them an operation has stands in tree_edit_table.h.
+#pragma once
+
+#include "core/params/branch_place.h"
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+namespace ramure {
+
+enum class EditOperation : std::uint8_t {
+    Cut,       ///< what lies above `at` goes; a closed end stays
+    Remove,    ///< the limb goes, with all on it
+    Keep,      ///< all goes but the limb, what is on it and the way down to the ground
+    Bend,      ///< what lies above `from` is turned about that point
+    Curl,      ///< turned bit by bit between `from` and `to`
+    Twist,     ///< what grows on the axis is turned about it, by `angleRad` at the tip
+    Length,    ///< times `factor`
+    Thickness, ///< radii times `factor`
+    Taper,     ///< radii times `factor` at the tip, unchanged at the foot
+    Draw,      ///< a new axis along `points`, at `at` of the target
+    Extend,    ///< the tip goes on along `points`
+    Redraw,    ///< the axis gets another way, what grows on it follows
+    Graft,     ///< a copy of a limb, at `at` of the target
+    Move,      ///< the limb is put at `at` of its parent, or of another axis
+    Prune,     ///< what stands out of a shape is cut
+    Attract,   ///< branches within a sphere turn towards its centre, or away from it
+    Comb,      ///< branches within a sphere turn into a direction
+    Leaves,    ///< those of a limb are shown or hidden
+    Root,      ///< the foot stands elsewhere, and flares
+};
+inline constexpr std::size_t editOperationCount = 19;
+
+/// An axis. Of those that grew, its place in the tree as grown, before any edit, so that the edit finds it in
+/// a changed tree; of one that an edit made, its name alone.
+struct EditTarget
+{
+    std::uint64_t address = 0; ///< Axis::address; 0: none
+    std::uint64_t maker = 0;   ///< TreeEdit::id of the graft that made the axis: the place is its original's
+    BranchPlace place{};       ///< empty: known by its address alone
+    bool operator==(const EditTarget&) const = default;
+};
+
+/// Of a stroke, of an axis that is drawn.
+struct StrokePoint
+{
+    glm::dvec3 position{0.0}; ///< m
+    double radius = 0.0;      ///< m; 0: as what it continues
+    bool operator==(const StrokePoint&) const = default;
+};
+
+enum class EditShapeKind : std::uint8_t { Sphere, Box, Cone };
+
+/// In tree space, metres.
+struct EditShape
+{
+    EditShapeKind kind = EditShapeKind::Sphere;
+    /// Sphere: centre, radius. Box: least and greatest corner. Cone, upright: centre of the foot, radius
+    /// there, height. The rest is 0.
+    std::array<double, 6> numbers{0.0, 0.0, 0.0, 1.0, 0.0, 0.0};
+    bool operator==(const EditShape&) const = default;
+};
+
+/// One piece of a limb that comes from another tree.
+struct LimbPiece
+{
+    std::int64_t parent = -1;    ///< among the pieces before it; the first has none
+    glm::dvec3 p0{0.0}, p1{0.0}; ///< m, from the foot, in the parent's frame there
+    double a0 = 0.0, a1 = 0.0;   ///< m
+    std::int64_t axis = 0;       ///< counted from 0 within the limb; pieces of one axis follow each other
+    bool operator==(const LimbPiece&) const = default;
+};
+
+/// Vectors are in the frame that the parent carries to the fork, x and y along its normal and binormal, z
+/// along its tangent (Axis::azimuth is measured in the same), so that they keep their meaning when the tree
+/// changes; those of Prune, Attract, Comb and Root in tree space. Shares are of the axis' length as the edits
+/// before left it.
+struct TreeEdit
+{
+    std::uint64_t id = 0; ///< unlike those of the tree's other edits; the address of an axis that it draws
+    std::string name{};   ///< empty: that of the operation
+    EditOperation operation = EditOperation::Remove;
+    bool enabled = true;
+    EditTarget target{}; ///< Draw: the parent, none for the ground; Graft: the parent; Prune, Attract and
+                         ///< Comb: the limb, or the whole tree
+    EditTarget other{}; ///< Graft: the original, none if it has a limb; Move: the parent, or none for its own
+    double at = 0.5;
+    double from = 0.0, to = 1.0;
+    double factor = 1.0; ///< Graft: of its size; Root: of the radius at the foot
+    double angleRad = 0.0;
+    double azimuthRad = 0.0;
+    double radius = 1.0;      ///< m, of a brush
+    double strength = 0.5;    ///< 0..1, Attract also down to -1
+    glm::dvec3 rotation{0.0}; ///< axis times angle, rad
+    glm::dvec3 direction{0.0, 1.0, 0.0};
+    glm::dvec3 centre{0.0}; ///< m, of a brush
+    glm::dvec3 offset{0.0}; ///< m
+    bool below = false;     ///< also what grows on the axis; Draw: as on a limb beside it
+    bool shown = true;
+    EditShape shape{};
+    std::vector<StrokePoint> points{}; ///< Draw and Redraw: from the fork; Extend: from the tip, in its frame
+    std::vector<LimbPiece> limb{};
+    bool operator==(const TreeEdit&) const = default;
+};
+
+} // namespace ramure

@@ -1,0 +1,240 @@
+#include "core/params/tree_edit_table.h"
+
+#include "core/math/stage_hash.h"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+namespace ramure {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double farAway = 1e5; ///< m
+
+constexpr EditOperationInfo operations[] = {
+    {EditOperation::Cut, "cut", RAMURE_NOOP("Cut"), "target", "", editAt | editNeedsTarget},
+    {EditOperation::Remove, "remove", RAMURE_NOOP("Remove"), "target", "", editNeedsTarget},
+    {EditOperation::Keep, "keep", RAMURE_NOOP("Keep only this"), "target", "", editNeedsTarget},
+    {EditOperation::Bend, "bend", RAMURE_NOOP("Bend"), "target", "",
+     editFrom | editRotation | editNeedsTarget},
+    {EditOperation::Curl, "curl", RAMURE_NOOP("Curl"), "target", "",
+     editFrom | editTo | editRotation | editNeedsTarget},
+    {EditOperation::Twist, "twist", RAMURE_NOOP("Twist"), "target", "", editAngle | editNeedsTarget},
+    {EditOperation::Length, "length", RAMURE_NOOP("Length"), "target", "",
+     editFactor | editBelow | editNeedsTarget},
+    {EditOperation::Thickness, "thickness", RAMURE_NOOP("Thickness"), "target", "",
+     editFactor | editBelow | editNeedsTarget},
+    {EditOperation::Taper, "taper", RAMURE_NOOP("Taper"), "target", "", editFactor | editNeedsTarget},
+    {EditOperation::Draw, "draw", RAMURE_NOOP("Draw"), "parent", "",
+     editAt | editPoints | editBelow | editMakesAxes},
+    {EditOperation::Extend, "extend", RAMURE_NOOP("Extend"), "target", "", editPoints | editNeedsTarget},
+    {EditOperation::Redraw, "redraw", RAMURE_NOOP("Redraw"), "target", "", editPoints | editNeedsTarget},
+    {EditOperation::Graft, "graft", RAMURE_NOOP("Graft"), "parent", "source",
+     editAt | editAzimuth | editFactor | editLimb | editOther | editNeedsTarget | editMakesAxes},
+    {EditOperation::Move, "move", RAMURE_NOOP("Move"), "target", "parent",
+     editAt | editAzimuth | editOther | editNeedsTarget},
+    {EditOperation::Prune, "prune", RAMURE_NOOP("Prune to a shape"), "target", "", editShape | editTreeSpace},
+    {EditOperation::Attract, "attract", RAMURE_NOOP("Attract"), "target", "",
+     editCentre | editRadius | editStrength | editTreeSpace},
+    {EditOperation::Comb, "comb", RAMURE_NOOP("Comb"), "target", "",
+     editCentre | editRadius | editStrength | editDirection | editTreeSpace},
+    {EditOperation::Leaves, "leaves", RAMURE_NOOP("Leaves"), "target", "", editShown | editNeedsTarget},
+    {EditOperation::Root, "root", RAMURE_NOOP("Root"), "target", "",
+     editOffset | editFactor | editNeedsTarget | editTreeSpace},
+};
+static_assert(std::size(operations) == editOperationCount);
+
+constexpr EditNumber numbers[] = {
+    {"at", &TreeEdit::at, editAt, 0.0, 1.0, false},
+    {"from", &TreeEdit::from, editFrom, 0.0, 1.0, false},
+    {"to", &TreeEdit::to, editTo, 0.0, 1.0, false},
+    {"factor", &TreeEdit::factor, editFactor, 0.01, 100.0, false},
+    {"angle", &TreeEdit::angleRad, editAngle, -100.0 * pi, 100.0 * pi, true},
+    {"azimuth", &TreeEdit::azimuthRad, editAzimuth, -100.0 * pi, 100.0 * pi, true},
+    {"radius", &TreeEdit::radius, editRadius, 1e-6, farAway, false},
+    {"strength", &TreeEdit::strength, editStrength, -1.0, 1.0, false},
+};
+
+constexpr EditVector vectors[] = {
+    {"rotation", &TreeEdit::rotation, editRotation},
+    {"direction", &TreeEdit::direction, editDirection},
+    {"centre", &TreeEdit::centre, editCentre},
+    {"offset", &TreeEdit::offset, editOffset},
+};
+
+constexpr EditFlag flags[] = {
+    {"below", &TreeEdit::below, editBelow},
+    {"shown", &TreeEdit::shown, editShown},
+};
+
+constexpr EditShapeInfo shapes[] = {
+    {EditShapeKind::Sphere, "sphere", 4},
+    {EditShapeKind::Box, "box", 6},
+    {EditShapeKind::Cone, "cone", 5},
+};
+
+tl::unexpected<Error> refuse(const char* path, const char* why)
+{
+    auto error = fail(ErrorCode::Invalid, why);
+    error.value().path = path;
+    return error;
+}
+
+bool isNear(const glm::dvec3& v)
+{
+    return std::abs(v.x) <= farAway && std::abs(v.y) <= farAway && std::abs(v.z) <= farAway;
+}
+
+bool isRadius(double radius)
+{
+    return radius >= 0.0 && radius <= farAway;
+}
+
+Expected<void> checkPoints(const TreeEdit& edit)
+{
+    if (edit.points.empty() || edit.points.size() > mostEditPoints)
+        return refuse("points", RAMURE_NOOP("a stroke needs between one and 100000 points"));
+    double longest = 0.0;
+    for (const StrokePoint& point : edit.points) {
+        if (!isNear(point.position) || !isRadius(point.radius))
+            return refuse("points", RAMURE_NOOP("points need three finite coordinates and a radius that is "
+                                                "not negative"));
+        longest = std::max(
+            {longest, std::abs(point.position.x), std::abs(point.position.y), std::abs(point.position.z)});
+    }
+    if (longest < 1e-6)
+        return refuse("points", RAMURE_NOOP("the stroke goes nowhere"));
+    return {};
+}
+
+Expected<void> checkShape(const EditShape& shape)
+{
+    const auto& n = shape.numbers;
+    if (!std::ranges::all_of(n, [](double number) { return std::abs(number) <= farAway; }))
+        return refuse("shape", RAMURE_NOOP("must be a finite number"));
+    const bool hasExtent = shape.kind == EditShapeKind::Sphere ? n[3] > 0.0
+                           : shape.kind == EditShapeKind::Box  ? n[3] > n[0] && n[4] > n[1] && n[5] > n[2]
+                                                               : n[3] > 0.0 && n[4] > 0.0;
+    return hasExtent ? Expected<void>() : refuse("shape", RAMURE_NOOP("the shape has no extent"));
+}
+
+Expected<void> checkLimb(const TreeEdit& edit)
+{
+    const std::vector<LimbPiece>& limb = edit.limb;
+    if (limb.size() > mostEditPoints)
+        return refuse("limb", RAMURE_NOOP("a limb has at most 100000 pieces"));
+    std::int64_t axes = 0;
+    for (std::size_t i = 0; i < limb.size(); ++i) {
+        const LimbPiece& piece = limb[i];
+        const bool hasParent = piece.parent >= 0 && piece.parent < static_cast<std::int64_t>(i);
+        if (hasParent == (i == 0))
+            return refuse("limb", RAMURE_NOOP("the pieces of a limb must follow their parents"));
+        // An axis starts with a number of its own and goes on from the piece before.
+        const bool starts = piece.axis == axes;
+        const bool continues =
+            i > 0 && limb[i - 1].axis == piece.axis && piece.parent == static_cast<std::int64_t>(i) - 1;
+        if (!starts && !continues)
+            return refuse("limb", RAMURE_NOOP("the pieces of an axis must follow each other"));
+        axes += starts ? 1 : 0;
+        if (!isNear(piece.p0) || !isNear(piece.p1) || !isRadius(piece.a0) || !isRadius(piece.a1))
+            return refuse("limb", RAMURE_NOOP("must be a finite number"));
+    }
+    if (limb.empty() == (edit.other.address == 0))
+        return refuse("source", RAMURE_NOOP("a graft needs a limb of this tree, or one of its own"));
+    return {};
+}
+
+} // namespace
+
+std::span<const EditOperationInfo> editOperations()
+{
+    return operations;
+}
+
+const EditOperationInfo& infoOf(EditOperation operation)
+{
+    return operations[static_cast<std::size_t>(operation)];
+}
+
+const EditOperationInfo* editOperationOf(std::string_view key)
+{
+    const auto* const found =
+        std::ranges::find_if(operations, [key](const EditOperationInfo& info) { return key == info.key; });
+    return found == std::end(operations) ? nullptr : found;
+}
+
+std::span<const EditNumber> editNumbers()
+{
+    return numbers;
+}
+
+std::span<const EditVector> editVectors()
+{
+    return vectors;
+}
+
+std::span<const EditFlag> editFlags()
+{
+    return flags;
+}
+
+std::span<const EditShapeInfo> editShapes()
+{
+    return shapes;
+}
+
+Expected<void> checkTreeEdit(const TreeEdit& edit)
+{
+    if (static_cast<std::size_t>(edit.operation) >= editOperationCount)
+        return refuse("op", RAMURE_NOOP("there is no such operation"));
+    const EditOperationInfo& info = infoOf(edit.operation);
+    if ((info.fields & editNeedsTarget) && edit.target.address == 0)
+        return refuse(info.targetKey, RAMURE_NOOP("the limb is missing"));
+    for (const EditNumber& number : numbers) {
+        const double value = edit.*number.member;
+        if ((info.fields & number.field) && !(value >= number.least && value <= number.most))
+            return refuse(number.key, RAMURE_NOOP("must be a finite number within its range"));
+    }
+    for (const EditVector& vector : vectors)
+        if ((info.fields & vector.field) && !isNear(edit.*vector.member))
+            return refuse(vector.key, RAMURE_NOOP("must be three finite numbers"));
+    if ((info.fields & editDirection) && edit.direction == glm::dvec3(0.0))
+        return refuse("direction", RAMURE_NOOP("a direction must not be zero"));
+    if (info.fields & editPoints)
+        if (auto ok = checkPoints(edit); !ok)
+            return ok;
+    if (info.fields & editShape)
+        if (auto ok = checkShape(edit.shape); !ok)
+            return ok;
+    return info.fields & editLimb ? checkLimb(edit) : Expected<void>();
+}
+
+Expected<void> checkTreeEdits(std::span<const TreeEdit> edits)
+{
+    std::set<std::uint64_t> ids;
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+        auto ok = checkTreeEdit(edits[i]);
+        if (ok && (edits[i].id == 0 || !ids.insert(edits[i].id).second))
+            ok = refuse("id", RAMURE_NOOP("every edit needs a name of its own"));
+        if (ok)
+            continue;
+        ok.error().path = "edits[" + std::to_string(i) + "]." + ok.error().path;
+        return ok;
+    }
+    return {};
+}
+
+std::uint64_t newEditId(std::span<const TreeEdit> edits, const TreeEdit& edit)
+{
+    StageHash hash(edits.size());
+    hash.add(std::string_view(infoOf(edit.operation).key)).add(edit.target.address).add(edit.other.address);
+    for (;;) {
+        const std::uint64_t id = hash.value();
+        if (id != 0 && std::ranges::find(edits, id, &TreeEdit::id) == edits.end())
+            return id;
+        hash.add(1);
+    }
+}
+
+} // namespace ramure

@@ -1,0 +1,142 @@
+#include "core/skeleton/edits/apply_edits.h"
+
+#include "core/params/tree_edit_table.h"
+#include "core/skeleton/edit_places.h"
+#include "core/skeleton/edits/edit_operations.h"
+
+namespace ramure {
+namespace edits {
+
+Expected<void> act(EditTree& tree, const TreeEdit& edit, Index target, Index other)
+{
+    constexpr Act* acts[] = {cut,    remove, keep,  bend, curl,  twist,   length, thickness, taper, draw,
+                             extend, redraw, graft, move, prune, attract, comb,   leaves,    root};
+    static_assert(std::size(acts) == editOperationCount);
+    tree.setMaker(edit.id);
+    return acts[static_cast<std::size_t>(edit.operation)](tree, edit, target, other);
+}
+
+} // namespace edits
+
+namespace {
+
+/// Where a target is, before any edit has been made.
+struct GrownPlace
+{
+    Index axis = noIndex; ///< of the tree as grown; noIndex: it was not there
+    bool byAddress = false;
+};
+
+class Applier
+{
+public:
+    Applier(EditTree& tree, const TreeAxes& axes, std::span<const TreeEdit> edits)
+        : m_tree(tree)
+        , m_edits(edits)
+        , m_targets(edits.size())
+        , m_others(edits.size())
+    {
+        std::vector<const BranchPlace*> places;
+        std::vector<GrownPlace*> wanted;
+        const auto want = [&](const EditTarget& target, GrownPlace& into) {
+            if (target.place.way.empty())
+                return;
+            places.push_back(&target.place);
+            wanted.push_back(&into);
+        };
+        for (std::size_t i = 0; i < edits.size(); ++i)
+            if (edits[i].enabled) {
+                want(edits[i].target, m_targets[i]);
+                want(edits[i].other, m_others[i]);
+            }
+        const std::vector<FoundPlace> found = findPlaces(axes, places);
+        for (std::size_t i = 0; i < found.size(); ++i)
+            if (found[i].branch != noIndex)
+                *wanted[i] = {axes.axisOf[found[i].branch], found[i].byAddress};
+    }
+
+    EditReport run()
+    {
+        EditReport report;
+        report.reserve(m_edits.size());
+        for (std::size_t i = 0; i < m_edits.size(); ++i)
+            report.push_back(m_edits[i].enabled ? done(i) : EditOutcome{m_edits[i].id});
+        return report;
+    }
+
+private:
+    EditOutcome done(std::size_t i)
+    {
+        const TreeEdit& edit = m_edits[i];
+        EditOutcome outcome{edit.id, EditState::ByAddress};
+        const Index target = axisOf(edit.target, m_targets[i], outcome);
+        const Index other = axisOf(edit.other, m_others[i], outcome);
+        if (target != noIndex)
+            outcome.address = m_tree.axis(target).address;
+        if (outcome.state == EditState::Unplaced || outcome.state == EditState::Idle)
+            return outcome;
+        if (auto acted = edits::act(m_tree, edit, target, other); !acted) {
+            outcome.state = EditState::Idle;
+            outcome.why = std::move(acted.error());
+        }
+        return outcome;
+    }
+
+    /// noIndex with a state that is still good: the edit has none.
+    Index axisOf(const EditTarget& target, const GrownPlace& grown, EditOutcome& outcome) const
+    {
+        if (target.address == 0)
+            return noIndex;
+        Index axis = grown.axis;
+        if (target.maker != 0 || target.place.way.empty()) {
+            axis = m_tree.madeAxisAt(target.address);
+            if (axis == noIndex && grown.axis != noIndex)
+                axis =
+                    m_tree.madeAxisAt(edits::graftedAddress(target.maker, m_tree.axis(grown.axis).address));
+            // Whoever knows an address alone may mean what has grown.
+            if (axis == noIndex && target.maker == 0)
+                axis = m_tree.axisAt(target.address);
+        } else if (axis != noIndex && !grown.byAddress) {
+            outcome.state = EditState::ByLikeness;
+        }
+        if (axis != noIndex && !m_tree.isGone(axis))
+            return axis;
+        outcome.state = axis == noIndex ? EditState::Unplaced : EditState::Idle;
+        outcome.why = fail(ErrorCode::Unknown,
+                           axis == noIndex ? RAMURE_NOOP("nothing in the tree looks like what was edited")
+                                           : RAMURE_NOOP("an edit before has taken the limb away"))
+                          .value();
+        return noIndex;
+    }
+
+    EditTree& m_tree;
+    std::span<const TreeEdit> m_edits;
+    std::vector<GrownPlace> m_targets, m_others;
+};
+
+} // namespace
+
+EditReport applyEdits(EditTree& tree, const TreeAxes& axes, std::span<const TreeEdit> edits)
+{
+    return Applier(tree, axes, edits).run();
+}
+
+EditedSkeleton applyEdits(const Skeleton& grown, const TreeAxes& axes, std::span<const TreeEdit> edits)
+{
+    EditTree tree(grown, axes);
+    EditReport report = applyEdits(tree, axes, edits);
+    return {tree.skeleton(), std::move(report)};
+}
+
+LayerCount countLayer(const EditReport& report)
+{
+    LayerCount count;
+    for (const EditOutcome& outcome : report) {
+        count.placed += outcome.state == EditState::ByAddress ? 1 : 0;
+        count.matched += outcome.state == EditState::ByLikeness ? 1 : 0;
+        count.unplaced += outcome.state == EditState::Unplaced || outcome.state == EditState::Idle ? 1 : 0;
+    }
+    return count;
+}
+
+} // namespace ramure

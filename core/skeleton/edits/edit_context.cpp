@@ -1,0 +1,156 @@
+#include "core/skeleton/edits/edit_context.h"
+
+#include "core/params/tree_edit_table.h"
+#include "core/skeleton/edit_places.h"
+#include "core/skeleton/edits/apply_edits.h"
+#include "core/skeleton/edits/edit_operations.h"
+#include <glm/geometric.hpp>
+
+namespace ramure {
+namespace {
+
+tl::unexpected<Error> noLimb(const char* path)
+{
+    auto error = fail(ErrorCode::Unknown, RAMURE_NOOP("the tree has no such limb"));
+    error.value().path = path;
+    return error;
+}
+
+/// Points that are places in tree space become steps in a frame.
+void putInto(const Frame& frame, const glm::dvec3& origin, std::vector<StrokePoint>& points)
+{
+    for (StrokePoint& point : points)
+        point.position = into(frame, point.position - origin);
+}
+
+} // namespace
+
+EditContext::EditContext(const Skeleton& grown, std::span<const TreeEdit> edits)
+    : m_grown(std::make_shared<const TreeAxes>(axesOf(grown)))
+    , m_mark(treeMark(*m_grown))
+    , m_tree(std::make_unique<EditTree>(grown, *m_grown))
+{
+    applyEdits(*m_tree, *m_grown, edits);
+}
+
+EditContext::~EditContext() = default;
+EditContext::EditContext(EditContext&&) noexcept = default;
+EditContext& EditContext::operator=(EditContext&&) noexcept = default;
+
+bool EditContext::has(std::uint64_t address) const
+{
+    const Index axis = m_tree->axisAt(address);
+    return axis != noIndex && !m_tree->isGone(axis);
+}
+
+Expected<EditTarget> EditContext::named(std::uint64_t address, const char* key) const
+{
+    if (address == 0)
+        return EditTarget{};
+    const Index axis = m_tree->axisAt(address);
+    if (axis == noIndex || m_tree->isGone(axis))
+        return noLimb(key);
+    const EditAxis& found = m_tree->axis(axis);
+    EditTarget target{address, found.maker};
+    if (const Index original = axis < m_tree->grownAxes() ? axis : found.original;
+        original < m_tree->grownAxes())
+        target.place = placeOf(*m_grown, m_grown->nodesOf(original).front(), m_mark);
+    return target;
+}
+
+Expected<EditTarget> EditContext::target(std::uint64_t address) const
+{
+    return address == 0 ? noLimb("") : named(address, "");
+}
+
+double EditContext::lengthOf(std::uint64_t address) const
+{
+    return has(address) ? m_tree->axisLength(m_tree->axisAt(address)) : 0.0;
+}
+
+std::optional<StrokePoint> EditContext::pointOn(std::uint64_t address, double share) const
+{
+    if (!has(address))
+        return std::nullopt;
+    const Index axis = m_tree->axisAt(address);
+    const Index first = m_tree->axis(axis).first;
+    if (share <= 0.0)
+        return StrokePoint{m_tree->piece(first).p0, m_tree->piece(first).a0};
+    const AxisSpot spot = m_tree->spotOn(axis, share);
+    return StrokePoint{m_tree->pointAt(spot), m_tree->radiusAt(spot)};
+}
+
+std::optional<Frame> EditContext::frameOn(std::uint64_t address, double share) const
+{
+    if (!has(address))
+        return std::nullopt;
+    return m_tree->frameAfter(m_tree->spotOn(m_tree->axisAt(address), share).piece);
+}
+
+std::optional<Frame> EditContext::frameBelow(std::uint64_t address) const
+{
+    if (!has(address))
+        return std::nullopt;
+    return m_tree->frameBelow(m_tree->axisAt(address));
+}
+
+Expected<TreeEdit> EditContext::prepared(TreeEdit edit, bool inTreeSpace) const
+{
+    if (auto ok = checkTreeEdit(edit); !ok)
+        return fail(std::move(ok.error()));
+    const EditOperationInfo& info = infoOf(edit.operation);
+    auto target = named(edit.target.address, info.targetKey);
+    auto other = named(edit.other.address, info.otherKey);
+    if (!target)
+        return fail(std::move(target.error()));
+    if (!other)
+        return fail(std::move(other.error()));
+    edit.target = std::move(*target);
+    edit.other = std::move(*other);
+    if (!inTreeSpace || (info.fields & editTreeSpace))
+        return edit;
+    const Index axis = edit.target.address == 0 ? noIndex : m_tree->axisAt(edit.target.address);
+    if (info.fields & editRotation)
+        edit.rotation = into(m_tree->frameBelow(axis), edit.rotation);
+    if (axis == noIndex)
+        putInto(Frame(), glm::dvec3(0.0), edit.points);
+    else if (edit.operation == EditOperation::Redraw)
+        putInto(m_tree->frameBelow(axis), m_tree->piece(m_tree->axis(axis).first).p0, edit.points);
+    else if (info.fields & editPoints) {
+        const AxisSpot spot = edit.operation == EditOperation::Draw ? edits::forkSpot(*m_tree, axis, edit.at)
+                                                                    : AxisSpot{m_tree->tipOf(axis)};
+        putInto(m_tree->frameAfter(spot.piece), m_tree->pointAt(spot), edit.points);
+    }
+    return edit;
+}
+
+Expected<void> EditContext::tried(const TreeEdit& edit) const
+{
+    EditTree copy = *m_tree;
+    const EditReport report = applyEdits(copy, *m_grown, {&edit, 1});
+    const EditOutcome& outcome = report.front();
+    if (outcome.state == EditState::Unplaced || outcome.state == EditState::Idle)
+        return fail(outcome.why);
+    return {};
+}
+
+Expected<void> EditContext::apply(const TreeEdit& edit)
+{
+    const EditReport report = applyEdits(*m_tree, *m_grown, {&edit, 1});
+    const EditOutcome& outcome = report.front();
+    if (outcome.state == EditState::Unplaced || outcome.state == EditState::Idle)
+        return fail(outcome.why);
+    return {};
+}
+
+std::vector<LimbPiece> EditContext::limb(std::uint64_t address) const
+{
+    return has(address) ? edits::limbOf(*m_tree, m_tree->axisAt(address)) : std::vector<LimbPiece>();
+}
+
+Skeleton EditContext::skeleton() const
+{
+    return m_tree->skeleton();
+}
+
+} // namespace ramure

@@ -1,0 +1,179 @@
+// What takes something away.
+#include "core/skeleton/edits/edit_operations.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace ramure::edits {
+namespace {
+
+/// Stubs that are shorter than so many radii go too.
+constexpr double shortestStub = 0.5;
+
+tl::unexpected<Error> nothingLeft()
+{
+    return fail(ErrorCode::Invalid, RAMURE_NOOP("nothing of the tree would be left"));
+}
+
+Expected<void> takeAway(EditTree& tree, const EditMarks& marks)
+{
+    if (std::ranges::count(marks, true) >= static_cast<std::ptrdiff_t>(tree.size()))
+        return nothingLeft();
+    tree.remove(marks);
+    return {};
+}
+
+bool isInside(const EditShape& shape, const glm::dvec3& p)
+{
+    const auto& n = shape.numbers;
+    const glm::dvec3 from = p - glm::dvec3(n[0], n[1], n[2]);
+    switch (shape.kind) {
+    case EditShapeKind::Sphere:
+        return glm::dot(from, from) <= n[3] * n[3];
+    case EditShapeKind::Box:
+        return from.x >= 0.0 && from.y >= 0.0 && from.z >= 0.0 && p.x <= n[3] && p.y <= n[4] && p.z <= n[5];
+    case EditShapeKind::Cone: {
+        const double radius = n[3] * (1.0 - from.y / n[4]);
+        return from.y >= 0.0 && radius >= 0.0 && from.x * from.x + from.z * from.z <= radius * radius;
+    }
+    }
+    return false;
+}
+
+/// Where a piece leaves a shape that is convex. \pre it starts inside and ends outside
+double leavesAt(const EditShape& shape, const EditPiece& piece)
+{
+    double in = 0.0, out = 1.0;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = 0.5 * (in + out);
+        (isInside(shape, piece.p0 + middle * (piece.p1 - piece.p0)) ? in : out) = middle;
+    }
+    return in;
+}
+
+/// What a shape leaves of a tree.
+class Pruner
+{
+public:
+    Pruner(const EditTree& tree, const EditShape& shape, const EditMarks& limb)
+        : m_tree(tree)
+        , m_shape(shape)
+        , m_limb(limb)
+        , m_gone(tree.pieces().size(), false)
+        , m_entered(tree.pieces().size(), false)
+    {
+    }
+
+    void run()
+    {
+        for (Index i = m_tree.firstPiece(); i != noIndex; i = m_tree.piece(i).after) {
+            const Index parent = m_tree.piece(i).parent;
+            if (parent != noIndex && (m_gone[parent] || m_ends[parent]))
+                m_gone[i] = true;
+            else if (m_limb.empty() || m_limb[i])
+                look(i);
+        }
+    }
+
+    [[nodiscard]] const EditMarks& gone() const { return m_gone; }
+    /// Pieces that end earlier, and where.
+    [[nodiscard]] const std::vector<std::pair<Index, double>>& cuts() const { return m_cuts; }
+
+private:
+    void look(Index i)
+    {
+        const EditPiece& piece = m_tree.piece(i);
+        const bool starts = isInside(m_shape, piece.p0), ends = isInside(m_shape, piece.p1);
+        // A trunk may come from outside: it is cut where it leaves the shape again.
+        const bool isStem = isOnGround(piece.axis);
+        const bool entered = starts || (piece.parent != noIndex && m_entered[piece.parent]);
+        m_entered[i] = isStem && (entered || ends);
+        if (!starts && (!isStem || (entered && !ends))) {
+            m_gone[i] = true;
+            return;
+        }
+        if (ends || !starts)
+            return;
+        const double t = leavesAt(m_shape, piece);
+        if (t * m_tree.length(i) < shortestStub * piece.a0 && !(isStem && piece.parent == noIndex)) {
+            m_gone[i] = true;
+            return;
+        }
+        m_ends[i] = true;
+        m_cuts.emplace_back(i, t);
+    }
+    [[nodiscard]] bool isOnGround(Index axis) const
+    {
+        return m_tree.piece(m_tree.axis(axis).first).parent == noIndex;
+    }
+
+    const EditTree& m_tree;
+    const EditShape& m_shape;
+    const EditMarks& m_limb;
+    EditMarks m_gone, m_entered;
+    EditMarks m_ends = EditMarks(m_gone.size(), false);
+    std::vector<std::pair<Index, double>> m_cuts;
+};
+
+} // namespace
+
+Expected<void> cut(EditTree& tree, const TreeEdit& edit, Index target, Index /*other*/)
+{
+    const Index first = tree.axis(target).first;
+    const AxisSpot spot = tree.spotOn(target, edit.at);
+    const bool atFoot = spot.piece == first && spot.t * tree.length(first) < 1e-3 * tree.axisLength(target);
+    if (atFoot)
+        return takeAway(tree, tree.marked(first));
+    if (spot.t >= 1.0 && tree.piece(spot.piece).next == noIndex)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("there is nothing above the cut"));
+    const Index below = tree.splitAt(spot);
+    tree.remove(tree.marked(tree.piece(below).next));
+    return {};
+}
+
+Expected<void> remove(EditTree& tree, const TreeEdit& /*edit*/, Index target, Index /*other*/)
+{
+    return takeAway(tree, tree.marked(tree.axis(target).first));
+}
+
+Expected<void> keep(EditTree& tree, const TreeEdit& /*edit*/, Index target, Index /*other*/)
+{
+    const Index first = tree.axis(target).first;
+    EditMarks kept = tree.marked(first);
+    for (Index i = first; i != noIndex; i = tree.piece(i).parent)
+        kept[i] = true;
+    EditMarks others(kept.size(), false);
+    for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after)
+        others[i] = !kept[i];
+    if (std::ranges::count(others, true) == 0)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("there is nothing else"));
+    tree.remove(others);
+    return {};
+}
+
+Expected<void> prune(EditTree& tree, const TreeEdit& edit, Index target, Index /*other*/)
+{
+    const EditMarks limb = target == noIndex ? EditMarks() : tree.marked(tree.axis(target).first);
+    Pruner pruner(tree, edit.shape, limb);
+    pruner.run();
+    const auto gone = std::ranges::count(pruner.gone(), true);
+    if (gone == 0 && pruner.cuts().empty())
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("nothing stands out of the shape"));
+    if (gone >= static_cast<std::ptrdiff_t>(tree.size()))
+        return nothingLeft();
+    for (const auto& [i, t] : pruner.cuts())
+        tree.shorten(i, t);
+    tree.remove(pruner.gone());
+    return {};
+}
+
+Expected<void> leaves(EditTree& tree, const TreeEdit& edit, Index target, Index /*other*/)
+{
+    const EditMarks limb = tree.marked(tree.axis(target).first);
+    for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after)
+        if (limb[i])
+            tree.piece(i).bare = !edit.shown;
+    return {};
+}
+
+} // namespace ramure::edits

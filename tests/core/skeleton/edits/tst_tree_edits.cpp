@@ -1,0 +1,336 @@
+#include "tests/support/shaped_tree.h"
+
+#include <cmath>
+#include <set>
+
+using namespace ramure;
+using namespace ramure::test;
+
+/// What each operation does to a tree, and what it refuses.
+class TestTreeEdits : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+    void tableIsWhole();
+    void badValues_data();
+    void badValues();
+    void unknownLimbs();
+    void whatCannotBeDone();
+    void noEditsChangeNothing();
+    void editsSwitchedOff();
+    void cuts();
+    void removesAndKeeps();
+    void bendsAndCurls();
+    void twists();
+    void lengths();
+    void radii();
+    void brushes();
+};
+
+void TestTreeEdits::tableIsWhole()
+{
+    std::set<std::string> keys;
+    for (std::size_t i = 0; i < editOperationCount; ++i) {
+        const EditOperationInfo& info = editOperations()[i];
+        QCOMPARE(static_cast<std::size_t>(info.operation), i);
+        QVERIFY(keys.insert(info.key).second);
+        QCOMPARE(editOperationOf(info.key), &info);
+        QVERIFY(*info.label != '\0');
+    }
+    QVERIFY(!editOperationOf("grow"));
+}
+
+void TestTreeEdits::badValues_data()
+{
+    QTest::addColumn<int>("operation");
+    QTest::addColumn<int>("what");
+    QTest::addColumn<QByteArray>("path");
+    const auto row = [](EditOperation operation, int what, const char* path) {
+        QTest::addRow("%s %d", infoOf(operation).key, what)
+            << static_cast<int>(operation) << what << QByteArray(path);
+    };
+    row(EditOperation::Cut, 0, "target");
+    row(EditOperation::Draw, 1, "at");
+    row(EditOperation::Cut, 1, "at");
+    row(EditOperation::Length, 2, "factor");
+    row(EditOperation::Bend, 3, "rotation");
+    row(EditOperation::Draw, 4, "points");
+    row(EditOperation::Redraw, 5, "points");
+    row(EditOperation::Prune, 6, "shape");
+    row(EditOperation::Comb, 7, "direction");
+    row(EditOperation::Graft, 8, "source");
+    row(EditOperation::Graft, 9, "limb");
+    row(EditOperation::Attract, 10, "radius");
+}
+
+void TestTreeEdits::badValues()
+{
+    QFETCH(int, operation);
+    QFETCH(int, what);
+    QFETCH(QByteArray, path);
+    TreeEdit edit = editOf(static_cast<EditOperation>(operation), 7);
+    edit.id = 1;
+    edit.points = {{glm::dvec3(1.0), 0.0}};
+    switch (what) {
+    case 0:
+        edit.target = {};
+        break;
+    case 1:
+        edit.at = std::nan("");
+        break;
+    case 2:
+        edit.factor = 0.0;
+        break;
+    case 3:
+        edit.rotation.y = std::numeric_limits<double>::infinity();
+        break;
+    case 4:
+        edit.points.clear();
+        break;
+    case 5:
+        edit.points = {{glm::dvec3(0.0), -1.0}};
+        break;
+    case 6:
+        edit.shape.numbers[3] = 0.0;
+        break;
+    case 7:
+        edit.direction = glm::dvec3(0.0);
+        break;
+    case 9:
+        edit.limb = {{-1, {}, glm::dvec3(1.0), 0.1, 0.1, 0}, {1, {}, glm::dvec3(1.0), 0.1, 0.1, 1}};
+        break;
+    case 10:
+        edit.radius = -1.0;
+        break;
+    default:
+        break;
+    }
+    const auto checked = checkTreeEdit(edit);
+    QVERIFY(!checked);
+    QCOMPARE(QByteArray::fromStdString(checked.error().path), path);
+    NodeParams params = plainTree();
+    params.edits = {edit};
+    TreePipeline pipeline;
+    const auto tree = pipeline.evaluate(params);
+    QVERIFY(!tree);
+    QCOMPARE(QByteArray::fromStdString(tree.error().path), "edits[0]." + path);
+}
+
+void TestTreeEdits::unknownLimbs()
+{
+    Shaped shaped;
+    const auto made = shaped.make(editOf(EditOperation::Remove, 12345));
+    QVERIFY(!made);
+    QCOMPARE(made.error().code, ErrorCode::Unknown);
+    TreeEdit edit = editOf(EditOperation::Remove, 12345);
+    edit.id = 1;
+    shaped.params.edits = {edit};
+    const TreeResult tree = shaped.tree();
+    QCOMPARE(tree.edits->size(), std::size_t{1});
+    QCOMPARE(tree.edits->front().state, EditState::Unplaced);
+    QCOMPARE(tree.skeleton->size(), tree.grown->size());
+    // Twice the same name.
+    shaped.params.edits.push_back(edit);
+    TreePipeline pipeline;
+    QCOMPARE(pipeline.evaluate(shaped.params).error().path, std::string("edits[1].id"));
+}
+
+void TestTreeEdits::whatCannotBeDone()
+{
+    Shaped shaped;
+    const auto refused = [&shaped](TreeEdit edit) {
+        const auto made = shaped.make(edit);
+        return !made && made.error().code == ErrorCode::Invalid && *made.error().text != '\0' &&
+               shaped.params.edits.empty();
+    };
+    TreeEdit cut = editOf(EditOperation::Cut, shaped.address[1]);
+    cut.at = 1.0;
+    QVERIFY(refused(cut));
+    QVERIFY(refused(editOf(EditOperation::Remove, shaped.address[0])));
+    TreeEdit graft = editOf(EditOperation::Graft, shaped.address[2]);
+    graft.other.address = shaped.address[1];
+    QVERIFY(refused(graft));
+    TreeEdit move = editOf(EditOperation::Move, shaped.address[1]);
+    move.other.address = shaped.address[2];
+    QVERIFY(refused(move));
+    QVERIFY(refused(editOf(EditOperation::Move, shaped.address[0])));
+    QVERIFY(refused(editOf(EditOperation::Root, shaped.address[1])));
+    QVERIFY(refused(editOf(EditOperation::Twist, shaped.address[3])));
+    TreeEdit draw = editOf(EditOperation::Draw, shaped.address[0]);
+    draw.at = 1.0;
+    draw.points = {{shaped.tip(shaped.address[0]), 0.1}};
+    QVERIFY(refused(draw));
+    TreeEdit prune = editOf(EditOperation::Prune, 0);
+    prune.shape.numbers = {0.0, 0.0, 0.0, 100.0, 0.0, 0.0};
+    QVERIFY(refused(prune));
+    TreeEdit attract = editOf(EditOperation::Attract, 0);
+    attract.centre = {50.0, 0.0, 0.0};
+    QVERIFY(refused(attract));
+}
+
+void TestTreeEdits::noEditsChangeNothing()
+{
+    Shaped shaped;
+    const TreeResult tree = shaped.tree();
+    QVERIFY(tree.grown == tree.skeleton);
+    QVERIFY(!tree.edits);
+    QVERIFY(tree.skeleton->axisStarts.empty());
+    QCOMPARE(shaped.address.size(), std::size_t{4});
+}
+
+void TestTreeEdits::editsSwitchedOff()
+{
+    Shaped shaped;
+    QVERIFY(shaped.make(editOf(EditOperation::Remove, shaped.address[1])));
+    shaped.params.edits.front().enabled = false;
+    const TreeResult tree = shaped.tree();
+    QCOMPARE(tree.edits->front().state, EditState::Off);
+    Skeleton same = *tree.skeleton;
+    QCOMPARE(same.axisStarts.size(), std::size_t{4});
+    same.axisStarts.clear();
+    QVERIFY(same == *tree.grown);
+}
+
+void TestTreeEdits::cuts()
+{
+    Shaped shaped;
+    TreeEdit edit = editOf(EditOperation::Cut, shaped.address[0]);
+    edit.at = 0.75;
+    const double before = shaped.axis(shaped.address[0])->length;
+    QVERIFY(shaped.make(edit));
+    QVERIFY(isNear(shaped.axis(shaped.address[0])->length, 0.75 * before));
+    QVERIFY(shaped.axis(shaped.address[3]));
+    edit.at = 0.5; // of what is left: the upper limb goes, it stands higher
+    QVERIFY(shaped.make(edit));
+    QVERIFY(isNear(shaped.axis(shaped.address[0])->length, 0.375 * before));
+    QVERIFY(!shaped.axis(shaped.address[3]));
+    QVERIFY(shaped.axis(shaped.address[1]));
+    edit = editOf(EditOperation::Cut, shaped.address[1]);
+    edit.at = 0.0;
+    QVERIFY(shaped.make(edit));
+    QCOMPARE(axesOf(shaped.skeleton()).axes.size(), std::size_t{1});
+    const TreeResult tree = shaped.tree(Stage::Mesh);
+    QVERIFY(tree.report->valid);
+}
+
+void TestTreeEdits::removesAndKeeps()
+{
+    Shaped shaped;
+    QVERIFY(shaped.make(editOf(EditOperation::Remove, shaped.address[1])));
+    QVERIFY(!shaped.axis(shaped.address[1]) && !shaped.axis(shaped.address[2]));
+    QCOMPARE(shaped.skeleton().size(), Index{5});
+    Shaped kept;
+    QVERIFY(kept.make(editOf(EditOperation::Keep, kept.address[2])));
+    QCOMPARE(axesOf(kept.skeleton()).axes.size(), std::size_t{3});
+    QVERIFY(!kept.axis(kept.address[3]));
+    QCOMPARE(kept.axis(kept.address[0])->nodes, Index{1});
+    QCOMPARE(kept.axis(kept.address[1])->nodes, Index{2});
+    QVERIFY(!kept.make(editOf(EditOperation::Keep, kept.address[2])));
+}
+
+void TestTreeEdits::bendsAndCurls()
+{
+    Shaped shaped;
+    TreeEdit edit = editOf(EditOperation::Bend, shaped.address[0]);
+    edit.from = 0.0;
+    edit.rotation = {0.0, 0.0, -std::numbers::pi / 2}; // the trunk lies down along +X
+    const glm::dvec3 before = shaped.tip(shaped.address[2]);
+    QVERIFY(shaped.make(edit));
+    QVERIFY(isNear(shaped.tip(shaped.address[0]), {4.0 * 1.0, 0.0, 0.0}) ||
+            std::abs(shaped.tip(shaped.address[0]).y) < 1e-9);
+    QVERIFY(isNear(shaped.tip(shaped.address[2]), {before.y, -before.x, before.z}));
+    Shaped curled;
+    edit = editOf(EditOperation::Curl, curled.address[0]);
+    edit.rotation = {0.0, 0.0, -1.0};
+    const double length = curled.axis(curled.address[0])->length;
+    QVERIFY(curled.make(edit));
+    QVERIFY(isNear(curled.axis(curled.address[0])->length, length));
+    const TreeAxes axes = axesOf(curled.skeleton());
+    const std::span<const Index> nodes = axes.nodesOf(0);
+    const Skeleton skeleton = curled.skeleton();
+    const glm::dvec3 last = glm::normalize(skeleton.p1[nodes.back()] - skeleton.p0[nodes.back()]);
+    QVERIFY(nodes.size() >= 7 && last.x > std::sin(0.85) && last.x < std::sin(1.0));
+}
+
+void TestTreeEdits::twists()
+{
+    Shaped shaped;
+    TreeEdit edit = editOf(EditOperation::Twist, shaped.address[0]);
+    edit.angleRad = 1.0;
+    const Axis before = *shaped.axis(shaped.address[1]);
+    const glm::dvec3 tip = shaped.tip(shaped.address[0]);
+    QVERIFY(shaped.make(edit));
+    const Axis after = *shaped.axis(shaped.address[1]);
+    QVERIFY(
+        isNear(std::remainder(after.azimuth - before.azimuth - before.share, 2.0 * std::numbers::pi), 0.0));
+    QVERIFY(isNear(after.downAngle, before.downAngle));
+    QVERIFY(isNear(tip, shaped.tip(shaped.address[0])));
+}
+
+void TestTreeEdits::lengths()
+{
+    Shaped shaped;
+    TreeEdit edit = editOf(EditOperation::Length, shaped.address[1]);
+    edit.factor = 1.5;
+    const double limb = shaped.axis(shaped.address[1])->length, twig = shaped.axis(shaped.address[2])->length;
+    QVERIFY(shaped.make(edit));
+    QVERIFY(isNear(shaped.axis(shaped.address[1])->length, 1.5 * limb));
+    QVERIFY(isNear(shaped.axis(shaped.address[2])->length, twig));
+    edit.below = true;
+    QVERIFY(shaped.make(edit));
+    QVERIFY(isNear(shaped.axis(shaped.address[1])->length, 2.25 * limb));
+    QVERIFY(isNear(shaped.axis(shaped.address[2])->length, 1.5 * twig));
+}
+
+void TestTreeEdits::radii()
+{
+    Shaped shaped;
+    TreeEdit edit = editOf(EditOperation::Thickness, shaped.address[1]);
+    edit.factor = 0.5;
+    const double limb = shaped.axis(shaped.address[1])->radius, twig = shaped.axis(shaped.address[2])->radius;
+    QVERIFY(shaped.make(edit));
+    QVERIFY(isNear(shaped.axis(shaped.address[1])->radius, 0.5 * limb));
+    QVERIFY(isNear(shaped.axis(shaped.address[2])->radius, twig));
+    edit.below = true;
+    QVERIFY(shaped.make(edit));
+    QVERIFY(isNear(shaped.axis(shaped.address[2])->radius, 0.5 * twig));
+    edit = editOf(EditOperation::Taper, shaped.address[0]);
+    edit.factor = 0.25;
+    const auto tipRadius = [&shaped] {
+        return EditContext(*shaped.tree().grown, shaped.params.edits).pointOn(shaped.address[0], 1.0)->radius;
+    };
+    const double foot = shaped.axis(shaped.address[0])->radius, tip = tipRadius();
+    QVERIFY(shaped.make(edit));
+    QVERIFY(isNear(shaped.axis(shaped.address[0])->radius, foot));
+    QVERIFY(isNear(tipRadius(), 0.25 * tip));
+}
+
+void TestTreeEdits::brushes()
+{
+    Shaped shaped;
+    const glm::dvec3 before = shaped.tip(shaped.address[2]);
+    TreeEdit edit = editOf(EditOperation::Attract, shaped.address[2]);
+    edit.centre = before + glm::dvec3(0.0, 1.0, 0.0);
+    edit.radius = 3.0;
+    edit.strength = 1.0;
+    const double length = shaped.axis(shaped.address[2])->length;
+    QVERIFY(shaped.make(edit));
+    const glm::dvec3 near = shaped.tip(shaped.address[2]);
+    QVERIFY(glm::length(near - edit.centre) < 1.0);
+    QVERIFY(isNear(shaped.axis(shaped.address[2])->length, length));
+    edit.strength = -1.0;
+    QVERIFY(shaped.make(edit));
+    QVERIFY(glm::length(shaped.tip(shaped.address[2]) - edit.centre) > glm::length(near - edit.centre));
+    edit = editOf(EditOperation::Comb, 0);
+    edit.centre = {0.0, 4.0, 0.0};
+    edit.radius = 3.0;
+    edit.strength = 1.0;
+    edit.direction = {1.0, 0.0, 0.0};
+    const double x = shaped.tip(shaped.address[0]).x;
+    QVERIFY(shaped.make(edit));
+    QVERIFY(shaped.tip(shaped.address[0]).x > x + 0.2);
+}
+
+QTEST_GUILESS_MAIN(TestTreeEdits)
+#include "tst_tree_edits.moc"

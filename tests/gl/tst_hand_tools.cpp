@@ -1,0 +1,248 @@
+// The tools that shape trees in the real window: bar, strip, keys, Escape, a pen, menus.
+#include "core/session/recompute.h"
+#include "tests/gl/desk.h"
+#include "tests/support/cannot_run.h"
+#include "tests/widgets/base/fixture.h"
+#include "widgets/actions/file_actions.h"
+#include "widgets/base/action_set.h"
+#include "widgets/base/language.h"
+#include "widgets/base/preferences.h"
+#include "widgets/base/theme.h"
+#include "widgets/panels/edits/edit_model.h"
+#include "widgets/panels/edits/edits_panel.h"
+#include "widgets/view/render/gl_setup.h"
+#include "widgets/view/tools/hand_edit.h"
+#include "widgets/view/tools/hand_settings.h"
+#include "widgets/view/viewport.h"
+#include "widgets/view/viewport_host.h"
+#include "widgets/window/main_window.h"
+#include "widgets/window/tool_strip.h"
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLabel>
+#include <QPointingDevice>
+#include <QTabletEvent>
+#include <QToolBar>
+#include <QToolButton>
+
+using namespace ramure;
+
+class TestHandTools : public QObject
+{
+    Q_OBJECT
+private:
+    static constexpr int patienceMs = 60'000;
+    std::unique_ptr<test::Desk> m_desk;
+    test::OwnSettings m_settings;
+    std::unique_ptr<Preferences> m_preferences;
+    std::unique_ptr<Language> m_language;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<Recompute> m_recompute;
+    test::FakeChooser m_chooser;
+    std::unique_ptr<MainWindow> m_window;
+
+    QAction* action(const char* id) { return m_window->actionSet()->find(QString::fromLatin1(id)); }
+    Viewport* view() { return m_window->viewportHost()->viewport(); }
+    HandSettings* hand() { return m_window->viewportHost()->settings()->hand(); }
+    QToolBar* bar() { return m_window->findChild<QToolBar*>(QStringLiteral("handBar")); }
+    ToolStrip* strip() { return m_window->findChild<ToolStrip*>(); }
+    NodeId tree() { return m_document->scene().nodes().front().id; }
+    const std::vector<TreeEdit>& edits() { return m_document->scene().nodes().front().params.edits; }
+    const Skeleton& skeleton() { return m_document->result(tree())->tree.simplified->skeleton; }
+    bool isSettled()
+    {
+        return m_document->isCurrent(tree()) && !view()->isPicturePending() && !view()->isPickPending();
+    }
+    QPoint pixelOf(Index branch, double share)
+    {
+        const glm::dvec3 at = glm::mix(skeleton().p0[branch], skeleton().p1[branch], share);
+        const QSize size = view()->size();
+        const auto ndc = view()->camera().project(at, double(size.width()) / size.height());
+        return {int(0.5 * (ndc->x + 1.0) * size.width()), int(0.5 * (1.0 - ndc->y) * size.height())};
+    }
+    void key(Qt::Key key)
+    {
+        view()->setFocus();
+        QTest::keyClick(view(), key);
+    }
+
+private slots:
+    void initTestCase()
+    {
+        const OpenGlProbe probe = probeOpenGl();
+        if (!probe.available)
+            RAMURE_CANNOT_RUN(qPrintable(probe.reason));
+        if (!test::Desk::missing().isEmpty())
+            RAMURE_CANNOT_RUN(qPrintable(test::Desk::missing()));
+        m_desk = std::make_unique<test::Desk>(); // shortcuts need an active window
+    }
+    void cleanupTestCase() { m_desk.reset(); }
+    void init()
+    {
+        test::failOnAnyWarning();
+        m_preferences = std::make_unique<Preferences>();
+        m_preferences->setLanguage(QStringLiteral("en"));
+        m_language = std::make_unique<Language>(m_preferences.get());
+        m_document = std::make_unique<Document>();
+        m_recompute = std::make_unique<Recompute>(m_document.get());
+        m_recompute->setRest(0);
+        m_window = std::make_unique<MainWindow>(m_document.get(), m_recompute.get(), m_preferences.get(),
+                                                &m_chooser);
+        QVERIFY(m_window->files()->newFromPreset(QStringLiteral("TinyTree")));
+        m_window->show();
+        QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
+        QVERIFY(m_recompute->waitForFull(patienceMs));
+        QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patienceMs);
+    }
+    void cleanup()
+    {
+        m_chooser.unsaved = Chooser::Unsaved::Discard;
+        m_window.reset();
+        m_recompute.reset();
+        m_document.reset();
+        m_language.reset();
+    }
+
+    void oneToolIsChosen()
+    {
+        QVERIFY(action("tool.select")->isChecked());
+        for (const HandToolRow& row : handTools()) {
+            auto* button = qobject_cast<QToolButton*>(bar()->widgetForAction(action(row.id)));
+            QVERIFY2(button, row.id);
+            QVERIFY2(!button->icon().isNull() && !button->toolTip().isEmpty(), row.id);
+            key(row.key);
+            QVERIFY2(action(row.id)->isChecked(), row.id);
+            QCOMPARE(hand()->tool(), row.tool);
+            QVERIFY(!action("tool.select")->isChecked());
+            QCOMPARE(strip()->findChild<QLabel*>(QStringLiteral("partTitle"))->text(),
+                     action(row.id)->text().remove(u'&'));
+        }
+        key(Qt::Key_W);
+        QVERIFY(action("tool.move")->isChecked());
+        QCOMPARE(hand()->tool(), HandTool::None);
+        key(Qt::Key_C);
+        QVERIFY(!action("tool.move")->isChecked());
+        key(Qt::Key_Q);
+        QVERIFY(action("tool.select")->isChecked() && hand()->tool() == HandTool::None);
+    }
+    void allToolsAreSeen()
+    {
+        for (QAction* tool : bar()->actions()) {
+            const QWidget* button = bar()->widgetForAction(tool);
+            QVERIFY2(button->isVisible(), qPrintable(tool->objectName()));
+            QVERIFY2(bar()->rect().contains(button->geometry()), qPrintable(tool->objectName()));
+        }
+        QVERIFY(bar()->geometry().right() < view()->mapTo(m_window->centralWidget(), QPoint()).x());
+    }
+    void escapeLaysTheToolDown()
+    {
+        m_document->setSelection({{tree()}, tree(), {1}, 1});
+        key(Qt::Key_C);
+        key(Qt::Key_Escape);
+        QCOMPARE(hand()->tool(), HandTool::None);
+        QCOMPARE(m_document->selection().branches.size(), std::size_t(1));
+        key(Qt::Key_Escape);
+        QVERIFY(m_document->selection().branches.empty());
+    }
+    void theStripHasTheOptionsOfTheTool()
+    {
+        auto* below = strip()->findChild<QCheckBox*>(QStringLiteral("withBelow"));
+        auto* shape = strip()->findChild<QComboBox*>(QStringLiteral("pruneShape"));
+        auto* axes = strip()->findChild<QComboBox*>(QStringLiteral("transformSpace"));
+        QVERIFY(axes->isVisible() && !below->isVisible() && !shape->isVisible());
+        const int height = view()->height();
+        key(Qt::Key_L);
+        QVERIFY(!axes->isVisible() && below->isVisible());
+        QCOMPARE(view()->height(), height); // the picture stays where it is
+        below->click();
+        QVERIFY(!hand()->options().withBelow);
+        key(Qt::Key_P);
+        QVERIFY(shape->isVisible() && !below->isVisible());
+        shape->setCurrentIndex(1);
+        emit shape->activated(1);
+        QCOMPARE(hand()->options().shape, EditShapeKind::Box);
+        for (const HandToolRow& row : handTools()) {
+            hand()->setTool(row.tool);
+            for (const QWidget* option : strip()->findChildren<QWidget*>())
+                if (option->isVisible() && !option->objectName().isEmpty())
+                    QVERIFY2(strip()->width() >= option->mapTo(strip(), option->rect().bottomRight()).x(),
+                             row.id);
+        }
+    }
+    void aClickCutsAndIsListed()
+    {
+        key(Qt::Key_C);
+        QTest::mouseClick(view(), Qt::LeftButton, {}, pixelOf(0, 0.6));
+        QTRY_COMPARE_WITH_TIMEOUT(edits().size(), std::size_t(1), patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patienceMs);
+        auto* panel = m_window->findChild<EditsPanel*>();
+        QCOMPARE(panel->model()->rowCount(), 1);
+        m_document->undoStack()->undo();
+        QCOMPARE(panel->model()->rowCount(), 0);
+    }
+    void aPenDrawsByPressure()
+    {
+        key(Qt::Key_D);
+        const QPoint foot = pixelOf(0, 0.5);
+        const QPointingDevice pen(QStringLiteral("pen"), 77, QInputDevice::DeviceType::Stylus,
+                                  QPointingDevice::PointerType::Pen, QInputDevice::Capability::Pressure, 1,
+                                  2);
+        const auto send = [&](QEvent::Type type, QPoint at, double pressure, Qt::MouseButton button) {
+            const QPointF global = view()->mapToGlobal(QPointF(at));
+            QTabletEvent event(type, &pen, at, global, pressure, 0, 0, 0, 0, 0, {}, button,
+                               type == QEvent::TabletRelease ? Qt::NoButton : Qt::LeftButton);
+            QCoreApplication::sendEvent(view(), &event);
+            QVERIFY(!event.isAccepted()); // the mouse event that Qt makes of it follows
+        };
+        send(QEvent::TabletPress, foot, 0.2, Qt::LeftButton);
+        QTest::mousePress(view(), Qt::LeftButton, {}, foot);
+        for (int i = 1; i <= 10; ++i) {
+            const QPoint at = foot + QPoint(12 * i, -6 * i);
+            send(QEvent::TabletMove, at, 0.2, Qt::NoButton);
+            QMouseEvent move(QEvent::MouseMove, at, view()->mapToGlobal(QPointF(at)), Qt::NoButton,
+                             Qt::LeftButton, {});
+            QCoreApplication::sendEvent(view(), &move);
+        }
+        send(QEvent::TabletRelease, foot + QPoint(120, -60), 0.0, Qt::LeftButton);
+        QTest::mouseRelease(view(), Qt::LeftButton, {}, foot + QPoint(120, -60));
+        QCOMPARE(edits().size(), std::size_t(1));
+        QCOMPARE(edits().front().operation, EditOperation::Draw);
+        QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patienceMs);
+    }
+    void deleteRemovesSelectedBranches()
+    {
+        const Index last = skeleton().size() - 1;
+        m_document->setSelection({{tree()}, tree(), {last}, last});
+        key(Qt::Key_Delete);
+        QCOMPARE(edits().size(), std::size_t(1));
+        QCOMPARE(m_document->scene().nodes().size(), std::size_t(1));
+        QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patienceMs);
+    }
+    void theMenuKeepsOnlyALimb()
+    {
+        QVERIFY(!action("hand.keepSelected")->isEnabled());
+        const Index last = skeleton().size() - 1;
+        m_document->setSelection({{tree()}, tree(), {last}, last});
+        action("hand.toggleLeaves")->trigger();
+        QCOMPARE(edits().back().operation, EditOperation::Leaves);
+        QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patienceMs);
+        action("hand.keepSelected")->trigger();
+        QCOMPARE(edits().back().operation, EditOperation::Keep);
+        QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patienceMs);
+    }
+    void textsAndIconsFollow()
+    {
+        key(Qt::Key_P);
+        m_preferences->setLanguage(QStringLiteral("fr"));
+        QTRY_COMPARE(strip()->findChild<QLabel*>(QStringLiteral("partTitle"))->text(),
+                     QStringLiteral("Tailler en forme"));
+        QCOMPARE(strip()->findChild<QComboBox*>(QStringLiteral("pruneShape"))->itemText(1),
+                 QStringLiteral("Boîte"));
+        m_preferences->setLanguage(QStringLiteral("en"));
+        QTRY_COMPARE(action("hand.cut")->text(), QStringLiteral("&Cut"));
+    }
+};
+
+QTEST_MAIN(TestHandTools)
+#include "tst_hand_tools.moc"

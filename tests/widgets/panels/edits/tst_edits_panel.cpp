@@ -1,0 +1,212 @@
+#include "core/session/recompute.h"
+#include "tests/support/hand_bench.h"
+#include "tests/widgets/base/fixture.h"
+#include "tests/widgets/tree_document.h"
+#include "widgets/base/empty_page.h"
+#include "widgets/panels/edits/edit_model.h"
+#include "widgets/panels/edits/edits_panel.h"
+#include "widgets/view/tools/hand_edit.h"
+#include <QAbstractItemModelTester>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QToolButton>
+#include <QTreeView>
+#include <memory>
+
+using namespace ramure;
+
+/// The list of what a hand did to a tree.
+class TestEditsPanel : public QObject
+{
+    Q_OBJECT
+private:
+    struct Bench : test::HandBench
+    {
+        EditsPanel panel{&document};
+        QAbstractItemModelTester tester{panel.model(),
+                                        QAbstractItemModelTester::FailureReportingMode::QtTest};
+
+        explicit Bench(int trees = 1)
+            : HandBench(HandTool::None, trees)
+        {
+            panel.resize(340, 400);
+            panel.show();
+        }
+        /// A cut, thicker limbs, and leaves that are gone.
+        void shape()
+        {
+            document.setSelection({{1}, noNode, {}, noIndex});
+            const LimbHit limb = this->limb(twig());
+            for (const EditOperation operation :
+                 {EditOperation::Thickness, EditOperation::Length, EditOperation::Leaves}) {
+                auto gesture = HandEdit::begin(document, 1);
+                QVERIFY(gesture.has_value());
+                TreeEdit edit;
+                edit.operation = operation;
+                edit.target.address = limb.address;
+                edit.factor = 1.5;
+                edit.shown = false;
+                QVERIFY((*gesture)->add(edit).has_value());
+                QVERIFY((*gesture)->show().has_value());
+            }
+            grow();
+        }
+        [[nodiscard]] QString text(int row, int column = EditModel::Name)
+        {
+            return panel.model()->index(row, column).data().toString();
+        }
+        void choose(int row) { panel.view()->setCurrentIndex(panel.model()->index(row, 0)); }
+        QToolButton* button(const char* name) { return panel.findChild<QToolButton*>(QLatin1String(name)); }
+        [[nodiscard]] int steps() { return document.undoStack()->count(); }
+    };
+
+private slots:
+    void init() { test::failOnWidgetWarning(); }
+
+    void withoutEditsItSaysWhatItIsFor()
+    {
+        Bench bench;
+        auto* empty = bench.panel.findChild<EmptyPage*>();
+        QVERIFY(empty->isVisible());
+        QVERIFY(empty->text().contains(QStringLiteral("tree 1"))); // the only one
+        bench.document.reset(Scene(), {});
+        QVERIFY(empty->text().contains(QStringLiteral("Select a tree")));
+    }
+    void rowsSayWhatWasDone()
+    {
+        Bench bench;
+        bench.shape();
+        QVERIFY(!bench.panel.findChild<EmptyPage*>()->isVisible());
+        QCOMPARE(bench.panel.model()->rowCount(), 3);
+        QVERIFY(bench.text(0).startsWith(QStringLiteral("Thickness ×")));
+        QVERIFY(bench.text(1).startsWith(QStringLiteral("Length ×")));
+        QCOMPARE(bench.text(2), QStringLiteral("Leaves off"));
+        QVERIFY(!bench.text(0, EditModel::Limb).isEmpty());
+        bench.document.undoStack()->undo();
+        QCOMPARE(bench.panel.model()->rowCount(), 2);
+    }
+    void namesAreGiven()
+    {
+        Bench bench;
+        bench.shape();
+        const QModelIndex row = bench.panel.model()->index(1, 0);
+        QVERIFY(bench.panel.model()->setData(row, QStringLiteral("  Longer  "), Qt::EditRole));
+        QCOMPARE(bench.text(1), QStringLiteral("Longer"));
+        bench.document.undoStack()->undo();
+        QVERIFY(bench.text(1).startsWith(QStringLiteral("Length")));
+        QVERIFY(!bench.panel.model()->setData(row, row.data(Qt::EditRole), Qt::EditRole));
+    }
+    void rowsAreSwitchedOff()
+    {
+        Bench bench;
+        bench.shape();
+        const QModelIndex row = bench.panel.model()->index(0, 0);
+        QVERIFY(bench.panel.model()->setData(row, Qt::Unchecked, Qt::CheckStateRole));
+        QVERIFY(!bench.edits().front().enabled);
+        QCOMPARE(row.data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
+        bench.document.undoStack()->undo();
+        QVERIFY(bench.edits().front().enabled);
+    }
+    void rowsAreMoved()
+    {
+        Bench bench;
+        bench.shape();
+        bench.choose(2);
+        QVERIFY(!bench.button("editDown")->isEnabled());
+        bench.button("editUp")->click();
+        QCOMPARE(bench.text(1), QStringLiteral("Leaves off"));
+        QCOMPARE(bench.panel.view()->currentIndex().row(), 1); // it goes with the edit
+        QTest::keyClick(bench.panel.view(), Qt::Key_Down, Qt::AltModifier);
+        QCOMPARE(bench.text(2), QStringLiteral("Leaves off"));
+        const std::unique_ptr<QMimeData> data(
+            bench.panel.model()->mimeData({bench.panel.model()->index(2, 0)}));
+        bench.panel.model()->dropMimeData(data.get(), Qt::MoveAction, 0, 0, {});
+        QCOMPARE(bench.text(0), QStringLiteral("Leaves off"));
+        const int steps = bench.steps();
+        QMimeData wrong;
+        QVERIFY(!bench.panel.model()->dropMimeData(&wrong, Qt::MoveAction, 0, 0, {}));
+        QCOMPARE(bench.steps(), steps);
+    }
+    void rowsAreDeleted()
+    {
+        Bench bench;
+        bench.shape();
+        QVERIFY(!bench.button("editDelete")->isEnabled());
+        bench.choose(1);
+        QTest::keyClick(bench.panel.view(), Qt::Key_Delete);
+        QCOMPARE(bench.panel.model()->rowCount(), 2);
+        QCOMPARE(bench.document.scene().nodes().size(), std::size_t(1));
+        bench.document.undoStack()->undo();
+        QCOMPARE(bench.panel.model()->rowCount(), 3);
+        bench.panel.view()->selectAll();
+        bench.button("editDelete")->click();
+        QVERIFY(bench.panel.findChild<EmptyPage*>()->isVisible());
+    }
+    void aRowSelectsItsBranch()
+    {
+        Bench bench;
+        bench.shape();
+        const auto limb = LimbFinder().limb(bench.document, 1, bench.edits().front().target.address);
+        bench.choose(0);
+        bench.panel.selectBranches();
+        QCOMPARE(bench.document.selection().branches, limb);
+        QCOMPARE(bench.document.selection().branchNode, NodeId(1));
+    }
+    void rowsAreCopiedToAnotherTree()
+    {
+        Bench bench(2);
+        bench.shape();
+        bench.panel.view()->selectAll();
+        QVERIFY(bench.button("editCopy")->isEnabled());
+        QMenu* menu = bench.button("editCopy")->menu();
+        emit menu->aboutToShow();
+        QCOMPARE(menu->actions().size(), 1);
+        menu->actions().front()->trigger();
+        QCOMPARE(bench.edits(2).size(), std::size_t(3));
+        bench.document.undoStack()->undo();
+        QVERIFY(bench.edits(2).empty());
+    }
+    void whatHasNoPlaceIsMarked()
+    {
+        Bench bench;
+        bench.shape();
+        QVERIFY(!bench.panel.model()->isLost(0));
+        TreeEdit lost = bench.edits().front();
+        lost.target.address += 1;
+        lost.target.place = {};
+        QVERIFY(edit::putTreeEdits(bench.document, 1, {lost}).has_value());
+        bench.grow();
+        QVERIFY(bench.panel.model()->isLost(0));
+        QVERIFY(bench.text(0, EditModel::Limb).contains(QStringLiteral("no place")));
+        QVERIFY(!bench.panel.model()->index(0, EditModel::Limb).data(Qt::DecorationRole).isNull());
+    }
+    void lockedTreesRefuse()
+    {
+        Bench bench;
+        bench.shape();
+        QVERIFY(edit::setNodeLocked(bench.document, {1}, true));
+        const QSignalSpy refusals(&bench.panel, &EditsPanel::messageRaised);
+        bench.choose(0);
+        bench.panel.removeSelected();
+        QVERIFY(!bench.panel.model()->setData(bench.panel.model()->index(0, 0), Qt::Unchecked,
+                                              Qt::CheckStateRole));
+        QCOMPARE(refusals.size(), 2);
+        QCOMPARE(bench.edits().size(), std::size_t(3));
+    }
+    void textsChangeWithTheLanguage()
+    {
+        Bench bench;
+        bench.shape();
+        test::StarLanguage stars;
+        QCoreApplication::installTranslator(&stars);
+        QEvent change(QEvent::LanguageChange);
+        QCoreApplication::sendEvent(&bench.panel, &change);
+        QVERIFY(bench.text(2).startsWith(u'★'));
+        QVERIFY(bench.button("editDelete")->toolTip().startsWith(u'★'));
+        QCoreApplication::removeTranslator(&stars);
+    }
+};
+
+QTEST_MAIN(TestEditsPanel)
+#include "tst_edits_panel.moc"

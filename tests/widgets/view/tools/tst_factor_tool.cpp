@@ -1,0 +1,174 @@
+#include "tests/support/hand_bench.h"
+#include "tests/support/suite.h"
+
+using namespace ramure;
+using test::HandBench;
+
+/// Length and thickness: by a drag, the wheel, or a number.
+class TestFactorTool : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+    void besideTheTreeNothingHappens();
+    void aDragAlongTheBranchMakesItLonger();
+    void aDragToTheSideMakesItThicker();
+    void escapeTakesItBack();
+    void theWheelChangesWhatIsHeld();
+    void numbersAreTyped();
+    void aClickWithoutANumberChangesNothing();
+    void theSameLimbGoesOn();
+    void severalAtOnce();
+    void anotherDocumentEndsIt();
+};
+
+void TestFactorTool::besideTheTreeNothingHappens()
+{
+    HandBench bench(HandTool::Length);
+    bench.drag({2.0, 2.0}, {60.0, 2.0});
+    QVERIFY(bench.edits().empty());
+    bench.ready = false;
+    bench.drag(bench.on(bench.twig()), {60.0, 2.0});
+    QVERIFY(bench.edits().empty());
+}
+
+void TestFactorTool::aDragAlongTheBranchMakesItLonger()
+{
+    HandBench bench(HandTool::Length);
+    const Index twig = bench.twig();
+    const LimbHit limb = bench.limb(twig);
+    const double before = bench.context.limbs.axes(bench.document, 1)->axes[limb.axis].length;
+    const QPointF foot = bench.on(twig, 0.0), at = bench.on(twig);
+    bench.press(at);
+    bench.move(at + 0.8 * (at - foot));
+    QVERIFY(bench.says("Release"));
+    QCOMPARE(bench.edits().size(), std::size_t(1)); // while it is dragged
+    bench.release(at + 0.8 * (at - foot));
+    QCOMPARE(bench.document.undoStack()->count(), 1);
+    QCOMPARE(bench.edits().front().operation, EditOperation::Length);
+    QVERIFY(bench.edits().front().factor > 1.05);
+    const double factor = bench.edits().front().factor;
+    bench.grow();
+    const TreeAxes& axes = *bench.context.limbs.axes(bench.document, 1);
+    const auto after = std::ranges::find(axes.axes, limb.address, &Axis::address);
+    QVERIFY(after != axes.axes.end());
+    QVERIFY(std::abs(after->length / before - factor) < 0.02 * factor);
+}
+
+void TestFactorTool::aDragToTheSideMakesItThicker()
+{
+    HandBench bench(HandTool::Thickness);
+    const QPointF at = bench.on(bench.twig());
+    bench.drag(at, at + QPointF(140.0, 0.0));
+    QVERIFY(std::abs(bench.edits().front().factor - 2.0) < 0.05);
+    QVERIFY(bench.edits().front().below);
+    bench.document.undoStack()->undo();
+    bench.grow();
+    HandOptions options = bench.hand.options();
+    options.withBelow = false;
+    bench.hand.setOptions(options);
+    bench.drag(at, at - QPointF(140.0, 0.0));
+    QVERIFY(std::abs(bench.edits().front().factor - 0.5) < 0.05);
+    QVERIFY(!bench.edits().front().below);
+}
+
+void TestFactorTool::escapeTakesItBack()
+{
+    HandBench bench(HandTool::Thickness);
+    const QPointF at = bench.on(bench.twig());
+    bench.press(at);
+    bench.move(at + QPointF(100.0, 0.0));
+    QCOMPARE(bench.edits().size(), std::size_t(1));
+    QVERIFY(bench.key(Qt::Key_Escape));
+    QVERIFY(bench.edits().empty());
+    QCOMPARE(bench.document.undoStack()->count(), 0);
+    bench.release(at);
+    QVERIFY(!bench.tools.current());
+}
+
+void TestFactorTool::theWheelChangesWhatIsHeld()
+{
+    HandBench bench(HandTool::Length);
+    const QPointF at = bench.on(bench.twig());
+    bench.press(at);
+    QVERIFY(bench.tools.wheel(bench.at(at), 240.0));
+    bench.release(at);
+    QVERIFY(std::abs(bench.edits().front().factor - 1.1025) < 1e-9);
+    const Camera before = bench.camera;
+    QVERIFY(bench.tools.wheel(bench.at(at), 240.0)); // nothing is held: the view
+    QVERIFY(bench.camera != before);
+}
+
+void TestFactorTool::numbersAreTyped()
+{
+    HandBench bench(HandTool::Length);
+    const QPointF at = bench.on(bench.twig());
+    bench.click(at);
+    QVERIFY(bench.tools.goesOn());
+    for (const char digit : {'1', '.', '7', '5'})
+        QVERIFY(bench.key(Qt::Key_unknown, QString(QLatin1Char(digit))));
+    QVERIFY(bench.key(Qt::Key_Backspace));
+    QVERIFY(bench.key(Qt::Key_Return));
+    QVERIFY(!bench.tools.current());
+    QCOMPARE(bench.edits().front().factor, 1.7);
+    QCOMPARE(bench.document.undoStack()->count(), 1);
+}
+
+void TestFactorTool::aClickWithoutANumberChangesNothing()
+{
+    HandBench bench(HandTool::Thickness);
+    const QPointF at = bench.on(bench.twig());
+    bench.click(at);
+    bench.click(at); // done
+    QVERIFY(!bench.tools.current());
+    QVERIFY(bench.edits().empty());
+    QCOMPARE(bench.document.undoStack()->count(), 0);
+}
+
+void TestFactorTool::theSameLimbGoesOn()
+{
+    HandBench bench(HandTool::Thickness);
+    const QPointF at = bench.on(bench.twig());
+    bench.drag(at, at + QPointF(140.0, 0.0));
+    bench.grow();
+    bench.drag(at, at + QPointF(140.0, 0.0));
+    QCOMPARE(bench.edits().size(), std::size_t(1)); // no row for each drag
+    QVERIFY(std::abs(bench.edits().front().factor - 4.0) < 0.2);
+    QCOMPARE(bench.document.undoStack()->count(), 2);
+    bench.document.undoStack()->undo();
+    QVERIFY(std::abs(bench.edits().front().factor - 2.0) < 0.1);
+    bench.grow();
+    bench.press(at);
+    bench.move(at + QPointF(100.0, 0.0));
+    bench.key(Qt::Key_Escape);
+    QVERIFY(std::abs(bench.edits().front().factor - 2.0) < 0.1);
+}
+
+void TestFactorTool::severalAtOnce()
+{
+    HandBench bench(HandTool::Length);
+    std::vector<Index> all = bench.all();
+    all.erase(all.begin());
+    bench.select(1, all);
+    const QPointF at = bench.on(bench.twig());
+    bench.click(at);
+    bench.key(Qt::Key_2, QStringLiteral("2"));
+    bench.key(Qt::Key_Enter);
+    QVERIFY(bench.edits().size() > 1);
+    for (const TreeEdit& edit : bench.edits())
+        QCOMPARE(edit.factor, 2.0);
+    QCOMPARE(bench.document.undoStack()->count(), 1);
+}
+
+void TestFactorTool::anotherDocumentEndsIt()
+{
+    HandBench bench(HandTool::Length);
+    bench.press(bench.on(bench.twig()));
+    bench.document.reset(Scene(), {});
+    QVERIFY(!bench.tools.current());
+    bench.move({5.0, 5.0});
+    bench.release({5.0, 5.0});
+}
+
+QTEST_MAIN(TestFactorTool)
+#include "tst_factor_tool.moc"

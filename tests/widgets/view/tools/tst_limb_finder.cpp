@@ -1,0 +1,136 @@
+#include "tests/support/hand_bench.h"
+#include "tests/support/suite.h"
+#include "widgets/view/tools/hand_edit.h"
+#include "widgets/view/tools/turned_limb.h"
+
+using namespace ramure;
+using test::HandBench;
+
+/// Which limb a branch of the picture is, and where on it.
+class TestLimbFinder : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+    void thereIsNothingWhereNothingGrew();
+    void sharesGrowAlongTheLimb();
+    void whatGrowsAboveComesAlong();
+    void selectedBranchesAreMeantTogether();
+    void placesAreThoseOfTheTreeWithoutBends();
+    void aGestureIsOneStepOrNone();
+};
+
+void TestLimbFinder::thereIsNothingWhereNothingGrew()
+{
+    Document document;
+    LimbFinder finder;
+    QVERIFY(!finder.axes(document, 1));
+    QVERIFY(!finder.startOf(document, 1, 0) && !finder.at(document, {}));
+    QVERIFY(finder.limb(document, 1, 5).empty() && finder.spans(document, 1).empty());
+    QVERIFY(finder.selected(document).empty());
+    QVERIFY(!HandEdit::begin(document, 1));
+    HandBench bench(HandTool::None);
+    QVERIFY(!finder.startOf(bench.document, 1, bench.skeleton().size()));
+    QVERIFY(!removeLimbs(bench.document, {}, true) && !toggleLeaves(bench.document, {}));
+    QVERIFY(edit::setNodeLocked(bench.document, {1}, true));
+    QVERIFY(!finder.startOf(bench.document, 1, 0));
+    QVERIFY(!HandEdit::begin(bench.document, 1));
+}
+
+void TestLimbFinder::sharesGrowAlongTheLimb()
+{
+    HandBench bench(HandTool::None);
+    LimbFinder finder;
+    const std::vector<LimbSpan> spans = finder.spans(bench.document, 1);
+    QCOMPARE(spans.size(), std::size_t(bench.skeleton().size()));
+    for (Index b = 0; b < bench.skeleton().size(); ++b) {
+        const auto start = finder.startOf(bench.document, 1, b);
+        QVERIFY(start && start->branch == b && start->address == spans[b].address);
+        QVERIFY(start->share >= 0.0 && start->share < 1.0);
+        QVERIFY(spans[b].to > spans[b].from);
+        const auto limb = finder.limb(bench.document, 1, start->address);
+        QVERIFY(std::ranges::find(limb, b) != limb.end());
+        const Index parent = bench.skeleton().parent[b];
+        if (parent != noIndex && spans[parent].address == spans[b].address)
+            QVERIFY(std::abs(spans[parent].to - spans[b].from) < 1e-9);
+    }
+}
+
+void TestLimbFinder::whatGrowsAboveComesAlong()
+{
+    HandBench bench(HandTool::None);
+    LimbFinder finder;
+    const auto foot = finder.startOf(bench.document, 1, 0);
+    QCOMPARE(finder.above(bench.document, *foot, true), bench.all());
+    for (Index b = 0; b < bench.skeleton().size(); ++b) {
+        const auto limb = finder.startOf(bench.document, 1, b);
+        const auto above = finder.above(bench.document, *limb, false);
+        QVERIFY(std::ranges::find(above, b) != above.end());
+        for (const Index child : bench.all())
+            if (bench.skeleton().parent[child] == b)
+                QVERIFY(std::ranges::find(above, child) != above.end());
+    }
+}
+
+void TestLimbFinder::selectedBranchesAreMeantTogether()
+{
+    HandBench bench(HandTool::None);
+    LimbFinder finder;
+    const LimbHit hit = bench.limb(1);
+    QCOMPARE(finder.meantBy(bench.document, hit).size(), std::size_t(1));
+    bench.select(1, {0, 1, 2});
+    QCOMPARE(finder.meantBy(bench.document, hit).size(), std::size_t(3));
+    QCOMPARE(finder.meantBy(bench.document, bench.limb(bench.skeleton().size() - 1)).size(), std::size_t(1));
+}
+
+void TestLimbFinder::placesAreThoseOfTheTreeWithoutBends()
+{
+    HandBench bench(HandTool::None);
+    std::map<std::uint64_t, glm::dvec3> bends;
+    bends[bench.skeleton().name(0)] = {0.3, 0.0, 0.2};
+    bends[bench.skeleton().name(bench.skeleton().size() - 1)] = {-0.4, 0.2, 0.0};
+    QVERIFY(edit::turnBranches(bench.document, 1, bends));
+    bench.grow();
+    const auto gesture = HandEdit::begin(bench.document, 1);
+    QVERIFY(gesture.has_value());
+    for (const Index b : bench.all()) {
+        const LimbHit limb = bench.limb(b);
+        const auto grown = (*gesture)->context().pointOn(limb.address, limb.share);
+        QVERIFY(grown.has_value());
+        const glm::dvec3 here = TurnedLimb(bench.document, limb).grown(limb.seen);
+        QVERIFY2(glm::length(here - grown->position) < 1e-6, qPrintable(QString::number(b)));
+    }
+}
+
+void TestLimbFinder::aGestureIsOneStepOrNone()
+{
+    HandBench bench(HandTool::None);
+    const NodeParams before = bench.document.scene().find(1)->params;
+    for (const bool keeps : {false, true}) {
+        auto gesture = HandEdit::begin(bench.document, 1);
+        TreeEdit edit;
+        edit.operation = EditOperation::Length;
+        edit.target.address = 12345;
+        QVERIFY(!(*gesture)->add(edit)); // no such limb
+        QVERIFY((*gesture)->edits().empty());
+        edit.target.address = bench.limb(bench.twig()).address;
+        for (const double factor : {1.1, 1.2, 1.3}) {
+            edit.factor = factor;
+            QVERIFY((*gesture)->replace({edit}));
+            QVERIFY((*gesture)->show());
+            QCOMPARE(bench.edits().size(), std::size_t(1));
+        }
+        QVERIFY((*gesture)->replace({}));
+        QVERIFY((*gesture)->show());
+        QVERIFY(bench.document.scene().find(1)->params == before);
+        QVERIFY((*gesture)->replace({edit}));
+        QVERIFY((*gesture)->show());
+        keeps ? (*gesture)->keep() : (*gesture)->cancel();
+        QCOMPARE(bench.document.undoStack()->count(), keeps ? 1 : 0);
+    }
+    bench.document.undoStack()->undo();
+    QVERIFY(bench.document.scene().find(1)->params == before);
+}
+
+QTEST_MAIN(TestLimbFinder)
+#include "tst_limb_finder.moc"

@@ -1,0 +1,48 @@
+/// \file
+/// Shaping trees by hand: the tools with their buttons and keys, the Shape menu, and what is done to the
+/// selected branches without a tool.
+#pragma once
+
+#include "core/document/document.h"
+#include <QObject>
+
+class QAction;
+class QActionGroup;
+class QMenu;
+
+namespace ramure {
+
+class ActionSet;
+class HandSettings;
+class ViewportHost;
+
+class HandActions : public QObject
+{
+    Q_OBJECT
+public:
+    /// Nothing is owned; all must outlive the actions. \param tools one of them is chosen: those of here join
+    HandActions(Document* document, ViewportHost* host, QActionGroup* tools, ActionSet* set, QObject* parent);
+
+    void fillMenu(QMenu* editMenu);
+    [[nodiscard]] QList<QAction*> toolActions() const { return m_tools; }
+    /// What the menus of a branch offer.
+    [[nodiscard]] QList<QAction*> branchActions() const { return {m_keep, m_leaves}; }
+    void retranslate();
+
+signals:
+    void messageRaised(const QString& text);
+
+private:
+    void followTool();
+    void followSelection();
+    void report(const Expected<void>& done);
+
+    Document* m_document;
+    HandSettings* m_settings;
+    QList<QAction*> m_tools;
+    QAction* m_keep;
+    QAction* m_leaves;
+    QMenu* m_menu = nullptr;
+};
+
+} // namespace ramure

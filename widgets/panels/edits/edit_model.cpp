@@ -1,0 +1,248 @@
+#include "widgets/panels/edits/edit_model.h"
+
+#include "core/document/commands.h"
+#include "core/params/tree_edit_table.h"
+#include "core/skeleton/axes.h"
+#include "widgets/base/branch_names.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/icons.h"
+#include "widgets/view/tools/limb_finder.h"
+#include <QApplication>
+#include <QLocale>
+#include <QMimeData>
+#include <QPalette>
+#include <algorithm>
+
+namespace ramure {
+namespace {
+
+const auto rowType = QStringLiteral("application/x-ramure-edit-row");
+
+QString percent(double share)
+{
+    return EditModel::tr("%1 %", "a share").arg(QLocale().toString(100.0 * share, 'f', 0));
+}
+
+} // namespace
+
+QString editText(const TreeEdit& edit)
+{
+    const EditOperationInfo& info = infoOf(edit.operation);
+    const QString name = coreText(info.label);
+    if (info.fields & editFactor && edit.operation != EditOperation::Graft &&
+        edit.operation != EditOperation::Root)
+        return EditModel::tr("%1 × %2", "an edit and its factor")
+            .arg(name, QLocale().toString(edit.factor, 'f', 2));
+    if (edit.operation == EditOperation::Cut)
+        return EditModel::tr("%1 at %2", "an edit and its place").arg(name, percent(edit.at));
+    if (edit.operation == EditOperation::Leaves)
+        return edit.shown ? EditModel::tr("Leaves on") : EditModel::tr("Leaves off");
+    return name;
+}
+
+EditModel::EditModel(Document* document, QObject* parent)
+    : QAbstractTableModel(parent)
+    , m_document(document)
+{
+    connect(document, &Document::changed, this, &EditModel::follow);
+    update();
+}
+
+NodeId EditModel::treeMeant() const
+{
+    const Scene& scene = m_document->scene();
+    const auto isTree = [](const Node* node) { return node && node->kind == NodeKind::Tree; };
+    for (const NodeId id : {m_document->selection().activeNode(), m_document->selection().branchNode, m_tree})
+        if (isTree(scene.find(id)))
+            return id;
+    const auto only = [&isTree](const Node& node) { return isTree(&node); };
+    return std::ranges::count_if(scene.nodes(), only) == 1 ? std::ranges::find_if(scene.nodes(), only)->id
+                                                           : noNode;
+}
+
+void EditModel::follow(const Change& change)
+{
+    if (change.has(changeReset | changeStructure | changeSelection | changeBranches | changeResults |
+                   changeNodeState))
+        update();
+    if (change.has(changeReset | changeStructure | changeNodeState))
+        emit listChanged(); // the tree may be called otherwise
+}
+
+void EditModel::update()
+{
+    const NodeId tree = treeMeant();
+    const Node* node = m_document->scene().find(tree);
+    const NodeResult* result = m_document->result(tree);
+    auto report = result ? result->tree.edits : nullptr;
+    static const std::vector<TreeEdit> none;
+    const std::vector<TreeEdit>& edits = node ? node->params.edits : none;
+    const bool sameTree = tree == m_tree;
+    if (sameTree && edits == m_edits && report == m_report)
+        return;
+    const bool sameRows = sameTree && std::ranges::equal(edits, m_edits, {}, &TreeEdit::id, &TreeEdit::id);
+    if (!sameRows)
+        beginResetModel();
+    m_tree = tree;
+    m_edits = edits;
+    m_report = std::move(report);
+    updateLimbs();
+    if (!sameRows)
+        endResetModel();
+    else if (!m_edits.empty())
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+    emit listChanged();
+}
+
+void EditModel::updateLimbs()
+{
+    m_limbs.assign(m_edits.size(), QString());
+    const NodeResult* result = m_document->result(m_tree);
+    LimbFinder finder;
+    if (m_edits.empty() || !result || !result->tree.simplified)
+        return;
+    const BranchRows rows(result->tree.simplified);
+    const BranchNames names;
+    for (int row = 0; row < rowCount(); ++row) {
+        const auto branches = finder.limb(*m_document, m_tree, addressAt(row));
+        if (!branches.empty())
+            m_limbs[std::size_t(row)] = names.axis(rows, rows.axisOf(branches.front()));
+    }
+}
+
+void EditModel::retranslate()
+{
+    beginResetModel();
+    updateLimbs();
+    endResetModel();
+    emit listChanged();
+}
+
+int EditModel::rowOf(std::uint64_t id) const
+{
+    const auto found = std::ranges::find(m_edits, id, &TreeEdit::id);
+    return found == m_edits.end() ? -1 : static_cast<int>(found - m_edits.begin());
+}
+
+const EditOutcome* EditModel::outcome(int row) const
+{
+    if (!m_report)
+        return nullptr;
+    const auto found = std::ranges::find(*m_report, idAt(row), &EditOutcome::id);
+    return found == m_report->end() ? nullptr : &*found;
+}
+
+bool EditModel::isLost(int row) const
+{
+    const EditOutcome* what = outcome(row);
+    return what && (what->state == EditState::Unplaced || what->state == EditState::Idle);
+}
+
+std::uint64_t EditModel::addressAt(int row) const
+{
+    const TreeEdit& edit = m_edits[std::size_t(row)];
+    if (edit.operation == EditOperation::Draw)
+        return edit.id; // what it made
+    const EditOutcome* what = outcome(row);
+    return what ? what->address : edit.target.address;
+}
+
+int EditModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_edits.size());
+}
+
+int EditModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : columns;
+}
+
+QVariant EditModel::data(const QModelIndex& index, int role) const
+{
+    const TreeEdit& edit = m_edits[std::size_t(index.row())];
+    const bool lost = edit.enabled && isLost(index.row());
+    switch (role) {
+    case Qt::DisplayRole:
+        if (index.column() == Name)
+            return edit.name.empty() ? editText(edit) : QString::fromStdString(edit.name);
+        return lost ? tr("no place at present") : m_limbs[std::size_t(index.row())];
+    case Qt::EditRole:
+        return edit.name.empty() ? coreText(infoOf(edit.operation).label) : QString::fromStdString(edit.name);
+    case Qt::CheckStateRole:
+        return index.column() == Name ? QVariant(edit.enabled ? Qt::Checked : Qt::Unchecked) : QVariant();
+    case Qt::DecorationRole:
+        return lost && index.column() == Limb ? QVariant(icon("warning")) : QVariant();
+    case Qt::ForegroundRole:
+        return edit.enabled && !lost ? QVariant() : QApplication::palette().brush(QPalette::PlaceholderText);
+    case Qt::ToolTipRole:
+        if (lost)
+            return tr("It is kept, and acts again as soon as there is such a limb: %1")
+                .arg(errorText(outcome(index.row())->why));
+        return edit.name.empty() ? m_limbs[std::size_t(index.row())] : editText(edit);
+    default:
+        return {};
+    }
+}
+
+QVariant EditModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    return section == Name ? tr("Edit") : tr("Limb");
+}
+
+bool EditModel::report(const Expected<void>& done)
+{
+    if (!done)
+        emit refused(errorText(done.error()));
+    return done.has_value();
+}
+
+bool EditModel::setData(const QModelIndex& index, const QVariant& value, int role)
+{
+    const std::uint64_t id = idAt(index.row());
+    if (role == Qt::CheckStateRole)
+        return report(
+            edit::setTreeEditsEnabled(*m_document, m_tree, {id}, value.toInt() == int(Qt::Checked)));
+    if (role != Qt::EditRole || value == data(index, Qt::EditRole))
+        return false;
+    return report(edit::renameTreeEdit(*m_document, m_tree, id, value.toString().trimmed()));
+}
+
+Qt::ItemFlags EditModel::flags(const QModelIndex& index) const
+{
+    if (!index.isValid())
+        return Qt::ItemIsDropEnabled;
+    const Qt::ItemFlags all = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled;
+    return index.column() == Name ? all | Qt::ItemIsUserCheckable | Qt::ItemIsEditable : all;
+}
+
+QStringList EditModel::mimeTypes() const
+{
+    return {rowType};
+}
+
+QMimeData* EditModel::mimeData(const QModelIndexList& indexes) const
+{
+    if (indexes.empty())
+        return nullptr;
+    auto* data = new QMimeData;
+    data->setData(rowType, QByteArray::number(indexes.front().row()));
+    return data;
+}
+
+/// The row is moved by a command; false: the view has nothing to take away.
+bool EditModel::dropMimeData(const QMimeData* data, Qt::DropAction, int row, int, const QModelIndex& parent)
+{
+    bool good = false;
+    const int from = data->data(rowType).toInt(&good);
+    if (!good || from < 0 || from >= rowCount())
+        return false;
+    int to = row >= 0 ? row : parent.isValid() ? parent.row() : rowCount();
+    to -= to > from ? 1 : 0;
+    if (to != from)
+        report(edit::moveTreeEdit(*m_document, m_tree, idAt(from), to));
+    return false;
+}
+
+} // namespace ramure

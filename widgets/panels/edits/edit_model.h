@@ -1,0 +1,69 @@
+/// \file
+/// The edits that a hand made to one tree, in the order in which they act: a row each, to be renamed,
+/// switched on and off and moved.
+#pragma once
+
+#include "core/document/document.h"
+#include "core/params/tree_edit.h"
+#include "core/skeleton/edits/edit_report.h"
+#include <QAbstractTableModel>
+
+namespace ramure {
+
+/// "Length × 1.25", in the interface's language.
+QString editText(const TreeEdit& edit);
+
+class EditModel : public QAbstractTableModel
+{
+    Q_OBJECT
+public:
+    enum Column { Name, Limb, columns };
+
+    /// \p document is not owned and must outlive the model.
+    explicit EditModel(Document* document, QObject* parent = nullptr);
+
+    /// The tree that is selected, or the only one; noNode where there is none.
+    [[nodiscard]] NodeId tree() const { return m_tree; }
+    [[nodiscard]] const std::vector<TreeEdit>& edits() const { return m_edits; }
+    [[nodiscard]] std::uint64_t idAt(int row) const { return m_edits[std::size_t(row)].id; }
+    /// -1: there is none.
+    [[nodiscard]] int rowOf(std::uint64_t id) const;
+    /// Without a place in the tree as it is now.
+    [[nodiscard]] bool isLost(int row) const;
+    /// Of the axis that the edit acts on; 0: none.
+    [[nodiscard]] std::uint64_t addressAt(int row) const;
+    void retranslate();
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
+    [[nodiscard]] Qt::DropActions supportedDropActions() const override { return Qt::MoveAction; }
+    [[nodiscard]] QStringList mimeTypes() const override;
+    [[nodiscard]] QMimeData* mimeData(const QModelIndexList& indexes) const override;
+    bool dropMimeData(const QMimeData* data, Qt::DropAction action, int row, int column,
+                      const QModelIndex& parent) override;
+
+signals:
+    /// Another list; before it the old one.
+    void listChanged();
+    void refused(const QString& why);
+
+private:
+    void follow(const Change& change);
+    void update();
+    void updateLimbs();
+    [[nodiscard]] NodeId treeMeant() const;
+    [[nodiscard]] const EditOutcome* outcome(int row) const;
+    bool report(const Expected<void>& done);
+
+    Document* m_document;
+    NodeId m_tree = noNode;
+    std::vector<TreeEdit> m_edits;
+    std::shared_ptr<const EditReport> m_report;
+    std::vector<QString> m_limbs; ///< by row: what it acts on
+};
+
+} // namespace ramure

@@ -1,0 +1,278 @@
+#include "widgets/panels/edits/edits_panel.h"
+
+#include "core/document/commands.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/empty_page.h"
+#include "widgets/base/icons.h"
+#include "widgets/panels/edits/edit_model.h"
+#include "widgets/view/tools/limb_finder.h"
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QTreeView>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace ramure {
+
+EditsPanel::EditsPanel(Document* document, QWidget* parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_model(new EditModel(document, this))
+    , m_pages(new QStackedWidget(this))
+    , m_empty(new EmptyPage(this))
+    , m_list(new QWidget(this))
+    , m_title(new QLabel(m_list))
+    , m_view(new QTreeView(m_list))
+    , m_copyMenu(new QMenu(this))
+{
+    build();
+    connect(m_model, &EditModel::refused, this, &EditsPanel::messageRaised);
+    connect(m_model, &QAbstractItemModel::modelAboutToBeReset, this, [this] {
+        const auto ids = selectedIds();
+        m_kept = {ids.begin(), ids.end()};
+        const QModelIndex current = m_view->currentIndex();
+        m_current = current.isValid() ? m_model->idAt(current.row()) : 0;
+    });
+    connect(m_model, &EditModel::listChanged, this, &EditsPanel::follow);
+    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, [this] {
+        updateButtons();
+        if (m_view->hasFocus() && !m_restores)
+            selectBranches();
+    });
+    connect(m_view, &QTreeView::clicked, this, &EditsPanel::selectBranches);
+    connect(m_view, &QWidget::customContextMenuRequested, this, &EditsPanel::showMenu);
+    connect(m_copyMenu, &QMenu::aboutToShow, this, &EditsPanel::fillCopyMenu);
+    retranslate();
+    follow();
+}
+
+void EditsPanel::build()
+{
+    m_view->setObjectName(QStringLiteral("editList"));
+    m_view->setModel(m_model);
+    m_view->setRootIsDecorated(false);
+    m_view->setUniformRowHeights(true);
+    m_view->setAllColumnsShowFocus(true);
+    m_view->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    m_view->setDragDropMode(QAbstractItemView::InternalMove);
+    m_view->setDefaultDropAction(Qt::MoveAction);
+    m_view->setDropIndicatorShown(true);
+    m_view->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_view->setTextElideMode(Qt::ElideRight);
+    m_view->header()->setStretchLastSection(true);
+    m_view->header()->setSectionsMovable(false);
+    m_view->setColumnWidth(EditModel::Name, 180);
+    m_view->installEventFilter(this);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(10, 6, 6, 6);
+    row->setSpacing(2);
+    row->addWidget(m_title, 1);
+    m_title->setObjectName(QStringLiteral("partTitle"));
+    const auto button = [&](const char* name, const char* picture) {
+        auto* made = new QToolButton(m_list);
+        made->setObjectName(QLatin1String(name));
+        made->setIcon(icon(picture));
+        made->setFocusPolicy(Qt::TabFocus);
+        row->addWidget(made);
+        return made;
+    };
+    m_up = button("editUp", "fold-up");
+    m_down = button("editDown", "fold-open");
+    m_copy = button("editCopy", "copy");
+    m_delete = button("editDelete", "delete");
+    m_copy->setMenu(m_copyMenu);
+    m_copy->setPopupMode(QToolButton::InstantPopup);
+    connect(m_up, &QToolButton::clicked, this, [this] { moveCurrent(-1); });
+    connect(m_down, &QToolButton::clicked, this, [this] { moveCurrent(1); });
+    connect(m_delete, &QToolButton::clicked, this, &EditsPanel::removeSelected);
+    auto* column = new QVBoxLayout(m_list);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addLayout(row);
+    column->addWidget(m_view, 1);
+    m_pages->addWidget(m_empty);
+    m_pages->addWidget(m_list);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_pages);
+}
+
+void EditsPanel::follow()
+{
+    const Node* node = m_document->scene().find(m_model->tree());
+    m_pages->setCurrentWidget(m_model->rowCount() > 0 ? m_list : static_cast<QWidget*>(m_empty));
+    m_empty->setText(
+        node ? tr("Nothing was done by hand to “%1” yet. Choose a tool beside the view: cut, bend, "
+                  "draw. Each thing that you do is listed here, and is kept when the tree changes.")
+                   .arg(QString::fromStdString(node->name))
+             : tr("Select a tree: what was done to it by hand is listed here."));
+    if (node)
+        m_title->setText(QString::fromStdString(node->name));
+    QItemSelection again;
+    for (const std::uint64_t id : m_kept)
+        if (const int row = m_model->rowOf(id); row >= 0)
+            again.select(m_model->index(row, 0), m_model->index(row, EditModel::columns - 1));
+    if (!m_view->selectionModel()->hasSelection() && !again.isEmpty()) {
+        m_restores = true; // nobody has chosen anything
+        m_view->selectionModel()->select(again, QItemSelectionModel::ClearAndSelect);
+        if (const int row = m_model->rowOf(m_current); row >= 0)
+            m_view->selectionModel()->setCurrentIndex(m_model->index(row, 0), QItemSelectionModel::NoUpdate);
+        m_restores = false;
+    }
+    updateButtons();
+}
+
+std::vector<std::uint64_t> EditsPanel::selectedIds() const
+{
+    std::vector<int> rows;
+    for (const QModelIndex& index : m_view->selectionModel()->selectedRows())
+        rows.push_back(index.row());
+    std::ranges::sort(rows);
+    std::vector<std::uint64_t> ids;
+    for (const int row : rows)
+        if (row < m_model->rowCount())
+            ids.push_back(m_model->idAt(row));
+    return ids;
+}
+
+void EditsPanel::updateButtons()
+{
+    const auto ids = selectedIds();
+    const int row = ids.size() == 1 ? m_model->rowOf(ids.front()) : -1;
+    const auto isTree = [](const Node& node) { return node.kind == NodeKind::Tree; };
+    m_up->setEnabled(row > 0);
+    m_down->setEnabled(row >= 0 && row + 1 < m_model->rowCount());
+    m_delete->setEnabled(!ids.empty());
+    m_copy->setEnabled(!ids.empty() && std::ranges::count_if(m_document->scene().nodes(), isTree) > 1);
+}
+
+void EditsPanel::removeSelected()
+{
+    if (const auto ids = selectedIds(); !ids.empty())
+        report(edit::removeTreeEdits(*m_document, m_model->tree(), ids));
+}
+
+void EditsPanel::moveCurrent(int rows)
+{
+    const auto ids = selectedIds();
+    if (ids.size() != 1)
+        return;
+    const int to = m_model->rowOf(ids.front()) + rows;
+    if (to >= 0 && to < m_model->rowCount())
+        report(edit::moveTreeEdit(*m_document, m_model->tree(), ids.front(), to));
+}
+
+void EditsPanel::selectBranches()
+{
+    Selection next;
+    next.nodes = {m_model->tree()};
+    LimbFinder finder;
+    for (const std::uint64_t id : selectedIds()) {
+        const auto limb = finder.limb(*m_document, m_model->tree(), m_model->addressAt(m_model->rowOf(id)));
+        next.branches.insert(next.branches.end(), limb.begin(), limb.end());
+    }
+    if (!next.branches.empty()) {
+        next.branchNode = m_model->tree();
+        next.activeBranch = next.branches.front();
+        std::ranges::sort(next.branches);
+        const auto twice = std::ranges::unique(next.branches);
+        next.branches.erase(twice.begin(), twice.end());
+    }
+    m_document->setSelection(std::move(next));
+}
+
+void EditsPanel::fillCopyMenu()
+{
+    m_copyMenu->clear();
+    for (const Node& node : m_document->scene().nodes()) {
+        if (node.kind != NodeKind::Tree || node.id == m_model->tree())
+            continue;
+        QString name = QString::fromStdString(node.name);
+        m_copyMenu->addAction(
+            icon("tree"), name.replace(u'&', QStringLiteral("&&")), this, [this, to = node.id] {
+                report(edit::copyTreeEdits(*m_document, m_model->tree(), selectedIds(), {to}));
+            });
+    }
+}
+
+void EditsPanel::showMenu(const QPoint& at)
+{
+    const auto ids = selectedIds();
+    if (ids.empty())
+        return;
+    QMenu menu(this);
+    QAction* rename = menu.addAction(icon("rename"), tr("Rename"), this,
+                                     [this] { m_view->edit(m_view->currentIndex().siblingAtColumn(0)); });
+    rename->setEnabled(ids.size() == 1);
+    for (const bool on : {true, false})
+        menu.addAction(on ? tr("Switch on") : tr("Switch off"), this, [this, on] {
+            report(edit::setTreeEditsEnabled(*m_document, m_model->tree(), selectedIds(), on));
+        });
+    menu.addSeparator();
+    menu.addAction(m_up->icon(), tr("Earlier"), this, [this] { moveCurrent(-1); })
+        ->setEnabled(m_up->isEnabled());
+    menu.addAction(m_down->icon(), tr("Later"), this, [this] { moveCurrent(1); })
+        ->setEnabled(m_down->isEnabled());
+    m_copyMenu->setTitle(tr("Copy to"));
+    menu.addMenu(m_copyMenu)->setEnabled(m_copy->isEnabled());
+    menu.addSeparator();
+    menu.addAction(icon("delete"), tr("Delete"), this, &EditsPanel::removeSelected);
+    menu.exec(m_view->viewport()->mapToGlobal(at));
+}
+
+void EditsPanel::report(const Expected<void>& done)
+{
+    if (!done)
+        emit messageRaised(errorText(done.error()));
+}
+
+/// Delete and F2 are of the rows here, not of the tree.
+bool EditsPanel::eventFilter(QObject* watched, QEvent* event)
+{
+    if (watched != m_view || (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress))
+        return QWidget::eventFilter(watched, event);
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool moves =
+        key->modifiers() == Qt::AltModifier && (key->key() == Qt::Key_Up || key->key() == Qt::Key_Down);
+    const bool plain = key->modifiers() == Qt::NoModifier;
+    const bool deletes = plain && key->key() == Qt::Key_Delete;
+    if (event->type() == QEvent::ShortcutOverride) {
+        if (moves || deletes || (plain && (key->key() == Qt::Key_F2 || key->key() == Qt::Key_Space)))
+            event->accept();
+        return event->isAccepted();
+    }
+    if (moves)
+        moveCurrent(key->key() == Qt::Key_Up ? -1 : 1);
+    else if (deletes)
+        removeSelected();
+    return moves || deletes || QWidget::eventFilter(watched, event);
+}
+
+void EditsPanel::retranslate()
+{
+    const auto name = [](QToolButton* button, const QString& text) {
+        button->setToolTip(text);
+        button->setAccessibleName(text);
+    };
+    name(m_up, tr("Earlier (Alt+Up): it acts before the one above"));
+    name(m_down, tr("Later (Alt+Down): it acts after the one below"));
+    name(m_copy, tr("Copy the selected edits to another tree"));
+    name(m_delete, tr("Delete the selected edits (Del)"));
+    m_view->setAccessibleName(tr("Edits by hand"));
+}
+
+void EditsPanel::changeEvent(QEvent* event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() != QEvent::LanguageChange)
+        return;
+    retranslate();
+    m_model->retranslate();
+}
+
+} // namespace ramure

@@ -1,0 +1,186 @@
+#include "widgets/view/tools/edit_tool.h"
+
+#include "core/evaluate/evaluator.h"
+#include "core/math/frame.h"
+#include "widgets/base/core_text.h"
+#include "widgets/view/tools/hand_cursor.h"
+#include <QCoreApplication>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace ramure {
+namespace {
+
+struct Words
+{
+    Q_DECLARE_TR_FUNCTIONS(ramure::EditTool)
+};
+
+} // namespace
+
+EditTool::EditTool(ToolContext& context, HandTool kind)
+    : Tool(context)
+    , m_kind(kind)
+    , m_cursor(handCursor(kind))
+{
+    connect(&context.hand, &HandSettings::toolChanged, this, [this] {
+        if (!isChosen())
+            setAim({});
+    });
+}
+
+bool EditTool::hover(const ToolPoint& point)
+{
+    const bool looks = isChosen() && !m_context.isPlaying() && !m_context.host.isStale();
+    const auto scene = looks ? m_context.host.latestPickScene() : nullptr;
+    const auto hit = scene ? scene->pick(point.view, point.pixel()) : std::nullopt;
+    setAim(hit ? m_context.limbs.at(m_context.document, *hit) : std::nullopt);
+    return false;
+}
+
+void EditTool::leave()
+{
+    setAim({});
+}
+
+void EditTool::setAim(std::optional<LimbHit> aim)
+{
+    if (!m_aim && !aim)
+        return;
+    m_aim = std::move(aim);
+    if (m_aim)
+        m_context.host.markBranches(m_aim->node, affected(*m_aim));
+    else
+        m_context.host.markBranches(noNode, {});
+    m_context.host.repaint();
+}
+
+std::optional<LimbHit> EditTool::limbAt(const ToolPoint& point)
+{
+    const auto scene = m_context.host.pickScene(pickPatience);
+    const auto hit = scene ? scene->pick(point.view, point.pixel()) : std::nullopt;
+    return hit ? m_context.limbs.at(m_context.document, *hit) : std::nullopt;
+}
+
+bool EditTool::press(const ToolPoint& point)
+{
+    Qt::KeyboardModifiers others = Qt::ControlModifier | Qt::AltModifier;
+    others.setFlag(Qt::ShiftModifier, !takesShift());
+    if (!isChosen() || point.button != Qt::LeftButton || (point.held & others))
+        return false;
+    const auto motion = m_context.player ? m_context.player->motion() : nullptr;
+    const auto limb = m_context.isPlaying() ? std::nullopt : limbAt(point);
+    const NodeMotion* moved = motion && limb ? motion->of(limb->node) : nullptr;
+    if (m_context.isPlaying() || (moved && moved->moves())) {
+        m_context.host.raiseMessage(Words::tr("Trees are shaped at rest: stop, and go to the first frame."));
+        return false;
+    }
+    return take(point, limb);
+}
+
+void EditTool::documentChanged(const Change& change)
+{
+    if (change.has(changeResults | changeReset | changeStructure))
+        setAim({}); // of a tree that is another one now
+    if (!change.has(changeReset | changeStructure))
+        return;
+    forget();
+    if (isBusy())
+        end();
+}
+
+bool EditTool::report(const Expected<void>& done)
+{
+    if (!done)
+        m_context.host.raiseMessage(errorText(done.error()));
+    return done.has_value();
+}
+
+glm::dmat4 EditTool::worldOf(NodeId node) const
+{
+    return EvaluatedScene(m_context.document.scene()).transforms(node).geometry;
+}
+
+bool ClickTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
+{
+    m_waiting.reset();
+    if (!limb && m_context.host.pickScene({}))
+        return false; // beside all: whatever else a press does there
+    setAim(limb);
+    if (!limb)
+        m_waiting = point;
+    return true;
+}
+
+void ClickTool::drag(const ToolPoint& point)
+{
+    if (m_waiting)
+        m_waiting->at = point.at;
+    else
+        setAim(limbAt(point));
+}
+
+void ClickTool::release(const ToolPoint& point)
+{
+    const auto limb = aim();
+    setAim({});
+    if (!m_waiting && limb)
+        report(act(*limb, point.held));
+}
+
+void ClickTool::sceneReady()
+{
+    if (!m_waiting || isBusy())
+        return;
+    const ToolPoint point = *std::exchange(m_waiting, std::nullopt);
+    const auto limb = isChosen() ? limbAt(point) : std::nullopt;
+    if (limb)
+        report(act(*limb, point.held));
+}
+
+NodeId treeMeant(const Document& document)
+{
+    const auto isTree = [](const Node& node) { return node.kind == NodeKind::Tree; };
+    const Node* active = document.scene().find(document.selection().activeNode());
+    if (active && isTree(*active))
+        return active->id;
+    const auto& nodes = document.scene().nodes();
+    return std::ranges::count_if(nodes, isTree) == 1 ? std::ranges::find_if(nodes, isTree)->id : noNode;
+}
+
+void paintRing(QPainter& painter, const PickView& view, const glm::dmat4& world, const LimbHit& limb,
+               const QColor& colour)
+{
+    constexpr int sides = 32;
+    constexpr double reach = 1.25, least = 6.0; // of the radius; pixels
+    const auto middle = view.pixel(glm::dvec3(world * glm::dvec4(limb.seen, 1.0)));
+    if (!middle)
+        return;
+    const Frame frame = frameFromTangent(limb.along);
+    QPolygonF ring;
+    double widest = 0.0;
+    for (int i = 0; i <= sides; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / sides;
+        const glm::dvec3 way = std::cos(angle) * frame.normal + std::sin(angle) * frame.binormal;
+        const auto at =
+            view.pixel(glm::dvec3(world * glm::dvec4(limb.seen + reach * limb.radius * way, 1.0)));
+        if (!at)
+            return;
+        ring << QPointF(at->x, at->y);
+        widest = std::max(widest, glm::length(*at - *middle));
+    }
+    const QPointF centre(middle->x, middle->y);
+    if (widest < least)
+        for (QPointF& at : ring)
+            at = centre + (at - centre) * least / std::max(widest, 1e-3);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(16, 22, 28, 170), 4.5));
+    painter.drawPolyline(ring);
+    painter.setPen(QPen(colour, 2.4));
+    painter.drawPolyline(ring);
+}
+
+} // namespace ramure

@@ -1,0 +1,80 @@
+/// \file
+/// What the tools that shape trees have in common: they take presses only while they are chosen, look which
+/// limb is under the cursor, show what would change, and say why something cannot be done.
+#pragma once
+
+#include "widgets/view/tools/hand_edit.h"
+#include "widgets/view/tools/tool.h"
+
+namespace ramure {
+
+class EditTool : public Tool
+{
+public:
+    EditTool(ToolContext& context, HandTool kind);
+
+    [[nodiscard]] bool isChosen() const override { return m_context.hand.tool() == m_kind; }
+    [[nodiscard]] QCursor cursor() const override { return m_cursor; }
+    bool hover(const ToolPoint& point) override; ///< false: the view looks for the branch, too
+    void leave() override;
+    bool press(const ToolPoint& point) override;
+    void documentChanged(const Change& change) override;
+
+protected:
+    /// What a press on \p limb begins; \p limb is nothing beside all trees.
+    /// \return whether the tool takes it
+    virtual bool take(const ToolPoint& point, const std::optional<LimbHit>& limb) = 0;
+    /// Presses with Shift are the tool's, too; else they select.
+    [[nodiscard]] virtual bool takesShift() const { return false; }
+    /// The gesture goes on, and its tree is gone or another document is open: nothing is to be kept.
+    virtual void forget() {}
+    /// Branches that the tool would change.
+    [[nodiscard]] virtual std::vector<Index> affected(const LimbHit&) { return {}; }
+
+    [[nodiscard]] std::optional<LimbHit> limbAt(const ToolPoint& point);
+    /// The same without waiting for what is picked in.
+    [[nodiscard]] const std::optional<LimbHit>& aim() const { return m_aim; }
+    void setAim(std::optional<LimbHit> aim);
+    /// All limbs that are meant: those selected, where \p hit is one of them.
+    [[nodiscard]] std::vector<LimbHit> meantBy(const LimbHit& hit)
+    {
+        return m_context.limbs.meantBy(m_context.document, hit);
+    }
+    /// What went wrong goes to the status bar. \return whether nothing did
+    bool report(const Expected<void>& done);
+    [[nodiscard]] glm::dmat4 worldOf(NodeId node) const;
+
+private:
+    HandTool m_kind;
+    QCursor m_cursor;
+    std::optional<LimbHit> m_aim;
+};
+
+/// Acts on the limb that is clicked; a press can be moved to another one before it is let go.
+class ClickTool : public EditTool
+{
+public:
+    using EditTool::EditTool;
+
+    void drag(const ToolPoint& point) override;
+    void release(const ToolPoint& point) override;
+    void cancel() override { setAim({}); }
+    void sceneReady() override;
+
+protected:
+    bool take(const ToolPoint& point, const std::optional<LimbHit>& limb) override;
+    void forget() override { m_waiting.reset(); }
+    virtual Expected<void> act(const LimbHit& limb, Qt::KeyboardModifiers held) = 0;
+
+private:
+    std::optional<ToolPoint> m_waiting; ///< a click before there was anything to pick in
+};
+
+/// Beside all trees: the one that is selected, or the only one; noNode: there is none.
+NodeId treeMeant(const Document& document);
+/// A ring around a place on a limb.
+void paintRing(QPainter& painter, const PickView& view, const glm::dmat4& world, const LimbHit& limb,
+               const QColor& colour);
+inline const QColor handRed(226, 74, 51), handGreen(90, 200, 90);
+
+} // namespace ramure

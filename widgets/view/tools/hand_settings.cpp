@@ -1,0 +1,118 @@
+#include "widgets/view/tools/hand_settings.h"
+
+#include <QtGlobal>
+#include <algorithm>
+
+namespace ramure {
+
+std::span<const HandToolRow> handTools()
+{
+    using enum HandTool;
+    static constexpr HandToolRow rows[] = {
+        {Cut, "hand.cut", QT_TRANSLATE_NOOP("Actions", "&Cut"), "hand-cut", Qt::Key_C,
+         QT_TRANSLATE_NOOP("Actions", "Cut a branch where you click: what lies above falls away")},
+        {Saw, "hand.saw", QT_TRANSLATE_NOOP("Actions", "&Saw"), "hand-saw", Qt::Key_Z,
+         QT_TRANSLATE_NOOP("Actions", "Draw a line through twigs: all that it crosses is cut there")},
+        {Remove, "hand.remove", QT_TRANSLATE_NOOP("Actions", "&Remove"), "hand-remove", Qt::Key_X,
+         QT_TRANSLATE_NOOP("Actions", "Click a limb: it goes, with all that grows on it")},
+        {Keep, "hand.keep", QT_TRANSLATE_NOOP("Actions", "&Keep only"), "hand-keep", Qt::Key_O,
+         QT_TRANSLATE_NOOP("Actions", "Click a limb: all goes but it, what grows on it and the way down")},
+        {Bend, "hand.bend", QT_TRANSLATE_NOOP("Actions", "&Bend"), "hand-bend", Qt::Key_B,
+         QT_TRANSLATE_NOOP("Actions", "Drag a branch: the limb follows the hand")},
+        {Length, "hand.length", QT_TRANSLATE_NOOP("Actions", "&Length"), "hand-length", Qt::Key_L,
+         QT_TRANSLATE_NOOP("Actions", "Drag a branch along itself: longer or shorter")},
+        {Thickness, "hand.thickness", QT_TRANSLATE_NOOP("Actions", "&Thickness"), "hand-thickness", Qt::Key_U,
+         QT_TRANSLATE_NOOP("Actions", "Drag a branch to the right: thicker, to the left: thinner")},
+        {Draw, "hand.draw", QT_TRANSLATE_NOOP("Actions", "&Draw"), "hand-draw", Qt::Key_D,
+         QT_TRANSLATE_NOOP("Actions", "Drag from a branch or the ground: a branch grows along the stroke")},
+        {Graft, "hand.graft", QT_TRANSLATE_NOOP("Actions", "&Graft"), "hand-graft", Qt::Key_J,
+         QT_TRANSLATE_NOOP("Actions", "Click a limb to copy it, then click where it is to grow")},
+        {Prune, "hand.prune", QT_TRANSLATE_NOOP("Actions", "&Prune to a shape"), "hand-prune", Qt::Key_P,
+         QT_TRANSLATE_NOOP("Actions", "Drag a shape around the tree: what stands out of it is cut")},
+        {Leaves, "hand.leaves", QT_TRANSLATE_NOOP("Actions", "L&eaves on or off"), "hand-leaves", Qt::Key_V,
+         QT_TRANSLATE_NOOP("Actions", "Click a limb: its leaves go, or come back")},
+    };
+    return rows;
+}
+
+const HandToolRow& handTool(HandTool tool)
+{
+    return *std::ranges::find(handTools(), tool, &HandToolRow::tool);
+}
+
+std::span<const HandNumber> handNumbers()
+{
+    using enum HandTool;
+    static constexpr HandNumber rows[] = {
+        {toolBit(Saw), "sawThickest", QT_TRANSLATE_NOOP("HandOptions", "Up to"),
+         QT_TRANSLATE_NOOP("HandOptions", "The saw goes through twigs of at most this radius"),
+         &HandOptions::sawThickest, 0.001, 10.0, 0.005, 1, 100.0, " cm"},
+        {toolBit(Draw), "drawRadius", QT_TRANSLATE_NOOP("HandOptions", "Radius"),
+         QT_TRANSLATE_NOOP("HandOptions", "At the foot of the new branch. 0: to suit what it grows on"),
+         &HandOptions::drawRadius, 0.0, 10.0, 0.005, 1, 100.0, " cm"},
+        {toolBit(Draw), "drawTip", QT_TRANSLATE_NOOP("HandOptions", "Tip"),
+         QT_TRANSLATE_NOOP("HandOptions", "Radius at the tip, of that at the foot"), &HandOptions::drawTip,
+         0.02, 1.0, 0.05, 0, 100.0, " %"},
+        {toolBit(Draw), "drawSmooth", QT_TRANSLATE_NOOP("HandOptions", "Smoothing"),
+         QT_TRANSLATE_NOOP("HandOptions", "How much the trembling of the hand is taken out"),
+         &HandOptions::drawSmooth, 0.0, 1.0, 0.1, 0, 100.0, " %"},
+        {toolBit(Graft), "graftSize", QT_TRANSLATE_NOOP("HandOptions", "Size"),
+         QT_TRANSLATE_NOOP("HandOptions", "Of the copy, against the original"), &HandOptions::graftSize, 0.05,
+         20.0, 0.1, 0, 100.0, " %"},
+    };
+    return rows;
+}
+
+std::span<const HandCount> handCounts()
+{
+    using enum HandTool;
+    static constexpr HandCount rows[] = {
+        {toolBit(Draw) | toolBit(Graft), "copies", QT_TRANSLATE_NOOP("HandOptions", "Around the trunk"),
+         QT_TRANSLATE_NOOP("HandOptions", "How many grow at once, evenly turned about what they grow on"),
+         &HandOptions::copies, 1, 24},
+    };
+    return rows;
+}
+
+std::span<const HandFlag> handFlags()
+{
+    using enum HandTool;
+    static constexpr HandFlag rows[] = {
+        {toolBit(Length) | toolBit(Thickness), "withBelow",
+         QT_TRANSLATE_NOOP("HandOptions", "With all that grows on it"),
+         QT_TRANSLATE_NOOP("HandOptions", "Else the limb alone changes"), &HandOptions::withBelow},
+        {toolBit(Draw), "drawTwigs", QT_TRANSLATE_NOOP("HandOptions", "With twigs"),
+         QT_TRANSLATE_NOOP("HandOptions", "Twigs grow on the branch as on those beside it"),
+         &HandOptions::drawTwigs},
+        {toolBit(Draw), "drawPressure", QT_TRANSLATE_NOOP("HandOptions", "Pen pressure"),
+         QT_TRANSLATE_NOOP("HandOptions", "The harder the pen is pressed, the thicker the branch"),
+         &HandOptions::drawPressure},
+        {toolBit(Draw), "mirrored", QT_TRANSLATE_NOOP("HandOptions", "Mirrored"),
+         QT_TRANSLATE_NOOP("HandOptions", "A second branch grows across what the first one grows on"),
+         &HandOptions::mirrored},
+    };
+    return rows;
+}
+
+void HandSettings::setTool(HandTool tool)
+{
+    if (m_tool == tool)
+        return;
+    m_tool = tool;
+    emit toolChanged(tool);
+}
+
+void HandSettings::setOptions(const HandOptions& options)
+{
+    HandOptions next = options;
+    for (const HandNumber& row : handNumbers())
+        next.*row.member = std::clamp(next.*row.member, row.least, row.most);
+    for (const HandCount& row : handCounts())
+        next.*row.member = std::clamp(next.*row.member, row.least, row.most);
+    if (next == m_options)
+        return;
+    m_options = next;
+    emit optionsChanged();
+}
+
+} // namespace ramure

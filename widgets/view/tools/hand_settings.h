@@ -1,0 +1,121 @@
+/// \file
+/// The tools with which a hand shapes trees in the view: which of them is chosen, and what its options are.
+/// Exists also where OpenGL does not.
+#pragma once
+
+#include "core/params/tree_edit.h"
+#include <QObject>
+#include <QVariantMap>
+#include <Qt>
+#include <span>
+
+namespace ramure {
+
+/// None: clicks select, modifiers bend, and nodes are moved (GizmoSettings::tool).
+enum class HandTool : quint8 {
+    None,
+    Cut,
+    Saw,
+    Remove,
+    Keep,
+    Bend,
+    Length,
+    Thickness,
+    Draw,
+    Graft,
+    Prune,
+    Leaves
+};
+
+/// A button of the tool bar.
+struct HandToolRow
+{
+    HandTool tool;
+    const char* id;   ///< of its action: "hand.cut"
+    const char* text; ///< English, context "Actions", with a mnemonic
+    const char* icon;
+    Qt::Key key;
+    const char* tip; ///< English, context "Actions"
+};
+/// In the order of the tool bar; all but None.
+std::span<const HandToolRow> handTools();
+const HandToolRow& handTool(HandTool tool);
+
+struct HandOptions
+{
+    double sawThickest = 0.05; ///< m, radius of what the saw goes through
+    bool withBelow = true;     ///< Length and Thickness: also of what grows on the limb
+    double drawRadius = 0.0;   ///< m, at the foot; 0: to suit the parent
+    double drawTip = 0.3;      ///< radius at the tip, of that at the foot
+    double drawSmooth = 0.6;   ///< 0: as drawn, 1: very smooth
+    bool drawTwigs = false;    ///< twigs grow on the branch as on those beside it
+    bool drawPressure = true;  ///< the pen's pressure gives the radius
+    double graftSize = 1.0;    ///< factor
+    int copies = 1;            ///< Draw and Graft: so many around the trunk
+    bool mirrored = false;     ///< Draw: and once more across the trunk
+    EditShapeKind shape = EditShapeKind::Sphere;
+    bool operator==(const HandOptions&) const = default;
+};
+
+class HandSettings : public QObject
+{
+    Q_OBJECT
+public:
+    using QObject::QObject;
+
+    [[nodiscard]] HandTool tool() const { return m_tool; }
+    [[nodiscard]] const HandOptions& options() const { return m_options; }
+
+public slots:
+    void setTool(ramure::HandTool tool);
+    void setOptions(const ramure::HandOptions& options); ///< held to the ranges of handNumbers()
+
+signals:
+    void toolChanged(ramure::HandTool tool);
+    void optionsChanged();
+
+private:
+    HandTool m_tool = HandTool::None;
+    HandOptions m_options;
+};
+
+constexpr quint32 toolBit(HandTool tool)
+{
+    return quint32(1) << quint32(tool);
+}
+
+/// What the strip over the view shows for a tool.
+struct HandNumber
+{
+    quint32 tools; ///< toolBit of each
+    const char* id;
+    const char* label; ///< English, context "HandOptions"
+    const char* tip;
+    double HandOptions::*member;
+    double least, most, step;
+    int decimals;
+    double scale;       ///< shown = scale * value
+    const char* suffix; ///< " cm"
+};
+struct HandCount
+{
+    quint32 tools; ///< toolBit of each
+    const char* id;
+    const char* label;
+    const char* tip;
+    int HandOptions::*member;
+    int least, most;
+};
+struct HandFlag
+{
+    quint32 tools; ///< toolBit of each
+    const char* id;
+    const char* label;
+    const char* tip;
+    bool HandOptions::*member;
+};
+std::span<const HandNumber> handNumbers();
+std::span<const HandCount> handCounts();
+std::span<const HandFlag> handFlags();
+
+} // namespace ramure

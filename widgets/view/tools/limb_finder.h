@@ -1,0 +1,67 @@
+/// \file
+/// Which limb of a tree is meant: by the branch under the cursor, or by selected branches. Limbs are axes
+/// (core/skeleton/axes.h) of the tree with its edits so far; what is seen is its simplified skeleton.
+#pragma once
+
+#include "core/document/document.h"
+#include "core/skeleton/axes.h"
+#include "widgets/view/render/pick_scene.h"
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace ramure {
+
+/// A place on a limb.
+struct LimbHit
+{
+    NodeId node = noNode;
+    Index branch = noIndex;    ///< of the simplified skeleton
+    Index axis = noIndex;      ///< of LimbFinder::axes
+    std::uint64_t address = 0; ///< of the axis
+    double share = 0.0;        ///< of its length, from the foot
+    glm::dvec3 seen{0.0};      ///< m, tree space, on the middle of the branch as it is shown
+    glm::dvec3 along{0.0};     ///< unit, tree space: the way of the branch
+    double radius = 0.0;       ///< m
+    glm::dvec3 aside{0.0};     ///< m, tree space: from the middle to where it was hit
+};
+
+/// What of an axis a branch of the simplified skeleton is.
+struct LimbSpan
+{
+    std::uint64_t address = 0;
+    double from = 0.0, to = 0.0; ///< m from the foot of the axis
+};
+
+class LimbFinder
+{
+public:
+    /// Of the tree as it is shown; null where it has none yet.
+    const TreeAxes* axes(const Document& document, NodeId node);
+    /// Nothing where it is no branch of a tree that may be changed.
+    std::optional<LimbHit> at(const Document& document, const PickHit& hit);
+    /// Where a branch of the simplified skeleton begins on its limb.
+    std::optional<LimbHit> startOf(const Document& document, NodeId node, Index branch);
+    /// All selected branches, by axis from the foot, where \p hit is one of them; else \p hit alone.
+    std::vector<LimbHit> meantBy(const Document& document, const LimbHit& hit);
+    /// The same of the selection alone.
+    std::vector<LimbHit> selected(const Document& document);
+    /// Branches of the simplified skeleton of a limb above that place, with all that grows there. \param
+    /// whole from the foot of the limb on
+    std::vector<Index> above(const Document& document, const LimbHit& hit, bool whole);
+    /// All branches of the limb that an edit acts on; empty: there is no such axis.
+    std::vector<Index> limb(const Document& document, NodeId node, std::uint64_t address);
+    /// By branch of the simplified skeleton; empty where there is none.
+    std::vector<LimbSpan> spans(const Document& document, NodeId node);
+
+private:
+    std::optional<LimbHit> place(const Document& document, NodeId node, Index branch, double share);
+    bool take(const Document& document, NodeId node);
+
+    std::shared_ptr<const Skeleton> m_drawn; ///< what the rest is of
+    std::shared_ptr<const SimplifiedSkeleton> m_simplified;
+    TreeAxes m_axes;
+    std::vector<double> m_start, m_end; ///< m from the foot of the axis; by branch of the simplified skeleton
+};
+
+} // namespace ramure

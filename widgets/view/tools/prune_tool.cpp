@@ -1,0 +1,214 @@
+// A shape that is dragged around a tree: what stands out of it is cut.
+#include "core/math/frame.h"
+#include "widgets/view/tools/edit_tool.h"
+#include "widgets/view/tools/motion_tools.h"
+#include "widgets/view/tools/readout.h"
+#include "widgets/view/tools/tool_table.h"
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace ramure {
+namespace {
+
+constexpr double least = 0.01; ///< m, of a radius
+constexpr int sides = 64;
+
+class PruneTool : public EditTool
+{
+    Q_DECLARE_TR_FUNCTIONS(ramure::PruneTool)
+public:
+    explicit PruneTool(ToolContext& context)
+        : EditTool(context, HandTool::Prune)
+    {
+    }
+
+    [[nodiscard]] bool goesOn() const override { return isBusy(); }
+    void drag(const ToolPoint& point) override;
+    void release(const ToolPoint& point) override;
+    void cancel() override;
+    [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override
+    {
+        return tr("What stands out of the shape is cut · release: done · Esc: nothing is cut");
+    }
+    void offer(ToolOffers& offers) const override
+    {
+        if (isChosen() && offers.held() == Qt::NoModifier)
+            offers.add(ToolOffers::Drag,
+                       tr("Drag from the middle of the tree outwards: it is cut to the shape"));
+    }
+    void paint(QPainter& painter, const PickView& view) override;
+
+protected:
+    bool take(const ToolPoint& point, const std::optional<LimbHit>& limb) override;
+    void forget() override { m_edit.reset(); }
+
+private:
+    [[nodiscard]] EditShape shapeTo(const PickView& view, QPointF at) const;
+    Expected<void> prune(const ToolPoint& point);
+
+    std::unique_ptr<HandEdit> m_edit;
+    glm::dmat4 m_world{1.0}, m_inverse{1.0};
+    glm::dvec3 m_middle{0.0}; ///< m, tree space: where the drag began
+    EditShape m_shape;
+    bool m_moves = false;
+    QPointF m_at;
+};
+
+bool PruneTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
+{
+    const NodeId tree = limb ? limb->node : treeMeant(m_context.document);
+    if (tree == noNode) {
+        m_context.host.raiseMessage(tr("Press on the tree that is to be pruned, or select it first."));
+        return false;
+    }
+    auto edit = HandEdit::begin(m_context.document, tree);
+    if (!edit)
+        return report(tl::unexpected(edit.error()));
+    m_edit = std::move(*edit);
+    m_world = worldOf(tree);
+    m_inverse = glm::inverse(m_world);
+    const SkeletonStats stats = skeletonStats(m_context.document.result(tree)->tree.simplified->skeleton);
+    const glm::dvec3 centre(m_world * glm::dvec4(0.5 * (stats.min + stats.max), 1.0));
+    m_middle = glm::dvec3(m_inverse * glm::dvec4(pulledTo(point.view, point.pixel(), centre), 1.0));
+    m_moves = false;
+    m_at = point.at;
+    setAim({});
+    return true;
+}
+
+/// A sphere or a box about the place of the press, or a cone that stands there.
+EditShape PruneTool::shapeTo(const PickView& view, QPointF at) const
+{
+    const glm::dvec3 middle(m_world * glm::dvec4(m_middle, 1.0));
+    const glm::dvec3 hand(m_inverse * glm::dvec4(pulledTo(view, {at.x(), at.y()}, middle), 1.0));
+    const glm::dvec3 way = hand - m_middle;
+    const double flat = std::max(std::hypot(way.x, way.z), least), high = std::max(std::abs(way.y), least);
+    EditShape shape;
+    shape.kind = m_context.hand.options().shape;
+    const glm::dvec3& m = m_middle;
+    switch (shape.kind) {
+    case EditShapeKind::Sphere:
+        shape.numbers = {m.x, m.y, m.z, std::max(glm::length(way), least), 0.0, 0.0};
+        break;
+    case EditShapeKind::Box:
+        shape.numbers = {m.x - flat, m.y - high, m.z - flat, m.x + flat, m.y + high, m.z + flat};
+        break;
+    case EditShapeKind::Cone:
+        shape.numbers = {m.x, m.y, m.z, flat, high, 0.0};
+        break;
+    }
+    return shape;
+}
+
+Expected<void> PruneTool::prune(const ToolPoint& point)
+{
+    m_shape = shapeTo(point.view, point.at);
+    TreeEdit edit;
+    edit.operation = EditOperation::Prune;
+    edit.shape = m_shape;
+    return m_edit->replace({edit}).and_then([this] { return m_edit->show(); });
+}
+
+void PruneTool::drag(const ToolPoint& point)
+{
+    m_at = point.at;
+    m_moves = m_moves || point.isDrag();
+    if (m_edit && m_moves)
+        (void)prune(point); // what cannot be is said at the end
+    m_context.host.repaint();
+}
+
+void PruneTool::release(const ToolPoint& point)
+{
+    if (!m_edit)
+        return;
+    m_moves&& report(prune(point)) ? m_edit->keep() : m_edit->cancel();
+    if (!m_moves)
+        m_context.host.raiseMessage(tr("Drag from the middle of the tree outwards."));
+    m_edit.reset();
+    m_context.host.repaint();
+}
+
+void PruneTool::cancel()
+{
+    if (m_edit)
+        m_edit->cancel();
+    m_edit.reset();
+    m_context.host.repaint();
+}
+
+/// The lines of a shape, tree space.
+std::vector<std::vector<glm::dvec3>> linesOf(const EditShape& shape, const glm::dvec3& sight)
+{
+    const auto& n = shape.numbers;
+    const glm::dvec3 a(n[0], n[1], n[2]), b(n[3], n[4], n[5]);
+    const auto ring = [](const glm::dvec3& middle, double radius, const Frame& frame) {
+        std::vector<glm::dvec3> line;
+        for (int i = 0; i <= sides; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / sides;
+            line.push_back(middle +
+                           radius * (std::cos(angle) * frame.normal + std::sin(angle) * frame.binormal));
+        }
+        return line;
+    };
+    switch (shape.kind) {
+    case EditShapeKind::Sphere:
+        return {ring(a, n[3], frameFromTangent(sight)), ring(a, n[3], Frame{})};
+    case EditShapeKind::Cone: {
+        const glm::dvec3 top = a + glm::dvec3(0.0, n[4], 0.0);
+        std::vector<std::vector<glm::dvec3>> lines{ring(a, n[3], Frame{})};
+        for (int i = 0; i < 4; ++i)
+            lines.push_back({lines[0][std::size_t(i * sides / 4)], top});
+        return lines;
+    }
+    case EditShapeKind::Box:
+        break;
+    }
+    std::vector<std::vector<glm::dvec3>> lines;
+    for (const double y : {a.y, b.y})
+        lines.push_back({{a.x, y, a.z}, {b.x, y, a.z}, {b.x, y, b.z}, {a.x, y, b.z}, {a.x, y, a.z}});
+    for (std::size_t i = 0; i < 4; ++i)
+        lines.push_back({lines[0][i], lines[1][i]});
+    return lines;
+}
+
+void PruneTool::paint(QPainter& painter, const PickView& view)
+{
+    if (!m_edit || !m_moves)
+        return;
+    const glm::dvec3 eye(m_inverse * glm::dvec4(view.camera.eye(), 1.0));
+    for (const auto& places : linesOf(m_shape, glm::normalize(eye - m_middle))) {
+        QPolygonF line;
+        for (const glm::dvec3& place : places)
+            if (const auto at = view.pixel(glm::dvec3(m_world * glm::dvec4(place, 1.0))))
+                line << QPointF(at->x, at->y);
+        painter.setPen(QPen(QColor(16, 22, 28, 140), 3.5));
+        painter.drawPolyline(line);
+        painter.setPen(QPen(handRed, 1.6));
+        painter.drawPolyline(line);
+    }
+    const auto metres = [](double value) { return QLocale().toString(value, 'f', 2); };
+    const auto& n = m_shape.numbers;
+    QString text;
+    if (m_shape.kind == EditShapeKind::Sphere)
+        text = tr("radius %1 m").arg(metres(n[3]));
+    else if (m_shape.kind == EditShapeKind::Cone)
+        text = tr("radius %1 m, %2 m high").arg(metres(n[3]), metres(n[4]));
+    else
+        text = tr("%1 m wide, %2 m high").arg(metres(n[3] - n[0]), metres(n[4] - n[1]));
+    paintReadout(painter, m_at, sizeOf(view), text);
+}
+
+} // namespace
+
+std::unique_ptr<Tool> makePruneTool(ToolContext& context)
+{
+    return std::make_unique<PruneTool>(context);
+}
+
+} // namespace ramure

@@ -1,0 +1,63 @@
+/// \file
+/// The strip over the view: which tool is chosen, its options, what it does.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QToolBar;
+
+namespace ramure {
+
+class HandSettings;
+class NumberField;
+class ViewSettings;
+
+class ToolStrip : public QWidget
+{
+    Q_OBJECT
+public:
+    /// \param tools all actions of the tool bar, one of which is checked. \param transforms what the tools
+    /// that move nodes have: shown with them. Nothing is owned but \p transforms.
+    ToolStrip(ViewSettings* settings, QList<QAction*> tools, QToolBar* transforms, QWidget* parent);
+
+    void retranslate();
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    /// An option of some tools.
+    struct Option
+    {
+        quint32 tools; ///< toolBit
+        QWidget* widget;
+        QLabel* label; ///< beside it; null: it has its own
+        const char* text;
+        const char* tip;
+    };
+    void addNumbers();
+    void addFlags();
+    void addShapes();
+    void add(const Option& option, const char* id);
+    void follow();     ///< the tool
+    void takeValues(); ///< of the options
+    void elide();
+
+    HandSettings* m_settings;
+    QList<QAction*> m_tools;
+    QToolBar* m_transforms;
+    QLabel* m_icon;
+    QLabel* m_name;
+    QLabel* m_tip;
+    QString m_tipText;
+    QComboBox* m_shape = nullptr;
+    std::vector<Option> m_options;
+    std::vector<NumberField*> m_numbers; ///< in the order of handNumbers(), then of handCounts()
+};
+
+} // namespace ramure
