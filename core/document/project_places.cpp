@@ -18,9 +18,9 @@ struct PrintCount
     std::uint32_t AxisPrint::*member;
 };
 constexpr PrintCount printCounts[] = {{"fork", &AxisPrint::fork},
-                                 {"mate", &AxisPrint::mate},
-                                 {"forks", &AxisPrint::forks},
-                                 {"mates", &AxisPrint::mates}};
+                                      {"mate", &AxisPrint::mate},
+                                      {"forks", &AxisPrint::forks},
+                                      {"mates", &AxisPrint::mates}};
 
 struct PrintNumber
 {
@@ -28,11 +28,11 @@ struct PrintNumber
     double AxisPrint::*member;
 };
 constexpr PrintNumber printNumbers[] = {{"s", &AxisPrint::s},
-                                   {"share", &AxisPrint::share},
-                                   {"downAngle", &AxisPrint::downAngle},
-                                   {"azimuth", &AxisPrint::azimuth},
-                                   {"length", &AxisPrint::length},
-                                   {"radius", &AxisPrint::radius}};
+                                        {"share", &AxisPrint::share},
+                                        {"downAngle", &AxisPrint::downAngle},
+                                        {"azimuth", &AxisPrint::azimuth},
+                                        {"length", &AxisPrint::length},
+                                        {"radius", &AxisPrint::radius}};
 
 Expected<std::uint64_t> readHex(const QJsonObject& object, const char* key)
 {

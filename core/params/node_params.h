@@ -161,7 +161,7 @@ struct NodeParams
     CameraParams camera;
     std::vector<ArmJoint> joints = defaultArmJoints(); ///< of an arm, from the foot on
     std::map<std::uint64_t, BranchParams>
-        branches; ///< by Skeleton::name; only branches that differ from the default
+        branches;                ///< by Skeleton::name; only branches that differ from the default
     std::vector<TreeEdit> edits; ///< of a tree, in the order in which they act
     bool operator==(const NodeParams&) const = default;
 };
