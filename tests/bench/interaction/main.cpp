@@ -178,8 +178,8 @@ void measureGallery(int times)
         first = i == 0 ? ms : first;
         best = i == 0 ? ms : std::min(best, ms);
     }
-    std::printf("the gallery of %zu trees: %.0f ms, again %.0f ms (200 are allowed)\n", presets().size(), first,
-                best);
+    std::printf("the gallery of %zu trees: %.0f ms, again %.0f ms (200 are allowed)\n", presets().size(),
+                first, best);
     std::fflush(stdout);
 }
 
