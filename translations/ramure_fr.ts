@@ -5981,10 +5981,6 @@
         <translation>%1 nombres sont attendus ici</translation>
     </message>
     <message>
-        <source>a sphere, a box or a cone is expected here</source>
-        <translation>une sphère, une boîte ou un cône est attendu ici</translation>
-    </message>
-    <message>
         <source>&quot;tree&quot; or &quot;parent&quot; is expected here</source>
         <translation>«&#xa0;tree&#xa0;» ou «&#xa0;parent&#xa0;» est attendu ici</translation>
     </message>
@@ -6163,6 +6159,34 @@
     <message>
         <source>a limb cannot be put on itself</source>
         <translation>une branche ne peut pas être mise sur elle-même</translation>
+    </message>
+    <message>
+        <source>pairs of radius and height are expected here</source>
+        <translation>des paires de rayon et de hauteur sont attendues ici</translation>
+    </message>
+    <message>
+        <source>a sphere, box, cone, profile or mesh is expected here</source>
+        <translation>une sphère, une boîte, un cône, un profil ou un maillage est attendu ici</translation>
+    </message>
+    <message>
+        <source>a profile needs two heights or more, upwards, and radii</source>
+        <translation>un profil a deux hauteurs ou plus, vers le haut, et des rayons</translation>
+    </message>
+    <message>
+        <source>a mesh needs four triangles or more between its points</source>
+        <translation>un maillage a quatre triangles ou plus entre ses points</translation>
+    </message>
+    <message>
+        <source>there is no such node</source>
+        <translation>ce nœud n’existe pas</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no solid</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un solide</translation>
+    </message>
+    <message>
+        <source>the mesh is not closed: it has no inside</source>
+        <translation>le maillage n’est pas fermé&#xa0;: il n’a pas d’intérieur</translation>
     </message>
 </context>
 <context>
