@@ -1016,6 +1016,10 @@
         <translation>&amp;Dessiner</translation>
     </message>
     <message>
+        <source>Drag from a branch or the ground: a branch grows along the stroke</source>
+        <translation>Glisser à partir d’une branche ou du sol : une branche pousse le long du trait</translation>
+    </message>
+    <message>
         <source>&amp;Graft</source>
         <translation>&amp;Greffer</translation>
     </message>
@@ -1038,10 +1042,6 @@
     <message>
         <source>Click a limb: its leaves go, or come back</source>
         <translation>Cliquer sur une branche : ses feuilles s’en vont ou reviennent</translation>
-    </message>
-    <message>
-        <source>Drag from a branch or the ground: a branch grows along the stroke</source>
-        <translation>Glisser à partir d’une branche ou du sol : une branche pousse le long du trait</translation>
     </message>
 </context>
 <context>
@@ -1646,6 +1646,14 @@
         <translation>Sinon la branche seule change</translation>
     </message>
     <message>
+        <source>With twigs</source>
+        <translation>Avec rameaux</translation>
+    </message>
+    <message>
+        <source>Twigs grow on the branch as on those beside it</source>
+        <translation>Des rameaux poussent sur la branche comme sur ses voisines</translation>
+    </message>
+    <message>
         <source>Pen pressure</source>
         <translation>Pression du stylet</translation>
     </message>
@@ -1668,14 +1676,6 @@
     <message>
         <source>What stands out of it is cut</source>
         <translation>Ce qui en dépasse est coupé</translation>
-    </message>
-    <message>
-        <source>With twigs</source>
-        <translation>Avec rameaux</translation>
-    </message>
-    <message>
-        <source>Twigs grow on the branch as on those beside it</source>
-        <translation>Des rameaux poussent sur la branche comme sur ses voisines</translation>
     </message>
 </context>
 <context>
@@ -6312,10 +6312,6 @@
         <translation>%1 nombres sont attendus ici</translation>
     </message>
     <message>
-        <source>a sphere, a box or a cone is expected here</source>
-        <translation>une sphère, une boîte ou un cône est attendu ici</translation>
-    </message>
-    <message>
         <source>&quot;tree&quot; or &quot;parent&quot; is expected here</source>
         <translation>«&#xa0;tree&#xa0;» ou «&#xa0;parent&#xa0;» est attendu ici</translation>
     </message>
@@ -6494,6 +6490,34 @@
     <message>
         <source>a limb cannot be put on itself</source>
         <translation>une branche ne peut pas être mise sur elle-même</translation>
+    </message>
+    <message>
+        <source>pairs of radius and height are expected here</source>
+        <translation>des paires de rayon et de hauteur sont attendues ici</translation>
+    </message>
+    <message>
+        <source>a sphere, box, cone, profile or mesh is expected here</source>
+        <translation>une sphère, une boîte, un cône, un profil ou un maillage est attendu ici</translation>
+    </message>
+    <message>
+        <source>a profile needs two heights or more, upwards, and radii</source>
+        <translation>un profil a deux hauteurs ou plus, vers le haut, et des rayons</translation>
+    </message>
+    <message>
+        <source>a mesh needs four triangles or more between its points</source>
+        <translation>un maillage a quatre triangles ou plus entre ses points</translation>
+    </message>
+    <message>
+        <source>there is no such node</source>
+        <translation>ce nœud n’existe pas</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no solid</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un solide</translation>
+    </message>
+    <message>
+        <source>the mesh is not closed: it has no inside</source>
+        <translation>le maillage n’est pas fermé&#xa0;: il n’a pas d’intérieur</translation>
     </message>
     <message>
         <source>&quot;%1&quot; has not grown yet</source>
@@ -7478,16 +7502,16 @@ OpenGL&#xa0;: %4
         <translation>Une branche pousse le long du trait · lâcher : fait · Échap : aucune</translation>
     </message>
     <message>
-        <source>%1 m</source>
-        <translation>%1 m</translation>
-    </message>
-    <message>
         <source>Drag from a branch or the ground: a new branch along the line</source>
         <translation>Glisser à partir d’une branche ou du sol : une nouvelle branche le long du trait</translation>
     </message>
     <message>
         <source>A new branch begins on a branch, or on the ground near the tree: press there, and drag.</source>
         <translation>Une nouvelle branche commence sur une branche, ou au sol près de l’arbre : appuyez là, et glissez.</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <translation>%1 m</translation>
     </message>
 </context>
 <context>

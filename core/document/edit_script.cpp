@@ -3,6 +3,7 @@
 #include "core/document/commands.h"
 #include "core/document/project_edits.h"
 #include "core/params/tree_edit_table.h"
+#include "core/scene/edit_shapes.h"
 #include "core/skeleton/edits/edit_context.h"
 
 #include <QJsonDocument>
@@ -11,26 +12,41 @@ namespace ramure {
 
 namespace {
 
-Expected<json::ScriptEdits> parsed(const QByteArray& line)
+/// A line may name a solid of the scene as the shape to prune to.
+Expected<json::ScriptEdits> withSolids(const QJsonObject& line, const Scene& scene, NodeId tree)
+{
+    const QJsonValue named = line.value(QLatin1String("shape")).toObject().value(QLatin1String("mesh"));
+    if (!named.isString())
+        return json::readScriptEdits(line);
+    const std::string name = named.toString().toStdString();
+    const auto solid = std::ranges::find(scene.nodes(), name, &Node::name);
+    auto shape = meshShape(scene, tree, solid == scene.nodes().end() ? noNode : solid->id);
+    if (!shape) {
+        shape.error().path = "shape.mesh";
+        return fail(std::move(shape.error()));
+    }
+    QJsonObject whole = line;
+    whole.insert(QLatin1String("shape"), json::writeShape(*shape));
+    return json::readScriptEdits(whole);
+}
+
+Expected<json::ScriptEdits> parsed(const QByteArray& line, const Scene& scene, NodeId tree)
 {
     QJsonParseError problem;
     const QJsonDocument json = QJsonDocument::fromJson(line, &problem);
     if (json.isObject())
-        return json::readScriptEdits(json.object());
+        return withSolids(json.object(), scene, tree);
     auto error = fail(ErrorCode::Syntax, RAMURE_NOOP("a JSON object is expected here"));
     error.value().column = problem.error == QJsonParseError::NoError ? 1 : problem.offset + 1;
     return error;
 }
 
 /// The edits of one line, added to all before.
-Expected<void> addLine(const QByteArray& line, EditContext& context, std::vector<TreeEdit>& list,
+Expected<void> addLine(const json::ScriptEdits& script, EditContext& context, std::vector<TreeEdit>& list,
                        std::vector<TreeEdit>& added)
 {
-    auto script = parsed(line);
-    if (!script)
-        return fail(std::move(script.error()));
-    for (const TreeEdit& wanted : script->edits) {
-        auto edit = context.prepared(wanted, script->inTreeSpace);
+    for (const TreeEdit& wanted : script.edits) {
+        auto edit = context.prepared(wanted, script.inTreeSpace);
         if (!edit)
             return fail(std::move(edit.error()));
         if (std::ranges::find(list, edit->id, &TreeEdit::id) != list.end()) {
@@ -69,7 +85,10 @@ Expected<void> replayEdits(Document& document, NodeId id, const QByteArray& scri
         ++number;
         if (line.trimmed().isEmpty())
             continue;
-        if (auto done = addLine(line, context, list, added); !done) {
+        auto done = parsed(line, document.scene(), id).and_then([&](const json::ScriptEdits& edits) {
+            return addLine(edits, context, list, added);
+        });
+        if (!done) {
             done.error().line = number;
             return done;
         }

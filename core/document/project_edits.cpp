@@ -28,13 +28,14 @@ QJsonArray numbersOf(const glm::dvec3& v)
     return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; // -0 is written as 0
 }
 
-QJsonObject writeShape(const EditShape& shape)
+QJsonObject writeMeshShape(const EditShape& shape)
 {
-    const EditShapeInfo& info = editShapes()[static_cast<std::size_t>(shape.kind)];
-    QJsonArray numbers;
-    for (std::size_t i = 0; i < info.numbers; ++i)
-        numbers.append(shape.numbers[i] + 0.0);
-    return {{QLatin1String(info.key), numbers}};
+    QJsonArray points, triangles;
+    for (const glm::dvec3& point : shape.points)
+        points.append(numbersOf(point));
+    for (const auto& t : shape.triangles)
+        triangles.append(QJsonArray{qint64(t[0]), qint64(t[1]), qint64(t[2])});
+    return {{QStringLiteral("points"), points}, {QStringLiteral("triangles"), triangles}};
 }
 
 QJsonArray writePoints(const std::vector<StrokePoint>& points)
@@ -234,6 +235,46 @@ private:
                     return done;
         return {};
     }
+    /// The numbers of a shape, and the pairs of a profile behind them.
+    Expected<void> readRound(const EditShapeInfo& shape, const QJsonValue& value)
+    {
+        const auto count = static_cast<qsizetype>(shape.numbers);
+        const bool hasPairs = shape.kind == EditShapeKind::Profile;
+        const std::string path = std::string("shape.") + shape.key;
+        const auto row =
+            readRow(value, path, count, hasPairs ? count + 2 * qsizetype(mostEditPoints) : count);
+        if (!row)
+            return fail(row.error());
+        if ((row->size() - shape.numbers) % 2 != 0)
+            return failAt(path, ErrorCode::Invalid,
+                          RAMURE_NOOP("pairs of radius and height are expected here"));
+        std::copy_n(row->begin(), shape.numbers, m_edit.shape.numbers.begin());
+        for (std::size_t i = shape.numbers; i < row->size(); i += 2)
+            m_edit.shape.points.emplace_back((*row)[i], (*row)[i + 1], 0.0);
+        return {};
+    }
+    Expected<void> readMeshShape(const QJsonObject& mesh)
+    {
+        for (const QJsonValue& point : mesh.value(QLatin1String("points")).toArray()) {
+            const auto row = readRow(point, "shape.mesh.points", 3, 3);
+            if (!row)
+                return fail(row.error());
+            m_edit.shape.points.emplace_back((*row)[0], (*row)[1], (*row)[2]);
+        }
+        for (const QJsonValue& triangle : mesh.value(QLatin1String("triangles")).toArray()) {
+            const auto row = readRow(triangle, "shape.mesh.triangles", 3, 3);
+            if (!row)
+                return fail(row.error());
+            std::array<std::uint32_t, 3>& corners = m_edit.shape.triangles.emplace_back();
+            for (std::size_t i = 0; i < 3; ++i) {
+                if (!((*row)[i] >= 0.0 && (*row)[i] < 4e9))
+                    return failAt("shape.mesh.triangles", ErrorCode::Invalid,
+                                  RAMURE_NOOP("a number is expected here"));
+                corners[i] = static_cast<std::uint32_t>((*row)[i]);
+            }
+        }
+        return {};
+    }
     Expected<void> readShape()
     {
         if (!(m_info->fields & editShape))
@@ -242,16 +283,13 @@ private:
         for (const EditShapeInfo& shape : editShapes()) {
             if (object.size() != 1 || !object.contains(QLatin1String(shape.key)))
                 continue;
-            const auto count = static_cast<qsizetype>(shape.numbers);
-            const auto row = readRow(object.value(QLatin1String(shape.key)),
-                                     std::string("shape.") + shape.key, count, count);
-            if (!row)
-                return fail(row.error());
-            m_edit.shape = {shape.kind, {}};
-            std::copy(row->begin(), row->end(), m_edit.shape.numbers.begin());
-            return {};
+            m_edit.shape = {shape.kind, {}, {}, {}};
+            const QJsonValue value = object.value(QLatin1String(shape.key));
+            return shape.kind == EditShapeKind::Mesh ? readMeshShape(value.toObject())
+                                                     : readRound(shape, value);
         }
-        return failAt("shape", ErrorCode::Invalid, RAMURE_NOOP("a sphere, a box or a cone is expected here"));
+        return failAt("shape", ErrorCode::Invalid,
+                      RAMURE_NOOP("a sphere, box, cone, profile or mesh is expected here"));
     }
     Expected<void> readPoints()
     {
@@ -298,6 +336,22 @@ private:
 };
 
 } // namespace
+
+QJsonObject writeShape(const EditShape& shape)
+{
+    const EditShapeInfo& info = editShapes()[static_cast<std::size_t>(shape.kind)];
+    QJsonArray numbers;
+    for (std::size_t i = 0; i < info.numbers; ++i)
+        numbers.append(shape.numbers[i] + 0.0);
+    if (shape.kind == EditShapeKind::Mesh)
+        return {{QLatin1String(info.key), writeMeshShape(shape)}};
+    if (shape.kind == EditShapeKind::Profile)
+        for (const glm::dvec3& point : shape.points) {
+            numbers.append(point.x + 0.0);
+            numbers.append(point.y + 0.0);
+        }
+    return {{QLatin1String(info.key), numbers}};
+}
 
 QJsonArray writeEdits(const std::vector<TreeEdit>& edits)
 {

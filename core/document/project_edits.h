@@ -4,8 +4,9 @@
 /// A project has "edits" in a node: a list of {"id", "op", "target": {"id", "place" ...}} and the values of
 /// the operation that are not the default; "name" where it has one, "enabled" where that is false. A script
 /// names limbs by their addresses alone and has "angle" and "azimuth" in degrees; all else is the same:
-/// points [x, y, z, radius], shapes {"sphere": [x, y, z, r]}, {"box": [x, y, z, X, Y, Z]} or
-/// {"cone": [x, y, z, r, height]}.
+/// points [x, y, z, radius], shapes {"sphere": [x, y, z, r]}, {"box": [x, y, z, X, Y, Z]},
+/// {"cone": [x, y, z, r, height]}, {"profile": [x, y, z, r, height, r, height ...]} and {"mesh": {"points",
+/// "triangles"}}.
 #pragma once
 
 #include "core/base/error.h"
@@ -16,6 +17,7 @@
 
 namespace ramure::json {
 
+QJsonObject writeShape(const EditShape& shape);
 QJsonArray writeEdits(const std::vector<TreeEdit>& edits);
 /// Errors: Invalid, Unknown (path inside, "[2].at").
 Expected<std::vector<TreeEdit>> readEdits(const QJsonArray& array);

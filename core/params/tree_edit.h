@@ -53,15 +53,18 @@ struct StrokePoint
     bool operator==(const StrokePoint&) const = default;
 };
 
-enum class EditShapeKind : std::uint8_t { Sphere, Box, Cone };
+enum class EditShapeKind : std::uint8_t { Sphere, Box, Cone, Profile, Mesh };
 
 /// In tree space, metres.
 struct EditShape
 {
     EditShapeKind kind = EditShapeKind::Sphere;
     /// Sphere: centre, radius. Box: least and greatest corner. Cone, upright: centre of the foot, radius
-    /// there, height. The rest is 0.
+    /// there, height. Profile: its foot. The rest is 0.
     std::array<double, 6> numbers{0.0, 0.0, 0.0, 1.0, 0.0, 0.0};
+    /// Profile: radius and height above the foot, upwards, and 0; it turns about the vertical. Mesh: corners.
+    std::vector<glm::dvec3> points{};
+    std::vector<std::array<std::uint32_t, 3>> triangles{}; ///< of a closed mesh
     bool operator==(const EditShape&) const = default;
 };
 

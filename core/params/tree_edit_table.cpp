@@ -69,9 +69,9 @@ constexpr EditFlag flags[] = {
 };
 
 constexpr EditShapeInfo shapes[] = {
-    {EditShapeKind::Sphere, "sphere", 4},
-    {EditShapeKind::Box, "box", 6},
-    {EditShapeKind::Cone, "cone", 5},
+    {EditShapeKind::Sphere, "sphere", 4}, {EditShapeKind::Box, "box", 6},
+    {EditShapeKind::Cone, "cone", 5},     {EditShapeKind::Profile, "profile", 3},
+    {EditShapeKind::Mesh, "mesh", 0},
 };
 
 tl::unexpected<Error> refuse(const char* path, const char* why)
@@ -108,14 +108,39 @@ Expected<void> checkPoints(const TreeEdit& edit)
     return {};
 }
 
+bool isProfile(const std::vector<glm::dvec3>& points)
+{
+    const bool rises = std::ranges::adjacent_find(points, [](const glm::dvec3& a, const glm::dvec3& b) {
+                           return !(a.y < b.y);
+                       }) == points.end();
+    return points.size() >= 2 && points.size() <= mostEditPoints && rises &&
+           std::ranges::all_of(points, [](const glm::dvec3& p) { return isNear(p) && p.x >= 0.0; }) &&
+           std::ranges::any_of(points, [](const glm::dvec3& p) { return p.x > 0.0; });
+}
+
+bool isMesh(const EditShape& shape)
+{
+    const std::size_t corners = shape.points.size();
+    return shape.triangles.size() >= 4 && shape.triangles.size() <= mostShapeTriangles &&
+           std::ranges::all_of(shape.points, isNear) &&
+           std::ranges::all_of(shape.triangles, [corners](const std::array<std::uint32_t, 3>& t) {
+               return t[0] < corners && t[1] < corners && t[2] < corners;
+           });
+}
+
 Expected<void> checkShape(const EditShape& shape)
 {
     const auto& n = shape.numbers;
     if (!std::ranges::all_of(n, [](double number) { return std::abs(number) <= farAway; }))
         return refuse("shape", RAMURE_NOOP("must be a finite number"));
+    if (shape.kind == EditShapeKind::Profile && !isProfile(shape.points))
+        return refuse("shape", RAMURE_NOOP("a profile needs two heights or more, upwards, and radii"));
+    if (shape.kind == EditShapeKind::Mesh && !isMesh(shape))
+        return refuse("shape", RAMURE_NOOP("a mesh needs four triangles or more between its points"));
     const bool hasExtent = shape.kind == EditShapeKind::Sphere ? n[3] > 0.0
                            : shape.kind == EditShapeKind::Box  ? n[3] > n[0] && n[4] > n[1] && n[5] > n[2]
-                                                               : n[3] > 0.0 && n[4] > 0.0;
+                           : shape.kind == EditShapeKind::Cone ? n[3] > 0.0 && n[4] > 0.0
+                                                               : true;
     return hasExtent ? Expected<void>() : refuse("shape", RAMURE_NOOP("the shape has no extent"));
 }
 

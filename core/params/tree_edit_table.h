@@ -79,13 +79,14 @@ std::span<const EditFlag> editFlags();
 struct EditShapeInfo
 {
     EditShapeKind kind;
-    const char* key; ///< "sphere"
-    std::size_t numbers;
+    const char* key;     ///< "sphere"
+    std::size_t numbers; ///< of EditShape::numbers
 };
 std::span<const EditShapeInfo> editShapes();
 
 /// Of a stroke or a limb.
 inline constexpr std::size_t mostEditPoints = 100'000;
+inline constexpr std::size_t mostShapeTriangles = 1'000'000;
 
 /// Errors: Invalid, path = the key of the value: no target where one is needed, a number that is not finite
 /// or out of range, too few points or too many, a shape without extent, a limb whose pieces do not follow

@@ -61,6 +61,11 @@ void add(StageHash& hash, const TreeEdit& edit)
     hash.add(static_cast<int>(edit.shape.kind));
     for (const double number : edit.shape.numbers)
         hash.add(number);
+    hash.add(edit.shape.points.size()).add(edit.shape.triangles.size());
+    for (const glm::dvec3& point : edit.shape.points)
+        add(hash, point);
+    for (const auto& triangle : edit.shape.triangles)
+        hash.add(triangle[0]).add(triangle[1]).add(triangle[2]);
     hash.add(edit.points.size());
     for (const StrokePoint& point : edit.points) {
         add(hash, point.position);

@@ -77,6 +77,21 @@ private slots:
         QCOMPARE(test::bytesOf(m_out), bytes);
     }
 
+    void solidsOfTheSceneAreShapes()
+    {
+        const QString scene = m_folder.filePath(QStringLiteral("scene.ramure"));
+        test::write(scene, R"({"format": "ramure", "version": 3, "nodes": [
+            {"id": 1, "kind": "tree", "name": "Oak", "preset": "TinyTree"},
+            {"id": 2, "kind": "primitive", "name": "Ball", "params": {"local.translation": [0, 3, 0]}}]})");
+        write(R"({"op": "prune", "shape": {"mesh": "None"}})");
+        QVERIFY(isRefused(run(scene.toUtf8().constData()), "shape.mesh"));
+        write(R"({"op": "prune", "shape": {"mesh": "Oak"}})");
+        QVERIFY(isRefused(run(scene.toUtf8().constData()), "shape.mesh"));
+        write(R"({"op": "prune", "shape": {"mesh": "Ball"}})");
+        QCOMPARE(run(scene.toUtf8().constData()).code, 0);
+        QCOMPARE(runCli({"validate", m_out, "--node", "Oak"}).code, 0);
+    }
+
 private:
     void write(const QByteArray& script) { test::write(m_script, script); }
     test::CliRun run(const char* input, const QStringList& more = {})

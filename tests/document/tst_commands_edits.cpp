@@ -239,6 +239,13 @@ void TestEditCommands::badFiles_data()
         "[0].size");
     row(R"([{"id": "0000000000000001", "op": "prune", "shape": {"ball": [1]}}])", "[0].shape");
     row(R"([{"id": "0000000000000001", "op": "prune", "shape": {"sphere": [1]}}])", "[0].shape.sphere");
+    row(R"([{"id": "0000000000000001", "op": "prune", "shape": {"profile": [0, 0, 0, 1, 1, 1]}}])",
+        "[0].shape.profile");
+    row(R"([{"id": "0000000000000001", "op": "prune", "shape": {"profile": [0, 0, 0, 1, 1, 1, 1]}}])",
+        "[0].shape");
+    row(R"([{"id": "0000000000000001", "op": "prune", "shape": {"mesh": {}}}])", "[0].shape");
+    row(R"([{"id": "0000000000000001", "op": "prune", "shape": {"mesh": {"points": [1]}}}])",
+        "[0].shape.mesh.points");
     row(R"([{"id": "0000000000000001", "op": "draw", "points": [[1, 2, 3], [1]]}])", "[0].points[1]");
     row(R"([{"id": "0000000000000001", "op": "prune", "shape": {"sphere": [0, 0, 0, 1]}},)"
         R"({"id": "0000000000000001", "op": "prune", "shape": {"sphere": [0, 0, 0, 1]}}])",

@@ -61,6 +61,16 @@ private:
         const auto ndc = view()->camera().project(at, double(size.width()) / size.height());
         return {int(0.5 * (ndc->x + 1.0) * size.width()), int(0.5 * (1.0 - ndc->y) * size.height())};
     }
+    /// Not of the trunk.
+    Index lastOfALimb()
+    {
+        LimbFinder finder;
+        const TreeAxes& axes = *finder.axes(*m_document, tree());
+        Index branch = skeleton().size() - 1;
+        while (axes.axes[finder.startOf(*m_document, tree(), branch)->axis].parent == noIndex)
+            --branch;
+        return branch;
+    }
     void key(Qt::Key key)
     {
         view()->setFocus();
@@ -110,7 +120,11 @@ private slots:
         for (const HandToolRow& row : handTools()) {
             auto* button = qobject_cast<QToolButton*>(bar()->widgetForAction(action(row.id)));
             QVERIFY2(button, row.id);
-            QVERIFY2(!button->icon().isNull() && !button->toolTip().isEmpty(), row.id);
+            QVERIFY2(!button->toolTip().isEmpty(), row.id);
+            for (const char* theme : {"light", "dark"})
+                QVERIFY2(QFile::exists(QStringLiteral(":/icons/ramure-%1/scalable/actions/ramure-%2.svg")
+                                           .arg(QLatin1String(theme), QLatin1String(row.icon))),
+                         row.icon);
             key(row.key);
             QVERIFY2(action(row.id)->isChecked(), row.id);
             QCOMPARE(hand()->tool(), row.tool);
@@ -212,7 +226,7 @@ private slots:
     }
     void deleteRemovesSelectedBranches()
     {
-        const Index last = skeleton().size() - 1;
+        const Index last = lastOfALimb();
         m_document->setSelection({{tree()}, tree(), {last}, last});
         key(Qt::Key_Delete);
         QCOMPARE(edits().size(), std::size_t(1));
@@ -222,7 +236,7 @@ private slots:
     void theMenuKeepsOnlyALimb()
     {
         QVERIFY(!action("hand.keepSelected")->isEnabled());
-        const Index last = skeleton().size() - 1;
+        const Index last = lastOfALimb();
         m_document->setSelection({{tree()}, tree(), {last}, last});
         action("hand.toggleLeaves")->trigger();
         QCOMPARE(edits().back().operation, EditOperation::Leaves);

@@ -136,13 +136,15 @@ inline TreeEdit randomEdit(const TreeAxes& axes, const Skeleton& skeleton, Rando
     edit.below = random.below(2) == 0;
     edit.shown = random.below(2) == 0;
     const glm::dvec3& c = skeleton.p1[random.below(skeleton.size())];
-    edit.shape.kind = static_cast<EditShapeKind>(random.below(3));
+    edit.shape.kind = static_cast<EditShapeKind>(random.below(4));
     const double r = random.range(0.2, 0.8) * size;
     edit.shape.numbers = {c.x, c.y, c.z, r, 0.0, 0.0};
     if (edit.shape.kind == EditShapeKind::Box)
         edit.shape.numbers = {c.x - r, c.y - r, c.z - r, c.x + r, c.y + 0.5 * r, c.z + r};
     if (edit.shape.kind == EditShapeKind::Cone)
         edit.shape.numbers = {c.x, stats.min.y, c.z, r, size, 0.0};
+    if (edit.shape.kind == EditShapeKind::Profile)
+        edit.shape.points = {{0.5 * r, -r, 0.0}, {r, 0.0, 0.0}, {0.7 * r, 0.5 * r, 0.0}};
     glm::dvec3 point = skeleton.p1[at];
     for (std::uint32_t i = 1 + random.below(6); i-- > 0;) {
         point += vector(0.1 * size);

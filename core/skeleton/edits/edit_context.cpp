@@ -121,6 +121,8 @@ Expected<TreeEdit> EditContext::prepared(TreeEdit edit, bool inTreeSpace) const
                                                                     : AxisSpot{m_tree->tipOf(axis)};
         putInto(m_tree->frameAfter(spot.piece), m_tree->pointAt(spot), edit.points);
     }
+    if (auto ok = checkTreeEdit(edit); !ok) // a stroke that ends where it starts
+        return fail(std::move(ok.error()));
     return edit;
 }
 

@@ -1,5 +1,6 @@
 // What takes something away.
 #include "core/skeleton/edits/edit_operations.h"
+#include "core/skeleton/edits/shape_test.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -23,30 +24,13 @@ Expected<void> takeAway(EditTree& tree, const EditMarks& marks)
     return {};
 }
 
-bool isInside(const EditShape& shape, const glm::dvec3& p)
-{
-    const auto& n = shape.numbers;
-    const glm::dvec3 from = p - glm::dvec3(n[0], n[1], n[2]);
-    switch (shape.kind) {
-    case EditShapeKind::Sphere:
-        return glm::dot(from, from) <= n[3] * n[3];
-    case EditShapeKind::Box:
-        return from.x >= 0.0 && from.y >= 0.0 && from.z >= 0.0 && p.x <= n[3] && p.y <= n[4] && p.z <= n[5];
-    case EditShapeKind::Cone: {
-        const double radius = n[3] * (1.0 - from.y / n[4]);
-        return from.y >= 0.0 && radius >= 0.0 && from.x * from.x + from.z * from.z <= radius * radius;
-    }
-    }
-    return false;
-}
-
-/// Where a piece leaves a shape that is convex. \pre it starts inside and ends outside
-double leavesAt(const EditShape& shape, const EditPiece& piece)
+/// Where a piece leaves a shape. \pre it starts inside and ends outside
+double leavesAt(const ShapeTest& shape, const EditPiece& piece)
 {
     double in = 0.0, out = 1.0;
     for (int i = 0; i < 40; ++i) {
         const double middle = 0.5 * (in + out);
-        (isInside(shape, piece.p0 + middle * (piece.p1 - piece.p0)) ? in : out) = middle;
+        (shape.contains(piece.p0 + middle * (piece.p1 - piece.p0)) ? in : out) = middle;
     }
     return in;
 }
@@ -55,7 +39,7 @@ double leavesAt(const EditShape& shape, const EditPiece& piece)
 class Pruner
 {
 public:
-    Pruner(const EditTree& tree, const EditShape& shape, const EditMarks& limb)
+    Pruner(const EditTree& tree, const ShapeTest& shape, const EditMarks& limb)
         : m_tree(tree)
         , m_shape(shape)
         , m_limb(limb)
@@ -83,7 +67,7 @@ private:
     void look(Index i)
     {
         const EditPiece& piece = m_tree.piece(i);
-        const bool starts = isInside(m_shape, piece.p0), ends = isInside(m_shape, piece.p1);
+        const bool starts = m_shape.contains(piece.p0), ends = m_shape.contains(piece.p1);
         // A trunk may come from outside: it is cut where it leaves the shape again.
         const bool isStem = isOnGround(piece.axis);
         const bool entered = starts || (piece.parent != noIndex && m_entered[piece.parent]);
@@ -108,7 +92,7 @@ private:
     }
 
     const EditTree& m_tree;
-    const EditShape& m_shape;
+    const ShapeTest& m_shape;
     const EditMarks& m_limb;
     EditMarks m_gone, m_entered;
     EditMarks m_ends = EditMarks(m_gone.size(), false);
@@ -154,7 +138,10 @@ Expected<void> keep(EditTree& tree, const TreeEdit& /*edit*/, Index target, Inde
 Expected<void> prune(EditTree& tree, const TreeEdit& edit, Index target, Index /*other*/)
 {
     const EditMarks limb = target == noIndex ? EditMarks() : tree.marked(tree.axis(target).first);
-    Pruner pruner(tree, edit.shape, limb);
+    const ShapeTest shape(edit.shape);
+    if (auto ok = shape.check(); !ok)
+        return ok;
+    Pruner pruner(tree, shape, limb);
     pruner.run();
     const auto gone = std::ranges::count(pruner.gone(), true);
     if (gone == 0 && pruner.cuts().empty())

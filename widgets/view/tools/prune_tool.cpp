@@ -91,17 +91,12 @@ EditShape PruneTool::shapeTo(const PickView& view, QPointF at) const
     EditShape shape;
     shape.kind = m_context.hand.options().shape;
     const glm::dvec3& m = m_middle;
-    switch (shape.kind) {
-    case EditShapeKind::Sphere:
+    if (shape.kind == EditShapeKind::Sphere)
         shape.numbers = {m.x, m.y, m.z, std::max(glm::length(way), least), 0.0, 0.0};
-        break;
-    case EditShapeKind::Box:
+    else if (shape.kind == EditShapeKind::Box)
         shape.numbers = {m.x - flat, m.y - high, m.z - flat, m.x + flat, m.y + high, m.z + flat};
-        break;
-    case EditShapeKind::Cone:
+    else
         shape.numbers = {m.x, m.y, m.z, flat, high, 0.0};
-        break;
-    }
     return shape;
 }
 
@@ -156,18 +151,14 @@ std::vector<std::vector<glm::dvec3>> linesOf(const EditShape& shape, const glm::
         }
         return line;
     };
-    switch (shape.kind) {
-    case EditShapeKind::Sphere:
+    if (shape.kind == EditShapeKind::Sphere)
         return {ring(a, n[3], frameFromTangent(sight)), ring(a, n[3], Frame{})};
-    case EditShapeKind::Cone: {
+    if (shape.kind == EditShapeKind::Cone) {
         const glm::dvec3 top = a + glm::dvec3(0.0, n[4], 0.0);
         std::vector<std::vector<glm::dvec3>> lines{ring(a, n[3], Frame{})};
         for (int i = 0; i < 4; ++i)
             lines.push_back({lines[0][std::size_t(i * sides / 4)], top});
         return lines;
-    }
-    case EditShapeKind::Box:
-        break;
     }
     std::vector<std::vector<glm::dvec3>> lines;
     for (const double y : {a.y, b.y})

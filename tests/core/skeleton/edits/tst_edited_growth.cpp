@@ -21,6 +21,7 @@ private slots:
     void graftsFromAnotherTree();
     void moves();
     void prunes();
+    void prunesToOutlinesAndMeshes();
     void leaves();
     void roots();
     void laterEditsOfWhatWasDrawn();
@@ -216,6 +217,50 @@ void TestEditedGrowth::prunes()
     QVERIFY(isNear(cone.axis(cone.address[0])->length, Shaped().axis(cone.address[0])->length));
     const glm::dvec3 tip = cone.tip(cone.address[1]);
     QVERIFY(std::hypot(tip.x, tip.z) <= 1.0 - tip.y / 3.0 + 1e-9);
+}
+
+void TestEditedGrowth::prunesToOutlinesAndMeshes()
+{
+    // A cylinder, as a profile and as a mesh of a prism with twelve sides: nearly the same is left.
+    TreeEdit edit = editOf(EditOperation::Prune, 0);
+    edit.shape = {EditShapeKind::Profile, {0.0, -0.5, 0.0}, {{0.8, 0.0, 0.0}, {0.8, 3.0, 0.0}}, {}};
+    Shaped round;
+    QVERIFY(round.make(edit));
+    QVERIFY(isNear(round.tip(round.address[0]), {0.0, 2.5, 0.0}));
+    const glm::dvec3 limb = round.tip(round.address[1]);
+    QVERIFY(std::abs(std::hypot(limb.x, limb.z) - 0.8) < 1e-9);
+    edit.shape = {EditShapeKind::Mesh, {}, {}, {}};
+    constexpr std::uint32_t sides = 12;
+    for (std::uint32_t i = 0; i < sides; ++i)
+        for (const double y : {-0.5, 2.5})
+            edit.shape.points.emplace_back(0.8 * std::cos(i * std::numbers::pi / 6), y,
+                                           0.8 * std::sin(i * std::numbers::pi / 6));
+    edit.shape.points.emplace_back(0.0, -0.5, 0.0);
+    edit.shape.points.emplace_back(0.0, 2.5, 0.0);
+    for (std::uint32_t i = 0; i < 2 * sides; i += 2) {
+        const std::uint32_t next = (i + 2) % (2 * sides);
+        edit.shape.triangles.push_back({i, i + 1, next});
+        edit.shape.triangles.push_back({next, i + 1, next + 1});
+        edit.shape.triangles.push_back({2 * sides, i, next});
+        edit.shape.triangles.push_back({2 * sides + 1, next + 1, i + 1});
+    }
+    for (const bool inverted : {false, true}) {
+        if (inverted)
+            for (auto& triangle : edit.shape.triangles)
+                std::swap(triangle[0], triangle[1]);
+        Shaped prism;
+        const auto made = prism.make(edit);
+        QVERIFY2(made, why(made).constData());
+        QVERIFY(isNear(prism.tip(prism.address[0]), {0.0, 2.5, 0.0}));
+        QVERIFY(glm::length(prism.tip(prism.address[1]) - limb) < 0.05);
+        QVERIFY(prism.tree(Stage::Mesh).report->valid);
+    }
+    edit.shape.triangles.pop_back();
+    Shaped open;
+    const auto refused = open.make(edit);
+    QVERIFY(!refused && refused.error().code == ErrorCode::Invalid);
+    edit.shape.triangles.front()[0] = 99;
+    QCOMPARE(open.make(edit).error().path, std::string("shape"));
 }
 
 void TestEditedGrowth::leaves()
