@@ -5,6 +5,7 @@
 #include "core/params/named_seeds.h"
 #include "core/params/presets.h"
 #include "core/scene/preset_scene.h"
+#include "core/session/job.h"
 #include "tests/support/suite.h"
 #include "tests/widgets/tree_document.h"
 #include "widgets/panels/presets/picture_button.h"
@@ -23,8 +24,13 @@ class TestSeedsDialog : public QObject
         return int(std::ranges::count_if(dialog.choices(), [](auto* each) { return each->hasPicture(); }));
     }
 
+    /// Drawing leaves the processor to every other suite that runs.
+    static constexpr int patienceMs = 280'000;
+
 private slots:
     void init() { test::failOnAnyWarning(); }
+    /// What a closed dialog left to itself uses what the end of the program takes apart.
+    void cleanup() { QTRY_COMPARE_WITH_TIMEOUT(Job::abandonedCount(), 0, patienceMs); }
 
     void aTreeThatCannotGrowSaysWhy()
     {
@@ -34,8 +40,10 @@ private slots:
         broken.params.grammar.rules = "A -> [";
         dialog.offerNew(broken);
         const auto* hint = dialog.findChild<QLabel*>();
-        QTRY_VERIFY2(hint->text().contains(QStringLiteral("bracket")) || hint->text().contains(u'['),
-                     qPrintable(hint->text()));
+        const auto saysWhy = [hint] {
+            return hint->text().contains(u"bracket") || hint->text().contains(u'[');
+        };
+        QTRY_VERIFY2_WITH_TIMEOUT(saysWhy(), qPrintable(hint->text()), patienceMs);
         QCOMPARE(drawnOf(dialog), 0);
         dialog.offerFor(77); // there is no such tree: nothing changes
         QCOMPARE(dialog.windowTitle(), QStringLiteral("More like Small Tree"));
@@ -78,7 +86,7 @@ private slots:
         SeedsDialog dialog(&document, nullptr);
         dialog.offerNew(*presetTree("TinyTree"));
         QCOMPARE(drawnOf(dialog), 0);
-        QTRY_COMPARE_WITH_TIMEOUT(dialog.drawn(), SeedsDialog::count, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(dialog.drawn(), SeedsDialog::count, patienceMs);
         QCOMPARE(drawnOf(dialog), SeedsDialog::count);
         QImage first = dialog.choices()[0]->grab().toImage(), second = dialog.choices()[1]->grab().toImage();
         QVERIFY(first != second);
