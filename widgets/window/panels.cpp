@@ -32,7 +32,7 @@ std::span<const PanelRow> panels()
          &make<ScenePanel, &PanelServices::preferences>},
         {"propertiesDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Properties"), LowerRight,
          "window#properties", &make<PropertiesPanel, &PanelServices::preferences>},
-        {"editsDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Edits"), LowerRight, "hand#the-list-of-edits",
+        {"editsDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Edits"), UpperRight, "hand#the-list-of-edits",
          &make<EditsPanel>},
         {"inspectorDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Inspector"), LowerRight,
          "window#inspector", &make<BranchInspector>},
