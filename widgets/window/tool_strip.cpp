@@ -10,6 +10,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QToolBar>
 #include <cmath>
 
@@ -41,17 +42,31 @@ ToolStrip::ToolStrip(ViewSettings* settings, QList<QAction*> tools, QToolBar* tr
     m_tip->setObjectName(QStringLiteral("dim"));
     m_tip->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_tip->setTextFormat(Qt::PlainText);
-    auto* layout = new QHBoxLayout(this);
-    layout->setContentsMargins(10, 0, 10, 0);
-    layout->setSpacing(8);
-    layout->addWidget(m_icon);
-    layout->addWidget(m_name);
-    layout->addSpacing(6);
-    layout->addWidget(m_transforms);
+    // What does not fit is scrolled to, by Tab say: the window keeps its width.
+    auto* scroll = new QScrollArea(this);
+    auto* content = new QWidget(scroll);
+    m_row = new QHBoxLayout(content);
+    m_row->setContentsMargins(10, 0, 10, 0);
+    m_row->setSpacing(8);
+    m_row->addWidget(m_icon);
+    m_row->addWidget(m_name);
+    m_row->addSpacing(6);
+    m_row->addWidget(m_transforms);
     addNumbers();
     addFlags();
     addShapes();
-    layout->addWidget(m_tip, 1);
+    m_row->addWidget(m_tip, 1);
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->viewport()->setAutoFillBackground(false);
+    content->setAutoFillBackground(false);
+    auto* whole = new QHBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(scroll);
     for (const QAction* tool : m_tools) {
         connect(tool, &QAction::toggled, this, &ToolStrip::follow);
         connect(tool, &QAction::changed, this, &ToolStrip::follow);
@@ -67,9 +82,9 @@ void ToolStrip::add(const Option& option, const char* id)
     option.widget->setObjectName(QLatin1String(id));
     if (option.label) {
         option.label->setBuddy(option.widget);
-        layout()->addWidget(option.label);
+        m_row->addWidget(option.label);
     }
-    layout()->addWidget(option.widget);
+    m_row->addWidget(option.widget);
     m_options.push_back(option);
 }
 
@@ -169,7 +184,7 @@ void ToolStrip::follow()
         if (option.label)
             option.label->setVisible(shown);
     }
-    layout()->activate();
+    m_row->activate();
     elide();
 }
 

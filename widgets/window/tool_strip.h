@@ -7,6 +7,7 @@
 
 class QAction;
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QToolBar;
 
@@ -51,6 +52,7 @@ private:
     HandSettings* m_settings;
     QList<QAction*> m_tools;
     QToolBar* m_transforms;
+    QHBoxLayout* m_row = nullptr;
     QLabel* m_icon;
     QLabel* m_name;
     QLabel* m_tip;
