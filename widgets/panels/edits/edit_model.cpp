@@ -90,7 +90,7 @@ void EditModel::update()
     if (!sameRows)
         endResetModel();
     else if (!m_edits.empty())
-        emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+        emit dataChanged(index(0, 0), index(rowCount() - 1, Columns - 1));
     emit listChanged();
 }
 
@@ -154,7 +154,7 @@ int EditModel::rowCount(const QModelIndex& parent) const
 
 int EditModel::columnCount(const QModelIndex& parent) const
 {
-    return parent.isValid() ? 0 : columns;
+    return parent.isValid() ? 0 : Columns;
 }
 
 QVariant EditModel::data(const QModelIndex& index, int role) const

@@ -17,7 +17,7 @@ class EditModel : public QAbstractTableModel
 {
     Q_OBJECT
 public:
-    enum Column { Name, Limb, columns };
+    enum Column { Name, Limb, Columns };
 
     /// \p document is not owned and must outlive the model.
     explicit EditModel(Document* document, QObject* parent = nullptr);

@@ -116,7 +116,7 @@ void EditsPanel::follow()
     QItemSelection again;
     for (const std::uint64_t id : m_kept)
         if (const int row = m_model->rowOf(id); row >= 0)
-            again.select(m_model->index(row, 0), m_model->index(row, EditModel::columns - 1));
+            again.select(m_model->index(row, 0), m_model->index(row, EditModel::Columns - 1));
     if (!m_view->selectionModel()->hasSelection() && !again.isEmpty()) {
         m_restores = true; // nobody has chosen anything
         m_view->selectionModel()->select(again, QItemSelectionModel::ClearAndSelect);
@@ -180,8 +180,8 @@ void EditsPanel::selectBranches()
         next.branchNode = m_model->tree();
         next.activeBranch = next.branches.front();
         std::ranges::sort(next.branches);
-        const auto twice = std::ranges::unique(next.branches);
-        next.branches.erase(twice.begin(), twice.end());
+        const auto twice = std::unique(next.branches.begin(), next.branches.end());
+        next.branches.erase(twice, next.branches.end());
     }
     m_document->setSelection(std::move(next));
 }

@@ -46,11 +46,11 @@ void EditTool::leave()
     setAim({});
 }
 
-void EditTool::setAim(std::optional<LimbHit> aim)
+void EditTool::setAim(const std::optional<LimbHit>& aim)
 {
     if (!m_aim && !aim)
         return;
-    m_aim = std::move(aim);
+    m_aim = aim;
     if (m_aim)
         m_context.host.markBranches(m_aim->node, affected(*m_aim));
     else

@@ -34,7 +34,7 @@ protected:
     [[nodiscard]] std::optional<LimbHit> limbAt(const ToolPoint& point);
     /// The same without waiting for what is picked in.
     [[nodiscard]] const std::optional<LimbHit>& aim() const { return m_aim; }
-    void setAim(std::optional<LimbHit> aim);
+    void setAim(const std::optional<LimbHit>& aim);
     /// All limbs that are meant: those selected, where \p hit is one of them.
     [[nodiscard]] std::vector<LimbHit> meantBy(const LimbHit& hit)
     {
