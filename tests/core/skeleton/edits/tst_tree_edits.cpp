@@ -26,6 +26,7 @@ private slots:
     void lengths();
     void radii();
     void brushes();
+    void organsGoWithTheirWood();
 };
 
 void TestTreeEdits::tableIsWhole()
@@ -330,6 +331,45 @@ void TestTreeEdits::brushes()
     const double x = shaped.tip(shaped.address[0]).x;
     QVERIFY(shaped.make(edit));
     QVERIFY(shaped.tip(shaped.address[0]).x > x + 0.2);
+}
+
+/// Two on the limb, one at the tip of the trunk.
+void TestTreeEdits::organsGoWithTheirWood()
+{
+    NodeParams params = plainTree();
+    params.grammar.dialect = GrammarDialect::Parametric;
+    params.grammar.axiom = "F(1)[+F(1)~(leaf,0.1)F(1)~(fruit,0.1)]F(1)~(leaf,0.1)";
+    const TreeResult grown = grownTree(params);
+    QCOMPARE(grown.skeleton->organs.size(), std::size_t{3});
+    const std::vector<Axis> axes = axesOf(*grown.skeleton).axes;
+    const auto after = [&](TreeEdit edit) {
+        NodeParams edited = params;
+        const auto made = make(edited, std::move(edit));
+        if (!made)
+            qFatal("%s", why(made).constData());
+        const Skeleton skeleton = *grownTree(edited).skeleton;
+        for (const Organ& organ : skeleton.organs)
+            if (organ.branch >= skeleton.size() || organ.share < 0.0 || organ.share > 1.0)
+                qFatal("an organ beside its branch");
+        return skeleton.organs;
+    };
+    TreeEdit cut = editOf(EditOperation::Cut, axes[1].address);
+    cut.at = 0.25;
+    QCOMPARE(after(cut).size(), std::size_t{1});
+    cut.at = 0.75; // in the upper step: the leaf stays
+    const std::vector<Organ> left = after(cut);
+    QCOMPARE(left.size(), std::size_t{2});
+    QCOMPARE(left.front(), grown.skeleton->organs.front());
+    TreeEdit bare = editOf(EditOperation::Leaves, axes[1].address);
+    bare.shown = false;
+    QCOMPARE(after(bare).size(), std::size_t{1});
+    TreeEdit graft = editOf(EditOperation::Graft, axes[0].address);
+    graft.other.address = axes[1].address;
+    graft.at = 0.9;
+    graft.factor = 0.5;
+    const std::vector<Organ> more = after(graft);
+    QCOMPARE(more.size(), std::size_t{5});
+    QVERIFY(isNear(more.back().size, 0.05));
 }
 
 QTEST_GUILESS_MAIN(TestTreeEdits)
