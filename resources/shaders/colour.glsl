@@ -9,15 +9,3 @@ vec3 toSrgb(vec3 c)
     c = clamp(c, 0.0, 1.0);
     return mix(c * 12.92, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c));
 }
-
-// Interleaved gradient noise (Jimenez 2014): even over any 3 x 3 pixels.
-float pixelNoise()
-{
-    return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
-}
-
-// Breaks up the bands of slow gradients; less than one step of eight bits.
-vec3 dithered(vec3 srgb)
-{
-    return srgb + (pixelNoise() - 0.5) / 255.0;
-}

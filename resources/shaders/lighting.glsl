@@ -10,7 +10,11 @@ uniform mat4 uShadow;      // eye-relative position -> shadow map coordinates an
 uniform vec3 uShadowScale; // size of one texel (m), side of the map (m), depth range (m)
 uniform sampler2DShadow uShadowMap;
 uniform sampler2D uShadowDepth;
+#ifdef ONE_SHADOW
+const bool uHasNear = false;
+#else
 uniform bool uHasNear;
+#endif
 uniform mat4 uNear;
 uniform vec3 uNearScale;
 uniform sampler2DShadow uNearMap;
@@ -44,8 +48,9 @@ float kernelRadius(sampler2D depths, vec3 scale, vec3 at, vec2 slope, float texe
     float widest = clamp(scale.z * uSunSpread / scale.y, 2.0 * texel, 14.0 * texel);
     float sum = 0.0;
     float count = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        vec2 beside = i == 0 ? vec2(0.0) : widest * discPoint(i, 8, way); // nothing so near is missed by any
+    int taps = min(uShadowTaps, 8); // not a constant: processors leave a loop that no pixel needs
+    for (int i = 0; i < taps; ++i) {
+        vec2 beside = i == 0 ? vec2(0.0) : widest * discPoint(i, taps, way); // nothing so near is missed by any
         float gap = at.z + dot(slope, beside) - texture(depths, at.xy + beside).r;
         if (gap > 0.0) {
             sum += gap;
@@ -69,6 +74,9 @@ vec3 mapped(mat4 place, vec3 scale, vec3 relative, vec3 normal)
 
 float lit(sampler2DShadow map, sampler2D depths, mat4 place, vec3 scale, vec3 at, vec3 plane)
 {
+#ifdef FAR // the light of a few pixels
+    return textureLod(map, at, 0.0);
+#else
     vec2 slope = depthSlope(place, scale, plane);
     float texel = scale.x / scale.y;
     vec2 way = vec2(1.0, 0.0);
@@ -86,6 +94,7 @@ float lit(sampler2DShadow map, sampler2D depths, mat4 place, vec3 scale, vec3 at
         sum += texture(map, vec3(at.xy + beside, at.z + dot(slope, beside)));
     }
     return sum / float(uShadowTaps);
+#endif
 }
 
 // 1 in the sun, 0 in the shadow. The normal faces the sun's side; the plane is that of the surface itself.
@@ -108,14 +117,6 @@ float sunlight(vec3 relative, vec3 normal, vec3 plane)
     vec3 at = mapped(uShadow, uShadowScale, relative, normal);
     bool outside = any(lessThan(at.xy, vec2(0.0))) || any(greaterThan(at.xy, vec2(1.0)));
     return sum + far * (outside ? 1.0 : lit(uShadowMap, uShadowDepth, uShadow, uShadowScale, at, plane));
-}
-
-uniform sampler2D uOcclusion; // over the whole picture: what stands close by hides of the sky
-uniform vec2 uOcclusionScale; // per pixel; 0: nothing does
-
-float skyReaching()
-{
-    return uOcclusionScale.x > 0.0 ? texture(uOcclusion, gl_FragCoord.xy * uOcclusionScale).r : 1.0;
 }
 
 vec3 ambient(vec3 n)

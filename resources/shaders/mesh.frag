@@ -14,18 +14,10 @@ uniform float uLineWidth; // pixels
 #endif
 
 uniform vec3 uColour;      // sRGB
-uniform float uShininess;  // 0 = Lambert
-uniform float uGlint;      // strength of the highlight
-uniform float uThrough;    // share of the light that shines through, for leaves
-uniform bool uTwoSided;
 uniform float uOpacity;
 uniform bool uCovers; // what a picture cuts out covers some of a pixel's samples
-uniform vec4 uBackward;    // orthographic: direction to the eye, w = 1; perspective: w = 0
 
 out vec4 fragment;
-
-uniform float uAround;   // share of the light from all around that leaves let through as they do the sun's
-uniform float uStanding; // more light for surfaces that stand: beside a ground that shows its colour a trunk is dark
 
 #ifdef COLOURS
 uniform bool uHasColours; // each triangle has its own, tinted by uColour
@@ -75,13 +67,6 @@ vec3 barkColour(inout vec3 normal)
     return mix(young, old.rgb * old.a, age);
 }
 
-uniform bool uHasCrown;
-uniform mat4 uCrownPlace; // eye-relative -> the crown's grid
-uniform sampler3D uCrown; // the way out, share of the sky that is seen
-
-const float roundness = 0.5;  // of a crown's leaves: they look the way out as much
-const float innermost = 0.4; // of the sky's light, what leaves pass on to the middle of a thick crown
-
 uniform vec3 uBlade; // sRGB, of the leaf whose picture uBark is where uVeins, or what pictures replace
 
 vec3 leafColour(inout vec3 normal)
@@ -94,33 +79,6 @@ vec3 leafColour(inout vec3 normal)
     float scale = inversesqrt(max(max(dot(t, t), dot(b, b)), 1e-30));
     normal = normalize(scale * (t * relief.x + b * relief.y) + normal * max(relief.z, 0.1));
     return ownColour() * texture(uBark, v.uv).rgb / max(uBlade, vec3(0.02));
-}
-
-vec3 shaded(vec3 albedo, vec3 normal, vec3 plane, float gloss)
-{
-    float facing = dot(normal, uSun);
-    vec3 side = uTwoSided ? plane : normal;
-    float sun = sunlight(v.relative, dot(side, uSun) < 0.0 ? -side : side, plane);
-    float open = uThrough > 0.0 ? 1.0 : skyReaching(); // a crown's light knows already what leaves hide
-    vec3 round = normal;
-    if (uHasCrown) {
-        vec4 crown = texture(uCrown, (uCrownPlace * vec4(v.relative, 1.0)).xyz);
-        open *= mix(innermost, 1.0, crown.a);
-        if (uThrough > 0.0)
-            round = normalize(mix(normal, 2.0 * crown.xyz - 1.0, roundness) + 1e-4 * normal);
-    }
-    vec3 light = open * ambient(round) + uSunLight * max(dot(round, uSun), 0.0) * sun;
-    vec3 colour = albedo * light;
-    if (uThrough > 0.0) {
-        vec3 behind = max(-facing, 0.0) * sun * uSunLight + uAround * open * ambient(-round);
-        colour += uThrough * behind * albedo * vec3(1.5, 1.25, 0.4);
-    }
-    if (uShininess > 0.0) {
-        vec3 toEye = uBackward.w > 0.5 ? uBackward.xyz : normalize(-v.relative);
-        float glint = pow(max(dot(reflect(-uSun, normal), toEye), 0.0), uShininess);
-        colour += step(0.0, facing) * sun * glint * gloss * uGlint * uSunLight;
-    }
-    return uPaint == 0 ? exposed(uStanding * colour) : uStanding * colour;
 }
 
 void main()
@@ -156,9 +114,9 @@ void main()
         fragment = vec4(dithered(toSrgb(mix(albedo * 0.35, albedo, v.tint.a))), uOpacity);
         return;
     }
-    vec3 colour = shaded(albedo, normal, plane, gloss);
+    vec3 colour = shaded(v.relative, albedo, normal, plane, gloss);
     fragment = vec4(dithered(toSrgb(mix(colour, albedo * 0.06, 0.75 * line))), uOpacity);
 #else
-    fragment = vec4(dithered(toSrgb(shaded(albedo, normal, plane, gloss))), uCovers ? there : uOpacity);
+    fragment = vec4(dithered(toSrgb(shaded(v.relative, albedo, normal, plane, gloss))), uCovers ? there : uOpacity);
 #endif
 }

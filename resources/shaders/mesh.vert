@@ -13,6 +13,11 @@ uniform mat4 uRelative; // item -> world axes, relative to the eye
 uniform mat3 uNormal;   // inverse transposed
 uniform float uVariety; // how much leaves of different branches differ
 
+#ifdef FAR
+uniform vec3 uColour; // sRGB
+
+out vec3 colour; // sRGB
+#else
 out Surface
 {
     vec3 relative;
@@ -22,6 +27,7 @@ out Surface
     vec2 uv;
     float shade;
 } v;
+#endif
 
 void main()
 {
@@ -30,11 +36,25 @@ void main()
     copied(position, normal);
     skin(position, normal);
     gl_Position = uClip * vec4(position, 1.0);
-    v.relative = (uRelative * vec4(position, 1.0)).xyz;
-    v.normal = uNormal * normal;
-    v.own = aColour * aTint;
+    vec3 relative = (uRelative * vec4(position, 1.0)).xyz;
+    normal = uNormal * normal;
+    vec3 own = aColour * aTint;
+    vec4 tint = stateTint(branchState(aBranch));
     // A branch's leaves are a little lighter or darker than its neighbour's: the crown gets depth.
-    v.shade = 1.0 + uVariety * (fract(float(aBranch) * 0.6180340) - 0.5);
+    float shade = 1.0 + uVariety * (fract(float(aBranch) * 0.6180340) - 0.5);
+#ifdef FAR // so small that its light is that of its corners
+    normal = normalize(normal);
+    if (uTwoSided && dot(normal, toEye(relative)) < 0.0)
+        normal = -normal;
+    own *= uColour;
+    vec3 albedo = toLinear(mix(own, tint.rgb, tint.a)) * shade;
+    colour = toSrgb(shaded(relative, albedo, normal, normal, 1.0));
+#else
+    v.relative = relative;
+    v.normal = normal;
+    v.own = own;
+    v.tint = tint;
     v.uv = aTexture;
-    v.tint = stateTint(branchState(aBranch));
+    v.shade = shade;
+#endif
 }

@@ -74,6 +74,7 @@ void mixScrews(inout vec3 position, inout vec3 normal)
 
 void skin(inout vec3 position, inout vec3 normal)
 {
+#ifndef STILL
     if (uBoneCount == 0)
         return;
     if (uSkinMethod == 0 || aWeights.y <= 0.0) {
@@ -84,4 +85,5 @@ void skin(inout vec3 position, inout vec3 normal)
         mixLinear(position, normal);
     else
         mixScrews(position, normal);
+#endif
 }

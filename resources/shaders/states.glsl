@@ -8,10 +8,14 @@ const vec3 hoveredColour = vec3(1.0, 0.93, 0.78);
 
 uint branchState(uint branch)
 {
+#ifdef UNMARKED
+    return 0u;
+#else
     if (branch >= uint(uStateCount))
         return 0u;
     int width = textureSize(uStates, 0).x;
     return texelFetch(uStates, ivec2(int(branch) % width, int(branch) / width), 0).r;
+#endif
 }
 
 // sRGB colour and strength.

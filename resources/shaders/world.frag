@@ -5,7 +5,15 @@ in vec2 ndc;
 uniform vec3 uForward; // of the rays
 uniform vec3 uAcross;  // added per ndc x ...
 uniform vec3 uAlong;   // ... and y: to the direction, or in orthographic views to the origin
+#ifdef MEADOW
+const bool uOrthographic = false;
+const bool uSky = false;
+const vec3 uStudio = vec3(-1.0);
+#else
 uniform bool uOrthographic;
+uniform vec3 uStudio; // sRGB; one colour instead of sky and meadow; below 0: none
+uniform bool uSky;    // the sky of a clear day, Preetham et al. 1999: see sky.h
+#endif
 uniform vec3 uEye;         // world
 uniform float uGround;     // height of the plane, m
 uniform bool uGroundShown; // else only its grid is, and what lies below can be seen
@@ -15,8 +23,6 @@ uniform float uGridStep;   // 0 = no grid
 uniform float uPixelRatio;  // device pixels per logical one
 uniform float uMottle;     // size of the ground's patches, m
 uniform mat4 uClip;        // eye-relative -> clip space
-uniform vec3 uStudio;      // sRGB; one colour instead of sky and meadow; below 0: none
-uniform bool uSky;         // the sky of a clear day, Preetham et al. 1999: see sky.h
 uniform vec3 uPerezA, uPerezB, uPerezC, uPerezD, uPerezE, uSkyScale; // of Y, x and y
 
 out vec4 fragment;

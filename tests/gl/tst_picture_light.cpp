@@ -1,4 +1,6 @@
+#include "core/surface/foliage/foliage.h"
 #include "tests/support/cannot_run.h"
+#include "tests/support/preset_trees.h"
 #include "tests/support/sample_tree.h"
 #include "tests/support/suite.h"
 #include "widgets/view/render/gl_setup.h"
@@ -68,6 +70,49 @@ Camera before(const RenderScene& scene)
     camera.yawRad = 0.0;
     camera.frame(scene.box, aspect, 1.3);
     return camera;
+}
+
+/// A crown alone, its leaves drawn as copies.
+Expected<RenderScene> crownScene()
+{
+    LeafParams leaf;
+    leaf.shape = LeafShape::Linden;
+    auto skeleton = test::presetSkeleton({.name = "SmallTree", .iterations = 8});
+    if (!skeleton)
+        return fail(std::move(skeleton.error()));
+    auto foliage = placeFoliage(*skeleton, {}, leaf, {}, 0.5);
+    if (!foliage)
+        return fail(std::move(foliage.error()));
+    MeshItem item;
+    auto mesh = std::make_shared<TriangleMesh>(buildLeaves(*skeleton, *foliage, 0.5, FoliageModel::Fine));
+    for (const glm::vec3& position : mesh->positions)
+        item.box.add(glm::dvec3(position));
+    item.mesh = std::move(mesh);
+    item.copies = std::make_shared<MeshCopies>(leafCopies(*foliage, 0.5, FoliageModel::Fine));
+    item.material.twoSided = true;
+    item.material.through = 0.5f;
+    item.material.colour = {90, 140, 60};
+    RenderScene scene;
+    scene.box = item.box;
+    scene.meshes.push_back(std::move(item));
+    return scene;
+}
+
+/// The mean of what is there, and how much of the picture that is.
+std::pair<glm::dvec3, double> crownOf(const QImage& image)
+{
+    glm::dvec3 sum(0.0);
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor colour = image.pixelColor(x, y);
+            if (colour.alpha() < 128)
+                continue;
+            sum += glm::dvec3(colour.red(), colour.green(), colour.blue());
+            ++count;
+        }
+    }
+    return {sum / std::max(1.0, double(count)), double(count) / double(image.width() * image.height())};
 }
 
 } // namespace
@@ -162,6 +207,25 @@ private slots:
         const QColor usual = picture(RenderScene(), camera, options).pixelColor(160, 200);
         const auto linear = [](int byte) { return std::pow((byte / 255.0 + 0.055) / 1.055, 2.4); };
         QVERIFY(std::abs(linear(usual.green()) / linear(dark.green()) - 2.0) < 0.1);
+    }
+    void simplerLeavesKeepTheCrown()
+    {
+        const auto scene = crownScene();
+        QVERIFY(scene);
+        const Camera camera = before(*scene);
+        RenderOptions options;
+        options.world = false;
+        const QImage whole = picture(*scene, camera, options);
+        const auto [fine, room] = crownOf(whole);
+        options.sparing = true;
+        const QImage sparing = picture(*scene, camera, options);
+        QVERIFY(sparing != whole);
+        const auto [plain, simpler] = crownOf(sparing);
+        QVERIFY(room > 0.1);
+        QVERIFY2(std::abs(simpler - room) < 0.06 * room, qPrintable(QString::number(simpler / room)));
+        for (int c = 0; c < 3; ++c)
+            QVERIFY2(std::abs(plain[c] - fine[c]) < 6.0,
+                     qPrintable(QStringLiteral("%1: %2, %3").arg(c).arg(plain[c]).arg(fine[c])));
     }
     void aLensShowsSharpWhatItIsSetTo()
     {

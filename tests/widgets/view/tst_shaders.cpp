@@ -100,18 +100,25 @@ private slots:
     void everyProgramIsValid_data()
     {
         QTest::addColumn<int>("index");
+        QTest::addColumn<QByteArray>("defines");
         int index = 0;
         for (const auto& [program, sources] : Renderer::programs()) {
-            QTest::addRow("%d %s %s", index, sources.fragment.back(),
-                          QByteArray(sources.defines).simplified().constData())
-                << index;
+            QByteArray all = sources.defines;
+            for (const char* define : switches::all)
+                all += define;
+            for (const QByteArray& defines : {QByteArray(sources.defines), all})
+                QTest::addRow("%d %s %s", index, sources.fragment.back(), defines.simplified().constData())
+                    << index << defines;
             ++index;
         }
     }
     void everyProgramIsValid()
     {
         QFETCH(const int, index);
-        const ShaderTexts texts = composed(Renderer::programs()[std::size_t(index)].second);
+        QFETCH(const QByteArray, defines);
+        ShaderSources sources = Renderer::programs()[std::size_t(index)].second;
+        sources.defines = defines.constData();
+        const ShaderTexts texts = composed(sources);
         const Verdict verdict = judge(texts);
         QVERIFY2(verdict.good, verdict.text);
         // GL_MAX_VARYING_COMPONENTS, GL_MAX_GEOMETRY_OUTPUT_COMPONENTS and

@@ -67,24 +67,25 @@ void add(TriangleMesh& made, const glm::dvec3& position, const glm::dvec3& norma
     made.normals.emplace_back(normal);
 }
 
-/// A rhombus from end to end, as wide as its area asks.
+/// A rhombus of the same area, as long as the same second moment asks: a stalk hardly makes it longer.
 TriangleMesh rhombus(const TriangleMesh& shape, const Extent& extent)
 {
     TriangleMesh made;
     const glm::dvec3 normal = glm::normalize(extent.facing);
     const glm::dvec3 along = longestAcross(shape, extent, normal), across = glm::cross(normal, along);
-    double least = 0.0, most = 0.0;
+    double spread = 0.0; // the second moment of area
     for (const glm::uvec3& face : shape.triangles) {
-        for (int corner = 0; corner < 3; ++corner) {
-            const double at = glm::dot(glm::dvec3(shape.positions[face[corner]]) - extent.middle, along);
-            least = std::min(least, at);
-            most = std::max(most, at);
-        }
+        const auto at = [&](int corner) {
+            return glm::dot(glm::dvec3(shape.positions[face[corner]]) - extent.middle, along);
+        };
+        const double a = at(0), b = at(1), c = at(2);
+        spread +=
+            glm::length(areaVector(shape, face)) * (a * a + b * b + c * c + a * b + b * c + c * a) / 6.0;
     }
-    if (most - least <= 0.0)
+    if (spread <= 0.0)
         return made;
-    const double half = extent.area / (most - least);
-    add(made, extent.middle + least * along, normal);
+    const double most = std::sqrt(6.0 * spread / extent.area), half = 0.5 * extent.area / most;
+    add(made, extent.middle - most * along, normal);
     add(made, extent.middle - half * across, normal);
     add(made, extent.middle + most * along, normal);
     add(made, extent.middle + half * across, normal);

@@ -69,9 +69,15 @@ void appendFar(MeshCopies& made)
     if (far.empty() || far.faceCount() >= few.count)
         return;
     glm::vec3 colour(0.0f);
-    for (const glm::uvec3& face : near.triangles)
+    float area = 0.0f;
+    for (const glm::uvec3& face : near.triangles) {
+        const glm::vec3 a = near.positions[face[0]], b = near.positions[face[1]], c = near.positions[face[2]];
+        const float share = glm::length(glm::cross(b - a, c - a));
+        area += share;
         for (int corner = 0; corner < 3; ++corner)
-            colour += glm::vec3(made.colours[face[corner]]) / float(3 * few.count);
+            colour += share * glm::vec3(made.colours[face[corner]]) / 3.0f;
+    }
+    colour /= area; // of which a far shape has some
     const Index first = shape.vertexCount();
     for (std::size_t v = 0; v < far.positions.size(); ++v) {
         const glm::vec3 at = far.positions[v];

@@ -80,12 +80,17 @@ std::vector<std::pair<Renderer::Program, ShaderSources>> Renderer::programs()
 {
     const std::vector<const char*> mesh{"states.glsl", "skin.glsl", "skin_mesh.glsl", "copy.glsl",
                                         "mesh.vert"};
-    const std::vector<const char*> surface{"colour.glsl", "lighting.glsl", "texture.glsl", "mesh.frag"};
+    const std::vector<const char*> surface{"colour.glsl",  "pixel.glsl",  "lighting.glsl",
+                                           "texture.glsl", "shaded.glsl", "mesh.frag"};
+    const std::vector<const char*> far{"states.glsl",   "skin.glsl",   "skin_mesh.glsl",
+                                       "copy.glsl",     "colour.glsl", "corner.glsl",
+                                       "lighting.glsl", "shaded.glsl", "mesh.vert"};
     return {
         {&Renderer::m_mesh, {mesh, nullptr, surface}},
         {&Renderer::m_plain, {mesh, nullptr, surface, "#define BARK false\n#define VEINS false\n"}},
         {&Renderer::m_bark, {mesh, nullptr, surface, "#define BARK true\n#define VEINS false\n"}},
         {&Renderer::m_leaf, {mesh, nullptr, surface, "#define BARK false\n#define VEINS true\n"}},
+        {&Renderer::m_far, {far, nullptr, {"pixel.glsl", "far.frag"}, "#define FAR\n"}},
         {&Renderer::m_meshColours, {mesh, nullptr, surface, "#define COLOURS\n"}},
         {&Renderer::m_meshWire, {mesh, "mesh.geom", surface, "#define COLOURS\n#define WIRE\n"}},
         {&Renderer::m_shadow,
@@ -95,7 +100,8 @@ std::vector<std::pair<Renderer::Program, ShaderSources>> Renderer::programs()
           nullptr,
           {"shadow.frag"},
           "#define CUT\n"}},
-        {&Renderer::m_world, {{"world.vert"}, nullptr, {"colour.glsl", "lighting.glsl", "world.frag"}}},
+        {&Renderer::m_world,
+         {{"world.vert"}, nullptr, {"colour.glsl", "pixel.glsl", "lighting.glsl", "world.frag"}}},
         {&Renderer::m_line, {{"states.glsl", "skin.glsl", "line.vert"}, nullptr, {"line.frag"}}},
         {&Renderer::m_point, {{"states.glsl", "skin.glsl", "point.vert"}, nullptr, {"point.frag"}}},
         {&Renderer::m_smooth, {{"world.vert"}, nullptr, {"smooth.frag"}}},
@@ -260,7 +266,7 @@ void Renderer::occlude(Picture& picture, QSize size)
             continue;
         ShaderProgram& program = programs.of(item);
         program.bind();
-        if (&program == &programs.cut)
+        if (DepthPrograms::cuts(item))
             m_cache.bindPictures(program, item);
         m_cache.bindBones(program, item.motion);
         program.set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
@@ -380,25 +386,26 @@ void Renderer::drawWorld(const Picture& picture)
     const double perDistance = camera.orthographic ? 1.0 : 1.0 / camera.distance;
     const double reach = std::max(box.empty() ? 1.0 : box.radius(), 0.05);
     const double height = std::abs(camera.eye().y - picture.scene.ground);
-    m_world->bind();
-    setLight(*m_world, picture);
+    const bool meadow = picture.light.studio.r < 0.0f && !picture.light.sky && !camera.orthographic;
+    ShaderProgram& world = m_world->with(meadow, switches::meadow).with(!picture.near, switches::one);
+    world.bind();
+    setLight(world, picture);
     const glm::dvec3 across = half * picture.aspect * perDistance * camera.right();
     const glm::dvec3 along = half * perDistance * camera.up();
-    m_world->set("uForward",
-                 glm::vec3(-camera.backward() - camera.shift.x * across - camera.shift.y * along));
-    m_world->set("uAcross", glm::vec3(across));
-    m_world->set("uAlong", glm::vec3(along));
-    m_world->set("uOrthographic", camera.orthographic);
-    m_world->set("uEye", glm::vec3(camera.eye()));
-    m_world->set("uGround", float(picture.scene.ground));
-    m_world->set("uGroundShown", picture.options.ground);
-    m_world->set("uCentre", glm::vec2(box.centre().x, box.centre().z));
-    m_world->set("uFade", float(12.0 * reach + 4.0 * height + 2.0 * camera.distance));
+    world.set("uForward", glm::vec3(-camera.backward() - camera.shift.x * across - camera.shift.y * along));
+    world.set("uAcross", glm::vec3(across));
+    world.set("uAlong", glm::vec3(along));
+    world.set("uOrthographic", camera.orthographic);
+    world.set("uEye", glm::vec3(camera.eye()));
+    world.set("uGround", float(picture.scene.ground));
+    world.set("uGroundShown", picture.options.ground);
+    world.set("uCentre", glm::vec2(box.centre().x, box.centre().z));
+    world.set("uFade", float(12.0 * reach + 4.0 * height + 2.0 * camera.distance));
     const double step = gridStep(camera.heightAtTarget());
-    m_world->set("uGridStep", picture.options.grid ? float(step) : 0.0f);
-    m_world->set("uPixelRatio", float(picture.options.pixelRatio));
-    m_world->set("uMottle", float(0.35 * reach));
-    m_world->set("uClip", glm::mat4(picture.projectedView));
+    world.set("uGridStep", picture.options.grid ? float(step) : 0.0f);
+    world.set("uPixelRatio", float(picture.options.pixelRatio));
+    world.set("uMottle", float(0.35 * reach));
+    world.set("uClip", glm::mat4(picture.projectedView));
     m_gl.glBindVertexArray(m_emptyArray);
     m_gl.glDepthFunc(GL_ALWAYS);
     m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -418,8 +425,10 @@ void Renderer::drawItem(const Picture& picture, const MeshItem& item, const GpuB
 
 void Renderer::drawMeshDepth(const Picture& picture, const MeshItem& item)
 {
-    m_cache.bindBones(*m_shadow, item.motion);
-    m_shadow->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+    ShaderProgram& program = m_shadow->with(!item.motion.moves(), switches::still);
+    program.bind();
+    m_cache.bindBones(program, item.motion);
+    program.set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
     drawItem(picture, item, m_cache.item(item));
 }
 
@@ -427,7 +436,6 @@ void Renderer::drawMeshDepth(const Picture& picture, const MeshItem& item)
 // drawing them twice costs more than shading what is hidden.
 void Renderer::drawDepth(const Picture& picture)
 {
-    m_shadow->bind();
     m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     for (const MeshItem& item : picture.scene.meshes)
         if (item.opacity >= 1.0f && !(item.images && item.images->isCut) && !picture.isOfSmall(item))
@@ -479,7 +487,7 @@ void Renderer::drawMesh(ShaderProgram& program, const Picture& picture, const Me
 
 /// Where triangles have colours of their own they are counted, which costs software rasterisers time: only
 /// for the meshes that have some.
-ShaderProgram& Renderer::programOf(const MeshItem& item, ShadingMode shading)
+ShaderProgram& Renderer::programOf(const Picture& picture, const MeshItem& item, ShadingMode shading)
 {
     if (shading != ShadingMode::Solid)
         return *m_meshWire;
@@ -487,7 +495,14 @@ ShaderProgram& Renderer::programOf(const MeshItem& item, ShadingMode shading)
         return *m_meshColours;
     if (item.paint != Paint::Material || item.images)
         return *m_mesh;
-    return item.bark ? *m_bark : item.leaf ? *m_leaf : *m_plain;
+    const bool isFar = picture.detailOf(item) == LeafDetail::Least;
+    return (isFar       ? *m_far
+            : item.bark ? *m_bark
+            : item.leaf ? *m_leaf
+                        : *m_plain)
+        .with(!item.motion.moves(), switches::still)
+        .with(picture.scene.highlights.empty(), switches::unmarked)
+        .with(!picture.near, switches::one);
 }
 
 /// Those that are opaque, or those that are not.
@@ -497,7 +512,7 @@ void Renderer::drawMeshes(const Picture& picture, ShadingMode shading, bool fade
     for (const MeshItem& item : picture.scene.meshes) {
         if ((item.opacity < 1.0f) != faded)
             continue;
-        ShaderProgram& program = programOf(item, shading);
+        ShaderProgram& program = programOf(picture, item, shading);
         if (&program != std::exchange(last, &program))
             beginMeshes(program, picture, shading);
         drawMesh(program, picture, item);
@@ -513,7 +528,6 @@ void Renderer::drawFaded(const Picture& picture)
     const bool wire = picture.options.shading == ShadingMode::Wire;
     m_gl.glDepthFunc(GL_LEQUAL);
     m_gl.glDepthMask(GL_TRUE);
-    m_shadow->bind();
     m_gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     for (const MeshItem& item : picture.scene.meshes)
         if (isFaded(item) && !wire)
@@ -528,13 +542,14 @@ void Renderer::drawOutline(const Picture& picture, GLuint target)
     const auto extent = outlineExtent(picture.scene, picture.camera, picture.viewport);
     if (!extent || !m_outline.begin(*extent, picture.viewport, picture.options.pixelRatio))
         return;
-    m_shadow->bind();
     for (const MeshItem& item : picture.scene.meshes) {
         if (!item.outlined)
             continue;
         const GpuBlock& block = m_cache.item(item);
-        m_cache.bindBones(*m_shadow, item.motion);
-        m_shadow->set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
+        ShaderProgram& program = m_shadow->with(!item.motion.moves(), switches::still);
+        program.bind();
+        m_cache.bindBones(program, item.motion);
+        program.set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
         if (item.copies) {
             m_cache.drawTriangles(block, std::min(picture.detailOf(item), LeafDetail::Few));
         } else {

@@ -73,7 +73,7 @@ private:
     void drawDepth(const Picture& picture);
     void drawMeshes(const Picture& picture, ShadingMode shading, bool faded);
     void beginMeshes(ShaderProgram& program, const Picture& picture, ShadingMode shading);
-    ShaderProgram& programOf(const MeshItem& item, ShadingMode shading);
+    ShaderProgram& programOf(const Picture& picture, const MeshItem& item, ShadingMode shading);
     void drawMesh(ShaderProgram& program, const Picture& picture, const MeshItem& item);
     void drawItem(const Picture& picture, const MeshItem& item, const GpuBlock& block);
     void drawMeshDepth(const Picture& picture, const MeshItem& item);
@@ -95,6 +95,7 @@ private:
     Outline m_outline;
     Occlusion m_occlusion;
     std::unique_ptr<ShaderProgram> m_plain, m_bark, m_leaf; ///< what m_mesh does, each a part of it
+    std::unique_ptr<ShaderProgram> m_far; ///< light at the corners only, for copies of a few pixels
     std::unique_ptr<ShaderProgram> m_mesh, m_meshColours, m_meshWire, m_shadow, m_shadowCut, m_world, m_line,
         m_point, m_smooth, m_shrink, m_lensAdd, m_lensShow, m_ghost;
     std::unique_ptr<ShaderProgram> m_occlude, m_occludeBlur;

@@ -101,10 +101,9 @@ bool Renderer::Picture::isOfSmall(const MeshItem& item) const
 
 LeafDetail Renderer::Picture::detailOf(const MeshItem& item) const
 {
-    constexpr double farPixels = 16.0;
     if (options.quality == Quality::Best && !options.hurried)
         return LeafDetail::All;
-    if (options.sparing && !item.images && copyPixels(item) < farPixels)
+    if (isOfSmall(item) && !item.images)
         return LeafDetail::Least;
     return options.hurried || isOfSmall(item) ? LeafDetail::Few : LeafDetail::All;
 }

@@ -34,15 +34,18 @@ ShaderTexts composed(const ShaderSources& sources)
     return texts;
 }
 
-ShaderProgram::ShaderProgram(Gl& gl)
+ShaderProgram::ShaderProgram(Gl& gl, const ShaderSources& sources)
     : m_gl(gl)
+    , m_sources(sources)
+    , m_defines(sources.defines)
 {
+    m_sources.defines = m_defines.c_str();
 }
 
 Expected<std::unique_ptr<ShaderProgram>> ShaderProgram::make(Gl& gl, const ShaderSources& sources)
 {
     const ShaderTexts texts = composed(sources);
-    std::unique_ptr<ShaderProgram> made(new ShaderProgram(gl));
+    std::unique_ptr<ShaderProgram> made(new ShaderProgram(gl, sources));
     QOpenGLShaderProgram& program = made->m_program;
     const bool good =
         program.addShaderFromSourceCode(QOpenGLShader::Vertex, texts.vertex) &&
@@ -52,6 +55,21 @@ Expected<std::unique_ptr<ShaderProgram>> ShaderProgram::make(Gl& gl, const Shade
         return fail(ErrorCode::Unknown, RAMURE_NOOP("The graphics driver refuses a shader: %1"),
                     {program.log().toStdString()});
     return made;
+}
+
+ShaderProgram& ShaderProgram::with(bool asked, const char* define)
+{
+    if (!asked)
+        return *this;
+    const auto [it, isNew] = m_variants.try_emplace(define);
+    if (isNew) {
+        const std::string defines = m_defines + define;
+        ShaderSources sources = m_sources;
+        sources.defines = defines.c_str();
+        if (auto made = make(m_gl, sources))
+            it->second = std::move(*made);
+    }
+    return it->second ? *it->second : *this;
 }
 
 void ShaderProgram::bind()

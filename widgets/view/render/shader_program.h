@@ -6,17 +6,28 @@
 #include <QByteArray>
 #include <QOpenGLFunctions_3_3_Core>
 #include <QOpenGLShaderProgram>
+#include <array>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 #include <map>
 #include <memory>
+#include <string>
 #include <string_view>
 
 namespace ramure {
 
 using Gl = QOpenGLFunctions_3_3_Core;
+
+/// Lines that turn a part of the shaders off.
+namespace switches {
+inline constexpr const char* still = "#define STILL\n";       ///< no bones
+inline constexpr const char* unmarked = "#define UNMARKED\n"; ///< nothing is selected or hovered
+inline constexpr const char* one = "#define ONE_SHADOW\n";    ///< no map of what is near
+inline constexpr const char* meadow = "#define MEADOW\n";     ///< the plain sky and ground, in perspective
+inline constexpr std::array all{still, unmarked, one, meadow};
+} // namespace switches
 
 /// Names of files in resources/shaders; several vertex or fragment parts are joined in their order.
 struct ShaderSources
@@ -42,6 +53,10 @@ public:
     /// Error: Unknown, with the driver's log.
     static Expected<std::unique_ptr<ShaderProgram>> make(Gl& gl, const ShaderSources& sources);
 
+    /// The same with one more line put after the version, compiled when it is first asked for: a switch that
+    /// is known leaves out what it turns off, of which software rasterisers otherwise run both ways. The
+    /// program itself where it is not \p asked, or where the driver refuses. \param define a literal.
+    ShaderProgram& with(bool asked, const char* define);
     void bind();
     void set(const char* name, bool value);
     void set(const char* name, int value);
@@ -53,11 +68,15 @@ public:
     void set(const char* name, const glm::mat4& value);
 
 private:
-    explicit ShaderProgram(Gl& gl);
+    ShaderProgram(Gl& gl, const ShaderSources& sources);
     int location(const char* name);
 
     Gl& m_gl;
     QOpenGLShaderProgram m_program;
+    ShaderSources m_sources;
+    std::string m_defines;
+    std::map<std::string_view, std::unique_ptr<ShaderProgram>>
+        m_variants;                              ///< null: refused; keyed by literals
     std::map<std::string_view, int> m_locations; ///< keyed by literals
 };
 

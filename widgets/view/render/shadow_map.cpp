@@ -130,11 +130,12 @@ std::optional<ShadowFit> ShadowMap::update(const RenderScene& scene, const glm::
     for (const Caster& caster : casters) {
         ShaderProgram& program = programs.of(*caster.item);
         program.bind();
-        if (&program == &programs.cut)
+        if (DepthPrograms::cuts(*caster.item))
             cache.bindPictures(program, *caster.item);
         cache.bindBones(program, caster.motion);
         program.set("uClip", glm::mat4(m_fit.clip * caster.world));
-        cache.drawTriangles(cache.item(*caster.item), &program == &programs.cut ? LeafDetail::All : detail);
+        cache.drawTriangles(cache.item(*caster.item),
+                            DepthPrograms::cuts(*caster.item) ? LeafDetail::All : detail);
     }
     m_gl.glBindVertexArray(0);
     m_drawn = std::move(casters);

@@ -42,7 +42,11 @@ struct DepthPrograms
 {
     ShaderProgram& whole;
     ShaderProgram& cut; ///< of surfaces that a picture cuts out
-    ShaderProgram& of(const MeshItem& item) const { return item.images && item.images->isCut ? cut : whole; }
+    static bool cuts(const MeshItem& item) { return item.images && item.images->isCut; }
+    ShaderProgram& of(const MeshItem& item) const
+    {
+        return (cuts(item) ? cut : whole).with(!item.motion.moves(), switches::still);
+    }
 };
 
 /// Every function needs the map's context current.
