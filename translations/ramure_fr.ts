@@ -1043,6 +1043,30 @@
         <source>Click a limb: its leaves go, or come back</source>
         <translation>Cliquer sur une branche : ses feuilles s’en vont ou reviennent</translation>
     </message>
+    <message>
+        <source>C&amp;url</source>
+        <translation>&amp;Enrouler</translation>
+    </message>
+    <message>
+        <source>Drag a branch to one side: the limb rolls up that way</source>
+        <translation>Glissez une branche vers un côté : elle s’enroule par là</translation>
+    </message>
+    <message>
+        <source>T&amp;wist</source>
+        <translation>&amp;Tordre</translation>
+    </message>
+    <message>
+        <source>Drag a branch to the right or left: what grows on it turns about it</source>
+        <translation>Glissez une branche à droite ou à gauche : ce qui pousse dessus tourne autour d’elle</translation>
+    </message>
+    <message>
+        <source>T&amp;aper</source>
+        <translation>E&amp;ffiler</translation>
+    </message>
+    <message>
+        <source>Drag a branch to the right: its tip gets thicker, to the left: thinner</source>
+        <translation>Glissez une branche à droite : son bout s’épaissit, à gauche : il s’amincit</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -1536,14 +1560,6 @@
         <translation>Pendant qu’un arbre est façonné à la main</translation>
     </message>
     <message>
-        <source>The factor of a length or a thickness</source>
-        <translation>Le facteur d’une longueur ou d’une épaisseur</translation>
-    </message>
-    <message>
-        <source>The factor in steps</source>
-        <translation>Le facteur par pas</translation>
-    </message>
-    <message>
         <source>Copy another limb, with the graft tool</source>
         <translation>Copier une autre branche, avec la greffe</translation>
     </message>
@@ -1554,6 +1570,14 @@
     <message>
         <source>In the list of edits: earlier or later</source>
         <translation>Dans la liste des retouches : plus tôt ou plus tard</translation>
+    </message>
+    <message>
+        <source>The factor, or the angle, of what is held</source>
+        <translation>Le facteur, ou l’angle, de ce qui est tenu</translation>
+    </message>
+    <message>
+        <source>The same in steps</source>
+        <translation>Le même par pas</translation>
     </message>
 </context>
 <context>
@@ -1676,6 +1700,14 @@
     <message>
         <source>What stands out of it is cut</source>
         <translation>Ce qui en dépasse est coupé</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Below that share of its length the limb stays as it is</source>
+        <translation>En dessous de cette part de sa longueur, la branche reste comme elle est</translation>
     </message>
 </context>
 <context>
@@ -7898,6 +7930,42 @@ OpenGL&#xa0;: %4
     <message>
         <source> · type a number</source>
         <translation> · tapez un nombre</translation>
+    </message>
+    <message>
+        <source>Thickness of the tip × %1</source>
+        <translation>Épaisseur du bout × %1</translation>
+    </message>
+    <message>
+        <source>Drag a branch to the right or left: how thick its tip is</source>
+        <translation>Glisser une branche à droite ou à gauche : l’épaisseur de son bout</translation>
+    </message>
+    <message>
+        <source>Curl %1°</source>
+        <translation>Enroulement %1°</translation>
+    </message>
+    <message>
+        <source>Drag a branch to one side: it rolls up that way</source>
+        <translation>Glisser une branche vers un côté : elle s’enroule par là</translation>
+    </message>
+    <message>
+        <source>Twist %1°</source>
+        <translation>Torsion %1°</translation>
+    </message>
+    <message>
+        <source>Drag a branch to the right or left: what grows on it turns</source>
+        <translation>Glisser une branche à droite ou à gauche : ce qui pousse dessus tourne</translation>
+    </message>
+    <message>
+        <source>Digits: degrees · wheel: more or less · Enter or click: done · Esc: back</source>
+        <translation>Chiffres : degrés · molette : plus ou moins · Entrée ou clic : fait · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Release: done · wheel: more or less · digits: degrees · Ctrl: steps · Esc: back</source>
+        <translation>Lâcher : fait · molette : plus ou moins · chiffres : degrés · Ctrl : par pas · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Click: type an angle</source>
+        <translation>Clic : taper un angle</translation>
     </message>
 </context>
 <context>

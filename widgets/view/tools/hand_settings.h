@@ -18,23 +18,30 @@ enum class HandTool : quint8 {
     Saw,
     Remove,
     Keep,
+    Prune,
+    Leaves,
     Bend,
+    Curl,
+    Twist,
     Length,
     Thickness,
+    Taper,
     Draw,
-    Graft,
-    Prune,
-    Leaves
+    Graft
 };
+
+/// In the tool bar and the menu a line stands between groups.
+enum class HandGroup : quint8 { Take, Shape, Grow };
 
 /// A button of the tool bar.
 struct HandToolRow
 {
     HandTool tool;
+    HandGroup group;
     const char* id;   ///< of its action: "hand.cut"
     const char* text; ///< English, context "Actions", with a mnemonic
     const char* icon;
-    Qt::Key key;
+    QKeyCombination key;
     const char* tip; ///< English, context "Actions"
 };
 /// In the order of the tool bar; all but None.
@@ -45,6 +52,7 @@ struct HandOptions
 {
     double sawThickest = 0.05; ///< m, radius of what the saw goes through
     bool withBelow = true;     ///< Length and Thickness: also of what grows on the limb
+    double curlFrom = 0.0;     ///< share of the limb that stays straight
     double drawRadius = 0.0;   ///< m, at the foot; 0: to suit the parent
     double drawTip = 0.3;      ///< radius at the tip, of that at the foot
     double drawSmooth = 0.6;   ///< 0: as drawn, 1: very smooth

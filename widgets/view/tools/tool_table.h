@@ -15,8 +15,8 @@ std::unique_ptr<Tool> makeCutTool(ToolContext& context);
 std::unique_ptr<Tool> makeSawTool(ToolContext& context);
 std::unique_ptr<Tool> makeRemoveTool(ToolContext& context);
 std::unique_ptr<Tool> makeKeepTool(ToolContext& context);
-std::unique_ptr<Tool> makeLengthTool(ToolContext& context);
-std::unique_ptr<Tool> makeThicknessTool(ToolContext& context);
+/// Length, Thickness, Taper, Curl and Twist.
+template <HandTool tool> std::unique_ptr<Tool> makeFactorTool(ToolContext& context);
 std::unique_ptr<Tool> makeDrawTool(ToolContext& context);
 std::unique_ptr<Tool> makeGraftTool(ToolContext& context);
 std::unique_ptr<Tool> makePruneTool(ToolContext& context);
@@ -39,8 +39,11 @@ inline constexpr ToolMaker toolTable[] = {
     makeSawTool,
     makeRemoveTool,
     makeKeepTool,
-    makeLengthTool,
-    makeThicknessTool,
+    makeFactorTool<HandTool::Length>,
+    makeFactorTool<HandTool::Thickness>,
+    makeFactorTool<HandTool::Taper>,
+    makeFactorTool<HandTool::Curl>,
+    makeFactorTool<HandTool::Twist>,
     makeDrawTool,
     makeGraftTool,
     makePruneTool,
