@@ -1052,10 +1052,6 @@
         <translation>Glissez une branche vers un côté : elle s’enroule par là</translation>
     </message>
     <message>
-        <source>T&amp;wist</source>
-        <translation>&amp;Tordre</translation>
-    </message>
-    <message>
         <source>Drag a branch to the right or left: what grows on it turns about it</source>
         <translation>Glissez une branche à droite ou à gauche : ce qui pousse dessus tourne autour d’elle</translation>
     </message>
@@ -1066,6 +1062,26 @@
     <message>
         <source>Drag a branch to the right: its tip gets thicker, to the left: thinner</source>
         <translation>Glissez une branche à droite : son bout s’épaissit, à gauche : il s’amincit</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>E&amp;xtend</source>
+        <translation>Pr&amp;olonger</translation>
+    </message>
+    <message>
+        <source>Drag a branch: its tip grows on along the stroke</source>
+        <translation>Glissez une branche : son bout pousse le long du trait</translation>
+    </message>
+    <message>
+        <source>Redra&amp;w</source>
+        <translation>&amp;Redessiner</translation>
+    </message>
+    <message>
+        <source>Draw over a branch: from there on it goes along the stroke</source>
+        <translation>Dessinez sur une branche : à partir de là, elle suit le trait</translation>
     </message>
 </context>
 <context>
@@ -1634,10 +1650,6 @@
         <translation>Bout</translation>
     </message>
     <message>
-        <source>Radius at the tip, of that at the foot</source>
-        <translation>Rayon au bout, par rapport à celui du pied</translation>
-    </message>
-    <message>
         <source>Smoothing</source>
         <translation>Lissage</translation>
     </message>
@@ -1678,14 +1690,6 @@
         <translation>Des rameaux poussent sur la branche comme sur ses voisines</translation>
     </message>
     <message>
-        <source>Pen pressure</source>
-        <translation>Pression du stylet</translation>
-    </message>
-    <message>
-        <source>The harder the pen is pressed, the thicker the branch</source>
-        <translation>Plus le stylet appuie, plus la branche est épaisse</translation>
-    </message>
-    <message>
         <source>Mirrored</source>
         <translation>En miroir</translation>
     </message>
@@ -1708,6 +1712,42 @@
     <message>
         <source>Below that share of its length the limb stays as it is</source>
         <translation>En dessous de cette part de sa longueur, la branche reste comme elle est</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Boîte</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Cône</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Régulière</translation>
+    </message>
+    <message>
+        <source>By pressure</source>
+        <translation>Par la pression</translation>
+    </message>
+    <message>
+        <source>By speed</source>
+        <translation>Par la vitesse</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Along the stroke: the harder the pen is pressed, or the slower the hand goes, the thicker</source>
+        <translation>Le long du trait : plus le stylet appuie, ou plus la main va lentement, plus c’est épais</translation>
+    </message>
+    <message>
+        <source>Radius at the tip, of that where the stroke begins</source>
+        <translation>Rayon au bout, par rapport à celui où le trait commence</translation>
     </message>
 </context>
 <context>
@@ -7545,6 +7585,26 @@ OpenGL&#xa0;: %4
         <source>%1 m</source>
         <translation>%1 m</translation>
     </message>
+    <message>
+        <source>Press on the branch that is meant, and drag.</source>
+        <translation>Appuyez sur la branche voulue, et glissez.</translation>
+    </message>
+    <message>
+        <source>The tip grows on along the line · release: done · Esc: as it was</source>
+        <translation>Le bout pousse le long du trait · lâcher : fait · Échap : comme avant</translation>
+    </message>
+    <message>
+        <source>The branch goes along the line · release: done · Esc: as it was</source>
+        <translation>La branche suit le trait · lâcher : fait · Échap : comme avant</translation>
+    </message>
+    <message>
+        <source>Drag a branch: its tip grows on as the hand goes</source>
+        <translation>Glisser une branche : son bout pousse comme va la main</translation>
+    </message>
+    <message>
+        <source>Drag from a branch: from there on it goes along the line</source>
+        <translation>Glisser à partir d’une branche : de là, elle suit le trait</translation>
+    </message>
 </context>
 <context>
     <name>ramure::EditActions</name>
@@ -11019,16 +11079,8 @@ OpenGL&#xa0;: %4
 <context>
     <name>ramure::ToolStrip</name>
     <message>
-        <source>Sphere</source>
-        <translation>Sphère</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>Boîte</translation>
-    </message>
-    <message>
-        <source>Cone</source>
-        <translation>Cône</translation>
+        <source>More options</source>
+        <translation>Plus d’options</translation>
     </message>
 </context>
 <context>

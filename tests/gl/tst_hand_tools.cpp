@@ -185,6 +185,7 @@ private slots:
         shape->setCurrentIndex(1);
         emit shape->activated(1);
         QCOMPARE(hand()->options().shape, EditShapeKind::Box);
+        m_window->resize(1280, 800);
         for (const HandToolRow& row : handTools()) {
             hand()->setTool(row.tool);
             for (const QWidget* option : strip()->findChildren<QWidget*>())
@@ -192,6 +193,22 @@ private slots:
                     QVERIFY2(strip()->width() >= option->mapTo(strip(), option->rect().bottomRight()).x(),
                              row.id);
         }
+    }
+    void whatHasNoRoomOpensAtTheEnd()
+    {
+        auto* more = strip()->findChild<QToolButton*>(QStringLiteral("moreOptions"));
+        auto* mirrored = strip()->findChild<QCheckBox*>(QStringLiteral("mirrored"));
+        key(Qt::Key_X);
+        QVERIFY(!more->isVisible());
+        m_window->resize(m_window->minimumSizeHint().width(), 800);
+        key(Qt::Key_D);
+        QTRY_VERIFY(more->isVisible() && !mirrored->isVisible());
+        QVERIFY(strip()->rect().contains(more->mapTo(strip(), more->rect().bottomRight())));
+        more->click();
+        QTRY_VERIFY(mirrored->isVisible());
+        mirrored->click();
+        QVERIFY(hand()->options().mirrored);
+        mirrored->window()->close();
     }
     void aClickCutsAndIsListed()
     {

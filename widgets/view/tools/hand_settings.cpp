@@ -4,6 +4,20 @@
 #include <algorithm>
 
 namespace ramure {
+namespace {
+
+template <auto member> int chosen(const HandOptions& options)
+{
+    return static_cast<int>(options.*member);
+}
+
+template <auto member> void choose(HandOptions& options, int item)
+{
+    using Kind = std::remove_reference_t<decltype(options.*member)>;
+    options.*member = static_cast<Kind>(item);
+}
+
+} // namespace
 
 std::span<const HandToolRow> handTools()
 {
@@ -27,8 +41,7 @@ std::span<const HandToolRow> handTools()
          QT_TRANSLATE_NOOP("Actions", "Drag a branch: the limb follows the hand")},
         {HandTool::Curl, Shape, "hand.curl", QT_TRANSLATE_NOOP("Actions", "C&url"), "hand-curl", Qt::Key_K,
          QT_TRANSLATE_NOOP("Actions", "Drag a branch to one side: the limb rolls up that way")},
-        {HandTool::Twist, Shape, "hand.twist", QT_TRANSLATE_NOOP("Actions", "T&wist"), "hand-twist",
-         Qt::Key_Y,
+        {HandTool::Twist, Shape, "hand.twist", QT_TRANSLATE_NOOP("Actions", "Twist"), "hand-twist", Qt::Key_Y,
          QT_TRANSLATE_NOOP("Actions", "Drag a branch to the right or left: what grows on it turns about it")},
         {HandTool::Length, Shape, "hand.length", QT_TRANSLATE_NOOP("Actions", "&Length"), "hand-length",
          Qt::Key_L, QT_TRANSLATE_NOOP("Actions", "Drag a branch along itself: longer or shorter")},
@@ -41,6 +54,11 @@ std::span<const HandToolRow> handTools()
                            "Drag a branch to the right: its tip gets thicker, to the left: thinner")},
         {HandTool::Draw, Grow, "hand.draw", QT_TRANSLATE_NOOP("Actions", "&Draw"), "hand-draw", Qt::Key_D,
          QT_TRANSLATE_NOOP("Actions", "Drag from a branch or the ground: a branch grows along the stroke")},
+        {HandTool::Extend, Grow, "hand.extend", QT_TRANSLATE_NOOP("Actions", "E&xtend"), "hand-extend",
+         Qt::Key_N, QT_TRANSLATE_NOOP("Actions", "Drag a branch: its tip grows on along the stroke")},
+        {HandTool::Redraw, Grow, "hand.redraw", QT_TRANSLATE_NOOP("Actions", "Redra&w"), "hand-redraw",
+         Qt::SHIFT | Qt::Key_D,
+         QT_TRANSLATE_NOOP("Actions", "Draw over a branch: from there on it goes along the stroke")},
         {HandTool::Graft, Grow, "hand.graft", QT_TRANSLATE_NOOP("Actions", "&Graft"), "hand-graft", Qt::Key_J,
          QT_TRANSLATE_NOOP("Actions", "Click a limb to copy it, then click where it is to grow")},
     };
@@ -50,6 +68,28 @@ std::span<const HandToolRow> handTools()
 const HandToolRow& handTool(HandTool tool)
 {
     return *std::ranges::find(handTools(), tool, &HandToolRow::tool);
+}
+
+std::span<const HandChoice> handChoices()
+{
+    using enum HandTool;
+    static constexpr const char* shapes[] = {QT_TRANSLATE_NOOP("HandOptions", "Sphere"),
+                                             QT_TRANSLATE_NOOP("HandOptions", "Box"),
+                                             QT_TRANSLATE_NOOP("HandOptions", "Cone")};
+    static constexpr const char* thickness[] = {QT_TRANSLATE_NOOP("HandOptions", "Even"),
+                                                QT_TRANSLATE_NOOP("HandOptions", "By pressure"),
+                                                QT_TRANSLATE_NOOP("HandOptions", "By speed")};
+    static constexpr HandChoice rows[] = {
+        {toolBit(Prune), "pruneShape", QT_TRANSLATE_NOOP("HandOptions", "Shape"),
+         QT_TRANSLATE_NOOP("HandOptions", "What stands out of it is cut"), shapes,
+         &chosen<&HandOptions::shape>, &choose<&HandOptions::shape>},
+        {toolBit(Draw) | toolBit(Extend), "drawBy", QT_TRANSLATE_NOOP("HandOptions", "Thickness"),
+         QT_TRANSLATE_NOOP("HandOptions",
+                           "Along the stroke: the harder the pen is pressed, or the slower the "
+                           "hand goes, the thicker"),
+         thickness, &chosen<&HandOptions::drawBy>, &choose<&HandOptions::drawBy>},
+    };
+    return rows;
 }
 
 std::span<const HandNumber> handNumbers()
@@ -65,10 +105,11 @@ std::span<const HandNumber> handNumbers()
         {toolBit(Draw), "drawRadius", QT_TRANSLATE_NOOP("HandOptions", "Radius"),
          QT_TRANSLATE_NOOP("HandOptions", "At the foot of the new branch. 0: to suit what it grows on"),
          &HandOptions::drawRadius, 0.0, 10.0, 0.005, 1, 100.0, " cm"},
-        {toolBit(Draw), "drawTip", QT_TRANSLATE_NOOP("HandOptions", "Tip"),
-         QT_TRANSLATE_NOOP("HandOptions", "Radius at the tip, of that at the foot"), &HandOptions::drawTip,
-         0.02, 1.0, 0.05, 0, 100.0, " %"},
-        {toolBit(Draw), "drawSmooth", QT_TRANSLATE_NOOP("HandOptions", "Smoothing"),
+        {toolBit(Draw) | toolBit(Extend), "drawTip", QT_TRANSLATE_NOOP("HandOptions", "Tip"),
+         QT_TRANSLATE_NOOP("HandOptions", "Radius at the tip, of that where the stroke begins"),
+         &HandOptions::drawTip, 0.02, 1.0, 0.05, 0, 100.0, " %"},
+        {toolBit(Draw) | toolBit(Extend) | toolBit(Redraw), "drawSmooth",
+         QT_TRANSLATE_NOOP("HandOptions", "Smoothing"),
          QT_TRANSLATE_NOOP("HandOptions", "How much the trembling of the hand is taken out"),
          &HandOptions::drawSmooth, 0.0, 1.0, 0.1, 0, 100.0, " %"},
         {toolBit(Graft), "graftSize", QT_TRANSLATE_NOOP("HandOptions", "Size"),
@@ -99,9 +140,6 @@ std::span<const HandFlag> handFlags()
         {toolBit(Draw), "drawTwigs", QT_TRANSLATE_NOOP("HandOptions", "With twigs"),
          QT_TRANSLATE_NOOP("HandOptions", "Twigs grow on the branch as on those beside it"),
          &HandOptions::drawTwigs},
-        {toolBit(Draw), "drawPressure", QT_TRANSLATE_NOOP("HandOptions", "Pen pressure"),
-         QT_TRANSLATE_NOOP("HandOptions", "The harder the pen is pressed, the thicker the branch"),
-         &HandOptions::drawPressure},
         {toolBit(Draw), "mirrored", QT_TRANSLATE_NOOP("HandOptions", "Mirrored"),
          QT_TRANSLATE_NOOP("HandOptions", "A second branch grows across what the first one grows on"),
          &HandOptions::mirrored},

@@ -27,6 +27,8 @@ enum class HandTool : quint8 {
     Thickness,
     Taper,
     Draw,
+    Extend,
+    Redraw,
     Graft
 };
 
@@ -48,6 +50,9 @@ struct HandToolRow
 std::span<const HandToolRow> handTools();
 const HandToolRow& handTool(HandTool tool);
 
+/// What gives a drawn branch its thickness, beside its foot and tip.
+enum class DrawBy : quint8 { Even, Pressure, Speed };
+
 struct HandOptions
 {
     double sawThickest = 0.05; ///< m, radius of what the saw goes through
@@ -57,10 +62,10 @@ struct HandOptions
     double drawTip = 0.3;      ///< radius at the tip, of that at the foot
     double drawSmooth = 0.6;   ///< 0: as drawn, 1: very smooth
     bool drawTwigs = false;    ///< twigs grow on the branch as on those beside it
-    bool drawPressure = true;  ///< the pen's pressure gives the radius
-    double graftSize = 1.0;    ///< factor
-    int copies = 1;            ///< Draw and Graft: so many around the trunk
-    bool mirrored = false;     ///< Draw: and once more across the trunk
+    DrawBy drawBy = DrawBy::Pressure;
+    double graftSize = 1.0; ///< factor
+    int copies = 1;         ///< Draw and Graft: so many around the trunk
+    bool mirrored = false;  ///< Draw: and once more across the trunk
     EditShapeKind shape = EditShapeKind::Sphere;
     bool operator==(const HandOptions&) const = default;
 };
@@ -122,6 +127,18 @@ struct HandFlag
     const char* tip;
     bool HandOptions::*member;
 };
+/// One of a few kinds, an enum of HandOptions.
+struct HandChoice
+{
+    quint32 tools; ///< toolBit of each
+    const char* id;
+    const char* label;
+    const char* tip;
+    std::span<const char* const> items; ///< English, context "HandOptions"
+    int (*chosen)(const HandOptions& options);
+    void (*choose)(HandOptions& options, int item);
+};
+std::span<const HandChoice> handChoices();
 std::span<const HandNumber> handNumbers();
 std::span<const HandCount> handCounts();
 std::span<const HandFlag> handFlags();

@@ -17,7 +17,8 @@ std::unique_ptr<Tool> makeRemoveTool(ToolContext& context);
 std::unique_ptr<Tool> makeKeepTool(ToolContext& context);
 /// Length, Thickness, Taper, Curl and Twist.
 template <HandTool tool> std::unique_ptr<Tool> makeFactorTool(ToolContext& context);
-std::unique_ptr<Tool> makeDrawTool(ToolContext& context);
+/// Draw, Extend and Redraw.
+template <HandTool tool> std::unique_ptr<Tool> makeDrawTool(ToolContext& context);
 std::unique_ptr<Tool> makeGraftTool(ToolContext& context);
 std::unique_ptr<Tool> makePruneTool(ToolContext& context);
 std::unique_ptr<Tool> makeLeavesTool(ToolContext& context);
@@ -44,7 +45,9 @@ inline constexpr ToolMaker toolTable[] = {
     makeFactorTool<HandTool::Taper>,
     makeFactorTool<HandTool::Curl>,
     makeFactorTool<HandTool::Twist>,
-    makeDrawTool,
+    makeDrawTool<HandTool::Draw>,
+    makeDrawTool<HandTool::Extend>,
+    makeDrawTool<HandTool::Redraw>,
     makeGraftTool,
     makePruneTool,
     makeLeavesTool,

@@ -22,6 +22,10 @@ private slots:
     void aBranchGrowsFromTheGround();
     void twigsGrowOnIt();
     void thePenSaysHowThick();
+    void theSpeedSaysHowThick();
+    void aTipGrowsOn();
+    void aBranchGoesAnotherWay();
+    void besideABranchNothingGoesOn();
     void theEraserSaws();
     void escapeTakesTheBranchBack();
     void aLimbIsCopiedAndGrows();
@@ -214,6 +218,89 @@ void TestStrokeTools::thePenSaysHowThick()
     const double mouse = thickness({}), soft = thickness(0.1), hard = thickness(1.0);
     QVERIFY(soft > 0.0);
     QVERIFY(soft < mouse && mouse < hard);
+}
+
+void TestStrokeTools::theSpeedSaysHowThick()
+{
+    const auto thickness = [](DrawBy by, std::uint64_t step) {
+        HandBench bench(HandTool::Draw);
+        HandOptions options = bench.hand.options();
+        options.drawBy = by;
+        bench.hand.setOptions(options);
+        const QPointF trunk = bench.on(0, 0.5);
+        const auto hand = [&](int i, Qt::MouseButton button) {
+            ToolPoint point = bench.at(trunk + i * QPointF(16.0, -6.0), button);
+            point.milliseconds = 1000 + step * std::uint64_t(i);
+            return point;
+        };
+        bench.tools.press(hand(0, Qt::LeftButton));
+        for (int i = 1; i <= 10; ++i)
+            bench.tools.move(hand(i, Qt::NoButton));
+        bench.tools.release(hand(10, Qt::LeftButton));
+        return bench.edits().empty() ? 0.0 : bench.edits().front().points.back().radius;
+    };
+    const double even = thickness(DrawBy::Even, 10), quick = thickness(DrawBy::Speed, 10),
+                 slow = thickness(DrawBy::Speed, 200), timeless = thickness(DrawBy::Speed, 0);
+    QVERIFY(quick > 0.0);
+    QVERIFY(quick < 0.8 * even && slow > 1.1 * even);
+    QVERIFY(timeless >= slow);
+}
+
+void TestStrokeTools::aTipGrowsOn()
+{
+    HandBench bench(HandTool::Extend);
+    const Index twig = bench.twig();
+    const LimbHit limb = bench.limb(twig);
+    const auto tip = [&] { return bench.on(LimbFinder().limb(bench.document, 1, limb.address).back(), 1.0); };
+    const QPointF before = tip(), at = bench.on(twig);
+    stroke(bench, way(at, at + QPointF(50.0, -90.0)));
+    QVERIFY2(bench.edits().size() == 1, qPrintable(bench.messages.join(u'\n')));
+    QCOMPARE(bench.edits().front().operation, EditOperation::Extend);
+    QCOMPARE(bench.document.undoStack()->count(), 1);
+    bench.grow();
+    const QPointF moved = tip() - before;
+    QVERIFY2(std::hypot(moved.x() - 50.0, moved.y() + 90.0) < 5.0,
+             qPrintable(QStringLiteral("%1 %2").arg(moved.x()).arg(moved.y())));
+}
+
+void TestStrokeTools::aBranchGoesAnotherWay()
+{
+    HandBench bench(HandTool::Redraw);
+    const QPointF from = bench.on(0, 0.5);
+    const LimbHit trunk = bench.limb(0);
+    const Index before = bench.skeleton().size();
+    const QPointF base = bench.on(0, 0.0);
+    stroke(bench, way(from, from + QPointF(120.0, -140.0)));
+    QVERIFY2(bench.edits().size() == 1, qPrintable(bench.messages.join(u'\n')));
+    QCOMPARE(bench.edits().front().operation, EditOperation::Redraw);
+    bench.grow();
+    const std::vector<Index> limb = LimbFinder().limb(bench.document, 1, trunk.address);
+    const QPointF tip = bench.on(limb.back(), 1.0) - from, foot = bench.on(limb.front(), 0.0) - base;
+    QVERIFY2(std::hypot(tip.x() - 120.0, tip.y() + 140.0) < 5.0,
+             qPrintable(QStringLiteral("%1 %2").arg(tip.x()).arg(tip.y())));
+    QVERIFY(std::hypot(foot.x(), foot.y()) < 1.0);
+    QVERIFY(bench.skeleton().size() >= before); // what grows on it has come along
+    bench.document.undoStack()->undo();
+    QVERIFY(bench.edits().empty());
+}
+
+void TestStrokeTools::besideABranchNothingGoesOn()
+{
+    for (const HandTool tool : {HandTool::Extend, HandTool::Redraw}) {
+        HandBench bench(tool);
+        stroke(bench, way({2.0, 2.0}, {200.0, 2.0}));
+        QVERIFY(bench.edits().empty());
+        QCOMPARE(bench.messages.size(), 1);
+        bench.click(bench.on(bench.twig())); // goes nowhere
+        QVERIFY(bench.edits().empty());
+        QCOMPARE(bench.messages.size(), 2);
+        bench.press(bench.on(bench.twig()));
+        bench.move(bench.on(bench.twig()) + QPointF(60.0, 60.0));
+        QCOMPARE(bench.edits().size(), std::size_t(1));
+        bench.key(Qt::Key_Escape);
+        QVERIFY(bench.edits().empty());
+        QCOMPARE(bench.document.undoStack()->count(), 0);
+    }
 }
 
 void TestStrokeTools::theEraserSaws()
