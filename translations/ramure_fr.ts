@@ -1004,10 +1004,6 @@
         <translation>Glisser une branche le long d’elle-même : plus longue ou plus courte</translation>
     </message>
     <message>
-        <source>&amp;Thickness</source>
-        <translation>É&amp;paisseur</translation>
-    </message>
-    <message>
         <source>Drag a branch to the right: thicker, to the left: thinner</source>
         <translation>Glisser une branche à droite : plus épaisse, à gauche : plus mince</translation>
     </message>
@@ -1064,10 +1060,6 @@
         <translation>Glissez une branche à droite : son bout s’épaissit, à gauche : il s’amincit</translation>
     </message>
     <message>
-        <source>Twist</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>E&amp;xtend</source>
         <translation>Pr&amp;olonger</translation>
     </message>
@@ -1082,6 +1074,22 @@
     <message>
         <source>Draw over a branch: from there on it goes along the stroke</source>
         <translation>Dessinez sur une branche : à partir de là, elle suit le trait</translation>
+    </message>
+    <message>
+        <source>&amp;Twist</source>
+        <translation>&amp;Tordre</translation>
+    </message>
+    <message>
+        <source>T&amp;hickness</source>
+        <translation>É&amp;paisseur</translation>
+    </message>
+    <message>
+        <source>&amp;Move the fork</source>
+        <translation>Dépla&amp;cer la fourche</translation>
+    </message>
+    <message>
+        <source>Drag a branch: its fork slides along what it grows on</source>
+        <translation>Glissez une branche : sa fourche glisse le long de ce qui la porte</translation>
     </message>
 </context>
 <context>
@@ -9260,6 +9268,37 @@ OpenGL&#xa0;: %4
     <message>
         <source>Pictures all around, 2 to 10000, from the slope of the view and as near as the whole crown allows</source>
         <translation>Images tout autour, de 2 à 10000, sous l&apos;inclinaison de la vue et d&apos;aussi près que le permet toute la couronne</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::MoveTool</name>
+    <message>
+        <source>Digits: place in % · wheel: around · Enter or click: done · Esc: back</source>
+        <translation>Chiffres : place en % · molette : autour · Entrée ou clic : fait · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Release: done · Shift or wheel: around · Ctrl: onto another branch · digits: place in % · Esc: back</source>
+        <translation>Lâcher : fait · Maj ou molette : autour · Ctrl : sur une autre branche · chiffres : place en % · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Drag a branch: its fork slides along what it grows on</source>
+        <translation>Glissez une branche : sa fourche glisse le long de ce qui la porte</translation>
+    </message>
+    <message>
+        <source>Click: type its place</source>
+        <translation>Clic : taper sa place</translation>
+    </message>
+    <message>
+        <source>at %1 % · %2°</source>
+        <translation>à %1 % · %2°</translation>
+    </message>
+    <message>
+        <source>at %1 %</source>
+        <translation>à %1 %</translation>
+    </message>
+    <message>
+        <source> · type a number</source>
+        <translation> · tapez un nombre</translation>
     </message>
 </context>
 <context>

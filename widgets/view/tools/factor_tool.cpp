@@ -1,12 +1,10 @@
 // Longer and shorter, thicker and thinner, curled and twisted: by a drag on a branch, the wheel, or a number.
 #include "core/math/frame.h"
-#include "widgets/view/tools/edit_tool.h"
+#include "widgets/view/tools/number_tool.h"
 #include "widgets/view/tools/readout.h"
 #include "widgets/view/tools/tool_table.h"
 #include "widgets/view/tools/turned_limb.h"
-#include "widgets/view/tools/typed_number.h"
 #include <QCoreApplication>
-#include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
 #include <algorithm>
@@ -18,8 +16,8 @@ namespace {
 
 constexpr double leastFactor = 0.05, mostFactor = 20.0;
 constexpr double pixelsPerDouble = 140.0;
-constexpr double notch = 120.0, perNotch = 1.05; ///< of the wheel
-constexpr double coarse = 0.1;                   ///< steps with Ctrl
+constexpr double perNotch = 1.05; ///< of the wheel
+constexpr double coarse = 0.1;    ///< steps with Ctrl
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double mostAngle = 720.0 * degree, anglePerPixel = 0.5 * degree;
 constexpr double angleStep = 5.0 * degree; ///< of the wheel, and with Ctrl
@@ -56,32 +54,27 @@ constexpr FactorKind factorKinds[] = {
      QT_TRANSLATE_NOOP("ramure::FactorTool", "Drag a branch to the right or left: what grows on it turns")},
 };
 
-class FactorTool : public EditTool
+class FactorTool : public NumberTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::FactorTool)
 public:
     FactorTool(ToolContext& context, const FactorKind& kind)
-        : EditTool(context, kind.tool)
+        : NumberTool(context, kind.tool)
         , m_kind(kind)
     {
     }
 
-    [[nodiscard]] bool goesOn() const override { return isBusy(); }
     void drag(const ToolPoint& point) override;
-    void release(const ToolPoint& point) override;
-    void pressAgain(const ToolPoint& point) override;
-    void cancel() override { finish(false); }
-    bool wheel(const ToolPoint& point, double turn) override;
-    [[nodiscard]] bool takesKeys() const override { return true; }
-    void key(const QKeyEvent& event, bool pressed) override;
-    void focusLost() override;
     [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override;
     void offer(ToolOffers& offers) const override;
     void paint(QPainter& painter, const PickView& view) override;
 
 protected:
     bool take(const ToolPoint& point, const std::optional<LimbHit>& limb) override;
-    void forget() override { m_edit.reset(); }
+    [[nodiscard]] bool isChanged() const override { return m_dragged != neutral() || m_wheeled != neutral(); }
+    void turnWheel(double notches) override;
+    [[nodiscard]] bool takesMinus() const override { return isAngle(); }
+    void show() override;
     std::vector<Index> affected(const LimbHit& limb) override;
 
 private:
@@ -91,54 +84,41 @@ private:
     [[nodiscard]] double byHand(const ToolPoint& point) const;
     [[nodiscard]] double alongLimb(const ToolPoint& point) const;
     [[nodiscard]] double acrossLimb(const ToolPoint& point) const;
-    Expected<void> addAll();
-    void rememberBefore();
-    void show();
-    void finish(bool keep);
+    Expected<void> addAll(HandEdit& gesture);
+    void rememberBefore(HandEdit& gesture);
     [[nodiscard]] double value() const;
 
     const FactorKind& m_kind;
-    std::unique_ptr<HandEdit> m_edit;
     LimbHit m_limb;
     glm::dvec3 m_sight{0.0};         ///< unit, tree space, towards the eye
     std::vector<TreeEdit> m_before;  ///< the edits before the hand changes them
     std::vector<glm::dvec3> m_rolls; ///< of each: about what it rolls, in its parent's frame
     double m_dragged = 1.0, m_wheeled = 1.0;
-    TypedNumber m_typed;
-    bool m_byKeys = false; ///< clicked: goes on without the button
-    QPointF m_at;
 };
 
 bool FactorTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
 {
     if (!limb)
         return false;
-    auto edit = HandEdit::begin(m_context.document, limb->node);
-    if (!edit)
-        return report(tl::unexpected(edit.error()));
-    setAim({});
-    m_edit = std::move(*edit);
+    auto gesture = HandEdit::begin(m_context.document, limb->node);
+    if (!gesture)
+        return report(tl::unexpected(gesture.error()));
     m_limb = *limb;
     const glm::dvec3 eye(glm::inverse(worldOf(limb->node)) * glm::dvec4(point.view.camera.eye(), 1.0));
     m_sight = TurnedLimb(m_context.document, *limb).direction(glm::normalize(eye - limb->seen));
-    if (!report(addAll())) {
-        m_edit.reset();
-        return true; // pressed on a branch, and nothing comes of it
-    }
     m_dragged = m_wheeled = neutral();
-    m_typed.clear();
-    m_byKeys = false;
-    m_at = point.at;
-    return true;
+    if (report(addAll(**gesture)))
+        start(std::move(*gesture), point);
+    return true; // pressed on a branch, also where nothing comes of it
 }
 
 /// An edit for each limb that is meant, or the one of a moment ago again. Of several those that nothing can
 /// be done to are left out.
-Expected<void> FactorTool::addAll()
+Expected<void> FactorTool::addAll(HandEdit& gesture)
 {
     const std::vector<LimbHit> limbs = meantBy(m_limb);
     Expected<void> done;
-    if (limbs.size() != 1 || !m_edit->resume(m_kind.operation, m_limb.address)) {
+    if (limbs.size() != 1 || !gesture.resume(m_kind.operation, m_limb.address)) {
         std::vector<std::uint64_t> seen;
         for (const LimbHit& limb : limbs) {
             if (std::ranges::count(seen, limb.address) > 0)
@@ -149,20 +129,20 @@ Expected<void> FactorTool::addAll()
             edit.target.address = limb.address;
             edit.from = m_context.hand.options().curlFrom;
             edit.below = m_context.hand.options().withBelow;
-            if (auto added = m_edit->add(edit); !added)
+            if (auto added = gesture.add(edit); !added)
                 done = added;
         }
     }
-    rememberBefore();
+    rememberBefore(gesture);
     return m_before.empty() ? done : Expected<void>();
 }
 
-void FactorTool::rememberBefore()
+void FactorTool::rememberBefore(HandEdit& gesture)
 {
-    m_before = m_edit->edits();
+    m_before = gesture.edits();
     m_rolls.clear();
     for (const TreeEdit& edit : m_before) {
-        const auto frame = m_edit->context().frameBelow(edit.target.address);
+        const auto frame = gesture.context().frameBelow(edit.target.address);
         m_rolls.push_back(frame ? glm::dvec3(glm::dot(m_sight, frame->normal),
                                              glm::dot(m_sight, frame->binormal),
                                              glm::dot(m_sight, frame->tangent))
@@ -209,7 +189,7 @@ double FactorTool::alongLimb(const ToolPoint& point) const
     const glm::dmat4 world = worldOf(m_limb.node);
     const auto here = point.view.pixel(glm::dvec3(world * glm::dvec4(m_limb.seen, 1.0)));
     const auto on = point.view.pixel(glm::dvec3(world * glm::dvec4(m_limb.seen + step * m_limb.along, 1.0)));
-    const double length = std::max(m_edit->context().lengthOf(m_limb.address), 1e-6);
+    const double length = std::max(edit()->context().lengthOf(m_limb.address), 1e-6);
     const double fromFoot = std::max(m_limb.share, leastShare) * length;
     if (!here || !on || glm::length(*on - *here) / step * length < leastPixels)
         return std::exp2(way.x() / pixelsPerDouble);
@@ -234,103 +214,49 @@ double FactorTool::acrossLimb(const ToolPoint& point) const
 double FactorTool::value() const
 {
     if (!isAngle())
-        return std::clamp(m_typed.value().value_or(m_dragged * m_wheeled), leastFactor, mostFactor);
-    const auto typed = m_typed.value();
-    return std::clamp(typed ? *typed * degree : m_dragged + m_wheeled, -mostAngle, mostAngle);
+        return std::clamp(typed().value().value_or(m_dragged * m_wheeled), leastFactor, mostFactor);
+    const auto number = typed().value();
+    return std::clamp(number ? *number * degree : m_dragged + m_wheeled, -mostAngle, mostAngle);
 }
 
 void FactorTool::show()
 {
-    if (!m_edit)
-        return;
     for (std::size_t i = 0; i < m_before.size(); ++i) {
-        TreeEdit& edit = m_edit->edits()[i];
+        TreeEdit& changed = edit()->edits()[i];
         if (m_kind.way == Way::Rolled)
-            edit.rotation = m_before[i].rotation + value() * m_rolls[i];
+            changed.rotation = m_before[i].rotation + value() * m_rolls[i];
         else if (m_kind.way == Way::Around)
-            edit.angleRad = m_before[i].angleRad + value();
+            changed.angleRad = m_before[i].angleRad + value();
         else
-            edit.factor = std::clamp(m_before[i].factor * value(), 0.01, 100.0);
+            changed.factor = std::clamp(m_before[i].factor * value(), 0.01, 100.0);
     }
-    report(m_edit->show());
+    report(edit()->show());
     m_context.host.repaint();
 }
 
 void FactorTool::drag(const ToolPoint& point)
 {
-    m_at = point.at;
-    if (!m_edit || m_byKeys || (!point.isDrag() && m_dragged == neutral()))
+    setAt(point.at);
+    if (!edit() || isByKeys() || (!point.isDrag() && m_dragged == neutral()))
         return m_context.host.repaint();
+    const bool stepwise = point.held.testFlag(Qt::ControlModifier);
     const double step = isAngle() ? angleStep : coarse;
     m_dragged = byHand(point);
-    if (point.held.testFlag(Qt::ControlModifier))
+    if (stepwise)
         m_dragged = std::round(m_dragged / step) * step;
     if (!isAngle())
-        m_dragged = std::max(m_dragged, point.held.testFlag(Qt::ControlModifier) ? step : leastFactor);
+        m_dragged = std::max(m_dragged, stepwise ? step : leastFactor);
     show();
 }
 
-/// A click goes on by wheel and keys.
-void FactorTool::release(const ToolPoint& point)
+void FactorTool::turnWheel(double notches)
 {
-    if (!m_edit)
-        return;
-    if (m_dragged != neutral() || m_wheeled != neutral() || !m_typed.isEmpty())
-        return finish(true);
-    m_at = point.at;
-    m_byKeys = true;
-    begin(Qt::NoButton);
-}
-
-void FactorTool::pressAgain(const ToolPoint& point)
-{
-    if (m_byKeys || point.button == Qt::RightButton)
-        finish(point.button == Qt::LeftButton);
-}
-
-bool FactorTool::wheel(const ToolPoint&, double turn)
-{
-    if (!isBusy() || !m_edit)
-        return false;
-    m_typed.clear();
-    m_wheeled =
-        isAngle() ? m_wheeled + angleStep * turn / notch : m_wheeled * std::pow(perNotch, turn / notch);
-    show();
-    return true;
-}
-
-void FactorTool::key(const QKeyEvent& event, bool pressed)
-{
-    if (!pressed || !m_edit)
-        return;
-    if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter)
-        return finish(true);
-    const bool typed = event.key() == Qt::Key_Backspace
-                           ? m_typed.erase()
-                           : !event.text().isEmpty() && (isAngle() || event.text() != QLatin1String("-")) &&
-                                 m_typed.type(event.text().front());
-    if (typed)
-        show();
-}
-
-void FactorTool::focusLost()
-{
-    if (m_byKeys)
-        finish(true);
-}
-
-void FactorTool::finish(bool keep)
-{
-    if (isBusy())
-        end();
-    if (const auto edit = std::exchange(m_edit, nullptr))
-        keep ? edit->keep() : edit->cancel();
-    setAim({});
+    m_wheeled = isAngle() ? m_wheeled + angleStep * notches : m_wheeled * std::pow(perNotch, notches);
 }
 
 QString FactorTool::hint(Qt::KeyboardModifiers) const
 {
-    if (m_byKeys)
+    if (isByKeys())
         return isAngle() ? tr("Digits: degrees · wheel: more or less · Enter or click: done · Esc: back")
                          : tr("Digits: factor · wheel: more or less · Enter or click: done · Esc: back");
     return isAngle() ? tr("Release: done · wheel: more or less · digits: degrees · Ctrl: steps · Esc: back")
@@ -347,18 +273,18 @@ void FactorTool::offer(ToolOffers& offers) const
 
 void FactorTool::paint(QPainter& painter, const PickView& view)
 {
-    const LimbHit* limb = m_edit ? &m_limb : aim() ? &*aim() : nullptr;
+    const LimbHit* limb = edit() ? &m_limb : aim() ? &*aim() : nullptr;
     if (limb)
         paintRing(painter, view, worldOf(limb->node), *limb, handGreen);
-    if (!m_edit)
+    if (!edit())
         return;
     const double shown = isAngle() ? value() / degree : value();
     const QString number =
-        m_typed.isEmpty() ? QLocale().toString(shown, 'f', isAngle() ? 0 : 2) : m_typed.text();
+        typed().isEmpty() ? QLocale().toString(shown, 'f', isAngle() ? 0 : 2) : typed().text();
     QString text = tr(m_kind.readout).arg(number);
-    if (m_byKeys && m_typed.isEmpty() && m_wheeled == neutral())
+    if (isByKeys() && typed().isEmpty() && m_wheeled == neutral())
         text += tr(" · type a number");
-    paintReadout(painter, m_at, sizeOf(view), text);
+    paintReadout(painter, at(), sizeOf(view), text);
 }
 
 } // namespace

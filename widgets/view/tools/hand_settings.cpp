@@ -41,11 +41,12 @@ std::span<const HandToolRow> handTools()
          QT_TRANSLATE_NOOP("Actions", "Drag a branch: the limb follows the hand")},
         {HandTool::Curl, Shape, "hand.curl", QT_TRANSLATE_NOOP("Actions", "C&url"), "hand-curl", Qt::Key_K,
          QT_TRANSLATE_NOOP("Actions", "Drag a branch to one side: the limb rolls up that way")},
-        {HandTool::Twist, Shape, "hand.twist", QT_TRANSLATE_NOOP("Actions", "Twist"), "hand-twist", Qt::Key_Y,
+        {HandTool::Twist, Shape, "hand.twist", QT_TRANSLATE_NOOP("Actions", "&Twist"), "hand-twist",
+         Qt::Key_Y,
          QT_TRANSLATE_NOOP("Actions", "Drag a branch to the right or left: what grows on it turns about it")},
         {HandTool::Length, Shape, "hand.length", QT_TRANSLATE_NOOP("Actions", "&Length"), "hand-length",
          Qt::Key_L, QT_TRANSLATE_NOOP("Actions", "Drag a branch along itself: longer or shorter")},
-        {HandTool::Thickness, Shape, "hand.thickness", QT_TRANSLATE_NOOP("Actions", "&Thickness"),
+        {HandTool::Thickness, Shape, "hand.thickness", QT_TRANSLATE_NOOP("Actions", "T&hickness"),
          "hand-thickness", Qt::Key_U,
          QT_TRANSLATE_NOOP("Actions", "Drag a branch to the right: thicker, to the left: thinner")},
         {HandTool::Taper, Shape, "hand.taper", QT_TRANSLATE_NOOP("Actions", "T&aper"), "hand-taper",
@@ -61,6 +62,8 @@ std::span<const HandToolRow> handTools()
          QT_TRANSLATE_NOOP("Actions", "Draw over a branch: from there on it goes along the stroke")},
         {HandTool::Graft, Grow, "hand.graft", QT_TRANSLATE_NOOP("Actions", "&Graft"), "hand-graft", Qt::Key_J,
          QT_TRANSLATE_NOOP("Actions", "Click a limb to copy it, then click where it is to grow")},
+        {HandTool::Move, Grow, "hand.move", QT_TRANSLATE_NOOP("Actions", "&Move the fork"), "hand-move",
+         Qt::Key_M, QT_TRANSLATE_NOOP("Actions", "Drag a branch: its fork slides along what it grows on")},
     };
     return rows;
 }

@@ -29,7 +29,8 @@ enum class HandTool : quint8 {
     Draw,
     Extend,
     Redraw,
-    Graft
+    Graft,
+    Move
 };
 
 /// In the tool bar and the menu a line stands between groups.

@@ -20,6 +20,7 @@ template <HandTool tool> std::unique_ptr<Tool> makeFactorTool(ToolContext& conte
 /// Draw, Extend and Redraw.
 template <HandTool tool> std::unique_ptr<Tool> makeDrawTool(ToolContext& context);
 std::unique_ptr<Tool> makeGraftTool(ToolContext& context);
+std::unique_ptr<Tool> makeMoveTool(ToolContext& context);
 std::unique_ptr<Tool> makePruneTool(ToolContext& context);
 std::unique_ptr<Tool> makeLeavesTool(ToolContext& context);
 std::unique_ptr<Tool> makeEditMarks(ToolContext& context);
@@ -49,6 +50,7 @@ inline constexpr ToolMaker toolTable[] = {
     makeDrawTool<HandTool::Extend>,
     makeDrawTool<HandTool::Redraw>,
     makeGraftTool,
+    makeMoveTool,
     makePruneTool,
     makeLeavesTool,
     makeEditMarks,
