@@ -1757,6 +1757,26 @@
         <source>Radius at the tip, of that where the stroke begins</source>
         <translation>Rayon au bout, par rapport à celui où le trait commence</translation>
     </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rectangle</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Cut by</source>
+        <translation>Couper par</translation>
+    </message>
+    <message>
+        <source>Along a line, or all that comes into a rectangle or a lasso</source>
+        <translation>Le long d’une ligne, ou tout ce qui entre dans un rectangle ou un lasso</translation>
+    </message>
 </context>
 <context>
     <name>KindTexts</name>
@@ -6607,6 +6627,10 @@
         <source>no branch is meant</source>
         <translation>aucune branche n’est désignée</translation>
     </message>
+    <message>
+        <source>nothing in there is thin enough to be cut</source>
+        <translation>rien là-dedans n’est assez mince pour être coupé</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -10123,6 +10147,14 @@ OpenGL&#xa0;: %4
             <numerusform>%n coupe</numerusform>
             <numerusform>%n coupes</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>What comes into it is cut · release: done · Esc: nothing is cut</source>
+        <translation>Ce qui y entre est coupé · lâcher : fait · Échap : rien n’est coupé</translation>
+    </message>
+    <message>
+        <source>Drag around twigs: what comes into it is cut</source>
+        <translation>Glisser autour de rameaux : ce qui y entre est coupé</translation>
     </message>
 </context>
 <context>

@@ -82,7 +82,13 @@ std::span<const HandChoice> handChoices()
     static constexpr const char* thickness[] = {QT_TRANSLATE_NOOP("HandOptions", "Even"),
                                                 QT_TRANSLATE_NOOP("HandOptions", "By pressure"),
                                                 QT_TRANSLATE_NOOP("HandOptions", "By speed")};
+    static constexpr const char* ways[] = {QT_TRANSLATE_NOOP("HandOptions", "Line"),
+                                           QT_TRANSLATE_NOOP("HandOptions", "Rectangle"),
+                                           QT_TRANSLATE_NOOP("HandOptions", "Lasso")};
     static constexpr HandChoice rows[] = {
+        {toolBit(Saw), "sawWay", QT_TRANSLATE_NOOP("HandOptions", "Cut by"),
+         QT_TRANSLATE_NOOP("HandOptions", "Along a line, or all that comes into a rectangle or a lasso"),
+         ways, &chosen<&HandOptions::sawWay>, &choose<&HandOptions::sawWay>},
         {toolBit(Prune), "pruneShape", QT_TRANSLATE_NOOP("HandOptions", "Shape"),
          QT_TRANSLATE_NOOP("HandOptions", "What stands out of it is cut"), shapes,
          &chosen<&HandOptions::shape>, &choose<&HandOptions::shape>},

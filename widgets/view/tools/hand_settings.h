@@ -54,8 +54,12 @@ const HandToolRow& handTool(HandTool tool);
 /// What gives a drawn branch its thickness, beside its foot and tip.
 enum class DrawBy : quint8 { Even, Pressure, Speed };
 
+/// Saw: along a line, or what comes into an area.
+enum class SawWay : quint8 { Line, Rectangle, Lasso };
+
 struct HandOptions
 {
+    SawWay sawWay = SawWay::Line;
     double sawThickest = 0.05; ///< m, radius of what the saw goes through
     bool withBelow = true;     ///< Length and Thickness: also of what grows on the limb
     double curlFrom = 0.0;     ///< share of the limb that stays straight

@@ -16,6 +16,8 @@ private slots:
     void theSawCutsWhatItCrosses();
     void theSawSparesWhatIsThick();
     void escapeTakesTheSawBack();
+    void whatComesIntoAnAreaIsCut();
+    void anAreaWithNothingInIt();
     void aBranchBeginsOnABranch();
     void aBranchGrowsAlongTheStroke();
     void theBranchCanGrowManyTimes();
@@ -119,6 +121,55 @@ void TestStrokeTools::escapeTakesTheSawBack()
     QVERIFY(!bench.edits().empty());
     QVERIFY(bench.key(Qt::Key_Escape));
     QVERIFY(bench.edits().empty());
+    QCOMPARE(bench.document.undoStack()->count(), 0);
+}
+
+void TestStrokeTools::whatComesIntoAnAreaIsCut()
+{
+    for (const SawWay by : {SawWay::Rectangle, SawWay::Lasso}) {
+        HandBench bench(HandTool::Saw);
+        HandOptions options = bench.hand.options();
+        options.sawThickest = 10.0;
+        options.sawWay = by;
+        bench.hand.setOptions(options);
+        const double cut = bench.on(0, 1.0).y(); // all above the first piece of the trunk
+        const QPointF corner(0.0, 0.0), opposite(800.0, cut - 10.0);
+        const std::vector<QPointF> box =
+            by == SawWay::Rectangle ? std::vector<QPointF>{corner, {400.0, 100.0}, opposite}
+                                    : std::vector<QPointF>{corner, {800.0, 0.0}, opposite, {0.0, cut - 10.0}};
+        bench.press(box.front());
+        for (const QPointF at : box)
+            bench.move(at);
+        QVERIFY(!bench.marked.empty());
+        QVERIFY(bench.edits().empty()); // until it is let go
+        bench.release(box.back());
+        QVERIFY2(!bench.edits().empty(), qPrintable(bench.messages.join(u'\n')));
+        QVERIFY(bench.marked.empty());
+        QCOMPARE(bench.document.undoStack()->count(), 1);
+        bench.grow();
+        for (Index b = 0; b < bench.skeleton().size(); ++b)
+            QVERIFY(bench.on(b, 1.0).y() > cut - 14.0);
+        bench.document.undoStack()->undo();
+        QVERIFY(bench.edits().empty());
+    }
+}
+
+void TestStrokeTools::anAreaWithNothingInIt()
+{
+    HandBench bench(HandTool::Saw);
+    HandOptions options = bench.hand.options();
+    options.sawWay = SawWay::Rectangle;
+    bench.hand.setOptions(options);
+    bench.click({5.0, 5.0});
+    QVERIFY(bench.messages.isEmpty());
+    bench.drag({2.0, 2.0}, {12.0, 12.0});
+    QCOMPARE(bench.messages.size(), 1);
+    QVERIFY(bench.edits().empty());
+    bench.press({0.0, 0.0});
+    bench.move({800.0, 600.0});
+    QVERIFY(bench.says("Esc"));
+    bench.key(Qt::Key_Escape);
+    QVERIFY(bench.edits().empty() && bench.marked.empty());
     QCOMPARE(bench.document.undoStack()->count(), 0);
 }
 
