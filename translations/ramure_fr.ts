@@ -10322,10 +10322,6 @@ OpenGL&#xa0;: %4
         <translation>chêne</translation>
     </message>
     <message>
-        <source>branches longer than that, in metres</source>
-        <translation>les branches plus longues, en mètres</translation>
-    </message>
-    <message>
         <source>thinner at the lower end; mm, cm, m, in, ft</source>
         <translation>plus minces à la base ; mm, cm, m, in, ft</translation>
     </message>
@@ -10375,6 +10371,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>the branch of that number in reports and files</source>
         <translation>la branche de ce numéro dans les rapports et les fichiers</translation>
+    </message>
+    <message>
+        <source>of limbs longer than that, in metres</source>
+        <translation>de branches maîtresses plus longues, en mètres</translation>
     </message>
 </context>
 <context>
