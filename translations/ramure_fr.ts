@@ -1091,6 +1091,14 @@
         <source>Drag a branch: its fork slides along what it grows on</source>
         <translation>Glissez une branche : sa fourche glisse le long de ce qui la porte</translation>
     </message>
+    <message>
+        <source>Brus&amp;h</source>
+        <translation>&amp;Pinceau</translation>
+    </message>
+    <message>
+        <source>Drag over branches: they are combed, drawn near or pushed away, or lose their leaves</source>
+        <translation>Glissez sur des branches : elles sont peignées, attirées ou repoussées, ou perdent leurs feuilles</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -1776,6 +1784,46 @@
     <message>
         <source>Along a line, or all that comes into a rectangle or a lasso</source>
         <translation>Le long d’une ligne, ou tout ce qui entre dans un rectangle ou un lasso</translation>
+    </message>
+    <message>
+        <source>Attract</source>
+        <translation>Attirer</translation>
+    </message>
+    <message>
+        <source>Repel</source>
+        <translation>Repousser</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Peigner</translation>
+    </message>
+    <message>
+        <source>Leaves off</source>
+        <translation>Feuilles ôtées</translation>
+    </message>
+    <message>
+        <source>Leaves on</source>
+        <translation>Feuilles remises</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinceau</translation>
+    </message>
+    <message>
+        <source>What the brush does to branches within its radius</source>
+        <translation>Ce que le pinceau fait aux branches dans son rayon</translation>
+    </message>
+    <message>
+        <source>Of the brush; also Shift and the wheel. 0: to suit the tree</source>
+        <translation>Du pinceau ; aussi Maj et la molette. 0 : selon l’arbre</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>How far branches turn; of leaves it changes nothing</source>
+        <translation>Combien les branches tournent ; pour les feuilles cela ne change rien</translation>
     </message>
 </context>
 <context>
@@ -6631,6 +6679,10 @@
         <source>nothing in there is thin enough to be cut</source>
         <translation>rien là-dedans n’est assez mince pour être coupé</translation>
     </message>
+    <message>
+        <source>no leaves there would come or go</source>
+        <translation>aucune feuille n’y viendrait ni n’en partirait</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -7502,6 +7554,57 @@ OpenGL&#xa0;: %4
     <message>
         <source>%1 · branch %2 in reports</source>
         <translation>%1 · branche %2 dans les rapports</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::BrushTool</name>
+    <message>
+        <source>Press on the tree that is meant, or select it first.</source>
+        <translation>Appuyez sur l’arbre voulu, ou sélectionnez-le d’abord.</translation>
+    </message>
+    <message>
+        <source>Drag over branches: they turn the way of the stroke.</source>
+        <translation>Glissez sur des branches : elles tournent dans le sens du trait.</translation>
+    </message>
+    <message>
+        <source>Release: done · wheel: radius · Esc: back</source>
+        <translation>Lâcher : fait · molette : rayon · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Release: done · wheel: radius · digits: strength in % · Esc: back</source>
+        <translation>Lâcher : fait · molette : rayon · chiffres : force en % · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Shift + wheel: radius</source>
+        <translation>Maj + molette : rayon</translation>
+    </message>
+    <message>
+        <source>Press or drag: branches turn towards the hand</source>
+        <translation>Appuyer ou glisser : les branches se tournent vers la main</translation>
+    </message>
+    <message>
+        <source>Press or drag: branches turn away from the hand</source>
+        <translation>Appuyer ou glisser : les branches se détournent de la main</translation>
+    </message>
+    <message>
+        <source>Drag over branches: they turn the way of the stroke</source>
+        <translation>Glisser sur des branches : elles tournent dans le sens du trait</translation>
+    </message>
+    <message>
+        <source>Drag over twigs: their leaves go</source>
+        <translation>Glisser sur des rameaux : leurs feuilles s’en vont</translation>
+    </message>
+    <message>
+        <source>Drag over twigs: their leaves come back</source>
+        <translation>Glisser sur des rameaux : leurs feuilles reviennent</translation>
+    </message>
+    <message>
+        <source>radius %1 m</source>
+        <translation>rayon %1 m</translation>
+    </message>
+    <message>
+        <source>%1 % · radius %2 m</source>
+        <translation>%1 % · rayon %2 m</translation>
     </message>
 </context>
 <context>

@@ -53,6 +53,11 @@ std::span<const HandToolRow> handTools()
          Qt::SHIFT | Qt::Key_U,
          QT_TRANSLATE_NOOP("Actions",
                            "Drag a branch to the right: its tip gets thicker, to the left: thinner")},
+        {HandTool::Brush, Shape, "hand.brush", QT_TRANSLATE_NOOP("Actions", "Brus&h"), "hand-brush",
+         Qt::Key_A,
+         QT_TRANSLATE_NOOP(
+             "Actions",
+             "Drag over branches: they are combed, drawn near or pushed away, or lose their leaves")},
         {HandTool::Draw, Grow, "hand.draw", QT_TRANSLATE_NOOP("Actions", "&Draw"), "hand-draw", Qt::Key_D,
          QT_TRANSLATE_NOOP("Actions", "Drag from a branch or the ground: a branch grows along the stroke")},
         {HandTool::Extend, Grow, "hand.extend", QT_TRANSLATE_NOOP("Actions", "E&xtend"), "hand-extend",
@@ -85,7 +90,14 @@ std::span<const HandChoice> handChoices()
     static constexpr const char* ways[] = {QT_TRANSLATE_NOOP("HandOptions", "Line"),
                                            QT_TRANSLATE_NOOP("HandOptions", "Rectangle"),
                                            QT_TRANSLATE_NOOP("HandOptions", "Lasso")};
+    static constexpr const char* brushes[] = {
+        QT_TRANSLATE_NOOP("HandOptions", "Attract"), QT_TRANSLATE_NOOP("HandOptions", "Repel"),
+        QT_TRANSLATE_NOOP("HandOptions", "Comb"), QT_TRANSLATE_NOOP("HandOptions", "Leaves off"),
+        QT_TRANSLATE_NOOP("HandOptions", "Leaves on")};
     static constexpr HandChoice rows[] = {
+        {toolBit(Brush), "brush", QT_TRANSLATE_NOOP("HandOptions", "Brush"),
+         QT_TRANSLATE_NOOP("HandOptions", "What the brush does to branches within its radius"), brushes,
+         &chosen<&HandOptions::brush>, &choose<&HandOptions::brush>},
         {toolBit(Saw), "sawWay", QT_TRANSLATE_NOOP("HandOptions", "Cut by"),
          QT_TRANSLATE_NOOP("HandOptions", "Along a line, or all that comes into a rectangle or a lasso"),
          ways, &chosen<&HandOptions::sawWay>, &choose<&HandOptions::sawWay>},
@@ -111,6 +123,12 @@ std::span<const HandNumber> handNumbers()
         {toolBit(Curl), "curlFrom", QT_TRANSLATE_NOOP("HandOptions", "From"),
          QT_TRANSLATE_NOOP("HandOptions", "Below that share of its length the limb stays as it is"),
          &HandOptions::curlFrom, 0.0, 0.95, 0.05, 0, 100.0, " %"},
+        {toolBit(Brush), "brushRadius", QT_TRANSLATE_NOOP("HandOptions", "Radius"),
+         QT_TRANSLATE_NOOP("HandOptions", "Of the brush; also Shift and the wheel. 0: to suit the tree"),
+         &HandOptions::brushRadius, 0.0, 100.0, 0.1, 2, 1.0, " m"},
+        {toolBit(Brush), "brushStrength", QT_TRANSLATE_NOOP("HandOptions", "Strength"),
+         QT_TRANSLATE_NOOP("HandOptions", "How far branches turn; of leaves it changes nothing"),
+         &HandOptions::brushStrength, 0.0, 1.0, 0.1, 0, 100.0, " %"},
         {toolBit(Draw), "drawRadius", QT_TRANSLATE_NOOP("HandOptions", "Radius"),
          QT_TRANSLATE_NOOP("HandOptions", "At the foot of the new branch. 0: to suit what it grows on"),
          &HandOptions::drawRadius, 0.0, 10.0, 0.005, 1, 100.0, " cm"},

@@ -26,6 +26,7 @@ enum class HandTool : quint8 {
     Length,
     Thickness,
     Taper,
+    Brush,
     Draw,
     Extend,
     Redraw,
@@ -57,16 +58,27 @@ enum class DrawBy : quint8 { Even, Pressure, Speed };
 /// Saw: along a line, or what comes into an area.
 enum class SawWay : quint8 { Line, Rectangle, Lasso };
 
+enum class BrushKind : quint8 {
+    Attract,
+    Repel,
+    Comb,
+    Bare, ///< leaves go
+    Leafy ///< leaves come back
+};
+
 struct HandOptions
 {
     SawWay sawWay = SawWay::Line;
     double sawThickest = 0.05; ///< m, radius of what the saw goes through
     bool withBelow = true;     ///< Length and Thickness: also of what grows on the limb
     double curlFrom = 0.0;     ///< share of the limb that stays straight
-    double drawRadius = 0.0;   ///< m, at the foot; 0: to suit the parent
-    double drawTip = 0.3;      ///< radius at the tip, of that at the foot
-    double drawSmooth = 0.6;   ///< 0: as drawn, 1: very smooth
-    bool drawTwigs = false;    ///< twigs grow on the branch as on those beside it
+    BrushKind brush = BrushKind::Comb;
+    double brushRadius = 0.0;   ///< m; 0: to suit the tree
+    double brushStrength = 0.5; ///< 0..1
+    double drawRadius = 0.0;    ///< m, at the foot; 0: to suit the parent
+    double drawTip = 0.3;       ///< radius at the tip, of that at the foot
+    double drawSmooth = 0.6;    ///< 0: as drawn, 1: very smooth
+    bool drawTwigs = false;     ///< twigs grow on the branch as on those beside it
     DrawBy drawBy = DrawBy::Pressure;
     double graftSize = 1.0; ///< factor
     int copies = 1;         ///< Draw and Graft: so many around the trunk
