@@ -1099,6 +1099,14 @@
         <source>Drag over branches: they are combed, drawn near or pushed away, or lose their leaves</source>
         <translation>Glissez sur des branches : elles sont peignées, attirées ou repoussées, ou perdent leurs feuilles</translation>
     </message>
+    <message>
+        <source>Move the r&amp;oot</source>
+        <translation>Déplacer la &amp;racine</translation>
+    </message>
+    <message>
+        <source>Drag a tree: its foot goes over the ground, and flares by the wheel</source>
+        <translation>Glissez un arbre : son pied va sur le sol, et s’évase par la molette</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -1806,10 +1814,6 @@
         <translation>Feuilles remises</translation>
     </message>
     <message>
-        <source>Brush</source>
-        <translation>Pinceau</translation>
-    </message>
-    <message>
         <source>What the brush does to branches within its radius</source>
         <translation>Ce que le pinceau fait aux branches dans son rayon</translation>
     </message>
@@ -1824,6 +1828,10 @@
     <message>
         <source>How far branches turn; of leaves it changes nothing</source>
         <translation>Combien les branches tournent ; pour les feuilles cela ne change rien</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Action</translation>
     </message>
 </context>
 <context>
@@ -10189,6 +10197,37 @@ OpenGL&#xa0;: %4
             <numerusform>Pour la branche sélectionnée.</numerusform>
             <numerusform>Pour les %n branches sélectionnées.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>ramure::RootTool</name>
+    <message>
+        <source>Digits: flare · wheel: more or less · Enter or click: done · Esc: back</source>
+        <translation>Chiffres : évasement · molette : plus ou moins · Entrée ou clic : fait · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Release: done · Ctrl, wheel or digits: flare of the foot · Esc: back</source>
+        <translation>Lâcher : fait · Ctrl, molette ou chiffres : évasement du pied · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Drag the tree: its foot goes over the ground</source>
+        <translation>Glisser l’arbre : son pied va sur le sol</translation>
+    </message>
+    <message>
+        <source>Click: type how wide its foot is</source>
+        <translation>Clic : taper la largeur de son pied</translation>
+    </message>
+    <message>
+        <source>%1 m · foot × %2</source>
+        <translation>%1 m · pied × %2</translation>
+    </message>
+    <message>
+        <source>foot × %1</source>
+        <translation>pied × %1</translation>
+    </message>
+    <message>
+        <source> · type a number</source>
+        <translation> · tapez un nombre</translation>
     </message>
 </context>
 <context>

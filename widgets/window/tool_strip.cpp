@@ -51,6 +51,7 @@ ToolStrip::ToolStrip(ViewSettings* settings, QList<QAction*> tools, QToolBar* tr
     auto* scroll = new QScrollArea(this);
     auto* content = new QWidget(scroll);
     m_row = new QHBoxLayout(content);
+    content->setFixedHeight(stripHeight); // else what wants more hangs lower than the rest
     m_row->setContentsMargins(10, 0, 10, 0);
     m_row->setSpacing(8);
     m_row->addWidget(m_icon);

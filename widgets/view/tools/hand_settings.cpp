@@ -69,6 +69,9 @@ std::span<const HandToolRow> handTools()
          QT_TRANSLATE_NOOP("Actions", "Click a limb to copy it, then click where it is to grow")},
         {HandTool::Move, Grow, "hand.move", QT_TRANSLATE_NOOP("Actions", "&Move the fork"), "hand-move",
          Qt::Key_M, QT_TRANSLATE_NOOP("Actions", "Drag a branch: its fork slides along what it grows on")},
+        {HandTool::Root, Grow, "hand.root", QT_TRANSLATE_NOOP("Actions", "Move the r&oot"), "hand-root",
+         Qt::SHIFT | Qt::Key_M,
+         QT_TRANSLATE_NOOP("Actions", "Drag a tree: its foot goes over the ground, and flares by the wheel")},
     };
     return rows;
 }
@@ -95,7 +98,7 @@ std::span<const HandChoice> handChoices()
         QT_TRANSLATE_NOOP("HandOptions", "Comb"), QT_TRANSLATE_NOOP("HandOptions", "Leaves off"),
         QT_TRANSLATE_NOOP("HandOptions", "Leaves on")};
     static constexpr HandChoice rows[] = {
-        {toolBit(Brush), "brush", QT_TRANSLATE_NOOP("HandOptions", "Brush"),
+        {toolBit(Brush), "brush", QT_TRANSLATE_NOOP("HandOptions", "Action"),
          QT_TRANSLATE_NOOP("HandOptions", "What the brush does to branches within its radius"), brushes,
          &chosen<&HandOptions::brush>, &choose<&HandOptions::brush>},
         {toolBit(Saw), "sawWay", QT_TRANSLATE_NOOP("HandOptions", "Cut by"),

@@ -31,7 +31,8 @@ enum class HandTool : quint8 {
     Extend,
     Redraw,
     Graft,
-    Move
+    Move,
+    Root
 };
 
 /// In the tool bar and the menu a line stands between groups.

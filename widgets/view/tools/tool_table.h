@@ -21,6 +21,7 @@ template <HandTool tool> std::unique_ptr<Tool> makeFactorTool(ToolContext& conte
 template <HandTool tool> std::unique_ptr<Tool> makeDrawTool(ToolContext& context);
 std::unique_ptr<Tool> makeGraftTool(ToolContext& context);
 std::unique_ptr<Tool> makeMoveTool(ToolContext& context);
+std::unique_ptr<Tool> makeRootTool(ToolContext& context);
 std::unique_ptr<Tool> makeBrushTool(ToolContext& context);
 std::unique_ptr<Tool> makePruneTool(ToolContext& context);
 std::unique_ptr<Tool> makeLeavesTool(ToolContext& context);
@@ -52,6 +53,7 @@ inline constexpr ToolMaker toolTable[] = {
     makeDrawTool<HandTool::Redraw>,
     makeGraftTool,
     makeMoveTool,
+    makeRootTool,
     makeBrushTool,
     makePruneTool,
     makeLeavesTool,
