@@ -1833,6 +1833,14 @@
         <source>Action</source>
         <translation>Action</translation>
     </message>
+    <message>
+        <source>Drawn outline</source>
+        <translation>Contour dessiné</translation>
+    </message>
+    <message>
+        <source>Solid of the scene</source>
+        <translation>Solide de la scène</translation>
+    </message>
 </context>
 <context>
     <name>KindTexts</name>
@@ -10020,6 +10028,26 @@ OpenGL&#xa0;: %4
     <message>
         <source>%1 m wide, %2 m high</source>
         <translation>%1 m de large, %2 m de haut</translation>
+    </message>
+    <message>
+        <source>Click a solid around the tree: what stands out of it is cut</source>
+        <translation>Cliquer sur un solide autour de l’arbre : ce qui en dépasse est coupé</translation>
+    </message>
+    <message>
+        <source>Draw half of the outline beside the trunk: the tree is cut to it</source>
+        <translation>Dessiner la moitié du contour à côté du tronc : l’arbre y est taillé</translation>
+    </message>
+    <message>
+        <source>Select the tree, then click the solid that it is to be pruned to.</source>
+        <translation>Sélectionnez l’arbre, puis cliquez sur le solide qui doit le tailler.</translation>
+    </message>
+    <message>
+        <source>Draw half of the outline beside the trunk.</source>
+        <translation>Dessinez la moitié du contour à côté du tronc.</translation>
+    </message>
+    <message>
+        <source>%1 m high</source>
+        <translation>%1 m de haut</translation>
     </message>
 </context>
 <context>

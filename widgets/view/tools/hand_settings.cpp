@@ -84,9 +84,10 @@ const HandToolRow& handTool(HandTool tool)
 std::span<const HandChoice> handChoices()
 {
     using enum HandTool;
-    static constexpr const char* shapes[] = {QT_TRANSLATE_NOOP("HandOptions", "Sphere"),
-                                             QT_TRANSLATE_NOOP("HandOptions", "Box"),
-                                             QT_TRANSLATE_NOOP("HandOptions", "Cone")};
+    static constexpr const char* shapes[] = {
+        QT_TRANSLATE_NOOP("HandOptions", "Sphere"), QT_TRANSLATE_NOOP("HandOptions", "Box"),
+        QT_TRANSLATE_NOOP("HandOptions", "Cone"), QT_TRANSLATE_NOOP("HandOptions", "Drawn outline"),
+        QT_TRANSLATE_NOOP("HandOptions", "Solid of the scene")};
     static constexpr const char* thickness[] = {QT_TRANSLATE_NOOP("HandOptions", "Even"),
                                                 QT_TRANSLATE_NOOP("HandOptions", "By pressure"),
                                                 QT_TRANSLATE_NOOP("HandOptions", "By speed")};

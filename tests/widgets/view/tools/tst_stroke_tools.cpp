@@ -33,6 +33,8 @@ private slots:
     void aLimbIsCopiedAndGrows();
     void aLimbGrowsOnAnotherTree();
     void aShapePrunesTheTree();
+    void anOutlinePrunesTheTree();
+    void aSolidPrunesTheTree();
     void escapeTakesTheShapeBack();
 
 private:
@@ -438,6 +440,63 @@ void TestStrokeTools::aShapePrunesTheTree()
         bench.grow();
         QVERIFY(skeletonStats(bench.skeleton()).totalLength < before);
     }
+}
+
+void TestStrokeTools::anOutlinePrunesTheTree()
+{
+    HandBench bench(HandTool::Prune);
+    HandOptions options = bench.hand.options();
+    options.shape = EditShapeKind::Profile;
+    bench.hand.setOptions(options);
+    const QPointF foot = bench.on(0, 0.0), top = bench.on(0, 1.0);
+    stroke(bench, way(foot + QPointF(30.0, 0.0), foot + QPointF(90.0, 0.0))); // of no height
+    QVERIFY(bench.edits().empty());
+    QCOMPARE(bench.messages.size(), 1);
+    stroke(bench, way(foot + QPointF(40.0, 0.0), top + QPointF(15.0, 0.0)));
+    QVERIFY2(bench.edits().size() == 1, qPrintable(bench.messages.join(u'\n')));
+    const EditShape& shape = bench.edits().front().shape;
+    QCOMPARE(shape.kind, EditShapeKind::Profile);
+    QVERIFY(shape.points.front().x > shape.points.back().x);
+    QCOMPARE(bench.document.undoStack()->count(), 1);
+    const double before = skeletonStats(bench.skeleton()).totalLength,
+                 high = shape.numbers[1] + shape.points.back().y;
+    bench.grow();
+    QVERIFY(skeletonStats(bench.skeleton()).totalLength < before);
+    QVERIFY(skeletonStats(bench.skeleton()).max.y < high + 1e-6);
+}
+
+void TestStrokeTools::aSolidPrunesTheTree()
+{
+    HandBench bench(HandTool::Prune);
+    HandOptions options = bench.hand.options();
+    options.shape = EditShapeKind::Mesh;
+    bench.hand.setOptions(options);
+    bench.click(bench.on(0, 0.5)); // no solid
+    bench.click({2.0, 2.0});
+    QVERIFY(bench.edits().empty());
+    QCOMPARE(bench.messages.size(), 2);
+    std::vector<Node> nodes{*bench.document.scene().find(1)};
+    Node ball;
+    ball.id = 2;
+    ball.kind = NodeKind::Primitive;
+    ball.name = "ball";
+    nodes.push_back(ball);
+    bench.open(Scene::fromNodes(nodes).value_or(Scene()));
+    bench.grow();
+    const double before = skeletonStats(bench.skeleton()).totalLength;
+    const auto scene = bench.latestPickScene();
+    std::optional<QPointF> on; // the ball
+    for (double x = 5.0; x < bench.size.x && !on; x += 5.0)
+        for (double y = 5.0; y < bench.size.y && !on; y += 5.0)
+            if (const auto hit = scene->pick(bench.view(), {x, y}); hit && hit->node == 2)
+                on = QPointF(x, y);
+    QVERIFY(on);
+    bench.click(*on);
+    QVERIFY2(bench.edits().size() == 1, qPrintable(bench.messages.join(u'\n')));
+    QCOMPARE(bench.edits().front().shape.kind, EditShapeKind::Mesh);
+    QCOMPARE(bench.document.undoStack()->count(), 1);
+    bench.grow();
+    QVERIFY(skeletonStats(bench.skeleton()).totalLength < before);
 }
 
 void TestStrokeTools::escapeTakesTheShapeBack()
