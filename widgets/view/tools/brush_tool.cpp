@@ -94,7 +94,7 @@ std::optional<glm::dvec3> BrushTool::besideTree(const ToolPoint& point, NodeId t
 bool BrushTool::hover(const ToolPoint& point)
 {
     EditTool::hover(point);
-    if (!isChosen())
+    if (!isChosen() || isBusy())
         return false;
     m_tree = aim() ? aim()->node : treeMeant(m_context.document);
     const auto place = aim() ? std::optional(aim()->seen + aim()->aside) : besideTree(point, m_tree);

@@ -46,6 +46,8 @@ void TestFactorTool::aDragAlongTheBranchMakesItLonger()
     const QPointF foot = bench.on(twig, 0.0), at = bench.on(twig);
     bench.press(at);
     bench.move(at + 0.8 * (at - foot));
+    bench.tools.hover(bench.at(at)); // the picture is ready, and the view looks again
+    QVERIFY(bench.marked.empty());
     QVERIFY(bench.says("Release"));
     QCOMPARE(bench.edits().size(), std::size_t(1)); // while it is dragged
     bench.release(at + 0.8 * (at - foot));
