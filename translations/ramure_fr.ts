@@ -1004,10 +1004,6 @@
         <translation>Glisser une branche le long d’elle-même : plus longue ou plus courte</translation>
     </message>
     <message>
-        <source>&amp;Thickness</source>
-        <translation>É&amp;paisseur</translation>
-    </message>
-    <message>
         <source>Drag a branch to the right: thicker, to the left: thinner</source>
         <translation>Glisser une branche à droite : plus épaisse, à gauche : plus mince</translation>
     </message>
@@ -1042,6 +1038,74 @@
     <message>
         <source>Click a limb: its leaves go, or come back</source>
         <translation>Cliquer sur une branche : ses feuilles s’en vont ou reviennent</translation>
+    </message>
+    <message>
+        <source>C&amp;url</source>
+        <translation>&amp;Enrouler</translation>
+    </message>
+    <message>
+        <source>Drag a branch to one side: the limb rolls up that way</source>
+        <translation>Glissez une branche vers un côté : elle s’enroule par là</translation>
+    </message>
+    <message>
+        <source>Drag a branch to the right or left: what grows on it turns about it</source>
+        <translation>Glissez une branche à droite ou à gauche : ce qui pousse dessus tourne autour d’elle</translation>
+    </message>
+    <message>
+        <source>T&amp;aper</source>
+        <translation>E&amp;ffiler</translation>
+    </message>
+    <message>
+        <source>Drag a branch to the right: its tip gets thicker, to the left: thinner</source>
+        <translation>Glissez une branche à droite : son bout s’épaissit, à gauche : il s’amincit</translation>
+    </message>
+    <message>
+        <source>E&amp;xtend</source>
+        <translation>Pr&amp;olonger</translation>
+    </message>
+    <message>
+        <source>Drag a branch: its tip grows on along the stroke</source>
+        <translation>Glissez une branche : son bout pousse le long du trait</translation>
+    </message>
+    <message>
+        <source>Redra&amp;w</source>
+        <translation>&amp;Redessiner</translation>
+    </message>
+    <message>
+        <source>Draw over a branch: from there on it goes along the stroke</source>
+        <translation>Dessinez sur une branche : à partir de là, elle suit le trait</translation>
+    </message>
+    <message>
+        <source>&amp;Twist</source>
+        <translation>&amp;Tordre</translation>
+    </message>
+    <message>
+        <source>T&amp;hickness</source>
+        <translation>É&amp;paisseur</translation>
+    </message>
+    <message>
+        <source>&amp;Move the fork</source>
+        <translation>Dépla&amp;cer la fourche</translation>
+    </message>
+    <message>
+        <source>Drag a branch: its fork slides along what it grows on</source>
+        <translation>Glissez une branche : sa fourche glisse le long de ce qui la porte</translation>
+    </message>
+    <message>
+        <source>Brus&amp;h</source>
+        <translation>&amp;Pinceau</translation>
+    </message>
+    <message>
+        <source>Drag over branches: they are combed, drawn near or pushed away, or lose their leaves</source>
+        <translation>Glissez sur des branches : elles sont peignées, attirées ou repoussées, ou perdent leurs feuilles</translation>
+    </message>
+    <message>
+        <source>Move the r&amp;oot</source>
+        <translation>Déplacer la &amp;racine</translation>
+    </message>
+    <message>
+        <source>Drag a tree: its foot goes over the ground, and flares by the wheel</source>
+        <translation>Glissez un arbre : son pied va sur le sol, et s’évase par la molette</translation>
     </message>
 </context>
 <context>
@@ -1536,14 +1600,6 @@
         <translation>Pendant qu’un arbre est façonné à la main</translation>
     </message>
     <message>
-        <source>The factor of a length or a thickness</source>
-        <translation>Le facteur d’une longueur ou d’une épaisseur</translation>
-    </message>
-    <message>
-        <source>The factor in steps</source>
-        <translation>Le facteur par pas</translation>
-    </message>
-    <message>
         <source>Copy another limb, with the graft tool</source>
         <translation>Copier une autre branche, avec la greffe</translation>
     </message>
@@ -1554,6 +1610,14 @@
     <message>
         <source>In the list of edits: earlier or later</source>
         <translation>Dans la liste des retouches : plus tôt ou plus tard</translation>
+    </message>
+    <message>
+        <source>The factor, or the angle, of what is held</source>
+        <translation>Le facteur, ou l’angle, de ce qui est tenu</translation>
+    </message>
+    <message>
+        <source>The same in steps</source>
+        <translation>Le même par pas</translation>
     </message>
 </context>
 <context>
@@ -1610,10 +1674,6 @@
         <translation>Bout</translation>
     </message>
     <message>
-        <source>Radius at the tip, of that at the foot</source>
-        <translation>Rayon au bout, par rapport à celui du pied</translation>
-    </message>
-    <message>
         <source>Smoothing</source>
         <translation>Lissage</translation>
     </message>
@@ -1654,14 +1714,6 @@
         <translation>Des rameaux poussent sur la branche comme sur ses voisines</translation>
     </message>
     <message>
-        <source>Pen pressure</source>
-        <translation>Pression du stylet</translation>
-    </message>
-    <message>
-        <source>The harder the pen is pressed, the thicker the branch</source>
-        <translation>Plus le stylet appuie, plus la branche est épaisse</translation>
-    </message>
-    <message>
         <source>Mirrored</source>
         <translation>En miroir</translation>
     </message>
@@ -1676,6 +1728,118 @@
     <message>
         <source>What stands out of it is cut</source>
         <translation>Ce qui en dépasse est coupé</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>Below that share of its length the limb stays as it is</source>
+        <translation>En dessous de cette part de sa longueur, la branche reste comme elle est</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>Sphère</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Boîte</translation>
+    </message>
+    <message>
+        <source>Cone</source>
+        <translation>Cône</translation>
+    </message>
+    <message>
+        <source>Even</source>
+        <translation>Régulière</translation>
+    </message>
+    <message>
+        <source>By pressure</source>
+        <translation>Par la pression</translation>
+    </message>
+    <message>
+        <source>By speed</source>
+        <translation>Par la vitesse</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Along the stroke: the harder the pen is pressed, or the slower the hand goes, the thicker</source>
+        <translation>Le long du trait : plus le stylet appuie, ou plus la main va lentement, plus c’est épais</translation>
+    </message>
+    <message>
+        <source>Radius at the tip, of that where the stroke begins</source>
+        <translation>Rayon au bout, par rapport à celui où le trait commence</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rectangle</translation>
+    </message>
+    <message>
+        <source>Lasso</source>
+        <translation>Lasso</translation>
+    </message>
+    <message>
+        <source>Cut by</source>
+        <translation>Couper par</translation>
+    </message>
+    <message>
+        <source>Along a line, or all that comes into a rectangle or a lasso</source>
+        <translation>Le long d’une ligne, ou tout ce qui entre dans un rectangle ou un lasso</translation>
+    </message>
+    <message>
+        <source>Attract</source>
+        <translation>Attirer</translation>
+    </message>
+    <message>
+        <source>Repel</source>
+        <translation>Repousser</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <translation>Peigner</translation>
+    </message>
+    <message>
+        <source>Leaves off</source>
+        <translation>Feuilles ôtées</translation>
+    </message>
+    <message>
+        <source>Leaves on</source>
+        <translation>Feuilles remises</translation>
+    </message>
+    <message>
+        <source>What the brush does to branches within its radius</source>
+        <translation>Ce que le pinceau fait aux branches dans son rayon</translation>
+    </message>
+    <message>
+        <source>Of the brush; also Shift and the wheel. 0: to suit the tree</source>
+        <translation>Du pinceau ; aussi Maj et la molette. 0 : selon l’arbre</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Force</translation>
+    </message>
+    <message>
+        <source>How far branches turn; of leaves it changes nothing</source>
+        <translation>Combien les branches tournent ; pour les feuilles cela ne change rien</translation>
+    </message>
+    <message>
+        <source>Action</source>
+        <translation>Action</translation>
+    </message>
+    <message>
+        <source>Drawn outline</source>
+        <translation>Contour dessiné</translation>
+    </message>
+    <message>
+        <source>Solid of the scene</source>
+        <translation>Solide de la scène</translation>
     </message>
 </context>
 <context>
@@ -6527,6 +6691,14 @@
         <source>no branch is meant</source>
         <translation>aucune branche n’est désignée</translation>
     </message>
+    <message>
+        <source>nothing in there is thin enough to be cut</source>
+        <translation>rien là-dedans n’est assez mince pour être coupé</translation>
+    </message>
+    <message>
+        <source>no leaves there would come or go</source>
+        <translation>aucune feuille n’y viendrait ni n’en partirait</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -7401,6 +7573,57 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::BrushTool</name>
+    <message>
+        <source>Press on the tree that is meant, or select it first.</source>
+        <translation>Appuyez sur l’arbre voulu, ou sélectionnez-le d’abord.</translation>
+    </message>
+    <message>
+        <source>Drag over branches: they turn the way of the stroke.</source>
+        <translation>Glissez sur des branches : elles tournent dans le sens du trait.</translation>
+    </message>
+    <message>
+        <source>Release: done · wheel: radius · Esc: back</source>
+        <translation>Lâcher : fait · molette : rayon · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Release: done · wheel: radius · digits: strength in % · Esc: back</source>
+        <translation>Lâcher : fait · molette : rayon · chiffres : force en % · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Shift + wheel: radius</source>
+        <translation>Maj + molette : rayon</translation>
+    </message>
+    <message>
+        <source>Press or drag: branches turn towards the hand</source>
+        <translation>Appuyer ou glisser : les branches se tournent vers la main</translation>
+    </message>
+    <message>
+        <source>Press or drag: branches turn away from the hand</source>
+        <translation>Appuyer ou glisser : les branches se détournent de la main</translation>
+    </message>
+    <message>
+        <source>Drag over branches: they turn the way of the stroke</source>
+        <translation>Glisser sur des branches : elles tournent dans le sens du trait</translation>
+    </message>
+    <message>
+        <source>Drag over twigs: their leaves go</source>
+        <translation>Glisser sur des rameaux : leurs feuilles s’en vont</translation>
+    </message>
+    <message>
+        <source>Drag over twigs: their leaves come back</source>
+        <translation>Glisser sur des rameaux : leurs feuilles reviennent</translation>
+    </message>
+    <message>
+        <source>radius %1 m</source>
+        <translation>rayon %1 m</translation>
+    </message>
+    <message>
+        <source>%1 % · radius %2 m</source>
+        <translation>%1 % · rayon %2 m</translation>
+    </message>
+</context>
+<context>
     <name>ramure::Callout</name>
     <message>
         <source>%1 of %2</source>
@@ -7512,6 +7735,26 @@ OpenGL&#xa0;: %4
     <message>
         <source>%1 m</source>
         <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>Press on the branch that is meant, and drag.</source>
+        <translation>Appuyez sur la branche voulue, et glissez.</translation>
+    </message>
+    <message>
+        <source>The tip grows on along the line · release: done · Esc: as it was</source>
+        <translation>Le bout pousse le long du trait · lâcher : fait · Échap : comme avant</translation>
+    </message>
+    <message>
+        <source>The branch goes along the line · release: done · Esc: as it was</source>
+        <translation>La branche suit le trait · lâcher : fait · Échap : comme avant</translation>
+    </message>
+    <message>
+        <source>Drag a branch: its tip grows on as the hand goes</source>
+        <translation>Glisser une branche : son bout pousse comme va la main</translation>
+    </message>
+    <message>
+        <source>Drag from a branch: from there on it goes along the line</source>
+        <translation>Glisser à partir d’une branche : de là, elle suit le trait</translation>
     </message>
 </context>
 <context>
@@ -7898,6 +8141,42 @@ OpenGL&#xa0;: %4
     <message>
         <source> · type a number</source>
         <translation> · tapez un nombre</translation>
+    </message>
+    <message>
+        <source>Thickness of the tip × %1</source>
+        <translation>Épaisseur du bout × %1</translation>
+    </message>
+    <message>
+        <source>Drag a branch to the right or left: how thick its tip is</source>
+        <translation>Glisser une branche à droite ou à gauche : l’épaisseur de son bout</translation>
+    </message>
+    <message>
+        <source>Curl %1°</source>
+        <translation>Enroulement %1°</translation>
+    </message>
+    <message>
+        <source>Drag a branch to one side: it rolls up that way</source>
+        <translation>Glisser une branche vers un côté : elle s’enroule par là</translation>
+    </message>
+    <message>
+        <source>Twist %1°</source>
+        <translation>Torsion %1°</translation>
+    </message>
+    <message>
+        <source>Drag a branch to the right or left: what grows on it turns</source>
+        <translation>Glisser une branche à droite ou à gauche : ce qui pousse dessus tourne</translation>
+    </message>
+    <message>
+        <source>Digits: degrees · wheel: more or less · Enter or click: done · Esc: back</source>
+        <translation>Chiffres : degrés · molette : plus ou moins · Entrée ou clic : fait · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Release: done · wheel: more or less · digits: degrees · Ctrl: steps · Esc: back</source>
+        <translation>Lâcher : fait · molette : plus ou moins · chiffres : degrés · Ctrl : par pas · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Click: type an angle</source>
+        <translation>Clic : taper un angle</translation>
     </message>
 </context>
 <context>
@@ -9135,6 +9414,37 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::MoveTool</name>
+    <message>
+        <source>Digits: place in % · wheel: around · Enter or click: done · Esc: back</source>
+        <translation>Chiffres : place en % · molette : autour · Entrée ou clic : fait · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Release: done · Shift or wheel: around · Ctrl: onto another branch · digits: place in % · Esc: back</source>
+        <translation>Lâcher : fait · Maj ou molette : autour · Ctrl : sur une autre branche · chiffres : place en % · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Drag a branch: its fork slides along what it grows on</source>
+        <translation>Glissez une branche : sa fourche glisse le long de ce qui la porte</translation>
+    </message>
+    <message>
+        <source>Click: type its place</source>
+        <translation>Clic : taper sa place</translation>
+    </message>
+    <message>
+        <source>at %1 % · %2°</source>
+        <translation>à %1 % · %2°</translation>
+    </message>
+    <message>
+        <source>at %1 %</source>
+        <translation>à %1 %</translation>
+    </message>
+    <message>
+        <source> · type a number</source>
+        <translation> · tapez un nombre</translation>
+    </message>
+</context>
+<context>
     <name>ramure::NavigationCube</name>
     <message>
         <source>Front</source>
@@ -9719,6 +10029,26 @@ OpenGL&#xa0;: %4
         <source>%1 m wide, %2 m high</source>
         <translation>%1 m de large, %2 m de haut</translation>
     </message>
+    <message>
+        <source>Click a solid around the tree: what stands out of it is cut</source>
+        <translation>Cliquer sur un solide autour de l’arbre : ce qui en dépasse est coupé</translation>
+    </message>
+    <message>
+        <source>Draw half of the outline beside the trunk: the tree is cut to it</source>
+        <translation>Dessiner la moitié du contour à côté du tronc : l’arbre y est taillé</translation>
+    </message>
+    <message>
+        <source>Select the tree, then click the solid that it is to be pruned to.</source>
+        <translation>Sélectionnez l’arbre, puis cliquez sur le solide qui doit le tailler.</translation>
+    </message>
+    <message>
+        <source>Draw half of the outline beside the trunk.</source>
+        <translation>Dessinez la moitié du contour à côté du tronc.</translation>
+    </message>
+    <message>
+        <source>%1 m high</source>
+        <translation>%1 m de haut</translation>
+    </message>
 </context>
 <context>
     <name>ramure::PullTool</name>
@@ -9898,6 +10228,37 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::RootTool</name>
+    <message>
+        <source>Digits: flare · wheel: more or less · Enter or click: done · Esc: back</source>
+        <translation>Chiffres : évasement · molette : plus ou moins · Entrée ou clic : fait · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Release: done · Ctrl, wheel or digits: flare of the foot · Esc: back</source>
+        <translation>Lâcher : fait · Ctrl, molette ou chiffres : évasement du pied · Échap : retour</translation>
+    </message>
+    <message>
+        <source>Drag the tree: its foot goes over the ground</source>
+        <translation>Glisser l’arbre : son pied va sur le sol</translation>
+    </message>
+    <message>
+        <source>Click: type how wide its foot is</source>
+        <translation>Clic : taper la largeur de son pied</translation>
+    </message>
+    <message>
+        <source>%1 m · foot × %2</source>
+        <translation>%1 m · pied × %2</translation>
+    </message>
+    <message>
+        <source>foot × %1</source>
+        <translation>pied × %1</translation>
+    </message>
+    <message>
+        <source> · type a number</source>
+        <translation> · tapez un nombre</translation>
+    </message>
+</context>
+<context>
     <name>ramure::RulerMenu</name>
     <message>
         <source>&amp;Go to frame %1</source>
@@ -9956,6 +10317,14 @@ OpenGL&#xa0;: %4
             <numerusform>%n coupe</numerusform>
             <numerusform>%n coupes</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>What comes into it is cut · release: done · Esc: nothing is cut</source>
+        <translation>Ce qui y entre est coupé · lâcher : fait · Échap : rien n’est coupé</translation>
+    </message>
+    <message>
+        <source>Drag around twigs: what comes into it is cut</source>
+        <translation>Glisser autour de rameaux : ce qui y entre est coupé</translation>
     </message>
 </context>
 <context>
@@ -10123,10 +10492,6 @@ OpenGL&#xa0;: %4
         <translation>chêne</translation>
     </message>
     <message>
-        <source>branches longer than that, in metres</source>
-        <translation>les branches plus longues, en mètres</translation>
-    </message>
-    <message>
         <source>thinner at the lower end; mm, cm, m, in, ft</source>
         <translation>plus minces à la base ; mm, cm, m, in, ft</translation>
     </message>
@@ -10176,6 +10541,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>the branch of that number in reports and files</source>
         <translation>la branche de ce numéro dans les rapports et les fichiers</translation>
+    </message>
+    <message>
+        <source>of limbs longer than that, in metres</source>
+        <translation>de branches maîtresses plus longues, en mètres</translation>
     </message>
 </context>
 <context>
@@ -10951,16 +11320,8 @@ OpenGL&#xa0;: %4
 <context>
     <name>ramure::ToolStrip</name>
     <message>
-        <source>Sphere</source>
-        <translation>Sphère</translation>
-    </message>
-    <message>
-        <source>Box</source>
-        <translation>Boîte</translation>
-    </message>
-    <message>
-        <source>Cone</source>
-        <translation>Cône</translation>
+        <source>More options</source>
+        <translation>Plus d’options</translation>
     </message>
 </context>
 <context>

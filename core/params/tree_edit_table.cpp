@@ -39,7 +39,8 @@ constexpr EditOperationInfo operations[] = {
      editCentre | editRadius | editStrength | editTreeSpace},
     {EditOperation::Comb, "comb", RAMURE_NOOP("Comb"), "target", "",
      editCentre | editRadius | editStrength | editDirection | editTreeSpace},
-    {EditOperation::Leaves, "leaves", RAMURE_NOOP("Leaves"), "target", "", editShown | editNeedsTarget},
+    {EditOperation::Leaves, "leaves", RAMURE_NOOP("Leaves"), "target", "",
+     editShown | editCentre | editRadius | editTreeSpace},
     {EditOperation::Root, "root", RAMURE_NOOP("Root"), "target", "",
      editOffset | editFactor | editNeedsTarget | editTreeSpace},
 };

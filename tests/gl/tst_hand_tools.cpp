@@ -16,6 +16,7 @@
 #include "widgets/view/viewport.h"
 #include "widgets/view/viewport_host.h"
 #include "widgets/window/main_window.h"
+#include "widgets/window/tool_box.h"
 #include "widgets/window/tool_strip.h"
 #include <QApplication>
 #include <QCheckBox>
@@ -23,7 +24,6 @@
 #include <QLabel>
 #include <QPointingDevice>
 #include <QTabletEvent>
-#include <QToolBar>
 #include <QToolButton>
 
 using namespace ramure;
@@ -45,7 +45,12 @@ private:
     QAction* action(const char* id) { return m_window->actionSet()->find(QString::fromLatin1(id)); }
     Viewport* view() { return m_window->viewportHost()->viewport(); }
     HandSettings* hand() { return m_window->viewportHost()->settings()->hand(); }
-    QToolBar* bar() { return m_window->findChild<QToolBar*>(QStringLiteral("handBar")); }
+    ToolBox* bar() { return m_window->findChild<ToolBox*>(); }
+    QToolButton* buttonOf(const char* id)
+    {
+        const auto found = std::ranges::find(bar()->buttons(), action(id), &QToolButton::defaultAction);
+        return found == bar()->buttons().end() ? nullptr : *found;
+    }
     ToolStrip* strip() { return m_window->findChild<ToolStrip*>(); }
     NodeId tree() { return m_document->scene().nodes().front().id; }
     const std::vector<TreeEdit>& edits() { return m_document->scene().nodes().front().params.edits; }
@@ -71,10 +76,10 @@ private:
             --branch;
         return branch;
     }
-    void key(Qt::Key key)
+    void key(QKeyCombination key)
     {
         view()->setFocus();
-        QTest::keyClick(view(), key);
+        QTest::keyClick(view(), key.key(), key.keyboardModifiers());
     }
 
 private slots:
@@ -118,7 +123,7 @@ private slots:
     {
         QVERIFY(action("tool.select")->isChecked());
         for (const HandToolRow& row : handTools()) {
-            auto* button = qobject_cast<QToolButton*>(bar()->widgetForAction(action(row.id)));
+            const QToolButton* button = buttonOf(row.id);
             QVERIFY2(button, row.id);
             QVERIFY2(!button->toolTip().isEmpty(), row.id);
             for (const char* theme : {"light", "dark"})
@@ -142,10 +147,14 @@ private slots:
     }
     void allToolsAreSeen()
     {
-        for (QAction* tool : bar()->actions()) {
-            const QWidget* button = bar()->widgetForAction(tool);
-            QVERIFY2(button->isVisible(), qPrintable(tool->objectName()));
-            QVERIFY2(bar()->rect().contains(button->geometry()), qPrintable(tool->objectName()));
+        QCOMPARE(bar()->buttons().size(), 4 + qsizetype(handTools().size()));
+        QRegion covered;
+        for (const QToolButton* button : bar()->buttons()) {
+            const QString name = button->defaultAction()->objectName();
+            QVERIFY2(button->isVisible(), qPrintable(name));
+            QVERIFY2(bar()->rect().contains(button->geometry()), qPrintable(name));
+            QVERIFY2(!covered.intersects(button->geometry()), qPrintable(name));
+            covered += button->geometry();
         }
         QVERIFY(bar()->geometry().right() < view()->mapTo(m_window->centralWidget(), QPoint()).x());
     }
@@ -176,6 +185,7 @@ private slots:
         shape->setCurrentIndex(1);
         emit shape->activated(1);
         QCOMPARE(hand()->options().shape, EditShapeKind::Box);
+        m_window->resize(1280, 800);
         for (const HandToolRow& row : handTools()) {
             hand()->setTool(row.tool);
             for (const QWidget* option : strip()->findChildren<QWidget*>())
@@ -183,6 +193,22 @@ private slots:
                     QVERIFY2(strip()->width() >= option->mapTo(strip(), option->rect().bottomRight()).x(),
                              row.id);
         }
+    }
+    void whatHasNoRoomOpensAtTheEnd()
+    {
+        auto* more = strip()->findChild<QToolButton*>(QStringLiteral("moreOptions"));
+        auto* mirrored = strip()->findChild<QCheckBox*>(QStringLiteral("mirrored"));
+        key(Qt::Key_X);
+        QVERIFY(!more->isVisible());
+        m_window->resize(m_window->minimumSizeHint().width(), 800);
+        key(Qt::Key_D);
+        QTRY_VERIFY(more->isVisible() && !mirrored->isVisible());
+        QVERIFY(strip()->rect().contains(more->mapTo(strip(), more->rect().bottomRight())));
+        more->click();
+        QTRY_VERIFY(mirrored->isVisible());
+        mirrored->click();
+        QVERIFY(hand()->options().mirrored);
+        mirrored->window()->close();
     }
     void aClickCutsAndIsListed()
     {

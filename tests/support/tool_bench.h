@@ -81,7 +81,7 @@ struct ToolBench : ToolHost
     [[nodiscard]] ToolPoint at(QPointF place, Qt::MouseButton button = Qt::NoButton,
                                Qt::KeyboardModifiers held = {}) const
     {
-        return {view(), place, button, held, place, std::nullopt, false};
+        return {view(), place, button, held, place, std::nullopt, false, 0};
     }
     /// Logical pixels of a point of the world.
     [[nodiscard]] QPointF pixelOf(const glm::dvec3& world) const

@@ -56,10 +56,23 @@ HandActions::HandActions(Document* document, ViewportHost* host, QActionGroup* t
 void HandActions::fillMenu(QMenu* editMenu)
 {
     m_menu = editMenu->addMenu(QString());
-    m_menu->addActions(m_tools);
-    m_menu->addSeparator();
+    for (const QList<QAction*>& group : toolGroups()) {
+        m_menu->addActions(group);
+        m_menu->addSeparator();
+    }
     m_menu->addActions(branchActions());
     retranslate();
+}
+
+QList<QList<QAction*>> HandActions::toolGroups() const
+{
+    QList<QList<QAction*>> groups;
+    for (std::size_t i = 0; i < handTools().size(); ++i) {
+        if (i == 0 || handTools()[i].group != handTools()[i - 1].group)
+            groups.emplace_back();
+        groups.back() += m_tools[qsizetype(i)];
+    }
+    return groups;
 }
 
 void HandActions::retranslate()

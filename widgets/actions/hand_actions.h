@@ -25,6 +25,8 @@ public:
 
     void fillMenu(QMenu* editMenu);
     [[nodiscard]] QList<QAction*> toolActions() const { return m_tools; }
+    /// The same as HandToolRow::group divides them.
+    [[nodiscard]] QList<QList<QAction*>> toolGroups() const;
     /// What the menus of a branch offer.
     [[nodiscard]] QList<QAction*> branchActions() const { return {m_keep, m_leaves}; }
     void retranslate();

@@ -67,8 +67,8 @@ GestureKeys handKeys()
 {
     return {
         Words::tr("While a tree is shaped by hand"),
-        {{Words::tr("The factor of a length or a thickness"), QStringLiteral("0 … 9  .  ,")},
-         {Words::tr("The factor in steps"), mouse(Words::tr("drag"), Qt::ControlModifier)},
+        {{Words::tr("The factor, or the angle, of what is held"), QStringLiteral("0 … 9  .  ,  −")},
+         {Words::tr("The same in steps"), mouse(Words::tr("drag"), Qt::ControlModifier)},
          {Words::tr("Copy another limb, with the graft tool"), mouse(Words::tr("click"), Qt::ShiftModifier)},
          {Words::tr("Done"), named({Qt::Key_Return})},
          {Words::tr("Back to how it was; without a gesture: lay the tool down"), named({Qt::Key_Escape})},

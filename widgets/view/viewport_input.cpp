@@ -42,13 +42,13 @@ PickView Viewport::Private::view() const
 
 ToolPoint Viewport::Private::pointAt(QPointF position) const
 {
-    return {view(), position, Qt::NoButton, held, position, pressure, isEraser};
+    return {view(), position, Qt::NoButton, held, position, pressure, isEraser, 0};
 }
 
 ToolPoint Viewport::Private::pointOf(const QMouseEvent& event) const
 {
     return {view(),           event.position(), event.button(), event.modifiers(),
-            event.position(), pressure,         isEraser};
+            event.position(), pressure,         isEraser,       event.timestamp()};
 }
 
 void Viewport::Private::setCamera(const Camera& moved)

@@ -44,6 +44,7 @@ class SequenceTask;
 class SelectActions;
 class StatusPanel;
 class TimelinePanel;
+class ToolBox;
 class ToolStrip;
 class TransformActions;
 class ValidationPanel;
@@ -193,8 +194,8 @@ private:
     QMenu* m_keysMenu = nullptr;
     QMenu* m_helpMenu = nullptr;
     QToolBar* m_toolBar = nullptr;
-    QToolBar* m_handBar = nullptr; ///< at the view's left edge
-    ToolStrip* m_strip = nullptr;  ///< over the view
+    ToolBox* m_handBar = nullptr; ///< at the view's left edge
+    ToolStrip* m_strip = nullptr; ///< over the view
     ArmPanel* m_arm = nullptr;
     QList<QDockWidget*> m_docks; ///< one for each row of panels()
     bool m_keysShown = false;

@@ -46,6 +46,7 @@
 #include "widgets/window/panels.h"
 #include "widgets/window/problem_button.h"
 #include "widgets/window/status_panel.h"
+#include "widgets/window/tool_box.h"
 #include "widgets/window/tool_strip.h"
 #include "widgets/window/unplaced_button.h"
 #include "widgets/window/welcome_panel.h"
@@ -342,13 +343,11 @@ void MainWindow::buildHandBar(QVBoxLayout* column)
 {
     QWidget* centre = centralWidget();
     const QList<QAction*> tools = m_transforms->toolActions() + m_hands->toolActions();
-    m_handBar = new QToolBar(centre);
+    m_handBar = new ToolBox(centre);
     m_handBar->setObjectName(QStringLiteral("handBar"));
-    m_handBar->setOrientation(Qt::Vertical);
-    m_handBar->setIconSize({18, 18});
-    m_handBar->addActions(m_transforms->toolActions());
-    m_handBar->addSeparator();
-    m_handBar->addActions(m_hands->toolActions());
+    m_handBar->addGroup(m_transforms->toolActions());
+    for (const QList<QAction*>& group : m_hands->toolGroups())
+        m_handBar->addGroup(group);
     auto* transforms = new QToolBar(centre);
     transforms->setObjectName(QStringLiteral("transformBar"));
     transforms->setIconSize({18, 18});
@@ -428,7 +427,7 @@ void MainWindow::retranslate()
     m_keysMenu->setTitle(tr("&Keys"));
     m_helpMenu->setTitle(tr("He&lp"));
     m_toolBar->setWindowTitle(tr("Toolbar"));
-    m_handBar->setWindowTitle(tr("Tools"));
+    m_handBar->setAccessibleName(tr("Tools"));
     for (std::size_t i = 0; i < panels().size(); ++i)
         m_docks[qsizetype(i)]->setWindowTitle(tr(panels()[i].title));
     m_keyActions->retranslate();

@@ -1,5 +1,6 @@
 #include "widgets/window/tool_strip.h"
 
+#include "widgets/base/icons.h"
 #include "widgets/base/number_field.h"
 #include "widgets/view/tools/hand_settings.h"
 #include "widgets/view/view_settings.h"
@@ -8,10 +9,14 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QEvent>
+#include <QFrame>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QToolBar>
+#include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
 namespace ramure {
@@ -42,19 +47,22 @@ ToolStrip::ToolStrip(ViewSettings* settings, QList<QAction*> tools, QToolBar* tr
     m_tip->setObjectName(QStringLiteral("dim"));
     m_tip->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_tip->setTextFormat(Qt::PlainText);
-    // What does not fit is scrolled to, by Tab say: the window keeps its width.
+    // The strip asks for no width: the window keeps its own.
     auto* scroll = new QScrollArea(this);
     auto* content = new QWidget(scroll);
     m_row = new QHBoxLayout(content);
+    content->setFixedHeight(stripHeight); // else what wants more hangs lower than the rest
     m_row->setContentsMargins(10, 0, 10, 0);
     m_row->setSpacing(8);
     m_row->addWidget(m_icon);
     m_row->addWidget(m_name);
     m_row->addSpacing(6);
     m_row->addWidget(m_transforms);
+    addChoices();
     addNumbers();
     addFlags();
-    addShapes();
+    addMore();
+    m_row->addWidget(m_more);
     m_row->addWidget(m_tip, 1);
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
@@ -80,11 +88,11 @@ ToolStrip::ToolStrip(ViewSettings* settings, QList<QAction*> tools, QToolBar* tr
 void ToolStrip::add(const Option& option, const char* id)
 {
     option.widget->setObjectName(QLatin1String(id));
+    option.widget->hide();
     if (option.label) {
         option.label->setBuddy(option.widget);
-        m_row->addWidget(option.label);
+        option.label->hide();
     }
-    m_row->addWidget(option.widget);
     m_options.push_back(option);
 }
 
@@ -139,20 +147,42 @@ void ToolStrip::addFlags()
     }
 }
 
-void ToolStrip::addShapes()
+void ToolStrip::addChoices()
 {
-    m_shape = new QComboBox(this);
-    m_shape->addItems({QString(), QString(), QString()});
-    m_shape->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_shape->setFocusPolicy(Qt::TabFocus);
-    connect(m_shape, &QComboBox::activated, this, [this](int index) {
-        HandOptions options = m_settings->options();
-        options.shape = static_cast<EditShapeKind>(index);
-        m_settings->setOptions(options);
+    for (const HandChoice& row : handChoices()) {
+        auto* box = new QComboBox(this);
+        for (std::size_t item = 0; item < row.items.size(); ++item)
+            box->addItem(QString());
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        box->setFocusPolicy(Qt::TabFocus);
+        connect(box, &QComboBox::activated, this, [this, choose = row.choose](int item) {
+            HandOptions options = m_settings->options();
+            choose(options, item);
+            m_settings->setOptions(options);
+        });
+        add({row.tools, box, new QLabel(this), row.label, row.tip}, row.id);
+    }
+}
+
+void ToolStrip::addMore()
+{
+    m_more = new QToolButton(this);
+    m_more->setObjectName(QStringLiteral("moreOptions"));
+    m_more->setIcon(icon("more"));
+    m_more->setIconSize({iconSide, iconSide});
+    m_more->setAutoRaise(true);
+    m_more->setFocusPolicy(Qt::TabFocus);
+    m_more->hide();
+    m_rest = new QFrame(this, Qt::Popup);
+    m_rest->setObjectName(QStringLiteral("restOfOptions"));
+    m_restGrid = new QGridLayout(m_rest);
+    m_restGrid->setContentsMargins(12, 10, 12, 10);
+    connect(m_more, &QToolButton::clicked, this, [this] {
+        m_rest->adjustSize();
+        const QPoint corner = m_more->mapToGlobal(m_more->rect().bottomRight());
+        m_rest->move(corner.x() - m_rest->width(), corner.y() + 4);
+        m_rest->show();
     });
-    add({toolBit(HandTool::Prune), m_shape, new QLabel(this), QT_TRANSLATE_NOOP("HandOptions", "Shape"),
-         QT_TRANSLATE_NOOP("HandOptions", "What stands out of it is cut")},
-        "pruneShape");
 }
 
 void ToolStrip::takeValues()
@@ -165,7 +195,8 @@ void ToolStrip::takeValues()
         (*field++)->setValue(options.*row.member);
     for (const HandFlag& row : handFlags())
         findChild<QCheckBox*>(QLatin1String(row.id))->setChecked(options.*row.member);
-    m_shape->setCurrentIndex(int(options.shape));
+    for (const HandChoice& row : handChoices())
+        findChild<QComboBox*>(QLatin1String(row.id))->setCurrentIndex(row.chosen(options));
 }
 
 void ToolStrip::follow()
@@ -178,14 +209,70 @@ void ToolStrip::follow()
     m_name->setText(tool->text().remove(u'&'));
     m_tipText = tool->statusTip();
     m_transforms->setVisible(m_settings->tool() == HandTool::None);
-    for (const Option& option : m_options) {
-        const bool shown = option.tools & toolBit(m_settings->tool());
-        option.widget->setVisible(shown);
-        if (option.label)
-            option.label->setVisible(shown);
-    }
-    m_row->activate();
+    place();
     elide();
+}
+
+void ToolStrip::place()
+{
+    const auto widthOf = [this](const QWidget* widget) {
+        return widget->sizeHint().width() + m_row->spacing();
+    };
+    std::vector<const Option*> shown;
+    std::vector<int> widths;
+    int room = width() - m_row->contentsMargins().left() - m_row->contentsMargins().right() -
+               widthOf(m_icon) - widthOf(m_name) - 2 * m_row->spacing();
+    int all = 0;
+    for (const Option& option : m_options)
+        if (option.tools & toolBit(m_settings->tool())) {
+            shown.push_back(&option);
+            widths.push_back(widthOf(option.widget) + (option.label ? widthOf(option.label) : 0));
+            all += widths.back();
+        }
+    std::size_t fit = shown.size();
+    if (all > room) {
+        room -= widthOf(m_more);
+        for (fit = 0; fit < shown.size() && room >= widths[fit]; ++fit)
+            room -= widths[fit];
+    }
+    const auto middle = shown.begin() + std::ptrdiff_t(fit);
+    const std::vector<const Option*> inStrip(shown.begin(), middle), inRest(middle, shown.end());
+    if (inStrip == m_inStrip && inRest == m_inRest)
+        return;
+    m_inStrip = inStrip;
+    m_inRest = inRest;
+    putOptions();
+}
+
+void ToolStrip::putOptions()
+{
+    m_rest->hide();
+    for (const Option& option : m_options)
+        for (QWidget* part : {static_cast<QWidget*>(option.label), option.widget})
+            if (part) {
+                part->hide();
+                m_row->removeWidget(part);
+                m_restGrid->removeWidget(part);
+            }
+    int at = m_row->indexOf(m_transforms) + 1, row = 0;
+    for (const Option* option : m_inStrip) {
+        if (option->label)
+            m_row->insertWidget(at++, option->label);
+        m_row->insertWidget(at++, option->widget);
+    }
+    for (const Option* option : m_inRest) {
+        if (option->label)
+            m_restGrid->addWidget(option->label, row, 0);
+        m_restGrid->addWidget(option->widget, row++, 1);
+    }
+    for (const auto* options : {&m_inStrip, &m_inRest})
+        for (const Option* option : *options) {
+            option->widget->show();
+            if (option->label)
+                option->label->show();
+        }
+    m_more->setVisible(!m_inRest.empty());
+    m_row->activate();
 }
 
 void ToolStrip::elide()
@@ -206,15 +293,20 @@ void ToolStrip::retranslate()
         option.widget->setToolTip(words(option.tip));
         option.widget->setAccessibleName(words(option.text));
     }
-    m_shape->setItemText(int(EditShapeKind::Sphere), tr("Sphere"));
-    m_shape->setItemText(int(EditShapeKind::Box), tr("Box"));
-    m_shape->setItemText(int(EditShapeKind::Cone), tr("Cone"));
+    for (const HandChoice& row : handChoices())
+        for (std::size_t item = 0; item < row.items.size(); ++item)
+            findChild<QComboBox*>(QLatin1String(row.id))->setItemText(int(item), words(row.items[item]));
+    m_more->setToolTip(tr("More options"));
+    m_more->setAccessibleName(m_more->toolTip());
+    m_inStrip.clear(); // texts have other widths
+    m_inRest.clear();
     follow();
 }
 
 void ToolStrip::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    place();
     elide();
 }
 

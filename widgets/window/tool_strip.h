@@ -1,15 +1,18 @@
 /// \file
-/// The strip over the view: which tool is chosen, its options, what it does.
+/// The strip over the view: which tool is chosen, its options, what it does. Options that it has no room for
+/// open with the button at its end.
 #pragma once
 
 #include <QWidget>
 #include <vector>
 
 class QAction;
-class QComboBox;
+class QFrame;
+class QGridLayout;
 class QHBoxLayout;
 class QLabel;
 class QToolBar;
+class QToolButton;
 
 namespace ramure {
 
@@ -43,9 +46,12 @@ private:
     };
     void addNumbers();
     void addFlags();
-    void addShapes();
+    void addChoices();
     void add(const Option& option, const char* id);
+    void addMore();
     void follow();     ///< the tool
+    void place();      ///< its options: in the strip, as many as there is room for
+    void putOptions(); ///< where place() wants them
     void takeValues(); ///< of the options
     void elide();
 
@@ -57,8 +63,11 @@ private:
     QLabel* m_name;
     QLabel* m_tip;
     QString m_tipText;
-    QComboBox* m_shape = nullptr;
+    QToolButton* m_more = nullptr;
+    QFrame* m_rest = nullptr; ///< opens at m_more
+    QGridLayout* m_restGrid = nullptr;
     std::vector<Option> m_options;
+    std::vector<const Option*> m_inStrip, m_inRest;
     std::vector<NumberField*> m_numbers; ///< in the order of handNumbers(), then of handCounts()
 };
 

@@ -24,6 +24,17 @@ Expected<void> takeAway(EditTree& tree, const EditMarks& marks)
     return {};
 }
 
+/// Whether the sphere of a brush reaches a piece.
+bool touches(const TreeEdit& edit, const EditPiece& piece)
+{
+    const glm::dvec3 way = piece.p1 - piece.p0;
+    const double squared = glm::dot(way, way);
+    const double t =
+        squared > 0.0 ? std::clamp(glm::dot(edit.centre - piece.p0, way) / squared, 0.0, 1.0) : 0.0;
+    const glm::dvec3 away = edit.centre - piece.p0 - t * way;
+    return glm::dot(away, away) <= edit.radius * edit.radius;
+}
+
 /// Where a piece leaves a shape. \pre it starts inside and ends outside
 double leavesAt(const ShapeTest& shape, const EditPiece& piece)
 {
@@ -154,13 +165,19 @@ Expected<void> prune(EditTree& tree, const TreeEdit& edit, Index target, Index /
     return {};
 }
 
+/// Of a limb; without one, of what a brush touches.
 Expected<void> leaves(EditTree& tree, const TreeEdit& edit, Index target, Index /*other*/)
 {
-    const EditMarks limb = tree.marked(tree.axis(target).first);
-    for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after)
-        if (limb[i])
-            tree.piece(i).bare = !edit.shown;
-    return {};
+    const EditMarks limb = target == noIndex ? EditMarks() : tree.marked(tree.axis(target).first);
+    bool any = target != noIndex;
+    for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after) {
+        EditPiece& piece = tree.piece(i);
+        if (limb.empty() ? piece.bare == !edit.shown || !touches(edit, piece) : !limb[i])
+            continue;
+        piece.bare = !edit.shown;
+        any = true;
+    }
+    return any ? Expected<void>() : fail(ErrorCode::Invalid, RAMURE_NOOP("no leaves there would come or go"));
 }
 
 } // namespace ramure::edits

@@ -45,6 +45,21 @@ bool isTerminal(const QString& word)
            word.compare(terminalName(), Qt::CaseInsensitive) == 0;
 }
 
+/// "level 2" is "level = 2": of whole words only, for names of nodes may have both.
+QString withEquals(const QString& text)
+{
+    QStringList words;
+    for (const BranchQuantity counted : {BranchQuantity::Level, BranchQuantity::Children}) {
+        const char* english = quantityWords[static_cast<int>(counted)].english;
+        for (const QString& word : {QString::fromLatin1(english), translated(english)})
+            words += QRegularExpression::escape(word);
+    }
+    const QRegularExpression counts(QStringLiteral("(?<!\\S)(%1)\\s+([0-9]+)(?!\\S)").arg(words.join(u'|')),
+                                    QRegularExpression::CaseInsensitiveOption |
+                                        QRegularExpression::UseUnicodePropertiesOption);
+    return QString(text).replace(counts, QStringLiteral("\\1 = \\2"));
+}
+
 /// Lengths are typed with a few digits: equal means equal in what is shown.
 constexpr double sameLength = 5e-4;
 
@@ -60,8 +75,9 @@ QString terminalName()
     return translated(terminalWord);
 }
 
-Expected<SceneQuery> SceneQuery::parse(const QString& text)
+Expected<SceneQuery> SceneQuery::parse(const QString& typed)
 {
+    const QString text = withEquals(typed);
     static const QRegularExpression comparison(
         QStringLiteral("([^\\s<>=!≤≥≠]*)\\s*(<=|>=|!=|==|<|>|=|≤|≥|≠)\\s*"
                        "([-+]?[0-9.,][^\\s<>=!≤≥≠]*(?:\\s*(?:mm|cm|km|m|in|ft)\\b)?)?"),
@@ -112,7 +128,7 @@ bool SceneQuery::Condition::holds(const BranchRows& rows, Index branch) const
     double same = 0.0;
     switch (quantity) {
     case BranchQuantity::Length:
-        have = bones.length(branch);
+        have = rows.length(rows.axisOf(branch));
         same = sameLength;
         break;
     case BranchQuantity::Radius:

@@ -2,14 +2,15 @@
 /// What is typed into the search field of the scene panel, as a question about nodes and branches.
 ///
 ///     query      = { word | condition }                all must hold
-///     condition  = quantity comparison number [ unit ] | "terminal"
+///     condition  = quantity comparison number [ unit ] | ( "level" | "children" ) number | "terminal"
 ///     quantity   = "length" | "radius" | "level" | "children" | "number", or its name in the interface's
 ///                  language, or the beginning of either
 ///     comparison = "<" | "<=" | "=" | "!=" | ">=" | ">"
 ///
 /// Words are parts of names, in any case: of nodes, and of axes (trunk, limb 3). A query with a condition
-/// asks about single branches only: nodes have none of these quantities. Lengths are in metres where no unit
-/// stands ("5 mm"); the point and the comma are decimal signs.
+/// asks about single branches only: nodes have none of these quantities. The length is that of the whole
+/// trunk, limb or twig that a branch belongs to. Lengths are in metres where no unit stands ("5 mm"); the
+/// point and the comma are decimal signs.
 #pragma once
 
 #include "core/base/error.h"
@@ -37,7 +38,7 @@ class SceneQuery
 {
 public:
     /// Errors: Syntax (a comparison without quantity or number, with the place that is meant as argument).
-    static Expected<SceneQuery> parse(const QString& text);
+    static Expected<SceneQuery> parse(const QString& typed);
 
     [[nodiscard]] bool isEmpty() const { return m_words.isEmpty() && m_conditions.empty(); }
     [[nodiscard]] bool matchesNode(const QString& name) const;

@@ -134,14 +134,14 @@ void SceneSearch::retranslate()
         QStringLiteral("<table>") + example(tr("oak"), tr("nodes whose name has this")) +
         example(tr("limb 3"), tr("limbs, boughs and twigs of that name")) +
         example(QStringLiteral("%1 > %2").arg(length, locale.toString(0.3)),
-                tr("branches longer than that, in metres")) +
+                tr("of limbs longer than that, in metres")) +
         example(QStringLiteral("%1 < 5 mm").arg(radius), tr("thinner at the lower end; mm, cm, m, in, ft")) +
-        example(QStringLiteral("%1 = 2").arg(level), tr("of this depth of brackets; 0 is the trunk")) +
+        example(QStringLiteral("%1 2").arg(level), tr("of this depth of brackets; 0 is the trunk")) +
         example(QStringLiteral("%1 >= 3").arg(children), tr("with so many branches at the end")) +
         example(QStringLiteral("%1 = 12").arg(number), tr("the branch of that number in reports and files")) +
         example(terminalName(), tr("with none at the end")) + QStringLiteral("</table><p>") +
         tr("Several must all hold: %1. Enter selects everything found.")
-            .arg(QStringLiteral("<b>%1 = 3 %2 > %3</b>").arg(level, length, locale.toString(0.1))) +
+            .arg(QStringLiteral("<b>%1 2 %2 &lt; %3</b>").arg(level, length, locale.toString(0.3))) +
         QStringLiteral("</p>"));
     m_selectAll->setText(tr("Select all"));
     m_selectAll->setToolTip(tr("Select everything found (Enter in the field)"));

@@ -34,6 +34,8 @@ EditTool::EditTool(ToolContext& context, HandTool kind)
 
 bool EditTool::hover(const ToolPoint& point)
 {
+    if (isBusy())
+        return false; // what the gesture shows is enough
     const bool looks = isChosen() && !m_context.isPlaying() && !m_context.host.isStale();
     const auto scene = looks ? m_context.host.latestPickScene() : nullptr;
     const auto hit = scene ? scene->pick(point.view, point.pixel()) : std::nullopt;

@@ -1,269 +1,302 @@
-// Longer and shorter, thicker and thinner: by a drag on a branch, the wheel, or a number.
-#include "widgets/view/tools/edit_tool.h"
+// Longer and shorter, thicker and thinner, curled and twisted: by a drag on a branch, the wheel, or a number.
+#include "core/math/frame.h"
+#include "widgets/view/tools/number_tool.h"
 #include "widgets/view/tools/readout.h"
 #include "widgets/view/tools/tool_table.h"
-#include "widgets/view/tools/typed_number.h"
+#include "widgets/view/tools/turned_limb.h"
 #include <QCoreApplication>
-#include <QKeyEvent>
 #include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ramure {
 namespace {
 
 constexpr double leastFactor = 0.05, mostFactor = 20.0;
 constexpr double pixelsPerDouble = 140.0;
-constexpr double notch = 120.0, perNotch = 1.05; ///< of the wheel
-constexpr double coarse = 0.1;                   ///< steps with Ctrl
+constexpr double perNotch = 1.05; ///< of the wheel
+constexpr double coarse = 0.1;    ///< steps with Ctrl
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double mostAngle = 720.0 * degree, anglePerPixel = 0.5 * degree;
+constexpr double angleStep = 5.0 * degree; ///< of the wheel, and with Ctrl
 
-class FactorTool : public EditTool
+/// What the hand does to the number.
+enum class Way : quint8 {
+    Along,    ///< a factor follows it along the limb
+    Sideways, ///< a factor doubles to the right
+    Around,   ///< an angle grows to the right
+    Rolled,   ///< an angle in the plane of the picture, to that side of the limb
+};
+
+struct FactorKind
+{
+    HandTool tool;
+    EditOperation operation;
+    Way way;
+    const char* readout;
+    const char* offer;
+};
+constexpr FactorKind factorKinds[] = {
+    {HandTool::Length, EditOperation::Length, Way::Along,
+     QT_TRANSLATE_NOOP("ramure::FactorTool", "Length × %1"),
+     QT_TRANSLATE_NOOP("ramure::FactorTool", "Drag a branch along itself: its length")},
+    {HandTool::Thickness, EditOperation::Thickness, Way::Sideways,
+     QT_TRANSLATE_NOOP("ramure::FactorTool", "Thickness × %1"),
+     QT_TRANSLATE_NOOP("ramure::FactorTool", "Drag a branch to the right or left: its thickness")},
+    {HandTool::Taper, EditOperation::Taper, Way::Sideways,
+     QT_TRANSLATE_NOOP("ramure::FactorTool", "Thickness of the tip × %1"),
+     QT_TRANSLATE_NOOP("ramure::FactorTool", "Drag a branch to the right or left: how thick its tip is")},
+    {HandTool::Curl, EditOperation::Curl, Way::Rolled, QT_TRANSLATE_NOOP("ramure::FactorTool", "Curl %1°"),
+     QT_TRANSLATE_NOOP("ramure::FactorTool", "Drag a branch to one side: it rolls up that way")},
+    {HandTool::Twist, EditOperation::Twist, Way::Around, QT_TRANSLATE_NOOP("ramure::FactorTool", "Twist %1°"),
+     QT_TRANSLATE_NOOP("ramure::FactorTool", "Drag a branch to the right or left: what grows on it turns")},
+};
+
+class FactorTool : public NumberTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::FactorTool)
 public:
-    FactorTool(ToolContext& context, HandTool kind, EditOperation operation)
-        : EditTool(context, kind)
-        , m_operation(operation)
+    FactorTool(ToolContext& context, const FactorKind& kind)
+        : NumberTool(context, kind.tool)
+        , m_kind(kind)
     {
     }
 
-    [[nodiscard]] bool goesOn() const override { return isBusy(); }
     void drag(const ToolPoint& point) override;
-    void release(const ToolPoint& point) override;
-    void pressAgain(const ToolPoint& point) override;
-    void cancel() override { finish(false); }
-    bool wheel(const ToolPoint& point, double turn) override;
-    [[nodiscard]] bool takesKeys() const override { return true; }
-    void key(const QKeyEvent& event, bool pressed) override;
-    void focusLost() override;
     [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override;
     void offer(ToolOffers& offers) const override;
     void paint(QPainter& painter, const PickView& view) override;
 
 protected:
     bool take(const ToolPoint& point, const std::optional<LimbHit>& limb) override;
-    void forget() override { m_edit.reset(); }
+    [[nodiscard]] bool isChanged() const override { return m_dragged != neutral() || m_wheeled != neutral(); }
+    void turnWheel(double notches) override;
+    [[nodiscard]] bool takesMinus() const override { return isAngle(); }
+    void show() override;
     std::vector<Index> affected(const LimbHit& limb) override;
 
 private:
-    [[nodiscard]] bool isLength() const { return m_operation == EditOperation::Length; }
+    [[nodiscard]] bool isAngle() const { return m_kind.way == Way::Around || m_kind.way == Way::Rolled; }
+    [[nodiscard]] double neutral() const { return isAngle() ? 0.0 : 1.0; }
+    [[nodiscard]] bool takesBelow() const;
     [[nodiscard]] double byHand(const ToolPoint& point) const;
-    Expected<void> addAll();
-    void show();
-    void finish(bool keep);
-    [[nodiscard]] double factor() const;
+    [[nodiscard]] double alongLimb(const ToolPoint& point) const;
+    [[nodiscard]] double acrossLimb(const ToolPoint& point) const;
+    Expected<void> addAll(HandEdit& gesture);
+    void rememberBefore(HandEdit& gesture);
+    [[nodiscard]] double value() const;
 
-    EditOperation m_operation;
-    std::unique_ptr<HandEdit> m_edit;
+    const FactorKind& m_kind;
     LimbHit m_limb;
-    std::vector<double> m_before; ///< factors of the edits that are gone on with
+    glm::dvec3 m_sight{0.0};         ///< unit, tree space, towards the eye
+    std::vector<TreeEdit> m_before;  ///< the edits before the hand changes them
+    std::vector<glm::dvec3> m_rolls; ///< of each: about what it rolls, in its parent's frame
     double m_dragged = 1.0, m_wheeled = 1.0;
-    TypedNumber m_typed;
-    bool m_byKeys = false; ///< clicked: goes on without the button
-    QPointF m_at;
 };
 
 bool FactorTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
 {
     if (!limb)
         return false;
-    auto edit = HandEdit::begin(m_context.document, limb->node);
-    if (!edit)
-        return report(tl::unexpected(edit.error()));
-    setAim({});
-    m_edit = std::move(*edit);
+    auto gesture = HandEdit::begin(m_context.document, limb->node);
+    if (!gesture)
+        return report(tl::unexpected(gesture.error()));
     m_limb = *limb;
-    if (!report(addAll())) {
-        m_edit.reset();
-        return true; // pressed on a branch, and nothing comes of it
-    }
-    m_dragged = m_wheeled = 1.0;
-    m_typed.clear();
-    m_byKeys = false;
-    m_at = point.at;
-    return true;
+    const glm::dvec3 eye(glm::inverse(worldOf(limb->node)) * glm::dvec4(point.view.camera.eye(), 1.0));
+    m_sight = TurnedLimb(m_context.document, *limb).direction(glm::normalize(eye - limb->seen));
+    m_dragged = m_wheeled = neutral();
+    if (report(addAll(**gesture)))
+        start(std::move(*gesture), point);
+    return true; // pressed on a branch, also where nothing comes of it
 }
 
-/// An edit for each limb that is meant, or the one of a moment ago again.
-Expected<void> FactorTool::addAll()
+/// An edit for each limb that is meant, or the one of a moment ago again. Of several those that nothing can
+/// be done to are left out.
+Expected<void> FactorTool::addAll(HandEdit& gesture)
 {
     const std::vector<LimbHit> limbs = meantBy(m_limb);
-    if (limbs.size() != 1 || !m_edit->resume(m_operation, m_limb.address)) {
-        std::vector<std::uint64_t> done;
+    Expected<void> done;
+    if (limbs.size() != 1 || !gesture.resume(m_kind.operation, m_limb.address)) {
+        std::vector<std::uint64_t> seen;
         for (const LimbHit& limb : limbs) {
-            if (std::ranges::count(done, limb.address) > 0)
+            if (std::ranges::count(seen, limb.address) > 0)
                 continue;
-            done.push_back(limb.address);
+            seen.push_back(limb.address);
             TreeEdit edit;
-            edit.operation = m_operation;
+            edit.operation = m_kind.operation;
             edit.target.address = limb.address;
-            edit.factor = 1.0;
+            edit.from = m_context.hand.options().curlFrom;
             edit.below = m_context.hand.options().withBelow;
-            if (auto added = m_edit->add(edit); !added)
-                return added;
+            if (auto added = gesture.add(edit); !added)
+                done = added;
         }
     }
-    m_before.clear();
-    for (TreeEdit& edit : m_edit->edits())
-        m_before.push_back(edit.factor);
-    return {};
+    rememberBefore(gesture);
+    return m_before.empty() ? done : Expected<void>();
+}
+
+void FactorTool::rememberBefore(HandEdit& gesture)
+{
+    m_before = gesture.edits();
+    m_rolls.clear();
+    for (const TreeEdit& edit : m_before) {
+        const auto frame = gesture.context().frameBelow(edit.target.address);
+        m_rolls.push_back(frame ? glm::dvec3(glm::dot(m_sight, frame->normal),
+                                             glm::dot(m_sight, frame->binormal),
+                                             glm::dot(m_sight, frame->tangent))
+                                : glm::dvec3(0.0));
+    }
+}
+
+bool FactorTool::takesBelow() const
+{
+    return isAngle() || (m_kind.tool != HandTool::Taper && m_context.hand.options().withBelow);
 }
 
 std::vector<Index> FactorTool::affected(const LimbHit& limb)
 {
     std::vector<Index> all;
     for (const LimbHit& each : meantBy(limb)) {
-        const bool below = m_context.hand.options().withBelow;
-        const auto own = below ? m_context.limbs.above(m_context.document, each, true)
-                               : m_context.limbs.limb(m_context.document, each.node, each.address);
+        const auto own = takesBelow() ? m_context.limbs.above(m_context.document, each, true)
+                                      : m_context.limbs.limb(m_context.document, each.node, each.address);
         all.insert(all.end(), own.begin(), own.end());
     }
     return all;
 }
 
-/// A length follows the hand along the limb; a thickness doubles in so many pixels to the right.
 double FactorTool::byHand(const ToolPoint& point) const
 {
+    switch (m_kind.way) {
+    case Way::Along:
+        return alongLimb(point);
+    case Way::Sideways:
+        return std::exp2((point.at.x() - point.pressed.x()) / pixelsPerDouble);
+    case Way::Around:
+        return anglePerPixel * (point.at.x() - point.pressed.x());
+    case Way::Rolled:
+        return anglePerPixel * acrossLimb(point);
+    }
+    return neutral();
+}
+
+/// A length follows the hand along the limb; where that points at the eye, it doubles to the right.
+double FactorTool::alongLimb(const ToolPoint& point) const
+{
     const QPointF way = point.at - point.pressed;
-    const double doubled = std::exp2(way.x() / pixelsPerDouble);
-    if (!isLength())
-        return doubled;
     constexpr double leastShare = 0.25, step = 1e-3, leastPixels = 4.0;
     const glm::dmat4 world = worldOf(m_limb.node);
     const auto here = point.view.pixel(glm::dvec3(world * glm::dvec4(m_limb.seen, 1.0)));
     const auto on = point.view.pixel(glm::dvec3(world * glm::dvec4(m_limb.seen + step * m_limb.along, 1.0)));
-    const double length = std::max(m_edit->context().lengthOf(m_limb.address), 1e-6);
+    const double length = std::max(edit()->context().lengthOf(m_limb.address), 1e-6);
     const double fromFoot = std::max(m_limb.share, leastShare) * length;
     if (!here || !on || glm::length(*on - *here) / step * length < leastPixels)
-        return doubled; // it points at the eye
+        return std::exp2(way.x() / pixelsPerDouble);
     const glm::dvec2 perMetre = (*on - *here) / step;
     const double metres = glm::dot(glm::dvec2(way.x(), way.y()), perMetre) / glm::dot(perMetre, perMetre);
     return (fromFoot + metres) / fromFoot;
 }
 
-double FactorTool::factor() const
+/// Pixels to the left of the limb, as one looks along it in the picture.
+double FactorTool::acrossLimb(const ToolPoint& point) const
 {
-    const double wanted = m_typed.value().value_or(m_dragged * m_wheeled);
-    return std::clamp(wanted, leastFactor, mostFactor);
+    constexpr double step = 1e-3;
+    const QPointF way = point.at - point.pressed;
+    const glm::dmat4 world = worldOf(m_limb.node);
+    const auto here = point.view.pixel(glm::dvec3(world * glm::dvec4(m_limb.seen, 1.0)));
+    const auto on = point.view.pixel(glm::dvec3(world * glm::dvec4(m_limb.seen + step * m_limb.along, 1.0)));
+    const glm::dvec2 along = here && on ? *on - *here : glm::dvec2(0.0);
+    const double size = glm::length(along);
+    return size > 0.0 ? (way.x() * along.y - way.y() * along.x) / size : -way.x();
+}
+
+double FactorTool::value() const
+{
+    if (!isAngle())
+        return std::clamp(typed().value().value_or(m_dragged * m_wheeled), leastFactor, mostFactor);
+    const auto number = typed().value();
+    return std::clamp(number ? *number * degree : m_dragged + m_wheeled, -mostAngle, mostAngle);
 }
 
 void FactorTool::show()
 {
-    if (!m_edit)
-        return;
-    for (std::size_t i = 0; i < m_before.size(); ++i)
-        m_edit->edits()[i].factor = std::clamp(m_before[i] * factor(), 0.01, 100.0);
-    report(m_edit->show());
+    for (std::size_t i = 0; i < m_before.size(); ++i) {
+        TreeEdit& changed = edit()->edits()[i];
+        if (m_kind.way == Way::Rolled)
+            changed.rotation = m_before[i].rotation + value() * m_rolls[i];
+        else if (m_kind.way == Way::Around)
+            changed.angleRad = m_before[i].angleRad + value();
+        else
+            changed.factor = std::clamp(m_before[i].factor * value(), 0.01, 100.0);
+    }
+    report(edit()->show());
     m_context.host.repaint();
 }
 
 void FactorTool::drag(const ToolPoint& point)
 {
-    m_at = point.at;
-    if (!m_edit || m_byKeys || (!point.isDrag() && m_dragged == 1.0))
+    setAt(point.at);
+    if (!edit() || isByKeys() || (!point.isDrag() && m_dragged == neutral()))
         return m_context.host.repaint();
-    m_dragged = std::max(byHand(point), leastFactor);
-    if (point.held.testFlag(Qt::ControlModifier))
-        m_dragged = std::max(std::round(m_dragged / coarse) * coarse, coarse);
+    const bool stepwise = point.held.testFlag(Qt::ControlModifier);
+    const double step = isAngle() ? angleStep : coarse;
+    m_dragged = byHand(point);
+    if (stepwise)
+        m_dragged = std::round(m_dragged / step) * step;
+    if (!isAngle())
+        m_dragged = std::max(m_dragged, stepwise ? step : leastFactor);
     show();
 }
 
-/// A click goes on by wheel and keys.
-void FactorTool::release(const ToolPoint& point)
+void FactorTool::turnWheel(double notches)
 {
-    if (!m_edit)
-        return;
-    if (m_dragged != 1.0 || m_wheeled != 1.0 || !m_typed.isEmpty())
-        return finish(true);
-    m_at = point.at;
-    m_byKeys = true;
-    begin(Qt::NoButton);
-}
-
-void FactorTool::pressAgain(const ToolPoint& point)
-{
-    if (m_byKeys || point.button == Qt::RightButton)
-        finish(point.button == Qt::LeftButton);
-}
-
-bool FactorTool::wheel(const ToolPoint&, double turn)
-{
-    if (!isBusy() || !m_edit)
-        return false;
-    m_typed.clear();
-    m_wheeled *= std::pow(perNotch, turn / notch);
-    show();
-    return true;
-}
-
-void FactorTool::key(const QKeyEvent& event, bool pressed)
-{
-    if (!pressed || !m_edit)
-        return;
-    if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter)
-        return finish(true);
-    const bool typed = event.key() == Qt::Key_Backspace
-                           ? m_typed.erase()
-                           : !event.text().isEmpty() && event.text() != QLatin1String("-") &&
-                                 m_typed.type(event.text().front());
-    if (typed)
-        show();
-}
-
-void FactorTool::focusLost()
-{
-    if (m_byKeys)
-        finish(true);
-}
-
-void FactorTool::finish(bool keep)
-{
-    if (isBusy())
-        end();
-    if (const auto edit = std::exchange(m_edit, nullptr))
-        keep ? edit->keep() : edit->cancel();
-    setAim({});
+    m_wheeled = isAngle() ? m_wheeled + angleStep * notches : m_wheeled * std::pow(perNotch, notches);
 }
 
 QString FactorTool::hint(Qt::KeyboardModifiers) const
 {
-    return m_byKeys ? tr("Digits: factor · wheel: more or less · Enter or click: done · Esc: back")
-                    : tr("Release: done · wheel: more or less · digits: factor · Ctrl: steps · Esc: back");
+    if (isByKeys())
+        return isAngle() ? tr("Digits: degrees · wheel: more or less · Enter or click: done · Esc: back")
+                         : tr("Digits: factor · wheel: more or less · Enter or click: done · Esc: back");
+    return isAngle() ? tr("Release: done · wheel: more or less · digits: degrees · Ctrl: steps · Esc: back")
+                     : tr("Release: done · wheel: more or less · digits: factor · Ctrl: steps · Esc: back");
 }
 
 void FactorTool::offer(ToolOffers& offers) const
 {
     if (!isChosen() || offers.held() != Qt::NoModifier)
         return;
-    offers.add(ToolOffers::Drag, isLength() ? tr("Drag a branch along itself: its length")
-                                            : tr("Drag a branch to the right or left: its thickness"));
-    offers.add(ToolOffers::Click, tr("Click: type a factor"));
+    offers.add(ToolOffers::Drag, tr(m_kind.offer));
+    offers.add(ToolOffers::Click, isAngle() ? tr("Click: type an angle") : tr("Click: type a factor"));
 }
 
 void FactorTool::paint(QPainter& painter, const PickView& view)
 {
-    const LimbHit* limb = m_edit ? &m_limb : aim() ? &*aim() : nullptr;
+    const LimbHit* limb = edit() ? &m_limb : aim() ? &*aim() : nullptr;
     if (limb)
         paintRing(painter, view, worldOf(limb->node), *limb, handGreen);
-    if (!m_edit)
+    if (!edit())
         return;
-    const QString number = m_typed.isEmpty() ? QLocale().toString(factor(), 'f', 2) : m_typed.text();
-    QString text = (isLength() ? tr("Length × %1") : tr("Thickness × %1")).arg(number);
-    if (m_byKeys && m_typed.isEmpty() && m_wheeled == 1.0)
+    const double shown = isAngle() ? value() / degree : value();
+    const QString number =
+        typed().isEmpty() ? QLocale().toString(shown, 'f', isAngle() ? 0 : 2) : typed().text();
+    QString text = tr(m_kind.readout).arg(number);
+    if (isByKeys() && typed().isEmpty() && m_wheeled == neutral())
         text += tr(" · type a number");
-    paintReadout(painter, m_at, sizeOf(view), text);
+    paintReadout(painter, at(), sizeOf(view), text);
 }
 
 } // namespace
 
-std::unique_ptr<Tool> makeLengthTool(ToolContext& context)
+template <HandTool tool> std::unique_ptr<Tool> makeFactorTool(ToolContext& context)
 {
-    return std::make_unique<FactorTool>(context, HandTool::Length, EditOperation::Length);
+    return std::make_unique<FactorTool>(context, *std::ranges::find(factorKinds, tool, &FactorKind::tool));
 }
-std::unique_ptr<Tool> makeThicknessTool(ToolContext& context)
-{
-    return std::make_unique<FactorTool>(context, HandTool::Thickness, EditOperation::Thickness);
-}
+template std::unique_ptr<Tool> makeFactorTool<HandTool::Length>(ToolContext&);
+template std::unique_ptr<Tool> makeFactorTool<HandTool::Thickness>(ToolContext&);
+template std::unique_ptr<Tool> makeFactorTool<HandTool::Taper>(ToolContext&);
+template std::unique_ptr<Tool> makeFactorTool<HandTool::Curl>(ToolContext&);
+template std::unique_ptr<Tool> makeFactorTool<HandTool::Twist>(ToolContext&);
 
 } // namespace ramure

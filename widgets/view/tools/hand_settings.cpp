@@ -4,33 +4,74 @@
 #include <algorithm>
 
 namespace ramure {
+namespace {
+
+template <auto member> int chosen(const HandOptions& options)
+{
+    return static_cast<int>(options.*member);
+}
+
+template <auto member> void choose(HandOptions& options, int item)
+{
+    using Kind = std::remove_reference_t<decltype(options.*member)>;
+    options.*member = static_cast<Kind>(item);
+}
+
+} // namespace
 
 std::span<const HandToolRow> handTools()
 {
-    using enum HandTool;
+    using enum HandGroup;
     static constexpr HandToolRow rows[] = {
-        {Cut, "hand.cut", QT_TRANSLATE_NOOP("Actions", "&Cut"), "hand-cut", Qt::Key_C,
+        {HandTool::Cut, Take, "hand.cut", QT_TRANSLATE_NOOP("Actions", "&Cut"), "hand-cut", Qt::Key_C,
          QT_TRANSLATE_NOOP("Actions", "Cut a branch where you click: what lies above falls away")},
-        {Saw, "hand.saw", QT_TRANSLATE_NOOP("Actions", "&Saw"), "hand-saw", Qt::Key_Z,
+        {HandTool::Saw, Take, "hand.saw", QT_TRANSLATE_NOOP("Actions", "&Saw"), "hand-saw", Qt::Key_Z,
          QT_TRANSLATE_NOOP("Actions", "Draw a line through twigs: all that it crosses is cut there")},
-        {Remove, "hand.remove", QT_TRANSLATE_NOOP("Actions", "&Remove"), "hand-remove", Qt::Key_X,
-         QT_TRANSLATE_NOOP("Actions", "Click a limb: it goes, with all that grows on it")},
-        {Keep, "hand.keep", QT_TRANSLATE_NOOP("Actions", "&Keep only"), "hand-keep", Qt::Key_O,
+        {HandTool::Remove, Take, "hand.remove", QT_TRANSLATE_NOOP("Actions", "&Remove"), "hand-remove",
+         Qt::Key_X, QT_TRANSLATE_NOOP("Actions", "Click a limb: it goes, with all that grows on it")},
+        {HandTool::Keep, Take, "hand.keep", QT_TRANSLATE_NOOP("Actions", "&Keep only"), "hand-keep",
+         Qt::Key_O,
          QT_TRANSLATE_NOOP("Actions", "Click a limb: all goes but it, what grows on it and the way down")},
-        {Bend, "hand.bend", QT_TRANSLATE_NOOP("Actions", "&Bend"), "hand-bend", Qt::Key_B,
-         QT_TRANSLATE_NOOP("Actions", "Drag a branch: the limb follows the hand")},
-        {Length, "hand.length", QT_TRANSLATE_NOOP("Actions", "&Length"), "hand-length", Qt::Key_L,
-         QT_TRANSLATE_NOOP("Actions", "Drag a branch along itself: longer or shorter")},
-        {Thickness, "hand.thickness", QT_TRANSLATE_NOOP("Actions", "&Thickness"), "hand-thickness", Qt::Key_U,
-         QT_TRANSLATE_NOOP("Actions", "Drag a branch to the right: thicker, to the left: thinner")},
-        {Draw, "hand.draw", QT_TRANSLATE_NOOP("Actions", "&Draw"), "hand-draw", Qt::Key_D,
-         QT_TRANSLATE_NOOP("Actions", "Drag from a branch or the ground: a branch grows along the stroke")},
-        {Graft, "hand.graft", QT_TRANSLATE_NOOP("Actions", "&Graft"), "hand-graft", Qt::Key_J,
-         QT_TRANSLATE_NOOP("Actions", "Click a limb to copy it, then click where it is to grow")},
-        {Prune, "hand.prune", QT_TRANSLATE_NOOP("Actions", "&Prune to a shape"), "hand-prune", Qt::Key_P,
+        {HandTool::Prune, Take, "hand.prune", QT_TRANSLATE_NOOP("Actions", "&Prune to a shape"), "hand-prune",
+         Qt::Key_P,
          QT_TRANSLATE_NOOP("Actions", "Drag a shape around the tree: what stands out of it is cut")},
-        {Leaves, "hand.leaves", QT_TRANSLATE_NOOP("Actions", "L&eaves on or off"), "hand-leaves", Qt::Key_V,
-         QT_TRANSLATE_NOOP("Actions", "Click a limb: its leaves go, or come back")},
+        {HandTool::Leaves, Take, "hand.leaves", QT_TRANSLATE_NOOP("Actions", "L&eaves on or off"),
+         "hand-leaves", Qt::Key_V, QT_TRANSLATE_NOOP("Actions", "Click a limb: its leaves go, or come back")},
+        {HandTool::Bend, Shape, "hand.bend", QT_TRANSLATE_NOOP("Actions", "&Bend"), "hand-bend", Qt::Key_B,
+         QT_TRANSLATE_NOOP("Actions", "Drag a branch: the limb follows the hand")},
+        {HandTool::Curl, Shape, "hand.curl", QT_TRANSLATE_NOOP("Actions", "C&url"), "hand-curl", Qt::Key_K,
+         QT_TRANSLATE_NOOP("Actions", "Drag a branch to one side: the limb rolls up that way")},
+        {HandTool::Twist, Shape, "hand.twist", QT_TRANSLATE_NOOP("Actions", "&Twist"), "hand-twist",
+         Qt::Key_Y,
+         QT_TRANSLATE_NOOP("Actions", "Drag a branch to the right or left: what grows on it turns about it")},
+        {HandTool::Length, Shape, "hand.length", QT_TRANSLATE_NOOP("Actions", "&Length"), "hand-length",
+         Qt::Key_L, QT_TRANSLATE_NOOP("Actions", "Drag a branch along itself: longer or shorter")},
+        {HandTool::Thickness, Shape, "hand.thickness", QT_TRANSLATE_NOOP("Actions", "T&hickness"),
+         "hand-thickness", Qt::Key_U,
+         QT_TRANSLATE_NOOP("Actions", "Drag a branch to the right: thicker, to the left: thinner")},
+        {HandTool::Taper, Shape, "hand.taper", QT_TRANSLATE_NOOP("Actions", "T&aper"), "hand-taper",
+         Qt::SHIFT | Qt::Key_U,
+         QT_TRANSLATE_NOOP("Actions",
+                           "Drag a branch to the right: its tip gets thicker, to the left: thinner")},
+        {HandTool::Brush, Shape, "hand.brush", QT_TRANSLATE_NOOP("Actions", "Brus&h"), "hand-brush",
+         Qt::Key_A,
+         QT_TRANSLATE_NOOP(
+             "Actions",
+             "Drag over branches: they are combed, drawn near or pushed away, or lose their leaves")},
+        {HandTool::Draw, Grow, "hand.draw", QT_TRANSLATE_NOOP("Actions", "&Draw"), "hand-draw", Qt::Key_D,
+         QT_TRANSLATE_NOOP("Actions", "Drag from a branch or the ground: a branch grows along the stroke")},
+        {HandTool::Extend, Grow, "hand.extend", QT_TRANSLATE_NOOP("Actions", "E&xtend"), "hand-extend",
+         Qt::Key_N, QT_TRANSLATE_NOOP("Actions", "Drag a branch: its tip grows on along the stroke")},
+        {HandTool::Redraw, Grow, "hand.redraw", QT_TRANSLATE_NOOP("Actions", "Redra&w"), "hand-redraw",
+         Qt::SHIFT | Qt::Key_D,
+         QT_TRANSLATE_NOOP("Actions", "Draw over a branch: from there on it goes along the stroke")},
+        {HandTool::Graft, Grow, "hand.graft", QT_TRANSLATE_NOOP("Actions", "&Graft"), "hand-graft", Qt::Key_J,
+         QT_TRANSLATE_NOOP("Actions", "Click a limb to copy it, then click where it is to grow")},
+        {HandTool::Move, Grow, "hand.move", QT_TRANSLATE_NOOP("Actions", "&Move the fork"), "hand-move",
+         Qt::Key_M, QT_TRANSLATE_NOOP("Actions", "Drag a branch: its fork slides along what it grows on")},
+        {HandTool::Root, Grow, "hand.root", QT_TRANSLATE_NOOP("Actions", "Move the r&oot"), "hand-root",
+         Qt::SHIFT | Qt::Key_M,
+         QT_TRANSLATE_NOOP("Actions", "Drag a tree: its foot goes over the ground, and flares by the wheel")},
     };
     return rows;
 }
@@ -40,6 +81,42 @@ const HandToolRow& handTool(HandTool tool)
     return *std::ranges::find(handTools(), tool, &HandToolRow::tool);
 }
 
+std::span<const HandChoice> handChoices()
+{
+    using enum HandTool;
+    static constexpr const char* shapes[] = {
+        QT_TRANSLATE_NOOP("HandOptions", "Sphere"), QT_TRANSLATE_NOOP("HandOptions", "Box"),
+        QT_TRANSLATE_NOOP("HandOptions", "Cone"), QT_TRANSLATE_NOOP("HandOptions", "Drawn outline"),
+        QT_TRANSLATE_NOOP("HandOptions", "Solid of the scene")};
+    static constexpr const char* thickness[] = {QT_TRANSLATE_NOOP("HandOptions", "Even"),
+                                                QT_TRANSLATE_NOOP("HandOptions", "By pressure"),
+                                                QT_TRANSLATE_NOOP("HandOptions", "By speed")};
+    static constexpr const char* ways[] = {QT_TRANSLATE_NOOP("HandOptions", "Line"),
+                                           QT_TRANSLATE_NOOP("HandOptions", "Rectangle"),
+                                           QT_TRANSLATE_NOOP("HandOptions", "Lasso")};
+    static constexpr const char* brushes[] = {
+        QT_TRANSLATE_NOOP("HandOptions", "Attract"), QT_TRANSLATE_NOOP("HandOptions", "Repel"),
+        QT_TRANSLATE_NOOP("HandOptions", "Comb"), QT_TRANSLATE_NOOP("HandOptions", "Leaves off"),
+        QT_TRANSLATE_NOOP("HandOptions", "Leaves on")};
+    static constexpr HandChoice rows[] = {
+        {toolBit(Brush), "brush", QT_TRANSLATE_NOOP("HandOptions", "Action"),
+         QT_TRANSLATE_NOOP("HandOptions", "What the brush does to branches within its radius"), brushes,
+         &chosen<&HandOptions::brush>, &choose<&HandOptions::brush>},
+        {toolBit(Saw), "sawWay", QT_TRANSLATE_NOOP("HandOptions", "Cut by"),
+         QT_TRANSLATE_NOOP("HandOptions", "Along a line, or all that comes into a rectangle or a lasso"),
+         ways, &chosen<&HandOptions::sawWay>, &choose<&HandOptions::sawWay>},
+        {toolBit(Prune), "pruneShape", QT_TRANSLATE_NOOP("HandOptions", "Shape"),
+         QT_TRANSLATE_NOOP("HandOptions", "What stands out of it is cut"), shapes,
+         &chosen<&HandOptions::shape>, &choose<&HandOptions::shape>},
+        {toolBit(Draw) | toolBit(Extend), "drawBy", QT_TRANSLATE_NOOP("HandOptions", "Thickness"),
+         QT_TRANSLATE_NOOP("HandOptions",
+                           "Along the stroke: the harder the pen is pressed, or the slower the "
+                           "hand goes, the thicker"),
+         thickness, &chosen<&HandOptions::drawBy>, &choose<&HandOptions::drawBy>},
+    };
+    return rows;
+}
+
 std::span<const HandNumber> handNumbers()
 {
     using enum HandTool;
@@ -47,13 +124,23 @@ std::span<const HandNumber> handNumbers()
         {toolBit(Saw), "sawThickest", QT_TRANSLATE_NOOP("HandOptions", "Up to"),
          QT_TRANSLATE_NOOP("HandOptions", "The saw goes through twigs of at most this radius"),
          &HandOptions::sawThickest, 0.001, 10.0, 0.005, 1, 100.0, " cm"},
+        {toolBit(Curl), "curlFrom", QT_TRANSLATE_NOOP("HandOptions", "From"),
+         QT_TRANSLATE_NOOP("HandOptions", "Below that share of its length the limb stays as it is"),
+         &HandOptions::curlFrom, 0.0, 0.95, 0.05, 0, 100.0, " %"},
+        {toolBit(Brush), "brushRadius", QT_TRANSLATE_NOOP("HandOptions", "Radius"),
+         QT_TRANSLATE_NOOP("HandOptions", "Of the brush; also Shift and the wheel. 0: to suit the tree"),
+         &HandOptions::brushRadius, 0.0, 100.0, 0.1, 2, 1.0, " m"},
+        {toolBit(Brush), "brushStrength", QT_TRANSLATE_NOOP("HandOptions", "Strength"),
+         QT_TRANSLATE_NOOP("HandOptions", "How far branches turn; of leaves it changes nothing"),
+         &HandOptions::brushStrength, 0.0, 1.0, 0.1, 0, 100.0, " %"},
         {toolBit(Draw), "drawRadius", QT_TRANSLATE_NOOP("HandOptions", "Radius"),
          QT_TRANSLATE_NOOP("HandOptions", "At the foot of the new branch. 0: to suit what it grows on"),
          &HandOptions::drawRadius, 0.0, 10.0, 0.005, 1, 100.0, " cm"},
-        {toolBit(Draw), "drawTip", QT_TRANSLATE_NOOP("HandOptions", "Tip"),
-         QT_TRANSLATE_NOOP("HandOptions", "Radius at the tip, of that at the foot"), &HandOptions::drawTip,
-         0.02, 1.0, 0.05, 0, 100.0, " %"},
-        {toolBit(Draw), "drawSmooth", QT_TRANSLATE_NOOP("HandOptions", "Smoothing"),
+        {toolBit(Draw) | toolBit(Extend), "drawTip", QT_TRANSLATE_NOOP("HandOptions", "Tip"),
+         QT_TRANSLATE_NOOP("HandOptions", "Radius at the tip, of that where the stroke begins"),
+         &HandOptions::drawTip, 0.02, 1.0, 0.05, 0, 100.0, " %"},
+        {toolBit(Draw) | toolBit(Extend) | toolBit(Redraw), "drawSmooth",
+         QT_TRANSLATE_NOOP("HandOptions", "Smoothing"),
          QT_TRANSLATE_NOOP("HandOptions", "How much the trembling of the hand is taken out"),
          &HandOptions::drawSmooth, 0.0, 1.0, 0.1, 0, 100.0, " %"},
         {toolBit(Graft), "graftSize", QT_TRANSLATE_NOOP("HandOptions", "Size"),
@@ -84,9 +171,6 @@ std::span<const HandFlag> handFlags()
         {toolBit(Draw), "drawTwigs", QT_TRANSLATE_NOOP("HandOptions", "With twigs"),
          QT_TRANSLATE_NOOP("HandOptions", "Twigs grow on the branch as on those beside it"),
          &HandOptions::drawTwigs},
-        {toolBit(Draw), "drawPressure", QT_TRANSLATE_NOOP("HandOptions", "Pen pressure"),
-         QT_TRANSLATE_NOOP("HandOptions", "The harder the pen is pressed, the thicker the branch"),
-         &HandOptions::drawPressure},
         {toolBit(Draw), "mirrored", QT_TRANSLATE_NOOP("HandOptions", "Mirrored"),
          QT_TRANSLATE_NOOP("HandOptions", "A second branch grows across what the first one grows on"),
          &HandOptions::mirrored},

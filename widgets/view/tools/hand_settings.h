@@ -18,41 +18,72 @@ enum class HandTool : quint8 {
     Saw,
     Remove,
     Keep,
+    Prune,
+    Leaves,
     Bend,
+    Curl,
+    Twist,
     Length,
     Thickness,
+    Taper,
+    Brush,
     Draw,
+    Extend,
+    Redraw,
     Graft,
-    Prune,
-    Leaves
+    Move,
+    Root
 };
+
+/// In the tool bar and the menu a line stands between groups.
+enum class HandGroup : quint8 { Take, Shape, Grow };
 
 /// A button of the tool bar.
 struct HandToolRow
 {
     HandTool tool;
+    HandGroup group;
     const char* id;   ///< of its action: "hand.cut"
     const char* text; ///< English, context "Actions", with a mnemonic
     const char* icon;
-    Qt::Key key;
+    QKeyCombination key;
     const char* tip; ///< English, context "Actions"
 };
 /// In the order of the tool bar; all but None.
 std::span<const HandToolRow> handTools();
 const HandToolRow& handTool(HandTool tool);
 
+/// What gives a drawn branch its thickness, beside its foot and tip.
+enum class DrawBy : quint8 { Even, Pressure, Speed };
+
+/// Saw: along a line, or what comes into an area.
+enum class SawWay : quint8 { Line, Rectangle, Lasso };
+
+enum class BrushKind : quint8 {
+    Attract,
+    Repel,
+    Comb,
+    Bare, ///< leaves go
+    Leafy ///< leaves come back
+};
+
 struct HandOptions
 {
+    SawWay sawWay = SawWay::Line;
     double sawThickest = 0.05; ///< m, radius of what the saw goes through
     bool withBelow = true;     ///< Length and Thickness: also of what grows on the limb
-    double drawRadius = 0.0;   ///< m, at the foot; 0: to suit the parent
-    double drawTip = 0.3;      ///< radius at the tip, of that at the foot
-    double drawSmooth = 0.6;   ///< 0: as drawn, 1: very smooth
-    bool drawTwigs = false;    ///< twigs grow on the branch as on those beside it
-    bool drawPressure = true;  ///< the pen's pressure gives the radius
-    double graftSize = 1.0;    ///< factor
-    int copies = 1;            ///< Draw and Graft: so many around the trunk
-    bool mirrored = false;     ///< Draw: and once more across the trunk
+    double curlFrom = 0.0;     ///< share of the limb that stays straight
+    BrushKind brush = BrushKind::Comb;
+    double brushRadius = 0.0;   ///< m; 0: to suit the tree
+    double brushStrength = 0.5; ///< 0..1
+    double drawRadius = 0.0;    ///< m, at the foot; 0: to suit the parent
+    double drawTip = 0.3;       ///< radius at the tip, of that at the foot
+    double drawSmooth = 0.6;    ///< 0: as drawn, 1: very smooth
+    bool drawTwigs = false;     ///< twigs grow on the branch as on those beside it
+    DrawBy drawBy = DrawBy::Pressure;
+    double graftSize = 1.0; ///< factor
+    int copies = 1;         ///< Draw and Graft: so many around the trunk
+    bool mirrored = false;  ///< Draw: and once more across the trunk
     EditShapeKind shape = EditShapeKind::Sphere;
     bool operator==(const HandOptions&) const = default;
 };
@@ -114,6 +145,18 @@ struct HandFlag
     const char* tip;
     bool HandOptions::*member;
 };
+/// One of a few kinds, an enum of HandOptions.
+struct HandChoice
+{
+    quint32 tools; ///< toolBit of each
+    const char* id;
+    const char* label;
+    const char* tip;
+    std::span<const char* const> items; ///< English, context "HandOptions"
+    int (*chosen)(const HandOptions& options);
+    void (*choose)(HandOptions& options, int item);
+};
+std::span<const HandChoice> handChoices();
 std::span<const HandNumber> handNumbers();
 std::span<const HandCount> handCounts();
 std::span<const HandFlag> handFlags();

@@ -1,5 +1,8 @@
-// A shape that is dragged around a tree: what stands out of it is cut.
+// A shape that is dragged around a tree, an outline that is drawn beside it, or a solid of the scene: what
+// stands out of it is cut.
 #include "core/math/frame.h"
+#include "core/scene/edit_shapes.h"
+#include "core/scene/kinds/node_kinds.h"
 #include "widgets/view/tools/edit_tool.h"
 #include "widgets/view/tools/motion_tools.h"
 #include "widgets/view/tools/readout.h"
@@ -35,12 +38,7 @@ public:
     {
         return tr("What stands out of the shape is cut · release: done · Esc: nothing is cut");
     }
-    void offer(ToolOffers& offers) const override
-    {
-        if (isChosen() && offers.held() == Qt::NoModifier)
-            offers.add(ToolOffers::Drag,
-                       tr("Drag from the middle of the tree outwards: it is cut to the shape"));
-    }
+    void offer(ToolOffers& offers) const override;
     void paint(QPainter& painter, const PickView& view) override;
 
 protected:
@@ -48,6 +46,10 @@ protected:
     void forget() override { m_edit.reset(); }
 
 private:
+    [[nodiscard]] EditShapeKind kind() const { return m_context.hand.options().shape; }
+    bool takeSolid(const ToolPoint& point);
+    void addToOutline(const ToolPoint& point);
+    [[nodiscard]] EditShape outline() const;
     [[nodiscard]] EditShape shapeTo(const PickView& view, QPointF at) const;
     Expected<void> prune(const ToolPoint& point);
 
@@ -55,12 +57,28 @@ private:
     glm::dmat4 m_world{1.0}, m_inverse{1.0};
     glm::dvec3 m_middle{0.0}; ///< m, tree space: where the drag began
     EditShape m_shape;
+    glm::dvec3 m_foot{0.0}; ///< m, tree space, of the trunk: an outline turns about the vertical there
+    std::vector<glm::dvec2> m_outline{}; ///< m from that, and above the foot
     bool m_moves = false;
     QPointF m_at;
 };
 
+void PruneTool::offer(ToolOffers& offers) const
+{
+    if (!isChosen() || offers.held() != Qt::NoModifier)
+        return;
+    if (kind() == EditShapeKind::Mesh)
+        offers.add(ToolOffers::Click, tr("Click a solid around the tree: what stands out of it is cut"));
+    else if (kind() == EditShapeKind::Profile)
+        offers.add(ToolOffers::Drag, tr("Draw half of the outline beside the trunk: the tree is cut to it"));
+    else
+        offers.add(ToolOffers::Drag, tr("Drag from the middle of the tree outwards: it is cut to the shape"));
+}
+
 bool PruneTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
 {
+    if (kind() == EditShapeKind::Mesh)
+        return takeSolid(point);
     const NodeId tree = limb ? limb->node : treeMeant(m_context.document);
     if (tree == noNode) {
         m_context.host.raiseMessage(tr("Press on the tree that is to be pruned, or select it first."));
@@ -75,10 +93,75 @@ bool PruneTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
     const SkeletonStats stats = skeletonStats(m_context.document.result(tree)->tree.simplified->skeleton);
     const glm::dvec3 centre(m_world * glm::dvec4(0.5 * (stats.min + stats.max), 1.0));
     m_middle = glm::dvec3(m_inverse * glm::dvec4(pulledTo(point.view, point.pixel(), centre), 1.0));
+    m_foot = m_context.document.result(tree)->tree.simplified->skeleton.p0[0];
+    m_outline.clear();
+    addToOutline(point);
     m_moves = false;
     m_at = point.at;
     setAim({});
     return true;
+}
+
+/// The tree that is selected, or the only one, is pruned to what is under the cursor.
+bool PruneTool::takeSolid(const ToolPoint& point)
+{
+    const auto scene = m_context.host.pickScene(pickPatience);
+    const auto hit = scene ? scene->pick(point.view, point.pixel()) : std::nullopt;
+    const Node* solid = hit ? m_context.document.scene().find(hit->node) : nullptr;
+    const NodeId tree = treeMeant(m_context.document);
+    if (!solid || !isObject(solid->kind) || tree == noNode) {
+        m_context.host.raiseMessage(tr("Select the tree, then click the solid that it is to be pruned to."));
+        return true;
+    }
+    const auto gesture = HandEdit::begin(m_context.document, tree);
+    if (!gesture)
+        return report(tl::unexpected(gesture.error()));
+    const auto done = meshShape(m_context.document.scene(), tree, solid->id).and_then([&](EditShape&& shape) {
+        TreeEdit edit;
+        edit.operation = EditOperation::Prune;
+        edit.shape = std::move(shape);
+        return (*gesture)->replace({edit}).and_then([&] { return (*gesture)->show(); });
+    });
+    report(done) ? (*gesture)->keep() : (*gesture)->cancel();
+    return true;
+}
+
+/// In the upright plane through the trunk that faces the eye.
+void PruneTool::addToOutline(const ToolPoint& point)
+{
+    const ViewRay ray = point.view.camera.ray(point.view.ndc(point.pixel()), point.view.aspect());
+    const glm::dvec3 eye(m_inverse * glm::dvec4(ray.origin, 1.0)),
+        sight(m_inverse * glm::dvec4(ray.direction, 0.0));
+    const glm::dvec3 level(m_foot.x - eye.x, 0.0, m_foot.z - eye.z);
+    const double share = glm::dot(m_foot - eye, level) / glm::dot(sight, level);
+    const glm::dvec3 at = eye + share * sight - m_foot;
+    if (share > 0.0 && std::isfinite(share))
+        m_outline.emplace_back(std::hypot(at.x, at.z), at.y);
+}
+
+/// Of every height the widest place.
+EditShape PruneTool::outline() const
+{
+    constexpr int heights = 32;
+    EditShape shape;
+    shape.kind = EditShapeKind::Profile;
+    const auto [low, high] = std::ranges::minmax(m_outline, {}, [](const glm::dvec2& p) { return p.y; });
+    shape.numbers = {m_foot.x, m_foot.y + low.y, m_foot.z, 0.0, 0.0, 0.0};
+    if (high.y - low.y < least)
+        return shape; // of no height: no profile, and the edit says so
+    for (int i = 0; i <= heights; ++i) {
+        const double height = low.y + (high.y - low.y) * i / heights;
+        double widest = 0.0;
+        for (std::size_t k = 1; k < m_outline.size(); ++k) {
+            const glm::dvec2 a = m_outline[k - 1], b = m_outline[k];
+            if (height < std::min(a.y, b.y) || height > std::max(a.y, b.y))
+                continue;
+            const double t = a.y == b.y ? 0.0 : (height - a.y) / (b.y - a.y);
+            widest = std::max({widest, glm::mix(a.x, b.x, t), a.y == b.y ? b.x : 0.0});
+        }
+        shape.points.emplace_back(widest, height - low.y, 0.0);
+    }
+    return shape;
 }
 
 /// A sphere or a box about the place of the press, or a cone that stands there.
@@ -102,7 +185,7 @@ EditShape PruneTool::shapeTo(const PickView& view, QPointF at) const
 
 Expected<void> PruneTool::prune(const ToolPoint& point)
 {
-    m_shape = shapeTo(point.view, point.at);
+    m_shape = kind() == EditShapeKind::Profile ? outline() : shapeTo(point.view, point.at);
     TreeEdit edit;
     edit.operation = EditOperation::Prune;
     edit.shape = m_shape;
@@ -114,6 +197,8 @@ void PruneTool::drag(const ToolPoint& point)
     m_at = point.at;
     m_moves = m_moves || point.isDrag();
     if (m_edit && m_moves)
+        addToOutline(point);
+    if (m_edit && m_moves)
         (void)prune(point); // what cannot be is said at the end
     m_context.host.repaint();
 }
@@ -124,7 +209,9 @@ void PruneTool::release(const ToolPoint& point)
         return;
     m_moves&& report(prune(point)) ? m_edit->keep() : m_edit->cancel();
     if (!m_moves)
-        m_context.host.raiseMessage(tr("Drag from the middle of the tree outwards."));
+        m_context.host.raiseMessage(kind() == EditShapeKind::Profile
+                                        ? tr("Draw half of the outline beside the trunk.")
+                                        : tr("Drag from the middle of the tree outwards."));
     m_edit.reset();
     m_context.host.repaint();
 }
@@ -153,6 +240,18 @@ std::vector<std::vector<glm::dvec3>> linesOf(const EditShape& shape, const glm::
     };
     if (shape.kind == EditShapeKind::Sphere)
         return {ring(a, n[3], frameFromTangent(sight)), ring(a, n[3], Frame{})};
+    if (shape.kind == EditShapeKind::Profile) {
+        const glm::dvec3 aside = glm::normalize(glm::cross(sight, glm::dvec3(0.0, 1.0, 0.0)) + 1e-9);
+        std::vector<std::vector<glm::dvec3>> lines(2);
+        for (std::size_t i = 0; i < shape.points.size(); ++i) {
+            const glm::dvec3 middle = a + glm::dvec3(0.0, shape.points[i].y, 0.0);
+            lines[0].push_back(middle + shape.points[i].x * aside);
+            lines[1].push_back(middle - shape.points[i].x * aside);
+            if (i % 8 == 0)
+                lines.push_back(ring(middle, shape.points[i].x, Frame{}));
+        }
+        return lines;
+    }
     if (shape.kind == EditShapeKind::Cone) {
         const glm::dvec3 top = a + glm::dvec3(0.0, n[4], 0.0);
         std::vector<std::vector<glm::dvec3>> lines{ring(a, n[3], Frame{})};
@@ -188,6 +287,8 @@ void PruneTool::paint(QPainter& painter, const PickView& view)
     QString text;
     if (m_shape.kind == EditShapeKind::Sphere)
         text = tr("radius %1 m").arg(metres(n[3]));
+    else if (m_shape.kind == EditShapeKind::Profile)
+        text = tr("%1 m high").arg(metres(m_shape.points.empty() ? 0.0 : m_shape.points.back().y));
     else if (m_shape.kind == EditShapeKind::Cone)
         text = tr("radius %1 m, %2 m high").arg(metres(n[3]), metres(n[4]));
     else

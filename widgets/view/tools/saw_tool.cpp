@@ -1,4 +1,5 @@
-// A stroke through twigs: what it crosses is cut there.
+// A stroke through twigs: what it crosses is cut there. Or one around them: what comes into it is cut where
+// it does.
 #include "widgets/view/tools/edit_tool.h"
 #include "widgets/view/tools/readout.h"
 #include "widgets/view/tools/tool_table.h"
@@ -30,6 +31,26 @@ std::optional<double> crossing(const glm::dvec2& a, const glm::dvec2& b, const g
     return meet ? std::optional(onTwig) : std::nullopt;
 }
 
+bool isInside(const QPolygonF& area, const glm::dvec2& at)
+{
+    return area.containsPoint({at.x, at.y}, Qt::OddEvenFill);
+}
+
+/// Share of the way from \p c to \p d where it first comes into the area.
+std::optional<double> entry(const QPolygonF& area, const glm::dvec2& c, const glm::dvec2& d)
+{
+    if (isInside(area, c))
+        return 0.0;
+    std::optional<double> first;
+    for (qsizetype i = 0; i < area.size(); ++i) {
+        const QPointF a = area[i], b = area[(i + 1) % area.size()];
+        const auto share = crossing({a.x(), a.y()}, {b.x(), b.y()}, c, d);
+        if (share && (!first || *share < *first))
+            first = share;
+    }
+    return first;
+}
+
 class SawTool : public EditTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::SawTool)
@@ -44,6 +65,7 @@ public:
     {
         const bool erases = point.isEraser && m_context.hand.tool() == HandTool::Draw &&
                             point.button == Qt::LeftButton && !m_context.isPlaying();
+        m_way = erases ? SawWay::Line : m_context.hand.options().sawWay;
         return erases ? take(point, limbAt(point)) : EditTool::press(point);
     }
     [[nodiscard]] bool goesOn() const override { return isBusy(); }
@@ -52,12 +74,17 @@ public:
     void cancel() override;
     [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override
     {
-        return tr("What the line crosses is cut · release: done · Esc: nothing is cut");
+        return m_way == SawWay::Line
+                   ? tr("What the line crosses is cut · release: done · Esc: nothing is cut")
+                   : tr("What comes into it is cut · release: done · Esc: nothing is cut");
     }
     void offer(ToolOffers& offers) const override
     {
-        if (isChosen() && offers.held() == Qt::NoModifier)
-            offers.add(ToolOffers::Drag, tr("Drag a line through twigs: they are cut there"));
+        if (!isChosen() || offers.held() != Qt::NoModifier)
+            return;
+        const bool isLine = m_context.hand.options().sawWay == SawWay::Line;
+        offers.add(ToolOffers::Drag, isLine ? tr("Drag a line through twigs: they are cut there")
+                                            : tr("Drag around twigs: what comes into it is cut"));
     }
     void paint(QPainter& painter, const PickView& view) override;
 
@@ -83,10 +110,20 @@ private:
     /// \return whether anything of this tree was cut
     bool cutTree(const Seen& tree, const glm::dvec2& from, const glm::dvec2& to);
     bool cut(std::uint64_t address, double metres);
+    /// What of a tree comes into the area.
+    struct Within
+    {
+        std::vector<std::pair<Index, double>> cuts; ///< branches, and where: share of each
+        std::vector<Index> goes;                    ///< branches
+    };
+    [[nodiscard]] Within within(const Seen& tree) const;
+    void markArea();
+    Expected<void> cutArea();
 
     std::vector<Seen> m_trees;
     std::unique_ptr<HandEdit> m_edit; ///< of the first tree that was met
-    QPolygonF m_line;
+    QPolygonF m_line;                 ///< of a rectangle its corners
+    SawWay m_way = SawWay::Line;
 };
 
 bool SawTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
@@ -123,9 +160,67 @@ void SawTool::look(NodeId node, const PickView& view)
 void SawTool::drag(const ToolPoint& point)
 {
     const QPointF before = m_line.back();
-    m_line << point.at;
-    cutAlong({before.x(), before.y()}, {point.at.x(), point.at.y()});
+    if (m_way == SawWay::Rectangle)
+        m_line = QRectF(point.pressed, point.at).normalized();
+    else
+        m_line << point.at;
+    if (m_way == SawWay::Line)
+        cutAlong({before.x(), before.y()}, {point.at.x(), point.at.y()});
+    else
+        markArea();
     m_context.host.repaint();
+}
+
+SawTool::Within SawTool::within(const Seen& tree) const
+{
+    const Skeleton& skeleton = tree.tree->skeleton;
+    Within found;
+    std::vector<bool> goes(skeleton.size(), false);
+    for (Index b = 0; b < tree.start.size(); ++b) {
+        const Index parent = skeleton.parent[b];
+        goes[b] = parent != noIndex && goes[parent];
+        const auto share = !goes[b] && tree.start[b] && tree.end[b]
+                               ? entry(m_line, *tree.start[b], *tree.end[b])
+                               : std::nullopt;
+        if (share &&
+            glm::mix(skeleton.a0[b], skeleton.a1[b], *share) <= m_context.hand.options().sawThickest) {
+            goes[b] = true;
+            found.cuts.emplace_back(b, *share);
+        }
+        if (goes[b])
+            found.goes.push_back(b);
+    }
+    return found;
+}
+
+/// Of the first tree that has anything there.
+void SawTool::markArea()
+{
+    for (const Seen& tree : m_trees)
+        if (Within found = within(tree); !found.goes.empty())
+            return m_context.host.markBranches(tree.node, std::move(found.goes));
+    m_context.host.markBranches(noNode, {});
+}
+
+Expected<void> SawTool::cutArea()
+{
+    for (const Seen& tree : m_trees) {
+        const Within found = within(tree);
+        if (found.cuts.empty())
+            continue;
+        auto edit = HandEdit::begin(m_context.document, tree.node);
+        if (!edit)
+            return tl::unexpected(edit.error());
+        m_edit = std::move(*edit);
+        for (const auto& [branch, share] : found.cuts) {
+            const LimbSpan& span = tree.spans[branch];
+            cut(span.address, glm::mix(span.from, span.to, share));
+        }
+        if (m_edit->edits().empty())
+            return fail(ErrorCode::Invalid, RAMURE_NOOP("nothing of the tree would be left"));
+        return m_edit->show();
+    }
+    return fail(ErrorCode::Invalid, RAMURE_NOOP("nothing in there is thin enough to be cut"));
 }
 
 void SawTool::cutAlong(const glm::dvec2& from, const glm::dvec2& to)
@@ -174,8 +269,13 @@ bool SawTool::cut(std::uint64_t address, double metres)
     return m_edit->add(edit).has_value();
 }
 
-void SawTool::release(const ToolPoint&)
+void SawTool::release(const ToolPoint& point)
 {
+    if (m_way != SawWay::Line) {
+        m_context.host.markBranches(noNode, {});
+        if (m_line.size() > 2 && point.isDrag())
+            report(cutArea());
+    }
     m_line.clear();
     if (const auto edit = std::exchange(m_edit, nullptr))
         edit->keep();
@@ -184,6 +284,7 @@ void SawTool::release(const ToolPoint&)
 
 void SawTool::cancel()
 {
+    m_context.host.markBranches(noNode, {});
     m_line.clear();
     if (const auto edit = std::exchange(m_edit, nullptr))
         edit->cancel();
@@ -195,9 +296,18 @@ void SawTool::paint(QPainter& painter, const PickView& view)
     if (m_line.size() < 2)
         return;
     painter.setPen(QPen(QColor(16, 22, 28, 150), 4.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPolyline(m_line);
+    QPolygonF line = m_line;
+    if (m_way != SawWay::Line) {
+        line << line.front();
+        painter.save();
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(QColor(handRed.red(), handRed.green(), handRed.blue(), 40));
+        painter.drawPolygon(m_line);
+        painter.restore();
+    }
+    painter.drawPolyline(line);
     painter.setPen(QPen(handRed, 2.0, Qt::DashLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPolyline(m_line);
+    painter.drawPolyline(line);
     if (m_edit)
         paintReadout(painter, m_line.back(), sizeOf(view),
                      tr("%n cut(s)", nullptr, static_cast<int>(m_edit->edits().size())));

@@ -31,6 +31,7 @@ struct ToolPoint
     QPointF pressed;                ///< where the button of the gesture went down
     std::optional<double> pressure; ///< 0..1, of a pen; nothing: a mouse
     bool isEraser = false;          ///< the other end of the pen
+    std::uint64_t milliseconds = 0; ///< when, from any start; of a mouse that moves
 
     [[nodiscard]] glm::dvec2 pixel() const { return {at.x(), at.y()}; }
     /// Far enough from there to be a drag.

@@ -94,8 +94,9 @@ void ToolManager::release(ToolPoint point)
 
 bool ToolManager::wheel(const ToolPoint& point, double turn)
 {
-    Tool* busy = current();
-    return (busy && busy->wheel(point, turn)) ||
+    const auto first = [&](const auto& tool) { return tool->isBusy() || tool->isChosen(); };
+    return std::ranges::any_of(m_tools,
+                               [&](const auto& tool) { return first(tool) && tool->wheel(point, turn); }) ||
            std::ranges::any_of(m_tools, [&](const auto& tool) { return tool->wheel(point, turn); });
 }
 

@@ -15,10 +15,14 @@ std::unique_ptr<Tool> makeCutTool(ToolContext& context);
 std::unique_ptr<Tool> makeSawTool(ToolContext& context);
 std::unique_ptr<Tool> makeRemoveTool(ToolContext& context);
 std::unique_ptr<Tool> makeKeepTool(ToolContext& context);
-std::unique_ptr<Tool> makeLengthTool(ToolContext& context);
-std::unique_ptr<Tool> makeThicknessTool(ToolContext& context);
-std::unique_ptr<Tool> makeDrawTool(ToolContext& context);
+/// Length, Thickness, Taper, Curl and Twist.
+template <HandTool tool> std::unique_ptr<Tool> makeFactorTool(ToolContext& context);
+/// Draw, Extend and Redraw.
+template <HandTool tool> std::unique_ptr<Tool> makeDrawTool(ToolContext& context);
 std::unique_ptr<Tool> makeGraftTool(ToolContext& context);
+std::unique_ptr<Tool> makeMoveTool(ToolContext& context);
+std::unique_ptr<Tool> makeRootTool(ToolContext& context);
+std::unique_ptr<Tool> makeBrushTool(ToolContext& context);
 std::unique_ptr<Tool> makePruneTool(ToolContext& context);
 std::unique_ptr<Tool> makeLeavesTool(ToolContext& context);
 std::unique_ptr<Tool> makeEditMarks(ToolContext& context);
@@ -39,10 +43,18 @@ inline constexpr ToolMaker toolTable[] = {
     makeSawTool,
     makeRemoveTool,
     makeKeepTool,
-    makeLengthTool,
-    makeThicknessTool,
-    makeDrawTool,
+    makeFactorTool<HandTool::Length>,
+    makeFactorTool<HandTool::Thickness>,
+    makeFactorTool<HandTool::Taper>,
+    makeFactorTool<HandTool::Curl>,
+    makeFactorTool<HandTool::Twist>,
+    makeDrawTool<HandTool::Draw>,
+    makeDrawTool<HandTool::Extend>,
+    makeDrawTool<HandTool::Redraw>,
     makeGraftTool,
+    makeMoveTool,
+    makeRootTool,
+    makeBrushTool,
     makePruneTool,
     makeLeavesTool,
     makeEditMarks,

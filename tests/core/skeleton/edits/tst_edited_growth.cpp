@@ -287,6 +287,20 @@ void TestEditedGrowth::leaves()
     edit.shown = true;
     QVERIFY(shaped.make(edit));
     QVERIFY(count(shaped.address[1]) == 0 && count(shaped.address[2]) > 0);
+    // Without a limb: what a sphere touches.
+    edit.target = {};
+    edit.shown = false;
+    edit.centre = shaped.tip(shaped.address[3]);
+    edit.radius = 0.01;
+    QVERIFY(shaped.make(edit));
+    QVERIFY(count(shaped.address[3]) == 0 && count(shaped.address[2]) > 0);
+    QVERIFY(!shaped.make(edit)); // they are gone already
+    edit.radius = 0.0;
+    QVERIFY(!shaped.make(edit));
+    edit.radius = 0.01;
+    edit.shown = true;
+    QVERIFY(shaped.make(edit));
+    QCOMPARE(count(shaped.address[3]), other);
 }
 
 void TestEditedGrowth::roots()

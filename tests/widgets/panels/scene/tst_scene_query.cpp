@@ -95,8 +95,9 @@ private slots:
         QCOMPARE(found(QStringLiteral("children>=3")), those([&](Index b) { return m_rows->forks(b) >= 3; }));
         QCOMPARE(found(QStringLiteral("level = 1")), those([&](Index b) { return bones.level[b] == 1; }));
         QCOMPARE(found(QStringLiteral("lev != 1")), those([&](Index b) { return bones.level[b] != 1; }));
-        const double length = bones.length(4) + 0.001;
-        const auto shorter = those([&](Index b) { return bones.length(b) < length; });
+        const auto lengthOf = [&](Index b) { return m_rows->length(m_rows->axisOf(b)); }; // of the limb
+        const double length = lengthOf(bones.size() - 1) + 0.001;
+        const auto shorter = those([&](Index b) { return lengthOf(b) < length; });
         QVERIFY(!shorter.empty());
         QCOMPARE(found(QStringLiteral("length < %1").arg(length, 0, 'g', 12)), shorter);
         QCOMPARE(found(QStringLiteral("length<%1 mm").arg(length * 1000, 0, 'g', 12)), shorter);
@@ -107,6 +108,19 @@ private slots:
         const double radius = bones.a0[0];
         QCOMPARE(found(QStringLiteral("radius ≥ %1").arg(radius, 0, 'g', 17)),
                  those([&](Index b) { return bones.a0[b] >= radius; }));
+    }
+
+    void aCountNeedsNoSign()
+    {
+        const Skeleton& bones = m_rows->skeleton();
+        QCOMPARE(found(QStringLiteral("level 2")), found(QStringLiteral("level = 2")));
+        QCOMPARE(found(QStringLiteral("Children 0")), found(QStringLiteral("terminal")));
+        const auto shortTwigs =
+            those([&](Index b) { return bones.level[b] == 2 && m_rows->length(m_rows->axisOf(b)) < 0.3; });
+        QVERIFY(!shortTwigs.empty());
+        QCOMPARE(found(QStringLiteral("level 2 length < 0.3")), shortTwigs);
+        for (const char* text : {"sealevel 2", "level 2b", "lev 2"}) // names
+            QVERIFY(!SceneQuery::parse(QString::fromLatin1(text))->findsBranches());
     }
 
     void nodesHaveNoQuantities()

@@ -13,6 +13,11 @@ private slots:
     void besideTheTreeNothingHappens();
     void aDragAlongTheBranchMakesItLonger();
     void aDragToTheSideMakesItThicker();
+    void aTipGetsThicker();
+    void aLimbRollsUpWhereItIsDragged();
+    void whatGrowsOnALimbTurnsAboutIt();
+    void anglesAreTyped();
+    void whereNothingGrowsNothingTurns();
     void escapeTakesItBack();
     void theWheelChangesWhatIsHeld();
     void numbersAreTyped();
@@ -41,6 +46,8 @@ void TestFactorTool::aDragAlongTheBranchMakesItLonger()
     const QPointF foot = bench.on(twig, 0.0), at = bench.on(twig);
     bench.press(at);
     bench.move(at + 0.8 * (at - foot));
+    bench.tools.hover(bench.at(at)); // the picture is ready, and the view looks again
+    QVERIFY(bench.marked.empty());
     QVERIFY(bench.says("Release"));
     QCOMPARE(bench.edits().size(), std::size_t(1)); // while it is dragged
     bench.release(at + 0.8 * (at - foot));
@@ -70,6 +77,84 @@ void TestFactorTool::aDragToTheSideMakesItThicker()
     bench.drag(at, at - QPointF(140.0, 0.0));
     QVERIFY(std::abs(bench.edits().front().factor - 0.5) < 0.05);
     QVERIFY(!bench.edits().front().below);
+}
+
+void TestFactorTool::aTipGetsThicker()
+{
+    HandBench bench(HandTool::Taper);
+    const Index twig = bench.twig();
+    const LimbHit limb = bench.limb(twig);
+    const QPointF at = bench.on(twig);
+    const double before =
+        bench.skeleton().a1[bench.context.limbs.limb(bench.document, 1, limb.address).back()];
+    bench.drag(at, at + QPointF(140.0, 0.0));
+    QCOMPARE(bench.edits().front().operation, EditOperation::Taper);
+    QVERIFY(std::abs(bench.edits().front().factor - 2.0) < 0.05);
+    bench.grow();
+    const double after =
+        bench.skeleton().a1[bench.context.limbs.limb(bench.document, 1, limb.address).back()];
+    QVERIFY(after > 1.9 * before);
+}
+
+void TestFactorTool::aLimbRollsUpWhereItIsDragged()
+{
+    for (const double side : {-1.0, 1.0}) {
+        HandBench bench(HandTool::Curl);
+        const Index twig = bench.twig();
+        const LimbHit limb = bench.limb(twig);
+        const auto tip = [&] {
+            return bench.on(bench.context.limbs.limb(bench.document, 1, limb.address).back(), 1.0);
+        };
+        const QPointF along = bench.on(twig, 1.0) - bench.on(twig, 0.0), before = tip();
+        const QPointF across = QPointF(-along.y(), along.x()) / std::hypot(along.x(), along.y());
+        bench.drag(bench.on(twig), bench.on(twig) + 160.0 * side * across);
+        QVERIFY2(bench.edits().size() == 1, qPrintable(bench.messages.join(u'\n')));
+        QCOMPARE(bench.edits().front().operation, EditOperation::Curl);
+        QVERIFY(std::abs(glm::length(bench.edits().front().rotation) - 1.396) < 0.05);
+        bench.grow();
+        QVERIFY(side * QPointF::dotProduct(tip() - before, across) > 1.0);
+    }
+}
+
+void TestFactorTool::whatGrowsOnALimbTurnsAboutIt()
+{
+    HandBench bench(HandTool::Twist);
+    const QPointF trunk = bench.on(0, 0.5);
+    const Index twig = bench.twig();
+    const glm::dvec3 before = bench.skeleton().p1[twig];
+    bench.drag(trunk, trunk + QPointF(180.0, 0.0));
+    QVERIFY2(bench.edits().size() == 1, qPrintable(bench.messages.join(u'\n')));
+    QCOMPARE(bench.edits().front().operation, EditOperation::Twist);
+    QVERIFY(std::abs(bench.edits().front().angleRad - 1.5708) < 0.02);
+    bench.grow();
+    QVERIFY(glm::length(bench.skeleton().p1[twig] - before) > 1e-3);
+}
+
+void TestFactorTool::anglesAreTyped()
+{
+    HandBench bench(HandTool::Curl);
+    HandOptions options = bench.hand.options();
+    options.curlFrom = 0.4;
+    bench.hand.setOptions(options);
+    bench.click(bench.on(bench.twig()));
+    QVERIFY(bench.says("degrees"));
+    for (const char digit : {'-', '9', '0'})
+        QVERIFY(bench.key(Qt::Key_unknown, QString(QLatin1Char(digit))));
+    bench.key(Qt::Key_Return);
+    QCOMPARE(bench.edits().front().from, 0.4);
+    QVERIFY(std::abs(glm::length(bench.edits().front().rotation) - 1.5708) < 1e-4);
+    bench.document.undoStack()->undo();
+    QVERIFY(bench.edits().empty());
+}
+
+void TestFactorTool::whereNothingGrowsNothingTurns()
+{
+    HandBench bench(HandTool::Twist);
+    const QPointF at = bench.on(bench.twig());
+    bench.drag(at, at + QPointF(100.0, 0.0));
+    QVERIFY(bench.edits().empty());
+    QCOMPARE(bench.messages.size(), 1);
+    QCOMPARE(bench.document.undoStack()->count(), 0);
 }
 
 void TestFactorTool::escapeTakesItBack()

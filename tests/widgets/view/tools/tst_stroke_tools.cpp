@@ -16,17 +16,25 @@ private slots:
     void theSawCutsWhatItCrosses();
     void theSawSparesWhatIsThick();
     void escapeTakesTheSawBack();
+    void whatComesIntoAnAreaIsCut();
+    void anAreaWithNothingInIt();
     void aBranchBeginsOnABranch();
     void aBranchGrowsAlongTheStroke();
     void theBranchCanGrowManyTimes();
     void aBranchGrowsFromTheGround();
     void twigsGrowOnIt();
     void thePenSaysHowThick();
+    void theSpeedSaysHowThick();
+    void aTipGrowsOn();
+    void aBranchGoesAnotherWay();
+    void besideABranchNothingGoesOn();
     void theEraserSaws();
     void escapeTakesTheBranchBack();
     void aLimbIsCopiedAndGrows();
     void aLimbGrowsOnAnotherTree();
     void aShapePrunesTheTree();
+    void anOutlinePrunesTheTree();
+    void aSolidPrunesTheTree();
     void escapeTakesTheShapeBack();
 
 private:
@@ -115,6 +123,55 @@ void TestStrokeTools::escapeTakesTheSawBack()
     QVERIFY(!bench.edits().empty());
     QVERIFY(bench.key(Qt::Key_Escape));
     QVERIFY(bench.edits().empty());
+    QCOMPARE(bench.document.undoStack()->count(), 0);
+}
+
+void TestStrokeTools::whatComesIntoAnAreaIsCut()
+{
+    for (const SawWay by : {SawWay::Rectangle, SawWay::Lasso}) {
+        HandBench bench(HandTool::Saw);
+        HandOptions options = bench.hand.options();
+        options.sawThickest = 10.0;
+        options.sawWay = by;
+        bench.hand.setOptions(options);
+        const double cut = bench.on(0, 1.0).y(); // all above the first piece of the trunk
+        const QPointF corner(0.0, 0.0), opposite(800.0, cut - 10.0);
+        const std::vector<QPointF> box =
+            by == SawWay::Rectangle ? std::vector<QPointF>{corner, {400.0, 100.0}, opposite}
+                                    : std::vector<QPointF>{corner, {800.0, 0.0}, opposite, {0.0, cut - 10.0}};
+        bench.press(box.front());
+        for (const QPointF at : box)
+            bench.move(at);
+        QVERIFY(!bench.marked.empty());
+        QVERIFY(bench.edits().empty()); // until it is let go
+        bench.release(box.back());
+        QVERIFY2(!bench.edits().empty(), qPrintable(bench.messages.join(u'\n')));
+        QVERIFY(bench.marked.empty());
+        QCOMPARE(bench.document.undoStack()->count(), 1);
+        bench.grow();
+        for (Index b = 0; b < bench.skeleton().size(); ++b)
+            QVERIFY(bench.on(b, 1.0).y() > cut - 14.0);
+        bench.document.undoStack()->undo();
+        QVERIFY(bench.edits().empty());
+    }
+}
+
+void TestStrokeTools::anAreaWithNothingInIt()
+{
+    HandBench bench(HandTool::Saw);
+    HandOptions options = bench.hand.options();
+    options.sawWay = SawWay::Rectangle;
+    bench.hand.setOptions(options);
+    bench.click({5.0, 5.0});
+    QVERIFY(bench.messages.isEmpty());
+    bench.drag({2.0, 2.0}, {12.0, 12.0});
+    QCOMPARE(bench.messages.size(), 1);
+    QVERIFY(bench.edits().empty());
+    bench.press({0.0, 0.0});
+    bench.move({800.0, 600.0});
+    QVERIFY(bench.says("Esc"));
+    bench.key(Qt::Key_Escape);
+    QVERIFY(bench.edits().empty() && bench.marked.empty());
     QCOMPARE(bench.document.undoStack()->count(), 0);
 }
 
@@ -216,6 +273,89 @@ void TestStrokeTools::thePenSaysHowThick()
     QVERIFY(soft < mouse && mouse < hard);
 }
 
+void TestStrokeTools::theSpeedSaysHowThick()
+{
+    const auto thickness = [](DrawBy by, std::uint64_t step) {
+        HandBench bench(HandTool::Draw);
+        HandOptions options = bench.hand.options();
+        options.drawBy = by;
+        bench.hand.setOptions(options);
+        const QPointF trunk = bench.on(0, 0.5);
+        const auto hand = [&](int i, Qt::MouseButton button) {
+            ToolPoint point = bench.at(trunk + i * QPointF(16.0, -6.0), button);
+            point.milliseconds = 1000 + step * std::uint64_t(i);
+            return point;
+        };
+        bench.tools.press(hand(0, Qt::LeftButton));
+        for (int i = 1; i <= 10; ++i)
+            bench.tools.move(hand(i, Qt::NoButton));
+        bench.tools.release(hand(10, Qt::LeftButton));
+        return bench.edits().empty() ? 0.0 : bench.edits().front().points.back().radius;
+    };
+    const double even = thickness(DrawBy::Even, 10), quick = thickness(DrawBy::Speed, 10),
+                 slow = thickness(DrawBy::Speed, 200), timeless = thickness(DrawBy::Speed, 0);
+    QVERIFY(quick > 0.0);
+    QVERIFY(quick < 0.8 * even && slow > 1.1 * even);
+    QVERIFY(timeless >= slow);
+}
+
+void TestStrokeTools::aTipGrowsOn()
+{
+    HandBench bench(HandTool::Extend);
+    const Index twig = bench.twig();
+    const LimbHit limb = bench.limb(twig);
+    const auto tip = [&] { return bench.on(LimbFinder().limb(bench.document, 1, limb.address).back(), 1.0); };
+    const QPointF before = tip(), at = bench.on(twig);
+    stroke(bench, way(at, at + QPointF(50.0, -90.0)));
+    QVERIFY2(bench.edits().size() == 1, qPrintable(bench.messages.join(u'\n')));
+    QCOMPARE(bench.edits().front().operation, EditOperation::Extend);
+    QCOMPARE(bench.document.undoStack()->count(), 1);
+    bench.grow();
+    const QPointF moved = tip() - before;
+    QVERIFY2(std::hypot(moved.x() - 50.0, moved.y() + 90.0) < 5.0,
+             qPrintable(QStringLiteral("%1 %2").arg(moved.x()).arg(moved.y())));
+}
+
+void TestStrokeTools::aBranchGoesAnotherWay()
+{
+    HandBench bench(HandTool::Redraw);
+    const QPointF from = bench.on(0, 0.5);
+    const LimbHit trunk = bench.limb(0);
+    const Index before = bench.skeleton().size();
+    const QPointF base = bench.on(0, 0.0);
+    stroke(bench, way(from, from + QPointF(120.0, -140.0)));
+    QVERIFY2(bench.edits().size() == 1, qPrintable(bench.messages.join(u'\n')));
+    QCOMPARE(bench.edits().front().operation, EditOperation::Redraw);
+    bench.grow();
+    const std::vector<Index> limb = LimbFinder().limb(bench.document, 1, trunk.address);
+    const QPointF tip = bench.on(limb.back(), 1.0) - from, foot = bench.on(limb.front(), 0.0) - base;
+    QVERIFY2(std::hypot(tip.x() - 120.0, tip.y() + 140.0) < 5.0,
+             qPrintable(QStringLiteral("%1 %2").arg(tip.x()).arg(tip.y())));
+    QVERIFY(std::hypot(foot.x(), foot.y()) < 1.0);
+    QVERIFY(bench.skeleton().size() >= before); // what grows on it has come along
+    bench.document.undoStack()->undo();
+    QVERIFY(bench.edits().empty());
+}
+
+void TestStrokeTools::besideABranchNothingGoesOn()
+{
+    for (const HandTool tool : {HandTool::Extend, HandTool::Redraw}) {
+        HandBench bench(tool);
+        stroke(bench, way({2.0, 2.0}, {200.0, 2.0}));
+        QVERIFY(bench.edits().empty());
+        QCOMPARE(bench.messages.size(), 1);
+        bench.click(bench.on(bench.twig())); // goes nowhere
+        QVERIFY(bench.edits().empty());
+        QCOMPARE(bench.messages.size(), 2);
+        bench.press(bench.on(bench.twig()));
+        bench.move(bench.on(bench.twig()) + QPointF(60.0, 60.0));
+        QCOMPARE(bench.edits().size(), std::size_t(1));
+        bench.key(Qt::Key_Escape);
+        QVERIFY(bench.edits().empty());
+        QCOMPARE(bench.document.undoStack()->count(), 0);
+    }
+}
+
 void TestStrokeTools::theEraserSaws()
 {
     HandBench bench(HandTool::Draw);
@@ -300,6 +440,63 @@ void TestStrokeTools::aShapePrunesTheTree()
         bench.grow();
         QVERIFY(skeletonStats(bench.skeleton()).totalLength < before);
     }
+}
+
+void TestStrokeTools::anOutlinePrunesTheTree()
+{
+    HandBench bench(HandTool::Prune);
+    HandOptions options = bench.hand.options();
+    options.shape = EditShapeKind::Profile;
+    bench.hand.setOptions(options);
+    const QPointF foot = bench.on(0, 0.0), top = bench.on(0, 1.0);
+    stroke(bench, way(foot + QPointF(30.0, 0.0), foot + QPointF(90.0, 0.0))); // of no height
+    QVERIFY(bench.edits().empty());
+    QCOMPARE(bench.messages.size(), 1);
+    stroke(bench, way(foot + QPointF(40.0, 0.0), top + QPointF(15.0, 0.0)));
+    QVERIFY2(bench.edits().size() == 1, qPrintable(bench.messages.join(u'\n')));
+    const EditShape& shape = bench.edits().front().shape;
+    QCOMPARE(shape.kind, EditShapeKind::Profile);
+    QVERIFY(shape.points.front().x > shape.points.back().x);
+    QCOMPARE(bench.document.undoStack()->count(), 1);
+    const double before = skeletonStats(bench.skeleton()).totalLength,
+                 high = shape.numbers[1] + shape.points.back().y;
+    bench.grow();
+    QVERIFY(skeletonStats(bench.skeleton()).totalLength < before);
+    QVERIFY(skeletonStats(bench.skeleton()).max.y < high + 1e-6);
+}
+
+void TestStrokeTools::aSolidPrunesTheTree()
+{
+    HandBench bench(HandTool::Prune);
+    HandOptions options = bench.hand.options();
+    options.shape = EditShapeKind::Mesh;
+    bench.hand.setOptions(options);
+    bench.click(bench.on(0, 0.5)); // no solid
+    bench.click({2.0, 2.0});
+    QVERIFY(bench.edits().empty());
+    QCOMPARE(bench.messages.size(), 2);
+    std::vector<Node> nodes{*bench.document.scene().find(1)};
+    Node ball;
+    ball.id = 2;
+    ball.kind = NodeKind::Primitive;
+    ball.name = "ball";
+    nodes.push_back(ball);
+    bench.open(Scene::fromNodes(nodes).value_or(Scene()));
+    bench.grow();
+    const double before = skeletonStats(bench.skeleton()).totalLength;
+    const auto scene = bench.latestPickScene();
+    std::optional<QPointF> on; // the ball
+    for (double x = 5.0; x < bench.size.x && !on; x += 5.0)
+        for (double y = 5.0; y < bench.size.y && !on; y += 5.0)
+            if (const auto hit = scene->pick(bench.view(), {x, y}); hit && hit->node == 2)
+                on = QPointF(x, y);
+    QVERIFY(on);
+    bench.click(*on);
+    QVERIFY2(bench.edits().size() == 1, qPrintable(bench.messages.join(u'\n')));
+    QCOMPARE(bench.edits().front().shape.kind, EditShapeKind::Mesh);
+    QCOMPARE(bench.document.undoStack()->count(), 1);
+    bench.grow();
+    QVERIFY(skeletonStats(bench.skeleton()).totalLength < before);
 }
 
 void TestStrokeTools::escapeTakesTheShapeBack()
