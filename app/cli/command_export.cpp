@@ -401,6 +401,12 @@ void addOptions(CommandLine& line)
     addSpaceOptions(line);
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes a format that has both as text, not binary."));
     addMomentOptions(line, MomentOptions::Sequence);
+    line.add({QStringLiteral("wind-loop")},
+             QStringLiteral(
+                 "A .glb that moves for so long and then goes on from its beginning without a seam: the "
+                 "last key is the first one, the second before it blends into the motion before the "
+                 "first. It begins at --time; without it after 2 s, when the wind has taken hold."),
+             QStringLiteral("SECONDS"));
     line.add({QStringLiteral("separate")},
              QStringLiteral("Moves branches that collide apart before they are written; says how many."));
     line.add(
@@ -427,6 +433,12 @@ Expected<int> run(const CommandLine& line)
     const auto moments = momentsOf(line, *input);
     if (!moments)
         return fail(moments.error());
+    const auto isStill = [&](const QString& file) { return !(formatOf(*request, file).holds & holdsClip); };
+    if (const auto still = std::ranges::find_if(request->files, isStill);
+        moments->closes && still != request->files.end())
+        return fail(ErrorCode::Invalid,
+                    "--wind-loop: %1 cannot move; a .glb can, other formats take --frames",
+                    {still->toStdString()});
     if (moments->isSequence() && request->needsCheck())
         return fail(ErrorCode::Invalid,
                     "--require-valid and --report look at one moment: --time, not --frames");

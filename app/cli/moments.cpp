@@ -50,6 +50,21 @@ Expected<std::vector<std::int64_t>> framesOf(const QString& text)
     return frames;
 }
 
+/// Frames of a loop and the first one again. \param from when it begins.
+Expected<void> closeLoop(Moments& moments, double from, double seconds)
+{
+    const auto first = static_cast<std::int64_t>(std::ceil(from * moments.framesPerSecond));
+    const auto count = std::max<std::int64_t>(2, std::llround(seconds * moments.framesPerSecond));
+    if (count >= mostSequenceFrames || first + count > mostFrame)
+        return fail(ErrorCode::Limit, "--wind-loop \"%1\": more than %2 frames",
+                    {QString::number(seconds).toStdString(), std::to_string(mostSequenceFrames)});
+    for (std::int64_t frame = first; frame <= first + count; ++frame)
+        moments.frames.push_back(frame);
+    moments.timeline = {moments.framesPerSecond, first, first + count - 1, PlayLoop::Loop, true};
+    moments.closes = true;
+    return {};
+}
+
 } // namespace
 
 void addMomentOptions(CommandLine& line, MomentOptions kind)
@@ -77,9 +92,9 @@ void addMomentOptions(CommandLine& line, MomentOptions kind)
 Expected<Moments> momentsOf(const CommandLine& line, const Input& input)
 {
     Moments moments;
-    const bool moving = line.has("time") || line.has("frames");
+    const bool moving = line.has("time") || line.has("frames") || line.has("wind-loop");
     if (moving && !input.scene())
-        return fail(ErrorCode::Invalid, "--time and --frames need a tree: the input is a mesh");
+        return fail(ErrorCode::Invalid, "--time, --frames and --wind-loop need a tree: the input is a mesh");
     if (line.has("time") && line.has("frames"))
         return fail(ErrorCode::Invalid, "--time or --frames, not both");
     if (input.scene())
@@ -102,6 +117,19 @@ Expected<Moments> momentsOf(const CommandLine& line, const Input& input)
         if (!frames)
             return fail(frames.error());
         moments.frames = std::move(*frames);
+    }
+    if (line.has("wind-loop")) {
+        constexpr double settled = 2.0; // s: the wind has taken hold of what was at rest
+        if (line.has("frames") || line.has("seamless"))
+            return fail(ErrorCode::Invalid,
+                        "--wind-loop chooses its frames itself: no --frames, no --seamless");
+        const auto seconds = numberOf(line, "wind-loop", 0.1, 3600.0);
+        if (!seconds)
+            return fail(seconds.error());
+        const double from = line.has("time") ? moments.timeSeconds : settled;
+        if (auto closed = closeLoop(moments, from, *seconds); !closed)
+            return fail(std::move(closed.error()));
+        return moments;
     }
     if (!line.has("seamless"))
         return moments;

@@ -1,5 +1,5 @@
 /// \file
-/// --time, --frames and --fps: at which moments a command looks at trees that move.
+/// --time, --frames, --wind-loop and --fps: at which moments a command looks at trees that move.
 #pragma once
 
 #include "app/cli/input.h"
@@ -17,6 +17,10 @@ struct Moments
 
     /// That of the project; with --seamless the frames of the sequence are a loop without a seam.
     TimelineSettings timeline;
+
+    /// --wind-loop: the last frame is the first one again, as programs want it that play a clip round and
+    /// round.
+    bool closes = false;
 
     [[nodiscard]] bool isSequence() const { return !frames.empty(); }
     [[nodiscard]] double timeOf(std::int64_t frame) const { return double(frame) / framesPerSecond; }

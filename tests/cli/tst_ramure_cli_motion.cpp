@@ -2,9 +2,12 @@
 #include "tests/cli/cli_support.h"
 #include "tests/support/suite.h"
 #include <QDir>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
+#include <QtEndian>
+#include <cmath>
 
 using namespace ramure;
 using namespace ramure::test;
@@ -47,6 +50,12 @@ private slots:
         row({"--frames", "0:1000000"}, "more than");
         row({"--frames", "0:1", "--fps", "0"}, "--fps");
         row({"--frames", "0:1", "--require-valid"}, "one moment");
+        row({"--wind-loop", "0"}, "--wind-loop");
+        row({"--wind-loop", "x"}, "--wind-loop");
+        row({"--wind-loop", "2", "--frames", "0:1"}, "no --frames");
+        row({"--wind-loop", "2", "--seamless"}, "no --seamless");
+        row({"--wind-loop", "3600", "--fps", "240"}, "more than");
+        row({"--wind-loop", "2"}, "cannot move");
     }
     void badMoments()
     {
@@ -56,6 +65,45 @@ private slots:
         QVERIFY(isRefused(runCli(QStringList{"export", "preset:TinyTree", "-o", path("bad.obj")} + options),
                           qPrintable(says)));
         QCOMPARE(QDir(m_folder.path()).entryList(QDir::Files), before);
+    }
+    /// Of each joint the last key is the first, and the speed changes there no more than it does elsewhere.
+    void aWindLoopHasNoSeam()
+    {
+        const CliRun run = runCli({"export", "preset:TinyTree", "-o", path("loop.glb"), "--wind-loop", "3",
+                                   "--fps", "24", "--joints", "all", "--map-size", "0"});
+        QVERIFY2(run.code == 0, qPrintable(run.err));
+        QFile file(path("loop.glb"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QByteArray bytes = file.readAll();
+        const auto word = [&](qsizetype at) { return qFromLittleEndian<quint32>(bytes.constData() + at); };
+        const qsizetype textLength = word(12), bin = 20 + textLength + 8;
+        const QJsonObject json = QJsonDocument::fromJson(bytes.mid(20, textLength)).object();
+        const QJsonObject animation = json["animations"].toArray().first().toObject();
+        int seen = 0;
+        double most = 0.0;
+        for (const QJsonValue& sampler : animation["samplers"].toArray()) {
+            const QJsonObject accessor = json["accessors"].toArray().at(sampler["output"].toInt()).toObject();
+            const QJsonObject view =
+                json["bufferViews"].toArray().at(accessor["bufferView"].toInt()).toObject();
+            QCOMPARE(accessor["count"].toInt(), 3 * 24 + 1);
+            const int width = accessor["type"].toString() == "VEC4" ? 4 : 3;
+            const char* from = bytes.constData() + bin + view["byteOffset"].toInteger();
+            const auto key = [&](int k, int c) {
+                return qFromLittleEndian<float>(from + 4 * (k * width + c));
+            };
+            for (int c = 0; c < width; ++c) {
+                const double start = key(0, c), end = key(72, c);
+                QVERIFY(std::abs(start - end) < 1e-6);
+                double bend = 1e-4; // how fast the speed changes elsewhere
+                for (int k = 1; k < 72; ++k)
+                    bend = std::max(bend, std::abs(double(key(k + 1, c)) - 2.0 * key(k, c) + key(k - 1, c)));
+                QVERIFY(std::abs(key(1, c) - start - end + key(71, c)) <= 1.5 * bend);
+                most = std::max(most, std::abs(double(key(36, c)) - start));
+            }
+            ++seen;
+        }
+        QVERIFY(seen > 5);
+        QVERIFY(most > 1e-3); // it does move
     }
     void meshesDoNotMove()
     {

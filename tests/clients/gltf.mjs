@@ -44,6 +44,7 @@ async function validated() {
   files.push(exported('plain.glb', 'preset:SilverBirch', '--map-size', '0'));
   files.push(exported('wind.glb', ...wind, '--map-size', '0'));
   files.push(exported('few-joints.glb', 'preset:SmallTree', '--frames', '0:5', '--joints', '64', '--map-size', '0'));
+  files.push(exported('loop.glb', 'preset:SmallTree', '--wind-loop', '1', '--joints', '64', '--map-size', '0'));
   files.push(exported('arm.glb', 'demo:Arm', '--frames', '0:24'));
   for (const file of files) {
     const {issues} = await validator.validateBytes(new Uint8Array(arrayOf(file)), {maxIssues: 20});

@@ -219,7 +219,7 @@ private:
             fail(ErrorCode::Limit,
                  RAMURE_NOOP("%1: %2 joints for %3 bones; no tip is more than %4 m from its place"),
                  {node.name, numberText(joints.bones.size()), numberText(joints.jointOf.size()),
-                  numberText(0.001 * std::ceil(1000.0 * error))})
+                  numberText(std::ceil(1000.0 * error) / 1000.0)})
                 .value());
     }
 
