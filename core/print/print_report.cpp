@@ -5,10 +5,12 @@
 #include "core/surface/mesh/mesh_rays.h"
 #include "core/surface/proof/validate.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <optional>
 
@@ -75,14 +77,15 @@ void addBalance(PrintReport& report, const TriangleMesh& mesh)
     }
 }
 
+/// The way through the material below a face.
 struct Wall
 {
-    double thickness = std::numeric_limits<double>::infinity();
-    Index face = noIndex;
+    double thickness = 0.0;
+    glm::dvec3 middle{0.0};
 };
 
 /// How thick the material is below the middle of a face.
-std::optional<double> thicknessAt(const TriangleMesh& mesh, const MeshRays& rays, Index number, double speck)
+std::optional<Wall> wallBelow(const TriangleMesh& mesh, const MeshRays& rays, Index number, double speck)
 {
     const Face face(mesh, number);
     const glm::dvec3 normal = face.twiceArea();
@@ -96,30 +99,58 @@ std::optional<double> thicknessAt(const TriangleMesh& mesh, const MeshRays& rays
     const glm::dvec3 other = Face(mesh, hit->triangle).twiceArea();
     if (glm::dot(other, inward) < looksBack * glm::length(other))
         return std::nullopt;
-    return hit->t + speck;
+    return Wall{hit->t + speck, face.middle() + 0.5 * (hit->t + speck) * inward};
+}
+
+using Cell = std::array<int, 3>;
+using Walls = std::map<Cell, Wall>; ///< the thickest of each cell of space
+
+Walls wallsOf(const TriangleMesh& mesh, const std::vector<std::optional<Wall>>& below, double side)
+{
+    Walls walls;
+    for (Index i = 0; i < mesh.faceCount(); ++i) {
+        if (!below[i])
+            continue;
+        const glm::dvec3 at = glm::floor(Face(mesh, i).middle() / side);
+        Wall& most = walls[{int(at.x), int(at.y), int(at.z)}];
+        if (below[i]->thickness > most.thickness)
+            most = *below[i];
+    }
+    return walls;
+}
+
+/// The thickest of a cell and those around it.
+Wall thickestAround(const Walls& walls, const Cell& cell)
+{
+    Wall most;
+    for (int i = 0; i < 27; ++i) {
+        const auto near = walls.find({cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1});
+        if (near != walls.end() && near->second.thickness > most.thickness)
+            most = near->second;
+    }
+    return most;
 }
 
 Expected<void> addThinnest(PrintReport& report, const std::shared_ptr<const TriangleMesh>& mesh,
-                           const Progress& progress)
+                           double around, const Progress& progress)
 {
     const MeshRays rays(mesh, progress.stop);
-    const double speck = 1e-6 * glm::length(report.size());
-    std::vector<Wall> thinnest((mesh->triangles.size() + grain - 1) / grain);
-    parallelFor(mesh->triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
-        Wall& best = thinnest[begin / grain];
+    const double length = glm::length(report.size());
+    std::vector<std::optional<Wall>> below(mesh->triangles.size());
+    parallelFor(below.size(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && !progress.cancelled(); ++i)
-            if (const auto thick = thicknessAt(*mesh, rays, static_cast<Index>(i), speck);
-                thick && *thick < best.thickness)
-                best = {*thick, static_cast<Index>(i)};
+            below[i] = wallBelow(*mesh, rays, static_cast<Index>(i), 1e-6 * length);
     });
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-    const Wall best = *std::ranges::min_element(thinnest, {}, &Wall::thickness);
-    if (best.face == noIndex)
-        return {};
-    const Face face(*mesh, best.face);
-    report.thinnest = best.thickness;
-    report.thinnestAt = face.middle() - 0.5 * best.thickness * glm::normalize(face.twiceArea());
+    const Walls walls = wallsOf(*mesh, below, std::max(around, 1e-4 * length));
+    for (const auto& [cell, wall] : walls) {
+        const Wall most = thickestAround(walls, cell);
+        if (report.thinnest == 0.0 || most.thickness < report.thinnest) {
+            report.thinnest = most.thickness;
+            report.thinnestAt = most.middle;
+        }
+    }
     return {};
 }
 
@@ -153,7 +184,8 @@ std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points)
     return hull;
 }
 
-Expected<PrintReport> printReport(const std::shared_ptr<const TriangleMesh>& mesh, const Progress& progress)
+Expected<PrintReport> printReport(const std::shared_ptr<const TriangleMesh>& mesh, double around,
+                                  const Progress& progress)
 {
     PrintReport report;
     const auto checked = validateMesh(*mesh, progress.part(0.0, 0.1));
@@ -171,7 +203,7 @@ Expected<PrintReport> printReport(const std::shared_ptr<const TriangleMesh>& mes
         return fail(crossings.error());
     report.crossings = crossings->total();
     progress.report(0.5);
-    if (auto walls = addThinnest(report, mesh, progress); !walls)
+    if (auto walls = addThinnest(report, mesh, around, progress); !walls)
         return fail(walls.error());
     progress.report(1.0);
     return report;

@@ -31,8 +31,9 @@ struct PrintReport
     [[nodiscard]] bool standsUp() const { return balance > 0.0; }
 };
 
-/// Errors: Invalid (indices out of range), Cancelled.
-Expected<PrintReport> printReport(const std::shared_ptr<const TriangleMesh>& mesh,
+/// \param around m: the thickness of a place is the largest so near to it; else every sharp edge would be the
+/// thinnest of all. Errors: Invalid (indices out of range), Cancelled.
+Expected<PrintReport> printReport(const std::shared_ptr<const TriangleMesh>& mesh, double around,
                                   const Progress& progress = {});
 
 /// Corners of the convex hull, counter-clockwise; fewer than three where there is no area.

@@ -18,8 +18,8 @@ namespace {
 
 constexpr int sides = 16; ///< of the tubes that are united; the grid is coarser than their faces
 constexpr int discSides = 96;
-constexpr double voxelsAcross = 6.0, leastVoxelsAcross = 3.5; ///< of the thinnest twig
-constexpr double mostVoxels = 1.2e6; ///< on the surface: more than twice as many triangles
+constexpr double voxelsAcross = 6.0, leastVoxelsAcross = 3.0; ///< of the thinnest twig
+constexpr double mostVoxels = 0.8e6; ///< on the surface: more than twice as many triangles
 constexpr int mostHeightRounds = 4;
 constexpr double heightSlack = 0.002;
 constexpr int mostThinnings = 4;
@@ -28,7 +28,7 @@ constexpr int mostThinnings = 4;
 double widening(double thinnest, double voxel)
 {
     const double inner = maths::cos(std::numbers::pi / sides);
-    return thinnest / inner + 0.3 * voxel * voxel / thinnest;
+    return 1.01 * thinnest / inner + 0.3 * voxel * voxel / thinnest;
 }
 
 double areaOf(const TriangleMesh& mesh)
@@ -100,6 +100,7 @@ Expected<TriangleMesh> tubesOf(const Skeleton& skeleton, const NodeParams& param
 {
     BranchMeshOptions options{params.sections, params.mesh, false};
     options.targetTriangles = 0;
+    options.clampOvershoot = true; // where a curve runs back into itself, its tube is pinched
     options.radialDivisions = sides;
     options.lengthDivisions = std::max<std::int64_t>(options.lengthDivisions, 4);
     auto made = buildBranchMesh(skeleton, options, progress);
@@ -209,7 +210,7 @@ Expected<PrintedTree> printTree(const Skeleton& tree, const NodeParams& params, 
     out.thickened = ready->print.thickened;
     out.cut = ready->print.cut;
     out.loose = united->loose;
-    auto report = printReport(out.mesh, progress.part(0.85, 1.0));
+    auto report = printReport(out.mesh, 0.5 * diameter, progress.part(0.85, 1.0));
     if (!report)
         return fail(std::move(report.error()));
     out.report = *report;
