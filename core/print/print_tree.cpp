@@ -80,7 +80,7 @@ glm::dvec2 balanceOf(const Skeleton& skeleton)
 /// What the tree stands on: a disc under all roots and the weight, or, cut flat, the foot of each root.
 void addFoot(TriangleMesh& mesh, const Skeleton& skeleton, const PrintOptions& options)
 {
-    const double thickness = std::max(0.002, options.smallestDiameter());
+    const double thickness = std::max(0.002, 1.2 * options.smallestDiameter());
     double radius = 0.0;
     for (Index i = 0; i < skeleton.size(); ++i) {
         if (skeleton.parent[i] != noIndex)
