@@ -398,6 +398,23 @@
     </message>
 </context>
 <context>
+    <name>ramure::PrintForm</name>
+    <message numerus="yes">
+        <source>%n closed piece(s)</source>
+        <translation>
+            <numerusform>%n closed piece</numerusform>
+            <numerusform>%n closed pieces</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s)</source>
+        <translation>
+            <numerusform>%Ln triangle</numerusform>
+            <numerusform>%Ln triangles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::PropertiesPanel</name>
     <message numerus="yes">
         <source>%n node(s) selected</source>

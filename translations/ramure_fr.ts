@@ -6699,6 +6699,182 @@
         <source>no leaves there would come or go</source>
         <translation>aucune feuille n’y viendrait ni n’en partirait</translation>
     </message>
+    <message>
+        <source>an STL holds up to 4294967295 triangles</source>
+        <translation>un STL contient au plus 4294967295 triangles</translation>
+    </message>
+    <message>
+        <source>triangle %1 is not of finite numbers</source>
+        <translation>le triangle %1 n’est pas fait de nombres finis</translation>
+    </message>
+    <message>
+        <source>the file ends within a solid</source>
+        <translation>le fichier s’arrête au milieu d’un solide</translation>
+    </message>
+    <message>
+        <source>three vertices a loop expected</source>
+        <translation>trois sommets attendus par boucle</translation>
+    </message>
+    <message>
+        <source>not a line of an STL file: &quot;%1&quot;</source>
+        <translation>pas une ligne d’un fichier STL : « %1 »</translation>
+    </message>
+    <message>
+        <source>too short for an STL file</source>
+        <translation>trop court pour un fichier STL</translation>
+    </message>
+    <message>
+        <source>the size is not that of %1 triangles</source>
+        <translation>la taille n’est pas celle de %1 triangles</translation>
+    </message>
+    <message>
+        <source>the file holds more triangles than can be counted</source>
+        <translation>le fichier contient plus de triangles qu’on ne peut en compter</translation>
+    </message>
+    <message>
+        <source>the file holds no triangles</source>
+        <translation>le fichier ne contient aucun triangle</translation>
+    </message>
+    <message>
+        <source>STL</source>
+        <translation>STL</translation>
+    </message>
+    <message>
+        <source>STL, for printers</source>
+        <translation>STL, pour imprimantes</translation>
+    </message>
+    <message>
+        <source>a 3MF knows no kilometres: another unit, please</source>
+        <translation>un 3MF ne connaît pas les kilomètres : choisissez une autre unité</translation>
+    </message>
+    <message>
+        <source>3MF</source>
+        <translation>3MF</translation>
+    </message>
+    <message>
+        <source>3MF, for printers</source>
+        <translation>3MF, pour imprimantes</translation>
+    </message>
+    <message>
+        <source>the file holds no mesh to print</source>
+        <translation>le fichier ne contient aucun maillage à imprimer</translation>
+    </message>
+    <message>
+        <source>a document type has no place in a 3MF file</source>
+        <translation>un type de document n’a pas sa place dans un fichier 3MF</translation>
+    </message>
+    <message>
+        <source>a vertex without three finite numbers</source>
+        <translation>un sommet sans trois nombres finis</translation>
+    </message>
+    <message>
+        <source>a triangle with a vertex that does not exist</source>
+        <translation>un triangle avec un sommet qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>objects that stand in another part of the archive are not read</source>
+        <translation>les objets qui se trouvent dans une autre partie de l’archive ne sont pas lus</translation>
+    </message>
+    <message>
+        <source>an object without a number, or a broken matrix</source>
+        <translation>un objet sans numéro, ou une matrice abîmée</translation>
+    </message>
+    <message>
+        <source>there is no object %1</source>
+        <translation>il n’y a pas d’objet %1</translation>
+    </message>
+    <message>
+        <source>components of components without an end</source>
+        <translation>des composants de composants sans fin</translation>
+    </message>
+    <message>
+        <source>the archive cannot be written: %1</source>
+        <translation>l’archive ne peut pas être écrite : %1</translation>
+    </message>
+    <message>
+        <source>not a ZIP archive, or a broken one</source>
+        <translation>pas une archive ZIP, ou une archive abîmée</translation>
+    </message>
+    <message>
+        <source>%1 would unpack to more than a file of this kind can hold</source>
+        <translation>%1 serait, une fois décompressé, plus grand que ce qu’un tel fichier peut contenir</translation>
+    </message>
+    <message>
+        <source>%1 is broken or cut off</source>
+        <translation>%1 est abîmé ou tronqué</translation>
+    </message>
+    <message>
+        <source>there is no %1 in the archive</source>
+        <translation>il n’y a pas de %1 dans l’archive</translation>
+    </message>
+    <message>
+        <source>Filament (FDM)</source>
+        <translation>Filament (FDM)</translation>
+    </message>
+    <message>
+        <source>Resin</source>
+        <translation>Résine</translation>
+    </message>
+    <message>
+        <source>Powder</source>
+        <translation>Poudre</translation>
+    </message>
+    <message>
+        <source>unknown process &quot;%1&quot;: one of %2 expected</source>
+        <translation>procédé inconnu « %1 » : attendu, un de %2</translation>
+    </message>
+    <message>
+        <source>a print of %1 mm: a height from %2 to %3 mm expected</source>
+        <translation>une impression de %1 mm : hauteur attendue de %2 à %3 mm</translation>
+    </message>
+    <message>
+        <source>twigs of %1 mm: a thickness from %2 to %3 mm expected</source>
+        <translation>des rameaux de %1 mm : épaisseur attendue de %2 à %3 mm</translation>
+    </message>
+    <message>
+        <source>twigs of %1 mm are too thick for a print of %2 mm: a fifth at most</source>
+        <translation>des rameaux de %1 mm sont trop épais pour une impression de %2 mm : un cinquième au plus</translation>
+    </message>
+    <message>
+        <source>a print needs 1000 triangles at least</source>
+        <translation>une impression a besoin d’au moins 1000 triangles</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no length: such as 180mm, 18cm or 7in expected</source>
+        <translation>« %1 » n’est pas une longueur : par exemple 180mm, 18cm ou 7in</translation>
+    </message>
+    <message>
+        <source>a tree that does not rise above its foot has no height</source>
+        <translation>un arbre qui ne s’élève pas au-dessus de son pied n’a pas de hauteur</translation>
+    </message>
+    <message>
+        <source>nothing of the tree would be thick enough: its trunk is %1 mm thick at this height. Print it higher (%2 mm), or allow thinner twigs</source>
+        <translation>rien de l’arbre ne serait assez épais : à cette hauteur, son tronc a %1 mm d’épaisseur. Imprimez-le plus haut (%2 mm), ou permettez des rameaux plus fins</translation>
+    </message>
+    <message>
+        <source>the branches could not be united into one surface: try another height</source>
+        <translation>les branches n’ont pas pu être réunies en une seule surface : essayez une autre hauteur</translation>
+    </message>
+    <message>
+        <source>a mesh that is no closed surface cannot be thinned out</source>
+        <translation>un maillage qui n’est pas une surface fermée ne peut pas être allégé</translation>
+    </message>
+    <message>
+        <source>nothing is left to print</source>
+        <translation>il ne reste rien à imprimer</translation>
+    </message>
+    <message>
+        <source>so large a print needs too fine a grid: lower it, or allow thicker twigs</source>
+        <translation>une impression si grande demande une grille trop fine : réduisez-la, ou permettez des rameaux plus épais</translation>
+    </message>
+    <message>
+        <source>one tree at a time is printed, and there are several: choose one</source>
+        <translation>on imprime un arbre à la fois, et il y en a plusieurs : choisissez-en un</translation>
+    </message>
+    <message>
+        <source>there is no visible tree to print</source>
+        <translation>il n’y a aucun arbre visible à imprimer</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -8106,6 +8282,14 @@ OpenGL&#xa0;: %4
             <numerusform>%Ln image dans un seul fichier</numerusform>
             <numerusform>%Ln images dans un seul fichier</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>For print</source>
+        <translation>Impression 3D</translation>
+    </message>
+    <message>
+        <source>Preparing the print…</source>
+        <translation>Préparation de l’impression…</translation>
     </message>
 </context>
 <context>
@@ -9889,6 +10073,103 @@ OpenGL&#xa0;: %4
     <message>
         <source>&amp;Favourite</source>
         <translation>&amp;Favori</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::PrintForm</name>
+    <message>
+        <source>%1 × %2 × %3 mm, %4 cm³, 1 : %5</source>
+        <translation>%1 × %2 × %3 mm, %4 cm³, 1 : %5</translation>
+    </message>
+    <message>
+        <source>Thinnest place: %1 mm, at (%2, %3, %4) mm</source>
+        <translation>Endroit le plus fin : %1 mm, en (%2, %3, %4) mm</translation>
+    </message>
+    <message>
+        <source>Overhangs steeper than 45°: %1 cm²</source>
+        <translation>Surplombs de plus de 45° : %1 cm²</translation>
+    </message>
+    <message>
+        <source>It stands: its weight is %1 mm inside of the foot’s border.</source>
+        <translation>Elle tient debout : son poids est à %1 mm à l’intérieur du bord du pied.</translation>
+    </message>
+    <message>
+        <source>It falls over: its weight is not over the foot.</source>
+        <translation>Elle tombe : son poids n’est pas au-dessus du pied.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n closed piece(s)</source>
+        <translation>
+            <numerusform>%n pièce fermée</numerusform>
+            <numerusform>%n pièces fermées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln triangle(s)</source>
+        <translation>
+            <numerusform>%Ln triangle</numerusform>
+            <numerusform>%Ln triangles</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 branches are thicker than their share, %2 are left out.</source>
+        <translation>%1 branches sont plus épaisses que leur part, %2 sont laissées de côté.</translation>
+    </message>
+    <message>
+        <source>Make ready for a printer</source>
+        <translation>Préparer pour une imprimante 3D</translation>
+    </message>
+    <message>
+        <source>One tree, without leaves, as one closed surface that is thick enough and flat at the ground, in millimetres with Z up</source>
+        <translation>Un arbre, sans feuilles, en une seule surface fermée, assez épaisse et plate au sol, en millimètres avec Z vers le haut</translation>
+    </message>
+    <message>
+        <source>How the printer works: it says how thin a twig may be</source>
+        <translation>Le fonctionnement de l’imprimante : il dit à quel point un rameau peut être fin</translation>
+    </message>
+    <message>
+        <source>Process</source>
+        <translation>Procédé</translation>
+    </message>
+    <message>
+        <source>Height, mm</source>
+        <translation>Hauteur, mm</translation>
+    </message>
+    <message>
+        <source>From the ground to the top of the print</source>
+        <translation>Du sol au sommet de l’impression</translation>
+    </message>
+    <message>
+        <source>Height of the print in millimetres</source>
+        <translation>Hauteur de l’impression en millimètres</translation>
+    </message>
+    <message>
+        <source>Thinnest twig, mm</source>
+        <translation>Rameau le plus fin, mm</translation>
+    </message>
+    <message>
+        <source>Thinner twigs are made so thick. Those that would have to be more than 1.5 times as thick as they are are cut.</source>
+        <translation>Les rameaux plus fins sont épaissis jusque-là. Ceux qui devraient être plus de 1,5 fois plus épais qu’ils ne le sont sont coupés.</translation>
+    </message>
+    <message>
+        <source>Smallest diameter of a twig in millimetres</source>
+        <translation>Plus petit diamètre d’un rameau en millimètres</translation>
+    </message>
+    <message>
+        <source>Disc as a foot</source>
+        <translation>Disque comme pied</translation>
+    </message>
+    <message>
+        <source>Without it the trunk is cut flat at the ground</source>
+        <translation>Sans lui, le tronc est coupé à plat au sol</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Préparer</translation>
+    </message>
+    <message>
+        <source>Makes the print and says how thin it is and whether it stands; writes nothing</source>
+        <translation>Prépare l’impression et dit à quel point elle est fine et si elle tient debout ; n’écrit rien</translation>
     </message>
 </context>
 <context>

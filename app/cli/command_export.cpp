@@ -2,6 +2,7 @@
 #include "app/cli/file_space_options.h"
 #include "app/cli/mesh_check.h"
 #include "app/cli/moments.h"
+#include "app/cli/print_options.h"
 #include "app/cli/work.h"
 #include "core/base/file_writer.h"
 #include "core/document/mesh_report_json.h"
@@ -399,6 +400,7 @@ void addOptions(CommandLine& line)
                                    "go with those that carry them, and it is said how far that is off."),
                     QStringLiteral("NUMBER|all"), QString::number(WriteOptions().joints));
     addSpaceOptions(line);
+    addPrintOptions(line);
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes a format that has both as text, not binary."));
     addMomentOptions(line, MomentOptions::Sequence);
     line.add({QStringLiteral("wind-loop")},
@@ -413,9 +415,11 @@ void addOptions(CommandLine& line)
         {QStringLiteral("require-valid")},
         QStringLiteral("Writes nothing and ends with exit code 1 where `validate` would: where a mesh is "
                        "broken. Crossings do not count: --report tells of them."));
-    line.add({QStringLiteral("report")},
-             QStringLiteral("Writes beside the mesh what `validate --self-intersections --json` says of it."),
-             QStringLiteral("FILE.json"));
+    line.add(
+        {QStringLiteral("report")},
+        QStringLiteral("Writes beside the mesh what `validate --self-intersections --json` says of it, or "
+                       "with --print the report of the print."),
+        QStringLiteral("FILE.json"));
 }
 
 Expected<int> run(const CommandLine& line)
@@ -423,6 +427,9 @@ Expected<int> run(const CommandLine& line)
     const auto request = requestOf(line);
     if (!request)
         return fail(request.error());
+    const auto print = printFrom(line);
+    if (!print)
+        return fail(print.error());
     const Work work("export");
     const Progress progress = work.progress();
     auto input = loadInput(line.arguments().front(), line.values("set"), progress.part(0.0, 0.0));
@@ -448,6 +455,10 @@ Expected<int> run(const CommandLine& line)
         if (const auto separated = separateTrees(*input, pipeline, progress.part(0.0, 0.5)); !separated)
             return fail(separated.error());
         begun = 0.5;
+    }
+    if (*print) {
+        Evaluator evaluator(pipelineSource(pipeline), moments->timeline);
+        return printTo(line, *input, **print, *fileSpaceFrom(line), evaluator, progress.part(begun, 1.0));
     }
     return checkAndWrite(*input, line.arguments().front(), *request, *moments, pipeline,
                          progress.part(begun, 1.0));

@@ -41,8 +41,8 @@ private slots:
         row("info preset:SmallTree --set turtle.beta=1", "unknown parameter \"turtle.beta\"");
         row("info preset:Oak", "Oak");
         row("info preset:", "SmallTree");
-        row("info tree.stl",
-            "\"tree.stl\" is no input: preset:NAME, demo:NAME or a file .ramure, .obj, .ply expected");
+        row("info tree.fbx",
+            "\"tree.fbx\" is no input: preset:NAME, demo:NAME or a file .ramure, .obj, .ply, .stl, .3mf expected");
         row("info SmallTree", "is no input");
         row("info none.ramure", "none.ramure");
         row("info none.obj", "No such file or directory");
@@ -155,7 +155,7 @@ private slots:
     void longTextsBecomeOneLine()
     {
         QVERIFY(isRefused(runCli({"info", "preset:a\nb"}), "a b"));
-        QVERIFY(isRefused(runCli({"info", "x\ny.stl"}), "x y.stl"));
+        QVERIFY(isRefused(runCli({"info", "x\ny.fbx"}), "x y.fbx"));
     }
 
     void helpAndVersionEverywhere()

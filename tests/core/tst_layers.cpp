@@ -142,8 +142,10 @@ constexpr const char* widgetClasses =
 
 constexpr Fence fences[] = {
     {"the core knows no Qt", "core/.*", "core/(document|session)/.*", R"(<Q\w*(/.*)?>)"},
-    {"OpenMesh only in the proof", "(core|widgets|app)/.*", R"(core/surface/proof/validate\w*\.cpp)",
-     "<OpenMesh/.*>"},
+    {"OpenMesh only in the proof and where prints are thinned out", "(core|widgets|app)/.*",
+     R"(core/(surface/proof/validate\w*|print/thinned_mesh)\.cpp)", "<OpenMesh/.*>"},
+    {"OpenVDB only behind one header", ".*", R"(core/print/united_surface\.cpp)", "<openvdb/.*>"},
+    {"libzip only behind one header", ".*", R"(core/io/zip_file\.cpp)", "<zip\\.h>"},
     {"SLEEF only behind one header", ".*", R"(core/math/reproducible\.cpp)", "<sleef.*>"},
     {"CGAL only behind one header of the tests", ".*", R"(tests/support/self_intersections\.cpp)",
      "<CGAL/.*>"},
@@ -180,6 +182,7 @@ constexpr const char* floors[] = {
     "core/generators/weber_penn",
     "core/generators",
     "core/pipeline",
+    "core/print",
     "core/rig/pose",
     "core/rig/tracks",
     "core/rig/physics",

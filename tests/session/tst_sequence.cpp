@@ -62,7 +62,7 @@ private slots:
             QVERIFY(!done);
             QCOMPARE(done.error().path, std::string(where));
         }
-        QCOMPARE(exportSequence(m_scene, {}, {0, 1, 1, 24.0}, pipelineSource(m_pipeline), path("a.stl"))
+        QCOMPARE(exportSequence(m_scene, {}, {0, 1, 1, 24.0}, pipelineSource(m_pipeline), path("a.fbx"))
                      .error()
                      .code,
                  ErrorCode::Unknown);

@@ -10,6 +10,7 @@
 #include "widgets/dialogs/mesh_faults.h"
 #include "widgets/dialogs/moment_form.h"
 #include "widgets/dialogs/picture_form.h"
+#include "widgets/dialogs/print_form.h"
 #include "widgets/dialogs/space_form.h"
 #include <QCheckBox>
 #include <QComboBox>
@@ -31,7 +32,18 @@ namespace ramure {
 static const QString pictureFormat = QStringLiteral("png");
 
 /// Rows of the form, from the top.
-enum Row { FormatRow, ModelRow, PartsRow, FoliageRow, SpaceRow, TreesRow, MomentRow, PictureRow, FileRow };
+enum Row {
+    FormatRow,
+    PrintRow,
+    ModelRow,
+    PartsRow,
+    FoliageRow,
+    SpaceRow,
+    TreesRow,
+    MomentRow,
+    PictureRow,
+    FileRow
+};
 
 ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences* preferences,
                            Chooser* chooser, QWidget* parent, std::int64_t shownFrame)
@@ -63,6 +75,10 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     for (QCheckBox* box : {m_selection, m_hidden, m_texture})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::updateSummary);
     connectMessage();
+    connect(m_printing, &PrintForm::changed, this, &ExportDialog::takePrint);
+    connect(m_printing, &PrintForm::prepareRequested, this, [this] { startPrint({}); });
+    for (QCheckBox* box : {m_selection, m_hidden})
+        connect(box, &QCheckBox::toggled, this, &ExportDialog::forgetPrint);
     connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::startExport);
     connect(m_cancel, &QPushButton::clicked, this, &ExportDialog::reject);
@@ -99,6 +115,7 @@ void ExportDialog::connectMessage()
     connect(m_space, &SpaceForm::changed, this, forget);
     connect(m_moments, &MomentForm::changed, this, forget);
     connect(m_pictures, &PictureForm::changed, this, forget);
+    connect(m_printing, &PrintForm::changed, this, forget);
 }
 
 void ExportDialog::buildForm()
@@ -133,6 +150,8 @@ void ExportDialog::buildForm()
     scope->addWidget(m_selection);
     scope->addWidget(m_hidden);
     addRow(m_format);
+    m_printing = new PrintForm(this);
+    addRow(m_printing);
     addRow(m_model);
     m_space = new SpaceForm(this);
     m_space->setSpace(m_preferences->exportSpace());
@@ -347,9 +366,10 @@ void ExportDialog::takeFormat()
     const QFileInfo info(path());
     if (info.suffix().toLower() == pictureFormat || findFormat(path().toStdString(), FormatUse::Write))
         setPath(info.path() + u'/' + info.completeBaseName() + u'.' + suffix());
-    for (const Row row : {ModelRow, PartsRow, FoliageRow, TreesRow})
-        m_form->setRowVisible(row, format() != nullptr);
+    for (const Row row : {PrintRow, ModelRow, PartsRow, FoliageRow, TreesRow, MomentRow})
+        m_form->setRowVisible(row, format() != nullptr || row == MomentRow);
     m_form->setRowVisible(SpaceRow, holds(holdsSpace));
+    showPrintRows({ModelRow, PartsRow, FoliageRow, SpaceRow, MomentRow});
     m_form->setRowVisible(PictureRow, !format());
     m_moments->setPictures(!format());
     // A picture shows what the view shows.
@@ -379,6 +399,7 @@ void ExportDialog::updateWidgets()
     m_texture->setEnabled(!running && holds(holdsTexture) &&
                           static_cast<ExportModel>(m_model->currentIndex()) == ExportModel::Mesh);
     m_space->setEnabled(!running);
+    m_printing->setEnabled(!running && !m_recompute->isBusy());
     m_moments->setEnabled(!running);
     m_pictures->setEnabled(!running);
     m_selection->setEnabled(!running && !m_document->selection().nodes.empty());
@@ -424,6 +445,8 @@ void ExportDialog::run()
     if (!mayExportFaults()) // they came with the result that was waited for
         return updateWidgets();
     setMessage({}, false);
+    if (isPrint())
+        return startPrint(path());
     if (isInBackground())
         return startSequence();
     ExportOptions what = options();
@@ -441,6 +464,8 @@ void ExportDialog::run()
 void ExportDialog::finish(const std::optional<Error>& error)
 {
     updateWidgets();
+    if (hasPrepared(error))
+        return;
     if (error && error->code == ErrorCode::Cancelled) {
         setMessage(tr("Cancelled. No file was changed."), false);
         return;
@@ -528,15 +553,15 @@ void ExportDialog::retranslate()
     m_browse->setText(tr("Browse…"));
     m_show->setText(tr("Show"));
     m_cancel->setText(tr("Cancel"));
-    const QString labels[] = {tr("Format"),           tr("Model"),         tr("Parts"),
-                              tr("Leaves and fruit"), tr("Axes and unit"), tr("Nodes"),
-                              tr("Moment"),           tr("Picture"),       tr("File")};
+    const QString labels[] = {tr("Format"),           tr("For print"),     tr("Model"), tr("Parts"),
+                              tr("Leaves and fruit"), tr("Axes and unit"), tr("Nodes"), tr("Moment"),
+                              tr("Picture"),          tr("File")};
     for (int row = 0; row < m_form->rowCount(); ++row) {
         auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
         label->setText(labels[row]);
     }
     m_format->setAccessibleName(labels[0]);
-    m_model->setAccessibleName(labels[1]);
+    m_model->setAccessibleName(labels[ModelRow]);
     m_foliage->setAccessibleName(labels[FoliageRow]);
     m_path->setAccessibleName(labels[FileRow]);
     m_progress->setAccessibleName(tr("Progress of the export"));

@@ -5,6 +5,8 @@
 #include "core/session/exporter.h"
 #include "widgets/dialogs/sequence_task.h"
 #include <QDialog>
+#include <initializer_list>
+#include <memory>
 #include <optional>
 
 class QCheckBox;
@@ -27,7 +29,9 @@ class ExportTask;
 class MomentForm;
 class PictureForm;
 class Preferences;
+class PrintForm;
 class Recompute;
+struct ScenePrint;
 class SpaceForm;
 
 class ExportDialog : public QDialog
@@ -49,6 +53,7 @@ public:
     void setFormat(const QString& id);
     [[nodiscard]] MomentForm* moments() const { return m_moments; }
     [[nodiscard]] PictureForm* pictures() const { return m_pictures; }
+    [[nodiscard]] PrintForm* printing() const { return m_printing; }
     void setPath(const QString& path);
     [[nodiscard]] QString path() const;
     [[nodiscard]] ExportOptions options() const;
@@ -91,6 +96,13 @@ private:
     [[nodiscard]] bool mayStart();
     [[nodiscard]] bool mayReplaceFiles();
     void startSequence();
+    // export_print.cpp
+    [[nodiscard]] bool isPrint() const;
+    void showPrintRows(std::initializer_list<int> rows);
+    void takePrint();
+    void forgetPrint();
+    void startPrint(const QString& file);
+    [[nodiscard]] bool hasPrepared(const std::optional<Error>& error);
     void finish(const std::optional<Error>& error);
     void setMessage(const QString& text, bool isError);
     void retranslate();
@@ -129,6 +141,9 @@ private:
     std::optional<PictureLook> m_look;
     MomentForm* m_moments = nullptr;
     PictureForm* m_pictures = nullptr;
+    PrintForm* m_printing = nullptr;
+    std::shared_ptr<const ScenePrint> m_print; ///< prepared, as the form has it; else null
+    bool m_isPreparing = false;                ///< nothing is to be written
     QLabel* m_summary = nullptr;
     std::int64_t m_shownFrame;
     QProgressBar* m_progress = nullptr;

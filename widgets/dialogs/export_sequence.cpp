@@ -101,7 +101,7 @@ void ExportDialog::updateSummary()
     const double each = !format() ? bytesPerPixel * size.width() * size.height()
                                   : double(estimatedFileBytes(m_document->scene(), options(),
                                                               documentSource(*m_document), systemPath(file)));
-    if (const double bytes = each * double(count); bytes >= 1.0)
+    if (const double bytes = each * double(count); bytes >= 1.0 && !isPrint())
         parts += tr("about %1").arg(roughSize(bytes));
     m_summary->setText(parts.join(QStringLiteral("  ·  ")));
 }

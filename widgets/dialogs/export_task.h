@@ -4,6 +4,7 @@
 
 #include "core/session/exporter.h"
 #include "core/session/job.h"
+#include "core/session/print_export.h"
 #include <QString>
 
 namespace ramure {
@@ -21,6 +22,11 @@ public:
     /// running. The trees are as their physics has moved them at \p timeSeconds.
     void startExport(const Document& document, const ExportOptions& options, const QString& path,
                      double timeSeconds = 0.0);
+    /// Makes the print of a tree, unless it is there already, and writes it where \p path has a name, with Z
+    /// up, in mm. \p take gets it before the end is told.
+    void startPrint(const Document& document, const ExportOptions& which, const PrintOptions& options,
+                    const std::shared_ptr<const ScenePrint>& ready, const QString& path,
+                    std::function<void(const std::shared_ptr<const ScenePrint>&)> take);
 };
 
 } // namespace ramure

@@ -2,12 +2,13 @@
 
 namespace ramure {
 
-extern const FileFormat objFormat, plyFormat, plyTextFormat, glbFormat, animationFormat, arbaroFormat,
-    ezTreeFormat;
+extern const FileFormat objFormat, plyFormat, plyTextFormat, glbFormat, stlFormat, threeMfFormat,
+    animationFormat, arbaroFormat, ezTreeFormat;
 
 std::span<const FileFormat* const> fileFormats()
 {
-    static constexpr const FileFormat* table[] = {&objFormat,       &plyFormat,    &plyTextFormat, &glbFormat,
+    static constexpr const FileFormat* table[] = {&objFormat,       &plyFormat,    &plyTextFormat,
+                                                  &glbFormat,       &stlFormat,    &threeMfFormat,
                                                   &animationFormat, &arbaroFormat, &ezTreeFormat};
     return table;
 }

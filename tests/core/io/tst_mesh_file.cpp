@@ -94,11 +94,11 @@ private slots:
 
     void unknownEnding()
     {
-        const auto mesh = readMeshFile("a.stl");
+        const auto mesh = readMeshFile("a.fbx");
         QVERIFY(!mesh);
         QCOMPARE(mesh.error().code, ErrorCode::Unknown);
         QCOMPARE(mesh.error().message(),
-                 std::string("a.stl: unknown file ending \".stl\": .obj, .ply can be read"));
+                 std::string("a.fbx: unknown file ending \".fbx\": .obj, .ply, .stl, .3mf can be read"));
         QVERIFY(!readMeshFile("a"));
     }
     void missingFileAndFolder()

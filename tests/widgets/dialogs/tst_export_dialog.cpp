@@ -52,10 +52,10 @@ private slots:
     void unknownEndingsAreTold()
     {
         ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
-        dialog.setPath(path("tree.stl"));
+        dialog.setPath(path("tree.fbx"));
         dialog.startExport();
         QVERIFY(dialog.findChild<QLabel*>(QStringLiteral("problem")));
-        QVERIFY(!QFileInfo::exists(path("tree.stl")));
+        QVERIFY(!QFileInfo::exists(path("tree.fbx")));
     }
 
     void filesAreWritten_data()

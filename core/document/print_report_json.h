@@ -1,0 +1,17 @@
+/// \file
+/// What is known about a print as JSON.
+#pragma once
+
+#include "core/print/print_tree.h"
+#include <QJsonObject>
+
+namespace ramure {
+
+inline constexpr int printReportVersion = 1; ///< of the schema; only changes that break readers raise it
+
+/// mm, mm², mm³; places as slicers have them: Z up, the foot's middle at the origin. Keys: process, height,
+/// smallestDiameter, scale, size, volume, thinnest, thinnestAt, overhangArea, centreOfMass, footArea,
+/// balance, stands, pieces, crossings, triangles, closed, thickened, cut, loose.
+QJsonObject toJson(const PrintedTree& print, const PrintOptions& options);
+
+} // namespace ramure

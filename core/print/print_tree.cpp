@@ -1,0 +1,220 @@
+#include "core/print/print_tree.h"
+
+#include "core/math/reproducible.h"
+#include "core/print/print_skeleton.h"
+#include "core/print/thinned_mesh.h"
+#include "core/print/united_surface.h"
+#include "core/surface/check/self_intersections.h"
+#include "core/surface/mesh/normals.h"
+#include "core/surface/mesher/branch_mesh.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace ramure {
+namespace {
+
+constexpr int sides = 16; ///< of the tubes that are united; the grid is coarser than their faces
+constexpr int discSides = 96;
+constexpr double voxelsAcross = 6.0, leastVoxelsAcross = 3.0; ///< of the thinnest twig
+constexpr double mostVoxels = 0.8e6; ///< on the surface: more than twice as many triangles
+constexpr int mostHeightRounds = 4;
+constexpr double heightSlack = 0.002;
+constexpr int mostThinnings = 4;
+
+/// Flat sides lie inside of the tube that they stand for, and so do those of the grid.
+double widening(double thinnest, double voxel)
+{
+    const double inner = maths::cos(std::numbers::pi / sides);
+    return 1.01 * thinnest / inner + 0.3 * voxel * voxel / thinnest;
+}
+
+double areaOf(const TriangleMesh& mesh)
+{
+    double area = 0.0;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::dvec3 a(mesh.positions[t.x]), b(mesh.positions[t.y]), c(mesh.positions[t.z]);
+        area += 0.5 * glm::length(glm::cross(b - a, c - a));
+    }
+    return area;
+}
+
+/// A closed cylinder about the vertical.
+void addCylinder(TriangleMesh& mesh, const glm::dvec3& middle, double radius, double low, double high)
+{
+    const Index first = mesh.vertexCount();
+    for (const double y : {low, high})
+        for (int k = 0; k < discSides; ++k) {
+            const auto at = maths::sincos(2.0 * std::numbers::pi * k / discSides);
+            mesh.positions.emplace_back(middle.x + radius * at.cos, y, middle.z + radius * at.sin);
+        }
+    mesh.positions.emplace_back(middle.x, low, middle.z);
+    mesh.positions.emplace_back(middle.x, high, middle.z);
+    const Index bottom = first + 2 * discSides, top = bottom + 1;
+    for (Index k = 0; k < discSides; ++k) {
+        const Index a = first + k, b = first + (k + 1) % discSides;
+        mesh.triangles.emplace_back(a, b, bottom);
+        mesh.triangles.emplace_back(b + discSides, a + discSides, top);
+        mesh.triangles.emplace_back(a, b + discSides, b);
+        mesh.triangles.emplace_back(a, a + discSides, b + discSides);
+    }
+}
+
+/// Mass over a point of the ground, as far as the skeleton knows it.
+glm::dvec2 balanceOf(const Skeleton& skeleton)
+{
+    glm::dvec2 moment(0.0);
+    double mass = 0.0;
+    for (Index i = 0; i < skeleton.size(); ++i) {
+        const double radius = 0.5 * (skeleton.a0[i] + skeleton.a1[i]);
+        const double own = radius * radius * skeleton.length(i);
+        const glm::dvec3 middle = 0.5 * (skeleton.p0[i] + skeleton.p1[i]);
+        moment += own * glm::dvec2(middle.x, middle.z);
+        mass += own;
+    }
+    return mass > 0.0 ? moment / mass : moment;
+}
+
+/// What the tree stands on: a disc under all roots and the weight, or, cut flat, the foot of each root.
+void addFoot(TriangleMesh& mesh, const Skeleton& skeleton, const PrintOptions& options)
+{
+    const double thickness = std::max(0.002, 1.2 * options.smallestDiameter());
+    double radius = 0.0;
+    for (Index i = 0; i < skeleton.size(); ++i) {
+        if (skeleton.parent[i] != noIndex)
+            continue;
+        const glm::dvec3& foot = skeleton.p0[i];
+        radius = std::max(radius, glm::length(glm::dvec2(foot.x, foot.z)) + 2.0 * skeleton.a0[i]);
+        if (!options.hasFootDisc)
+            addCylinder(mesh, foot, skeleton.a0[i], -thickness, foot.y + 0.3 * skeleton.a0[i]);
+    }
+    if (!options.hasFootDisc)
+        return;
+    radius = std::max({radius, 0.12 * options.height, 1.4 * glm::length(balanceOf(skeleton))});
+    addCylinder(mesh, glm::dvec3(0.0), radius, -thickness, thickness);
+}
+
+Expected<TriangleMesh> tubesOf(const Skeleton& skeleton, const NodeParams& params, const Progress& progress)
+{
+    BranchMeshOptions options{params.sections, params.mesh, false};
+    options.targetTriangles = 0;
+    options.clampOvershoot = true; // where a curve runs back into itself, its tube is pinched
+    options.radialDivisions = sides;
+    options.lengthDivisions = std::max<std::int64_t>(options.lengthDivisions, 4);
+    auto made = buildBranchMesh(skeleton, options, progress);
+    if (!made)
+        return fail(std::move(made.error()));
+    return std::move(made->mesh);
+}
+
+struct Prepared
+{
+    PrintSkeleton print;
+    TriangleMesh tubes;
+};
+
+/// The mesh may rise above the skeleton's ends: the scale follows until its top is where it is wanted.
+Expected<Prepared> prepared(const Skeleton& tree, const NodeParams& params, const PrintOptions& options,
+                            double thinnest, const Progress& progress)
+{
+    double wanted = options.height;
+    for (int round = 1;; ++round) {
+        auto print = printSkeleton(tree, wanted, thinnest);
+        if (!print)
+            return fail(std::move(print.error()));
+        auto tubes = tubesOf(print->skeleton, params, Progress{progress.stop, {}});
+        if (!tubes)
+            return fail(std::move(tubes.error()));
+        progress.report(double(round) / mostHeightRounds);
+        double top = 0.0;
+        for (const glm::vec3& p : tubes->positions)
+            top = std::max(top, double(p.y));
+        const double off = top / options.height - 1.0;
+        if (std::abs(off) < heightSlack || round == mostHeightRounds)
+            return Prepared{std::move(*print), std::move(*tubes)};
+        wanted = std::clamp(wanted / (1.0 + off), 0.5 * options.height, 2.0 * options.height);
+    }
+}
+
+/// Fewer triangles, none of which run through each other: where some would, all vertices around stay.
+Expected<TriangleMesh> thinnedWithoutCrossings(const TriangleMesh& fine, ThinningOptions options,
+                                               const Progress& progress)
+{
+    options.isKept.assign(fine.positions.size(), false);
+    double reach = 4.0 * options.grain;
+    for (int round = 0; round < mostThinnings; ++round, reach *= 2.0) {
+        auto thin = thinnedMesh(fine, options,
+                                progress.part(double(round) / mostThinnings, (round + 1.0) / mostThinnings));
+        if (!thin)
+            return thin;
+        const auto crossings = findSelfIntersections(*thin, {}, 0, Progress{progress.stop, {}});
+        if (!crossings)
+            return fail(crossings.error());
+        if (crossings->total() == 0)
+            return thin;
+        std::vector<std::pair<glm::vec3, glm::vec3>> boxes;
+        for (const FacePair& pair : crossings->pairs)
+            for (const Index face : {pair.first, pair.second}) {
+                const glm::uvec3& t = thin->triangles[face];
+                const glm::vec3 &a = thin->positions[t.x], &b = thin->positions[t.y],
+                                &c = thin->positions[t.z];
+                const auto margin = static_cast<float>(reach);
+                boxes.emplace_back(glm::min(a, glm::min(b, c)) - margin,
+                                   glm::max(a, glm::max(b, c)) + margin);
+            }
+        for (std::size_t v = 0; v < fine.positions.size(); ++v)
+            for (const auto& [low, high] : boxes)
+                if (glm::all(glm::lessThanEqual(low, fine.positions[v])) &&
+                    glm::all(glm::lessThanEqual(fine.positions[v], high))) {
+                    options.isKept[v] = true;
+                    break;
+                }
+    }
+    return fail(ErrorCode::Invalid,
+                RAMURE_NOOP("the branches could not be united into one surface: try another height"));
+}
+
+} // namespace
+
+Expected<PrintedTree> printTree(const Skeleton& tree, const NodeParams& params, const PrintOptions& options,
+                                const Progress& progress)
+{
+    if (auto fine = checkPrint(options); !fine)
+        return fail(fine.error());
+    const double diameter = options.smallestDiameter();
+    double voxel = diameter / voxelsAcross;
+    auto ready = prepared(tree, params, options, widening(diameter, voxel), progress.part(0.0, 0.1));
+    if (!ready)
+        return fail(std::move(ready.error()));
+    addFoot(ready->tubes, ready->print.skeleton, options);
+    voxel =
+        std::min(std::max(voxel, std::sqrt(areaOf(ready->tubes) / mostVoxels)), diameter / leastVoxelsAcross);
+    auto united = unitedSurface(ready->tubes, {voxel, true}, progress.part(0.1, 0.45));
+    if (!united)
+        return fail(std::move(united.error()));
+    ThinningOptions thinning;
+    thinning.grain = voxel;
+    thinning.mostTriangles = options.mostTriangles;
+    if (params.mesh.targetTriangles > 0)
+        thinning.mostTriangles =
+            static_cast<Index>(std::min<std::int64_t>(thinning.mostTriangles, params.mesh.targetTriangles));
+    auto thin = thinnedWithoutCrossings(united->mesh, thinning, progress.part(0.45, 0.85));
+    if (!thin)
+        return fail(std::move(thin.error()));
+    computeNormals(*thin);
+    PrintedTree out;
+    out.mesh = std::make_shared<const TriangleMesh>(std::move(*thin));
+    out.scale = ready->print.scale;
+    out.thickened = ready->print.thickened;
+    out.cut = ready->print.cut;
+    out.loose = united->loose;
+    auto report = printReport(out.mesh, 0.5 * diameter, progress.part(0.85, 1.0));
+    if (!report)
+        return fail(std::move(report.error()));
+    out.report = *report;
+    return out;
+}
+
+} // namespace ramure

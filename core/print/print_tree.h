@@ -1,0 +1,29 @@
+/// \file
+/// From a tree to a mesh that a printer takes: thick enough, one piece without crossings, flat at the ground.
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/params/node_params.h"
+#include "core/print/print_options.h"
+#include "core/print/print_report.h"
+#include "core/skeleton/skeleton.h"
+
+namespace ramure {
+
+struct PrintedTree
+{
+    std::shared_ptr<const TriangleMesh> mesh; ///< m at the print's size, Y up, on y = 0
+    PrintReport report;
+    double scale = 1.0;           ///< of the print against the tree
+    Index thickened = 0, cut = 0; ///< branches
+    Index loose = 0;              ///< pieces that came off and were left out
+};
+
+/// Leaves and fruit stay off. \param tree m, as the pipeline has simplified it. \param params of its mesh:
+/// the budget counts where it is below that of the options. The same bytes whenever called.
+/// Errors: those of checkPrint, printSkeleton, buildBranchMesh and unitedSurface; Invalid (crossings that
+/// could not be removed); Cancelled.
+Expected<PrintedTree> printTree(const Skeleton& tree, const NodeParams& params, const PrintOptions& options,
+                                const Progress& progress = {});
+
+} // namespace ramure
