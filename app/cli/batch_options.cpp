@@ -1,0 +1,75 @@
+#include "app/cli/batch_options.h"
+#include <QRegularExpression>
+
+namespace ramure::cli {
+
+namespace {
+
+constexpr int smallestSide = 16, largestSide = 8192;
+constexpr int mostProcesses = 1024;
+
+/// "800M", "2G", "1500000000"
+std::optional<std::size_t> bytesFrom(const QString& text)
+{
+    static const QRegularExpression form(QStringLiteral("^(\\d{1,12})([KMG]?)$"));
+    const auto match = form.match(text);
+    if (!match.hasMatch())
+        return std::nullopt;
+    const QString unit = match.captured(2);
+    const int shift = unit == QLatin1String("K")   ? 10
+                      : unit == QLatin1String("M") ? 20
+                      : unit == QLatin1String("G") ? 30
+                                                   : 0;
+    return std::size_t(match.captured(1).toULongLong()) << shift;
+}
+
+} // namespace
+
+Expected<QSize> pictureSizeFrom(const QString& value)
+{
+    const QStringList sides = value.toLower().split(QLatin1Char('x'));
+    bool isWidth = false;
+    bool isHeight = false;
+    const int width = sides.front().toInt(&isWidth);
+    const int height = sides.back().toInt(&isHeight);
+    const auto isSide = [](int side) { return side >= smallestSide && side <= largestSide; };
+    if (sides.size() != 2 || !isWidth || !isHeight || !isSide(width) || !isSide(height))
+        return fail(ErrorCode::Invalid, "--size \"%1\": WIDTHxHEIGHT expected, each %2 to %3 pixels",
+                    {value.toStdString(), std::to_string(smallestSide), std::to_string(largestSide)});
+    return QSize(width, height);
+}
+
+void addPoolOptions(CommandLine& line)
+{
+    line.add({QStringLiteral("jobs"), QStringLiteral("j")},
+             QStringLiteral("So many rows at a time, each by a process of one thread; without it as many as "
+                            "there are cores."),
+             QStringLiteral("N"));
+    line.add(
+        {QStringLiteral("memory")},
+        QStringLiteral("What one of these processes may take: a row that wants more has an error and ends "
+                       "nothing else. Without it there is no limit."),
+        QStringLiteral("BYTES[K|M|G]"));
+}
+
+Expected<PoolOptions> poolOptionsOf(const CommandLine& line)
+{
+    PoolOptions out{usualProcesses(), 0};
+    if (line.has("jobs")) {
+        bool isNumber = false;
+        out.processes = line.value("jobs").toInt(&isNumber);
+        if (!isNumber || out.processes < 1 || out.processes > mostProcesses)
+            return fail(ErrorCode::Invalid, "--jobs \"%1\": 1 to %2 expected",
+                        {line.value("jobs").toStdString(), std::to_string(mostProcesses)});
+    }
+    if (line.has("memory")) {
+        const auto bytes = bytesFrom(line.value("memory"));
+        if (!bytes || *bytes == 0)
+            return fail(ErrorCode::Invalid, "--memory \"%1\": a number of bytes expected, like 800M or 2G",
+                        {line.value("memory").toStdString()});
+        out.memoryBytes = *bytes;
+    }
+    return out;
+}
+
+} // namespace ramure::cli
