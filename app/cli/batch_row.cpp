@@ -108,7 +108,7 @@ QJsonArray filesBelow(const QString& folder)
     QStringList names;
     for (QDirIterator files(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
          files.hasNext();)
-        names << QDir(folder).relativeFilePath(files.next());
+        names << files.next().mid(folder.size() + 1);
     names.sort();
     QJsonArray out;
     for (const QString& name : names) {
