@@ -48,8 +48,8 @@ void addPoolOptions(CommandLine& line)
     line.add(
         {QStringLiteral("memory")},
         QStringLiteral("What one of these processes may take: a row that wants more has an error and ends "
-                       "nothing else. Without it there is no limit."),
-        QStringLiteral("BYTES[K|M|G]"));
+                       "nothing else; 800M, 2G. Without it there is no limit."),
+        QStringLiteral("BYTES"));
 }
 
 Expected<PoolOptions> poolOptionsOf(const CommandLine& line)
