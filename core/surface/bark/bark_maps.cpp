@@ -1,5 +1,6 @@
 #include "core/surface/bark/bark_maps.h"
 
+#include "core/base/wide_clone.h"
 #include "core/surface/bark/bark_pattern.h"
 #include "core/surface/bark/tiled_noise.h"
 #include <algorithm>
@@ -77,7 +78,7 @@ public:
         , m_seed(latticeHash(int(params.seed & 0xFFFF), int((params.seed >> 16) & 0xFFFF), 17u))
     {
     }
-    [[nodiscard]] BarkPixel at(glm::vec2 place) const
+    [[nodiscard]] RAMURE_WIDE_CLONE BarkPixel at(glm::vec2 place) const
     {
         const BarkSample sample = m_look.at(place, m_seed);
         const float grain = gradientNoise(place, {64, 64}, m_seed + 401u);

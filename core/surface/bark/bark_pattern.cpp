@@ -1,5 +1,6 @@
 #include "core/surface/bark/bark_pattern.h"
 
+#include "core/base/wide_clone.h"
 #include "core/surface/bark/tiled_noise.h"
 #include <array>
 
@@ -14,13 +15,19 @@ float step(float from, float to, float x)
 {
     return glm::smoothstep(from, to, x);
 }
-/// Moves a place about, so that borders wander.
-vec2 warped(vec2 p, ivec2 period, vec2 by, int octaves, Seed seed)
+/// Moves a place about, so that borders wander. Both ways octave by octave: what they share is computed once.
+RAMURE_WIDE_CLONE vec2 warped(vec2 p, ivec2 period, vec2 by, int octaves, Seed seed)
 {
-    const auto moved = [&](float at, float most, Seed own) {
-        return most != 0.0f ? at + most * fractalNoise(p, period, octaves, own) : at;
-    };
-    return {moved(p.x, by.x, seed + 101u), moved(p.y, by.y, seed + 201u)};
+    vec2 sum(0.0f);
+    float strength = 1.0f, all = 0.0f;
+    for (int i = 0; i < octaves; ++i, strength *= 0.5f, period *= 2) {
+        if (by.x != 0.0f)
+            sum.x += strength * gradientNoise(p, period, seed + 101u + Seed(i));
+        if (by.y != 0.0f)
+            sum.y += strength * gradientNoise(p, period, seed + 201u + Seed(i));
+        all += strength;
+    }
+    return p + by * (sum / all);
 }
 /// Sharp crests where the noise passes zero.
 float ridged(vec2 p, ivec2 period, int octaves, Seed seed)
@@ -37,7 +44,7 @@ float tintOf(std::uint32_t id)
     return 2.0f * share(id * 0x85EBCA6Bu) - 1.0f;
 }
 
-BarkSample smoothBark(vec2 p, Seed seed)
+RAMURE_WIDE_CLONE BarkSample smoothBark(vec2 p, Seed seed)
 {
     const float wide = fractalNoise(p, {3, 4}, 3, seed);
     const float wrinkles = fractalNoise(warped(p, {4, 4}, {0.0f, 0.02f}, 1, seed), {3, 28}, 2, seed + 11u);
@@ -45,7 +52,7 @@ BarkSample smoothBark(vec2 p, Seed seed)
     return {0.6f + 0.22f * wide + 0.18f * wrinkles, wide, 0.75f * step(0.18f, 0.42f, lichen)};
 }
 
-BarkSample platedBark(vec2 p, Seed seed)
+RAMURE_WIDE_CLONE BarkSample platedBark(vec2 p, Seed seed)
 {
     const vec2 at = warped(p, {4, 3}, {0.07f, 0.08f}, 4, seed);
     const Cells plate = cellsAt(at, {5, 3}, 0.9f, seed);
@@ -57,7 +64,7 @@ BarkSample platedBark(vec2 p, Seed seed)
             0.55f * edge * step(0.75f, 0.95f, terrace)};
 }
 
-BarkSample furrowedBark(vec2 p, Seed seed)
+RAMURE_WIDE_CLONE BarkSample furrowedBark(vec2 p, Seed seed)
 {
     const vec2 at = warped(p, {5, 4}, {0.05f, 0.12f}, 3, seed);
     const Cells ridge = cellsAt(at, {7, 2}, 0.95f, seed);
@@ -67,7 +74,7 @@ BarkSample furrowedBark(vec2 p, Seed seed)
     return {crest * (0.55f + 0.3f * broken + 0.15f * across), 0.5f * tintOf(ridge.id) + 0.5f * across, 0.0f};
 }
 
-BarkSample scalyBark(vec2 p, Seed seed)
+RAMURE_WIDE_CLONE BarkSample scalyBark(vec2 p, Seed seed)
 {
     const Cells scale = cellsAt(warped(p, {7, 6}, {0.035f, 0.035f}, 3, seed), {9, 7}, 0.95f, seed);
     const float edge = step(0.0f, 0.13f, scale.inside());
@@ -76,7 +83,7 @@ BarkSample scalyBark(vec2 p, Seed seed)
     return {edge * (0.35f + 0.4f * lifted + 0.25f * share(scale.id * 7u)), tintOf(scale.id), 0.0f};
 }
 
-BarkSample peelingBark(vec2 p, Seed seed)
+RAMURE_WIDE_CLONE BarkSample peelingBark(vec2 p, Seed seed)
 {
     const vec2 at = warped(p, {4, 3}, {0.07f, 0.15f}, 3, seed);
     const Cells strip = cellsAt(at, {5, 2}, 0.8f, seed);
@@ -89,7 +96,7 @@ BarkSample peelingBark(vec2 p, Seed seed)
     return {rim * (0.55f + 0.3f * curl + 0.12f * grain), tintOf(strip.id), 0.0f};
 }
 
-BarkSample ringedBark(vec2 p, Seed seed)
+RAMURE_WIDE_CLONE BarkSample ringedBark(vec2 p, Seed seed)
 {
     const float film = fractalNoise(warped(p, {3, 6}, {0.0f, 0.015f}, 2, seed), {2, 26}, 2, seed);
     // Lenticels: short dashes across, of different lengths.
@@ -106,7 +113,7 @@ BarkSample ringedBark(vec2 p, Seed seed)
             glm::max(0.75f * dashes, black)};
 }
 
-BarkSample fibrousBark(vec2 p, Seed seed)
+RAMURE_WIDE_CLONE BarkSample fibrousBark(vec2 p, Seed seed)
 {
     const vec2 at = warped(p, {3, 3}, {0.05f, 0.0f}, 2, seed);
     const float strands = ridged(at, {13, 2}, 3, seed);
@@ -115,7 +122,7 @@ BarkSample fibrousBark(vec2 p, Seed seed)
             fractalNoise(at, {20, 2}, 2, seed + 95u), 0.0f};
 }
 
-BarkSample mosaicBark(vec2 p, Seed seed)
+RAMURE_WIDE_CLONE BarkSample mosaicBark(vec2 p, Seed seed)
 {
     // The oldest bark is what is left on top: two layers have come off in patches.
     const float first = fractalNoise(p, {4, 3}, 4, seed), second = fractalNoise(p, {3, 4}, 4, seed + 115u);
@@ -126,7 +133,7 @@ BarkSample mosaicBark(vec2 p, Seed seed)
             0.9f * (1.0f - glm::max(old, middle))};
 }
 
-BarkSample palmBark(vec2 p, Seed seed)
+RAMURE_WIDE_CLONE BarkSample palmBark(vec2 p, Seed seed)
 {
     const float y = 6.0f * (p.y + 0.02f * fractalNoise(p, {3, 3}, 2, seed));
     const float in = y - std::floor(y);
@@ -135,7 +142,7 @@ BarkSample palmBark(vec2 p, Seed seed)
     return {0.15f + 0.7f * scar + 0.12f * fibres, fibres, 0.6f * step(0.16f, 0.03f, in)};
 }
 
-BarkSample thornyBark(vec2 p, Seed seed)
+RAMURE_WIDE_CLONE BarkSample thornyBark(vec2 p, Seed seed)
 {
     const BarkSample skin = smoothBark(p, seed);
     const Cells thorn = cellsAt(p, {4, 4}, 0.7f, seed + 131u);
@@ -144,7 +151,7 @@ BarkSample thornyBark(vec2 p, Seed seed)
     return {0.4f * skin.height + 0.6f * cone, skin.tint, glm::max(0.4f * skin.mark, step(0.05f, 0.5f, cone))};
 }
 
-BarkSample corkyBark(vec2 p, Seed seed)
+RAMURE_WIDE_CLONE BarkSample corkyBark(vec2 p, Seed seed)
 {
     const vec2 at = warped(p, {4, 3}, {0.07f, 0.1f}, 3, seed);
     const float ridges = 1.0f - ridged(at, {5, 2}, 3, seed); // cracks where the noise passes zero
@@ -152,7 +159,7 @@ BarkSample corkyBark(vec2 p, Seed seed)
     return {glm::clamp(2.2f * ridges, 0.0f, 1.0f) * 0.85f + 0.1f + 0.08f * pores, pores, 0.0f};
 }
 
-BarkSample bambooBark(vec2 p, Seed seed)
+RAMURE_WIDE_CLONE BarkSample bambooBark(vec2 p, Seed seed)
 {
     const float away = std::abs(p.y - std::floor(p.y) - 0.5f);
     const float ring = step(0.03f, 0.008f, away), groove = step(0.012f, 0.0f, std::abs(away - 0.035f));
