@@ -16,6 +16,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
+#include <QRegularExpression>
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
@@ -153,6 +154,20 @@ Expected<Input> inputOf(const BatchRow& row)
 QString stagingFolder(const BatchPlan& plan, const BatchRow& row)
 {
     return QStringLiteral("%1/.row-%2.part").arg(plan.folder).arg(row.number);
+}
+
+void clearStaging(const BatchPlan& plan)
+{
+    if (plan.rows.empty())
+        return;
+    // What is there is looked at, not what might be: a row more costs nothing.
+    static const QRegularExpression name(QStringLiteral("^\\.row-(\\d+)\\.part$"));
+    const QDir folder(plan.folder);
+    for (const QString& entry :
+         folder.entryList({QStringLiteral(".row-*.part")}, QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot))
+        if (const qint64 row = name.match(entry).captured(1).toLongLong();
+            row >= plan.rows.front().number && row <= plan.rows.back().number)
+            QDir(folder.filePath(entry)).removeRecursively();
 }
 
 QJsonObject failedLine(const BatchPlan& plan, const BatchRow& row, const char* kind, const QString& text)

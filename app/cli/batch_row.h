@@ -49,6 +49,8 @@ private:
 QJsonObject failedLine(const BatchPlan& plan, const BatchRow& row, const char* kind, const QString& text);
 /// Where a row is made: beside the places of its files, so that they can be renamed.
 QString stagingFolder(const BatchPlan& plan, const BatchRow& row);
+/// Removes what rows of the plan that were stopped have left there.
+void clearStaging(const BatchPlan& plan);
 /// Puts what was made in its place; only then the row is done. Error: Io.
 Expected<void> placeFiles(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line);
 /// Are the row's values those of the line, and its files there, byte for byte?

@@ -144,8 +144,7 @@ public:
     /// \returns an exit code. Errors: Io (what it writes down).
     Expected<int> run()
     {
-        for (const BatchRow& row : m_request.plan.rows)
-            QDir(stagingFolder(m_request.plan, row)).removeRecursively();
+        clearStaging(m_request.plan);
         if (!m_request.timings.isEmpty()) {
             m_timings.reset(std::fopen(systemPath(m_request.timings).c_str(), "w"));
             if (!m_timings)
@@ -155,8 +154,7 @@ public:
             m_request.plan.rows.size(), m_request.pool, [this](std::size_t job) { return work(job); },
             [this](std::size_t job, JobEnd end, const QByteArray& answer) { take(job, end, answer); });
         if (signal != 0)
-            for (const BatchRow& row : m_request.plan.rows)
-                QDir(stagingFolder(m_request.plan, row)).removeRecursively();
+            clearStaging(m_request.plan);
         std::vector<std::int64_t> rows;
         for (const BatchRow& row : m_request.plan.rows)
             rows.push_back(row.number);
