@@ -1,4 +1,5 @@
 #include "app/cli/batch_options.h"
+#include "core/surface/bark/bark_maps.h"
 #include <QRegularExpression>
 
 namespace ramure::cli {
@@ -21,6 +22,16 @@ std::optional<std::size_t> bytesFrom(const QString& text)
                       : unit == QLatin1String("G") ? 30
                                                    : 0;
     return std::size_t(match.captured(1).toULongLong()) << shift;
+}
+
+Expected<int> mapSizeFrom(const QString& value)
+{
+    bool isNumber = false;
+    const int size = value.toInt(&isNumber);
+    if (!isNumber || (size != 0 && (size < leastBarkSize || size > mostBarkSize)))
+        return fail(ErrorCode::Invalid, "--map-size \"%1\": 0, or %2 to %3 pixels expected",
+                    {value.toStdString(), std::to_string(leastBarkSize), std::to_string(mostBarkSize)});
+    return size;
 }
 
 } // namespace
@@ -70,6 +81,46 @@ Expected<PoolOptions> poolOptionsOf(const CommandLine& line)
         out.memoryBytes = *bytes;
     }
     return out;
+}
+
+void addFileOptions(CommandLine& line)
+{
+    line.add(
+        {QStringLiteral("file")},
+        QStringLiteral("What is written of each row; may be repeated. The ending says what: a mesh as "
+                       "`export` writes it, .png a picture, and a name that ends in / the folder of the "
+                       "pictures of bark and leaves. {preset}, {row}, {block} (a number for each thousand "
+                       "rows, for folders) and {COLUMN} stand for what the row has. Without it "
+                       "{preset}_{row}.glb."),
+        QStringLiteral("TEMPLATE"));
+    line.addDefault(
+        {QStringLiteral("map-size")},
+        QStringLiteral("Pixels a side, 16 to 8192, of pictures of bark in and beside the meshes; 0, "
+                       "as without it: none."),
+        QStringLiteral("PIXELS"), QStringLiteral("0"));
+    line.addDefault({QStringLiteral("size")}, QStringLiteral("Of pictures, 512x512 without it."),
+                    QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("512x512"));
+}
+
+Expected<BatchPlan> planOf(const CommandLine& line, const Shard& shard)
+{
+    const auto mapSize = mapSizeFrom(line.value("map-size"));
+    if (!mapSize)
+        return fail(mapSize.error());
+    const auto picture = pictureSizeFrom(line.value("size"));
+    if (!picture)
+        return fail(picture.error());
+    auto plan = readPlan(line.arguments().front(), templatesOf(line), shard);
+    if (!plan)
+        return plan;
+    plan->mapSize = *mapSize;
+    plan->picture = *picture;
+    return plan;
+}
+
+QStringList templatesOf(const CommandLine& line)
+{
+    return line.has("file") ? line.values("file") : QStringList{QStringLiteral("{preset}_{row}.glb")};
 }
 
 } // namespace ramure::cli

@@ -5,7 +5,6 @@
 #include "app/cli/manifest.h"
 #include "app/cli/virtual_display.h"
 #include "core/base/stopwatch.h"
-#include "core/surface/bark/bark_maps.h"
 #include <QDir>
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -71,16 +70,6 @@ QString manifestName(const Shard& shard)
         .arg(shard.count);
 }
 
-Expected<int> mapSizeFrom(const QString& value)
-{
-    bool isNumber = false;
-    const int size = value.toInt(&isNumber);
-    if (!isNumber || (size != 0 && (size < leastBarkSize || size > mostBarkSize)))
-        return fail(ErrorCode::Invalid, "--map-size \"%1\": 0, or %2 to %3 pixels expected",
-                    {value.toStdString(), std::to_string(leastBarkSize), std::to_string(mostBarkSize)});
-    return size;
-}
-
 Expected<Request> requestOf(const CommandLine& line)
 {
     Request out;
@@ -96,21 +85,11 @@ Expected<Request> requestOf(const CommandLine& line)
     const auto dialect = dialectFrom(line.value("progress"));
     if (!dialect)
         return fail(dialect.error());
-    const auto mapSize = mapSizeFrom(line.value("map-size"));
-    if (!mapSize)
-        return fail(mapSize.error());
-    const auto picture = pictureSizeFrom(line.value("size"));
-    if (!picture)
-        return fail(picture.error());
-    const QStringList files =
-        line.has("file") ? line.values("file") : QStringList{QStringLiteral("{preset}_{row}.glb")};
-    auto plan = readPlan(line.arguments().front(), files, *shard);
+    auto plan = planOf(line, *shard);
     if (!plan)
         return fail(std::move(plan.error()));
     out.plan = std::move(*plan);
     out.plan.folder = folder;
-    out.plan.mapSize = *mapSize;
-    out.plan.picture = *picture;
     out.pool = *pool;
     out.dialect = *dialect;
     out.manifest =
@@ -252,14 +231,7 @@ void addOptions(CommandLine& line)
     line.add({QStringLiteral("o"), QStringLiteral("output")},
              QStringLiteral("Writes into this folder, which is made where there is none."),
              QStringLiteral("FOLDER"));
-    line.add(
-        {QStringLiteral("file")},
-        QStringLiteral("What is written of each row; may be repeated. The ending says what: a mesh as "
-                       "`export` writes it, .png a picture, and a name that ends in / the folder of the "
-                       "pictures of bark and leaves. {preset}, {row}, {block} (a number for each thousand "
-                       "rows, for folders) and {COLUMN} stand for what the row has. Without it "
-                       "{preset}_{row}.glb."),
-        QStringLiteral("TEMPLATE"));
+    addFileOptions(line);
     addPoolOptions(line);
     line.add({QStringLiteral("shard")},
              QStringLiteral("Only the Ith of N parts of the table; each has a manifest of its own."),
@@ -276,13 +248,6 @@ void addOptions(CommandLine& line)
              QStringLiteral("FILE.jsonl"));
     line.addDefault({QStringLiteral("progress")}, QStringLiteral("How far it is, on the standard error."),
                     QStringLiteral("json|openjd|text"), QStringLiteral("text"));
-    line.addDefault(
-        {QStringLiteral("map-size")},
-        QStringLiteral("Pixels a side, 16 to 8192, of pictures of bark in and beside the meshes; 0, "
-                       "as without it: none."),
-        QStringLiteral("PIXELS"), QStringLiteral("0"));
-    line.addDefault({QStringLiteral("size")}, QStringLiteral("Of pictures, 512x512 without it."),
-                    QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("512x512"));
 }
 
 Expected<int> run(const CommandLine& line)

@@ -15,9 +15,9 @@ namespace ramure::test {
 /// A table of small trees, with seeds from 1.
 inline QByteArray smallTrees(int rows)
 {
-    QByteArray text = "preset,seed,grammar.iterations\n";
+    QByteArray text = "preset,seed,sections.radialDivisions\n";
     for (int i = 1; i <= rows; ++i)
-        text += "TinyTree," + QByteArray::number(i) + ",3\n";
+        text += "TinyTree," + QByteArray::number(i) + ",4\n";
     return text;
 }
 

@@ -130,7 +130,7 @@ private slots:
             QCOMPARE(lines[i]["line"].toInt(), int(i) + 2);
             QCOMPARE(lines[i].contains("error"), parts[i] != nullptr);
             if (!parts[i]) {
-                QCOMPARE(lines[i]["files"].toArray().size(), 2);
+                QCOMPARE(lines[i]["files"].toArray().size(), 4); // two meshes, their materials
                 continue;
             }
             QVERIFY(!lines[i].contains("files"));
@@ -148,7 +148,7 @@ private slots:
         QCOMPARE(runCli(batchOf(table(test::smallTrees(2)), path("out"))).code, 0);
         const auto lines = linesOf(path("out/manifest.jsonl"));
         QCOMPARE(lines.size(), std::size_t(2));
-        const QJsonObject file = lines[0]["files"].toArray()[0].toObject();
+        const QJsonObject file = lines[0]["files"].toArray()[1].toObject();
         QCOMPARE(file["name"].toString(), QString("TinyTree_1.obj"));
         const QByteArray bytes = bytesOf(path("out/TinyTree_1.obj"));
         QCOMPARE(file["bytes"].toInteger(), bytes.size());
@@ -156,7 +156,7 @@ private slots:
                  QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex());
         QVERIFY(lines[0]["proof"]["valid"].toBool() && lines[0]["proof"]["openMesh"].toBool());
         QCOMPARE(lines[0]["seed"].toInt(), 1);
-        QCOMPARE(lines[0]["set"].toArray(), QJsonArray{"grammar.iterations=3"});
+        QCOMPARE(lines[0]["set"].toArray(), QJsonArray{"sections.radialDivisions=4"});
         QVERIFY(lines[0]["inputs"].toString() != lines[1]["inputs"].toString());
         QVERIFY(lines[0]["proof"]["mesh"].toString() != lines[1]["proof"]["mesh"].toString());
         // The same as `validate` says of the same tree.
@@ -209,7 +209,7 @@ private slots:
         QVERIFY(filesBelow(path("out")) == whole);
         // Another value is another tree; a row more is a row more.
         QByteArray text = test::smallTrees(6);
-        text.replace("TinyTree,3,3", "TinyTree,3,2");
+        text.replace("TinyTree,3,4", "TinyTree,3,6");
         QCOMPARE(run(text), 0);
         std::set<int> rows;
         for (const QJsonObject& line : linesOf(path("seconds")))
@@ -217,8 +217,8 @@ private slots:
         QCOMPARE(rows, (std::set{3, 6}));
         QVERIFY(bytesOf(path("out/TinyTree_3.obj")) != whole.at("TinyTree_3.obj"));
         // Errors are tried again.
-        QCOMPARE(run(text + "NoTree,9,3\n"), 3);
-        QCOMPARE(run(text + "NoTree,9,3\n"), 3);
+        QCOMPARE(run(text + "NoTree,9,4\n"), 3);
+        QCOMPARE(run(text + "NoTree,9,4\n"), 3);
         QCOMPARE(linesOf(path("seconds")).size(), std::size_t(1));
     }
 
@@ -295,7 +295,7 @@ private slots:
 
     void progressInThreeDialects()
     {
-        QByteArray text = test::smallTrees(3) + "NoTree,4,3\n";
+        QByteArray text = test::smallTrees(3) + "NoTree,4,4\n";
         const auto run = [&](const char* dialect) {
             const auto ended =
                 runCli(batchOf(table(text), path("out"), {"--progress", QLatin1String(dialect)}));

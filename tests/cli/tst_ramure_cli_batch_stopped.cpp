@@ -54,7 +54,7 @@ private slots:
     void tooMuchMemoryIsTheRowsError()
     {
         const QByteArray text = "preset,seed\nTinyTree,1\nSmallTree,2\nTinyTree,3\n";
-        const auto run = runCli(batchOf(table(text), path("out"), {"--memory", "64M"}));
+        const auto run = runCli(batchOf(table(text), path("out"), {"--memory", "40M"}));
         QCOMPARE(run.code, 4);
         const auto lines = linesOf(path("out/manifest.jsonl"));
         QCOMPARE(lines.size(), std::size_t(3));
