@@ -121,9 +121,12 @@ QJsonArray filesBelow(const QString& folder)
     return out;
 }
 
-/// "trees.csv:12: turtle.alpha: …"
-QString placed(const BatchPlan& plan, const BatchRow& row, const QString& text)
+/// "trees.csv:12: turtle.alpha: …", without the paths of this machine.
+QString placed(const BatchPlan& plan, const BatchRow& row, QString text)
 {
+    if (!row.input.contains(QLatin1Char(':')))
+        text.replace(row.input, QFileInfo(row.input).fileName());
+    text.remove(stagingFolder(plan, row) + QLatin1Char('/')).remove(plan.folder + QLatin1Char('/'));
     return QStringLiteral("%1:%2: %3").arg(plan.table).arg(row.line).arg(text);
 }
 

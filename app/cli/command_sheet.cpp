@@ -102,6 +102,8 @@ private:
         RenderOptions options;
         options.hurried = true; // a leaf is less than a pixel
         options.sparing = true;
+        options.samples = 0;
+        options.smoothing = true;
         const auto image = m_painter.draw(*scene, cameraFor(*scene, size), size, options);
         return image ? *image : QImage();
     }

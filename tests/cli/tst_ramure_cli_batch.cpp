@@ -145,10 +145,10 @@ private slots:
 
     void linesSayWhatTheFilesAre()
     {
-        QCOMPARE(runCli(batchOf(table(test::smallTrees(2)), path("out"))).code, 0);
+        QCOMPARE(runCli(batchOf(table(test::smallTrees(2)), path("out"), {"--file", "{row}.ply"})).code, 0);
         const auto lines = linesOf(path("out/manifest.jsonl"));
         QCOMPARE(lines.size(), std::size_t(2));
-        const QJsonObject file = lines[0]["files"].toArray()[1].toObject();
+        const QJsonObject file = lines[0]["files"].toArray()[2].toObject();
         QCOMPARE(file["name"].toString(), QString("TinyTree_1.obj"));
         const QByteArray bytes = bytesOf(path("out/TinyTree_1.obj"));
         QCOMPARE(file["bytes"].toInteger(), bytes.size());
@@ -160,8 +160,10 @@ private slots:
         QVERIFY(lines[0]["inputs"].toString() != lines[1]["inputs"].toString());
         QVERIFY(lines[0]["proof"]["mesh"].toString() != lines[1]["proof"]["mesh"].toString());
         // The same as `validate` says of the same tree.
-        const auto checked = runCli({"validate", path("out/TinyTree_1.obj"), "--json"}).json();
+        const auto checked = runCli({"validate", path("out/000001.ply"), "--json"}).json();
         QVERIFY(checked["valid"].toBool());
+        QCOMPARE(checked["hash"].toString(), lines[0]["proof"]["mesh"].toString());
+        QCOMPARE(checked["faces"].toInt(), lines[0]["counts"]["faces"].toInt());
         QVERIFY(lines[0]["counts"]["faces"].toInt() > 100);
     }
 
