@@ -13,7 +13,9 @@ namespace ramure::cli {
 
 inline constexpr int exitGood = 0;
 inline constexpr int exitCheckFailed = 1;
-inline constexpr int exitBad = 2; ///< usage or input
+inline constexpr int exitBad = 2;        ///< usage or input
+inline constexpr int exitRowsFailed = 3; ///< some rows of a batch
+inline constexpr int exitMemory = 4;     ///< rows of a batch wanted more than they may take
 
 /// What stands in a command's help.
 struct CommandText

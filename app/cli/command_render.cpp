@@ -1,18 +1,15 @@
+#include "app/cli/batch_options.h"
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
 #include "app/cli/moments.h"
+#include "app/cli/painter.h"
 #include "app/cli/picture_options.h"
-#include "app/cli/virtual_display.h"
 #include "app/cli/work.h"
 #include "core/evaluate/evaluator.h"
 #include "widgets/view/render/camera_items.h"
-#include "widgets/view/render/offscreen_renderer.h"
 #include "widgets/view/render/picture_file.h"
-#include "widgets/view/render/scene_builder.h"
 #include "widgets/view/render/sky_picture.h"
 #include <QFileInfo>
-#include <QGuiApplication>
-#include <map>
 #include <numbers>
 #include <optional>
 
@@ -26,22 +23,6 @@ constexpr CommandText text = {"render", "draws a picture", "INPUT",
                               "The camera shows all that is visible."};
 
 constexpr int skyWidth = 1024;
-constexpr int smallestSide = 16;
-constexpr int largestSide = 8192;
-
-Expected<QSize> parseSize(const QString& value)
-{
-    const QStringList sides = value.toLower().split(QLatin1Char('x'));
-    bool isWidth = false;
-    bool isHeight = false;
-    const int width = sides.front().toInt(&isWidth);
-    const int height = sides.back().toInt(&isHeight);
-    const auto isSide = [](int side) { return side >= smallestSide && side <= largestSide; };
-    if (sides.size() != 2 || !isWidth || !isHeight || !isSide(width) || !isSide(height))
-        return fail(ErrorCode::Invalid, "--size \"%1\": WIDTHxHEIGHT expected, each %2 to %3 pixels",
-                    {value.toStdString(), std::to_string(smallestSide), std::to_string(largestSide)});
-    return QSize(width, height);
-}
 
 struct Request
 {
@@ -72,7 +53,7 @@ Expected<Request> requestOf(const CommandLine& line)
     if (QFileInfo(out.file).suffix().toLower() != QLatin1String("png"))
         return fail(ErrorCode::Unknown, "%1: unknown file ending: pictures are written as .png",
                     {out.file.toStdString()});
-    const auto size = parseSize(line.value("size"));
+    const auto size = pictureSizeFrom(line.value("size"));
     if (!size)
         return fail(size.error());
     out.size = *size;
@@ -95,30 +76,6 @@ Expected<Request> requestOf(const CommandLine& line)
             return fail(ErrorCode::Invalid, "--turntable goes with neither --frames nor --camera");
     }
     return out;
-}
-
-Expected<RenderScene> treeScene(EvaluatedScene& now, DisplayMode mode)
-{
-    const Scene& scene = now.scene();
-    const auto nodes = treesOrShapes(scene);
-    if (!nodes)
-        return fail(nodes.error());
-    std::map<NodeId, TreeResult> results;
-    for (const Node* node : *nodes) {
-        if (!scene.isShown(node->id))
-            continue;
-        auto result = evaluateTree(now, *node, nodes->size() > 1, rowOf(mode).stage);
-        if (!result)
-            return fail(result.error());
-        results.emplace(node->id, std::move(*result));
-    }
-    SceneView view;
-    view.mode = mode;
-    const auto resultOf = [&](NodeId id) {
-        const auto found = results.find(id);
-        return found == results.end() ? nullptr : &found->second;
-    };
-    return SceneBuilder().build(now, resultOf, view);
 }
 
 /// The camera of this name; noNode where none is asked for.
@@ -155,7 +112,7 @@ Expected<Sight> sceneOf(const Input& input, const CommandLine& line, const Reque
         EvaluatedScene now = evaluator.at(*input.scene(), timeSeconds);
         if (auto posed = now.poseArms(progress); !posed)
             return fail(std::move(posed.error()));
-        auto scene = treeScene(now, request.mode);
+        auto scene = renderSceneOf(now, request.mode);
         if (!scene)
             return fail(std::move(scene.error()));
         return Sight{std::move(*scene), viewThrough(now, camera)};
@@ -165,44 +122,13 @@ Expected<Sight> sceneOf(const Input& input, const CommandLine& line, const Reque
     return Sight{sceneOfMesh(input.mesh()->joined()), {}};
 }
 
-/// The platform without windows of Qt: all it needs is the X server behind DISPLAY, where it finds OpenGL.
-class Painter
+Expected<void> draw(Painter& painter, const RenderScene& scene, const NodeView& view, const Request& request,
+                    const QString& file)
 {
-public:
-    Expected<void> begin()
-    {
-        if (const auto ensured = m_display.ensure(); !ensured)
-            return fail(ensured.error());
-        if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
-            qputenv("QT_QPA_PLATFORM", "offscreen");
-        m_application.emplace(m_argc, m_argv);
-        m_renderer.emplace();
-        return m_renderer->begin();
-    }
-    Expected<void> draw(const RenderScene& scene, const NodeView& view, const Request& request,
-                        const QString& file)
-    {
-        const auto image =
-            m_renderer->draw(scene, view.camera, request.size, optionsFor(request.picture, view));
-        if (!image)
-            return fail(image.error());
-        return savePicture(*image, systemPath(file));
-    }
-
-private:
-    VirtualDisplay m_display;
-    char m_name[11] = "ramure-cli";
-    char* m_argv[2] = {m_name, nullptr};
-    int m_argc = 1;
-    std::optional<QGuiApplication> m_application;
-    std::optional<OffscreenRenderer> m_renderer;
-};
-
-Camera cameraFor(const RenderScene& scene, QSize size)
-{
-    Camera camera;
-    camera.frame(scene.framePoints(), double(size.width()) / double(size.height()));
-    return camera;
+    const auto image = painter.draw(scene, view.camera, request.size, optionsFor(request.picture, view));
+    if (!image)
+        return fail(image.error());
+    return savePicture(*image, systemPath(file));
 }
 
 /// All around one scene: the camera keeps its height and a distance from which all is seen from every side.
@@ -213,7 +139,7 @@ Expected<void> drawTurntable(Painter& painter, const RenderScene& scene, Camera 
     const double start = camera.yawRad;
     for (int i = 0; i < request.turntable; ++i) {
         camera.yawRad = start + 2.0 * std::numbers::pi * i / request.turntable;
-        if (auto drawn = painter.draw(scene, {camera, {}}, request, numberedFile(request.file, i)); !drawn)
+        if (auto drawn = draw(painter, scene, {camera, {}}, request, numberedFile(request.file, i)); !drawn)
             return drawn;
         progress.report(double(i + 1) / request.turntable);
         if (progress.cancelled())
@@ -250,7 +176,7 @@ Expected<void> drawAll(const Input& input, const CommandLine& line, const Reques
             return drawTurntable(painter, shown->scene, *camera, request, progress);
         const QString file = moments.isSequence() ? numberedFile(request.file, frames[i]) : request.file;
         const NodeView view = shown->through.value_or(NodeView{*camera, {}});
-        if (auto drawn = painter.draw(shown->scene, view, request, file); !drawn)
+        if (auto drawn = draw(painter, shown->scene, view, request, file); !drawn)
             return drawn;
         progress.report(double(i + 1) / double(frames.size()));
         if (progress.cancelled())

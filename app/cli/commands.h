@@ -26,11 +26,15 @@ extern const Command simulateCommand;
 extern const Command ikCommand;
 extern const Command renderCommand;
 extern const Command texturesCommand;
+extern const Command batchCommand;
+extern const Command jobCommand;
+extern const Command sheetCommand;
 
 /// In the order of the help.
 inline constexpr std::array allCommands = {&listCommand,   &infoCommand,     &importCommand,   &editCommand,
                                            &exportCommand, &validateCommand, &simulateCommand, &ikCommand,
-                                           &renderCommand, &texturesCommand};
+                                           &renderCommand, &texturesCommand, &batchCommand,    &jobCommand,
+                                           &sheetCommand};
 
 /// An option that stands in a command's place.
 struct ProgramOption

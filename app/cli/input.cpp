@@ -64,6 +64,16 @@ Expected<void> applyJointSetting(Scene& scene, const QString& text)
     return {};
 }
 
+Expected<Scene> projectScene(const QString& path)
+{
+    auto project = loadProjectFile(path);
+    if (!project)
+        return fail(project.error());
+    return std::move(project->scene);
+}
+
+} // namespace
+
 Expected<void> applySettings(Scene& scene, const QStringList& sets)
 {
     for (const QString& text : sets) {
@@ -84,16 +94,6 @@ Expected<void> applySettings(Scene& scene, const QStringList& sets)
     }
     return {};
 }
-
-Expected<Scene> projectScene(const QString& path)
-{
-    auto project = loadProjectFile(path);
-    if (!project)
-        return fail(project.error());
-    return std::move(project->scene);
-}
-
-} // namespace
 
 Expected<Input> loadInput(const QString& text, const QStringList& sets, const Progress& progress)
 {

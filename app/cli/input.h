@@ -24,6 +24,10 @@ struct Input
 /// Errors: Unknown (preset, ending, parameter), Invalid and Syntax (a value), and those of the files.
 Expected<Input> loadInput(const QString& text, const QStringList& sets, const Progress& progress = {});
 
+/// The values of --set, for every node that has the parameter. Errors: Unknown, Invalid, Syntax; path = the
+/// key.
+Expected<void> applySettings(Scene& scene, const QStringList& sets);
+
 /// The trees of a scene, shown or not, in its order; at least one. Error: Invalid.
 Expected<std::vector<const Node*>> treesOf(const Scene& scene);
 

@@ -1,0 +1,290 @@
+#include "app/cli/batch_row.h"
+#include "app/cli/json_measures.h"
+#include "app/cli/mesh_check.h"
+#include "app/cli/painter.h"
+#include "core/generators/variety.h"
+#include "core/io/formats/file_format.h"
+#include "core/io/material_maps.h"
+#include "core/scene/growth_spaces.h"
+#include "core/session/exporter.h"
+#include "core/skeleton/measures.h"
+#include "core/surface/bark/bark_maps.h"
+#include "widgets/view/render/picture_file.h"
+#include <QCryptographicHash>
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+namespace ramure::cli {
+
+namespace {
+
+QByteArray hashOf(const QString& path)
+{
+    QFile file(path);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    return file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result().toHex() : QByteArray();
+}
+
+/// What every line says, whether the row could be done or not. No times, no paths, no names of machines:
+/// the same row gives the same line everywhere.
+QJsonObject lineOf(const BatchPlan& plan, const BatchRow& row)
+{
+    QJsonObject line{{QStringLiteral("row"), qint64(row.number)},
+                     {QStringLiteral("line"), row.line},
+                     {QStringLiteral("input"),
+                      row.input.contains(QLatin1Char(':')) ? row.input : QFileInfo(row.input).fileName()},
+                     {QStringLiteral("inputs"), QString::fromLatin1(inputsHash(plan, row))}};
+    if (row.seed)
+        line.insert(QStringLiteral("seed"), qint64(*row.seed));
+    if (!row.sets.isEmpty())
+        line.insert(QStringLiteral("set"), QJsonArray::fromStringList(row.sets));
+    return line;
+}
+
+/// As `validate` says it.
+QJsonObject proofOf(const std::vector<CheckedMesh>& checked)
+{
+    const MeshReport sum = sumOf(checked);
+    QJsonObject proof{{QStringLiteral("valid"), sum.valid},
+                      {QStringLiteral("closed"), sum.boundaryEdges == 0},
+                      {QStringLiteral("manifold"), sum.nonManifoldEdges == 0 && sum.nonManifoldVertices == 0},
+                      {QStringLiteral("oriented"), sum.inconsistentEdges == 0},
+                      {QStringLiteral("openMesh"), sum.openMeshChecked && sum.openMeshAgrees},
+                      {QStringLiteral("verdict"), QLatin1String(verdictName(verdictOn(checked)))}};
+    if (checked.size() == 1)
+        proof.insert(QStringLiteral("mesh"), fromText(checked.front().analysis.hash.text()));
+    return proof;
+}
+
+/// Of the trees that are shown; triangles are those of the checked meshes.
+QJsonObject countsOf(EvaluatedScene& now, const std::vector<CheckedMesh>& checked, QJsonObject& line)
+{
+    const MeshReport sum = sumOf(checked);
+    qint64 leaves = 0, branches = 0, trees = 0;
+    for (const Node& node : now.scene().nodes()) {
+        if (node.kind != NodeKind::Tree || !now.scene().isShown(node.id))
+            continue;
+        const auto tree = now.tree(node, Stage::Foliage);
+        if (!tree)
+            continue;
+        ++trees;
+        leaves += qint64(tree->foliage->leaves.size());
+        branches += qint64(tree->skeleton->size());
+        if (trees == 1)
+            line.insert(QStringLiteral("measures"), jsonMeasures(measuresOf(*tree->skeleton)));
+    }
+    return {{QStringLiteral("vertices"), qint64(sum.vertices)},
+            {QStringLiteral("faces"), qint64(sum.faces)},
+            {QStringLiteral("trees"), trees},
+            {QStringLiteral("branches"), branches},
+            {QStringLiteral("leaves"), leaves},
+            {QStringLiteral("volume"), sum.volume}};
+}
+
+Expected<void> writeMapsOf(EvaluatedScene& now, const std::string& folder, int size)
+{
+    for (const Node& node : now.scene().nodes()) {
+        if (node.kind != NodeKind::Tree || !now.scene().isShown(node.id))
+            continue;
+        const NodeParams& params = now.params(node);
+        if (params.bark.family != BarkFamily::Plain)
+            if (const auto made = writeMaps(folder, params.bark, size); !made)
+                return fail(made.error());
+        if (params.leaf.shape != LeafShape::Faithful)
+            if (const auto made = writeMaps(folder, params.leaf.shape, size, params.leaf.season); !made)
+                return fail(made.error());
+    }
+    return {};
+}
+
+QJsonArray filesBelow(const QString& folder)
+{
+    QStringList names;
+    for (QDirIterator files(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+         files.hasNext();)
+        names << files.next().mid(folder.size() + 1);
+    names.sort();
+    QJsonArray out;
+    for (const QString& name : names) {
+        const QString path = folder + QLatin1Char('/') + name;
+        out.append(QJsonObject{{QStringLiteral("name"), name},
+                               {QStringLiteral("bytes"), QFileInfo(path).size()},
+                               {QStringLiteral("sha256"), QString::fromLatin1(hashOf(path))}});
+    }
+    return out;
+}
+
+/// "trees.csv:12: turtle.alpha: …", without the paths of this machine.
+QString placed(const BatchPlan& plan, const BatchRow& row, QString text)
+{
+    if (!row.input.contains(QLatin1Char(':')))
+        text.replace(row.input, QFileInfo(row.input).fileName());
+    text.remove(stagingFolder(plan, row) + QLatin1Char('/')).remove(plan.folder + QLatin1Char('/'));
+    return QStringLiteral("%1:%2: %3").arg(plan.table).arg(row.line).arg(text);
+}
+
+} // namespace
+
+Expected<Input> inputOf(const BatchRow& row)
+{
+    auto input = loadInput(row.input, {});
+    if (!input)
+        return fail(std::move(input.error()));
+    Scene* scene = std::get_if<Scene>(&input->content);
+    if (!scene) {
+        if (row.seed || !row.sets.isEmpty())
+            return fail(ErrorCode::Invalid, "\"%1\" is a mesh: it has neither a seed nor parameters",
+                        {row.input.toStdString()});
+        return input;
+    }
+    if (row.seed)
+        for (const Node& listed : scene->nodes())
+            if (listed.kind == NodeKind::Tree)
+                scene->find(listed.id)->params = reseeded(listed.params, *row.seed);
+    if (const auto applied = applySettings(*scene, row.sets); !applied)
+        return fail(applied.error());
+    linkGrowthSpaces(*scene);
+    return input;
+}
+
+QString stagingFolder(const BatchPlan& plan, const BatchRow& row)
+{
+    return QStringLiteral("%1/.row-%2.part").arg(plan.folder).arg(row.number);
+}
+
+void clearStaging(const BatchPlan& plan)
+{
+    if (plan.rows.empty())
+        return;
+    // What is there is looked at, not what might be: a row more costs nothing.
+    static const QRegularExpression name(QStringLiteral("^\\.row-(\\d+)\\.part$"));
+    const QDir folder(plan.folder);
+    for (const QString& entry :
+         folder.entryList({QStringLiteral(".row-*.part")}, QDir::Dirs | QDir::Hidden | QDir::NoDotAndDotDot))
+        if (const qint64 row = name.match(entry).captured(1).toLongLong();
+            row >= plan.rows.front().number && row <= plan.rows.back().number)
+            QDir(folder.filePath(entry)).removeRecursively();
+}
+
+QJsonObject failedLine(const BatchPlan& plan, const BatchRow& row, const char* kind, const QString& text)
+{
+    QJsonObject line = lineOf(plan, row);
+    line.insert(QStringLiteral("error"), QJsonObject{{QStringLiteral("kind"), QLatin1String(kind)},
+                                                     {QStringLiteral("text"), placed(plan, row, text)}});
+    return line;
+}
+
+RowMaker::RowMaker(const BatchPlan& plan)
+    : m_plan(plan)
+    , m_painter(std::make_unique<Painter>())
+{
+}
+
+RowMaker::~RowMaker() = default;
+
+QJsonObject RowMaker::make(const BatchRow& row)
+{
+    if (!row.problem.isEmpty())
+        return failedLine(m_plan, row, rowError::input, row.problem);
+    const auto failed = [&](const Error& error) {
+        return failedLine(m_plan, row, rowError::input, fromText(error.message()));
+    };
+    const auto input = inputOf(row);
+    if (!input)
+        return failed(input.error());
+    if (!input->scene())
+        return failedLine(m_plan, row, rowError::input, QStringLiteral("a mesh: trees and scenes expected"));
+    TreePipeline pipeline;
+    Evaluator evaluator(pipelineSource(pipeline), input->scene()->timeline());
+    MeshChecks checks;
+    checks.placed = true;
+    const auto checked = checkMeshes(*input, evaluator, checks, {});
+    if (!checked)
+        return failed(checked.error());
+    QJsonObject line = lineOf(m_plan, row);
+    line.insert(QStringLiteral("proof"), proofOf(*checked));
+    EvaluatedScene now = evaluator.at(*input->scene());
+    line.insert(QStringLiteral("counts"), countsOf(now, *checked, line));
+    if (!sumOf(*checked).valid) {
+        QJsonObject broken = failedLine(m_plan, row, rowError::check,
+                                        QStringLiteral("the mesh is not valid, nothing was written"));
+        line.insert(QStringLiteral("error"), broken.value(QStringLiteral("error")));
+        return line;
+    }
+    const QString staging = stagingFolder(m_plan, row);
+    QDir(staging).removeRecursively();
+    for (const QString& file : row.files)
+        if (const auto written = write(now, staging + QLatin1Char('/') + file); !written) {
+            QDir(staging).removeRecursively();
+            return failed(written.error());
+        }
+    line.insert(QStringLiteral("files"), filesBelow(staging));
+    return line;
+}
+
+Expected<void> RowMaker::write(EvaluatedScene& now, const QString& path)
+{
+    const QString folder = path.section(QLatin1Char('/'), 0, -2);
+    if (!QDir().mkpath(folder))
+        return fail(ErrorCode::Io, "%1: the folder cannot be made", {systemPath(folder)});
+    if (path.endsWith(QLatin1Char('/')))
+        return writeMapsOf(now, systemPath(folder), std::max(m_plan.mapSize, int(leastBarkSize)));
+    if (path.endsWith(QLatin1String(".png")))
+        return draw(now, path);
+    ExportOptions options;
+    options.parts = usualParts(**findFormat(systemPath(path), FormatUse::Write));
+    options.texture = true;
+    options.write.mapSize = m_plan.mapSize;
+    return exportScene(now, options, systemPath(path));
+}
+
+Expected<void> RowMaker::draw(EvaluatedScene& now, const QString& path)
+{
+    if (!m_painter->hasBegun())
+        if (auto begun = m_painter->begin(); !begun)
+            return begun;
+    const auto scene = renderSceneOf(now, DisplayMode::Mesh);
+    if (!scene)
+        return fail(scene.error());
+    const auto image = m_painter->draw(*scene, cameraFor(*scene, m_plan.picture), m_plan.picture, {});
+    if (!image)
+        return fail(image.error());
+    return savePicture(*image, systemPath(path));
+}
+
+Expected<void> placeFiles(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line)
+{
+    const QString staging = stagingFolder(plan, row);
+    for (const QJsonValue file : line.value(QStringLiteral("files")).toArray()) {
+        const QString name = file.toObject().value(QStringLiteral("name")).toString();
+        const QString target = plan.folder + QLatin1Char('/') + name;
+        QDir().mkpath(target.section(QLatin1Char('/'), 0, -2));
+        if (::rename(systemPath(staging + QLatin1Char('/') + name).c_str(), systemPath(target).c_str()) != 0)
+            return fail(ErrorCode::Io, "%1: %2",
+                        {systemPath(target), std::generic_category().message(errno)});
+    }
+    QDir(staging).removeRecursively();
+    return {};
+}
+
+bool isDone(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line)
+{
+    if (line.contains(QStringLiteral("error")) ||
+        line.value(QStringLiteral("inputs")).toString() != QString::fromLatin1(inputsHash(plan, row)))
+        return false;
+    const QJsonArray files = line.value(QStringLiteral("files")).toArray();
+    return std::all_of(files.begin(), files.end(), [&](const QJsonValue& value) {
+        const QJsonObject file = value.toObject();
+        const QString path = plan.folder + QLatin1Char('/') + file.value(QStringLiteral("name")).toString();
+        return QString::fromLatin1(hashOf(path)) == file.value(QStringLiteral("sha256")).toString();
+    });
+}
+
+} // namespace ramure::cli

@@ -1,0 +1,59 @@
+/// \file
+/// One row of a batch: grown, checked and written into a folder of its own, from where its files are renamed
+/// into their places.
+#pragma once
+
+#include "app/cli/batch_plan.h"
+#include "app/cli/input.h"
+#include "core/evaluate/evaluator.h"
+#include <QJsonObject>
+#include <memory>
+
+namespace ramure::cli {
+
+class Painter;
+
+/// Why a row has no files: "error" of its line in the manifest.
+namespace rowError {
+inline constexpr const char* input = "input";
+inline constexpr const char* check = "check";   ///< a mesh failed its check
+inline constexpr const char* memory = "memory"; ///< the limit was reached
+inline constexpr const char* crash = "crash";   ///< the process ended
+} // namespace rowError
+
+/// The tree or scene of a row, with its seed and its parameters. Errors: those of loadInput and
+/// applySettings; Invalid (the seed of a mesh).
+Expected<Input> inputOf(const BatchRow& row);
+
+/// Makes rows, one after the other. What they share (a context of OpenGL) stays.
+class RowMaker
+{
+public:
+    explicit RowMaker(const BatchPlan& plan);
+    ~RowMaker();
+    RowMaker(const RowMaker&) = delete;
+    RowMaker& operator=(const RowMaker&) = delete;
+
+    /// Writes the files below stagingFolder(). \returns the line of the manifest.
+    QJsonObject make(const BatchRow& row);
+
+private:
+    Expected<void> write(EvaluatedScene& now, const QString& path);
+    Expected<void> draw(EvaluatedScene& now, const QString& path);
+
+    const BatchPlan& m_plan;
+    std::unique_ptr<Painter> m_painter;
+};
+
+/// The line of a row that could not be done. \param kind of rowError
+QJsonObject failedLine(const BatchPlan& plan, const BatchRow& row, const char* kind, const QString& text);
+/// Where a row is made: beside the places of its files, so that they can be renamed.
+QString stagingFolder(const BatchPlan& plan, const BatchRow& row);
+/// Removes what rows of the plan that were stopped have left there.
+void clearStaging(const BatchPlan& plan);
+/// Puts what was made in its place; only then the row is done. Error: Io.
+Expected<void> placeFiles(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line);
+/// Are the row's values those of the line, and its files there, byte for byte?
+bool isDone(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line);
+
+} // namespace ramure::cli

@@ -1,0 +1,55 @@
+#include "app/cli/painter.h"
+#include "app/cli/input.h"
+#include <map>
+
+namespace ramure::cli {
+
+Expected<void> Painter::begin()
+{
+    if (const auto ensured = m_display.ensure(); !ensured)
+        return fail(ensured.error());
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    m_application.emplace(m_argc, m_argv);
+    m_renderer.emplace();
+    return m_renderer->begin();
+}
+
+Expected<QImage> Painter::draw(const RenderScene& scene, const Camera& camera, QSize size,
+                               const RenderOptions& options)
+{
+    return m_renderer->draw(scene, camera, size, options);
+}
+
+Expected<RenderScene> renderSceneOf(EvaluatedScene& now, DisplayMode mode)
+{
+    const Scene& scene = now.scene();
+    const auto nodes = treesOrShapes(scene);
+    if (!nodes)
+        return fail(nodes.error());
+    std::map<NodeId, TreeResult> results;
+    for (const Node* node : *nodes) {
+        if (!scene.isShown(node->id))
+            continue;
+        auto result = evaluateTree(now, *node, nodes->size() > 1, rowOf(mode).stage);
+        if (!result)
+            return fail(result.error());
+        results.emplace(node->id, std::move(*result));
+    }
+    SceneView view;
+    view.mode = mode;
+    const auto resultOf = [&](NodeId id) {
+        const auto found = results.find(id);
+        return found == results.end() ? nullptr : &found->second;
+    };
+    return SceneBuilder().build(now, resultOf, view);
+}
+
+Camera cameraFor(const RenderScene& scene, QSize size)
+{
+    Camera camera;
+    camera.frame(scene.framePoints(), double(size.width()) / double(size.height()));
+    return camera;
+}
+
+} // namespace ramure::cli

@@ -1,0 +1,132 @@
+#include "core/io/csv_table.h"
+#include "tests/support/suite.h"
+#include <QTemporaryDir>
+
+using namespace ramure;
+using namespace std::string_literals;
+
+/// Tables with commas: what is refused and where, and what RFC 4180 allows.
+class TestCsvTable : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void badTables_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("message");
+        const auto row = [](const char* name, const QByteArray& text, const char* message) {
+            QTest::newRow(name) << text << QString::fromUtf8(message);
+        };
+        row("empty file", "", "t.csv: no columns: the first line names them");
+        row("only a mark", "\xEF\xBB\xBF", "t.csv: no columns: the first line names them");
+        row("only blank lines", "\n\r\n\n", "t.csv: no columns: the first line names them");
+        row("quote not closed", "a,b\n1,2\n3,\"4\n5,6\n", "t.csv:3: a quote that is not closed");
+        row("quote at the end", "a\n\"", "t.csv:2: a quote that is not closed");
+        row("quote inside a cell", "a,b\n1,2\"3\n",
+            "t.csv:2: a quote inside a cell: the whole cell has to be quoted");
+        row("text behind a quote", "a,b\n\"1\"2,3\n", "t.csv:2: text behind a quoted cell: a comma expected");
+        row("space behind a quote", "a,b\n\"1\" ,3\n",
+            "t.csv:2: text behind a quoted cell: a comma expected");
+        row("column without a name", "a,,c\n", "t.csv:1: column 2 has no name");
+        row("comma behind the columns", "a,b,\n1,2,\n", "t.csv:1: column 3 has no name");
+        row("column twice", "a,b,a\n", "t.csv:1: column \"a\" is there twice");
+        row("column twice below blank lines", "\n\nb,b\n", "t.csv:3: column \"b\" is there twice");
+        row("short row", "a,b\n1,2\n3\n", "t.csv:3: 1 cells, and there are 2 columns");
+        row("long row", "a,b\n1,2,3\n", "t.csv:2: 3 cells, and there are 2 columns");
+        row("comma behind a row", "a,b\n1,2,\n", "t.csv:2: 3 cells, and there are 2 columns");
+        row("short row behind a cell of lines", "a,b\n\"1\n\n1\",2\n3\n",
+            "t.csv:5: 1 cells, and there are 2 columns");
+        row("semicolons", "a;b\n1,2\n", "t.csv:2: 2 cells, and there are 1 columns");
+    }
+    void badTables()
+    {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, message);
+        const auto table = parseCsv(text.toStdString(), "t.csv");
+        QVERIFY(!table);
+        QCOMPARE(QString::fromStdString(table.error().message()), message);
+    }
+
+    void aFileThatIsNotThere()
+    {
+        const QTemporaryDir folder;
+        const auto table = readCsv(folder.filePath("none.csv").toStdString());
+        QVERIFY(!table);
+        QCOMPARE(table.error().code, ErrorCode::Io);
+    }
+
+    /// Not one look at all names for each of them.
+    void aMillionColumns()
+    {
+        std::string head, row;
+        for (int i = 0; i < 1'000'000; ++i) {
+            head += (i > 0 ? ",c" : "c") + std::to_string(i);
+            row += i > 0 ? ",1" : "1";
+        }
+        const auto table = parseCsv(head + '\n' + row + '\n', "t.csv");
+        QVERIFY2(table.has_value(), test::why(table));
+        QCOMPARE(table->columns.size(), std::size_t(1'000'000));
+        QCOMPARE(table->columns.back(), "c999999"s);
+        QCOMPARE(table->rows.front().cells.size(), std::size_t(1'000'000));
+        const auto twice = parseCsv(head + ",c777\n", "t.csv");
+        QVERIFY(!twice);
+        QVERIFY(twice.error().message().find("\"c777\"") != std::string::npos);
+    }
+
+    void goodTables_data()
+    {
+        QTest::addColumn<QByteArray>("text");
+        QTest::newRow("plain") << QByteArray("a,b\n1,2\n3,4\n");
+        QTest::newRow("without the last end") << QByteArray("a,b\n1,2\n3,4");
+        QTest::newRow("CRLF") << QByteArray("a,b\r\n1,2\r\n3,4\r\n");
+        QTest::newRow("mark") << QByteArray("\xEF\xBB\xBF"
+                                            "a,b\n1,2\n3,4\n");
+        QTest::newRow("mark and quotes") << QByteArray("\xEF\xBB\xBF\"a\",\"b\"\n\"1\",2\n3,\"4\"\n");
+        QTest::newRow("quotes and CRLF") << QByteArray("\"a\",b\r\n1,\"2\"\r\n3,\"4\"\r\n");
+        QTest::newRow("blank lines") << QByteArray("\na,b\n\n1,2\r\n\r\n3,4\n\n");
+    }
+    void goodTables()
+    {
+        QFETCH(QByteArray, text);
+        const auto table = parseCsv(text.toStdString(), "t.csv");
+        QVERIFY2(table.has_value(), test::why(table));
+        QCOMPARE(table->columns, (std::vector{"a"s, "b"s}));
+        QCOMPARE(table->rows.size(), std::size_t(2));
+        QCOMPARE(table->rows[0].cells, (std::vector{"1"s, "2"s}));
+        QCOMPARE(table->rows[1].cells, (std::vector{"3"s, "4"s}));
+    }
+
+    void columnsAlone()
+    {
+        const auto table = parseCsv("a,b", "t.csv");
+        QVERIFY2(table.has_value(), test::why(table));
+        QCOMPARE(table->columns.size(), std::size_t(2));
+        QVERIFY(table->rows.empty());
+    }
+
+    void cellsHoldAnything()
+    {
+        const auto table = parseCsv("a,b,c\n\"1,2\",\"say \"\"hi\"\"\",\"two\nlines\"\n,\"\", x \n", "t.csv");
+        QVERIFY2(table.has_value(), test::why(table));
+        QCOMPARE(table->rows[0].cells, (std::vector{"1,2"s, "say \"hi\""s, "two\nlines"s}));
+        QCOMPARE(table->rows[1].cells, (std::vector{""s, ""s, " x "s}));
+        QCOMPARE(table->rows[0].line, 2);
+        QCOMPARE(table->rows[1].line, 4); // the cell above has two lines
+    }
+
+    void whatIsWrittenIsRead()
+    {
+        for (const std::string& cell :
+             {"plain"s, ""s, "a,b"s, "\""s, "\"\""s, "a\nb"s, "a\r\nb"s, " "s, "\xC3\xA9"s, "a\0b"s}) {
+            const auto table = parseCsv("a,b\n" + csvCell(cell) + ",1\n", "t.csv");
+            QVERIFY2(table.has_value(), test::why(table));
+            QCOMPARE(table->rows[0].cells[0], cell);
+        }
+        QCOMPARE(csvCell("plain"), "plain"s);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCsvTable)
+#include "tst_csv_table.moc"
