@@ -4,6 +4,7 @@
 #include "tests/support/cannot_run.h"
 #include "tests/widgets/base/fixture.h"
 #include "widgets/actions/file_actions.h"
+#include "widgets/actions/hand_actions.h"
 #include "widgets/base/action_set.h"
 #include "widgets/base/language.h"
 #include "widgets/base/preferences.h"
@@ -22,6 +23,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QMenu>
 #include <QPointingDevice>
 #include <QTabletEvent>
 #include <QToolButton>
@@ -270,6 +272,13 @@ private slots:
         action("hand.keepSelected")->trigger();
         QCOMPARE(edits().back().operation, EditOperation::Keep);
         QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patienceMs);
+    }
+    void theMenusOfABranchHaveTheTools()
+    {
+        const QList<QAction*> offered = m_window->findChild<HandActions*>()->branchActions();
+        QVERIFY(offered.contains(action("hand.keepSelected")) && offered.back()->menu());
+        for (const HandToolRow& row : handTools())
+            QVERIFY2(offered.back()->menu()->actions().contains(action(row.id)), row.id);
     }
     void textsAndIconsFollow()
     {

@@ -60,7 +60,7 @@ void HandActions::fillMenu(QMenu* editMenu)
         m_menu->addActions(group);
         m_menu->addSeparator();
     }
-    m_menu->addActions(branchActions());
+    m_menu->addActions({m_keep, m_leaves});
     retranslate();
 }
 
@@ -73,6 +73,14 @@ QList<QList<QAction*>> HandActions::toolGroups() const
         groups.back() += m_tools[qsizetype(i)];
     }
     return groups;
+}
+
+QList<QAction*> HandActions::branchActions() const
+{
+    QList<QAction*> actions{m_keep, m_leaves};
+    if (m_menu)
+        actions += m_menu->menuAction();
+    return actions;
 }
 
 void HandActions::retranslate()
@@ -90,7 +98,7 @@ void HandActions::followTool()
 void HandActions::followSelection()
 {
     const bool any = m_document->selection().activeBranch != noIndex;
-    for (QAction* action : branchActions())
+    for (QAction* action : {m_keep, m_leaves})
         action->setEnabled(any);
 }
 

@@ -27,8 +27,8 @@ public:
     [[nodiscard]] QList<QAction*> toolActions() const { return m_tools; }
     /// The same as HandToolRow::group divides them.
     [[nodiscard]] QList<QList<QAction*>> toolGroups() const;
-    /// What the menus of a branch offer.
-    [[nodiscard]] QList<QAction*> branchActions() const { return {m_keep, m_leaves}; }
+    /// What the menus of a branch offer: what is done to it at once, and the menu of tools.
+    [[nodiscard]] QList<QAction*> branchActions() const;
     void retranslate();
 
 signals:
