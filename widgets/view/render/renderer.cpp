@@ -536,42 +536,6 @@ void Renderer::drawFaded(const Picture& picture)
     drawMeshes(picture, wire ? ShadingMode::Wire : ShadingMode::Solid, true);
 }
 
-/// What is selected is masked as if nothing stood before it, and a line is drawn around the mask.
-void Renderer::drawOutline(const Picture& picture, GLuint target)
-{
-    const auto extent = outlineExtent(picture.scene, picture.camera, picture.viewport);
-    if (!extent || !m_outline.begin(*extent, picture.viewport, picture.options.pixelRatio))
-        return;
-    for (const MeshItem& item : picture.scene.meshes) {
-        if (!item.outlined)
-            continue;
-        const GpuBlock& block = m_cache.item(item);
-        ShaderProgram& program = m_shadow->with(!item.motion.moves(), switches::still);
-        program.bind();
-        m_cache.bindBones(program, item.motion);
-        program.set("uClip", glm::mat4(picture.projectedView * picture.relative(item.world)));
-        if (item.copies) {
-            m_cache.drawTriangles(block, std::min(picture.detailOf(item), LeafDetail::Few));
-        } else {
-            m_gl.glBindVertexArray(block.vertexArray);
-            m_outline.mask(*item.outlined, block.count);
-        }
-    }
-    m_line->bind();
-    m_line->set("uViewport", m_outline.maskSize());
-    m_line->set("uPixelRatio", 1.0f);
-    m_line->set("uLift", 0.0f);
-    for (const LineItem& item : picture.scene.lines) {
-        if (item.outlined == OutlinedLines::None)
-            continue;
-        m_line->set("uOnlySelected", item.outlined == OutlinedLines::Selected);
-        drawLineItem(picture, item);
-    }
-    m_line->set("uOnlySelected", false);
-    m_gl.glBindVertexArray(m_emptyArray);
-    m_outline.end(target, {*m_outlineRows, *m_outlineColumns, *m_outlineClosing, *m_outlineInk});
-}
-
 void Renderer::resetState()
 {
     m_gl.glBindVertexArray(0);
