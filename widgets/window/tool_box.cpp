@@ -7,42 +7,91 @@
 namespace ramure {
 namespace {
 
-constexpr int columns = 2, iconSide = 18;
+constexpr int fewColumns = 2, manyColumns = 3, iconSide = 18, gap = 1, edge = 4;
+
+int rowsOf(qsizetype tools, int columns)
+{
+    return (int(tools) + columns - 1) / columns;
+}
 
 } // namespace
 
-QGridLayout* ToolBox::grid()
+ToolBox::ToolBox(QWidget* parent)
+    : QFrame(parent)
 {
-    if (m_grid)
-        return m_grid;
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(4, 5, 4, 5);
-    m_grid = new QGridLayout;
-    m_grid->setSpacing(1);
-    column->addLayout(m_grid);
+    column->setContentsMargins(edge, edge, edge, edge);
     column->addStretch(1);
-    return m_grid;
 }
 
 void ToolBox::addGroup(const QList<QAction*>& tools)
 {
-    QGridLayout* into = grid();
-    if (!m_buttons.isEmpty()) {
+    if (tools.isEmpty())
+        return;
+    if (!m_groups.isEmpty()) {
         auto* line = new QFrame(this);
         line->setObjectName(QStringLiteral("groupLine"));
         line->setFixedHeight(1);
-        into->addWidget(line, into->rowCount(), 0, 1, columns);
+        m_lines += line;
     }
-    const int row = into->rowCount();
-    for (qsizetype i = 0; i < tools.size(); ++i) {
+    m_groups.emplace_back();
+    for (QAction* tool : tools) {
         auto* button = new QToolButton(this);
-        button->setDefaultAction(tools[i]);
+        button->setDefaultAction(tool);
         button->setIconSize({iconSide, iconSide});
         button->setAutoRaise(true);
         button->setFocusPolicy(Qt::NoFocus); // a click leaves the keys with the view
-        into->addWidget(button, row + int(i) / columns, int(i) % columns);
-        m_buttons += button;
+        m_groups.back() += button;
     }
+    place(m_columns);
+}
+
+QList<QToolButton*> ToolBox::buttons() const
+{
+    QList<QToolButton*> all;
+    for (const QList<QToolButton*>& group : m_groups)
+        all += group;
+    return all;
+}
+
+void ToolBox::place(int columns)
+{
+    m_columns = columns;
+    delete m_grid;
+    m_grid = new QGridLayout;
+    m_grid->setSpacing(gap);
+    static_cast<QVBoxLayout*>(layout())->insertLayout(0, m_grid);
+    int row = 0;
+    for (qsizetype g = 0; g < m_groups.size(); ++g) {
+        if (g > 0)
+            m_grid->addWidget(m_lines[g - 1], row++, 0, 1, columns);
+        for (qsizetype i = 0; i < m_groups[g].size(); ++i)
+            m_grid->addWidget(m_groups[g][i], row + int(i) / columns, int(i) % columns);
+        row += rowsOf(m_groups[g].size(), columns);
+    }
+}
+
+int ToolBox::heightOf(int columns) const
+{
+    int height = 2 * edge;
+    for (const QList<QToolButton*>& group : m_groups)
+        height += rowsOf(group.size(), columns) * (group.front()->sizeHint().height() + gap);
+    return height + int(m_lines.size()) * (1 + gap);
+}
+
+QSize ToolBox::minimumSizeHint() const
+{
+    return {QFrame::minimumSizeHint().width(), heightOf(manyColumns)};
+}
+
+void ToolBox::resizeEvent(QResizeEvent* event)
+{
+    QFrame::resizeEvent(event);
+    const int columns = height() >= heightOf(fewColumns) ? fewColumns : manyColumns;
+    if (columns == m_columns)
+        return;
+    place(columns);
+    updateGeometry();
 }
 
 } // namespace ramure

@@ -1,6 +1,6 @@
 /// \file
-/// The tool bar at the view's left edge: groups of tools in two columns, so that all of them are seen in a
-/// low window, too.
+/// The tool bar at the view's left edge: groups of tools in two columns, in a low window in three, so that
+/// all of them are seen.
 #pragma once
 
 #include <QFrame>
@@ -16,18 +16,25 @@ class ToolBox : public QFrame
 {
     Q_OBJECT
 public:
-    using QFrame::QFrame;
+    explicit ToolBox(QWidget* parent = nullptr);
 
     /// Below those before it. Nothing is owned.
     void addGroup(const QList<QAction*>& tools);
     /// All buttons, in the order of the tools.
-    [[nodiscard]] const QList<QToolButton*>& buttons() const { return m_buttons; }
+    [[nodiscard]] QList<QToolButton*> buttons() const;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
-    QGridLayout* grid();
+    void place(int columns);
+    [[nodiscard]] int heightOf(int columns) const;
 
-    QList<QToolButton*> m_buttons;
+    QList<QList<QToolButton*>> m_groups;
+    QList<QFrame*> m_lines; ///< between them
     QGridLayout* m_grid = nullptr;
+    int m_columns = 2;
 };
 
 } // namespace ramure

@@ -127,7 +127,8 @@ Expected<void> MoveTool::findForks(HandEdit& gesture, const LimbHit& limb)
 {
     m_forks.clear();
     std::vector<LimbHit> limbs = meantBy(limb);
-    std::ranges::stable_partition(limbs, [&](const LimbHit& each) { return each.address == limb.address; });
+    std::stable_partition(limbs.begin(), limbs.end(),
+                          [&](const LimbHit& each) { return each.address == limb.address; });
     const TreeAxes* axes = m_context.limbs.axes(m_context.document, limb.node);
     if (limbs.size() == 1)
         gesture.resume(EditOperation::Move, limb.address);
