@@ -192,15 +192,15 @@ RowMaker::~RowMaker() = default;
 QJsonObject RowMaker::make(const BatchRow& row)
 {
     if (!row.problem.isEmpty())
-        return failedLine(m_plan, row, rowError::input, row.problem);
+        return failedLine(m_plan, row, row_error::input, row.problem);
     const auto failed = [&](const Error& error) {
-        return failedLine(m_plan, row, rowError::input, fromText(error.message()));
+        return failedLine(m_plan, row, row_error::input, fromText(error.message()));
     };
     const auto input = inputOf(row);
     if (!input)
         return failed(input.error());
     if (!input->scene())
-        return failedLine(m_plan, row, rowError::input, QStringLiteral("a mesh: trees and scenes expected"));
+        return failedLine(m_plan, row, row_error::input, QStringLiteral("a mesh: trees and scenes expected"));
     TreePipeline pipeline;
     Evaluator evaluator(pipelineSource(pipeline), input->scene()->timeline());
     MeshChecks checks;
@@ -213,7 +213,7 @@ QJsonObject RowMaker::make(const BatchRow& row)
     EvaluatedScene now = evaluator.at(*input->scene());
     line.insert(QStringLiteral("counts"), countsOf(now, *checked, line));
     if (!sumOf(*checked).valid) {
-        QJsonObject broken = failedLine(m_plan, row, rowError::check,
+        QJsonObject broken = failedLine(m_plan, row, row_error::check,
                                         QStringLiteral("the mesh is not valid, nothing was written"));
         line.insert(QStringLiteral("error"), broken.value(QStringLiteral("error")));
         return line;

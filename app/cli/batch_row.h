@@ -14,12 +14,12 @@ namespace ramure::cli {
 class Painter;
 
 /// Why a row has no files: "error" of its line in the manifest.
-namespace rowError {
+namespace row_error {
 inline constexpr const char* input = "input";
 inline constexpr const char* check = "check";   ///< a mesh failed its check
 inline constexpr const char* memory = "memory"; ///< the limit was reached
 inline constexpr const char* crash = "crash";   ///< the process ended
-} // namespace rowError
+} // namespace row_error
 
 /// The tree or scene of a row, with its seed and its parameters. Errors: those of loadInput and
 /// applySettings; Invalid (the seed of a mesh).
@@ -45,7 +45,7 @@ private:
     std::unique_ptr<Painter> m_painter;
 };
 
-/// The line of a row that could not be done. \param kind of rowError
+/// The line of a row that could not be done. \param kind of row_error
 QJsonObject failedLine(const BatchPlan& plan, const BatchRow& row, const char* kind, const QString& text);
 /// Where a row is made: beside the places of its files, so that they can be renamed.
 QString stagingFolder(const BatchPlan& plan, const BatchRow& row);

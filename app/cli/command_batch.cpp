@@ -103,10 +103,10 @@ const char* kindOf(const QJsonObject& line)
 {
     const QString kind =
         line.value(QStringLiteral("error")).toObject().value(QStringLiteral("kind")).toString();
-    for (const char* known : {rowError::check, rowError::memory, rowError::input})
+    for (const char* known : {row_error::check, row_error::memory, row_error::input})
         if (kind == QLatin1String(known))
             return known;
-    return line.contains(QStringLiteral("error")) ? rowError::crash : nullptr;
+    return line.contains(QStringLiteral("error")) ? row_error::crash : nullptr;
 }
 
 /// A batch at work.
@@ -175,11 +175,11 @@ private:
         const QJsonObject told = QJsonDocument::fromJson(answer).object();
         QJsonObject line = told.value(QStringLiteral("line")).toObject();
         if (end == JobEnd::Memory)
-            line = failedLine(m_request.plan, row, rowError::memory, QStringLiteral("out of memory"));
+            line = failedLine(m_request.plan, row, row_error::memory, QStringLiteral("out of memory"));
         else if (end == JobEnd::Crash)
-            line = failedLine(m_request.plan, row, rowError::crash, QStringLiteral("its process ended"));
+            line = failedLine(m_request.plan, row, row_error::crash, QStringLiteral("its process ended"));
         else if (const auto placed = placeFiles(m_request.plan, row, line); !placed)
-            line = failedLine(m_request.plan, row, rowError::input, fromText(placed.error().message()));
+            line = failedLine(m_request.plan, row, row_error::input, fromText(placed.error().message()));
         if (line.contains(QStringLiteral("error")))
             QDir(stagingFolder(m_request.plan, row)).removeRecursively();
         if (auto added = m_manifest.add(line); !added)
@@ -201,9 +201,9 @@ private:
         bool isMemory = false, isCheck = false, isOther = false;
         for (const BatchRow& row : m_request.plan.rows) {
             const char* kind = kindOf(m_manifest.lines().at(row.number));
-            isMemory = isMemory || kind == rowError::memory;
-            isCheck = isCheck || kind == rowError::check;
-            isOther = isOther || kind == rowError::input || kind == rowError::crash;
+            isMemory = isMemory || kind == row_error::memory;
+            isCheck = isCheck || kind == row_error::check;
+            isOther = isOther || kind == row_error::input || kind == row_error::crash;
         }
         const bool isGood = !isMemory && !isCheck && !isOther;
         m_progress.ended(isGood ? QString()

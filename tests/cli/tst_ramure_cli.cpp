@@ -30,7 +30,7 @@ private slots:
         QTest::newRow("nothing") << QStringList() << "missing command";
         row("grow",
             "unknown command \"grow\": list, info, import, edit, export, validate, simulate, ik, render, "
-            "textures expected");
+            "textures, batch, job, sheet expected");
         row("--nonsense", "unknown command");
         row("info", "missing INPUT");
         row("info preset:SmallTree preset:FanTree", "unexpected argument \"preset:FanTree\"");
@@ -166,8 +166,8 @@ private slots:
         QCOMPARE(runCli({"-h"}).out, program.out);
         QCOMPARE(runCli({"--version"}).out,
                  QStringLiteral("ramure-cli %1\n").arg(QLatin1String(RAMURE_VERSION)));
-        for (const char* command :
-             {"list", "info", "edit", "export", "validate", "simulate", "ik", "render"}) {
+        for (const char* command : {"list", "info", "edit", "export", "validate", "simulate", "ik", "render",
+                                    "batch", "job", "sheet"}) {
             QVERIFY(program.out.contains(QLatin1String(command)));
             const test::CliRun help = runCli({QLatin1String(command), "--help"});
             QCOMPARE(help.code, 0);
@@ -187,8 +187,10 @@ private slots:
         const QString exported = runCli({"export", "--help"}).out.section(QStringLiteral("Options:"), 0, 0);
         const QString info = runCli({"info", "--help"}).out;
         const QString imported = runCli({"import", "--help"}).out;
-        QVERIFY(!(manual + program + runCli({"export", "--help"}).out + info + imported)
-                     .contains(QLatin1Char('{')));
+        // Those of `batch` are the reader's.
+        for (const char* place : {"{read}", "{import}", "{write}", "{formats}"})
+            QVERIFY(!(manual + program + runCli({"export", "--help"}).out + info + imported)
+                         .contains(QLatin1String(place)));
         for (const FileFormat* format : fileFormats()) {
             const QString ending = QLatin1Char('.') + QLatin1String(format->ending);
             QVERIFY(manual.contains(ending));
