@@ -139,6 +139,8 @@ TriangleMesh remaining(const Structure& structure, const TriangleMesh& mesh)
 Expected<TriangleMesh> thinnedMesh(const TriangleMesh& mesh, const ThinningOptions& options,
                                    const Progress& progress)
 {
+    if (mesh.empty() || !(options.grain > 0.0))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("nothing is left to print"));
     Structure structure;
     if (!fill(structure, mesh, options))
         return fail(ErrorCode::Invalid,

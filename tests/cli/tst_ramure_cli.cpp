@@ -41,8 +41,8 @@ private slots:
         row("info preset:SmallTree --set turtle.beta=1", "unknown parameter \"turtle.beta\"");
         row("info preset:Oak", "Oak");
         row("info preset:", "SmallTree");
-        row("info tree.fbx",
-            "\"tree.fbx\" is no input: preset:NAME, demo:NAME or a file .ramure, .obj, .ply, .stl, .3mf expected");
+        row("info tree.fbx", "\"tree.fbx\" is no input: preset:NAME, demo:NAME or a file .ramure, .obj, "
+                             ".ply, .stl, .3mf expected");
         row("info SmallTree", "is no input");
         row("info none.ramure", "none.ramure");
         row("info none.obj", "No such file or directory");
@@ -61,6 +61,18 @@ private slots:
         row("export preset:SmallTree -o t.obj --unit parsec", "--unit: unknown unit \"parsec\"");
         row("export preset:SmallTree -o t.obj --scale 0", "--scale: the scale must be from");
         row("export preset:SmallTree -o t.obj --scale two", "--scale: \"two\" is not a number");
+        row("export preset:SmallTree -o t.stl --print wood --height 180mm", "fdm, resin, powder expected");
+        row("export preset:SmallTree -o t.stl --print fdm", "--print needs --height");
+        row("export preset:SmallTree -o t.stl --height 180mm", "--height needs --print");
+        row("export preset:SmallTree -o t.stl --print fdm --height 0mm",
+            "--height: \"0mm\": a length above 0");
+        row("export preset:SmallTree -o t.stl --print fdm --height=-18cm", "--height: \"-18cm\": a length");
+        row("export preset:SmallTree -o t.stl --print fdm --height tall", "--height: \"tall\" is no length");
+        row("export preset:SmallTree -o t.stl --print fdm --height 3m", "a print of 3000 mm");
+        row("export preset:SmallTree -o t.stl --print fdm --height 18cm --thinnest 4cm",
+            "too thick for a print");
+        row("export preset:SmallTree -o t.stl --print fdm --height 18cm --foot toes", "disc, flat expected");
+        row("export preset:SmallTree -o t.stl --print fdm --height 18cm --scale 2", "exclude each other");
         row("export preset:SmallTree -o t.obj --part roots", "branches, leaves, apples, all expected");
         row("export preset:SmallTree -o t.obj --model fine", "mesh, rough, skeleton expected");
         row("validate", "missing INPUT");

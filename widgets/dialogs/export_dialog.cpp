@@ -130,6 +130,7 @@ void ExportDialog::buildForm()
     // An empty text would make no label: retranslate() fills it.
     const auto addRow = [this](auto* field) { m_form->addRow(new QLabel(this), field); };
     m_format = new QComboBox(this);
+    m_printing = new PrintForm(this);
     m_model = new QComboBox(this);
     for (const FileFormat* format : fileFormats())
         if (isFor(*format, FormatUse::Write))
@@ -150,7 +151,6 @@ void ExportDialog::buildForm()
     scope->addWidget(m_selection);
     scope->addWidget(m_hidden);
     addRow(m_format);
-    m_printing = new PrintForm(this);
     addRow(m_printing);
     addRow(m_model);
     m_space = new SpaceForm(this);
@@ -247,7 +247,8 @@ void ExportDialog::setAnalysis(const Analysis* analysis)
 
 void ExportDialog::showFaults()
 {
-    const MeshFaults found = format() ? meshFaults(*m_document, m_analysis, options()) : MeshFaults();
+    const MeshFaults found =
+        format() && !isPrint() ? meshFaults(*m_document, m_analysis, options()) : MeshFaults();
     const QString& text = found.text;
     m_faults->setText(text);
     m_faults->setProperty("broken", found.mustAsk());
@@ -262,7 +263,8 @@ void ExportDialog::showFaults()
 /// A broken mesh is written when the button is pressed a second time.
 bool ExportDialog::mayExportFaults()
 {
-    const MeshFaults found = format() ? meshFaults(*m_document, m_analysis, options()) : MeshFaults();
+    const MeshFaults found =
+        format() && !isPrint() ? meshFaults(*m_document, m_analysis, options()) : MeshFaults();
     if (!found.mustAsk() || found.text == m_acceptedFaults)
         return true;
     m_acceptedFaults = found.text;
@@ -394,8 +396,8 @@ void ExportDialog::updateWidgets()
         m_partsNote->setText(tr("%1 has no objects: leaves and apples would be mixed into the one closed "
                                 "mesh of the branches. Tick them to write them all the same.")
                                  .arg(coreText(format()->name)));
-    m_partsNote->setVisible(format() && !holds(holdsObjects) && !lines && !options().instances &&
-                            !(m_leaves->isChecked() && m_apples->isChecked()));
+    m_partsNote->setVisible(format() && !isPrint() && !holds(holdsObjects) && !lines &&
+                            !options().instances && !(m_leaves->isChecked() && m_apples->isChecked()));
     m_texture->setEnabled(!running && holds(holdsTexture) &&
                           static_cast<ExportModel>(m_model->currentIndex()) == ExportModel::Mesh);
     m_space->setEnabled(!running);
