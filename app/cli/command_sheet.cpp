@@ -102,6 +102,7 @@ private:
         RenderOptions options;
         options.hurried = true; // a leaf is less than a pixel
         options.sparing = true;
+        options.shadows = false;
         options.samples = 0;
         options.smoothing = true;
         const auto image = m_painter.draw(*scene, cameraFor(*scene, size), size, options);
