@@ -22,9 +22,6 @@ private slots:
         QVERIFY(test::isRefused(
             test::runCli({"export", "demo:Arm", "-o", path("a.stl"), "--print", "fdm", "--height", "100mm"}),
             "no visible tree to print"));
-        QVERIFY(test::isRefused(test::runCli({"export", "preset:TinyTree", "-o", path("a.stl"), "--print",
-                                              "fdm", "--height", "10mm"}),
-                                "Print it higher"));
         QVERIFY(!QFile::exists(path("a.stl")));
     }
     /// One print as two files and two reports; a second run gives the same bytes.

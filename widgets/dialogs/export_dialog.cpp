@@ -130,7 +130,6 @@ void ExportDialog::buildForm()
     // An empty text would make no label: retranslate() fills it.
     const auto addRow = [this](auto* field) { m_form->addRow(new QLabel(this), field); };
     m_format = new QComboBox(this);
-    m_printing = new PrintForm(this);
     m_model = new QComboBox(this);
     for (const FileFormat* format : fileFormats())
         if (isFor(*format, FormatUse::Write))
@@ -143,6 +142,7 @@ void ExportDialog::buildForm()
     m_foliage->addItems({QString(), QString()});
     m_moments = new MomentForm(m_document->scene().timeline(), m_shownFrame, this);
     m_pictures = new PictureForm(this);
+    m_printing = new PrintForm(this);
     m_selection = new QCheckBox(this);
     m_selection->setEnabled(!m_document->selection().nodes.empty());
     m_hidden = new QCheckBox(this);
@@ -162,6 +162,7 @@ void ExportDialog::buildForm()
     addRow(m_moments);
     addRow(m_pictures);
     addRow(buildTarget());
+    setTabOrder(m_format, m_printing);
     layout->addLayout(m_form);
     buildFaults(layout);
     buildProgress(layout);

@@ -239,7 +239,8 @@ Expected<ReadMesh> read(const std::string& path, const Progress& progress)
     if (!corners)
         return fail(std::move(corners.error()));
     if (corners->size() >= noIndex)
-        return refuse(path, ErrorCode::Limit, RAMURE_NOOP("the file holds more triangles than can be counted"));
+        return refuse(path, ErrorCode::Limit,
+                      RAMURE_NOOP("the file holds more triangles than can be counted"));
     if (corners->empty())
         return refuse(path, ErrorCode::Invalid, RAMURE_NOOP("the file holds no triangles"));
     ReadMesh out;
