@@ -18,7 +18,7 @@ namespace {
 
 constexpr int sides = 16; ///< of the tubes that are united; the grid is coarser than their faces
 constexpr int discSides = 96;
-constexpr double voxelsAcross = 6.0, leastVoxelsAcross = 3.0; ///< of the thinnest twig
+constexpr double voxelsAcross = 6.0, leastVoxelsAcross = 3.5; ///< of the thinnest twig
 constexpr double mostVoxels = 0.8e6; ///< on the surface: more than twice as many triangles
 constexpr int mostHeightRounds = 4;
 constexpr double heightSlack = 0.002;
