@@ -6875,6 +6875,34 @@
         <source>there is no visible tree to print</source>
         <translation>il n’y a aucun arbre visible à imprimer</translation>
     </message>
+    <message>
+        <source>a quote inside a cell: the whole cell has to be quoted</source>
+        <translation>un guillemet dans une cellule : il faut mettre toute la cellule entre guillemets</translation>
+    </message>
+    <message>
+        <source>text behind a quoted cell: a comma expected</source>
+        <translation>du texte après une cellule entre guillemets : une virgule est attendue</translation>
+    </message>
+    <message>
+        <source>a quote that is not closed</source>
+        <translation>un guillemet n’est pas refermé</translation>
+    </message>
+    <message>
+        <source>column %1 has no name</source>
+        <translation>la colonne %1 n’a pas de nom</translation>
+    </message>
+    <message>
+        <source>column &quot;%1&quot; is there twice</source>
+        <translation>la colonne « %1 » y est deux fois</translation>
+    </message>
+    <message>
+        <source>%1 cells, and there are %2 columns</source>
+        <translation>%1 cellules, et il y a %2 colonnes</translation>
+    </message>
+    <message>
+        <source>no columns: the first line names them</source>
+        <translation>aucune colonne : la première ligne les nomme</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
