@@ -30,7 +30,7 @@ enum class EditOperation : std::uint8_t {
     Prune,     ///< what stands out of a shape is cut
     Attract,   ///< branches within a sphere turn towards its centre, or away from it
     Comb,      ///< branches within a sphere turn into a direction
-    Leaves,    ///< those of a limb are shown or hidden
+    Leaves,    ///< those of a limb, or without a target within a sphere, are shown or hidden
     Root,      ///< the foot stands elsewhere, and flares
 };
 inline constexpr std::size_t editOperationCount = 19;
