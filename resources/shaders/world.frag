@@ -5,18 +5,22 @@ in vec2 ndc;
 uniform vec3 uForward; // of the rays
 uniform vec3 uAcross;  // added per ndc x ...
 uniform vec3 uAlong;   // ... and y: to the direction, or in orthographic views to the origin
-#ifdef MEADOW
+#ifdef LEVEL // in perspective and with ground, whose depth is that of the triangle
 const bool uOrthographic = false;
+const bool uGroundShown = true;
+#else
+uniform bool uOrthographic;
+uniform bool uGroundShown; // else only its grid is, and what lies below can be seen
+#endif
+#ifdef MEADOW
 const bool uSky = false;
 const vec3 uStudio = vec3(-1.0);
 #else
-uniform bool uOrthographic;
 uniform vec3 uStudio; // sRGB; one colour instead of sky and meadow; below 0: none
 uniform bool uSky;    // the sky of a clear day, Preetham et al. 1999: see sky.h
 #endif
 uniform vec3 uEye;         // world
 uniform float uGround;     // height of the plane, m
-uniform bool uGroundShown; // else only its grid is, and what lies below can be seen
 uniform vec2 uCentre;      // of the scene, x and z
 uniform float uFade;       // distance at which the ground melts into the sky, m
 uniform float uGridStep;   // 0 = no grid
@@ -139,7 +143,9 @@ void main()
     } else if (uStudio.r < 0.0 && uGroundShown && uOrthographic && height < 0.0 && abs(direction.y) <= 1e-5) {
         colour = mix(toLinear(groundGreen), colour, 1.0 - exp(2.0 * height / uFade));
     }
+#ifndef LEVEL
     gl_FragDepth = depth;
+#endif
     if (uStudio.r < 0.0)
         colour = uSky ? exposed(colour) : uGain * colour;
     fragment = vec4(dithered(toSrgb(colour)), 1.0);

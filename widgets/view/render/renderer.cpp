@@ -34,6 +34,19 @@ double gridStep(double height)
     return std::pow(10.0, std::floor(std::log10(std::max(height, 1e-6) / 4.0)));
 }
 
+/// Of a level plane "height" below the eye, met by rays x * across + y * along + forward; everything is
+/// eye-relative. One over a plane's distance is linear over a picture in perspective, and so is its depth.
+/// \param projected to clip space, in perspective.
+/// \return what (x, y, 1) is multiplied by; the far plane where the eye is not above.
+glm::vec3 planeDepth(const glm::dmat4& projected, const glm::dmat3& rays, double height)
+{
+    if (height <= 0.0)
+        return {0.0f, 0.0f, 1.0f};
+    const glm::dvec4 depth = glm::transpose(projected)[2];
+    const double perSlope = depth.w / height;
+    return glm::dvec3(depth) * rays - perSlope * glm::dvec3(rays[0].y, rays[1].y, rays[2].y);
+}
+
 } // namespace
 
 /// Twice as large each way, where the card can.
@@ -210,11 +223,13 @@ void Renderer::drawInto(GLuint framebuffer, const Picture& picture, QSize size)
     m_gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     beginState(size);
     m_gl.glGetIntegerv(GL_SAMPLES, &m_samples);
-    if (options.world)
+    if (options.world && !picture.isLevel())
         drawWorld(picture);
     if (options.shading == ShadingMode::Solid) // the wireframe's other program would not give the same depths
         drawDepth(picture);
     drawMeshes(picture, options.shading, false);
+    if (options.world && picture.isLevel()) // after what hides it: the ground's light costs much
+        drawWorld(picture);
     m_gl.glEnable(GL_BLEND);
     m_gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     drawGhosts(picture);
@@ -386,15 +401,20 @@ void Renderer::drawWorld(const Picture& picture)
     const double perDistance = camera.orthographic ? 1.0 : 1.0 / camera.distance;
     const double reach = std::max(box.empty() ? 1.0 : box.radius(), 0.05);
     const double height = std::abs(camera.eye().y - picture.scene.ground);
-    const bool meadow = picture.light.studio.r < 0.0f && !picture.light.sky && !camera.orthographic;
-    ShaderProgram& world = m_world->with(meadow, switches::meadow).with(!picture.near, switches::one);
+    const bool meadow = picture.light.studio.r < 0.0f && !picture.light.sky;
+    ShaderProgram& world = m_world->with(meadow, switches::meadow)
+                               .with(picture.isLevel(), switches::level)
+                               .with(!picture.near, switches::one);
     world.bind();
     setLight(world, picture);
     const glm::dvec3 across = half * picture.aspect * perDistance * camera.right();
     const glm::dvec3 along = half * perDistance * camera.up();
-    world.set("uForward", glm::vec3(-camera.backward() - camera.shift.x * across - camera.shift.y * along));
+    const glm::dvec3 forward = -camera.backward() - camera.shift.x * across - camera.shift.y * along;
+    world.set("uForward", glm::vec3(forward));
     world.set("uAcross", glm::vec3(across));
     world.set("uAlong", glm::vec3(along));
+    world.set("uPlaneDepth", planeDepth(picture.projectedView, {across, along, forward},
+                                        camera.eye().y - picture.scene.ground));
     world.set("uOrthographic", camera.orthographic);
     world.set("uEye", glm::vec3(camera.eye()));
     world.set("uGround", float(picture.scene.ground));
@@ -407,9 +427,9 @@ void Renderer::drawWorld(const Picture& picture)
     world.set("uMottle", float(0.35 * reach));
     world.set("uClip", glm::mat4(picture.projectedView));
     m_gl.glBindVertexArray(m_emptyArray);
-    m_gl.glDepthFunc(GL_ALWAYS);
+    m_gl.glEnable(GL_DEPTH_CLAMP); // above the horizon, and before the near plane
     m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
-    m_gl.glDepthFunc(GL_LEQUAL);
+    m_gl.glDisable(GL_DEPTH_CLAMP);
 }
 
 /// The depth pass and the shading pass must draw the same triangles.

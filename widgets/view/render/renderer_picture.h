@@ -33,6 +33,8 @@ struct Renderer::Picture
     [[nodiscard]] bool isOfSmall(const MeshItem& item) const;
     /// Copies of a picture need its texture coordinates, and are never of the least.
     [[nodiscard]] LeafDetail detailOf(const MeshItem& item) const;
+    /// There is a ground, and its depth is linear over the picture.
+    [[nodiscard]] bool isLevel() const { return options.ground && !camera.orthographic; }
     [[nodiscard]] float lift() const { return camera.orthographic ? 2e-4f : 4e-5f; }
 };
 

@@ -25,8 +25,9 @@ namespace switches {
 inline constexpr const char* still = "#define STILL\n";       ///< no bones
 inline constexpr const char* unmarked = "#define UNMARKED\n"; ///< nothing is selected or hovered
 inline constexpr const char* one = "#define ONE_SHADOW\n";    ///< no map of what is near
-inline constexpr const char* meadow = "#define MEADOW\n";     ///< the plain sky and ground, in perspective
-inline constexpr std::array all{still, unmarked, one, meadow};
+inline constexpr const char* meadow = "#define MEADOW\n";     ///< the plain sky and ground
+inline constexpr const char* level = "#define LEVEL\n";       ///< a ground in perspective: its depth is linear
+inline constexpr std::array all{still, unmarked, one, meadow, level};
 } // namespace switches
 
 /// Names of files in resources/shaders; several vertex or fragment parts are joined in their order.
