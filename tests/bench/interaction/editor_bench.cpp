@@ -83,27 +83,15 @@ void EditorBench::settle()
 
 void EditorBench::setIterations(int iterations)
 {
-    const NodeId tree = m_document.scene().nodes().front().id;
-    (void)edit::setParam(m_document, {tree}, *findParam("grammar.iterations"),
-                         ParamValue(std::int64_t(iterations)));
-    settle();
+    setParam("grammar.iterations", std::int64_t(iterations));
     view()->frameAll();
     settle();
 }
 
-void EditorBench::setLeavesPerTwig(int leaves)
+void EditorBench::setParam(const char* key, ParamValue value)
 {
     const NodeId tree = m_document.scene().nodes().front().id;
-    (void)edit::setParam(m_document, {tree}, *findParam("foliage.leavesDensity"),
-                         ParamValue(std::int64_t(leaves)));
-    settle();
-}
-
-void EditorBench::setTriangles(int triangles)
-{
-    const NodeId tree = m_document.scene().nodes().front().id;
-    (void)edit::setParam(m_document, {tree}, *findParam("mesh.targetTriangles"),
-                         ParamValue(std::int64_t(triangles)));
+    (void)edit::setParam(m_document, {tree}, *findParam(key), value);
     settle();
 }
 

@@ -59,9 +59,8 @@ public:
         ChangeTimes longest;      ///< only block, blockCpu
     };
     PlayTimes play(int milliseconds);
-    void setLeavesPerTwig(int leaves);
-    /// \p triangles: the budget of the mesh.
-    void setTriangles(int triangles);
+    /// Of the tree.
+    void setParam(const char* key, ParamValue value);
     /// One picture of the view at rest, the median of \p times; the rasteriser is what is measured.
     /// \param selected whether the tree is, which draws a line around it.
     double frameMs(Quality quality, QSize size, int times, bool selected);

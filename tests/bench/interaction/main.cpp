@@ -106,7 +106,7 @@ void measureBend(EditorBench& editor, int iterations)
 void measurePlay(EditorBench& editor, int iterations)
 {
     editor.setMode(DisplayMode::Mesh);
-    editor.setLeavesPerTwig(10);
+    editor.setParam("foliage.leavesDensity", std::int64_t(10));
     const auto times = editor.play(8000);
     std::printf(
         "playing, %d iterations, 10 leaves a twig: %.2f ms cpu a frame without the rasteriser (%.0f "
@@ -155,7 +155,8 @@ void measureFrames(EditorBench& editor)
     constexpr std::pair<const char*, Quality> qualities[] = {
         {"draft", Quality::Draft}, {"good", Quality::Good}, {"best", Quality::Best}};
     editor.setIterations(11);
-    editor.setTriangles(500'000);
+    editor.setParam("mesh.targetTriangles", std::int64_t(500'000));
+    editor.setParam("foliage.internode", 1.175); // else there are 119,000
     for (const auto& [name, quality] : qualities) {
         const double alone = editor.frameMs(quality, size, 5, false);
         std::printf("a picture of the view at rest, %s: %.0f ms, with the tree selected %.0f ms\n", name,
