@@ -105,7 +105,7 @@ RAMURE_WIDE_CLONE BarkSample ringedBark(vec2 p, Seed seed)
     const float dashes = step(1.0f, 0.55f, glm::length(dash.from / vec2(length, 0.16f))) *
                          step(0.35f, 0.45f, share(dash.id * 11u));
     // Where limbs were, and where the trunk has burst, bark is black and rough.
-    const Cells scar = cellsAt(warped(p, {6, 6}, {0.05f, 0.05f}, 3, seed), {2, 2}, 0.9f, seed + 71u);
+    const Cells scar = cellsAt(warped(p, {6, 6}, {0.05f, 0.05f}, 2, seed), {2, 2}, 0.9f, seed + 71u);
     const float black =
         share(scar.id * 13u) < 0.35f ? step(0.34f, 0.16f, glm::length(scar.from * vec2(0.8f, 1.5f))) : 0.0f;
     const float torn = black > 0.0f ? black * fractalNoise(p, {12, 10}, 3, seed + 81u) : 0.0f;
