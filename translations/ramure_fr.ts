@@ -2616,10 +2616,6 @@
         <translation>Un chêne pédonculé en hiver, sans une feuille</translation>
     </message>
     <message>
-        <source>Palms and rosettes</source>
-        <translation>Palmiers et rosettes</translation>
-    </message>
-    <message>
         <source>Forms</source>
         <translation>Formes</translation>
     </message>
@@ -6902,6 +6898,26 @@
     <message>
         <source>no columns: the first line names them</source>
         <translation>aucune colonne : la première ligne les nomme</translation>
+    </message>
+    <message>
+        <source>Palms, bamboos and cacti</source>
+        <translation>Palmiers, bambous et cactus</translation>
+    </message>
+    <message>
+        <source>A clump of green canes that lean outwards under their leaves</source>
+        <translation>Une touffe de cannes vertes qui s’inclinent vers l’extérieur sous leurs feuilles</translation>
+    </message>
+    <message>
+        <source>A ribbed green column with raised arms and white flowers</source>
+        <translation>Une colonne verte à côtes, aux bras levés et aux fleurs blanches</translation>
+    </message>
+    <message>
+        <source>Cactus</source>
+        <translation>Cactus</translation>
+    </message>
+    <message>
+        <source>Crooked limbs in level tiers on a furrowed stem</source>
+        <translation>Des branches tortueuses en étages horizontaux sur un tronc fissuré</translation>
     </message>
 </context>
 <context>

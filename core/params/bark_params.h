@@ -21,6 +21,7 @@ enum class BarkFamily : std::uint8_t {
     Thorny,    ///< kapok: cones on smooth bark
     Corky,     ///< cork oak: deep, soft ridges
     Bamboo,    ///< smooth, with a node each tile
+    Ribbed,    ///< cactus: green ribs with spines along their crests
 };
 
 /// Used where a surface is drawn or its maps are written; no geometry depends on them.

@@ -15,6 +15,7 @@ struct Row
 constexpr std::array all{
     Row{"AmericanElm", {19, 24, 36, 29, 3, 13}},
     Row{"BalsamFir", {19, 13, 10, 14, 6, 34}},
+    Row{"Bamboo", {29, 7, 36, 24, 23, 11}},
     Row{"Baobab", {1, 35, 33, 40, 26, 13}},
     Row{"BlackLocust", {1, 34, 36, 13, 15, 31}},
     Row{"BlackTupelo", {19, 13, 10, 20, 4, 34}},
@@ -59,6 +60,8 @@ constexpr std::array all{
     Row{"RainTree", {23, 34, 6, 29, 24, 13}},
     Row{"RedOak", {23, 34, 36, 8, 15, 13}},
     Row{"Rowan", {40, 13, 33, 30, 31, 34}},
+    Row{"Saguaro", {6, 10, 25, 23, 39, 20}},
+    Row{"Sassafras", {1, 31, 33, 10, 18, 23}},
     Row{"ScotsPine", {1, 13, 33, 40, 26, 34}},
     Row{"SilverBirch", {40, 13, 33, 8, 31, 34}},
     Row{"SmallLeavedLinden", {19, 31, 10, 18, 38, 13}},

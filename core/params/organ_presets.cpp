@@ -29,6 +29,25 @@ A(s,n) -> L(0)
 B(s,n) -> !(0.28*s)F(0.8*s)^(9)F(0.8*s)A(s*0.95,n+1)
 L(k) : k < 3 -> !(0.2)F(0.16)[/(k*4*r)&(25+k*30)~(leaf,0.65)][/(k*4*r+r)&(28+k*30)~(leaf,0.65)][/(k*4*r+2*r)&(31+k*30)~(leaf,0.65)][/(k*4*r+3*r)&(35+k*30)~(leaf,0.65)][/(k*4*r+35)&(40+k*28)~(leaf,0.6)][/(k*4*r+160)&(50+k*27)~(leaf,0.6)][/(k*4*r+280)&(45+k*27)~(leaf,0.6)]/(61)[/(k*4*r)&(25+k*30)~(leaf,0.65)][/(k*4*r+r)&(28+k*30)~(leaf,0.65)][/(k*4*r+2*r)&(31+k*30)~(leaf,0.65)][/(k*4*r+3*r)&(35+k*30)~(leaf,0.65)][/(k*4*r+35)&(40+k*28)~(leaf,0.6)][/(k*4*r+160)&(50+k*27)~(leaf,0.6)][/(k*4*r+280)&(45+k*27)~(leaf,0.6)]L(k+1)
 )";
+/// Rhizomes R bear culms C; these have twigs T with sprays B and tufts W of leaves from the seventh node on.
+constexpr const char* bambooRules = R"(K(n) : n < 21 -> [/(n*r)&(84)R(n)][/(n*r+r)&(84)R(n+1)][/(n*r+2*r)&(84)R(n+2)]K(n+3)
+R(n) -> !(0.09)F(0.08+0.15*sqrt(n))^(34)F(0.05)^(rand(36,50))!(0.085)/(rand(0,360))C(0,rand(0.62,1.05),rand(0,360),rand(0.05,0.3))
+C(m,s,d,e) : m < 24 -> !((0.08-0.0027*m)*s)F(0.38*s)T(m)/(d)&(e*m)\(d)!((0.079-0.0027*m)*s)F(0.38*s)T(m+1)/(d)&(e*m)\(d)C(m+2,s,d,e)
+C(m,s,d,e) -> W(0)
+T(m) : m > 5 && rand(0,1) < 0.85 -> [/(m*180+rand(-75,75))&(rand(35,55))!(0.014)F(0.25)B(0,0.45)][/(m*180+rand(-110,110))&(rand(45,70))!(0.01)F(0.18)W(0)][/(m*180+rand(-110,110))&(rand(45,70))!(0.01)F(0.22)W(0)]
+B(k,l) : k < 3 -> [/(rand(0,360))&(45)!(0.007)F(l*0.4)W(0)]&(rand(2,12))!(0.012-0.002*k)F(l*0.6)B(k+1,l*0.8)
+B(k,l) -> W(0)
+W(k) : k < 2 -> !(0.005)F(0.06)[/(k*180)&(50)~(leaf,0.32)]&(6)F(0.06)[/(k*180+180)&(50)~(leaf,0.32)]&(6)W(k+1)
+W(k) -> [&(15)~(leaf,0.32)]
+)";
+/// Limbs L rise beside the trunk; A goes on with them, X is a wreath of flowers.
+constexpr const char* saguaroRules = R"(T(n) : n < 9 -> F(0.45)!(0.42+0.012*n)F(0.4)!(0.425+0.012*n)L(n)T(n+1)
+T(n) -> F(0.4)!(0.46)F(0.35)!(0.38)F(0.16)!(0.26)F(0.08)!(0.12)F(0.03)X(0)
+L(n) : n > 2 && rand(0,1) < 0.62-0.03*n -> [/(n*r+rand(-30,30))&(92)!(0.26)F(0.3)!(0.3)F(0.2)^(rand(20,26))F(0.2)^(24)F(0.18)^(24)!(0.33)F(0.25)^(20)F(0.3)A(0,rand(2,5.5-0.4*n))]
+A(k,m) : k < m -> F(0.35)!(0.34)A(k+1,m)
+A(k,m) -> F(0.2)!(0.27)F(0.1)!(0.18)F(0.05)!(0.09)F(0.02)X(0)
+X(k) : k < 5 && rand(0,1) < 0.7 -> [/(k*r)&(55)~(fruit,0.24)]X(k+1)
+)";
 // clang-format on
 
 struct Plant
@@ -40,14 +59,16 @@ struct Plant
     double leafWidth, leafCurl;
     BarkFamily bark;
     FruitKind fruit = FruitKind::Faithful;
+    bool byChance = false;
+    int sides = 8; ///< of a cross-section
 };
 
 /// In metres and degrees. Nothing grows but what the rules say.
 NodeParams paramsOf(const Plant& plant)
 {
     NodeParams params;
-    params.grammar = {plant.axiom, plant.rules, plant.iterations, false, 1, GrammarDialect::Parametric,
-                      turns};
+    params.grammar = {
+        plant.axiom, plant.rules, plant.iterations, plant.byChance, 1, GrammarDialect::Parametric, turns};
     params.leaf.shape = plant.leaf;
     params.leaf.width = plant.leafWidth;
     params.leaf.curl = plant.leafCurl;
@@ -56,7 +77,7 @@ NodeParams paramsOf(const Plant& plant)
     params.fruit.kind = plant.fruit;
     params.bark.family = plant.bark;
     params.simplify.enabled = false; // a crown is thinner than the trunk it goes on from
-    params.sections = {3, 8};
+    params.sections = {3, plant.sides};
     params.mesh.clampOvershoot = true;
     return params;
 }
@@ -65,8 +86,12 @@ NodeParams paramsOf(const Plant& plant)
 
 std::vector<Preset> organPresets()
 {
-    constexpr const char* group = RAMURE_NOOP("Palms and rosettes");
+    constexpr const char* group = RAMURE_NOOP("Palms, bamboos and cacti");
     return {
+        {"Bamboo", RAMURE_NOOP("A clump of green canes that lean outwards under their leaves"),
+         paramsOf({"!(0.14)F(0.06)K(0)", bambooRules, 26, LeafShape::Bamboo, 1, 0.6, BarkFamily::Bamboo,
+                   FruitKind::Faithful, true}),
+         "Bambusa textilis", group},
         {"CoconutPalm", RAMURE_NOOP("A slim leaning trunk with a mop of feather fronds"),
          paramsOf({"!(0.55)F(0.2)!(0.44)T(0)!(0.14)F(0.15)K(0)", coconutRules, 16, LeafShape::Willow, 0.5,
                    0.5, BarkFamily::PalmScars, FruitKind::Coconut}),
@@ -83,6 +108,10 @@ std::vector<Preset> organPresets()
          paramsOf({"!(0.7)F(0.6)!(0.5)F(1.0)A(1,0)", joshuaTreeRules, 9, LeafShape::Grass, 2, 0,
                    BarkFamily::Corky}),
          "Yucca brevifolia", group},
+        {"Saguaro", RAMURE_NOOP("A ribbed green column with raised arms and white flowers"),
+         paramsOf({"!(0.34)F(0.3)!(0.4)T(0)", saguaroRules, 20, LeafShape::Faithful, 1, 0, BarkFamily::Ribbed,
+                   FruitKind::Blossom, true, 20}),
+         "Carnegiea gigantea", group},
         {"TreeFern", RAMURE_NOOP("A fibrous trunk with a parasol of ferns"),
          paramsOf({"!(0.34)F(0.2)!(0.26)T(0)K(0)", treeFernRules, 16, LeafShape::Fern, 1, 1.1,
                    BarkFamily::Fibrous}),

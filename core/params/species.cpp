@@ -105,6 +105,7 @@ double grownBarkTile(BarkFamily family)
         return 0.6;
     case BarkFamily::Scaly:
     case BarkFamily::Corky:
+    case BarkFamily::Ribbed:
         return 0.4;
     default:
         return 0.5;

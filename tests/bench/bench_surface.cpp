@@ -74,6 +74,6 @@ void BM_barkMaps(benchmark::State& state)
     for (auto _ : state)
         benchmark::DoNotOptimize(bench::need(barkMaps(params, 1024)).height.data());
 }
-BENCHMARK(BM_barkMaps)->DenseRange(1, 12)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_barkMaps)->DenseRange(1, 13)->Unit(benchmark::kMillisecond);
 
 } // namespace

@@ -168,12 +168,24 @@ RAMURE_WIDE_CLONE BarkSample bambooBark(vec2 p, Seed seed)
     return {0.55f + 0.4f * ring - 0.3f * groove + 0.05f * streaks, streaks, 0.6f * wax * (1.0f - ring)};
 }
 
+RAMURE_WIDE_CLONE BarkSample ribbedBark(vec2 p, Seed seed)
+{
+    constexpr int ribs = 5, spines = 8; // a tile
+    const float x = float(ribs) * p.x, side = x - std::floor(x) - 0.5f;
+    const float y = float(spines) * p.y + share(latticeHash(wrapped(floorOf(x), ribs), 0, seed + 151u));
+    const vec2 from(side / float(ribs), (y - std::floor(y) - 0.5f) / float(spines));
+    const float skin = fractalNoise(p, {12, 12}, 3, seed);
+    const float rise = 1.0f - 4.0f * side * side;
+    const float cushion = step(0.016f, 0.008f, glm::length(from));
+    return {0.1f + 0.8f * rise + 0.1f * cushion, skin, cushion};
+}
+
 constexpr glm::vec3 rgb(int r, int g, int b)
 {
     return glm::vec3(float(r), float(g), float(b)) / 255.0f;
 }
 
-const std::array<BarkLook, 13> looks{{
+const std::array<BarkLook, 14> looks{{
     {nullptr, {}, {}, {}},
     {smoothBark, rgb(98, 96, 90), rgb(146, 143, 134), rgb(172, 180, 160), 0.008f, 0.10f, 0.75f},
     {platedBark, rgb(50, 40, 34), rgb(146, 108, 82), rgb(170, 156, 140), 0.045f, 0.16f, 0.90f},
@@ -187,6 +199,7 @@ const std::array<BarkLook, 13> looks{{
     {thornyBark, rgb(84, 90, 76), rgb(128, 130, 112), rgb(96, 76, 58), 0.070f, 0.10f, 0.80f},
     {corkyBark, rgb(52, 44, 38), rgb(164, 146, 122), rgb(164, 146, 122), 0.070f, 0.12f, 1.00f},
     {bambooBark, rgb(82, 92, 48), rgb(132, 142, 82), rgb(196, 200, 172), 0.030f, 0.08f, 0.45f},
+    {ribbedBark, rgb(46, 66, 40), rgb(112, 134, 84), rgb(198, 188, 160), 0.080f, 0.14f, 0.80f},
 }};
 
 } // namespace

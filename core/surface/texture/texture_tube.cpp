@@ -17,6 +17,7 @@ constexpr double followed = 0.5;
 // In radii: where the middle of a tip is, and of the flat end of a root.
 constexpr double leastTip = 0.1, tipRadius = 0.5, rootRadius = 0.05;
 constexpr double manyTiles = 24.0;
+constexpr double lost = 0.2; ///< of the triangles are stretched: that shall not go on into the children
 
 } // namespace
 
@@ -53,9 +54,10 @@ void TubeTexture::unroll(const TubeAxis& axis, const TubeTextureEnd& parent)
     assign(parent);
     if (!even(parent))
         unfold(parent);
+    if (m_stretched > shareOf(lost))
+        keepEnd(parent);
     m_end.normal = m_axis.end().frame.normal;
     m_end.around = m_knots.back().around;
-    m_end.along = parent.along + m_tilesAt.back();
 }
 
 void TubeTexture::place()
@@ -187,7 +189,8 @@ double TubeTexture::aroundAt(double along) const
     return m_knots.back().around;
 }
 
-/// v goes on a little faster where more tiles than fit stand around, and slower where fewer do.
+/// v goes on a little faster where more tiles than fit stand around, and slower where fewer do; where not
+/// even one fits, as fast as that one is squeezed.
 void TubeTexture::measureAlong()
 {
     const auto& nodes = m_axis.nodes();
@@ -195,9 +198,11 @@ void TubeTexture::measureAlong()
     for (std::size_t i = 0; i < UnrollAxis::steps; ++i) {
         const double middle = 0.5 * (nodes[i].along + nodes[i + 1].along);
         const double radius = 0.5 * (nodes[i].radius + nodes[i + 1].radius) * m_chord;
-        const double excess = std::clamp(aroundAt(middle) * m_tile / (turn * radius), 0.25, 4.0);
+        const double one = m_tile / (turn * radius), squeezed = std::max(1.0, one);
+        const double excess = std::clamp(aroundAt(middle) * one / squeezed, 0.25, 4.0);
         static_assert(followed == 0.5);
-        m_tilesAt[i + 1] = m_tilesAt[i] + (nodes[i + 1].along - nodes[i].along) / m_tile * std::sqrt(excess);
+        m_tilesAt[i + 1] =
+            m_tilesAt[i] + (nodes[i + 1].along - nodes[i].along) / m_tile * squeezed * std::sqrt(excess);
     }
 }
 
@@ -212,26 +217,42 @@ double TubeTexture::tilesAlong(double along) const
     return m_tilesAt[i] + (m_tilesAt[i + 1] - m_tilesAt[i]) * part;
 }
 
+/// Where the tube starts in the texture: where its parent really ends, which may have been moved.
+glm::dvec2 TubeTexture::startOf(const TubeTextureEnd& parent) const
+{
+    glm::dvec2 nearest(0.0), sum(0.0);
+    double azimuth = turn;
+    const auto startAt = [&](std::size_t i) {
+        return glm::dvec2(double(m_given[i].x) - parent.around * m_vertices[i].azimuth / turn, m_given[i].y);
+    };
+    for (std::size_t i = 0; i < m_given.size(); ++i)
+        if (m_vertices[i].onParent && std::abs(m_vertices[i].azimuth) < azimuth) {
+            azimuth = std::abs(m_vertices[i].azimuth);
+            nearest = startAt(i);
+        }
+    double count = 0.0;
+    for (std::size_t i = 0; i < m_given.size(); ++i)
+        if (m_vertices[i].onParent) {
+            const glm::dvec2 away = startAt(i) - nearest;
+            sum += glm::dvec2(away.x - std::round(away.x), away.y);
+            count += 1.0;
+        }
+    return nearest + sum / std::max(count, 1.0);
+}
+
 void TubeTexture::assign(const TubeTextureEnd& parent)
 {
-    double u = 0.0, nearest = turn;
-    for (std::size_t i = 0; i < m_vertices.size(); ++i) {
-        const TubeTextureVertex& vertex = m_vertices[i];
-        if (!vertex.onParent || std::abs(vertex.azimuth) >= nearest)
-            continue;
-        nearest = std::abs(vertex.azimuth);
-        u = double(m_given[i].x) - parent.around * vertex.azimuth / turn;
-    }
+    const glm::dvec2 start = startOf(parent);
     double lastAlong = -1.0, around = 0.0, v = 0.0;
     for (std::size_t i = 0; i < m_vertices.size(); ++i) {
         TubeTextureVertex& vertex = m_vertices[i];
         if (vertex.along != lastAlong) {
             lastAlong = vertex.along;
             around = aroundAt(vertex.along);
-            v = parent.along + tilesAlong(vertex.along);
+            v = start.y + tilesAlong(vertex.along);
         }
         vertex.around = around;
-        vertex.u = u + around * vertex.azimuth / turn;
+        vertex.u = start.x + around * vertex.azimuth / turn;
         vertex.v = v;
         if (vertex.onParent) {
             vertex.u = double(m_given[i].x) + std::round(vertex.u - double(m_given[i].x));

@@ -18,7 +18,6 @@ struct TubeTextureEnd
 {
     glm::dvec3 normal{1.0, 1e-3, 2e-3}; ///< azimuths are counted from it
     double around = 0.0;                ///< tiles around; 0 = there is no parent
-    double along = 0.0;                 ///< v
 };
 
 /// A vertex of a tube.
@@ -111,12 +110,14 @@ private:
     void findSections();
     void chooseTiles(double before);
     void measureAlong();
+    [[nodiscard]] glm::dvec2 startOf(const TubeTextureEnd& parent) const;
     void assign(const TubeTextureEnd& parent);
     bool even(const TubeTextureEnd& parent);
     void keep(Layout& layout) const;
     void take(const Layout& layout);
     bool settle(const Effort& effort);
     void unfold(const TubeTextureEnd& parent);
+    void keepEnd(const TubeTextureEnd& parent);
     [[nodiscard]] Index shareOf(double share) const;
     [[nodiscard]] double openHeight(std::size_t sections) const;
     bool openSeam(std::size_t sections);
@@ -147,7 +148,7 @@ private:
     std::vector<Knot> m_knots; ///< tiles around by height
     std::vector<double> m_sorted, m_sections;
     std::vector<Index> m_next, m_front;
-    bool m_isOpen = false;
+    bool m_isOpen = false, m_endStays = false;
     Index m_stretched = 0;
     std::array<double, UnrollAxis::steps + 1> m_tilesAt{};
     double m_chord = 1.0;       ///< circumference of the cross-sections, as a share of the circle's

@@ -20,8 +20,9 @@ const TubeTexture::Effort TubeTexture::firstEffort{1, 4, 5, 0.1};
 template <class Relaxer> void TubeTexture::fill(Relaxer& relaxer) const
 {
     relaxer.clear();
+    const double fixed = m_endStays ? (1.0 - sameSection) * m_axis.length() : m_axis.length() + 1.0;
     for (const TubeTextureVertex& vertex : m_vertices)
-        relaxer.addVertex({vertex.u, vertex.v}, !vertex.onParent && !vertex.isPole);
+        relaxer.addVertex({vertex.u, vertex.v}, !vertex.onParent && !vertex.isPole && vertex.along < fixed);
     for (const glm::uvec3& triangle : m_triangles) {
         if (isCap(triangle))
             continue;
@@ -130,6 +131,19 @@ void TubeTexture::unfold(const TubeTextureEnd& parent)
     fill(m_conformal);
     m_conformal.relax(0, 0);
     m_stretched = m_conformal.badTriangles();
+}
+
+/// For a tube that bends too sharply at its fork to lie flat anywhere: its last cross-section is laid out
+/// evenly, as of a straight tube, so that its children can be.
+void TubeTexture::keepEnd(const TubeTextureEnd& parent)
+{
+    if (m_options.seamsAround) // what even() has started from
+        take(m_whole);
+    assign(parent);
+    m_endStays = true;
+    if (!even(parent))
+        unfold(parent);
+    m_endStays = false;
 }
 
 /// A triangle's corner becomes a copy of its vertex, the same one for all triangles.

@@ -1,4 +1,6 @@
+#include "core/params/presets.h"
 #include "core/pipeline/tree_pipeline.h"
+#include "core/surface/check/texture_report.h"
 #include "tests/support/suite.h"
 
 using namespace ramure;
@@ -42,6 +44,30 @@ private slots:
         const auto other = result.texture->coordinates({.seamsAround = false});
         QVERIFY(other && **other != **made);
         QCOMPARE(*result.texture->coordinates(TextureParams()), *made);
+    }
+    /// As they are dressed: a tile is about as wide as a thick limb is around, and far too wide for twigs.
+    void picturesFitEveryBranch_data()
+    {
+        QTest::addColumn<double>("good");
+        QTest::newRow("SmallTree") << 0.95;
+        QTest::newRow("CoconutPalm") << 0.95;
+        QTest::newRow("Baobab") << 0.8;
+        QTest::newRow("JoshuaTree") << 0.8;
+        QTest::newRow("Saguaro") << 0.8; // its round ends are no tubes
+        QTest::newRow("EnglishOak") << 0.85;
+    }
+    void picturesFitEveryBranch()
+    {
+        QFETCH(const double, good);
+        const auto params = presetParams(QTest::currentDataTag());
+        QVERIFY2(params, test::why(params));
+        const auto tree = m_pipeline.evaluate(*params, Stage::Mesh);
+        QVERIFY2(tree, test::why(tree));
+        const auto made = tree->texture->coordinates(*params);
+        QVERIFY2(made, test::why(made));
+        const TextureReport report = textureReport(*tree->branches, **made);
+        QCOMPARE(report.mirrored, Index(0));
+        QVERIFY2(report.goodShare() >= good, qPrintable(QString::number(report.goodShare())));
     }
 
 private:

@@ -82,7 +82,7 @@ private slots:
 
     void everyBarkIsShown()
     {
-        for (int family = 0; family <= static_cast<int>(BarkFamily::Bamboo); ++family) {
+        for (int family = 0; family <= static_cast<int>(BarkFamily::Ribbed); ++family) {
             BarkParams bark;
             bark.family = static_cast<BarkFamily>(family);
             const QImage picture = barkPicture(barkMaterial(bark), size);
