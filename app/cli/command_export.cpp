@@ -133,15 +133,8 @@ Expected<LevelOptions> levelsFrom(const CommandLine& line)
     return out;
 }
 
-Expected<Request> requestOf(const CommandLine& line)
+Expected<void> takeNumbers(const CommandLine& line, Request& out)
 {
-    Request out;
-    out.files = line.values("o");
-    out.ascii = line.has("ascii");
-    if (line.has("texture") && line.has("no-texture"))
-        return fail(ErrorCode::Invalid, "--texture and --no-texture exclude each other");
-    out.texture = !line.has("no-texture");
-    out.needsTree = line.has("part") || line.has("model") || line.has("leaves") || line.has("texture");
     const auto mapSize = mapSizeFrom(line);
     if (!mapSize)
         return fail(mapSize.error());
@@ -155,6 +148,20 @@ Expected<Request> requestOf(const CommandLine& line)
         return fail(levels.error());
     out.levels = *levels;
     out.needsTree = out.needsTree || out.levels.isWanted();
+    return {};
+}
+
+Expected<Request> requestOf(const CommandLine& line)
+{
+    Request out;
+    out.files = line.values("o");
+    out.ascii = line.has("ascii");
+    if (line.has("texture") && line.has("no-texture"))
+        return fail(ErrorCode::Invalid, "--texture and --no-texture exclude each other");
+    out.texture = !line.has("no-texture");
+    out.needsTree = line.has("part") || line.has("model") || line.has("leaves") || line.has("texture");
+    if (auto taken = takeNumbers(line, out); !taken)
+        return fail(std::move(taken.error()));
     const auto space = fileSpaceFrom(line);
     if (!space)
         return fail(space.error());

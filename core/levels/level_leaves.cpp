@@ -1,14 +1,57 @@
 #include "core/levels/level_leaves.h"
 
-#include "core/math/random.h"
+#include "core/math/box.h"
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <utility>
 
 namespace ramure {
 namespace {
 
 /// How much sooner a leaf goes whose twig has gone.
 constexpr double looseness = 2.0;
+
+/// The bits of three numbers of 21 bits, one after the other.
+std::uint64_t mortonOf(const glm::dvec3& place)
+{
+    std::uint64_t code = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        auto x = static_cast<std::uint64_t>(place[axis] * 2097151.0);
+        x = (x | x << 32) & 0x1F00000000FFFFull;
+        x = (x | x << 16) & 0x1F0000FF0000FFull;
+        x = (x | x << 8) & 0x100F00F00F00F00Full;
+        x = (x | x << 4) & 0x10C30C30C30C30C3ull;
+        x = (x | x << 2) & 0x1249249249249249ull;
+        code |= x << axis;
+    }
+    return code;
+}
+
+std::vector<Index> alongCurve(std::span<const FoliageItem> items)
+{
+    Box box;
+    for (const FoliageItem& item : items)
+        box.add(item.position);
+    const glm::dvec3 size = glm::max(box.size(), glm::dvec3(1e-12));
+    std::vector<std::pair<std::uint64_t, Index>> places;
+    for (const FoliageItem& item : items)
+        places.emplace_back(mortonOf((item.position - box.min) / size), static_cast<Index>(places.size()));
+    std::ranges::sort(places);
+    std::vector<Index> order;
+    for (const auto& place : places)
+        order.push_back(place.second);
+    return order;
+}
+
+std::uint32_t reversed(std::uint32_t number, std::uint32_t bits)
+{
+    std::uint32_t out = 0;
+    for (std::uint32_t i = 0; i < bits; ++i, number >>= 1)
+        out = out << 1 | (number & 1);
+    return out;
+}
 
 } // namespace
 
@@ -43,16 +86,18 @@ std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, double al
     return out;
 }
 
-std::vector<double> itemChances(std::span<const FoliageItem> items, const Skeleton& skeleton)
+std::vector<double> itemChances(std::span<const FoliageItem> items)
 {
-    constexpr std::uint64_t step = 0x9E3779B97F4A7C15ull;
+    // Along a curve that fills the crown neighbours follow each other; every prefix of the numbers 0, 1/2,
+    // 1/4, 3/4 ... is spread evenly over it.
+    const std::vector<Index> order = alongCurve(items);
     std::vector<double> chances(items.size());
-    std::uint64_t rank = 0;
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        rank = i > 0 && items[i].branch == items[i - 1].branch ? rank + 1 : 0;
-        const std::uint64_t hash = mixBits(mixBits(skeleton.key[items[i].branch]) + step * (rank + 1));
-        chances[i] = static_cast<double>(hash >> 11) * 0x1.0p-53;
-    }
+    std::uint32_t bits = 1;
+    while ((std::size_t(1) << bits) < items.size())
+        ++bits;
+    for (std::size_t rank = 0; rank < order.size(); ++rank)
+        chances[order[rank]] = static_cast<double>(reversed(static_cast<std::uint32_t>(rank), bits)) /
+                               static_cast<double>(std::uint64_t(1) << bits);
     return chances;
 }
 

@@ -22,8 +22,8 @@ std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, double al
 /// m²: of all triangles.
 double areaOf(const TriangleMesh& mesh);
 
-/// A number in [0, 1) for each item by its address: the branch's key, and which of the branch's it is.
-std::vector<double> itemChances(std::span<const FoliageItem> items, const Skeleton& skeleton);
+/// A number in [0, 1) for each item, so that those below any bound are spread evenly over the crown.
+std::vector<double> itemChances(std::span<const FoliageItem> items);
 
 /// The numbers of \p count of the candidates, ascending: those of the lowest chance. \param candidates
 /// numbers, ascending. \param branchOf PrunedTree::branchOf: what hangs on a branch that has gone goes

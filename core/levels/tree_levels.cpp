@@ -126,8 +126,8 @@ Expected<void> LevelMaker::prepare(const Progress& progress)
     };
     m_leaves = numbers(m_foliage.leaves);
     m_apples = numbers(m_foliage.apples);
-    m_leafChance = itemChances(m_foliage.leaves, m_skeleton);
-    m_appleChance = itemChances(m_foliage.apples, m_skeleton);
+    m_leafChance = itemChances(m_foliage.leaves);
+    m_appleChance = itemChances(m_foliage.apples);
     if (!m_leaves.empty())
         m_shapes = leafShapesOfLevels(m_foliage.form, m_alpha);
     if (m_shapes.empty())
@@ -438,12 +438,9 @@ Expected<TreeLevel> LevelMaker::level(std::int64_t budget, const Progress& progr
         return fail(std::move(added.error()));
     const std::int64_t got = out.triangles();
     if (std::abs(double(got - budget)) > levelSlack * double(budget))
-        return fail(
-            ErrorCode::Limit,
-            got > budget
-                ? RAMURE_NOOP("%1 triangles are too few for this tree: its smallest level near that has %2")
-                : RAMURE_NOOP("%1 triangles are more than a level of this tree can use: it has %2"),
-            {std::to_string(budget), std::to_string(got)});
+        return fail(ErrorCode::Limit,
+                    RAMURE_NOOP("this tree has no level of %1 triangles: the nearest has %2"),
+                    {std::to_string(budget), std::to_string(got)});
     measure(out);
     return out;
 }
