@@ -1107,6 +1107,14 @@
         <source>Drag a tree: its foot goes over the ground, and flares by the wheel</source>
         <translation>Glissez un arbre : son pied va sur le sol, et s’évase par la molette</translation>
     </message>
+    <message>
+        <source>Export a&amp;gain</source>
+        <translation>Exporter à &amp;nouveau</translation>
+    </message>
+    <message>
+        <source>Write the last export once more, over its files</source>
+        <translation>Réécrire le dernier export par-dessus ses fichiers</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -1381,6 +1389,49 @@
     <message>
         <source>column %1</source>
         <translation>colonne %1</translation>
+    </message>
+</context>
+<context>
+    <name>ExportUses</name>
+    <message>
+        <source>For Blender</source>
+        <translation>Pour Blender</translation>
+    </message>
+    <message>
+        <source>For Blender and other modelling programs: every format of meshes, models and axes</source>
+        <translation>Pour Blender et d’autres modeleurs : tous les formats de maillages, modèles et axes</translation>
+    </message>
+    <message>
+        <source>For a game</source>
+        <translation>Pour un jeu</translation>
+    </message>
+    <message>
+        <source>Levels of detail by budgets of triangles, a skin, a loop of wind</source>
+        <translation>Niveaux de détail par budgets de triangles, peau, boucle de vent</translation>
+    </message>
+    <message>
+        <source>For print</source>
+        <translation>Impression 3D</translation>
+    </message>
+    <message>
+        <source>For a 3D printer: one closed surface, thick enough, in millimetres</source>
+        <translation>Pour une imprimante 3D : une seule surface fermée, assez épaisse, en millimètres</translation>
+    </message>
+    <message>
+        <source>For the web</source>
+        <translation>Pour le web</translation>
+    </message>
+    <message>
+        <source>One small file with its pictures, which can move without end</source>
+        <translation>Un seul petit fichier avec ses images, qui peut bouger sans fin</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>PNG pictures of the view: one, a sequence, or from all sides</source>
+        <translation>Images PNG de la vue : une seule, une suite, ou tout autour</translation>
     </message>
 </context>
 <context>
@@ -6919,6 +6970,42 @@
         <source>Crooked limbs in level tiers on a furrowed stem</source>
         <translation>Des branches tortueuses en étages horizontaux sur un tronc fissuré</translation>
     </message>
+    <message>
+        <source>%1 levels of detail: 1 to %2 are possible</source>
+        <translation>%1 niveaux de détail : de 1 à %2 sont possibles</translation>
+    </message>
+    <message>
+        <source>%1 levels of detail need as many budgets, not %2</source>
+        <translation>%1 niveaux de détail demandent autant de budgets, pas %2</translation>
+    </message>
+    <message>
+        <source>level %1: a budget of %2 triangles is less than the least, %3</source>
+        <translation>niveau %1 : un budget de %2 triangles est en dessous du minimum, %3</translation>
+    </message>
+    <message>
+        <source>level %1: budgets must fall, and %2 triangles are not fewer than %3</source>
+        <translation>niveau %1 : les budgets doivent décroître, et %2 triangles ne sont pas moins que %3</translation>
+    </message>
+    <message>
+        <source>the bark of a level does not pass its proof</source>
+        <translation>l’écorce d’un niveau ne passe pas sa preuve</translation>
+    </message>
+    <message>
+        <source>this tree has no level of %1 triangles: the nearest has %2</source>
+        <translation>cet arbre n’a pas de niveau de %1 triangles : le plus proche en a %2</translation>
+    </message>
+    <message>
+        <source>only the finished mesh has levels of detail</source>
+        <translation>seul le maillage fini a des niveaux de détail</translation>
+    </message>
+    <message>
+        <source>levels of detail have their leaves merged: no list of instances</source>
+        <translation>les niveaux de détail ont leurs feuilles réunies : pas de liste d’instances</translation>
+    </message>
+    <message>
+        <source>budgets are numbers of triangles, with commas between them</source>
+        <translation>les budgets sont des nombres de triangles, séparés par des virgules</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -8335,6 +8422,82 @@ OpenGL&#xa0;: %4
         <source>Preparing the print…</source>
         <translation>Préparation de l’impression…</translation>
     </message>
+    <message>
+        <source>Pictures need a view, which this machine cannot draw</source>
+        <translation>Les images demandent une vue, que cette machine ne peut pas dessiner</translation>
+    </message>
+    <message>
+        <source>What the export is for</source>
+        <translation>Usage de l’export</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Garder</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Oublier</translation>
+    </message>
+    <message>
+        <source>kept settings, or a name for these</source>
+        <translation>réglages gardés, ou un nom pour ceux-ci</translation>
+    </message>
+    <message>
+        <source>Settings of this page that were kept under a name, or those of its last export. Where files go is not part of them.</source>
+        <translation>Réglages de cette page gardés sous un nom, ou ceux de son dernier export. L’emplacement des fichiers n’en fait pas partie.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>%1 × %1 pixels</source>
+        <translation>%1 × %1 pixels</translation>
+    </message>
+    <message>
+        <source>Size of the pictures of bark and leaves that the program makes: inside a GLB, beside an OBJ</source>
+        <translation>Taille des images d’écorce et de feuilles que fait le programme : dans un GLB, à côté d’un OBJ</translation>
+    </message>
+    <message>
+        <source>Settings</source>
+        <translation>Réglages</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Niveaux</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>As the last time</source>
+        <translation>Comme la dernière fois</translation>
+    </message>
+    <message>
+        <source>Keeps the choices of this page under this name</source>
+        <translation>Garde les choix de cette page sous ce nom</translation>
+    </message>
+    <message>
+        <source>Type a name first; the choices of this page are kept under it</source>
+        <translation>Tapez d’abord un nom ; les choix de cette page seront gardés sous celui-ci</translation>
+    </message>
+    <message>
+        <source>Forgets the settings of this name</source>
+        <translation>Oublie les réglages de ce nom</translation>
+    </message>
+    <message>
+        <source>No kept settings are chosen</source>
+        <translation>Aucun réglage gardé n’est choisi</translation>
+    </message>
+    <message>
+        <source>Nothing was exported from this page yet.</source>
+        <translation>Rien n’a encore été exporté depuis cette page.</translation>
+    </message>
+    <message>
+        <source>Kept as “%1”.</source>
+        <translation>Gardé sous « %1 ».</translation>
+    </message>
 </context>
 <context>
     <name>ramure::FactorTool</name>
@@ -8487,6 +8650,18 @@ OpenGL&#xa0;: %4
             <numerusform>%n image copiée dans « %1 ».</numerusform>
             <numerusform>%n images copiées dans « %1 ».</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Export “%1” a&amp;gain</source>
+        <translation>Exporter « %1 » à &amp;nouveau</translation>
+    </message>
+    <message>
+        <source>Nothing was exported yet since this scene was opened: there is nothing to repeat</source>
+        <translation>Rien n’a encore été exporté depuis l’ouverture de cette scène : il n’y a rien à répéter</translation>
+    </message>
+    <message>
+        <source>Write %1 once more, with the same choices</source>
+        <translation>Réécrire %1 avec les mêmes choix</translation>
     </message>
 </context>
 <context>
@@ -9267,6 +9442,33 @@ OpenGL&#xa0;: %4
     </message>
 </context>
 <context>
+    <name>ramure::LevelForm</name>
+    <message>
+        <source>Meshes of each tree, 1 to 8, for less and less triangles. A GLB holds them all; of other formats each is a file.</source>
+        <translation>Maillages de chaque arbre, de 1 à 8, de moins en moins de triangles. Un GLB les contient tous ; dans les autres formats, chacun est un fichier.</translation>
+    </message>
+    <message>
+        <source>Number of levels</source>
+        <translation>Nombre de niveaux</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triangles</translation>
+    </message>
+    <message>
+        <source>the tree as it is, then a quarter each</source>
+        <translation>l’arbre tel quel, puis un quart chaque fois</translation>
+    </message>
+    <message>
+        <source>Triangles of each level, with commas between them, such as 10000, 2500: bark, leaves and fruit together, kept within 2 %. Nothing here: the first level is the tree as it is, each further one has a quarter.</source>
+        <translation>Triangles de chaque niveau, séparés par des virgules, comme 10000, 2500 : écorce, feuilles et fruits ensemble, à 2 % près. Rien ici : le premier niveau est l’arbre tel quel, chaque suivant en a un quart.</translation>
+    </message>
+    <message>
+        <source>Triangles of each level</source>
+        <translation>Triangles de chaque niveau</translation>
+    </message>
+</context>
+<context>
     <name>ramure::LightDialog</name>
     <message>
         <source>Light and backdrop</source>
@@ -9563,6 +9765,18 @@ OpenGL&#xa0;: %4
         <source>Edits</source>
         <translation>Retouches</translation>
     </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Montrer dans le dossier</translation>
+    </message>
+    <message>
+        <source>Exported to %1 (%2)</source>
+        <translation>Exporté vers %1 (%2)</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be shown</source>
+        <translation>Le dossier %1 ne peut pas être montré</translation>
+    </message>
 </context>
 <context>
     <name>ramure::MenuTool</name>
@@ -9639,6 +9853,22 @@ OpenGL&#xa0;: %4
     <message>
         <source>Pictures all around, 2 to 10000, from the slope of the view and as near as the whole crown allows</source>
         <translation>Images tout autour, de 2 à 10000, sous l&apos;inclinaison de la vue et d&apos;aussi près que le permet toute la couronne</translation>
+    </message>
+    <message>
+        <source>A loop of wind without a seam (GLB)</source>
+        <translation>Une boucle de vent sans raccord (GLB)</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Length of the loop in seconds, 0.1 to 60: the last frame is the first one again, and the motion goes on without a seam</source>
+        <translation>Durée de la boucle en secondes, de 0,1 à 60 : la dernière image est de nouveau la première, et le mouvement continue sans raccord</translation>
+    </message>
+    <message>
+        <source>Length of the loop</source>
+        <translation>Durée de la boucle</translation>
     </message>
 </context>
 <context>

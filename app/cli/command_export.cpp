@@ -76,6 +76,7 @@ struct Request
     bool instances = false; ///< leaves and apples as a list
     int mapSize = WriteOptions().mapSize;
     int joints = WriteOptions().joints;
+    LevelOptions levels;
     FileSpace space;
     bool requireValid = false;
     QString report; ///< file, or empty
@@ -107,6 +108,49 @@ Expected<int> jointsFrom(const CommandLine& line)
                 {given.toStdString(), std::to_string(mostJoints)});
 }
 
+/// None where neither option is given.
+Expected<LevelOptions> levelsFrom(const CommandLine& line)
+{
+    LevelOptions out;
+    if (!line.has("levels") && !line.has("budget"))
+        return out;
+    const QStringList budgets =
+        line.has("budget") ? line.value("budget").split(QLatin1Char(',')) : QStringList();
+    for (const QString& budget : budgets) {
+        bool isNumber = false;
+        out.budgets.push_back(budget.trimmed().toLongLong(&isNumber));
+        if (!isNumber)
+            return fail(ErrorCode::Invalid, "--budget \"%1\": triangles, separated by commas, expected",
+                        {line.value("budget").toStdString()});
+    }
+    bool isNumber = true;
+    out.count = line.has("levels") ? line.value("levels").toLongLong(&isNumber) : budgets.size();
+    if (!isNumber)
+        return fail(ErrorCode::Invalid, "--levels \"%1\": 1 to %2 expected",
+                    {line.value("levels").toStdString(), std::to_string(mostLevels)});
+    if (const auto fine = checkLevels(out); !fine)
+        return fail(fine.error());
+    return out;
+}
+
+Expected<void> takeNumbers(const CommandLine& line, Request& out)
+{
+    const auto mapSize = mapSizeFrom(line);
+    if (!mapSize)
+        return fail(mapSize.error());
+    out.mapSize = *mapSize;
+    const auto joints = jointsFrom(line);
+    if (!joints)
+        return fail(joints.error());
+    out.joints = *joints;
+    const auto levels = levelsFrom(line);
+    if (!levels)
+        return fail(levels.error());
+    out.levels = *levels;
+    out.needsTree = out.needsTree || out.levels.isWanted();
+    return {};
+}
+
 Expected<Request> requestOf(const CommandLine& line)
 {
     Request out;
@@ -116,14 +160,8 @@ Expected<Request> requestOf(const CommandLine& line)
         return fail(ErrorCode::Invalid, "--texture and --no-texture exclude each other");
     out.texture = !line.has("no-texture");
     out.needsTree = line.has("part") || line.has("model") || line.has("leaves") || line.has("texture");
-    const auto mapSize = mapSizeFrom(line);
-    if (!mapSize)
-        return fail(mapSize.error());
-    out.mapSize = *mapSize;
-    const auto joints = jointsFrom(line);
-    if (!joints)
-        return fail(joints.error());
-    out.joints = *joints;
+    if (auto taken = takeNumbers(line, out); !taken)
+        return fail(std::move(taken.error()));
     const auto space = fileSpaceFrom(line);
     if (!space)
         return fail(space.error());
@@ -203,6 +241,7 @@ Expected<void> exportAt(const Scene& scene, const Request& request, double timeS
         options.write.mapSize = request.mapSize;
         options.texture = request.texture;
         options.write.joints = request.joints;
+        options.levels = request.levels;
         options.write.tell = [](const Error& note) { printError(fromText(note.message())); };
         options.clip = clip;
         options.space = request.space;
@@ -251,8 +290,9 @@ Expected<void> exportMoments(const Scene& scene, const Request& request, const M
 Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Progress& progress)
 {
     if (request.needsTree)
-        return fail(ErrorCode::Invalid,
-                    "--part, --model, --leaves and --texture need a tree: the input is a mesh");
+        return fail(
+            ErrorCode::Invalid,
+            "--part, --model, --leaves, --texture, --levels and --budget need a tree: the input is a mesh");
     const auto placed = [&request](TriangleMesh object) {
         if (!request.texture) {
             object.uv.clear();
@@ -281,8 +321,11 @@ Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Pr
 QByteArray reportText(const Request& request, const QString& input, const std::vector<CheckedMesh>& checked)
 {
     QJsonArray files;
+    ExportOptions options;
+    options.levels = request.levels;
     for (const QString& file : request.files)
-        files.append(QFileInfo(file).fileName());
+        for (const std::string& written : exportFiles(options, systemPath(file)))
+            files.append(QFileInfo(QString::fromStdString(written)).fileName());
     QJsonObject report = jsonOf(checked, true);
     report.insert(QStringLiteral("format"), QStringLiteral("ramure-report"));
     report.insert(QStringLiteral("version"), meshReportVersion);
@@ -360,6 +403,23 @@ Expected<int> checkAndWrite(const Input& input, const QString& name, const Reque
     return exitGood;
 }
 
+void addLevelOptions(CommandLine& line)
+{
+    line.add({QStringLiteral("levels")},
+             QStringLiteral(
+                 "So many meshes of each tree, 1 to 8, for less and less triangles: fewer sides, "
+                 "cross-sections and twigs, fewer and larger leaves. A .glb holds them all, as nodes "
+                 "branches_LOD0, branches_LOD1 and so on that MSFT_lod names; of other formats each is a "
+                 "file, FILE_LOD0, FILE_LOD1 ... Without --budget the first is the tree as it is, and "
+                 "each further one has a quarter of the triangles."),
+             QStringLiteral("N"));
+    line.add(
+        {QStringLiteral("budget")},
+        QStringLiteral("Triangles of each level, bark, leaves and fruit together, separated by commas; each "
+                       "less than the one before. Levels keep them within 2 %."),
+        QStringLiteral("T0,T1,..."));
+}
+
 void addOptions(CommandLine& line)
 {
     line.add({QStringLiteral("o"), QStringLiteral("output")},
@@ -399,6 +459,7 @@ void addOptions(CommandLine& line)
                     QStringLiteral("Of each tree in a .glb with --frames, at most, or all: thin branches "
                                    "go with those that carry them, and it is said how far that is off."),
                     QStringLiteral("NUMBER|all"), QString::number(WriteOptions().joints));
+    addLevelOptions(line);
     addSpaceOptions(line);
     addPrintOptions(line);
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes a format that has both as text, not binary."));

@@ -37,6 +37,25 @@ Index materialIn(ExportScene& scene, const Material& material)
     }
 }
 
+int lastLevel(const ExportScene& scene)
+{
+    int last = 0;
+    for (const ExportMesh& mesh : scene.meshes)
+        last = std::max(last, mesh.level);
+    return last;
+}
+
+ExportScene levelOf(const ExportScene& scene, int level)
+{
+    ExportScene out = scene;
+    std::erase_if(out.meshes, [&](const ExportMesh& mesh) { return mesh.isLevel && mesh.level != level; });
+    for (ExportMesh& mesh : out.meshes) {
+        mesh.level = 0;
+        mesh.finest = noIndex;
+    }
+    return out;
+}
+
 std::vector<MeshPart> FlatScene::parts() const
 {
     std::vector<MeshPart> out;

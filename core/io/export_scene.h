@@ -37,6 +37,10 @@ struct ExportMesh
     std::shared_ptr<const TriangleMesh> mesh; ///< never empty; as it rests, in the node's own space
     Index material = 0;
     std::shared_ptr<const Skin> skin{}; ///< to the node's bones; null: it follows the node alone
+    bool isLevel = false;               ///< of detail: one of several
+    int level = 0;                      ///< 0 the finest
+    Index finest = noIndex; ///< number of the mesh in whose place it can be shown; noIndex: it is one
+    double coverage = 0.0;  ///< share of the screen down to which this level suffices and is needed
 };
 
 /// One leaf, fruit or flower.
@@ -85,6 +89,11 @@ ExportScene sceneOfMeshes(std::vector<ReadObject> objects, const Material& mater
 /// The number of a material, which is added where there is no such one yet; of different ones with one name
 /// the second is "bark_oak_2".
 Index materialIn(ExportScene& scene, const Material& material);
+
+/// The coarsest level of its meshes.
+int lastLevel(const ExportScene& scene);
+/// The scene with the meshes of one level alone, and with those that have none.
+ExportScene levelOf(const ExportScene& scene, int level);
 
 /// Named meshes in the space of the file.
 struct FlatScene

@@ -8,6 +8,7 @@
 #include "core/rig/arm/arm_shape.h"
 #include "core/scene/object_mesh.h"
 #include "core/session/foliage_copies.h"
+#include "core/session/level_export.h"
 #include "core/session/scene_counts.h"
 #include "core/surface/foliage/foliage_texture.h"
 #include "core/surface/mesh/transformed.h"
@@ -354,9 +355,43 @@ Expected<void> addFineTree(ExportScene& out, const Candidate& tree, EvaluatedSce
     return {};
 }
 
+/// One after the other, all with one skeleton; each mesh after the first stands for that one's.
+Expected<void> addLevels(ExportScene& out, const Candidate& tree, EvaluatedScene& scene,
+                         const ExportOptions& options, const Progress& progress)
+{
+    const auto made = levelsOf(*tree.node, scene, options, progress);
+    if (!made)
+        return fail(made.error());
+    out.nodes[tree.number].bones =
+        bonesOf(made->tree.rest.simplified->skeleton, made->tree.rest.foliage.get(), made->tree.motion);
+    std::map<std::string, Index> finest;
+    for (std::size_t k = 0; k < made->levels.size(); ++k) {
+        const std::size_t from = out.meshes.size();
+        NodeMotion motion = made->tree.motion;
+        motion.branches = made->skins[k].bark;
+        motion.leaves = made->skins[k].leaves;
+        motion.apples = made->skins[k].apples;
+        const TreeLevel& level = made->levels[k];
+        addMeshes(out, tree, {level.bark, level.leaves, level.apples, level.foliage},
+                  scene.params(*tree.node), motion);
+        for (std::size_t i = from; i < out.meshes.size(); ++i) {
+            ExportMesh& mesh = out.meshes[i];
+            const auto first = finest.try_emplace(mesh.name, static_cast<Index>(i));
+            mesh.isLevel = true;
+            mesh.level = static_cast<int>(k);
+            mesh.finest = first.second ? noIndex : first.first->second;
+            mesh.coverage = made->coverage[k];
+            mesh.name += "_LOD" + std::to_string(k);
+        }
+    }
+    return {};
+}
+
 Expected<void> addTree(ExportScene& out, const Candidate& tree, EvaluatedScene& scene,
                        const ExportOptions& options, const Progress& progress)
 {
+    if (options.levels.isWanted())
+        return addLevels(out, tree, scene, options, progress);
     if (options.model == ExportModel::Mesh)
         return addFineTree(out, tree, scene, options, progress);
     const auto result = scene.tree(*tree.node, lastStage(options), progress);
@@ -507,6 +542,8 @@ Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, c
     if (!options.clip.empty() && options.instances)
         return fail(ErrorCode::Invalid,
                     RAMURE_NOOP("instances of leaves do not move: merge them, or write one moment"));
+    if (auto fine = checkLevelExport(options); !fine)
+        return fine;
     const auto collected = collectExport(std::move(scene), options, progress.part(0.0, 0.5));
     if (!collected)
         return fail(collected.error());
@@ -515,7 +552,9 @@ Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, c
     if (!collected->copies.empty() && ((*format)->holds & holdsCopies) == 0)
         if (auto listed = writeCopyList(path, *collected, head, progress.part(0.5, 0.6)); !listed)
             return listed;
-    return (*format)->write(path, *collected, head, progress.part(0.6, 1.0));
+    if (!options.levels.isWanted() || ((*format)->holds & holdsLevels))
+        return (*format)->write(path, *collected, head, progress.part(0.6, 1.0));
+    return writeLevels(**format, path, *collected, head, progress.part(0.6, 1.0));
 }
 
 } // namespace ramure

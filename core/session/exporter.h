@@ -7,6 +7,7 @@
 #include "core/base/progress.h"
 #include "core/evaluate/evaluator.h"
 #include "core/io/export_scene.h"
+#include "core/levels/level_options.h"
 #include <string>
 #include <vector>
 
@@ -32,6 +33,7 @@ struct ExportOptions
     bool instances = false;         ///< leaves and apples as a list beside the file (core/io/copy_list.h)
     bool texture = false;     ///< trees with texture coordinates; the rough model and the skeleton have none
     std::vector<double> clip; ///< s, further times: trees and arms of ExportModel::Mesh then have skins
+    LevelOptions levels;      ///< of trees as ExportModel::Mesh
     WriteOptions write;
     FileSpace space; ///< the axes and the unit of the file
 };
@@ -48,10 +50,15 @@ Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& o
                                     const Progress& progress = {});
 
 /// Writes a format of core/io/formats/file_format.h, by the ending of \p path, which is checked before
-/// anything is computed. A list of instances is written before it. Errors: Unknown (another ending), those of
-/// collectExport and of core/io; Invalid (a clip of instances); the old file is intact then.
+/// anything is computed. Of levels each has a file of its own (levelFile) where the format does not hold
+/// them. A list of instances is written before it. Errors: Unknown (another ending), those of collectExport
+/// and of core/io; Invalid (a clip of instances); the old file is intact then.
 Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, const std::string& path,
                            const Progress& progress = {});
+/// "tree.obj": "tree_LOD1.obj".
+std::string levelFile(const std::string& path, int level);
+/// The files that exportScene() writes: \p path itself, or one for each level.
+std::vector<std::string> exportFiles(const ExportOptions& options, const std::string& path);
 /// What a file of this format gets where nobody chose: of one that has no objects the one closed mesh alone.
 /// \param instances nothing is mixed into that mesh.
 std::uint8_t usualParts(const FileFormat& format, bool instances = false);

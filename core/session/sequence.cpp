@@ -1,6 +1,8 @@
 #include "core/session/sequence.h"
 
 #include "core/io/formats/file_format.h"
+#include "core/math/reproducible.h"
+#include "core/pipeline/texture_stage.h"
 #include "core/session/scene_counts.h"
 
 #include <algorithm>
@@ -74,6 +76,35 @@ Expected<void> exportSequence(const Scene& scene, const ExportOptions& options, 
     return {};
 }
 
+/// Of a triangle of a level, whose leaves are simple; measured.
+static constexpr double verticesOfLevels = 1.35;
+
+static double levelTriangles(const LevelOptions& levels, double whole)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0;
+         i < static_cast<std::size_t>(std::clamp<std::int64_t>(levels.count, 0, mostLevels)); ++i) {
+        sum += i < levels.budgets.size() ? static_cast<double>(levels.budgets[i]) : whole;
+        whole *= levelStep;
+    }
+    return sum;
+}
+
+/// Of bark and leaves, where the file holds them itself: by measure, finer pictures are smoother ones.
+static double pictureBytes(const Scene& scene, const ExportOptions& options, const FileFormat& format)
+{
+    constexpr double bytes = 5400.0, growth = 0.9;
+    const bool isInside =
+        (format.holds & holdsTexture) && (format.holds & holdsObjects) && *format.beside == '\0';
+    const bool isWanted = options.texture && options.write.mapSize > 0;
+    const auto hasPictures = [&](const Node& node) {
+        return node.kind == NodeKind::Tree && isExported(scene, options, node) && isPictured(node.params);
+    };
+    return isInside && isWanted && std::ranges::any_of(scene.nodes(), hasPictures)
+               ? bytes * maths::pow(options.write.mapSize, growth)
+               : 0.0;
+}
+
 std::uint64_t estimatedFileBytes(const Scene& scene, const ExportOptions& options, const TreeSource& rest,
                                  const std::string& path)
 {
@@ -86,13 +117,18 @@ std::uint64_t estimatedFileBytes(const Scene& scene, const ExportOptions& option
     const SceneCounts counts = SceneCounter().count(scene, held, rest);
     if (!counts.complete)
         return 0;
-    const auto vertices = static_cast<double>(counts.total().vertices);
-    const auto triangles = static_cast<double>(counts.total().faces);
+    auto vertices = static_cast<double>(counts.total().vertices);
+    auto triangles = static_cast<double>(counts.total().faces);
+    if (options.levels.isWanted()) {
+        triangles = levelTriangles(options.levels, triangles);
+        vertices = verticesOfLevels * triangles;
+    }
     // Of the last number, counted from zero.
     const auto last = static_cast<std::int64_t>(std::ceil(std::max(vertices, 10.0))) - 1;
     const auto digits = static_cast<double>(std::to_string(last).size());
     const FileRates rates = (*format)->rates(options.texture, digits);
-    return static_cast<std::uint64_t>(rates.vertex * vertices + rates.triangle * triangles);
+    return static_cast<std::uint64_t>(rates.vertex * vertices + rates.triangle * triangles +
+                                      pictureBytes(scene, options, **format));
 }
 
 } // namespace ramure

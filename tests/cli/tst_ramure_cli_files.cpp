@@ -130,6 +130,27 @@ private slots:
         QCOMPARE(names(read(path("i_leaves_oak.obj"))), QStringList{"leaves_oak"});
         QCOMPARE(names(read(path("i_apples_acorn.obj"))), QStringList{"apples_acorn"});
     }
+    void levelsOfDetail()
+    {
+        const auto exported = [&](const QStringList& options) {
+            return runCli(QStringList{"export", "preset:TinyTree", "--map-size", "0", "-o", path("l.obj")} +
+                          options);
+        };
+        QVERIFY(isRefused(exported({"--levels", "0"}), "1 to 8"));
+        QVERIFY(isRefused(exported({"--levels", "two"}), "--levels \"two\""));
+        QVERIFY(isRefused(exported({"--budget", "4000,x"}), "--budget \"4000,x\""));
+        QVERIFY(isRefused(exported({"--budget", "1000,2000"}), "must fall"));
+        QVERIFY(isRefused(exported({"--budget", "1000,0"}), "budget of 0"));
+        QVERIFY(isRefused(exported({"--levels", "3", "--budget", "1000,500"}), "as many budgets"));
+        QVERIFY(isRefused(exported({"--levels", "2", "--model", "rough"}), "finished mesh"));
+        QVERIFY(!QFile::exists(path("l_LOD0.obj")));
+        const CliRun run = exported({"--budget", "4000,1000", "--report", path("l.json")});
+        QVERIFY2(run.code == 0, qPrintable(run.err));
+        QVERIFY(!QFile::exists(path("l.obj")));
+        QCOMPARE(names(read(path("l_LOD1.obj"))),
+                 (QStringList{"branches_LOD1", "leaves_LOD1", "apples_LOD1"}));
+        QVERIFY(test::bytesOf(path("l.json")).contains("l_LOD1.obj"));
+    }
     void exportWritesWhatIsAskedFor()
     {
         const auto exported = [&](const QStringList& options, const char* file) {

@@ -46,6 +46,11 @@ async function validated() {
   files.push(exported('few-joints.glb', 'preset:SmallTree', '--frames', '0:5', '--joints', '64', '--map-size', '0'));
   files.push(exported('loop.glb', 'preset:SmallTree', '--wind-loop', '1', '--joints', '64', '--map-size', '0'));
   files.push(exported('arm.glb', 'demo:Arm', '--frames', '0:24'));
+  for (const name of some.filter(one => one !== 'TinyTree'))
+    files.push(exported(`${name}-levels.glb`, `preset:${name}`, '--map-size', '64', '--budget', '10000,2500,600'));
+  files.push(exported('whole-levels.glb', 'preset:SmallTree', '--map-size', '0', '--levels', '4'));
+  files.push(exported('wind-levels.glb', 'preset:SilverBirch', '--map-size', '0', '--budget', '10000,2500',
+    '--wind-loop', '1', '--joints', '64'));
   for (const file of files) {
     const {issues} = await validator.validateBytes(new Uint8Array(arrayOf(file)), {maxIssues: 20});
     const bad = issues.messages.filter(message => message.severity < 2);
@@ -94,6 +99,37 @@ async function solid() {
   told('manifold-3d', versionOf('manifold-3d'), some.length, `closed solids, volume within ${most.toExponential(1)}`);
 }
 
+// Each level of each tree: the triangles it was told, its bark one solid, its node named by the finest one.
+async function levelled() {
+  const module = await Module();
+  module.setup();
+  const budgets = [10000, 2500, 600];
+  let most = 0, solids = 0;
+  const trees = some.filter(one => one !== 'TinyTree');
+  for (const name of trees) {
+    const document = await fromArrayBuffer(arrayOf(join(folder, `${name}-levels.glb`)));
+    const meshes = document.getRoot().listMeshes();
+    budgets.forEach((budget, level) => {
+      const own = meshes.filter(one => one.getName().endsWith(`_LOD${level}`));
+      const triangles = own.flatMap(one => one.listPrimitives()).reduce((sum, one) => sum + one.getIndices().getCount() / 3, 0);
+      most = Math.max(most, Math.abs(triangles / budget - 1));
+      find(Math.abs(triangles - budget) <= 0.02 * budget, `${name}, level ${level}: ${triangles} triangles`);
+      const bark = own.find(one => one.getName() === `branches_LOD${level}`);
+      const body = new module.Manifold(new module.Mesh(readMesh(bark, []).mesh));
+      find(body.status() === 'NoError', `${name}, level ${level}: ${body.status()}`);
+      ++solids;
+    });
+    const bytes = readFileSync(join(folder, `${name}-levels.glb`));
+    const json = JSON.parse(bytes.subarray(20, 20 + bytes.readUInt32LE(12)).toString());
+    const finest = json.nodes.find(one => one.name === 'branches_LOD0');
+    const named = finest.extensions.MSFT_lod.ids.map(id => json.nodes[id].name);
+    find(named.join() === 'branches_LOD1,branches_LOD2', `${name}: MSFT_lod names ${named}`);
+    find(finest.extras.MSFT_screencoverage.length === 3, `${name}: no coverage`);
+  }
+  told('manifold-3d', versionOf('manifold-3d'), trees.length,
+    `${solids} levels are closed solids within ${(100 * most).toFixed(2)} % of their budget`);
+}
+
 async function replayed() {
   const loader = new GLTFLoader();
   const open = path => new Promise((resolve, reject) => loader.parse(arrayOf(path), '', resolve, reject));
@@ -130,7 +166,7 @@ async function replayed() {
   told('three', versionOf('three'), frames.length + 1, `replayed within ${(most / height).toExponential(1)} of the height`);
 }
 
-for (const judge of [validated, solid, replayed]) {
+for (const judge of [validated, solid, levelled, replayed]) {
   const before = findings.length;
   try {
     await judge();

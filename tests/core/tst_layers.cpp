@@ -187,6 +187,7 @@ constexpr const char* floors[] = {
     "core/rig/tracks",
     "core/rig/physics",
     "core/rig/arm",
+    "core/levels",
     "core/scene/kinds",
     "core/scene",
     "core/evaluate",

@@ -34,6 +34,7 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
     , m_document(document)
     , m_preferences(preferences)
     , m_chooser(chooser)
+    , m_set(set)
     , m_open(set->add({"file.open", QT_TRANSLATE_NOOP("Actions", "&Open…"), "open", QKeySequence::Open,
                        QT_TRANSLATE_NOOP("Actions", "Open a Ramure file, or objects into a new scene")}))
     , m_save(set->add({"file.save", QT_TRANSLATE_NOOP("Actions", "&Save"), "save", QKeySequence::Save,
@@ -50,6 +51,9 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
     , m_export(set->add({"file.export", QT_TRANSLATE_NOOP("Actions", "&Export…"), "export",
                          QKeySequence(Qt::CTRL | Qt::Key_E),
                          QT_TRANSLATE_NOOP("Actions", "Write meshes, sequences of frames or pictures")}))
+    , m_again(set->add({"file.exportAgain", QT_TRANSLATE_NOOP("Actions", "Export a&gain"), nullptr,
+                        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E),
+                        QT_TRANSLATE_NOOP("Actions", "Write the last export once more, over its files")}))
     , m_quit(set->add({"file.quit", QT_TRANSLATE_NOOP("Actions", "&Quit"), "quit", QKeySequence::Quit}))
 {
     for (const Preset& preset : presets()) {
@@ -73,8 +77,10 @@ FileActions::FileActions(Document* document, Preferences* preferences, Chooser* 
     connect(m_saveAs, &QAction::triggered, this, &FileActions::saveAs);
     connect(m_pack, &QAction::triggered, this, &FileActions::packPictures);
     connect(m_export, &QAction::triggered, this, &FileActions::exportRequested);
+    connect(m_again, &QAction::triggered, this, &FileActions::exportAgainRequested);
     connect(m_quit, &QAction::triggered, this, &FileActions::quitRequested);
     m_quit->setMenuRole(QAction::QuitRole);
+    setLastExport({});
 }
 
 void FileActions::fillMenu(QMenu* menu, QAction* welcome, const QList<QAction*>& pictures,
@@ -99,6 +105,7 @@ void FileActions::fillMenu(QMenu* menu, QAction* welcome, const QList<QAction*>&
     menu->addSeparator();
     menu->addActions(imports);
     menu->addAction(m_export);
+    menu->addAction(m_again);
     menu->addActions(pictures);
     menu->addSeparator();
     menu->addAction(m_quit);
@@ -106,8 +113,22 @@ void FileActions::fillMenu(QMenu* menu, QAction* welcome, const QList<QAction*>&
     retranslate();
 }
 
+void FileActions::setLastExport(const QString& path)
+{
+    m_lastExport = path;
+    m_again->setEnabled(!path.isEmpty());
+    QString name = QFileInfo(path).fileName();
+    name.replace(u'&', QStringLiteral("&&"));
+    m_set->setText(m_again, path.isEmpty() ? QString() : tr("Export “%1” a&gain").arg(name));
+    m_set->setTip(m_again,
+                  path.isEmpty()
+                      ? tr("Nothing was exported yet since this scene was opened: there is nothing to repeat")
+                      : tr("Write %1 once more, with the same choices").arg(QDir::toNativeSeparators(path)));
+}
+
 void FileActions::retranslate()
 {
+    setLastExport(m_lastExport);
     std::size_t at = 0;
     for (const Preset& preset : presets()) {
         m_presets[at]->setToolTip(coreText(preset.description));

@@ -31,6 +31,8 @@ public:
     [[nodiscard]] QAction* saveAction() const { return m_save; }
     [[nodiscard]] QAction* openAction() const { return m_open; }
     [[nodiscard]] QAction* exportAction() const { return m_export; }
+    /// What was written last, as the entry that writes it again names it; empty: there is nothing to repeat.
+    void setLastExport(const QString& path);
     void retranslate();
     /// What opens objects that are no projects; without it projects alone open. Not owned.
     void setImports(ImportActions* imports) { m_imports = imports; }
@@ -57,6 +59,7 @@ signals:
     void openEnded(bool opened); ///< once for every openFile
     void succeeded();            ///< a file was opened or saved: what went wrong before it is past
     void exportRequested();
+    void exportAgainRequested();
     void quitRequested();
 
 private:
@@ -73,12 +76,15 @@ private:
     Document* m_document;
     Preferences* m_preferences;
     Chooser* m_chooser;
+    ActionSet* m_set;
     ImportActions* m_imports = nullptr;
     QAction* m_open;
     QAction* m_save;
     QAction* m_saveAs;
     QAction* m_pack;
     QAction* m_export;
+    QAction* m_again;
+    QString m_lastExport;
     QAction* m_quit;
     QMenu* m_newMenu = nullptr;
     QMenu* m_demoMenu = nullptr;

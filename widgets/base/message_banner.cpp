@@ -5,8 +5,10 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QPushButton>
 #include <QStyle>
 #include <QToolButton>
+#include <utility>
 
 namespace ramure {
 namespace {
@@ -30,6 +32,7 @@ MessageBanner::MessageBanner(QWidget* parent)
     : QFrame(parent)
     , m_icon(new QLabel(this))
     , m_text(new QLabel(this))
+    , m_button(new QPushButton(this))
     , m_close(new QToolButton(this))
 {
     setObjectName(QStringLiteral("banner"));
@@ -44,7 +47,13 @@ MessageBanner::MessageBanner(QWidget* parent)
     m_close->setIconSize({14, 14});
     layout->addWidget(m_icon);
     layout->addWidget(m_text, 1);
+    m_button->setObjectName(QStringLiteral("bannerAction"));
+    layout->addWidget(m_button, 0, Qt::AlignTop);
     layout->addWidget(m_close, 0, Qt::AlignTop);
+    connect(m_button, &QPushButton::clicked, this, [this] {
+        if (m_action)
+            m_action();
+    });
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
     retranslate();
     hide();
@@ -52,6 +61,15 @@ MessageBanner::MessageBanner(QWidget* parent)
 
 void MessageBanner::showMessage(Severity severity, const QString& text)
 {
+    showMessage(severity, text, {}, {});
+}
+
+void MessageBanner::showMessage(Severity severity, const QString& text, const QString& button,
+                                std::function<void()> action)
+{
+    m_button->setText(button);
+    m_button->setVisible(!button.isEmpty());
+    m_action = std::move(action);
     m_severity = severity;
     m_text->setText(text);
     m_icon->setPixmap(icon(iconName(severity)).pixmap(18, 18));

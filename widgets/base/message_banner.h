@@ -4,8 +4,10 @@
 
 #include "widgets/base/chooser.h"
 #include <QFrame>
+#include <functional>
 
 class QLabel;
+class QPushButton;
 class QToolButton;
 
 namespace ramure {
@@ -17,6 +19,9 @@ public:
     explicit MessageBanner(QWidget* parent = nullptr);
 
     void showMessage(Severity severity, const QString& text);
+    /// With a button that does something about it.
+    void showMessage(Severity severity, const QString& text, const QString& button,
+                     std::function<void()> action);
     [[nodiscard]] QString text() const;
 
 protected:
@@ -28,6 +33,8 @@ private:
 
     QLabel* m_icon;
     QLabel* m_text;
+    QPushButton* m_button;
+    std::function<void()> m_action;
     QToolButton* m_close;
     Severity m_severity = Severity::Info;
 };

@@ -24,6 +24,7 @@ const QString welcomeKey = QStringLiteral("view/welcomeAtStart");
 const QString shortcutsKey = QStringLiteral("shortcuts");
 const QString recentKey = QStringLiteral("files/recent");
 const QString folderKey = QStringLiteral("files/folder");
+const QString exportKey = QStringLiteral("files/export");
 const QString exportSpaceKey = QStringLiteral("files/exportSpace");
 const QString findsKey = QStringLiteral("window/recentFinds");
 const QString tourKey = QStringLiteral("window/tourSeen");
@@ -281,6 +282,16 @@ FileSpace Preferences::exportSpace() const
 void Preferences::setExportSpace(const FileSpace& space)
 {
     store(exportSpaceKey, QString::fromStdString(space.comment()));
+}
+
+QVariantMap Preferences::exportSettings() const
+{
+    return m_settings.value(exportKey).toMap();
+}
+
+void Preferences::setExportSettings(const QVariantMap& settings)
+{
+    set(exportKey, settings);
 }
 
 QVariantMap Preferences::viewLight() const

@@ -80,6 +80,10 @@ public:
     [[nodiscard]] FileSpace exportSpace() const;
     void setExportSpace(const FileSpace& space);
 
+    /// What the export dialog keeps: settings under names, and those of the last exports.
+    [[nodiscard]] QVariantMap exportSettings() const;
+    void setExportSettings(const QVariantMap& settings);
+
     /// What the tools of the view remember, see GizmoSettings::saved.
     [[nodiscard]] QVariantMap toolSettings() const;
     void setToolSettings(const QVariantMap& settings);

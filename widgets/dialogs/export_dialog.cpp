@@ -6,7 +6,9 @@
 #include "widgets/base/chooser.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/preferences.h"
+#include "widgets/dialogs/export_rows.h"
 #include "widgets/dialogs/export_task.h"
+#include "widgets/dialogs/level_form.h"
 #include "widgets/dialogs/mesh_faults.h"
 #include "widgets/dialogs/moment_form.h"
 #include "widgets/dialogs/picture_form.h"
@@ -23,27 +25,11 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QStandardItemModel>
+#include <QSignalBlocker>
 #include <QStyle>
+#include <QTabBar>
 
 namespace ramure {
-
-/// What stands behind the formats of the table: pictures of the view.
-static const QString pictureFormat = QStringLiteral("png");
-
-/// Rows of the form, from the top.
-enum Row {
-    FormatRow,
-    PrintRow,
-    ModelRow,
-    PartsRow,
-    FoliageRow,
-    SpaceRow,
-    TreesRow,
-    MomentRow,
-    PictureRow,
-    FileRow
-};
 
 ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences* preferences,
                            Chooser* chooser, QWidget* parent, std::int64_t shownFrame)
@@ -75,6 +61,9 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     for (QCheckBox* box : {m_selection, m_hidden, m_texture})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::updateSummary);
     connectMessage();
+    connect(m_levels, &LevelForm::changed, this, &ExportDialog::updateSummary);
+    connect(m_maps, &QComboBox::currentIndexChanged, this, &ExportDialog::updateSummary);
+    connect(m_uses, &QTabBar::currentChanged, this, &ExportDialog::takeUse);
     connect(m_printing, &PrintForm::changed, this, &ExportDialog::takePrint);
     connect(m_printing, &PrintForm::prepareRequested, this, [this] { startPrint({}); });
     for (QCheckBox* box : {m_selection, m_hidden})
@@ -107,8 +96,9 @@ ExportDialog::~ExportDialog() = default;
 void ExportDialog::connectMessage()
 {
     const auto forget = [this] { setMessage({}, false); };
-    for (QComboBox* box : {m_format, m_model, m_foliage})
+    for (QComboBox* box : {m_format, m_model, m_foliage, m_maps})
         connect(box, &QComboBox::currentIndexChanged, this, forget);
+    connect(m_levels, &LevelForm::changed, this, forget);
     for (QCheckBox* box : {m_branches, m_leaves, m_apples, m_selection, m_hidden, m_texture})
         connect(box, &QCheckBox::toggled, this, forget);
     connect(m_path, &QLineEdit::textChanged, this, forget);
@@ -116,104 +106,6 @@ void ExportDialog::connectMessage()
     connect(m_moments, &MomentForm::changed, this, forget);
     connect(m_pictures, &PictureForm::changed, this, forget);
     connect(m_printing, &PrintForm::changed, this, forget);
-}
-
-void ExportDialog::buildForm()
-{
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(18, 18, 18, 14);
-    layout->setSpacing(14);
-    m_form = new QFormLayout;
-    m_form->setHorizontalSpacing(14);
-    m_form->setVerticalSpacing(10);
-    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    // An empty text would make no label: retranslate() fills it.
-    const auto addRow = [this](auto* field) { m_form->addRow(new QLabel(this), field); };
-    m_format = new QComboBox(this);
-    m_model = new QComboBox(this);
-    for (const FileFormat* format : fileFormats())
-        if (isFor(*format, FormatUse::Write))
-            m_format->addItem(QString(), QString::fromLatin1(format->id));
-    m_format->addItem(QString(), pictureFormat);
-    for (int i = 0; i < 3; ++i)
-        m_model->addItem(QString());
-    m_foliage = new QComboBox(this);
-    m_foliage->setObjectName(QStringLiteral("exportFoliage"));
-    m_foliage->addItems({QString(), QString()});
-    m_moments = new MomentForm(m_document->scene().timeline(), m_shownFrame, this);
-    m_pictures = new PictureForm(this);
-    m_printing = new PrintForm(this);
-    m_selection = new QCheckBox(this);
-    m_selection->setEnabled(!m_document->selection().nodes.empty());
-    m_hidden = new QCheckBox(this);
-    auto* scope = new QVBoxLayout;
-    scope->setSpacing(6);
-    scope->addWidget(m_selection);
-    scope->addWidget(m_hidden);
-    addRow(m_format);
-    addRow(m_printing);
-    addRow(m_model);
-    m_space = new SpaceForm(this);
-    m_space->setSpace(m_preferences->exportSpace());
-    addRow(buildParts());
-    addRow(m_foliage);
-    addRow(m_space);
-    addRow(scope);
-    addRow(m_moments);
-    addRow(m_pictures);
-    addRow(buildTarget());
-    setTabOrder(m_format, m_printing);
-    layout->addLayout(m_form);
-    buildFaults(layout);
-    buildProgress(layout);
-}
-
-QLayout* ExportDialog::buildParts()
-{
-    m_branches = new QCheckBox(this);
-    m_leaves = new QCheckBox(this);
-    m_apples = new QCheckBox(this);
-    auto* boxes = new QHBoxLayout;
-    boxes->setSpacing(16);
-    for (QCheckBox* box : {m_branches, m_leaves, m_apples}) {
-        box->setChecked(true);
-        boxes->addWidget(box);
-    }
-    m_texture = new QCheckBox(this);
-    m_texture->setObjectName(QStringLiteral("exportTexture"));
-    m_texture->setChecked(true);
-    boxes->addWidget(m_texture);
-    boxes->addStretch(1);
-    m_partsNote = new QLabel(this);
-    m_partsNote->setObjectName(QStringLiteral("partsNote"));
-    m_partsNote->setTextFormat(Qt::PlainText);
-    m_partsNote->setWordWrap(true);
-    auto* parts = new QVBoxLayout;
-    parts->setSpacing(6);
-    parts->addLayout(boxes);
-    parts->addWidget(m_partsNote);
-    return parts;
-}
-
-/// The file, and below it what that will come to.
-QLayout* ExportDialog::buildTarget()
-{
-    m_path = new QLineEdit(this);
-    m_path->setMinimumWidth(320);
-    m_browse = new QPushButton(this);
-    m_summary = new QLabel(this);
-    m_summary->setObjectName(QStringLiteral("dim"));
-    m_summary->setTextFormat(Qt::PlainText);
-    m_summary->setWordWrap(true);
-    auto* file = new QHBoxLayout;
-    file->setSpacing(8);
-    file->addWidget(m_path, 1);
-    file->addWidget(m_browse);
-    auto* target = new QVBoxLayout;
-    target->setSpacing(6);
-    target->addLayout(file);
-    target->addWidget(m_summary);
-    return target;
 }
 
 /// What is not clean about the mesh, and the way to it.
@@ -274,34 +166,6 @@ bool ExportDialog::mayExportFaults()
     return false;
 }
 
-/// What is below the form: the message, the bar, the buttons.
-void ExportDialog::buildProgress(QVBoxLayout* layout)
-{
-    m_message = new QLabel(this);
-    m_message->setWordWrap(true);
-    m_message->hide();
-    layout->addWidget(m_message);
-    m_progress = new QProgressBar(this);
-    m_progress->setRange(0, 1000);
-    m_progress->setTextVisible(false);
-    QSizePolicy policy = m_progress->sizePolicy();
-    policy.setRetainSizeWhenHidden(true);
-    m_progress->setSizePolicy(policy);
-    m_progress->hide();
-    layout->addWidget(m_progress);
-    auto* buttons = new QHBoxLayout;
-    buttons->setSpacing(8);
-    m_export = new QPushButton(this);
-    m_export->setDefault(true);
-    m_cancel = new QPushButton(this);
-    m_cancel->setAutoDefault(false);
-    m_browse->setAutoDefault(false);
-    buttons->addStretch(1);
-    buttons->addWidget(m_cancel);
-    buttons->addWidget(m_export);
-    layout->addLayout(buttons);
-}
-
 const FileFormat* ExportDialog::format() const
 {
     const QString id = m_format->currentData().toString();
@@ -323,14 +187,15 @@ QString ExportDialog::suffix() const
 
 void ExportDialog::setFormat(const QString& id)
 {
+    for (const ExportUse use : exportUses)
+        if (m_format->findData(id) < 0 && formatsOf(use).contains(id))
+            setUse(use);
     m_format->setCurrentIndex(m_format->findData(id));
 }
 
 void ExportDialog::setPicturesEnabled(bool enabled)
 {
-    qobject_cast<QStandardItemModel*>(m_format->model())
-        ->item(m_format->findData(pictureFormat))
-        ->setEnabled(enabled);
+    m_uses->setTabEnabled(static_cast<int>(ExportUse::Pictures), enabled);
 }
 
 void ExportDialog::setPath(const QString& path)
@@ -346,14 +211,19 @@ QString ExportDialog::path() const
 ExportOptions ExportDialog::options() const
 {
     ExportOptions options;
-    options.model = static_cast<ExportModel>(m_model->currentIndex());
+    if (m_use == ExportUse::Blender)
+        options.model = static_cast<ExportModel>(m_model->currentIndex());
     options.parts = static_cast<std::uint8_t>((m_branches->isChecked() ? exportBranches : 0) |
                                               (m_leaves->isChecked() ? exportLeaves : 0) |
                                               (m_apples->isChecked() ? exportApples : 0));
     if (m_selection->isChecked())
         options.nodes = m_document->selection().nodes;
     options.hidden = m_hidden->isChecked();
-    options.instances = m_foliage->currentIndex() == 1;
+    options.instances =
+        m_foliage->currentIndex() == 1 && m_use != ExportUse::Game && m_use != ExportUse::Print;
+    if (m_use == ExportUse::Game)
+        options.levels = m_levels->options();
+    options.write.mapSize = m_maps->currentData().toInt();
     options.texture = options.model == ExportModel::Mesh && holds(holdsTexture) && m_texture->isChecked();
     options.write.ascii = format() && format()->isText;
     if (holds(holdsSpace))
@@ -369,9 +239,15 @@ void ExportDialog::takeFormat()
     const QFileInfo info(path());
     if (info.suffix().toLower() == pictureFormat || findFormat(path().toStdString(), FormatUse::Write))
         setPath(info.path() + u'/' + info.completeBaseName() + u'.' + suffix());
-    for (const Row row : {PrintRow, ModelRow, PartsRow, FoliageRow, TreesRow, MomentRow})
+    for (const Row row : {PartsRow, TreesRow, MomentRow})
         m_form->setRowVisible(row, format() != nullptr || row == MomentRow);
+    m_form->setRowVisible(PrintRow, m_use == ExportUse::Print);
+    m_form->setRowVisible(ModelRow, m_use == ExportUse::Blender);
+    m_form->setRowVisible(FoliageRow, m_use == ExportUse::Blender || m_use == ExportUse::Web);
+    m_form->setRowVisible(LevelRow, m_use == ExportUse::Game);
+    m_form->setRowVisible(MapRow, holds(holdsTexture) && holds(holdsObjects));
     m_form->setRowVisible(SpaceRow, holds(holdsSpace));
+    m_moments->setClips(holds(holdsClip));
     showPrintRows({ModelRow, PartsRow, FoliageRow, SpaceRow, MomentRow});
     m_form->setRowVisible(PictureRow, !format());
     m_moments->setPictures(!format());
@@ -385,7 +261,7 @@ void ExportDialog::takeFormat()
 void ExportDialog::updateWidgets()
 {
     const bool running = m_waiting || m_task->isRunning();
-    const bool lines = static_cast<ExportModel>(m_model->currentIndex()) == ExportModel::Skeleton;
+    const bool lines = options().model == ExportModel::Skeleton;
     for (QWidget* widget :
          {static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_model), static_cast<QWidget*>(m_path),
           static_cast<QWidget*>(m_browse), static_cast<QWidget*>(m_hidden)})
@@ -399,9 +275,11 @@ void ExportDialog::updateWidgets()
                                  .arg(coreText(format()->name)));
     m_partsNote->setVisible(format() && !isPrint() && !holds(holdsObjects) && !lines &&
                             !options().instances && !(m_leaves->isChecked() && m_apples->isChecked()));
-    m_texture->setEnabled(!running && holds(holdsTexture) &&
-                          static_cast<ExportModel>(m_model->currentIndex()) == ExportModel::Mesh);
-    m_space->setEnabled(!running);
+    m_texture->setEnabled(!running && holds(holdsTexture) && options().model == ExportModel::Mesh);
+    for (QWidget* widget : {static_cast<QWidget*>(m_uses), static_cast<QWidget*>(m_kept),
+                            static_cast<QWidget*>(m_levels), static_cast<QWidget*>(m_space)})
+        widget->setEnabled(!running);
+    m_maps->setEnabled(!running && options().texture);
     m_printing->setEnabled(!running && !m_recompute->isBusy());
     m_moments->setEnabled(!running);
     m_pictures->setEnabled(!running);
@@ -460,7 +338,7 @@ void ExportDialog::run()
         for (std::int64_t i = 1; i < frames.count(); ++i)
             what.clip.push_back(frames.timeOf(frames.frame(i)));
     }
-    m_task->startExport(*m_document, what, path(), seconds);
+    m_task->startExport(*m_document, what, path(), seconds, m_moments->loop());
     updateWidgets();
 }
 
@@ -490,6 +368,7 @@ void ExportDialog::keepChoices()
 {
     m_preferences->setLastFolder(QFileInfo(path()).absolutePath());
     m_preferences->setExportSpace(m_space->space());
+    storeKept(QStringLiteral("last"), settings());
 }
 
 void ExportDialog::setMessage(const QString& text, bool isError)
@@ -519,56 +398,6 @@ void ExportDialog::changeEvent(QEvent* event)
     if (event->type() == QEvent::LanguageChange)
         retranslate();
     QDialog::changeEvent(event);
-}
-
-void ExportDialog::retranslate()
-{
-    setWindowTitle(tr("Export"));
-    for (const FileFormat* format : fileFormats())
-        if (const int row = m_format->findData(QString::fromLatin1(format->id)); row >= 0)
-            m_format->setItemText(row, coreText(format->choice));
-    m_format->setItemText(m_format->findData(pictureFormat), tr("PNG pictures of the view"));
-    m_model->setItemText(static_cast<int>(ExportModel::Mesh), tr("Finished mesh"));
-    m_model->setItemText(static_cast<int>(ExportModel::Rough), tr("Rough model"));
-    m_model->setItemText(static_cast<int>(ExportModel::Skeleton), tr("Skeleton as lines"));
-    m_foliage->setItemText(0, tr("Merged into one mesh"));
-    m_foliage->setItemText(1, tr("List of instances"));
-    m_foliage->setToolTip(tr(
-        "Merged: the file holds every leaf and every fruit. List of instances: it holds the rest, and beside "
-        "it stand a table, FILE_leaves.csv, with a row for each leaf, fruit and flower (its shape, material, "
-        "branch, colour and matrix), and one OBJ for each shape; in a GLB they stand inside. Much smaller, "
-        "for programs that draw instances."));
-    m_branches->setText(tr("Branches"));
-    m_leaves->setText(tr("Leaves"));
-    m_apples->setText(tr("Apples"));
-    m_selection->setText(tr("Only what is selected"));
-    m_texture->setText(tr("Texture coordinates"));
-    m_texture->setToolTip(tr(
-        "Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one "
-        "repeat of the bark, in metres, is the tree's parameter \"Bark tile\". Beside an .obj, the pictures "
-        "of the bark are written too."));
-    const QString whole =
-        tr("Trees, arms as they are at the moment, terrains, primitives and imported meshes "
-           "are written where they stand in the world, each under a name of its own.");
-    m_selection->setToolTip(whole);
-    m_hidden->setToolTip(whole);
-    m_hidden->setText(tr("Hidden nodes too"));
-    m_browse->setText(tr("Browse…"));
-    m_show->setText(tr("Show"));
-    m_cancel->setText(tr("Cancel"));
-    const QString labels[] = {tr("Format"),           tr("For print"),     tr("Model"), tr("Parts"),
-                              tr("Leaves and fruit"), tr("Axes and unit"), tr("Nodes"), tr("Moment"),
-                              tr("Picture"),          tr("File")};
-    for (int row = 0; row < m_form->rowCount(); ++row) {
-        auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
-        label->setText(labels[row]);
-    }
-    m_format->setAccessibleName(labels[0]);
-    m_model->setAccessibleName(labels[ModelRow]);
-    m_foliage->setAccessibleName(labels[FoliageRow]);
-    m_path->setAccessibleName(labels[FileRow]);
-    m_progress->setAccessibleName(tr("Progress of the export"));
-    updateWidgets();
 }
 
 } // namespace ramure

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "core/session/exporter.h"
+#include "widgets/dialogs/export_uses.h"
 #include "widgets/dialogs/sequence_task.h"
 #include <QDialog>
+#include <QVariantMap>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -18,6 +20,7 @@ class QLayout;
 class QLineEdit;
 class QProgressBar;
 class QPushButton;
+class QTabBar;
 class QVBoxLayout;
 
 namespace ramure {
@@ -26,6 +29,7 @@ class Analysis;
 class Chooser;
 class Document;
 class ExportTask;
+class LevelForm;
 class MomentForm;
 class PictureForm;
 class Preferences;
@@ -49,8 +53,16 @@ public:
     void setSequenceTask(SequenceTask* task);
     /// How pictures look; without it there are none.
     void setPictureLook(const PictureLook& look);
-    /// FileFormat::id, or "png": pictures of the view.
+    /// The page on show.
+    void setUse(ExportUse use);
+    [[nodiscard]] ExportUse use() const { return m_use; }
+    /// FileFormat::id, or "png": pictures of the view. Turns to a page that has it.
     void setFormat(const QString& id);
+    /// All that was chosen, but where to; and the same again. Numbers out of range are brought into it.
+    [[nodiscard]] QVariantMap settings() const;
+    void setSettings(const QVariantMap& kept);
+    /// Starts the same export again, over the files that it wrote.
+    void repeat(const QVariantMap& settings, const QString& path);
     [[nodiscard]] MomentForm* moments() const { return m_moments; }
     [[nodiscard]] PictureForm* pictures() const { return m_pictures; }
     [[nodiscard]] PrintForm* printing() const { return m_printing; }
@@ -76,6 +88,10 @@ protected:
 
 private:
     void buildForm();
+    void addFormRows();
+    void buildUses(QVBoxLayout* layout);
+    void fillFormats();
+    void takeUse(int tab);
     [[nodiscard]] QLayout* buildParts();
     [[nodiscard]] QLayout* buildTarget();
     void buildProgress(QVBoxLayout* layout);
@@ -85,6 +101,8 @@ private:
     void browse();
     void takeFormat();
     void updateWidgets();
+    void retranslateFormats();
+    void retranslateMore();
     void connectMessage();
     void keepChoices();
     void run();
@@ -96,6 +114,15 @@ private:
     [[nodiscard]] bool mayStart();
     [[nodiscard]] bool mayReplaceFiles();
     void startSequence();
+    // export_kept.cpp
+    [[nodiscard]] QLayout* buildKept();
+    [[nodiscard]] QVariantMap keptOf(const QString& group) const;
+    void storeKept(const QString& group, const QVariantMap& settings);
+    void fillKept();
+    void updateKept();
+    void takeKept(int row);
+    void keep();
+    void forgetKept();
     // export_print.cpp
     [[nodiscard]] bool isPrint() const;
     void showPrintRows(std::initializer_list<int> rows);
@@ -123,7 +150,15 @@ private:
     QLabel* m_faults = nullptr;
     QPushButton* m_show = nullptr;
     QString m_mayReplace; ///< the path (and frames) whose existing files the user has agreed to overwrite
+    bool m_mayReplaceAll = false; ///< it is done again
+    ExportUse m_use = ExportUse::Blender;
+    QTabBar* m_uses = nullptr;
     QFormLayout* m_form = nullptr;
+    QComboBox* m_kept = nullptr; ///< settings under names
+    QPushButton* m_keep = nullptr;
+    QPushButton* m_forget = nullptr;
+    QComboBox* m_maps = nullptr; ///< pixels a side of the pictures of bark and leaves
+    LevelForm* m_levels = nullptr;
     QComboBox* m_format = nullptr;
     QComboBox* m_model = nullptr;
     QComboBox* m_foliage = nullptr; ///< merged, or instances

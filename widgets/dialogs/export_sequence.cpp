@@ -4,6 +4,7 @@
 #include "widgets/base/core_text.h"
 #include "widgets/dialogs/export_dialog.h"
 #include "widgets/dialogs/export_task.h"
+#include "widgets/dialogs/level_form.h"
 #include "widgets/dialogs/moment_form.h"
 #include "widgets/dialogs/picture_form.h"
 #include <QComboBox>
@@ -58,7 +59,7 @@ void ExportDialog::setPictureLook(const PictureLook& look)
 /// One file that moves.
 bool ExportDialog::isClip() const
 {
-    return holds(holdsClip) && m_moments->moment() == ExportMoment::Sequence;
+    return holds(holdsClip) && (m_moments->moment() == ExportMoment::Sequence || m_moments->loop());
 }
 
 bool ExportDialog::isNumbered() const
@@ -78,7 +79,7 @@ void ExportDialog::updateSummary()
     const FrameSequence frames = m_moments->frames();
     QStringList parts;
     std::int64_t count = turns ? m_moments->turns() : 1;
-    if (m_moments->moment() == ExportMoment::Sequence)
+    if (m_moments->moment() == ExportMoment::Sequence || m_moments->loop())
         count = checkSequence(frames) ? frames.count() : 0;
     QString file = path();
     if (QFileInfo(file).suffix().isEmpty())
@@ -94,6 +95,10 @@ void ExportDialog::updateSummary()
     } else if (count == 1 && isNumbered()) {
         parts += QFileInfo(numbered(file, frames.first)).fileName();
     }
+    if (const auto files = exportFiles(format() ? options() : ExportOptions(), systemPath(file));
+        files.size() > 1)
+        parts += QStringLiteral("%1 … %2").arg(QFileInfo(QFile::decodeName(files.front().c_str())).fileName(),
+                                               QFileInfo(QFile::decodeName(files.back().c_str())).fileName());
     const bool materials = format() && *format()->beside != '\0' && options().model != ExportModel::Skeleton;
     if (isNumbered() && !options().instances)
         parts += tr("%Ln file(s)", nullptr, int(count * (materials ? 2 : 1)));
@@ -119,6 +124,9 @@ bool ExportDialog::mayStart()
     } else if (QFileInfo(path()).suffix().toLower() != QLatin1String("png")) {
         return refuse(tr("Unknown file ending: pictures are written as .png"));
     }
+    if (m_use == ExportUse::Game)
+        if (const auto fine = m_levels->check(); !fine)
+            return refuse(errorText(fine.error()));
     if (isClip())
         if (const auto fine = checkSequence(m_moments->frames()); !fine)
             return refuse(errorText(fine.error()));
@@ -147,11 +155,13 @@ bool ExportDialog::mayReplaceFiles()
         for (std::int64_t i = 0; i < frames.count(); ++i)
             names += QFileInfo(numbered(path(), frames.frame(i))).fileName();
     } else {
-        names += QFileInfo(path()).fileName();
+        for (const std::string& file :
+             exportFiles(format() ? options() : ExportOptions(), systemPath(path())))
+            names += QFileInfo(QFile::decodeName(file.c_str())).fileName();
     }
     if (isNumbered())
         wish += QStringLiteral(" %1 %2").arg(names.size()).arg(names.front());
-    if (m_mayReplace == wish)
+    if (m_mayReplaceAll || m_mayReplace == wish)
         return true;
     const QStringList there = QFileInfo(path()).dir().entryList(QDir::Files | QDir::Hidden | QDir::System);
     const QSet<QString> existing(there.begin(), there.end());

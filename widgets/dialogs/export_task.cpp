@@ -25,13 +25,14 @@ TreeSource snapshotOf(const Document& document)
 }
 
 void ExportTask::startExport(const Document& document, const ExportOptions& options, const QString& path,
-                             double timeSeconds)
+                             double timeSeconds, const std::optional<TimelineSettings>& timeline)
 {
     if (isRunning())
         return;
     start([options, timeSeconds, scene = document.scene(), source = snapshotOf(document),
+           loop = timeline.value_or(document.scene().timeline()),
            file = path.toStdString()](const Progress& progress) {
-        Evaluator evaluator(source, scene.timeline());
+        Evaluator evaluator(source, loop);
         return exportScene(evaluator.at(scene, timeSeconds), options, file, progress);
     });
 }

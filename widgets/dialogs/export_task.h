@@ -6,6 +6,7 @@
 #include "core/session/job.h"
 #include "core/session/print_export.h"
 #include <QString>
+#include <optional>
 
 namespace ramure {
 
@@ -20,8 +21,9 @@ public:
 
     /// Takes what it needs from the document and returns at once; nothing happens while another export is
     /// running. The trees are as their physics has moved them at \p timeSeconds.
+    /// \param timeline in the place of the scene's.
     void startExport(const Document& document, const ExportOptions& options, const QString& path,
-                     double timeSeconds = 0.0);
+                     double timeSeconds = 0.0, const std::optional<TimelineSettings>& timeline = {});
     /// Makes the print of a tree, unless it is there already, and writes it where \p path has a name, with Z
     /// up, in mm. \p take gets it before the end is told.
     void startPrint(const Document& document, const ExportOptions& which, const PrintOptions& options,

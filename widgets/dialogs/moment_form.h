@@ -1,18 +1,20 @@
 /// \file
-/// Which moments an export writes: at rest, the frame on show, a sequence of frames, or (of pictures) a view
-/// from all sides.
+/// Which moments an export writes: at rest, the frame on show, a sequence of frames, (of pictures) a view
+/// from all sides, or (of files that move) a loop of wind without a seam.
 #pragma once
 
 #include "core/session/sequence.h"
 #include <QWidget>
+#include <optional>
 
 class QComboBox;
+class QDoubleSpinBox;
 class QLabel;
 class QSpinBox;
 
 namespace ramure {
 
-enum class ExportMoment : std::uint8_t { Rest, Shown, Sequence, Turntable };
+enum class ExportMoment : std::uint8_t { Rest, Shown, Sequence, Turntable, WindLoop };
 
 class MomentForm : public QWidget
 {
@@ -23,6 +25,14 @@ public:
 
     /// Pictures have a turntable too.
     void setPictures(bool pictures);
+    /// Files that move have a loop of wind.
+    void setClips(bool clips);
+    void setFrames(int first, int last, int step);
+    void setTurns(int turns);
+    void setLoopSeconds(double seconds);
+    [[nodiscard]] double loopSeconds() const;
+    /// Of a loop of wind: its last second blends into its first frame.
+    [[nodiscard]] std::optional<TimelineSettings> loop() const;
     void setMoment(ExportMoment moment);
     [[nodiscard]] ExportMoment moment() const;
     /// Of one moment a sequence of one.
@@ -41,6 +51,7 @@ protected:
 private:
     void retranslate();
     void update();
+    void enableMoment(ExportMoment moment, bool enabled);
 
     TimelineSettings m_timeline;
     std::int64_t m_shown;
@@ -51,6 +62,7 @@ private:
     QSpinBox* m_last;
     QSpinBox* m_step;
     QSpinBox* m_turns;
+    QDoubleSpinBox* m_seconds;
     QLabel* m_dash;
     QLabel* m_stepLabel;
     QLabel* m_rate;

@@ -73,6 +73,11 @@ bool PictureForm::isTransparent() const
     return m_transparent->isChecked();
 }
 
+void PictureForm::setTransparent(bool transparent)
+{
+    m_transparent->setChecked(transparent);
+}
+
 void PictureForm::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)

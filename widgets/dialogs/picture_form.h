@@ -21,6 +21,7 @@ public:
     void setPictureSize(QSize pixels);
     [[nodiscard]] QSize pictureSize() const;
     [[nodiscard]] bool isTransparent() const;
+    void setTransparent(bool transparent);
 
 signals:
     void changed();

@@ -121,6 +121,15 @@ PrintOptions PrintForm::options() const
     return options;
 }
 
+void PrintForm::setOptions(const PrintOptions& options)
+{
+    m_process->setCurrentIndex(static_cast<int>(options.process));
+    m_height->setValue(perMetre * options.height);
+    m_thinnest->setValue(perMetre * options.smallestDiameter());
+    m_disc->setChecked(options.hasFootDisc);
+    emit changed();
+}
+
 /// Each process has its own smallest diameter.
 void PrintForm::takeProcess()
 {

@@ -23,6 +23,7 @@ public:
     [[nodiscard]] bool isWanted() const;
     void setWanted(bool wanted);
     [[nodiscard]] PrintOptions options() const;
+    void setOptions(const PrintOptions& options);
     /// Null: nothing is known any more, or not yet.
     void setPrint(const PrintedTree* print);
 

@@ -18,7 +18,6 @@
 #include "widgets/base/preferences.h"
 #include "widgets/base/silence.h"
 #include "widgets/base/targets.h"
-#include "widgets/dialogs/export_dialog.h"
 #include "widgets/dialogs/sequence_task.h"
 #include "widgets/panels/animation/key_actions.h"
 #include "widgets/panels/animation/key_commands.h"
@@ -256,35 +255,6 @@ void MainWindow::updateTitle()
 void MainWindow::showWelcome()
 {
     m_welcome->open();
-}
-
-void MainWindow::showExportDialog()
-{
-    auto* dialog =
-        new ExportDialog(m_document, m_recompute, m_preferences, m_chooser, this, m_player->frame());
-    dialog->setSequenceTask(m_sequences);
-    if (const Viewport* view = m_host->viewport()) {
-        const ViewSettings* settings = m_host->settings();
-        PictureLook look;
-        look.camera = view->camera();
-        look.through = view->seenThrough();
-        look.options.shading = settings->shadingMode();
-        look.options.light = settings->light();
-        look.view.mode = settings->displayMode();
-        look.view.leaves = settings->leavesVisible();
-        look.view.apples = settings->applesVisible();
-        dialog->setPictureLook(look);
-    }
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAnalysis(m_analysis);
-    connect(dialog, &ExportDialog::showRequested, this, [this](NodeId tree) {
-        m_document->setSelection({{tree}, noNode, {}, noIndex});
-        showPanel(m_validation);
-    });
-    connect(dialog, &ExportDialog::exported, this, [this](const QString& path) {
-        statusBar()->showMessage(tr("Exported to %1").arg(QDir::toNativeSeparators(path)), messageMs);
-    });
-    dialog->open();
 }
 
 void MainWindow::showSeparateDialog(NodeId tree)

@@ -4,6 +4,7 @@
 
 #include "core/document/document.h"
 #include <QMainWindow>
+#include <QVariantMap>
 
 class QVBoxLayout;
 
@@ -17,6 +18,7 @@ class BakeActions;
 class BranchInspector;
 class Chooser;
 class EditActions;
+class ExportDialog;
 class FileActions;
 class HandActions;
 class HelpActions;
@@ -83,7 +85,12 @@ public:
     [[nodiscard]] Analysis* analysis() const { return m_analysis; }
 
     void showWelcome();
+    // main_window_export.cpp
     void showExportDialog();
+    void repeatExport();
+    [[nodiscard]] ExportDialog* newExportDialog();
+    void tellExported(const QString& path);
+    void showInFolder(const QString& path);
     /// Of this tree; without one, of the tree that is active, or of the first.
     void showSeparateDialog(NodeId tree = noNode);
     void resetLayout();
@@ -158,6 +165,8 @@ private:
     JobPanel* m_armProgress = nullptr;
     JobPanel* m_wearProgress = nullptr;
     SequenceTask* m_sequences = nullptr;
+    QVariantMap m_lastExport; ///< ExportDialog::settings
+    QString m_lastExportPath;
     JobPanel* m_sequenceProgress = nullptr;
     KeyModel* m_keyModel = nullptr;
     KeyCommands* m_keyCommands = nullptr;

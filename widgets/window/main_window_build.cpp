@@ -228,6 +228,11 @@ void MainWindow::buildActions()
     connect(m_program->welcomeAction(), &QAction::triggered, this, &MainWindow::showWelcome);
     connect(m_files, &FileActions::succeeded, m_banner, &QWidget::hide);
     connect(m_files, &FileActions::exportRequested, this, &MainWindow::showExportDialog);
+    connect(m_files, &FileActions::exportAgainRequested, this, &MainWindow::repeatExport);
+    connect(m_document, &Document::changed, m_files, [this](const Change& change) {
+        if (change.kinds & changeReset) // another tree must not go over the files of this one
+            m_files->setLastExport({});
+    });
     connect(m_files, &FileActions::quitRequested, this, &QWidget::close);
     const auto seeds = [this] {
         if (!m_seeds)
@@ -405,9 +410,10 @@ void MainWindow::buildSequences()
                                                       "before it are whole."),
                                                    errorTextWithPlace(*error)));
         else
-            statusBar()->showMessage(
+            m_banner->showMessage(
+                Severity::Info,
                 tr("%Ln file(s) written to %1", nullptr, int(m_sequences->fileCount())).arg(folder),
-                messageMs);
+                tr("Show in folder"), [this, path = m_sequences->path()] { showInFolder(path); });
     });
 }
 

@@ -19,6 +19,7 @@ enum FormatHolds : std::uint8_t {
     holdsLines = 8,   ///< a skeleton as line segments
     holdsCopies = 16, ///< leaves and fruit as instances
     holdsClip = 32,   ///< a sequence of frames as one file that moves
+    holdsLevels = 64, ///< levels of detail; else each is a file
 };
 
 /// Bytes of a vertex and of a triangle, about.

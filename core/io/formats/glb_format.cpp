@@ -29,6 +29,7 @@ using glb::Target;
 
 constexpr const char* instancing = "EXT_mesh_gpu_instancing";
 constexpr const char* manifold = "EXT_mesh_manifold";
+constexpr const char* levels = "MSFT_lod";
 
 Json numbersOf(const glm::vec3& v)
 {
@@ -86,6 +87,8 @@ public:
                 return added;
         if (m_scene.lines)
             addLines(*m_scene.lines);
+        if (const int last = lastLevel(m_scene); last > 0)
+            linkLevels(last);
         Json root{{"asset", {{"version", "2.0"}, {"generator", "Ramure " RAMURE_VERSION}}},
                   {"scene", 0},
                   {"scenes", Json::array({{{"nodes", m_roots}}})},
@@ -100,6 +103,8 @@ public:
                 root[list].push_back(instancing);
         if (m_hasManifold)
             root["extensionsUsed"].push_back(manifold);
+        if (lastLevel(m_scene) > 0)
+            root["extensionsUsed"].push_back(levels);
         return std::move(m_buffer).write(path, std::move(root), progress.part(0.8, 1.0));
     }
 
@@ -134,8 +139,40 @@ private:
         return added;
     }
 
-    /// What holds the geometry of a node: below it, where that has a place of its own.
-    Expected<std::size_t> holderOf(Index number, const std::string& name, const glm::dmat4& inside)
+    /// Each finest mesh's node names those that may stand for it. No scene holds them: what does not know the
+    /// extension shows the finest alone. A level that has nothing of it has an empty node.
+    void linkLevels(int last)
+    {
+        for (std::size_t i = 0; i < m_scene.meshes.size(); ++i) {
+            const ExportMesh& finest = m_scene.meshes[i];
+            if (!finest.isLevel || finest.finest != noIndex)
+                continue;
+            std::string stem = finest.name;
+            stem.erase(stem.size() - 1); // the 0
+            std::vector<std::size_t> ids;
+            std::vector<double> coverage{finest.coverage};
+            for (int level = 1; level <= last; ++level) {
+                std::size_t node = m_nodes.size();
+                coverage.push_back(level < last ? coverage.back() : 0.0);
+                for (std::size_t k = 0; k < m_scene.meshes.size(); ++k)
+                    if (m_scene.meshes[k].finest == i && m_scene.meshes[k].level == level) {
+                        node = m_meshNode[k];
+                        coverage.back() = m_scene.meshes[k].coverage;
+                    }
+                if (node == m_nodes.size())
+                    m_nodes.push_back({{"name", stem + std::to_string(level)}});
+                ids.push_back(node);
+            }
+            Json& node = m_nodes[m_meshNode[i]];
+            node["extensions"][levels]["ids"] = ids;
+            node["extras"]["MSFT_screencoverage"] = coverage;
+        }
+    }
+
+    /// What holds the geometry of a node: below it, where that has a place of its own; a level stands for
+    /// what is there.
+    Expected<std::size_t> holderOf(Index number, const std::string& name, const glm::dmat4& inside,
+                                   bool isOther = false)
     {
         const auto parent = nodeOf(number);
         if (!parent)
@@ -146,6 +183,8 @@ private:
             places.push_back((at.world == at.geometry ? glm::dmat4(1.0) : inSpaceOf(at.world, at.geometry)) *
                              inside);
         }
+        if (Json none = Json::array(); isOther)
+            return addNode(name, places, none);
         return addNode(name, places, m_nodes[*parent]["children"]);
     }
 
@@ -247,9 +286,11 @@ private:
         };
         const bool isAlone = std::ranges::count(m_scene.meshes, from.node, &ExportMesh::node) == 1 &&
                              std::ranges::all_of(m_scene.frames, isInPlace);
-        const auto holder = isAlone ? nodeOf(from.node) : holderOf(from.node, from.name, glm::dmat4(1.0));
+        const auto holder = isAlone ? nodeOf(from.node)
+                                    : holderOf(from.node, from.name, glm::dmat4(1.0), from.finest != noIndex);
         if (!holder)
             return fail(holder.error());
+        m_meshNode.push_back(*holder);
         m_nodes[*holder]["mesh"] = m_meshes.size();
         return addMesh(from.name, *mesh, textured, *number);
     }
@@ -260,7 +301,9 @@ private:
         const auto skin = skinOf(from.node);
         if (!skin)
             return fail(skin.error());
-        m_roots.push_back(m_nodes.size());
+        if (from.finest == noIndex)
+            m_roots.push_back(m_nodes.size());
+        m_meshNode.push_back(m_nodes.size());
         m_nodes.push_back({{"name", from.name}, {"mesh", m_meshes.size()}, {"skin", *skin}});
         return addMesh(from.name, *from.mesh, textured, material, &from);
     }
@@ -402,7 +445,8 @@ private:
     glb::Buffer m_buffer;
     glb::Materials m_materials;
     glb::Animation m_animation;
-    std::vector<Index> m_node; ///< per node of the scene that of the file, once it is there
+    std::vector<Index> m_node;           ///< per node of the scene that of the file, once it is there
+    std::vector<std::size_t> m_meshNode; ///< per mesh of the scene its node in the file
     std::map<Index, std::pair<std::size_t, glb::Joints>> m_skinOf; ///< per node of the scene
     Json m_roots = Json::array(), m_nodes = Json::array(), m_meshes = Json::array(), m_skins = Json::array();
     bool m_hasManifold = false;
@@ -434,7 +478,7 @@ const FileFormat glbFormat = {
     .name = RAMURE_NOOP("Binary glTF"),
     .choice = RAMURE_NOOP("GLB (glTF), for games and the web"),
     .help = "glTF 2.0 with materials and pictures inside: nodes as in the scene, closed meshes told as such",
-    .holds = holdsObjects | holdsTexture | holdsLines | holdsCopies | holdsClip,
+    .holds = holdsObjects | holdsTexture | holdsLines | holdsCopies | holdsClip | holdsLevels,
     .write = &write,
     .rates = &rates,
 };

@@ -51,6 +51,23 @@ private:
     }
 
 private slots:
+    /// Named by its file; off, with the reason, where there is nothing to repeat.
+    void theLastExportIsNamed()
+    {
+        QAction* again = m_set->find(QStringLiteral("file.exportAgain"));
+        QVERIFY(again && !again->isEnabled() && again->toolTip().contains(QStringLiteral("Nothing was exported")));
+        QSignalSpy asked(m_files.get(), &FileActions::exportAgainRequested);
+        again->trigger();
+        QCOMPARE(asked.count(), 0);
+        m_files->setLastExport(path("a & b.glb"));
+        QVERIFY(again->isEnabled() && again->text().contains(QStringLiteral("a && b.glb")));
+        QVERIFY(again->toolTip().contains(QDir::toNativeSeparators(path("a & b.glb"))));
+        again->trigger();
+        QCOMPARE(asked.count(), 1);
+        m_files->setLastExport({});
+        QVERIFY(!again->isEnabled() && !again->text().contains(QStringLiteral("glb")));
+    }
+
     void init()
     {
         test::failOnWidgetWarning();

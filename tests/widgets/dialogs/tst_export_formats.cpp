@@ -102,7 +102,7 @@ private slots:
             QVERIFY(!list->itemText(row).isEmpty());
             ids += list->itemData(row).toString();
         }
-        QCOMPARE(ids, (QStringList{"obj", "ply", "ply-text", "fake", "png"}));
+        QCOMPARE(ids, (QStringList{"obj", "ply", "ply-text", "fake"}));
         for (const FileFormat* format : fileFormats()) {
             if (!isFor(*format, FormatUse::Write))
                 continue;

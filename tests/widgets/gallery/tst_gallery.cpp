@@ -228,6 +228,12 @@ private:
         show(exporting, "export");
         exporting.moments()->setMoment(ExportMoment::Sequence);
         look(&exporting, "export-sequence");
+        exporting.setUse(ExportUse::Game);
+        look(&exporting, "export-game");
+        exporting.setUse(ExportUse::Print);
+        look(&exporting, "export-print");
+        exporting.setUse(ExportUse::Web);
+        look(&exporting, "export-web");
         exporting.setPictureLook({});
         exporting.setFormat(QStringLiteral("png"));
         exporting.moments()->setMoment(ExportMoment::Turntable);

@@ -1,0 +1,39 @@
+/// \file
+/// Leaves and fruit of a level: an even part of them, enlarged so that they cover as much as all did.
+/// R. L. Cook, J. Halstead, M. Planck, D. Ryu: Stochastic simplification of aggregate detail, SIGGRAPH 2007.
+#pragma once
+
+#include "core/surface/foliage/foliage.h"
+#include <span>
+
+namespace ramure {
+
+/// One leaf as a level has it.
+struct LeafShapeOfLevel
+{
+    LeafForm form;
+    FoliageModel model = FoliageModel::Fine; ///< Rough: a card
+    TriangleMesh mesh;                       ///< of size 1, with texture coordinates where it is a plant's
+    double area = 0.0;                       ///< m², of all its triangles
+};
+/// From the one that the tree has to the simplest. \param alpha the tree's length.
+std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, double alpha);
+
+/// m²: of all triangles.
+double areaOf(const TriangleMesh& mesh);
+
+/// A number in [0, 1) for each item, so that those below any bound are spread evenly over the crown.
+std::vector<double> itemChances(std::span<const FoliageItem> items);
+
+/// The numbers of \p count of the candidates, ascending: those of the lowest chance. \param candidates
+/// numbers, ascending. \param branchOf PrunedTree::branchOf: what hangs on a branch that has gone goes
+/// sooner.
+std::vector<Index> chosenItems(std::span<const FoliageItem> items, std::span<const double> chances,
+                               std::span<const Index> candidates, std::span<const Index> branchOf,
+                               std::size_t count);
+
+/// Makes the items so large that together they cover \p area, m². \param each m², of one of size 1. \return
+/// by how much they have grown.
+double enlarge(std::vector<FoliageItem>& items, double area, double each);
+
+} // namespace ramure

@@ -1,0 +1,29 @@
+/// \file
+/// Levels of detail of the trees of a scene, on their way to files. Internal to exporter.cpp.
+#pragma once
+
+#include "core/io/formats/file_format.h"
+#include "core/levels/level_skins.h"
+#include "core/session/exporter.h"
+
+namespace ramure {
+
+struct LevelledTree
+{
+    PosedTree tree; ///< that the levels were made of
+    std::vector<TreeLevel> levels;
+    std::vector<LevelSkins> skins; ///< empty ones where nothing moves
+    std::vector<double> coverage;  ///< by level, share of a screen of 1920 x 1080 down to which it is needed
+};
+
+/// Of one tree of the scene. Errors: those of treeLevels and of the evaluator.
+Expected<LevelledTree> levelsOf(const Node& node, EvaluatedScene& scene, const ExportOptions& options,
+                                const Progress& progress);
+/// Errors: those of checkLevels; Invalid (levels of another model, or with instances). Fine where there are
+/// none.
+Expected<void> checkLevelExport(const ExportOptions& options);
+/// Each level as a file. Errors: those of the format; files that were written stay.
+Expected<void> writeLevels(const FileFormat& format, const std::string& path, const ExportScene& scene,
+                           const WriteOptions& options, const Progress& progress);
+
+} // namespace ramure

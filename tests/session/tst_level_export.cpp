@@ -1,0 +1,206 @@
+#include "core/evaluate/evaluator.h"
+#include "core/io/mesh_file.h"
+#include "core/params/presets.h"
+#include "core/session/exporter.h"
+#include "tests/core/io/io_support.h"
+#include "tests/support/suite.h"
+#include <QTemporaryDir>
+#include <nlohmann/json.hpp>
+
+using namespace ramure;
+using Json = nlohmann::json;
+
+namespace {
+
+Scene sceneOf(const char* preset)
+{
+    Node tree;
+    tree.id = 1;
+    tree.kind = NodeKind::Tree;
+    tree.name = "Tree";
+    tree.params = *presetParams(preset);
+    Node box;
+    box.id = 2;
+    box.kind = NodeKind::Primitive;
+    box.name = "Box";
+    auto scene = Scene::fromNodes({tree, box});
+    if (!scene)
+        qFatal("%s", test::why(scene).constData());
+    return std::move(*scene);
+}
+
+ExportOptions levelled(std::vector<std::int64_t> budgets)
+{
+    ExportOptions options;
+    options.texture = true;
+    options.write.mapSize = 0;
+    options.levels = {static_cast<std::int64_t>(budgets.size()), std::move(budgets)};
+    return options;
+}
+
+Json jsonOf(const QByteArray& glb)
+{
+    std::uint32_t length = 0;
+    std::memcpy(&length, glb.constData() + 12, sizeof length);
+    return Json::parse(glb.mid(20, length).toStdString());
+}
+
+std::size_t trianglesOf(const Json& json, const std::string& ending)
+{
+    std::size_t count = 0;
+    for (const Json& mesh : json["meshes"])
+        if (mesh["name"].get<std::string>().ends_with(ending))
+            count += json["accessors"][mesh["primitives"][0]["indices"].get<std::size_t>()]["count"]
+                         .get<std::size_t>() /
+                     3;
+    return count;
+}
+
+const Json* nodeNamed(const Json& json, const std::string& name)
+{
+    for (const Json& node : json["nodes"])
+        if (node["name"] == name)
+            return &node;
+    return nullptr;
+}
+
+} // namespace
+
+/// Levels of detail on their way to files.
+class TestLevelExport : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    TreePipeline m_pipeline;
+
+    [[nodiscard]] QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
+    [[nodiscard]] Expected<void> write(const Scene& scene, const ExportOptions& options, const char* name,
+                                       double seconds = 0.0)
+    {
+        Evaluator evaluator(pipelineSource(m_pipeline));
+        return exportScene(evaluator.at(scene, seconds), options, path(name).toStdString());
+    }
+
+private slots:
+    void init() { test::failOnAnyWarning(); }
+
+    void whatIsRefused()
+    {
+        const Scene scene = sceneOf("TinyTree");
+        ExportOptions options = levelled({2000, 500});
+        options.instances = true;
+        auto written = write(scene, options, "no.glb");
+        QVERIFY2(!written && written.error().message().find("instances") != std::string::npos,
+                 test::why(written));
+        options = levelled({2000, 500});
+        options.model = ExportModel::Rough;
+        written = write(scene, options, "no.glb");
+        QVERIFY2(!written && written.error().message().find("finished mesh") != std::string::npos,
+                 test::why(written));
+        options = levelled({2000, 0});
+        written = write(scene, options, "no.glb");
+        QCOMPARE(written.error().code, ErrorCode::Invalid);
+        // Of several nodes the one is named that cannot keep its budget.
+        options = levelled({90'000'000});
+        options.parts = exportBranches;
+        written = write(scene, options, "no.glb");
+        QVERIFY2(!written && written.error().message().find("Tree") != std::string::npos, test::why(written));
+        QVERIFY(QDir(m_folder.path()).isEmpty());
+    }
+
+    /// Other nodes have no levels; what does not know the extension finds the finest alone in the scene.
+    void aGlbHoldsThemAll()
+    {
+        QVERIFY2(write(sceneOf("SmallTree"), levelled({10'000, 2'500, 600}), "t.glb"), "not written");
+        const Json json = jsonOf(test::fileBytes(path("t.glb")));
+        QVERIFY(std::ranges::count(json["extensionsUsed"], Json("MSFT_lod")) == 1);
+        QVERIFY(!json.contains("extensionsRequired"));
+        const std::size_t wanted[] = {10'000, 2'500, 600};
+        for (std::size_t level = 0; level < 3; ++level) {
+            const double got = double(trianglesOf(json, "_LOD" + std::to_string(level)));
+            QVERIFY(std::abs(got - double(wanted[level])) <= 0.02 * double(wanted[level]));
+        }
+        for (const char* part : {"branches", "leaves", "apples"}) {
+            const Json* finest = nodeNamed(json, std::string(part) + "_LOD0");
+            QVERIFY(finest);
+            const Json& ids = (*finest)["extensions"]["MSFT_lod"]["ids"];
+            QCOMPARE(ids.size(), std::size_t(2));
+            for (std::size_t i = 0; i < 2; ++i) {
+                const std::size_t id = ids[i].get<std::size_t>();
+                QCOMPARE(json["nodes"][id]["name"].get<std::string>(),
+                         std::string(part) + "_LOD" + std::to_string(i + 1));
+                QVERIFY(std::ranges::count(json["scenes"][0]["nodes"], Json(id)) == 0);
+                for (const Json& node : json["nodes"])
+                    QVERIFY(!node.contains("children") ||
+                            std::ranges::count(node["children"], Json(id)) == 0);
+            }
+            const Json& coverage = (*finest)["extras"]["MSFT_screencoverage"];
+            QCOMPARE(coverage.size(), std::size_t(3));
+            QVERIFY(coverage[0].get<double>() > coverage[1].get<double>() && coverage[1].get<double>() > 0.0);
+            QCOMPARE(coverage[2].get<double>(), 0.0);
+        }
+        QVERIFY(!nodeNamed(json, "Box")->contains("extensions"));
+    }
+
+    void otherFormatsHaveNumberedFiles_data()
+    {
+        QTest::addColumn<QString>("ending");
+        for (const char* ending : {"obj", "ply", "stl", "3mf"})
+            QTest::newRow(ending) << QString::fromLatin1(ending);
+    }
+    void otherFormatsHaveNumberedFiles()
+    {
+        QFETCH(QString, ending);
+        const ExportOptions options = levelled({4'000, 1'000});
+        const QByteArray name = QByteArray("t.") + ending.toLatin1();
+        QVERIFY(write(sceneOf("TinyTree"), options, name));
+        QVERIFY(!QFile::exists(path(name)));
+        const auto files = exportFiles(options, path(name).toStdString());
+        QCOMPARE(files.size(), std::size_t(2));
+        QCOMPARE(QString::fromStdString(files[1]), path("t_LOD1.") + ending);
+        const Index box = 12;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const auto mesh = readMeshFile(files[i]);
+            QVERIFY2(mesh, test::why(mesh));
+            const double wanted = double(options.levels.budgets[i]),
+                         got = double(mesh->joined().faceCount() - box);
+            QVERIFY2(std::abs(got - wanted) <= 0.02 * wanted + 1.0, QByteArray::number(got));
+        }
+    }
+    void namesOfLevels()
+    {
+        QCOMPARE(levelFile("a/t.obj", 0), std::string("a/t_LOD0.obj"));
+        QCOMPARE(levelFile("a.b/t", 3), std::string("a.b/t_LOD3"));
+        QCOMPARE(exportFiles({}, "t.obj"), std::vector<std::string>{"t.obj"});
+        QCOMPARE(exportFiles(levelled({500, 100}), "t.glb"), std::vector<std::string>{"t.glb"});
+    }
+
+    /// One skeleton for all; each level has a skin on it, and at its second moment stands where the wind has
+    /// it.
+    void levelsMove()
+    {
+        ExportOptions options = levelled({6'000, 1'500});
+        options.clip = {2.5, 3.0};
+        QVERIFY(write(sceneOf("SilverBirch"), options, "wind.glb", 2.0));
+        const Json json = jsonOf(test::fileBytes(path("wind.glb")));
+        QCOMPARE(json["skins"].size(), std::size_t(1));
+        for (const char* name : {"branches_LOD0", "branches_LOD1", "leaves_LOD0", "leaves_LOD1"}) {
+            const Json* node = nodeNamed(json, name);
+            QVERIFY(node && node->contains("skin"));
+        }
+        const Scene scene = sceneOf("SilverBirch");
+        Evaluator evaluator(pipelineSource(m_pipeline));
+        options.clip.clear();
+        const auto rest = collectExport(evaluator.at(scene), options);
+        const auto moved = collectExport(evaluator.at(scene, 3.0), options);
+        QVERIFY(rest && moved);
+        const FlatScene still = flattened(levelOf(*rest, 1)), blown = flattened(levelOf(*moved, 1));
+        QCOMPARE(still.meshes.size(), blown.meshes.size());
+        QCOMPARE(still.meshes[0].mesh->triangles, blown.meshes[0].mesh->triangles);
+        QVERIFY(still.meshes[0].mesh->positions != blown.meshes[0].mesh->positions);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLevelExport)
+#include "tst_level_export.moc"

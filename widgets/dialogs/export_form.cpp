@@ -1,0 +1,293 @@
+// The widgets of the export dialog, and what they say.
+#include "core/document/document.h"
+#include "core/io/formats/file_format.h"
+#include "widgets/base/core_text.h"
+#include "widgets/base/preferences.h"
+#include "widgets/dialogs/export_dialog.h"
+#include "widgets/dialogs/export_rows.h"
+#include "widgets/dialogs/level_form.h"
+#include "widgets/dialogs/moment_form.h"
+#include "widgets/dialogs/picture_form.h"
+#include "widgets/dialogs/print_form.h"
+#include "widgets/dialogs/space_form.h"
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTabBar>
+#include <algorithm>
+#include <utility>
+
+namespace ramure {
+
+void ExportDialog::buildForm()
+{
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(18, 18, 18, 14);
+    layout->setSpacing(14);
+    buildUses(layout);
+    m_form = new QFormLayout;
+    m_form->setHorizontalSpacing(14);
+    m_form->setVerticalSpacing(10);
+    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_format = new QComboBox(this);
+    m_model = new QComboBox(this);
+    fillFormats();
+    for (int i = 0; i < 3; ++i)
+        m_model->addItem(QString());
+    m_foliage = new QComboBox(this);
+    m_foliage->setObjectName(QStringLiteral("exportFoliage"));
+    m_foliage->addItems({QString(), QString()});
+    m_moments = new MomentForm(m_document->scene().timeline(), m_shownFrame, this);
+    m_pictures = new PictureForm(this);
+    m_printing = new PrintForm(this);
+    m_selection = new QCheckBox(this);
+    m_selection->setEnabled(!m_document->selection().nodes.empty());
+    m_hidden = new QCheckBox(this);
+    m_levels = new LevelForm(this);
+    m_maps = new QComboBox(this);
+    m_maps->setObjectName(QStringLiteral("exportMaps"));
+    for (const int size : mapSizes)
+        m_maps->addItem(QString(), size);
+    m_maps->setCurrentIndex(m_maps->findData(WriteOptions().mapSize));
+    m_space = new SpaceForm(this);
+    m_space->setSpace(m_preferences->exportSpace());
+    addFormRows();
+    layout->addLayout(m_form);
+    buildFaults(layout);
+    buildProgress(layout);
+}
+
+/// In the order of Row.
+void ExportDialog::addFormRows()
+{
+    // An empty text would make no label: retranslate() fills it.
+    const auto addRow = [this](auto* field) { m_form->addRow(new QLabel(this), field); };
+    auto* scope = new QVBoxLayout;
+    scope->setSpacing(6);
+    scope->addWidget(m_selection);
+    scope->addWidget(m_hidden);
+    addRow(buildKept());
+    addRow(m_format);
+    addRow(m_printing);
+    addRow(m_model);
+    addRow(buildParts());
+    addRow(m_foliage);
+    addRow(m_levels);
+    addRow(m_maps);
+    addRow(m_space);
+    addRow(scope);
+    addRow(m_moments);
+    addRow(m_pictures);
+    addRow(buildTarget());
+    QWidget* before = m_uses;
+    for (QWidget* next :
+         {static_cast<QWidget*>(m_kept), static_cast<QWidget*>(m_keep), static_cast<QWidget*>(m_forget),
+          static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_printing)})
+        setTabOrder(std::exchange(before, next), next);
+}
+
+/// A page for each use.
+void ExportDialog::buildUses(QVBoxLayout* layout)
+{
+    m_uses = new QTabBar(this);
+    m_uses->setObjectName(QStringLiteral("exportUses"));
+    m_uses->setExpanding(false);
+    m_uses->setUsesScrollButtons(true);
+    for (std::size_t i = 0; i < exportUses.size(); ++i)
+        m_uses->addTab(QString());
+    layout->addWidget(m_uses);
+}
+
+/// Those of the page; the one that was chosen stays where it is among them.
+void ExportDialog::fillFormats()
+{
+    const QString before = m_format->currentData().toString();
+    const QSignalBlocker quiet(m_format);
+    m_format->clear();
+    for (const QString& id : formatsOf(m_use))
+        m_format->addItem(QString(), id);
+    m_format->setCurrentIndex(std::max(0, m_format->findData(before)));
+    retranslateFormats();
+}
+
+void ExportDialog::setUse(ExportUse use)
+{
+    m_uses->setCurrentIndex(static_cast<int>(use));
+}
+
+void ExportDialog::takeUse(int tab)
+{
+    m_use = exportUses[static_cast<std::size_t>(tab)];
+    fillFormats();
+    fillKept();
+    setMessage({}, false);
+    m_printing->setWanted(m_use == ExportUse::Print);
+    takeFormat();
+}
+
+QLayout* ExportDialog::buildParts()
+{
+    m_branches = new QCheckBox(this);
+    m_leaves = new QCheckBox(this);
+    m_apples = new QCheckBox(this);
+    auto* boxes = new QHBoxLayout;
+    boxes->setSpacing(16);
+    for (QCheckBox* box : {m_branches, m_leaves, m_apples}) {
+        box->setChecked(true);
+        boxes->addWidget(box);
+    }
+    m_texture = new QCheckBox(this);
+    m_texture->setObjectName(QStringLiteral("exportTexture"));
+    m_texture->setChecked(true);
+    boxes->addWidget(m_texture);
+    boxes->addStretch(1);
+    m_partsNote = new QLabel(this);
+    m_partsNote->setObjectName(QStringLiteral("partsNote"));
+    m_partsNote->setTextFormat(Qt::PlainText);
+    m_partsNote->setWordWrap(true);
+    auto* parts = new QVBoxLayout;
+    parts->setSpacing(6);
+    parts->addLayout(boxes);
+    parts->addWidget(m_partsNote);
+    return parts;
+}
+
+/// The file, and below it what that will come to.
+QLayout* ExportDialog::buildTarget()
+{
+    m_path = new QLineEdit(this);
+    m_path->setMinimumWidth(320);
+    m_browse = new QPushButton(this);
+    m_summary = new QLabel(this);
+    m_summary->setObjectName(QStringLiteral("dim"));
+    m_summary->setTextFormat(Qt::PlainText);
+    m_summary->setWordWrap(true);
+    auto* file = new QHBoxLayout;
+    file->setSpacing(8);
+    file->addWidget(m_path, 1);
+    file->addWidget(m_browse);
+    auto* target = new QVBoxLayout;
+    target->setSpacing(6);
+    target->addLayout(file);
+    target->addWidget(m_summary);
+    return target;
+}
+
+/// What is below the form: the message, the bar, the buttons.
+void ExportDialog::buildProgress(QVBoxLayout* layout)
+{
+    m_message = new QLabel(this);
+    m_message->setWordWrap(true);
+    m_message->hide();
+    layout->addWidget(m_message);
+    m_progress = new QProgressBar(this);
+    m_progress->setRange(0, 1000);
+    m_progress->setTextVisible(false);
+    QSizePolicy policy = m_progress->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_progress->setSizePolicy(policy);
+    m_progress->hide();
+    layout->addWidget(m_progress);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    m_export = new QPushButton(this);
+    m_export->setDefault(true);
+    m_cancel = new QPushButton(this);
+    m_cancel->setAutoDefault(false);
+    m_browse->setAutoDefault(false);
+    buttons->addStretch(1);
+    buttons->addWidget(m_cancel);
+    buttons->addWidget(m_export);
+    layout->addLayout(buttons);
+}
+
+void ExportDialog::retranslateFormats()
+{
+    for (const FileFormat* format : fileFormats())
+        if (const int row = m_format->findData(QString::fromLatin1(format->id)); row >= 0)
+            m_format->setItemText(row, coreText(format->choice));
+    if (const int row = m_format->findData(pictureFormat); row >= 0)
+        m_format->setItemText(row, tr("PNG pictures of the view"));
+}
+
+void ExportDialog::retranslateMore()
+{
+    for (std::size_t i = 0; i < exportUses.size(); ++i) {
+        const int tab = static_cast<int>(i);
+        m_uses->setTabText(tab, titleOf(exportUses[i]));
+        m_uses->setTabToolTip(tab, m_uses->isTabEnabled(tab)
+                                       ? tipOf(exportUses[i])
+                                       : tr("Pictures need a view, which this machine cannot draw"));
+    }
+    m_uses->setAccessibleName(tr("What the export is for"));
+    m_keep->setText(tr("Keep"));
+    m_forget->setText(tr("Forget"));
+    m_kept->lineEdit()->setPlaceholderText(tr("kept settings, or a name for these"));
+    m_kept->setToolTip(
+        tr("Settings of this page that were kept under a name, or those of its last export. Where files go "
+           "is not part of them."));
+    m_maps->setItemText(0, tr("None"));
+    for (int i = 1; i < m_maps->count(); ++i)
+        m_maps->setItemText(i, tr("%1 × %1 pixels").arg(mapSizes[i]));
+    m_maps->setToolTip(
+        tr("Size of the pictures of bark and leaves that the program makes: inside a GLB, beside an OBJ"));
+    fillKept();
+}
+
+void ExportDialog::retranslate()
+{
+    setWindowTitle(tr("Export"));
+    retranslateFormats();
+    retranslateMore();
+    m_model->setItemText(static_cast<int>(ExportModel::Mesh), tr("Finished mesh"));
+    m_model->setItemText(static_cast<int>(ExportModel::Rough), tr("Rough model"));
+    m_model->setItemText(static_cast<int>(ExportModel::Skeleton), tr("Skeleton as lines"));
+    m_foliage->setItemText(0, tr("Merged into one mesh"));
+    m_foliage->setItemText(1, tr("List of instances"));
+    m_foliage->setToolTip(tr(
+        "Merged: the file holds every leaf and every fruit. List of instances: it holds the rest, and beside "
+        "it stand a table, FILE_leaves.csv, with a row for each leaf, fruit and flower (its shape, material, "
+        "branch, colour and matrix), and one OBJ for each shape; in a GLB they stand inside. Much smaller, "
+        "for programs that draw instances."));
+    m_branches->setText(tr("Branches"));
+    m_leaves->setText(tr("Leaves"));
+    m_apples->setText(tr("Apples"));
+    m_selection->setText(tr("Only what is selected"));
+    m_texture->setText(tr("Texture coordinates"));
+    m_texture->setToolTip(tr(
+        "Where each corner lies on the bark, on the picture of a leaf or an apple. The size of one "
+        "repeat of the bark, in metres, is the tree's parameter \"Bark tile\". Beside an .obj, the pictures "
+        "of the bark are written too."));
+    const QString whole =
+        tr("Trees, arms as they are at the moment, terrains, primitives and imported meshes "
+           "are written where they stand in the world, each under a name of its own.");
+    m_selection->setToolTip(whole);
+    m_hidden->setToolTip(whole);
+    m_hidden->setText(tr("Hidden nodes too"));
+    m_browse->setText(tr("Browse…"));
+    m_show->setText(tr("Show"));
+    m_cancel->setText(tr("Cancel"));
+    const QString labels[] = {
+        tr("Settings"),         tr("Format"),  tr("For print"), tr("Model"),         tr("Parts"),
+        tr("Leaves and fruit"), tr("Levels"),  tr("Pictures"),  tr("Axes and unit"), tr("Nodes"),
+        tr("Moment"),           tr("Picture"), tr("File")};
+    for (int row = 0; row < m_form->rowCount(); ++row) {
+        auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
+        label->setText(labels[row]);
+    }
+    m_kept->setAccessibleName(labels[KeptRow]);
+    m_maps->setAccessibleName(labels[MapRow]);
+    m_format->setAccessibleName(labels[FormatRow]);
+    m_model->setAccessibleName(labels[ModelRow]);
+    m_foliage->setAccessibleName(labels[FoliageRow]);
+    m_path->setAccessibleName(labels[FileRow]);
+    m_progress->setAccessibleName(tr("Progress of the export"));
+    updateWidgets();
+}
+
+} // namespace ramure

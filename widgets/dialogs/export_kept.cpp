@@ -1,0 +1,211 @@
+// Settings of the export dialog that are kept: under names, of the last export, and to repeat it.
+#include "core/document/document.h"
+#include "core/io/formats/file_format.h"
+#include "widgets/base/preferences.h"
+#include "widgets/dialogs/export_dialog.h"
+#include "widgets/dialogs/level_form.h"
+#include "widgets/dialogs/moment_form.h"
+#include "widgets/dialogs/picture_form.h"
+#include "widgets/dialogs/print_form.h"
+#include "widgets/dialogs/space_form.h"
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTabBar>
+#include <algorithm>
+
+namespace ramure {
+
+/// Before the names that users gave: nothing chosen, and the last export of this use.
+enum KeptEntry { OwnRow, LastRow };
+
+static const QString lastKey = QStringLiteral("last"), namedKey = QStringLiteral("named");
+
+QLayout* ExportDialog::buildKept()
+{
+    m_kept = new QComboBox(this);
+    m_kept->setObjectName(QStringLiteral("exportKept"));
+    m_kept->setEditable(true);
+    m_kept->setInsertPolicy(QComboBox::NoInsert);
+    m_kept->lineEdit()->setMaxLength(60);
+    m_keep = new QPushButton(this);
+    m_keep->setObjectName(QStringLiteral("exportKeep"));
+    m_forget = new QPushButton(this);
+    m_forget->setObjectName(QStringLiteral("exportForget"));
+    for (QPushButton* button : {m_keep, m_forget})
+        button->setAutoDefault(false);
+    auto* row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addWidget(m_kept, 1);
+    row->addWidget(m_keep);
+    row->addWidget(m_forget);
+    connect(m_kept, &QComboBox::activated, this, &ExportDialog::takeKept);
+    connect(m_kept->lineEdit(), &QLineEdit::textEdited, this, &ExportDialog::updateKept);
+    connect(m_keep, &QPushButton::clicked, this, &ExportDialog::keep);
+    connect(m_forget, &QPushButton::clicked, this, &ExportDialog::forgetKept);
+    return row;
+}
+
+/// Of the page on show.
+QVariantMap ExportDialog::keptOf(const QString& group) const
+{
+    return m_preferences->exportSettings().value(group + u'/' + keyOf(m_use)).toMap();
+}
+
+void ExportDialog::storeKept(const QString& group, const QVariantMap& settings)
+{
+    QVariantMap all = m_preferences->exportSettings();
+    all.insert(group + u'/' + keyOf(m_use), settings);
+    m_preferences->setExportSettings(all);
+}
+
+void ExportDialog::fillKept()
+{
+    const QSignalBlocker quiet(m_kept);
+    m_kept->clear();
+    m_kept->addItem(QString());
+    m_kept->addItem(tr("As the last time"));
+    m_kept->addItems(keptOf(namedKey).keys());
+    m_kept->setCurrentIndex(OwnRow);
+    updateKept();
+}
+
+void ExportDialog::updateKept()
+{
+    const QString name = m_kept->currentText().trimmed();
+    const bool isNamed = keptOf(namedKey).contains(name);
+    m_keep->setEnabled(!name.isEmpty() && name != m_kept->itemText(LastRow));
+    m_forget->setEnabled(isNamed);
+    m_keep->setToolTip(m_keep->isEnabled()
+                           ? tr("Keeps the choices of this page under this name")
+                           : tr("Type a name first; the choices of this page are kept under it"));
+    m_forget->setToolTip(isNamed ? tr("Forgets the settings of this name")
+                                 : tr("No kept settings are chosen"));
+}
+
+void ExportDialog::takeKept(int row)
+{
+    const QString name = m_kept->itemText(row);
+    const QVariantMap settings = row == LastRow ? keptOf(lastKey) : keptOf(namedKey).value(name).toMap();
+    if (row == LastRow && settings.isEmpty())
+        setMessage(tr("Nothing was exported from this page yet."), false);
+    else if (row != OwnRow)
+        setSettings(settings);
+    m_kept->setCurrentIndex(row);
+    updateKept();
+}
+
+void ExportDialog::keep()
+{
+    const QString name = m_kept->currentText().trimmed();
+    QVariantMap named = keptOf(namedKey);
+    named.insert(name, settings());
+    storeKept(namedKey, named);
+    fillKept();
+    m_kept->setCurrentText(name);
+    updateKept();
+    setMessage(tr("Kept as “%1”.").arg(name), false);
+}
+
+void ExportDialog::forgetKept()
+{
+    QVariantMap named = keptOf(namedKey);
+    named.remove(m_kept->currentText().trimmed());
+    storeKept(namedKey, named);
+    fillKept();
+}
+
+/// All that was chosen, but not where to.
+QVariantMap ExportDialog::settings() const
+{
+    QVariantList budgets;
+    const LevelOptions levels = m_levels->options();
+    for (const std::int64_t budget : levels.budgets)
+        budgets += qlonglong(budget);
+    const PrintOptions print = m_printing->options();
+    const FrameSequence frames = m_moments->frames();
+    return {{"use", keyOf(m_use)},
+            {"format", m_format->currentData()},
+            {"model", m_model->currentIndex()},
+            {"branches", m_branches->isChecked()},
+            {"leaves", m_leaves->isChecked()},
+            {"apples", m_apples->isChecked()},
+            {"texture", m_texture->isChecked()},
+            {"instances", m_foliage->currentIndex()},
+            {"maps", m_maps->currentData()},
+            {"levels", qlonglong(levels.count)},
+            {"budgets", budgets},
+            {"space", QString::fromStdString(m_space->space().comment())},
+            {"selection", m_selection->isChecked()},
+            {"hidden", m_hidden->isChecked()},
+            {"moment", static_cast<int>(m_moments->moment())},
+            {"first", qlonglong(frames.first)},
+            {"last", qlonglong(frames.last)},
+            {"step", qlonglong(frames.step)},
+            {"turns", m_moments->turns()},
+            {"loop", m_moments->loopSeconds()},
+            {"print", m_printing->isWanted()},
+            {"process", static_cast<int>(print.process)},
+            {"height", print.height},
+            {"thinnest", print.thinnest},
+            {"disc", print.hasFootDisc},
+            {"width", m_pictures->pictureSize().width()},
+            {"pixels", m_pictures->pictureSize().height()},
+            {"transparent", m_pictures->isTransparent()}};
+}
+
+void ExportDialog::setSettings(const QVariantMap& kept)
+{
+    const auto number = [&](const char* key, int otherwise) {
+        return kept.value(QLatin1String(key), otherwise).toInt();
+    };
+    const auto is = [&](const char* key) { return kept.value(QLatin1String(key)).toBool(); };
+    for (const ExportUse use : exportUses)
+        if (keyOf(use) == kept.value(QStringLiteral("use")).toString())
+            setUse(use);
+    if (const QString id = kept.value(QStringLiteral("format")).toString(); m_format->findData(id) >= 0)
+        setFormat(id);
+    m_model->setCurrentIndex(std::clamp(number("model", 0), 0, m_model->count() - 1));
+    m_foliage->setCurrentIndex(std::clamp(number("instances", 0), 0, 1));
+    const std::pair<QCheckBox*, const char*> boxes[] = {{m_branches, "branches"},   {m_leaves, "leaves"},
+                                                        {m_apples, "apples"},       {m_texture, "texture"},
+                                                        {m_selection, "selection"}, {m_hidden, "hidden"}};
+    for (const auto& [box, key] : boxes)
+        box->setChecked(is(key) && (box != m_selection || !m_document->selection().nodes.empty()));
+    if (const int row = m_maps->findData(kept.value(QStringLiteral("maps"))); row >= 0)
+        m_maps->setCurrentIndex(row);
+    LevelOptions levels{kept.value(QStringLiteral("levels")).toLongLong(), {}};
+    for (const QVariant& budget : kept.value(QStringLiteral("budgets")).toList())
+        levels.budgets.push_back(budget.toLongLong());
+    m_levels->setOptions(levels);
+    const std::string space = "# " + kept.value(QStringLiteral("space")).toString().toStdString();
+    m_space->setSpace(fileSpaceIn(space).value_or(FileSpace()));
+    m_moments->setFrames(number("first", 0), number("last", 0), number("step", 1));
+    m_moments->setTurns(number("turns", 72));
+    m_moments->setLoopSeconds(kept.value(QStringLiteral("loop"), 4.0).toDouble());
+    m_moments->setMoment(static_cast<ExportMoment>(std::clamp(number("moment", 0), 0, 4)));
+    PrintOptions print;
+    print.process =
+        static_cast<PrintProcess>(std::clamp(number("process", 0), 0, int(printProcesses().size()) - 1));
+    print.height = kept.value(QStringLiteral("height"), print.height).toDouble();
+    print.thinnest = kept.value(QStringLiteral("thinnest"), print.thinnest).toDouble();
+    print.hasFootDisc = is("disc");
+    m_printing->setOptions(print);
+    m_printing->setWanted(is("print"));
+    m_pictures->setPictureSize({number("width", 1920), number("pixels", 1080)});
+    m_pictures->setTransparent(is("transparent"));
+}
+
+/// As it was, over what it wrote.
+void ExportDialog::repeat(const QVariantMap& settings, const QString& path)
+{
+    setSettings(settings);
+    setPath(path);
+    m_mayReplaceAll = true;
+    startExport();
+}
+
+} // namespace ramure

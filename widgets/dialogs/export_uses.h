@@ -1,0 +1,28 @@
+/// \file
+/// What an export is for. Each use has a page of the export dialog, with the formats and the choices that it
+/// needs.
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <array>
+#include <cstdint>
+
+namespace ramure {
+
+enum class ExportUse : std::uint8_t { Blender, Game, Print, Web, Pictures };
+inline constexpr std::array exportUses{ExportUse::Blender, ExportUse::Game, ExportUse::Print, ExportUse::Web,
+                                       ExportUse::Pictures};
+
+/// What stands behind the formats of the table: pictures of the view.
+inline const QString pictureFormat = QStringLiteral("png");
+
+/// FileFormat::id of those it takes, the usual one first. Formats that no other use asks for are Blender's.
+QStringList formatsOf(ExportUse use);
+/// In the present language: of its tab, and what it is, for a tooltip.
+QString titleOf(ExportUse use);
+QString tipOf(ExportUse use);
+/// In files of settings.
+QString keyOf(ExportUse use);
+
+} // namespace ramure
