@@ -936,16 +936,12 @@
         <translation>Ajouter des objets à la scène : maillages, clés de Blender, arbres d’Arbaro et d’ez-tree</translation>
     </message>
     <message>
-        <source>Keep &amp;only this limb</source>
-        <translation>Ne &amp;garder que cette branche</translation>
-    </message>
-    <message>
         <source>All goes but the limb of the active branch, what grows on it and the way down to the ground</source>
         <translation>Tout s’en va sauf la branche active, ce qui pousse dessus et le chemin jusqu’au sol</translation>
     </message>
     <message>
         <source>Leaves of the l&amp;imb on or off</source>
-        <translation>Feuilles de la branche &amp;ou non</translation>
+        <translation>Feuilles de la branche ou non</translation>
     </message>
     <message>
         <source>The leaves of the selected limbs go, or come back</source>
@@ -965,7 +961,7 @@
     </message>
     <message>
         <source>&amp;Saw</source>
-        <translation>&amp;Scier</translation>
+        <translation>Sc&amp;ier</translation>
     </message>
     <message>
         <source>Draw a line through twigs: all that it crosses is cut there</source>
@@ -973,7 +969,7 @@
     </message>
     <message>
         <source>&amp;Remove</source>
-        <translation>&amp;Enlever</translation>
+        <translation>Enle&amp;ver</translation>
     </message>
     <message>
         <source>Click a limb: it goes, with all that grows on it</source>
@@ -981,7 +977,7 @@
     </message>
     <message>
         <source>&amp;Keep only</source>
-        <translation>&amp;Ne garder que</translation>
+        <translation>Ne garder &amp;que</translation>
     </message>
     <message>
         <source>Click a limb: all goes but it, what grows on it and the way down</source>
@@ -989,7 +985,7 @@
     </message>
     <message>
         <source>&amp;Bend</source>
-        <translation>&amp;Plier</translation>
+        <translation>P&amp;lier</translation>
     </message>
     <message>
         <source>Drag a branch: the limb follows the hand</source>
@@ -997,7 +993,7 @@
     </message>
     <message>
         <source>&amp;Length</source>
-        <translation>&amp;Longueur</translation>
+        <translation>Lo&amp;ngueur</translation>
     </message>
     <message>
         <source>Drag a branch along itself: longer or shorter</source>
@@ -1009,7 +1005,7 @@
     </message>
     <message>
         <source>&amp;Draw</source>
-        <translation>&amp;Dessiner</translation>
+        <translation>De&amp;ssiner</translation>
     </message>
     <message>
         <source>Drag from a branch or the ground: a branch grows along the stroke</source>
@@ -1025,7 +1021,7 @@
     </message>
     <message>
         <source>&amp;Prune to a shape</source>
-        <translation>&amp;Tailler en forme</translation>
+        <translation>Tailler en for&amp;me</translation>
     </message>
     <message>
         <source>Drag a shape around the tree: what stands out of it is cut</source>
@@ -1033,7 +1029,7 @@
     </message>
     <message>
         <source>L&amp;eaves on or off</source>
-        <translation>&amp;Feuilles ou non</translation>
+        <translation>Feuilles &amp;ou non</translation>
     </message>
     <message>
         <source>Click a limb: its leaves go, or come back</source>
@@ -1041,7 +1037,7 @@
     </message>
     <message>
         <source>C&amp;url</source>
-        <translation>&amp;Enrouler</translation>
+        <translation>Enro&amp;uler</translation>
     </message>
     <message>
         <source>Drag a branch to one side: the limb rolls up that way</source>
@@ -1053,7 +1049,7 @@
     </message>
     <message>
         <source>T&amp;aper</source>
-        <translation>E&amp;ffiler</translation>
+        <translation>&amp;Effiler</translation>
     </message>
     <message>
         <source>Drag a branch to the right: its tip gets thicker, to the left: thinner</source>
@@ -1061,7 +1057,7 @@
     </message>
     <message>
         <source>E&amp;xtend</source>
-        <translation>Pr&amp;olonger</translation>
+        <translation>&amp;Prolonger</translation>
     </message>
     <message>
         <source>Drag a branch: its tip grows on along the stroke</source>
@@ -1069,7 +1065,7 @@
     </message>
     <message>
         <source>Redra&amp;w</source>
-        <translation>&amp;Redessiner</translation>
+        <translation>Re&amp;dessiner</translation>
     </message>
     <message>
         <source>Draw over a branch: from there on it goes along the stroke</source>
@@ -1080,12 +1076,8 @@
         <translation>&amp;Tordre</translation>
     </message>
     <message>
-        <source>T&amp;hickness</source>
-        <translation>É&amp;paisseur</translation>
-    </message>
-    <message>
         <source>&amp;Move the fork</source>
-        <translation>Dépla&amp;cer la fourche</translation>
+        <translation>Déplacer la fourc&amp;he</translation>
     </message>
     <message>
         <source>Drag a branch: its fork slides along what it grows on</source>
@@ -1093,7 +1085,7 @@
     </message>
     <message>
         <source>Brus&amp;h</source>
-        <translation>&amp;Pinceau</translation>
+        <translation>Pince&amp;au</translation>
     </message>
     <message>
         <source>Drag over branches: they are combed, drawn near or pushed away, or lose their leaves</source>
@@ -1106,6 +1098,22 @@
     <message>
         <source>Drag a tree: its foot goes over the ground, and flares by the wheel</source>
         <translation>Glissez un arbre : son pied va sur le sol, et s’évase par la molette</translation>
+    </message>
+    <message>
+        <source>Keep onl&amp;y this limb</source>
+        <translation>Ne garder que cette &amp;branche</translation>
+    </message>
+    <message>
+        <source>Thick&amp;ness</source>
+        <translation>&amp;Épaisseur</translation>
+    </message>
+    <message>
+        <source>Place a lea&amp;f or fruit</source>
+        <translation>Poser une &amp;feuille ou un fruit</translation>
+    </message>
+    <message>
+        <source>Click a branch: one leaf, fruit or flower grows there</source>
+        <translation>Cliquez sur une branche : une feuille, un fruit ou une fleur y pousse</translation>
     </message>
 </context>
 <context>
@@ -1840,6 +1848,38 @@
     <message>
         <source>Solid of the scene</source>
         <translation>Solide de la scène</translation>
+    </message>
+    <message>
+        <source>Leaf</source>
+        <translation>Feuille</translation>
+    </message>
+    <message>
+        <source>Fruit</source>
+        <translation>Fruit</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Fleur</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>Of the kind that the tree bears</source>
+        <translation>De la sorte que porte l’arbre</translation>
+    </message>
+    <message>
+        <source>Of the leaf, fruit or flower, against the usual one</source>
+        <translation>De la feuille, du fruit ou de la fleur, par rapport à d’ordinaire</translation>
+    </message>
+    <message>
+        <source>The same happens to the limbs at so many places, evenly turned about the trunk, where there are some like it</source>
+        <translation>La même chose arrive aux branches d’autant d’endroits, à tours égaux autour du tronc, là où il y en a de semblables</translation>
+    </message>
+    <message>
+        <source>The same happens to the limb on the other side of the trunk, as the view shows it, where there is one like it</source>
+        <translation>La même chose arrive à la branche de l’autre côté du tronc, comme la vue le montre, s’il y en a une semblable</translation>
     </message>
 </context>
 <context>
@@ -6903,6 +6943,18 @@
         <source>no columns: the first line names them</source>
         <translation>aucune colonne : la première ligne les nomme</translation>
     </message>
+    <message>
+        <source>a leaf, fruit or flower is expected here</source>
+        <translation>une feuille, un fruit ou une fleur est attendu ici</translation>
+    </message>
+    <message>
+        <source>Place a leaf or fruit</source>
+        <translation>Poser une feuille ou un fruit</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Fleur</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -7960,6 +8012,14 @@ OpenGL&#xa0;: %4
         <source>Drag from a branch: from there on it goes along the line</source>
         <translation>Glisser à partir d’une branche : de là, elle suit le trait</translation>
     </message>
+    <message>
+        <source>Nothing grows from here: release, and press on a branch or the ground</source>
+        <translation>Rien ne pousse d’ici : relâchez, et appuyez sur une branche ou sur le sol</translation>
+    </message>
+    <message>
+        <source>Nothing happens here: release, and press on the branch that is meant</source>
+        <translation>Il ne se passe rien ici : relâchez, et appuyez sur la branche voulue</translation>
+    </message>
 </context>
 <context>
     <name>ramure::EditActions</name>
@@ -8067,6 +8127,13 @@ OpenGL&#xa0;: %4
     <message>
         <source>Trees are shaped at rest: stop, and go to the first frame.</source>
         <translation>Les arbres se façonnent au repos : arrêtez, et allez à la première image.</translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n place(s) around the trunk no limb is like it: nothing happens there.</source>
+        <translation>
+            <numerusform>À %n endroit autour du tronc, aucune branche ne lui ressemble : il ne s’y passe rien.</numerusform>
+            <numerusform>À %n endroits autour du tronc, aucune branche ne leur ressemble : il ne s’y passe rien.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9410,6 +9477,10 @@ OpenGL&#xa0;: %4
         <source>Drag: bend the limb · Shift: trunk and root, too</source>
         <translation>Glisser : plier la branche · Maj : tronc et racine aussi</translation>
     </message>
+    <message>
+        <source>At some places around the trunk no limb is like it: nothing happens there.</source>
+        <translation>À certains endroits autour du tronc, aucune branche ne lui ressemble : il ne s’y passe rien.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::MainWindow</name>
@@ -9947,6 +10018,33 @@ OpenGL&#xa0;: %4
     <message>
         <source>Without sky and ground, to put the trees in front of something else</source>
         <translation>Sans ciel ni sol, pour placer les arbres devant autre chose</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::PlaceTool</name>
+    <message>
+        <source>Release: it grows here, on the side that was clicked · Esc: not at all</source>
+        <translation>Relâcher : elle pousse ici, du côté du clic · Échap : pas du tout</translation>
+    </message>
+    <message>
+        <source>Click a branch: a leaf grows there</source>
+        <translation>Clic sur une branche : une feuille y pousse</translation>
+    </message>
+    <message>
+        <source>Click a branch: a fruit hangs there</source>
+        <translation>Clic sur une branche : un fruit y pend</translation>
+    </message>
+    <message>
+        <source>Click a branch: a flower opens there</source>
+        <translation>Clic sur une branche : une fleur s’y ouvre</translation>
+    </message>
+    <message>
+        <source>This tree bears fruit: one was put there. “Fruit” in its parameters makes flowers of all.</source>
+        <translation>Cet arbre porte des fruits : il y en a un de plus. « Fruits », dans ses paramètres, en fait des fleurs.</translation>
+    </message>
+    <message>
+        <source>This tree blooms: a flower was put there. “Fruit” in its parameters makes fruit of all.</source>
+        <translation>Cet arbre est en fleurs : il y en a une de plus. « Fruits », dans ses paramètres, en fait des fruits.</translation>
     </message>
 </context>
 <context>

@@ -106,6 +106,7 @@ private:
         double along, around;
     };
     void place();
+    void markCut();
     void smoothFront();
     void chooseSeam();
     void findSections();
