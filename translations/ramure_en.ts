@@ -246,6 +246,16 @@
     </message>
 </context>
 <context>
+    <name>ramure::EditTool</name>
+    <message numerus="yes">
+        <source>At %n place(s) around the trunk no limb is like it: nothing happens there.</source>
+        <translation>
+            <numerusform>At %n place around the trunk no limb is like it: nothing happens there.</numerusform>
+            <numerusform>At %n places around the trunk no limb is like it: nothing happens there.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::ExportDialog</name>
     <message numerus="yes">
         <source>%Ln file(s)</source>

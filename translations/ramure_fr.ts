@@ -936,10 +936,6 @@
         <translation>Ajouter des objets à la scène : maillages, clés de Blender, arbres d’Arbaro et d’ez-tree</translation>
     </message>
     <message>
-        <source>Keep &amp;only this limb</source>
-        <translation>Ne &amp;garder que cette branche</translation>
-    </message>
-    <message>
         <source>All goes but the limb of the active branch, what grows on it and the way down to the ground</source>
         <translation>Tout s’en va sauf la branche active, ce qui pousse dessus et le chemin jusqu’au sol</translation>
     </message>
@@ -1080,10 +1076,6 @@
         <translation>&amp;Tordre</translation>
     </message>
     <message>
-        <source>T&amp;hickness</source>
-        <translation>É&amp;paisseur</translation>
-    </message>
-    <message>
         <source>&amp;Move the fork</source>
         <translation>Dépla&amp;cer la fourche</translation>
     </message>
@@ -1114,6 +1106,22 @@
     <message>
         <source>Write the last export once more, over its files</source>
         <translation>Réécrire le dernier export par-dessus ses fichiers</translation>
+    </message>
+    <message>
+        <source>Keep onl&amp;y this limb</source>
+        <translation>Ne garder que cette &amp;branche</translation>
+    </message>
+    <message>
+        <source>Thick&amp;ness</source>
+        <translation>&amp;Épaisseur</translation>
+    </message>
+    <message>
+        <source>Place a lea&amp;f or fruit</source>
+        <translation>Poser une &amp;feuille ou un fruit</translation>
+    </message>
+    <message>
+        <source>Click a branch: one leaf, fruit or flower grows there</source>
+        <translation>Cliquez sur une branche : une feuille, un fruit ou une fleur y pousse</translation>
     </message>
 </context>
 <context>
@@ -1891,6 +1899,38 @@
     <message>
         <source>Solid of the scene</source>
         <translation>Solide de la scène</translation>
+    </message>
+    <message>
+        <source>Leaf</source>
+        <translation>Feuille</translation>
+    </message>
+    <message>
+        <source>Fruit</source>
+        <translation>Fruit</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Fleur</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>Of the kind that the tree bears</source>
+        <translation>De la sorte que porte l’arbre</translation>
+    </message>
+    <message>
+        <source>Of the leaf, fruit or flower, against the usual one</source>
+        <translation>De la feuille, du fruit ou de la fleur, par rapport à d’ordinaire</translation>
+    </message>
+    <message>
+        <source>The same happens to the limbs at so many places, evenly turned about the trunk, where there are some like it</source>
+        <translation>La même chose arrive aux branches d’autant d’endroits, à tours égaux autour du tronc, là où il y en a de semblables</translation>
+    </message>
+    <message>
+        <source>The same happens to the limb on the other side of the trunk, as the view shows it, where there is one like it</source>
+        <translation>La même chose arrive à la branche de l’autre côté du tronc, comme la vue le montre, s’il y en a une semblable</translation>
     </message>
 </context>
 <context>
@@ -7006,6 +7046,18 @@
         <source>budgets are numbers of triangles, with commas between them</source>
         <translation>les budgets sont des nombres de triangles, séparés par des virgules</translation>
     </message>
+    <message>
+        <source>a leaf, fruit or flower is expected here</source>
+        <translation>une feuille, un fruit ou une fleur est attendu ici</translation>
+    </message>
+    <message>
+        <source>Place a leaf or fruit</source>
+        <translation>Poser une feuille ou un fruit</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Fleur</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -8063,6 +8115,14 @@ OpenGL&#xa0;: %4
         <source>Drag from a branch: from there on it goes along the line</source>
         <translation>Glisser à partir d’une branche : de là, elle suit le trait</translation>
     </message>
+    <message>
+        <source>Nothing grows from here: release, and press on a branch or the ground</source>
+        <translation>Rien ne pousse d’ici : relâchez, et appuyez sur une branche ou sur le sol</translation>
+    </message>
+    <message>
+        <source>Nothing happens here: release, and press on the branch that is meant</source>
+        <translation>Il ne se passe rien ici : relâchez, et appuyez sur la branche voulue</translation>
+    </message>
 </context>
 <context>
     <name>ramure::EditActions</name>
@@ -8170,6 +8230,13 @@ OpenGL&#xa0;: %4
     <message>
         <source>Trees are shaped at rest: stop, and go to the first frame.</source>
         <translation>Les arbres se façonnent au repos : arrêtez, et allez à la première image.</translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n place(s) around the trunk no limb is like it: nothing happens there.</source>
+        <translation>
+            <numerusform>À %n endroit autour du tronc, aucune branche ne lui ressemble : il ne s’y passe rien.</numerusform>
+            <numerusform>À %n endroits autour du tronc, aucune branche ne leur ressemble : il ne s’y passe rien.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -9628,6 +9695,10 @@ OpenGL&#xa0;: %4
         <source>Drag: bend the limb · Shift: trunk and root, too</source>
         <translation>Glisser : plier la branche · Maj : tronc et racine aussi</translation>
     </message>
+    <message>
+        <source>At some places around the trunk no limb is like it: nothing happens there.</source>
+        <translation>À certains endroits autour du tronc, aucune branche ne lui ressemble : il ne s’y passe rien.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::MainWindow</name>
@@ -10193,6 +10264,33 @@ OpenGL&#xa0;: %4
     <message>
         <source>Without sky and ground, to put the trees in front of something else</source>
         <translation>Sans ciel ni sol, pour placer les arbres devant autre chose</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::PlaceTool</name>
+    <message>
+        <source>Release: it grows here, on the side that was clicked · Esc: not at all</source>
+        <translation>Relâcher : elle pousse ici, du côté du clic · Échap : pas du tout</translation>
+    </message>
+    <message>
+        <source>Click a branch: a leaf grows there</source>
+        <translation>Clic sur une branche : une feuille y pousse</translation>
+    </message>
+    <message>
+        <source>Click a branch: a fruit hangs there</source>
+        <translation>Clic sur une branche : un fruit y pend</translation>
+    </message>
+    <message>
+        <source>Click a branch: a flower opens there</source>
+        <translation>Clic sur une branche : une fleur s’y ouvre</translation>
+    </message>
+    <message>
+        <source>This tree bears fruit: one was put there. “Fruit” in its parameters makes flowers of all.</source>
+        <translation>Cet arbre porte des fruits : il y en a un de plus. « Fruits », dans ses paramètres, en fait des fleurs.</translation>
+    </message>
+    <message>
+        <source>This tree blooms: a flower was put there. “Fruit” in its parameters makes fruit of all.</source>
+        <translation>Cet arbre est en fleurs : il y en a une de plus. « Fruits », dans ses paramètres, en fait des fruits.</translation>
     </message>
 </context>
 <context>

@@ -89,6 +89,9 @@ QJsonObject writeEdit(const TreeEdit& edit)
     for (const EditFlag& flag : editFlags())
         if ((info.fields & flag.field) && edit.*flag.member != usual.*flag.member)
             object.insert(QLatin1String(flag.key), edit.*flag.member);
+    if (info.fields & editOrgan)
+        object.insert(QStringLiteral("organ"),
+                      QLatin1String(editOrgans()[static_cast<std::size_t>(edit.organ)].key));
     if (info.fields & editShape)
         object.insert(QStringLiteral("shape"), writeShape(edit.shape));
     if (info.fields & editPoints)
@@ -111,8 +114,8 @@ public:
     Expected<TreeEdit> read()
     {
         for (const auto step : {&EditReader::readHead, &EditReader::readTargets, &EditReader::readNumbers,
-                                &EditReader::readVectors, &EditReader::readFlags, &EditReader::readShape,
-                                &EditReader::readPoints, &EditReader::readLimb})
+                                &EditReader::readVectors, &EditReader::readFlags, &EditReader::readOrgan,
+                                &EditReader::readShape, &EditReader::readPoints, &EditReader::readLimb})
             if (auto done = (this->*step)(); !done)
                 return fail(std::move(done.error()));
         if (!m_rest.isEmpty())
@@ -208,6 +211,14 @@ private:
     }
     Expected<void> readVectors()
     {
+        // Without a place a brush would act about the origin, where nobody meant it to.
+        const bool isBrush = (m_info->fields & editCentre) &&
+                             (m_edit.operation != EditOperation::Leaves || m_edit.target.address == 0);
+        if (m_isScript && isBrush && !m_rest.contains(QLatin1String("centre")))
+            return m_edit.operation == EditOperation::Leaves
+                       ? failAt("target", ErrorCode::Invalid, RAMURE_NOOP("the limb is missing"))
+                       : failAt("centre", ErrorCode::Invalid, RAMURE_NOOP("%1 numbers are expected here"),
+                                {"3"});
         for (const EditVector& vector : editVectors()) {
             const QLatin1String key(vector.key);
             if (!(m_info->fields & vector.field) || !m_rest.contains(key))
@@ -273,6 +284,19 @@ private:
                 corners[i] = static_cast<std::uint32_t>((*row)[i]);
             }
         }
+        return {};
+    }
+    Expected<void> readOrgan()
+    {
+        if (!(m_info->fields & editOrgan))
+            return {};
+        const QString key = m_rest.take(QLatin1String("organ")).toString();
+        const auto found = std::ranges::find_if(
+            editOrgans(), [&key](const EditOrganInfo& info) { return key == QLatin1String(info.key); });
+        if (found == editOrgans().end())
+            return failAt("organ", ErrorCode::Invalid,
+                          RAMURE_NOOP("a leaf, fruit or flower is expected here"));
+        m_edit.organ = found->organ;
         return {};
     }
     Expected<void> readShape()

@@ -32,8 +32,12 @@ enum class EditOperation : std::uint8_t {
     Comb,      ///< branches within a sphere turn into a direction
     Leaves,    ///< those of a limb, or without a target within a sphere, are shown or hidden
     Root,      ///< the foot stands elsewhere, and flares
+    Place,     ///< one leaf, fruit or flower, at `at` of the target, on the side of `azimuth`
 };
-inline constexpr std::size_t editOperationCount = 19;
+inline constexpr std::size_t editOperationCount = 20;
+
+/// What Place puts there. The tree says what its fruit are: a flower is one where it blooms.
+enum class EditOrgan : std::uint8_t { Leaf, Fruit, Flower };
 
 /// An axis. Of those that grew, its place in the tree as grown, before any edit, so that the edit finds it in
 /// a changed tree; of one that an edit made, its name alone.
@@ -93,7 +97,7 @@ struct TreeEdit
     EditTarget other{}; ///< Graft: the original, none if it has a limb; Move: the parent, or none for its own
     double at = 0.5;
     double from = 0.0, to = 1.0;
-    double factor = 1.0; ///< Graft: of its size; Root: of the radius at the foot
+    double factor = 1.0; ///< Graft: of its size; Root: of the radius at the foot; Place: of the usual size
     double angleRad = 0.0;
     double azimuthRad = 0.0;
     double radius = 1.0;      ///< m, of a brush
@@ -104,6 +108,7 @@ struct TreeEdit
     glm::dvec3 offset{0.0}; ///< m
     bool below = false;     ///< also what grows on the axis; Draw: as on a limb beside it
     bool shown = true;
+    EditOrgan organ = EditOrgan::Leaf;
     EditShape shape{};
     std::vector<StrokePoint> points{}; ///< Draw and Redraw: from the fork; Extend: from the tip, in its frame
     std::vector<LimbPiece> limb{};

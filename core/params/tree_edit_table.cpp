@@ -43,6 +43,8 @@ constexpr EditOperationInfo operations[] = {
      editShown | editCentre | editRadius | editTreeSpace},
     {EditOperation::Root, "root", RAMURE_NOOP("Root"), "target", "",
      editOffset | editFactor | editNeedsTarget | editTreeSpace},
+    {EditOperation::Place, "place", RAMURE_NOOP("Place a leaf or fruit"), "target", "",
+     editAt | editAzimuth | editFactor | editOrgan | editNeedsTarget},
 };
 static_assert(std::size(operations) == editOperationCount);
 
@@ -73,6 +75,12 @@ constexpr EditShapeInfo shapes[] = {
     {EditShapeKind::Sphere, "sphere", 4}, {EditShapeKind::Box, "box", 6},
     {EditShapeKind::Cone, "cone", 5},     {EditShapeKind::Profile, "profile", 3},
     {EditShapeKind::Mesh, "mesh", 0},
+};
+
+constexpr EditOrganInfo organs[] = {
+    {EditOrgan::Leaf, "leaf", RAMURE_NOOP("Leaf")},
+    {EditOrgan::Fruit, "fruit", RAMURE_NOOP("Fruit")},
+    {EditOrgan::Flower, "flower", RAMURE_NOOP("Flower")},
 };
 
 tl::unexpected<Error> refuse(const char* path, const char* why)
@@ -210,6 +218,11 @@ std::span<const EditShapeInfo> editShapes()
     return shapes;
 }
 
+std::span<const EditOrganInfo> editOrgans()
+{
+    return organs;
+}
+
 Expected<void> checkTreeEdit(const TreeEdit& edit)
 {
     if (static_cast<std::size_t>(edit.operation) >= editOperationCount)
@@ -227,6 +240,8 @@ Expected<void> checkTreeEdit(const TreeEdit& edit)
             return refuse(vector.key, RAMURE_NOOP("must be three finite numbers"));
     if ((info.fields & editDirection) && edit.direction == glm::dvec3(0.0))
         return refuse("direction", RAMURE_NOOP("a direction must not be zero"));
+    if ((info.fields & editOrgan) && static_cast<std::size_t>(edit.organ) >= std::size(organs))
+        return refuse("organ", RAMURE_NOOP("a leaf, fruit or flower is expected here"));
     if (info.fields & editPoints)
         if (auto ok = checkPoints(edit); !ok)
             return ok;

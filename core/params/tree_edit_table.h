@@ -33,6 +33,7 @@ enum EditField : std::uint32_t {
     editNeedsTarget = 262144, ///< else the target may be left out
     editTreeSpace = 524288,   ///< vectors are in tree space
     editMakesAxes = 1048576,  ///< names of axes come from TreeEdit::id
+    editOrgan = 2097152,
 };
 
 struct EditOperationInfo
@@ -83,6 +84,15 @@ struct EditShapeInfo
     std::size_t numbers; ///< of EditShape::numbers
 };
 std::span<const EditShapeInfo> editShapes();
+
+struct EditOrganInfo
+{
+    EditOrgan organ;
+    const char* key;   ///< "leaf"
+    const char* label; ///< RAMURE_NOOP
+};
+/// In the order of EditOrgan.
+std::span<const EditOrganInfo> editOrgans();
 
 /// Of a stroke or a limb.
 inline constexpr std::size_t mostEditPoints = 100'000;

@@ -145,6 +145,9 @@ Expected<SimplifiedSkeleton> simplify(const Skeleton& skeleton, double rotationT
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
     moveOrgans(skeleton, result);
+    for (const Index i : skeleton.sawn)
+        if (children[i] == 0)
+            result.skeleton.sawn.push_back(result.mergedInto[i]);
     return result;
 }
 

@@ -20,11 +20,14 @@ struct Organ
 {
     Index branch = noIndex;
     OrganKind kind = OrganKind::Leaf;
-    double share = 1.0;               ///< of the branch's length, from its start
-    glm::dvec3 offset{0.0};           ///< m, from there
-    glm::dvec3 axis{0.0};             ///< unit, the branch's direction
-    glm::dvec3 heading{0.0}, up{0.0}; ///< unit: where it points, where its upper side looks
-    double size = -1.0; ///< m, of a leaf its length, of a fruit its width; below 0: as large as usual
+    double share = 1.0;     ///< of the branch's length, from its start
+    glm::dvec3 offset{0.0}; ///< m, from there
+    glm::dvec3 axis{0.0};   ///< unit, the branch's direction
+    /// Unit: where it points, where its upper side looks. Without a heading it stands on the bark as those do
+    /// that grow by themselves, on the side of `up`.
+    glm::dvec3 heading{0.0}, up{0.0};
+    double size =
+        -1.0; ///< m, of a leaf its length, of a fruit its width; below 0: so many times the usual one
     bool operator==(const Organ&) const = default;
 };
 
@@ -46,7 +49,8 @@ struct Skeleton
     /// First branches of axes with the axes' addresses, ascending, where edits were made: axes are no longer
     /// where levels say, and keep their addresses whatever happened beside them. Empty: by levels and ranks.
     std::vector<std::pair<Index, std::uint64_t>> axisStarts;
-    std::vector<Index> bare; ///< branches on which no leaf and no fruit grows, ascending
+    std::vector<Index> bare; ///< branches on which no leaf and no fruit grows by itself, ascending
+    std::vector<Index> sawn; ///< branches whose end was cut, ascending: it is flat
 
     [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
     [[nodiscard]] bool empty() const { return parent.empty(); }

@@ -180,6 +180,7 @@ BENCHMARK(BM_editOfOneLimb)
     ->Arg(int(EditOperation::Draw))
     ->Arg(int(EditOperation::Graft))
     ->Arg(int(EditOperation::Prune))
+    ->Arg(int(EditOperation::Place))
     ->Unit(benchmark::kMicrosecond);
 
 /// What a tool does when it is pressed.

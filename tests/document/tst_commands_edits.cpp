@@ -283,6 +283,12 @@ void TestEditCommands::badScripts_data()
     row(R"({"op": "cut", "target": "TRUNK", "frame": "world"})", ErrorCode::Invalid);
     row(R"({"op": "cut", "target": [], "at": 0.5})", ErrorCode::Invalid);
     row(R"({"op": "draw", "parent": "TRUNK", "at": 0.5, "points": [[1, 2]]})", ErrorCode::Invalid);
+    row(R"({"op": "place", "organ": "leaf"})", ErrorCode::Invalid);
+    row(R"({"op": "place", "target": "TRUNK"})", ErrorCode::Invalid);
+    row(R"({"op": "place", "target": "TRUNK", "organ": "nut"})", ErrorCode::Invalid);
+    // Nobody means a sphere about the origin.
+    row(R"({"op": "leaves", "shown": false})", ErrorCode::Invalid);
+    row(R"({"op": "attract", "strength": 1})", ErrorCode::Invalid);
 }
 
 void TestEditCommands::badScripts()
@@ -320,6 +326,8 @@ void TestEditCommands::scriptsAreAsByHand()
         "\n"
         R"({"op": "move", "target": "UPPER", "at": 0.9, "azimuth": 45})"
         "\n"
+        R"({"op": "place", "target": "UPPER", "at": 0.25, "azimuth": 90, "organ": "fruit", "factor": 1.5})"
+        "\n"
         R"({"op": "length", "target": ["00000000000000aa", "UPPER"], "factor": 1.5})"
         "\n"
         R"({"op": "bend", "target": "UPPER", "rotation": [0.1, 0, 0], "frame": "parent"})";
@@ -349,6 +357,12 @@ void TestEditCommands::scriptsAreAsByHand()
     edit = editOf(EditOperation::Move, address[3]);
     edit.at = 0.9;
     edit.azimuthRad = std::numbers::pi / 4;
+    put(edit);
+    edit = editOf(EditOperation::Place, address[3]);
+    edit.at = 0.25;
+    edit.azimuthRad = std::numbers::pi / 2;
+    edit.organ = EditOrgan::Fruit;
+    edit.factor = 1.5;
     put(edit);
     for (const std::uint64_t target : {std::uint64_t{0xaa}, address[3]}) {
         edit = editOf(EditOperation::Length, target);

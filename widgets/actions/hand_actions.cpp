@@ -17,7 +17,7 @@ HandActions::HandActions(Document* document, ViewportHost* host, QActionGroup* t
     , m_settings(host->settings()->hand())
     , m_keep(
           set->add({"hand.keepSelected",
-                    QT_TRANSLATE_NOOP("Actions", "Keep &only this limb"),
+                    QT_TRANSLATE_NOOP("Actions", "Keep onl&y this limb"),
                     nullptr,
                     {},
                     QT_TRANSLATE_NOOP("Actions", "All goes but the limb of the active branch, what grows on "

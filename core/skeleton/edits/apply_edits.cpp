@@ -10,7 +10,7 @@ namespace edits {
 Expected<void> act(EditTree& tree, const TreeEdit& edit, Index target, Index other)
 {
     constexpr Act* acts[] = {cut,    remove, keep,  bend, curl,  twist,   length, thickness, taper, draw,
-                             extend, redraw, graft, move, prune, attract, comb,   leaves,    root};
+                             extend, redraw, graft, move, prune, attract, comb,   leaves,    root,  place};
     static_assert(std::size(acts) == editOperationCount);
     tree.setMaker(edit.id);
     return acts[static_cast<std::size_t>(edit.operation)](tree, edit, target, other);

@@ -123,6 +123,7 @@ Expected<void> cut(EditTree& tree, const TreeEdit& edit, Index target, Index /*o
         return fail(ErrorCode::Invalid, RAMURE_NOOP("there is nothing above the cut"));
     const Index below = tree.splitAt(spot);
     tree.remove(tree.marked(tree.piece(below).next));
+    tree.piece(below).sawn = true;
     return {};
 }
 
@@ -171,10 +172,10 @@ Expected<void> leaves(EditTree& tree, const TreeEdit& edit, Index target, Index 
     const EditMarks limb = target == noIndex ? EditMarks() : tree.marked(tree.axis(target).first);
     bool any = target != noIndex;
     for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after) {
-        EditPiece& piece = tree.piece(i);
+        const EditPiece& piece = tree.piece(i);
         if (limb.empty() ? piece.bare == !edit.shown || !touches(edit, piece) : !limb[i])
             continue;
-        piece.bare = !edit.shown;
+        tree.setBare(i, !edit.shown);
         any = true;
     }
     return any ? Expected<void>() : fail(ErrorCode::Invalid, RAMURE_NOOP("no leaves there would come or go"));

@@ -130,6 +130,7 @@ void growLimb(EditTree& tree, const Scion& scion, const TreeEdit& edit, Index be
         if (scion.pieces.empty())
             continue;
         tree.piece(made[i]).bare = tree.piece(scion.pieces[i]).bare;
+        tree.piece(made[i]).sawn = tree.piece(scion.pieces[i]).sawn;
         tree.copyOrgans(scion.pieces[i], made[i], size);
     }
 }

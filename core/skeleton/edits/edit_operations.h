@@ -16,6 +16,7 @@ Act cut, remove, keep, prune, leaves;               // edit_cuts.cpp
 Act bend, curl, twist, length, attract, comb, root; // edit_bends.cpp
 Act thickness, taper, redraw;                       // edit_shapes.cpp
 Act draw, extend, graft, move;                      // edit_growth.cpp
+Act place;                                          // edit_organs.cpp
 
 Expected<void> act(EditTree& tree, const TreeEdit& edit, Index target, Index other);
 

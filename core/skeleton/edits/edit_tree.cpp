@@ -15,7 +15,6 @@ constexpr double sameSpot = 1e-3;
 EditTree::EditTree(const Skeleton& grown, const TreeAxes& axes)
     : m_pieces(grown.size())
     , m_axes(axes.axes.size())
-    , m_organs(grown.organs)
     , m_grownAxes(static_cast<Index>(axes.axes.size()))
     , m_size(grown.size())
 {
@@ -32,6 +31,10 @@ EditTree::EditTree(const Skeleton& grown, const TreeAxes& axes)
         piece.before = i > 0 ? i - 1 : noIndex;
         piece.after = i + 1 < grown.size() ? i + 1 : noIndex;
     }
+    for (const Organ& organ : grown.organs)
+        m_organs.push_back({organ, false});
+    for (const Index i : grown.sawn)
+        m_pieces[i].sawn = true;
     for (const Index i : grown.bare)
         m_pieces[i].bare = true;
     for (Index a = 0; a < m_grownAxes; ++a) {
@@ -199,7 +202,7 @@ Index EditTree::splitAt(const AxisSpot& spot)
     for (Index i = m_pieces[spot.piece].after; i != noIndex; i = m_pieces[i].after)
         if (m_pieces[i].parent == spot.piece)
             m_pieces[i].parent = upper;
-    for (Organ& organ : m_organs) {
+    for (EditOrganSeat& organ : m_organs) {
         if (organ.branch != spot.piece)
             continue;
         const bool isAbove = organ.share > spot.t;
@@ -211,6 +214,7 @@ Index EditTree::splitAt(const AxisSpot& spot)
     below.p1 = point;
     below.a1 = radius;
     below.next = upper;
+    below.sawn = false;
     insertAfter(spot.piece, upper);
     ++m_size;
     return spot.piece;
@@ -221,16 +225,25 @@ void EditTree::shorten(Index i, double share)
     EditPiece& piece = m_pieces[i];
     piece.p1 = piece.p0 + share * (piece.p1 - piece.p0);
     piece.a1 = piece.a0 + share * (piece.a1 - piece.a0);
+    piece.sawn = true;
     std::erase_if(m_organs, [&](const Organ& organ) { return organ.branch == i && organ.share > share; });
-    for (Organ& organ : m_organs)
+    for (EditOrganSeat& organ : m_organs)
         if (organ.branch == i)
             organ.share /= share;
+}
+
+void EditTree::setBare(Index i, bool bare)
+{
+    m_pieces[i].bare = bare;
+    for (EditOrganSeat& organ : m_organs)
+        if (organ.branch == i && bare)
+            organ.stays = false;
 }
 
 void EditTree::copyOrgans(Index from, Index to, double size)
 {
     for (std::size_t i = 0, count = m_organs.size(); i < count; ++i) {
-        Organ organ = m_organs[i];
+        EditOrganSeat organ = m_organs[i];
         if (organ.branch != from)
             continue;
         organ.branch = to;
@@ -323,11 +336,14 @@ Skeleton EditTree::skeleton() const
             out.axisStarts.emplace_back(at, m_axes[piece.axis].address);
         if (piece.bare)
             out.bare.push_back(at);
+        if (piece.sawn && piece.next == noIndex)
+            out.sawn.push_back(at);
     }
-    for (Organ organ : m_organs) {
+    for (const EditOrganSeat& seat : m_organs) {
+        Organ organ = seat;
         const EditPiece& piece = m_pieces[organ.branch];
         organ.branch = indexOf[organ.branch];
-        if (!piece.gone && !piece.bare)
+        if (!piece.gone && (!piece.bare || seat.stays))
             out.organs.push_back(organ);
     }
     return out;

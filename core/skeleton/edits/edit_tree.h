@@ -24,6 +24,7 @@ struct EditPiece
     Index level = 0;
     Index before = noIndex, after = noIndex; ///< in the order of the skeleton: parents before children
     bool bare = false;                       ///< no leaves
+    bool sawn = false;                       ///< its end was cut
     bool gone = false;
 };
 
@@ -37,6 +38,12 @@ struct EditAxis
 
 /// By piece: whether it is meant.
 using EditMarks = std::vector<bool>;
+
+/// \copydoc Organ
+struct EditOrganSeat : Organ
+{
+    bool stays = false; ///< also where no leaves grow: it was put there after they went
+};
 
 /// A place on an axis.
 struct AxisSpot
@@ -89,6 +96,11 @@ public:
     Index splitAt(const AxisSpot& spot);
     /// A piece ends at a share of its length; organs beyond it go.
     void shorten(Index piece, double share);
+    /// One more, that is seen also on a bare piece.
+    void putOrgan(const Organ& organ) { m_organs.push_back({organ, true}); }
+    /// No leaves on a piece from now on, or leaves again: those that hands have put there go and come with
+    /// them.
+    void setBare(Index piece, bool bare);
     /// What a piece carries grows on another one too. \param size times as large
     void copyOrgans(Index from, Index to, double size);
     void remove(const EditMarks& marks);
@@ -136,7 +148,7 @@ private:
 
     std::vector<EditPiece> m_pieces;
     std::vector<EditAxis> m_axes;
-    std::vector<Organ> m_organs;                     ///< by piece
+    std::vector<EditOrganSeat> m_organs;             ///< by piece
     std::unordered_map<std::uint64_t, Index> m_made; ///< axes that edits made, by address
     Index m_grownAxes = 0;
     Index m_head = noIndex, m_tail = noIndex, m_size = 0;

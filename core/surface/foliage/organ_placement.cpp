@@ -3,6 +3,7 @@
 #include "core/math/frame.h"
 #include "core/surface/foliage/leaf_placement.h"
 #include "core/surface/foliage/leaf_table.h"
+#include "core/surface/foliage/twig_line.h"
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/gtc/quaternion.hpp>
@@ -23,8 +24,39 @@ glm::dvec3 turned(const glm::dvec3& v, const Frame& from, const Frame& to)
            glm::dot(v, from.binormal) * to.binormal;
 }
 
-Stand standOf(const Skeleton& skeleton, const Organ& organ)
+constexpr glm::dvec3 sky(0.0, 1.0, 0.0);
+
+/// The share of \p v across the unit vector \p way; \p otherwise where nothing is left.
+glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& way, const glm::dvec3& otherwise)
 {
+    const glm::dvec3 left = v - glm::dot(v, way) * way;
+    return glm::length(left) > 1e-3 ? glm::normalize(left) : otherwise;
+}
+
+/// On the bark as those that grow by themselves: leaves look to the light, fruit hang, flowers look outwards.
+Stand naturalStand(const Skeleton& skeleton, const Organ& organ, bool hung)
+{
+    const TwigLine line(skeleton, organ.branch);
+    const TwigLine::Place place = line.at(organ.share * line.length());
+    const glm::dvec3& tangent = place.frame.tangent;
+    const glm::dvec3 drawn =
+        turned(organ.up, frameFromTangent(organ.axis), transported(frameFromTangent(organ.axis), tangent));
+    const glm::dvec3 side = across(drawn, tangent, place.frame.normal);
+    Stand stand{place.centre + 0.95 * place.radius * side, {}, {}};
+    if (organ.kind == OrganKind::Leaf) {
+        stand.heading = glm::normalize(side + 0.7 * tangent);
+        stand.up = across(0.5 * sky + 0.5 * tangent, stand.heading, glm::cross(side, tangent));
+        return stand;
+    }
+    stand.heading = glm::normalize(hung ? 0.35 * side - sky : side + 0.5 * sky + 0.4 * tangent);
+    stand.up = across(tangent, stand.heading, across(side, stand.heading, sky));
+    return stand;
+}
+
+Stand standOf(const Skeleton& skeleton, const Organ& organ, bool hung)
+{
+    if (organ.heading == glm::dvec3(0.0))
+        return naturalStand(skeleton, organ, hung);
     const Index b = organ.branch;
     const glm::dvec3 way = skeleton.p1[b] - skeleton.p0[b];
     const double length = glm::length(way);
@@ -71,12 +103,15 @@ Expected<void> placeOrgans(const Skeleton& skeleton, const LeafParams& leaf, dou
     for (const Organ& organ : skeleton.organs) {
         const bool isLeaf = organ.kind == OrganKind::Leaf;
         const double usual = isLeaf ? leafLength : 2.0 * radius;
-        const double size = organ.size < 0.0 ? (isLeaf && !faithful ? leaf.size : 1.0)
+        const double size = organ.size < 0.0 ? -organ.size * (isLeaf && !faithful ? leaf.size : 1.0)
                                              : (usual > 0.0 ? organ.size / usual : 0.0);
         if (!(size > 0.0))
             continue;
-        const Stand stand = standOf(skeleton, organ);
-        FoliageItem item = isLeaf ? leafAt(stand, size) : fruitAt(stand, size, reach);
+        const Stand stand =
+            standOf(skeleton, organ, foliage.fruit.kind == FruitKind::Faithful || hangs(foliage.fruit.kind));
+        // A sphere without a stalk lies on the bark that a hand has put it on.
+        const bool lies = organ.heading == glm::dvec3(0.0) && reach == 0.0;
+        FoliageItem item = isLeaf ? leafAt(stand, size) : fruitAt(stand, size, lies ? radius : reach);
         item.branch = organ.branch;
         item.number = number++;
         (isLeaf ? foliage.leaves : foliage.apples).push_back(item);

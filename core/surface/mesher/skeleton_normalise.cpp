@@ -303,6 +303,7 @@ void Normaliser::emit(Index branch, Index parentOut, const glm::dvec3& start)
     out.rollRad = m_roll.empty() ? 0.0 : m_roll[branch];
     out.parent = parentOut;
     out.source = branch;
+    out.isSawn = std::ranges::binary_search(m_in.sawn, branch);
     m_out.branches.push_back(out);
     m_fork = out.p1;
     const bool rootWithoutLength =

@@ -16,6 +16,7 @@ struct MeshBranch
     double rollRad = 0.0;   ///< extra turn of this branch's frames
     Index parent = noIndex; ///< in NormalSkeleton::branches
     Index source = noIndex; ///< branch of the skeleton it was made from
+    bool isSawn = false;    ///< its end is flat
     bool isPlate = false;   ///< no branch of the skeleton: what stems stand on that start together
     Index firstChild = 0;   ///< its children are children[firstChild .. firstChild + childCount)
     Index childCount = 0;

@@ -12,6 +12,7 @@ namespace ramure {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double cutRing = 0.88;   ///< radius of the ring on a cut, of the branch's
 constexpr double tipHeight = 0.35; ///< of the radius: how far a tip is rounded beyond the branch's end
 constexpr double siteShare =
     0.4; ///< of the shortest child: where the children's neighbourhoods are looked at
@@ -165,11 +166,27 @@ void TubeBuilder::end(Index branch, const AxisSection& section, Index ring, std:
         ends.push_back({branch, ring, count, section});
         return;
     }
+    if (own.isSawn)
+        return closeCut(section, ring, count, own.source);
     MeshSink& sink = m_context.sink;
     const Index pole =
         sink.addVertex(section.centre + tipHeight * section.radius * section.frame.tangent, own.source);
     for (Index k = 0; k < count; ++k)
         sink.addTriangle(ring + k, ring + (k + 1 < count ? k + 1 : 0), pole);
+}
+
+/// Flat, with a ring of its own inside the edge.
+void TubeBuilder::closeCut(const AxisSection& section, Index ring, Index count, Index owner)
+{
+    MeshSink& sink = m_context.sink;
+    const Index inner = sink.nextVertex();
+    for (Index k = 0; k < count; ++k)
+        sink.addVertex(section.centre + cutRing * (glm::dvec3(sink.positions[ring + k]) - section.centre),
+                       owner);
+    evenStrip(ring, inner, count);
+    const Index pole = sink.addVertex(section.centre, owner);
+    for (Index k = 0; k < count; ++k)
+        sink.addTriangle(inner + k, inner + (k + 1 < count ? k + 1 : 0), pole);
 }
 
 void TubeBuilder::finish(Index branch, const std::vector<AxisSection>& sections, std::size_t from,

@@ -71,6 +71,7 @@ public:
              std::vector<TubeEnd>& ends);
 
 private:
+    void closeCut(const AxisSection& section, Index ring, Index count, Index owner);
     void evenStrip(Index lower, Index upper, Index count);
     void looseStrip(const TubeStart& lower, std::span<const RingPoint> upperPoints, Index upper);
 

@@ -16,6 +16,7 @@ constexpr double tolerated = 0.45;
 constexpr double followed = 0.5;
 // In radii: where the middle of a tip is, and of the flat end of a root.
 constexpr double leastTip = 0.1, tipRadius = 0.5, rootRadius = 0.05;
+constexpr double cutRadius = 0.94; ///< in radii: within it lies the ring of a cut
 constexpr double manyTiles = 24.0;
 constexpr double lost = 0.2; ///< of the triangles are stretched: that shall not go on into the children
 
@@ -63,8 +64,8 @@ void TubeTexture::unroll(const TubeAxis& axis, const TubeTextureEnd& parent)
 void TubeTexture::place()
 {
     m_highestWall = 0.0;
-    int points = 0;
     const double length = m_axis.length();
+    bool isCut = false;
     for (std::size_t i = 0; i < m_vertices.size(); ++i) {
         TubeTextureVertex& vertex = m_vertices[i];
         const UnrollAxis::Place place = m_axis.place(glm::dvec3(m_positions[i]));
@@ -73,13 +74,30 @@ void TubeTexture::place()
         vertex.azimuth = place.azimuth;
         const bool onTip = place.along >= length && place.beyond > leastTip && place.radial < tipRadius;
         vertex.isPole = own && (onTip || (place.along <= 0.0 && place.radial < rootRadius));
-        if (own && !vertex.isPole && place.along > (1.0 - sameSection) * length)
-            ++points;
+        isCut = isCut || (own && place.along > (1.0 - sameSection) * length && place.radial < rootRadius &&
+                          !vertex.isPole);
         if (vertex.onWall)
             m_highestWall = std::max(m_highestWall, place.along);
     }
-    const double half = pi / std::max(points, 3);
+    if (isCut)
+        markCut();
+    const auto points = std::ranges::count_if(m_vertices, [&](const TubeTextureVertex& vertex) {
+        return !vertex.onParent && !vertex.onWall && !vertex.isPole &&
+               vertex.along > (1.0 - sameSection) * length;
+    });
+    const double half = pi / static_cast<double>(std::max<std::ptrdiff_t>(points, 3));
     m_chord = maths::sin(half) / half;
+}
+
+/// What lies within the edge of a flat end.
+void TubeTexture::markCut()
+{
+    for (std::size_t i = 0; i < m_vertices.size(); ++i) {
+        TubeTextureVertex& vertex = m_vertices[i];
+        if (!vertex.onParent && !vertex.onWall && vertex.along > (1.0 - sameSection) * m_axis.length() &&
+            m_axis.place(glm::dvec3(m_positions[i])).radial < cutRadius)
+            vertex.isPole = true;
+    }
 }
 
 /// The seam starts in the middle of the widest gap of the front: in a valley.

@@ -105,6 +105,7 @@ private:
         double along, around;
     };
     void place();
+    void markCut();
     void smoothFront();
     void chooseSeam();
     void findSections();

@@ -29,6 +29,9 @@ QString editText(const TreeEdit& edit)
 {
     const EditOperationInfo& info = infoOf(edit.operation);
     const QString name = coreText(info.label);
+    if (edit.operation == EditOperation::Place)
+        return EditModel::tr("%1 at %2", "an edit and its place")
+            .arg(coreText(editOrgans()[std::size_t(edit.organ)].label), percent(edit.at));
     if (info.fields & editFactor && edit.operation != EditOperation::Graft &&
         edit.operation != EditOperation::Root)
         return EditModel::tr("%1 × %2", "an edit and its factor")

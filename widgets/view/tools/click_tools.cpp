@@ -7,12 +7,40 @@
 namespace ramure {
 namespace {
 
-class CutTool : public ClickTool
+/// Takes limbs away, and those that are like them around the trunk.
+class TakeTool : public ClickTool
+{
+public:
+    using ClickTool::ClickTool;
+
+protected:
+    std::vector<Index> aboveAll(const std::vector<LimbHit>& limbs, bool whole)
+    {
+        std::vector<Index> all;
+        Symmetry symmetry = symmetryOf(limbs.front().node);
+        for (const LimbHit& each : withTwins(limbs, symmetry)) {
+            const std::vector<Index> own = m_context.limbs.above(m_context.document, each, whole);
+            all.insert(all.end(), own.begin(), own.end());
+        }
+        return all;
+    }
+    Expected<void> removeWithTwins(const std::vector<LimbHit>& limbs, bool whole)
+    {
+        Symmetry symmetry = symmetryOf(limbs.front().node);
+        const std::vector<LimbHit> all = withTwins(limbs, symmetry);
+        auto done = removeLimbs(m_context.document, all, whole);
+        if (done)
+            reportMissing(symmetry);
+        return done;
+    }
+};
+
+class CutTool : public TakeTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::CutTool)
 public:
     explicit CutTool(ToolContext& context)
-        : ClickTool(context, HandTool::Cut)
+        : TakeTool(context, HandTool::Cut)
     {
     }
     void offer(ToolOffers& offers) const override
@@ -31,22 +59,19 @@ public:
     }
 
 protected:
-    std::vector<Index> affected(const LimbHit& limb) override
-    {
-        return m_context.limbs.above(m_context.document, limb, false);
-    }
+    std::vector<Index> affected(const LimbHit& limb) override { return aboveAll({limb}, false); }
     Expected<void> act(const LimbHit& limb, Qt::KeyboardModifiers) override
     {
-        return removeLimbs(m_context.document, {limb}, false);
+        return removeWithTwins({limb}, false);
     }
 };
 
-class RemoveTool : public ClickTool
+class RemoveTool : public TakeTool
 {
     Q_DECLARE_TR_FUNCTIONS(ramure::RemoveTool)
 public:
     explicit RemoveTool(ToolContext& context)
-        : ClickTool(context, HandTool::Remove)
+        : TakeTool(context, HandTool::Remove)
     {
     }
     void offer(ToolOffers& offers) const override
@@ -60,18 +85,10 @@ public:
     }
 
 protected:
-    std::vector<Index> affected(const LimbHit& limb) override
-    {
-        std::vector<Index> all;
-        for (const LimbHit& each : meantBy(limb)) {
-            const std::vector<Index> own = m_context.limbs.above(m_context.document, each, true);
-            all.insert(all.end(), own.begin(), own.end());
-        }
-        return all;
-    }
+    std::vector<Index> affected(const LimbHit& limb) override { return aboveAll(meantBy(limb), true); }
     Expected<void> act(const LimbHit& limb, Qt::KeyboardModifiers) override
     {
-        return removeLimbs(m_context.document, meantBy(limb), true);
+        return removeWithTwins(meantBy(limb), true);
     }
 };
 

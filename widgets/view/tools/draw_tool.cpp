@@ -58,7 +58,8 @@ private:
     double thicknessAt(const ToolPoint& point);
     [[nodiscard]] std::vector<StrokePoint> stroke() const;
     [[nodiscard]] std::vector<TreeEdit> branches(const glm::dvec3& sight) const;
-    [[nodiscard]] TreeEdit newWay() const;
+    [[nodiscard]] std::vector<TreeEdit> newWays() const;
+    [[nodiscard]] TreeEdit newWay(std::uint64_t address, const SymmetryMap& map) const;
     Expected<void> grow(const PickView& view);
     [[nodiscard]] double footRadius() const;
 
@@ -68,6 +69,7 @@ private:
     glm::dvec2 m_aside{0.0}; ///< logical pixels from where the hand is to where it draws
     glm::dmat4 m_world{1.0}, m_inverse{1.0};
     TurnedLimb m_turned;
+    std::vector<LimbTwin> m_twins;    ///< Extend and Redraw: limbs that change with it
     std::vector<StrokePoint> m_drawn; ///< tree space, as it is seen; the hand's share of the radius as radius
     QPointF m_at;
     std::uint64_t m_when = 0; ///< ms, of m_at
@@ -101,6 +103,12 @@ bool DrawTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
     m_when = point.milliseconds;
     m_pace = 0.0;
     m_drawn = {{m_limb.seen, thicknessAt(point)}};
+    m_twins.clear();
+    if (!isNew) {
+        Symmetry symmetry = symmetryOf(from->node);
+        m_twins = symmetry.twins(from->axis);
+        reportMissing(symmetry);
+    }
     setAim({});
     return true;
 }
@@ -218,24 +226,38 @@ std::vector<TreeEdit> DrawTool::branches(const glm::dvec3& sight) const
 }
 
 /// Extend goes on from the tip; Redraw keeps the way of the limb up to where the stroke begins.
-TreeEdit DrawTool::newWay() const
+TreeEdit DrawTool::newWay(std::uint64_t address, const SymmetryMap& map) const
 {
     constexpr double atFoot = 0.03, piece = 0.125; // of the limb's length
     TreeEdit edit;
     edit.operation = m_kind == HandTool::Extend ? EditOperation::Extend : EditOperation::Redraw;
-    edit.target.address = m_limb.address;
+    edit.target.address = address;
     if (m_kind == HandTool::Redraw && m_limb.share > atFoot) {
         const int kept = static_cast<int>(std::ceil(m_limb.share / piece));
         for (int i = 1; i <= kept; ++i)
-            if (const auto on = m_edit->context().pointOn(m_limb.address, m_limb.share * i / kept))
+            if (const auto on = m_edit->context().pointOn(address, m_limb.share * i / kept))
                 edit.points.push_back({on->position, 0.0});
     }
     const std::vector<StrokePoint> line = stroke();
+    // On a limb that is like it the stroke begins at the same share of its length.
+    const glm::dvec3 start = m_turned.grown(m_limb.seen);
+    const auto there = m_edit->context().pointOn(address, m_limb.share);
+    const glm::dvec3 begin = there && address != m_limb.address ? there->position : start;
     for (std::size_t i = 1; i < line.size(); ++i)
-        edit.points.push_back({m_turned.grown(line[i].position), line[i].radius});
+        edit.points.push_back(
+            {begin + map.turn * (m_turned.grown(line[i].position) - start), line[i].radius});
     if (line.empty())
         edit.points.clear();
     return edit;
+}
+
+/// Of the limb that was drawn on, and of those that are like it around the trunk.
+std::vector<TreeEdit> DrawTool::newWays() const
+{
+    std::vector<TreeEdit> edits{newWay(m_limb.address, {})};
+    for (const LimbTwin& twin : m_twins)
+        edits.push_back(newWay(twin.address, twin.map));
+    return edits;
 }
 
 Expected<void> DrawTool::grow(const PickView& view)
@@ -243,7 +265,7 @@ Expected<void> DrawTool::grow(const PickView& view)
     const glm::dvec3 foot(m_world * glm::dvec4(m_limb.seen, 1.0));
     const glm::dvec3 sight(m_inverse * glm::dvec4(foot - view.camera.eye(), 0.0));
     const std::vector<TreeEdit> edits =
-        m_kind == HandTool::Draw ? branches(glm::normalize(sight)) : std::vector{newWay()};
+        m_kind == HandTool::Draw ? branches(glm::normalize(sight)) : newWays();
     if (edits.empty() || edits.front().points.empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("the stroke goes nowhere"));
     return m_edit->replace(edits).and_then([this] { return m_edit->show(); });
@@ -282,6 +304,10 @@ void DrawTool::cancel()
 
 QString DrawTool::hint(Qt::KeyboardModifiers) const
 {
+    if (!m_edit)
+        return m_kind == HandTool::Draw
+                   ? tr("Nothing grows from here: release, and press on a branch or the ground")
+                   : tr("Nothing happens here: release, and press on the branch that is meant");
     return m_kind == HandTool::Draw ? tr("A branch grows along the line · release: done · Esc: none")
            : m_kind == HandTool::Extend
                ? tr("The tip grows on along the line · release: done · Esc: as it was")
@@ -300,8 +326,15 @@ void DrawTool::offer(ToolOffers& offers) const
 
 std::vector<Index> DrawTool::affected(const LimbHit& limb)
 {
-    return m_kind == HandTool::Draw ? std::vector<Index>()
-                                    : m_context.limbs.limb(m_context.document, limb.node, limb.address);
+    std::vector<Index> all;
+    if (m_kind == HandTool::Draw)
+        return all;
+    Symmetry symmetry = symmetryOf(limb.node);
+    for (const LimbHit& each : withTwins({limb}, symmetry)) {
+        const auto own = m_context.limbs.limb(m_context.document, each.node, each.address);
+        all.insert(all.end(), own.begin(), own.end());
+    }
+    return all;
 }
 
 void DrawTool::paint(QPainter& painter, const PickView& view)

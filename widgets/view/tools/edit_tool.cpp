@@ -36,6 +36,7 @@ bool EditTool::hover(const ToolPoint& point)
 {
     if (isBusy())
         return false; // what the gesture shows is enough
+    m_eye = point.view.camera.eye();
     const bool looks = isChosen() && !m_context.isPlaying() && !m_context.host.isStale();
     const auto scene = looks ? m_context.host.latestPickScene() : nullptr;
     const auto hit = scene ? scene->pick(point.view, point.pixel()) : std::nullopt;
@@ -80,6 +81,7 @@ bool EditTool::press(const ToolPoint& point)
         m_context.host.raiseMessage(Words::tr("Trees are shaped at rest: stop, and go to the first frame."));
         return false;
     }
+    m_eye = point.view.camera.eye();
     return take(point, limb);
 }
 
@@ -92,6 +94,45 @@ void EditTool::documentChanged(const Change& change)
     forget();
     if (isBusy())
         end();
+}
+
+Symmetry EditTool::symmetryOf(NodeId node)
+{
+    const TreeAxes* axes = m_context.limbs.axes(m_context.document, node);
+    const NodeResult* result = m_context.document.result(node);
+    if (!axes || axes->axes.empty() || !result)
+        return {};
+    const Skeleton& drawn = *result->tree.skeleton;
+    const glm::dvec3 eye(glm::inverse(worldOf(node)) * glm::dvec4(m_eye, 1.0));
+    return {*axes, drawn, m_context.hand.options(), drawn.p0[0] - eye};
+}
+
+std::vector<LimbHit> EditTool::withTwins(const std::vector<LimbHit>& limbs, Symmetry& symmetry)
+{
+    std::vector<LimbHit> all;
+    const auto add = [&all](const LimbHit& limb) {
+        if (std::ranges::count(all, limb.address, &LimbHit::address) == 0)
+            all.push_back(limb);
+    };
+    for (const LimbHit& limb : limbs)
+        add(limb);
+    for (const LimbHit& limb : limbs)
+        for (const LimbTwin& twin : symmetry.twins(limb.axis)) {
+            LimbHit there = limb;
+            there.axis = twin.axis;
+            there.address = twin.address;
+            there.branch = noIndex;
+            add(there);
+        }
+    return all;
+}
+
+void EditTool::reportMissing(const Symmetry& symmetry)
+{
+    if (symmetry.missing() > 0)
+        m_context.host.raiseMessage(Words::tr("At %n place(s) around the trunk no limb is like it: nothing "
+                                              "happens there.",
+                                              nullptr, symmetry.missing()));
 }
 
 bool EditTool::report(const Expected<void>& done)

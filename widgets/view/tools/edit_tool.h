@@ -4,6 +4,7 @@
 #pragma once
 
 #include "widgets/view/tools/hand_edit.h"
+#include "widgets/view/tools/symmetry.h"
 #include "widgets/view/tools/tool.h"
 
 namespace ramure {
@@ -40,6 +41,13 @@ protected:
     {
         return m_context.limbs.meantBy(m_context.document, hit);
     }
+    /// Those that the options want beside what is done to a limb of this tree; it lasts until the tree
+    /// changes.
+    [[nodiscard]] Symmetry symmetryOf(NodeId node);
+    /// The limbs, and behind each its twins, at the same share of their lengths; each limb once.
+    static std::vector<LimbHit> withTwins(const std::vector<LimbHit>& limbs, Symmetry& symmetry);
+    /// Where nothing happens for want of a limb: to the status bar.
+    void reportMissing(const Symmetry& symmetry);
     /// What went wrong goes to the status bar. \return whether nothing did
     bool report(const Expected<void>& done);
     [[nodiscard]] glm::dmat4 worldOf(NodeId node) const;
@@ -47,6 +55,7 @@ protected:
 private:
     HandTool m_kind;
     QCursor m_cursor;
+    glm::dvec3 m_eye{0.0}; ///< world, where the picture was last looked at from
     std::optional<LimbHit> m_aim;
 };
 

@@ -1,5 +1,6 @@
 // Longer and shorter, thicker and thinner, curled and twisted: by a drag on a branch, the wheel, or a number.
 #include "core/math/frame.h"
+#include "widgets/view/tools/limb_handles.h"
 #include "widgets/view/tools/number_tool.h"
 #include "widgets/view/tools/readout.h"
 #include "widgets/view/tools/tool_table.h"
@@ -64,6 +65,9 @@ public:
     {
     }
 
+    bool hover(const ToolPoint& point) override;
+    void leave() override;
+    void documentChanged(const Change& change) override;
     void drag(const ToolPoint& point) override;
     [[nodiscard]] QString hint(Qt::KeyboardModifiers) const override;
     void offer(ToolOffers& offers) const override;
@@ -85,21 +89,59 @@ private:
     [[nodiscard]] double alongLimb(const ToolPoint& point) const;
     [[nodiscard]] double acrossLimb(const ToolPoint& point) const;
     Expected<void> addAll(HandEdit& gesture);
+    Expected<void> addLimb(HandEdit& gesture, std::uint64_t address, const SymmetryMap& map);
     void rememberBefore(HandEdit& gesture);
     [[nodiscard]] double value() const;
 
     const FactorKind& m_kind;
+    LimbHandles m_handles;
+    std::optional<double> m_handle; ///< share of the limb where the handle stands that the hand has
     LimbHit m_limb;
     glm::dvec3 m_sight{0.0};         ///< unit, tree space, towards the eye
     std::vector<TreeEdit> m_before;  ///< the edits before the hand changes them
+    std::vector<SymmetryMap> m_maps; ///< of each: from the limb that was meant
     std::vector<glm::dvec3> m_rolls; ///< of each: about what it rolls, in its parent's frame
     double m_dragged = 1.0, m_wheeled = 1.0;
 };
 
-bool FactorTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb)
+bool FactorTool::hover(const ToolPoint& point)
 {
+    EditTool::hover(point);
+    if (isBusy() || !isChosen() || m_context.isPlaying())
+        return false;
+    if (const auto handle = m_handles.at(m_context, point.view, point.pixel())) {
+        setAim(*handle);
+        return true;
+    }
+    const auto selected = m_context.limbs.selected(m_context.document);
+    m_handles.show(m_context, aim()                  ? aim()
+                              : selected.size() == 1 ? std::optional(selected.front())
+                                                     : std::nullopt);
+    return false;
+}
+
+void FactorTool::leave()
+{
+    m_handles.hide();
+    NumberTool::leave();
+}
+
+void FactorTool::documentChanged(const Change& change)
+{
+    if (change.has(changeResults | changeReset | changeStructure))
+        m_handles.hide();
+    NumberTool::documentChanged(change);
+}
+
+bool FactorTool::take(const ToolPoint& point, const std::optional<LimbHit>& hit)
+{
+    const auto handle = m_handles.at(m_context, point.view, point.pixel());
+    const std::optional<LimbHit> limb = handle ? handle : hit;
+    m_handle.reset();
     if (!limb)
         return false;
+    if (handle && m_kind.way == Way::Rolled) // a limb rolls up from the handle on
+        m_handle = std::min(handle->share, 0.75);
     auto gesture = HandEdit::begin(m_context.document, limb->node);
     if (!gesture)
         return report(tl::unexpected(gesture.error()));
@@ -117,35 +159,53 @@ bool FactorTool::take(const ToolPoint& point, const std::optional<LimbHit>& limb
 Expected<void> FactorTool::addAll(HandEdit& gesture)
 {
     const std::vector<LimbHit> limbs = meantBy(m_limb);
+    Symmetry symmetry = symmetryOf(m_limb.node);
     Expected<void> done;
-    if (limbs.size() != 1 || !gesture.resume(m_kind.operation, m_limb.address)) {
+    m_maps.clear();
+    if (limbs.size() == 1 && !symmetry.isOn() && gesture.resume(m_kind.operation, m_limb.address)) {
+        m_maps.emplace_back();
+    } else {
         std::vector<std::uint64_t> seen;
-        for (const LimbHit& limb : limbs) {
-            if (std::ranges::count(seen, limb.address) > 0)
-                continue;
-            seen.push_back(limb.address);
-            TreeEdit edit;
-            edit.operation = m_kind.operation;
-            edit.target.address = limb.address;
-            edit.from = m_context.hand.options().curlFrom;
-            edit.below = m_context.hand.options().withBelow;
-            if (auto added = gesture.add(edit); !added)
+        const auto add = [&](std::uint64_t address, const SymmetryMap& map) {
+            if (std::ranges::count(seen, address) > 0)
+                return;
+            seen.push_back(address);
+            if (auto added = addLimb(gesture, address, map); !added)
                 done = added;
-        }
+        };
+        for (const LimbHit& limb : limbs)
+            add(limb.address, {});
+        for (const LimbHit& limb : limbs)
+            for (const LimbTwin& twin : symmetry.twins(limb.axis))
+                add(twin.address, twin.map);
+        reportMissing(symmetry);
     }
     rememberBefore(gesture);
     return m_before.empty() ? done : Expected<void>();
+}
+
+Expected<void> FactorTool::addLimb(HandEdit& gesture, std::uint64_t address, const SymmetryMap& map)
+{
+    TreeEdit edit;
+    edit.operation = m_kind.operation;
+    edit.target.address = address;
+    edit.from = std::max(m_context.hand.options().curlFrom, m_handle.value_or(0.0));
+    edit.below = m_context.hand.options().withBelow;
+    auto added = gesture.add(edit);
+    if (added)
+        m_maps.push_back(map);
+    return added;
 }
 
 void FactorTool::rememberBefore(HandEdit& gesture)
 {
     m_before = gesture.edits();
     m_rolls.clear();
-    for (const TreeEdit& edit : m_before) {
-        const auto frame = gesture.context().frameBelow(edit.target.address);
-        m_rolls.push_back(frame ? glm::dvec3(glm::dot(m_sight, frame->normal),
-                                             glm::dot(m_sight, frame->binormal),
-                                             glm::dot(m_sight, frame->tangent))
+    for (std::size_t i = 0; i < m_before.size(); ++i) {
+        const auto frame = gesture.context().frameBelow(m_before[i].target.address);
+        const glm::dvec3 about = m_maps[i].rotation(m_sight);
+        m_rolls.push_back(frame ? glm::dvec3(glm::dot(about, frame->normal), glm::dot(about, frame->binormal),
+                                             glm::dot(about, frame->tangent))
                                 : glm::dvec3(0.0));
     }
 }
@@ -158,7 +218,8 @@ bool FactorTool::takesBelow() const
 std::vector<Index> FactorTool::affected(const LimbHit& limb)
 {
     std::vector<Index> all;
-    for (const LimbHit& each : meantBy(limb)) {
+    Symmetry symmetry = symmetryOf(limb.node);
+    for (const LimbHit& each : withTwins(meantBy(limb), symmetry)) {
         const auto own = takesBelow() ? m_context.limbs.above(m_context.document, each, true)
                                       : m_context.limbs.limb(m_context.document, each.node, each.address);
         all.insert(all.end(), own.begin(), own.end());
@@ -226,7 +287,7 @@ void FactorTool::show()
         if (m_kind.way == Way::Rolled)
             changed.rotation = m_before[i].rotation + value() * m_rolls[i];
         else if (m_kind.way == Way::Around)
-            changed.angleRad = m_before[i].angleRad + value();
+            changed.angleRad = m_before[i].angleRad + m_maps[i].angle(value());
         else
             changed.factor = std::clamp(m_before[i].factor * value(), 0.01, 100.0);
     }
@@ -276,8 +337,10 @@ void FactorTool::paint(QPainter& painter, const PickView& view)
     const LimbHit* limb = edit() ? &m_limb : aim() ? &*aim() : nullptr;
     if (limb)
         paintRing(painter, view, worldOf(limb->node), *limb, handGreen);
-    if (!edit())
+    if (!edit()) {
+        m_handles.paint(painter, m_context, view);
         return;
+    }
     const double shown = isAngle() ? value() / degree : value();
     const QString number =
         typed().isEmpty() ? QLocale().toString(shown, 'f', isAngle() ? 0 : 2) : typed().text();

@@ -6,6 +6,13 @@
 namespace ramure {
 namespace {
 
+/// What is done to one limb can be done to those around the trunk.
+constexpr quint32 symmetric = toolBit(HandTool::Bend) | toolBit(HandTool::Length) |
+                              toolBit(HandTool::Thickness) | toolBit(HandTool::Taper) |
+                              toolBit(HandTool::Curl) | toolBit(HandTool::Twist) | toolBit(HandTool::Move) |
+                              toolBit(HandTool::Cut) | toolBit(HandTool::Remove) | toolBit(HandTool::Extend) |
+                              toolBit(HandTool::Redraw);
+
 template <auto member> int chosen(const HandOptions& options)
 {
     return static_cast<int>(options.*member);
@@ -46,7 +53,7 @@ std::span<const HandToolRow> handTools()
          QT_TRANSLATE_NOOP("Actions", "Drag a branch to the right or left: what grows on it turns about it")},
         {HandTool::Length, Shape, "hand.length", QT_TRANSLATE_NOOP("Actions", "&Length"), "hand-length",
          Qt::Key_L, QT_TRANSLATE_NOOP("Actions", "Drag a branch along itself: longer or shorter")},
-        {HandTool::Thickness, Shape, "hand.thickness", QT_TRANSLATE_NOOP("Actions", "T&hickness"),
+        {HandTool::Thickness, Shape, "hand.thickness", QT_TRANSLATE_NOOP("Actions", "Thick&ness"),
          "hand-thickness", Qt::Key_U,
          QT_TRANSLATE_NOOP("Actions", "Drag a branch to the right: thicker, to the left: thinner")},
         {HandTool::Taper, Shape, "hand.taper", QT_TRANSLATE_NOOP("Actions", "T&aper"), "hand-taper",
@@ -72,6 +79,9 @@ std::span<const HandToolRow> handTools()
         {HandTool::Root, Grow, "hand.root", QT_TRANSLATE_NOOP("Actions", "Move the r&oot"), "hand-root",
          Qt::SHIFT | Qt::Key_M,
          QT_TRANSLATE_NOOP("Actions", "Drag a tree: its foot goes over the ground, and flares by the wheel")},
+        {HandTool::Place, Grow, "hand.place", QT_TRANSLATE_NOOP("Actions", "Place a lea&f or fruit"),
+         "hand-place", Qt::SHIFT | Qt::Key_V,
+         QT_TRANSLATE_NOOP("Actions", "Click a branch: one leaf, fruit or flower grows there")},
     };
     return rows;
 }
@@ -98,7 +108,13 @@ std::span<const HandChoice> handChoices()
         QT_TRANSLATE_NOOP("HandOptions", "Attract"), QT_TRANSLATE_NOOP("HandOptions", "Repel"),
         QT_TRANSLATE_NOOP("HandOptions", "Comb"), QT_TRANSLATE_NOOP("HandOptions", "Leaves off"),
         QT_TRANSLATE_NOOP("HandOptions", "Leaves on")};
+    static constexpr const char* organs[] = {QT_TRANSLATE_NOOP("HandOptions", "Leaf"),
+                                             QT_TRANSLATE_NOOP("HandOptions", "Fruit"),
+                                             QT_TRANSLATE_NOOP("HandOptions", "Flower")};
     static constexpr HandChoice rows[] = {
+        {toolBit(Place), "organ", QT_TRANSLATE_NOOP("HandOptions", "What"),
+         QT_TRANSLATE_NOOP("HandOptions", "Of the kind that the tree bears"), organs,
+         &chosen<&HandOptions::organ>, &choose<&HandOptions::organ>},
         {toolBit(Brush), "brush", QT_TRANSLATE_NOOP("HandOptions", "Action"),
          QT_TRANSLATE_NOOP("HandOptions", "What the brush does to branches within its radius"), brushes,
          &chosen<&HandOptions::brush>, &choose<&HandOptions::brush>},
@@ -146,6 +162,9 @@ std::span<const HandNumber> handNumbers()
         {toolBit(Graft), "graftSize", QT_TRANSLATE_NOOP("HandOptions", "Size"),
          QT_TRANSLATE_NOOP("HandOptions", "Of the copy, against the original"), &HandOptions::graftSize, 0.05,
          20.0, 0.1, 0, 100.0, " %"},
+        {toolBit(Place), "organSize", QT_TRANSLATE_NOOP("HandOptions", "Size"),
+         QT_TRANSLATE_NOOP("HandOptions", "Of the leaf, fruit or flower, against the usual one"),
+         &HandOptions::organSize, 0.05, 20.0, 0.1, 0, 100.0, " %"},
     };
     return rows;
 }
@@ -154,9 +173,14 @@ std::span<const HandCount> handCounts()
 {
     using enum HandTool;
     static constexpr HandCount rows[] = {
-        {toolBit(Draw) | toolBit(Graft), "copies", QT_TRANSLATE_NOOP("HandOptions", "Around the trunk"),
+        {toolBit(Draw) | toolBit(Graft) | toolBit(Place), "copies",
+         QT_TRANSLATE_NOOP("HandOptions", "Around the trunk"),
          QT_TRANSLATE_NOOP("HandOptions", "How many grow at once, evenly turned about what they grow on"),
          &HandOptions::copies, 1, 24},
+        {symmetric, "symmetryCopies", QT_TRANSLATE_NOOP("HandOptions", "Around the trunk"),
+         QT_TRANSLATE_NOOP("HandOptions", "The same happens to the limbs at so many places, evenly turned "
+                                          "about the trunk, where there are some like it"),
+         &HandOptions::symmetryCopies, 1, 24},
     };
     return rows;
 }
@@ -174,6 +198,11 @@ std::span<const HandFlag> handFlags()
         {toolBit(Draw), "mirrored", QT_TRANSLATE_NOOP("HandOptions", "Mirrored"),
          QT_TRANSLATE_NOOP("HandOptions", "A second branch grows across what the first one grows on"),
          &HandOptions::mirrored},
+        {symmetric, "symmetryMirrored", QT_TRANSLATE_NOOP("HandOptions", "Mirrored"),
+         QT_TRANSLATE_NOOP("HandOptions",
+                           "The same happens to the limb on the other side of the trunk, as the "
+                           "view shows it, where there is one like it"),
+         &HandOptions::symmetryMirrored},
     };
     return rows;
 }

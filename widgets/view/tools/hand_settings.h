@@ -32,7 +32,8 @@ enum class HandTool : quint8 {
     Redraw,
     Graft,
     Move,
-    Root
+    Root,
+    Place
 };
 
 /// In the tool bar and the menu a line stands between groups.
@@ -82,8 +83,12 @@ struct HandOptions
     bool drawTwigs = false;     ///< twigs grow on the branch as on those beside it
     DrawBy drawBy = DrawBy::Pressure;
     double graftSize = 1.0; ///< factor
-    int copies = 1;         ///< Draw and Graft: so many around the trunk
+    int copies = 1;         ///< Draw, Graft and Place: so many around the trunk
     bool mirrored = false;  ///< Draw: and once more across the trunk
+    EditOrgan organ = EditOrgan::Leaf;
+    double organSize = 1.0;        ///< factor
+    int symmetryCopies = 1;        ///< what is done to a limb happens at so many places around the trunk
+    bool symmetryMirrored = false; ///< and at the mirrored ones
     EditShapeKind shape = EditShapeKind::Sphere;
     bool operator==(const HandOptions&) const = default;
 };

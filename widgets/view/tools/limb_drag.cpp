@@ -107,14 +107,33 @@ std::vector<glm::dvec3> LimbDrag::bends() const
     const Limb::Bends turned = m_limb.bends();
     const Skeleton& skeleton = m_skeleton->skeleton;
     Index b = m_branch;
-    for (std::size_t i = 0; i < m_limb.branchCount(); ++i, b = skeleton.parent[b])
+    std::vector<Index> chain;
+    for (std::size_t i = 0; i < m_limb.branchCount(); ++i, b = skeleton.parent[b]) {
         all[b] = turned.at(skeleton.name(b));
+        chain.push_back(b);
+    }
+    for (const BranchTwin& twin : m_twins)
+        if (std::ranges::count(chain, twin.from) > 0 && std::ranges::count(chain, twin.to) == 0)
+            all[twin.to] = m_atGrab[twin.to] + twin.map.rotation(all[twin.from] - m_atGrab[twin.from]);
     return all;
+}
+
+Limb::Bends LimbDrag::wanted() const
+{
+    Limb::Bends wanted = m_limb.bends();
+    if (m_twins.empty())
+        return wanted;
+    const std::vector<glm::dvec3> all = bends();
+    const Skeleton& skeleton = m_skeleton->skeleton;
+    for (const BranchTwin& twin : m_twins)
+        if (all[twin.to] != m_atGrab[twin.to])
+            wanted[skeleton.name(twin.to)] = all[twin.to];
+    return wanted;
 }
 
 bool LimbDrag::apply()
 {
-    const Limb::Bends wanted = m_limb.bends();
+    const Limb::Bends wanted = this->wanted();
     if (m_gesture == 0 ? m_hand == m_grabbed : wanted == m_applied)
         return false; // nothing was dragged yet, or no further
     const auto sameBranches = [](const auto& a, const auto& b) { return a.first == b.first; };

@@ -9,9 +9,17 @@
 #include "core/document/commands.h"
 #include "core/rig/arm/limb.h"
 #include "widgets/view/render/pick_scene.h"
+#include "widgets/view/tools/symmetry.h"
 #include <memory>
 
 namespace ramure {
+
+/// A branch that turns as another one does.
+struct BranchTwin
+{
+    Index from = noIndex, to = noIndex; ///< of the simplified skeleton
+    SymmetryMap map;
+};
 
 class LimbDrag
 {
@@ -25,6 +33,8 @@ public:
     LimbDrag(const LimbDrag&) = delete;
     LimbDrag& operator=(const LimbDrag&) = delete;
 
+    /// What else turns with the limb, from now on.
+    void setTwins(std::vector<BranchTwin> twins) { m_twins = std::move(twins); }
     /// The grabbed place comes under the cursor, as far from the eye as it was.
     void dragTo(const PickView& view, const glm::dvec2& pixel);
     /// What is thick follows, too (Shift). The drag goes on where it is.
@@ -50,6 +60,8 @@ private:
     LimbDrag(Document& document, const PickHit& hit, const Node& node,
              std::shared_ptr<const SimplifiedSkeleton> skeleton, std::size_t branches);
     [[nodiscard]] Limb limb() const;
+    /// Of all that turns.
+    [[nodiscard]] Limb::Bends wanted() const;
     void takeLimb();
     void pull();
 
@@ -65,6 +77,7 @@ private:
     std::vector<glm::dvec3> m_atGrab;                     ///< bends, by branch
     Limb::Bends m_bends;                                  ///< the same, of those that have one
     Limb m_limb;
+    std::vector<BranchTwin> m_twins;
     glm::dmat4 m_world, m_inverse;
     glm::dvec3 m_grabbed, m_hand; ///< world
     double m_shortBy = 0.0;

@@ -78,6 +78,11 @@ std::optional<LimbHit> LimbFinder::startOf(const Document& document, NodeId node
     return place(document, node, branch, 0.0);
 }
 
+std::optional<LimbHit> LimbFinder::onBranch(const Document& document, NodeId node, Index branch, double share)
+{
+    return place(document, node, branch, share);
+}
+
 std::vector<LimbHit> LimbFinder::selected(const Document& document)
 {
     std::vector<LimbHit> hits;

@@ -42,6 +42,8 @@ public:
     std::optional<LimbHit> at(const Document& document, const PickHit& hit);
     /// Where a branch of the simplified skeleton begins on its limb.
     std::optional<LimbHit> startOf(const Document& document, NodeId node, Index branch);
+    /// At a share of a branch of the simplified skeleton.
+    std::optional<LimbHit> onBranch(const Document& document, NodeId node, Index branch, double share);
     /// All selected branches, by axis from the foot, where \p hit is one of them; else \p hit alone.
     std::vector<LimbHit> meantBy(const Document& document, const LimbHit& hit);
     /// The same of the selection alone.

@@ -1,4 +1,5 @@
 // A limb follows the hand: seen at once as a pose, made anew when the hand rests or lets go.
+#include "core/evaluate/evaluator.h"
 #include "widgets/view/tools/gizmo_handles.h"
 #include "widgets/view/tools/hand_cursor.h"
 #include "widgets/view/tools/limb_drag.h"
@@ -9,6 +10,8 @@
 #include <QLocale>
 #include <QPainter>
 #include <QTimer>
+#include <algorithm>
+#include <map>
 #include <utility>
 
 namespace ramure {
@@ -42,6 +45,7 @@ public:
 private:
     void show();
     void apply();
+    void findTwins(const PickHit& hit, const PickView& view);
     void finish(bool keep);
 
     std::unique_ptr<LimbDrag> m_drag; ///< while it goes on
@@ -78,12 +82,55 @@ bool LimbTool::press(const ToolPoint& point)
     m_drag = LimbDrag::grab(m_context.document, *hit, m_branches);
     if (!m_drag)
         return false;
+    findTwins(*hit, point.view);
     m_moves = false;
     m_context.limbPose =
         std::make_unique<LimbPose>(m_drag->node(), m_drag->skeleton(), m_drag->bendsAtGrab());
     m_context.limbPose->setHeld(true);
     m_drag->setWhole(point.held.testFlag(Qt::ShiftModifier));
     return true;
+}
+
+/// Branch by branch down the limb: those at the same share of a limb that is like it around the trunk.
+void LimbTool::findTwins(const PickHit& hit, const PickView& view)
+{
+    LimbFinder& limbs = m_context.limbs;
+    const Document& document = m_context.document;
+    const TreeAxes* axes = limbs.axes(document, hit.node);
+    if (!axes || axes->axes.empty())
+        return;
+    const TreeResult& tree = document.result(hit.node)->tree;
+    const glm::dmat4 world = EvaluatedScene(document.scene()).transforms(hit.node).geometry;
+    const glm::dvec3 eye(glm::inverse(world) * glm::dvec4(view.camera.eye(), 1.0));
+    Symmetry symmetry(*axes, *tree.skeleton, m_context.hand.options(), tree.skeleton->p0[0] - eye);
+    if (!symmetry.isOn() || !isChosen())
+        return;
+    const Skeleton& seen = m_drag->skeleton()->skeleton;
+    const std::vector<LimbSpan> spans = limbs.spans(document, hit.node);
+    std::map<Index, std::vector<LimbTwin>> byAxis;
+    std::vector<BranchTwin> twins;
+    for (Index b = hit.branch; b != noIndex; b = seen.parent[b]) {
+        const auto limb = limbs.startOf(document, hit.node, b);
+        if (!limb || axes->axes[limb->axis].parent == noIndex)
+            continue; // a trunk has no other
+        auto [own, isNew] = byAxis.try_emplace(limb->axis);
+        if (isNew)
+            own->second = symmetry.twins(limb->axis);
+        for (const LimbTwin& twin : own->second) {
+            const double middle = 0.5 * (spans[b].from + spans[b].to) / axes->axes[limb->axis].length *
+                                  axes->axes[twin.axis].length;
+            Index there = noIndex;
+            for (const Index other : limbs.limb(document, hit.node, twin.address))
+                if (spans[other].from <= middle || there == noIndex)
+                    there = other;
+            if (there != noIndex && std::ranges::count(twins, there, &BranchTwin::to) == 0)
+                twins.push_back({b, there, twin.map});
+        }
+    }
+    m_drag->setTwins(std::move(twins));
+    if (symmetry.missing() > 0)
+        m_context.host.raiseMessage(tr("At some places around the trunk no limb is like it: nothing happens "
+                                       "there."));
 }
 
 void LimbTool::drag(const ToolPoint& point)

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <set>
 
@@ -59,6 +60,7 @@ private:
     {
         std::uint64_t address = 0;
         double at = 0.0, azimuth = 0.0;
+        double way = 1.0; ///< -1: it turns the other way round
     };
     /// A piece of the parent in the picture.
     struct Piece
@@ -88,7 +90,8 @@ private:
 std::vector<Index> MoveTool::affected(const LimbHit& limb)
 {
     std::vector<Index> all;
-    for (const LimbHit& each : meantBy(limb)) {
+    Symmetry symmetry = symmetryOf(limb.node);
+    for (const LimbHit& each : withTwins(meantBy(limb), symmetry)) {
         const auto own = m_context.limbs.above(m_context.document, each, true);
         all.insert(all.end(), own.begin(), own.end());
     }
@@ -130,13 +133,19 @@ Expected<void> MoveTool::findForks(HandEdit& gesture, const LimbHit& limb)
     std::stable_partition(limbs.begin(), limbs.end(),
                           [&](const LimbHit& each) { return each.address == limb.address; });
     const TreeAxes* axes = m_context.limbs.axes(m_context.document, limb.node);
-    if (limbs.size() == 1)
+    Symmetry symmetry = symmetryOf(limb.node);
+    if (limbs.size() == 1 && !symmetry.isOn())
         gesture.resume(EditOperation::Move, limb.address);
     Expected<void> done;
     std::set<std::uint64_t> seen;
-    for (const LimbHit& each : limbs) {
+    std::vector<LimbTwin> all;
+    for (const LimbHit& each : limbs)
+        all.push_back({each.axis, each.address, {}});
+    for (const LimbHit& each : limbs)
+        std::ranges::move(symmetry.twins(each.axis), std::back_inserter(all));
+    for (const LimbTwin& each : all) {
         const Axis& axis = axes->axes[each.axis];
-        const Fork fork{each.address, axis.share, axis.azimuth};
+        const Fork fork{each.address, axis.share, axis.azimuth, each.map.angle(1.0)};
         if (!seen.insert(each.address).second)
             continue;
         done = gesture.context().prepared(editOf(fork), true).and_then([&](const TreeEdit& edit) {
@@ -147,6 +156,7 @@ Expected<void> MoveTool::findForks(HandEdit& gesture, const LimbHit& limb)
         else if (m_forks.empty())
             return done; // not even the one under the hand
     }
+    reportMissing(symmetry);
     return {};
 }
 
@@ -232,7 +242,7 @@ TreeEdit MoveTool::editOf(const Fork& fork) const
         edit.other.address = m_other->address;
     const auto percent = typed().value();
     edit.at = std::clamp(percent ? *percent / 100.0 : place.at + (m_other ? 0.0 : m_slid), 0.0, 1.0);
-    edit.azimuthRad = place.azimuth + m_turned;
+    edit.azimuthRad = place.azimuth + fork.way * m_turned;
     return edit;
 }
 

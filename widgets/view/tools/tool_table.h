@@ -25,6 +25,7 @@ std::unique_ptr<Tool> makeRootTool(ToolContext& context);
 std::unique_ptr<Tool> makeBrushTool(ToolContext& context);
 std::unique_ptr<Tool> makePruneTool(ToolContext& context);
 std::unique_ptr<Tool> makeLeavesTool(ToolContext& context);
+std::unique_ptr<Tool> makePlaceTool(ToolContext& context);
 std::unique_ptr<Tool> makeEditMarks(ToolContext& context);
 std::unique_ptr<Tool> makeGizmoTool(ToolContext& context);
 std::unique_ptr<Tool> makeJointTool(ToolContext& context);
@@ -57,6 +58,7 @@ inline constexpr ToolMaker toolTable[] = {
     makeBrushTool,
     makePruneTool,
     makeLeavesTool,
+    makePlaceTool,
     makeEditMarks,
     makeGizmoTool,
     makeJointTool,

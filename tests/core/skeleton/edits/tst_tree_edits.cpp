@@ -27,6 +27,8 @@ private slots:
     void radii();
     void brushes();
     void organsGoWithTheirWood();
+    void placesOrgans();
+    void cutEndsAreFlat();
 };
 
 void TestTreeEdits::tableIsWhole()
@@ -63,6 +65,8 @@ void TestTreeEdits::badValues_data()
     row(EditOperation::Graft, 8, "source");
     row(EditOperation::Graft, 9, "limb");
     row(EditOperation::Attract, 10, "radius");
+    row(EditOperation::Place, 0, "target");
+    row(EditOperation::Place, 11, "organ");
 }
 
 void TestTreeEdits::badValues()
@@ -103,6 +107,9 @@ void TestTreeEdits::badValues()
         break;
     case 10:
         edit.radius = -1.0;
+        break;
+    case 11:
+        edit.organ = static_cast<EditOrgan>(7);
         break;
     default:
         break;
@@ -334,6 +341,79 @@ void TestTreeEdits::brushes()
 }
 
 /// Two on the limb, one at the tip of the trunk.
+void TestTreeEdits::placesOrgans()
+{
+    Shaped shaped;
+    shaped.params.foliage.leavesDensity = 0;
+    shaped.params.foliage.applesProbability = 0.0;
+    TreeEdit edit = editOf(EditOperation::Place, shaped.address[1]);
+    edit.at = 0.6;
+    edit.azimuthRad = 1.0;
+    QVERIFY(shaped.make(edit));
+    edit.organ = EditOrgan::Flower;
+    edit.factor = 2.0;
+    edit.azimuthRad = -1.0;
+    QVERIFY(shaped.make(edit));
+    const TreeResult tree = shaped.tree(Stage::Foliage);
+    QCOMPARE(tree.skeleton->organs.size(), std::size_t{2});
+    QCOMPARE(tree.foliage->leaves.size(), std::size_t{1});
+    QCOMPARE(tree.foliage->apples.size(), std::size_t{1});
+    QCOMPARE(tree.foliage->apples.front().size, 2.0F);
+    // On the bark of the place that was meant.
+    const EditContext context(*tree.grown, {});
+    const StrokePoint place = *context.pointOn(shaped.address[1], 0.6);
+    const double away = glm::length(tree.foliage->leaves.front().position - place.position);
+    QVERIFY(away > 0.5 * place.radius && away < 3.0 * place.radius);
+    // Where the leaves of the limb go it goes, too, and what is placed after that is seen.
+    TreeEdit bare = editOf(EditOperation::Leaves, shaped.address[1]);
+    bare.shown = false;
+    QVERIFY(shaped.make(bare));
+    QVERIFY(shaped.skeleton().organs.empty());
+    QVERIFY(shaped.make(edit));
+    QCOMPARE(shaped.skeleton().organs.size(), std::size_t{1});
+    bare.shown = true;
+    QVERIFY(shaped.make(bare));
+    QCOMPARE(shaped.skeleton().organs.size(), std::size_t{3});
+    // It goes with its wood.
+    TreeEdit cut = editOf(EditOperation::Cut, shaped.address[1]);
+    cut.at = 0.3;
+    QVERIFY(shaped.make(cut));
+    QVERIFY(shaped.skeleton().organs.empty());
+}
+
+void TestTreeEdits::cutEndsAreFlat()
+{
+    Shaped shaped;
+    QVERIFY(shaped.skeleton().sawn.empty());
+    TreeEdit cut = editOf(EditOperation::Cut, shaped.address[3]);
+    cut.at = 0.5;
+    QVERIFY(shaped.make(cut));
+    const TreeResult tree = shaped.tree(Stage::Mesh);
+    const Skeleton& seen = tree.simplified->skeleton;
+    QCOMPARE(seen.sawn.size(), std::size_t{1});
+    QVERIFY(tree.report->valid);
+    // Nothing stands out of the plane of the cut, and its middle lies in it.
+    const Index end = seen.sawn.front();
+    const glm::dvec3 way = glm::normalize(seen.p1[end] - seen.p0[end]);
+    double highest = -1.0, nearest = 1.0;
+    int inside = 0; // the ring of the cut
+    const TriangleMesh& mesh = tree.branches->mesh;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        if (mesh.branch[v] == end) {
+            highest = std::max(highest, glm::dot(glm::dvec3(mesh.positions[v]) - seen.p1[end], way));
+            const double away = glm::length(glm::dvec3(mesh.positions[v]) - seen.p1[end]) / seen.a1[end];
+            nearest = std::min(nearest, away);
+            inside += away > 0.8 && away < 0.95 ? 1 : 0;
+        }
+    QVERIFY(highest < 0.05 * seen.a1[end]);
+    QVERIFY(nearest < 1e-3 && inside >= 3);
+    // What goes on from it has a tip again.
+    TreeEdit extend = editOf(EditOperation::Extend, shaped.address[3]);
+    extend.points = {{seen.p1[end] + way, 0.0}};
+    QVERIFY(shaped.make(extend));
+    QVERIFY(shaped.skeleton().sawn.empty());
+}
+
 void TestTreeEdits::organsGoWithTheirWood()
 {
     NodeParams params = plainTree();

@@ -24,6 +24,7 @@ private slots:
     void aClickWithoutANumberChangesNothing();
     void theSameLimbGoesOn();
     void severalAtOnce();
+    void handlesTakeThinLimbs();
     void anotherDocumentEndsIt();
 };
 
@@ -227,6 +228,36 @@ void TestFactorTool::theSameLimbGoesOn()
     bench.move(at + QPointF(100.0, 0.0));
     bench.key(Qt::Key_Escape);
     QVERIFY(std::abs(bench.edits().front().factor - 2.0) < 0.1);
+}
+
+void TestFactorTool::handlesTakeThinLimbs()
+{
+    HandBench bench(HandTool::Length);
+    const Index twig = bench.twig();
+    const LimbHit limb = bench.limb(twig);
+    const auto branches = bench.context.limbs.limb(bench.document, 1, limb.address);
+    const QPointF tip = bench.on(branches.back(), 1.0), foot = bench.on(branches.front(), 0.0);
+    const QPointF beyond = tip + 7.0 * (tip - foot) / std::hypot((tip - foot).x(), (tip - foot).y());
+    const double before = bench.context.limbs.axes(bench.document, 1)->axes[limb.axis].length;
+    bench.drag(beyond, beyond + QPointF(30.0, 0.0)); // nothing is there yet
+    QVERIFY(bench.edits().empty());
+    bench.tools.hover(bench.at(bench.on(twig)));
+    QVERIFY(bench.tools.hover(bench.at(beyond)));
+    QVERIFY(!bench.marked.empty());
+    // The tip follows the hand.
+    bench.drag(beyond, beyond + 0.5 * (tip - foot));
+    QCOMPARE(bench.edits().size(), std::size_t(1));
+    QCOMPARE(bench.edits().front().target.address, limb.address);
+    bench.grow();
+    const TreeAxes& axes = *bench.context.limbs.axes(bench.document, 1);
+    const double after = std::ranges::find(axes.axes, limb.address, &Axis::address)->length;
+    QVERIFY(after > 1.2 * before && after < 2.0 * before);
+    // Far from the limb its handles are no more.
+    bench.tools.leave();
+    bench.document.undoStack()->undo();
+    bench.grow();
+    bench.drag(beyond, beyond + QPointF(30.0, 0.0));
+    QVERIFY(bench.edits().empty());
 }
 
 void TestFactorTool::severalAtOnce()

@@ -1,0 +1,87 @@
+#include "tests/support/hand_bench.h"
+#include "tests/support/suite.h"
+
+using namespace ramure;
+using test::HandBench;
+
+/// One leaf or fruit where the hand clicks.
+class TestPlaceTool : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+    void besideTheTreeNothingGrows();
+    void aLeafGrowsOnTheSideThatIsClicked();
+    void asManyAsAreWanted();
+    void whatTheTreeBearsIsSaid();
+};
+
+void TestPlaceTool::besideTheTreeNothingGrows()
+{
+    HandBench bench(HandTool::Place);
+    bench.click({2.0, 2.0});
+    QVERIFY(bench.edits().empty());
+    bench.press(bench.on(bench.twig()));
+    bench.key(Qt::Key_Escape);
+    QVERIFY(bench.edits().empty());
+    QVERIFY(edit::setNodeLocked(bench.document, {1}, true));
+    bench.click(bench.on(0));
+    QVERIFY(bench.edits().empty());
+}
+
+void TestPlaceTool::aLeafGrowsOnTheSideThatIsClicked()
+{
+    HandBench bench(HandTool::Place);
+    const Index twig = bench.twig();
+    const std::size_t before = bench.document.result(1)->tree.foliage->leaves.size();
+    bench.tools.hover(bench.at(bench.on(twig)));
+    QVERIFY(bench.says("leaf"));
+    bench.click(bench.on(twig));
+    QCOMPARE(bench.edits().size(), std::size_t(1));
+    QCOMPARE(bench.document.undoStack()->count(), 1);
+    const TreeEdit made = bench.edits().front();
+    QCOMPARE(made.operation, EditOperation::Place);
+    QCOMPARE(made.organ, EditOrgan::Leaf);
+    bench.grow();
+    const auto& leaves = bench.document.result(1)->tree.foliage->leaves;
+    QCOMPARE(leaves.size(), before + 1);
+    // Towards the eye: what is clicked is what is seen.
+    const glm::dvec3 middle = glm::mix(bench.skeleton().p0[twig], bench.skeleton().p1[twig], 0.6);
+    QVERIFY(glm::dot(leaves.back().position - middle, bench.camera.eye() - middle) > 0.0);
+    bench.document.undoStack()->undo();
+    bench.grow();
+    QCOMPARE(bench.document.result(1)->tree.foliage->leaves.size(), before);
+}
+
+void TestPlaceTool::asManyAsAreWanted()
+{
+    HandBench bench(HandTool::Place);
+    HandOptions options;
+    options.organ = EditOrgan::Fruit;
+    options.organSize = 1.5;
+    options.copies = 3;
+    bench.hand.setOptions(options);
+    bench.click(bench.on(bench.twig()));
+    QCOMPARE(bench.edits().size(), std::size_t(3));
+    QCOMPARE(bench.document.undoStack()->count(), 1);
+    for (const TreeEdit& edit : bench.edits()) {
+        QCOMPARE(edit.organ, EditOrgan::Fruit);
+        QCOMPARE(edit.factor, 1.5);
+    }
+    const double apart = bench.edits()[1].azimuthRad - bench.edits()[0].azimuthRad;
+    QVERIFY(std::abs(apart - 2.0943951) < 1e-6);
+}
+
+void TestPlaceTool::whatTheTreeBearsIsSaid()
+{
+    HandBench bench(HandTool::Place);
+    HandOptions options;
+    options.organ = EditOrgan::Flower;
+    bench.hand.setOptions(options);
+    bench.click(bench.on(bench.twig()));
+    QCOMPARE(bench.edits().size(), std::size_t(1));
+    QVERIFY(bench.messages.join(u' ').contains(QLatin1String("bears fruit")));
+}
+
+QTEST_MAIN(TestPlaceTool)
+#include "tst_place_tool.moc"
