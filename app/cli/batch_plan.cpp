@@ -1,10 +1,10 @@
 #include "app/cli/batch_plan.h"
+#include "app/cli/file_hash.h"
 #include "core/io/csv_table.h"
 #include "core/io/formats/file_format.h"
 #include "core/params/param_def.h"
 #include <QCryptographicHash>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QHash>
 #include <QJsonArray>
@@ -191,13 +191,8 @@ QByteArray contentHash(const QString& input)
 {
     static QHash<QString, QByteArray> known;
     auto found = known.find(input);
-    if (found == known.end()) {
-        QCryptographicHash hash(QCryptographicHash::Sha256);
-        QFile file(input);
-        found =
-            known.insert(input, file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result().toHex()
-                                                                                      : QByteArray());
-    }
+    if (found == known.end())
+        found = known.insert(input, sha256Of(input));
     return *found;
 }
 

@@ -1,4 +1,5 @@
 #include "app/cli/batch_row.h"
+#include "app/cli/file_hash.h"
 #include "app/cli/json_measures.h"
 #include "app/cli/mesh_check.h"
 #include "app/cli/painter.h"
@@ -10,10 +11,8 @@
 #include "core/skeleton/measures.h"
 #include "core/surface/bark/bark_maps.h"
 #include "widgets/view/render/picture_file.h"
-#include <QCryptographicHash>
 #include <QDir>
 #include <QDirIterator>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QRegularExpression>
@@ -24,13 +23,6 @@
 namespace ramure::cli {
 
 namespace {
-
-QByteArray hashOf(const QString& path)
-{
-    QFile file(path);
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    return file.open(QIODevice::ReadOnly) && hash.addData(&file) ? hash.result().toHex() : QByteArray();
-}
 
 /// What every line says, whether the row could be done or not. No times, no paths, no names of machines:
 /// the same row gives the same line everywhere.
@@ -116,7 +108,7 @@ QJsonArray filesBelow(const QString& folder)
         const QString path = folder + QLatin1Char('/') + name;
         out.append(QJsonObject{{QStringLiteral("name"), name},
                                {QStringLiteral("bytes"), QFileInfo(path).size()},
-                               {QStringLiteral("sha256"), QString::fromLatin1(hashOf(path))}});
+                               {QStringLiteral("sha256"), QString::fromLatin1(sha256Of(path))}});
     }
     return out;
 }
@@ -283,7 +275,7 @@ bool isDone(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line)
     return std::all_of(files.begin(), files.end(), [&](const QJsonValue& value) {
         const QJsonObject file = value.toObject();
         const QString path = plan.folder + QLatin1Char('/') + file.value(QStringLiteral("name")).toString();
-        return QString::fromLatin1(hashOf(path)) == file.value(QStringLiteral("sha256")).toString();
+        return QString::fromLatin1(sha256Of(path)) == file.value(QStringLiteral("sha256")).toString();
     });
 }
 

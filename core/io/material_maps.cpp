@@ -1,6 +1,7 @@
 #include "core/io/material_maps.h"
 
 #include "core/base/file_writer.h"
+#include "core/io/kept_maps.h"
 #include "core/io/picture_file.h"
 #include "core/math/stage_hash.h"
 #include "core/params/param_def.h"
@@ -52,9 +53,14 @@ PictureBytes pictureOf(const LeafMaps& maps, MaterialMap map)
                                         : PictureBytes{side, side, 1, false, bytesOf(maps.height)};
 }
 
-template <class Maps>
-Expected<std::vector<MadeMap>> encoded(const Expected<Maps>& maps, std::span<const MaterialMap> kinds)
+/// \param make gives all pictures; called where they are not kept from before.
+template <class Make>
+Expected<std::vector<MadeMap>> encoded(const MapsKey& key, std::span<const MaterialMap> kinds,
+                                       const Make& make)
 {
+    if (auto kept = findKeptMaps(key))
+        return std::move(*kept);
+    const auto maps = make();
     if (!maps)
         return fail(maps.error());
     std::vector<MadeMap> out;
@@ -64,6 +70,7 @@ Expected<std::vector<MadeMap>> encoded(const Expected<Maps>& maps, std::span<con
             return fail(std::move(png.error()));
         out.push_back({map, std::move(*png)});
     }
+    keepMaps(key, out);
     return out;
 }
 
@@ -72,12 +79,12 @@ Expected<std::vector<MadeMap>> encoded(const Expected<Maps>& maps, std::span<con
 Expected<std::vector<MadeMap>> makeMaps(const BarkParams& bark, int size, std::span<const MaterialMap> kinds,
                                         const Progress& progress)
 {
-    return encoded(barkMaps(bark, size, progress), kinds);
+    return encoded(MapsKey(bark, size, kinds), kinds, [&] { return barkMaps(bark, size, progress); });
 }
 
 Expected<std::vector<MadeMap>> makeMaps(LeafShape leaf, int size, std::span<const MaterialMap> kinds)
 {
-    return encoded(leafMaps(leaf, size), kinds);
+    return encoded(MapsKey(leaf, 0, size, kinds), kinds, [&] { return leafMaps(leaf, size); });
 }
 
 /// Of a hash, in hex.
@@ -175,10 +182,10 @@ std::string mapFileName(LeafShape leaf, int size, MaterialMap map, double season
 
 namespace {
 
-/// Those that are not there yet. \param make gives all pictures, \param show one of them.
-template <class Name, class Make, class Show>
+/// Those that are not there yet. \param make gives the files of some kinds.
+template <class Name, class Make>
 Expected<std::vector<std::string>> writeMissing(const std::string& folder, std::span<const MaterialMap> kinds,
-                                                const Name& nameOf, const Make& make, const Show& show)
+                                                const Name& nameOf, const Make& make)
 {
     std::vector<MaterialMap> missing;
     for (const MaterialMap map : kinds) {
@@ -189,12 +196,11 @@ Expected<std::vector<std::string>> writeMissing(const std::string& folder, std::
     std::vector<std::string> written;
     if (missing.empty())
         return written;
-    const auto maps = make();
+    const Expected<std::vector<MadeMap>> maps = make(std::span<const MaterialMap>(missing));
     if (!maps)
         return fail(maps.error());
-    for (const MaterialMap map : missing) {
-        const std::string path = (std::filesystem::path(folder) / nameOf(map)).string();
-        if (const auto done = writePng(path, show(*maps, map)); !done)
+    for (const auto& [map, png] : *maps) {
+        if (const auto done = writeFile((std::filesystem::path(folder) / nameOf(map)).string(), png); !done)
             return fail(done.error());
         written.push_back(nameOf(map));
     }
@@ -210,18 +216,16 @@ Expected<std::vector<std::string>> writeMaps(const std::string& folder, const Ba
                                MaterialMap::Occlusion, MaterialMap::Roughness};
     return writeMissing(
         folder, kinds, [&](MaterialMap map) { return mapFileName(bark, size, map); },
-        [&] { return barkMaps(bark, size, progress.part(0.0, 0.8)); },
-        [](const BarkMaps& maps, MaterialMap map) { return pictureOf(maps, map); });
+        [&](auto missing) { return makeMaps(bark, size, missing, progress.part(0.0, 0.8)); });
 }
 
-/// Every pixel goes as far as the blade does.
-static Expected<LeafMaps> seasonMaps(LeafShape leaf, int size, double season)
+/// Every pixel goes as far as the blade does. \param season in hundredths
+static Expected<LeafMaps> seasonMaps(LeafShape leaf, int size, int season)
 {
     auto maps = leafMaps(leaf, size);
-    const int number = seasonNumber(leaf, season);
-    if (!maps || number == 0)
+    if (!maps || season == 0)
         return maps;
-    const glm::vec3 tint = seasonColour(leaf, 0.01 * number) / glm::max(glm::vec3(maps->blade), 1.0F);
+    const glm::vec3 tint = seasonColour(leaf, 0.01 * season) / glm::max(glm::vec3(maps->blade), 1.0F);
     for (glm::u8vec3& colour : maps->colour)
         colour = glm::u8vec3(glm::min(glm::vec3(colour) * tint + 0.5F, 255.0F));
     return maps;
@@ -230,10 +234,13 @@ static Expected<LeafMaps> seasonMaps(LeafShape leaf, int size, double season)
 Expected<std::vector<std::string>> writeMaps(const std::string& folder, LeafShape leaf, int size,
                                              double season)
 {
+    const int number = seasonNumber(leaf, season);
     return writeMissing(
         folder, leafMapKinds, [&](MaterialMap map) { return mapFileName(leaf, size, map, season); },
-        [&] { return seasonMaps(leaf, size, season); },
-        [](const LeafMaps& maps, MaterialMap map) { return pictureOf(maps, map); });
+        [&](auto missing) {
+            return encoded(MapsKey(leaf, number, size, missing), missing,
+                           [&] { return seasonMaps(leaf, size, number); });
+        });
 }
 
 } // namespace ramure

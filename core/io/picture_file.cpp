@@ -1,6 +1,5 @@
 #include "core/io/picture_file.h"
 
-#include "core/base/file_writer.h"
 #include <png.h>
 #include <vector>
 
@@ -73,15 +72,6 @@ Expected<std::string> maskedPng(std::string_view colour, std::string_view opacit
         for (std::size_t x = 0; x < width; ++x)
             out.bytes[4 * (y * width + x) + 3] = alpha->bytes[y * up / height * across + x * across / width];
     return pngOf({out.width, out.height, 4, true, out.bytes});
-}
-
-Expected<void> writePng(const std::string& path, const PictureBytes& picture)
-{
-    auto file = pngOf(picture);
-    if (file)
-        return writeFile(path, *file);
-    file.error().file = path;
-    return fail(std::move(file.error()));
 }
 
 } // namespace ramure

@@ -24,7 +24,5 @@ Expected<std::string> pngOf(const PictureBytes& picture);
 /// A picture whose alpha is the brightness of another one, which is stretched to its size. \param colour the
 /// bytes of a PNG file; empty: white, as large as the other one. Error: Invalid, one is no PNG.
 Expected<std::string> maskedPng(std::string_view colour, std::string_view opacity);
-/// Error: Io (with file).
-Expected<void> writePng(const std::string& path, const PictureBytes& picture);
 
 } // namespace ramure

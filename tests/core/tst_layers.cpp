@@ -146,6 +146,7 @@ constexpr Fence fences[] = {
      R"(core/(surface/proof/validate\w*|print/thinned_mesh)\.cpp)", "<OpenMesh/.*>"},
     {"OpenVDB only behind one header", ".*", R"(core/print/united_surface\.cpp)", "<openvdb/.*>"},
     {"libzip only behind one header", ".*", R"(core/io/zip_file\.cpp)", "<zip\\.h>"},
+    {"Nettle only behind one header", ".*", R"(app/cli/file_hash\.cpp)", "<nettle/.*>"},
     {"SLEEF only behind one header", ".*", R"(core/math/reproducible\.cpp)", "<sleef.*>"},
     {"CGAL only behind one header of the tests", ".*", R"(tests/support/self_intersections\.cpp)",
      "<CGAL/.*>"},

@@ -107,6 +107,46 @@ private slots:
                  std::vector<std::string>{mapFileName(furrowed(), 32, MaterialMap::Height)});
         QCOMPARE(test::fileBytes(painted), QByteArray("painted over"));
     }
+    /// The second time they come from those that are kept: the same bytes, and of nothing that is like them.
+    void keptPicturesAreThoseOfTheSameValues()
+    {
+        constexpr std::array kinds{MaterialMap::Colour, MaterialMap::Occlusion};
+        constexpr std::array others{MaterialMap::Occlusion, MaterialMap::Colour};
+        const auto bytes = [](const BarkParams& bark, int size, std::span<const MaterialMap> which) {
+            std::vector<std::string> out;
+            const auto maps = makeMaps(bark, size, which);
+            for (const MadeMap& made : *maps)
+                out.push_back(made.png);
+            return out;
+        };
+        const auto first = bytes(furrowed(), 64, kinds);
+        std::vector<std::vector<std::string>> all{first};
+        for (const auto& [member, value] :
+             {std::pair(&BarkParams::depth, 1.5), {&BarkParams::light, 0.25}, {&BarkParams::moss, 0.5}}) {
+            BarkParams other = furrowed();
+            other.*member = value;
+            all.push_back(bytes(other, 64, kinds));
+        }
+        BarkParams other = furrowed();
+        other.seed = 2;
+        all.push_back(bytes(other, 64, kinds));
+        all.push_back(bytes(furrowed(), 128, kinds));
+        all.push_back(bytes(furrowed(), 64, others));
+        QCOMPARE(std::set(all.begin(), all.end()).size(), all.size());
+        QVERIFY(bytes(furrowed(), 64, kinds) == first);
+        QVERIFY(!makeMaps(furrowed(), 1, kinds)); // what failed is not kept
+        QVERIFY(!makeMaps(furrowed(), 1, kinds));
+        // A leaf's colours in summer are not those of autumn.
+        const QTemporaryDir summer, autumn;
+        QVERIFY(writeMaps(summer.path().toStdString(), LeafShape::Oak, 64));
+        QVERIFY(writeMaps(autumn.path().toStdString(), LeafShape::Oak, 64, 0.8));
+        const auto colour = [](const QTemporaryDir& folder, double season) {
+            return test::fileBytes(folder.filePath(
+                QString::fromStdString(mapFileName(LeafShape::Oak, 64, MaterialMap::Colour, season))));
+        };
+        QVERIFY(!colour(summer, 0.0).isEmpty() && !colour(autumn, 0.8).isEmpty());
+        QVERIFY(colour(summer, 0.0) != colour(autumn, 0.8));
+    }
     void anObjNamesThePicturesBesideIt()
     {
         const QTemporaryDir folder;
