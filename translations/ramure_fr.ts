@@ -6990,6 +6990,10 @@
         <source>budgets are numbers of triangles, with commas between them</source>
         <translation>les budgets sont des nombres de triangles, séparés par des virgules</translation>
     </message>
+    <message>
+        <source>level %1: a budget of %2 triangles is more than the most, %3</source>
+        <translation>niveau %1 : un budget de %2 triangles dépasse le maximum, %3</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
