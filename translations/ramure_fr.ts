@@ -7058,6 +7058,10 @@
         <source>Flower</source>
         <translation>Fleur</translation>
     </message>
+    <message>
+        <source>level %1: a budget of %2 triangles is more than the most, %3</source>
+        <translation>niveau %1 : un budget de %2 triangles dépasse le maximum, %3</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -18,6 +18,10 @@ Expected<void> checkLevels(const LevelOptions& options)
             return fail(ErrorCode::Invalid,
                         RAMURE_NOOP("level %1: a budget of %2 triangles is less than the least, %3"),
                         {std::to_string(i), std::to_string(budgets[i]), std::to_string(leastBudget)});
+        if (budgets[i] > mostBudget)
+            return fail(ErrorCode::Invalid,
+                        RAMURE_NOOP("level %1: a budget of %2 triangles is more than the most, %3"),
+                        {std::to_string(i), std::to_string(budgets[i]), std::to_string(mostBudget)});
         if (i > 0 && budgets[i] >= budgets[i - 1])
             return fail(ErrorCode::Invalid,
                         RAMURE_NOOP("level %1: budgets must fall, and %2 triangles are not fewer than %3"),

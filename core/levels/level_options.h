@@ -8,7 +8,7 @@
 
 namespace ramure {
 
-inline constexpr std::int64_t mostLevels = 8, leastBudget = 50;
+inline constexpr std::int64_t mostLevels = 8, leastBudget = 50, mostBudget = 20'000'000;
 /// How far a level is from its budget at most, as a share of it.
 inline constexpr double levelSlack = 0.02;
 /// Of a level without a budget, of the triangles of the one before it.
@@ -27,8 +27,8 @@ struct LevelOptions
     [[nodiscard]] bool beginsWhole() const { return budgets.empty(); }
 };
 
-/// Errors: Invalid (a count out of range, as many budgets as levels, a budget below leastBudget, budgets that
-/// do not fall).
+/// Errors: Invalid (a count out of range, as many budgets as levels, a budget below leastBudget or over
+/// mostBudget, budgets that do not fall).
 Expected<void> checkLevels(const LevelOptions& options);
 
 } // namespace ramure

@@ -91,9 +91,10 @@ static double levelTriangles(const LevelOptions& levels, double whole)
 }
 
 /// Of bark and leaves, where the file holds them itself: by measure, finer pictures are smoother ones.
-static double pictureBytes(const Scene& scene, const ExportOptions& options, const FileFormat& format)
+static double pictureBytes(const Scene& scene, const ExportOptions& options, const FileFormat& format,
+                           double vertices)
 {
-    constexpr double bytes = 5400.0, growth = 0.9;
+    constexpr double bytes = 5400.0, growth = 0.9, tangent = 16.0;
     const bool isInside =
         (format.holds & holdsTexture) && (format.holds & holdsObjects) && *format.beside == '\0';
     const bool isWanted = options.texture && options.write.mapSize > 0;
@@ -101,7 +102,7 @@ static double pictureBytes(const Scene& scene, const ExportOptions& options, con
         return node.kind == NodeKind::Tree && isExported(scene, options, node) && isPictured(node.params);
     };
     return isInside && isWanted && std::ranges::any_of(scene.nodes(), hasPictures)
-               ? bytes * maths::pow(options.write.mapSize, growth)
+               ? bytes * maths::pow(options.write.mapSize, growth) + tangent * vertices
                : 0.0;
 }
 
@@ -128,7 +129,7 @@ std::uint64_t estimatedFileBytes(const Scene& scene, const ExportOptions& option
     const auto digits = static_cast<double>(std::to_string(last).size());
     const FileRates rates = (*format)->rates(options.texture, digits);
     return static_cast<std::uint64_t>(rates.vertex * vertices + rates.triangle * triangles +
-                                      pictureBytes(scene, options, **format));
+                                      pictureBytes(scene, options, **format, vertices));
 }
 
 } // namespace ramure

@@ -103,15 +103,13 @@ void ExportDialog::buildUses(QVBoxLayout* layout)
     layout->addWidget(m_uses);
 }
 
-/// Those of the page; the one that was chosen stays where it is among them.
+/// Those of the page, the usual one first.
 void ExportDialog::fillFormats()
 {
-    const QString before = m_format->currentData().toString();
     const QSignalBlocker quiet(m_format);
     m_format->clear();
     for (const QString& id : formatsOf(m_use))
         m_format->addItem(QString(), id);
-    m_format->setCurrentIndex(std::max(0, m_format->findData(before)));
     retranslateFormats();
 }
 

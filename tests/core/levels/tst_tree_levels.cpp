@@ -77,6 +77,7 @@ private slots:
         QTest::newRow("less than none") << qint64(-1) << QList<qint64>() << "1 to 8";
         QTest::newRow("too many") << qint64(9) << QList<qint64>() << "1 to 8";
         QTest::newRow("budget of 0") << qint64(1) << QList<qint64>{0} << "the least, 50";
+        QTest::newRow("too many triangles") << qint64(1) << QList<qint64>{90'000'000} << "the most, 20000000";
         QTest::newRow("negative") << qint64(2) << QList<qint64>{1000, -1} << "level 1";
         QTest::newRow("rising") << qint64(2) << QList<qint64>{1000, 2000} << "must fall";
         QTest::newRow("equal") << qint64(2) << QList<qint64>{1000, 1000} << "must fall";
@@ -94,17 +95,13 @@ private slots:
         QVERIFY2(QString::fromStdString(levels.error().message()).contains(about), test::why(levels));
     }
 
-    /// Too few even for the roots, more than every branch can be divided.
+    /// Too few even for the roots.
     void budgetsThatNoMeshKeeps()
     {
         const auto few = levelsOf(preset("CommonYew"), {1, {leastBudget}}, {true, false, false, false});
         QVERIFY(!few);
         QCOMPARE(few.error().code, ErrorCode::Limit);
         QVERIFY2(few.error().message().find("the nearest has") != std::string::npos, test::why(few));
-        NodeParams bare = preset("TinyTree");
-        bare.foliage.leavesDensity = 0;
-        const auto many = levelsOf(bare, {1, {90'000'000}}, {true, false, false, false});
-        QVERIFY(!many);
     }
 
     void stopsWhenAsked()

@@ -90,8 +90,8 @@ private slots:
                                << "numbers of triangles";
         QTest::newRow("too few") << 3 << "1000, 500"
                                  << "as many budgets";
-        QTest::newRow("below the minimum") << 1 << "90000000"
-                                           << "";
+        QTest::newRow("more than a mesh can be") << 1 << "90000000"
+                                                 << "the most";
     }
     void badBudgetsAreTold()
     {
