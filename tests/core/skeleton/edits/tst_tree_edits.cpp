@@ -412,6 +412,10 @@ void TestTreeEdits::cutEndsAreFlat()
     QVERIFY(highest < 0.05 * seen.a1[end]);
     QVERIFY2(nearest < 1e-3, qPrintable(QString::number(nearest)));
     QVERIFY2(inside >= 3, qPrintable(QString::number(inside)));
+    // Its texture is a piece of the bark's, spread flat: no triangle of it is folded.
+    const auto texture = tree.texture->coordinates(TextureParams());
+    QVERIFY2(texture, why(texture).constData());
+    QCOMPARE((*texture)->apart, Index{0});
     // What goes on from it has a tip again.
     TreeEdit extend = editOf(EditOperation::Extend, shaped.address[3]);
     extend.points = {{seen.p1[end] + way, 0.0}};
