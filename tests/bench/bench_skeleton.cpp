@@ -3,7 +3,9 @@
 #include "core/generators/parametric/module_turtle.h"
 #include "core/generators/weber_penn/weber_penn.h"
 #include "core/math/random.h"
+#include "core/params/presets.h"
 #include "core/params/tree_edit_table.h"
+#include "core/pipeline/tree_pipeline.h"
 #include "core/skeleton/edit_places.h"
 #include "core/skeleton/edits/apply_edits.h"
 #include "core/skeleton/edits/edit_context.h"
@@ -182,6 +184,32 @@ BENCHMARK(BM_editOfOneLimb)
     ->Arg(int(EditOperation::Prune))
     ->Arg(int(EditOperation::Place))
     ->Unit(benchmark::kMicrosecond);
+
+/// From the number that a hand changes to what the view draws while it drags, in a tree of about 10,000
+/// branches.
+void BM_draftOfAnEdit(benchmark::State& state)
+{
+    NodeParams params = *presetParams("SmallTree");
+    params.grammar.iterations = 10;
+    if (state.range(0) == 0)
+        params.foliage.leavesCutoff = 0.0;
+    TreePipeline pipeline;
+    const TreeResult tree = bench::need(pipeline.evaluate(params, Stage::Skeleton));
+    const TreeAxes axes = axesOf(*tree.skeleton);
+    TreeEdit edit;
+    edit.operation = EditOperation::Length;
+    edit.target.address = axes.axes[axes.axes.size() / 2].address;
+    edit.id = 1;
+    params.edits = {bench::need(EditContext(*tree.grown, {}).prepared(edit, true))};
+    for (auto _ : state) {
+        params.edits.front().factor *= 1.0001;
+        const TreeResult draft = bench::need(pipeline.evaluateDraft(params));
+        benchmark::DoNotOptimize(draft.draftTubes.get());
+    }
+    state.SetLabel(std::to_string(tree.skeleton->size()) + " branches, " +
+                   (state.range(0) == 0 ? "bare" : "in leaf"));
+}
+BENCHMARK(BM_draftOfAnEdit)->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
 
 /// What a tool does when it is pressed.
 void BM_editContext(benchmark::State& state)

@@ -385,6 +385,10 @@ void TestTreeEdits::cutEndsAreFlat()
 {
     Shaped shaped;
     QVERIFY(shaped.skeleton().sawn.empty());
+    TreeEdit thin = editOf(EditOperation::Thickness, shaped.address[0]); // limbs reach out of their forks
+    thin.factor = 0.1;
+    thin.below = true;
+    QVERIFY(shaped.make(thin));
     TreeEdit cut = editOf(EditOperation::Cut, shaped.address[3]);
     cut.at = 0.5;
     QVERIFY(shaped.make(cut));
@@ -406,7 +410,12 @@ void TestTreeEdits::cutEndsAreFlat()
             inside += away > 0.8 && away < 0.95 ? 1 : 0;
         }
     QVERIFY(highest < 0.05 * seen.a1[end]);
-    QVERIFY(nearest < 1e-3 && inside >= 3);
+    QVERIFY2(nearest < 1e-3, qPrintable(QString::number(nearest)));
+    QVERIFY2(inside >= 3, qPrintable(QString::number(inside)));
+    // Its texture is a piece of the bark's, spread flat: no triangle of it is folded.
+    const auto texture = tree.texture->coordinates(TextureParams());
+    QVERIFY2(texture, why(texture).constData());
+    QCOMPARE((*texture)->apart, Index{0});
     // What goes on from it has a tip again.
     TreeEdit extend = editOf(EditOperation::Extend, shaped.address[3]);
     extend.points = {{seen.p1[end] + way, 0.0}};
