@@ -580,4 +580,28 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>ramure::VariationsDialog</name>
+    <message numerus="yes">
+        <source>%Ln tree(s) written: ramure-cli batch &quot;%1&quot; -o FOLDER grows them.</source>
+        <translation>
+            <numerusform>%Ln tree written: ramure-cli batch &quot;%1&quot; -o FOLDER grows it.</numerusform>
+            <numerusform>%Ln trees written: ramure-cli batch &quot;%1&quot; -o FOLDER grows them.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln tree(s), </source>
+        <translation>
+            <numerusform>%Ln tree, </numerusform>
+            <numerusform>%Ln trees, </numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln with a star</source>
+        <translation>
+            <numerusform>%Ln with a star</numerusform>
+            <numerusform>%Ln with a star</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -1123,6 +1123,14 @@
         <source>Click a branch: one leaf, fruit or flower grows there</source>
         <translation>Cliquez sur une branche : une feuille, un fruit ou une fleur y pousse</translation>
     </message>
+    <message>
+        <source>&amp;Variations…</source>
+        <translation>&amp;Variations…</translation>
+    </message>
+    <message>
+        <source>Many trees from this one, by seeds and ranges of parameters: look at them, star the good ones, write a table for a batch</source>
+        <translation>De nombreux arbres à partir de celui-ci, par graines et plages de paramètres : les regarder, marquer les bons d’une étoile, écrire un tableau pour un lot</translation>
+    </message>
 </context>
 <context>
     <name>ArmOverlay</name>
@@ -12131,6 +12139,215 @@ OpenGL&#xa0;: %4
     <message>
         <source>The check of a mesh stands here. There is none in the scene.</source>
         <translation>Ici s’affiche le contrôle d’un maillage. La scène n’en a pas.</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::VariationsDialog</name>
+    <message>
+        <source>Variation with seed %1</source>
+        <translation>Variation de graine %1</translation>
+    </message>
+    <message>
+        <source>The tree in the scene grows like it. Undo brings the one before back.</source>
+        <translation>L’arbre de la scène pousse comme elle. Annuler rend le précédent.</translation>
+    </message>
+    <message>
+        <source>%1, seed %2</source>
+        <translation>%1, graine %2</translation>
+    </message>
+    <message>
+        <source>Kept in the gallery as &quot;%1&quot;.</source>
+        <translation>Gardé dans la galerie sous le nom « %1 ».</translation>
+    </message>
+    <message>
+        <source>Save the variations as a table</source>
+        <translation>Enregistrer les variations en tableau</translation>
+    </message>
+    <message>
+        <source>Tables for ramure-cli batch (*.csv)</source>
+        <translation>Tableaux pour ramure-cli batch (*.csv)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln tree(s) written: ramure-cli batch &quot;%1&quot; -o FOLDER grows them.</source>
+        <translation>
+            <numerusform>%Ln arbre écrit : ramure-cli batch &quot;%1&quot; -o DOSSIER le fait pousser.</numerusform>
+            <numerusform>%Ln arbres écrits : ramure-cli batch &quot;%1&quot; -o DOSSIER les fait pousser.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Take the &amp;star away</source>
+        <translation>Retirer l’&amp;étoile</translation>
+    </message>
+    <message>
+        <source>Set a &amp;star</source>
+        <translation>Mettre une &amp;étoile</translation>
+    </message>
+    <message>
+        <source>&amp;Go on</source>
+        <translation>&amp;Continuer</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>&amp;Arrêter</translation>
+    </message>
+    <message>
+        <source>Nothing but the places of its leaves varies by chance.</source>
+        <translation>Seules les places de ses feuilles varient au hasard.</translation>
+    </message>
+    <message>
+        <source>Growing %1 of %2 …</source>
+        <translation>Pousse de %1 sur %2 …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln tree(s), </source>
+        <translation>
+            <numerusform>%Ln arbre, </numerusform>
+            <numerusform>%Ln arbres, </numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%Ln with a star</source>
+        <translation>
+            <numerusform>%Ln avec une étoile</numerusform>
+            <numerusform>%Ln avec une étoile</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Variations of %1</source>
+        <translation>Variations de %1</translation>
+    </message>
+    <message>
+        <source>T&amp;rees:</source>
+        <translation>A&amp;rbres :</translation>
+    </message>
+    <message>
+        <source>How many, each with another seed; those with a star stay besides</source>
+        <translation>Combien, chacun avec une autre graine ; ceux qui ont une étoile restent en plus</translation>
+    </message>
+    <message>
+        <source>Other &amp;seeds</source>
+        <translation>Autres &amp;graines</translation>
+    </message>
+    <message>
+        <source>The seeds that follow; those with a star stay</source>
+        <translation>Les graines suivantes ; ceux qui ont une étoile restent</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Fermer</translation>
+    </message>
+    <message>
+        <source>&amp;Open in place</source>
+        <translation>&amp;Ouvrir sur place</translation>
+    </message>
+    <message>
+        <source>The tree in the scene becomes this one (Return)</source>
+        <translation>L’arbre de la scène devient celui-ci (Entrée)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep as preset</source>
+        <translation>&amp;Garder comme modèle</translation>
+    </message>
+    <message>
+        <source>Put it into the gallery</source>
+        <translation>Le mettre dans la galerie</translation>
+    </message>
+    <message>
+        <source>Save as ta&amp;ble</source>
+        <translation>Enregistrer en ta&amp;bleau</translation>
+    </message>
+    <message>
+        <source>Write a table, from which ramure-cli batch grows a file for each tree</source>
+        <translation>Écrire un tableau dont ramure-cli batch tire un fichier par arbre</translation>
+    </message>
+    <message>
+        <source>Save &amp;all as a table…</source>
+        <translation>Enregistrer &amp;tous en tableau…</translation>
+    </message>
+    <message>
+        <source>Save those &amp;with a star as a table…</source>
+        <translation>Enregistrer ceux &amp;avec étoile en tableau…</translation>
+    </message>
+    <message>
+        <source>Save those with&amp;out a star as a table…</source>
+        <translation>Enregistrer ceux &amp;sans étoile en tableau…</translation>
+    </message>
+    <message>
+        <source>Variations</source>
+        <translation>Variations</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::VariationsModel</name>
+    <message>
+        <source>on</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>Seed %1</source>
+        <translation>Graine %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>Length: 3 m</comment>
+        <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::VariedParamsForm</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>Leaves: Size</comment>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Do not vary it</source>
+        <translation>Ne pas le faire varier</translation>
+    </message>
+    <message>
+        <source>Do not vary %1</source>
+        <translation>Ne pas faire varier %1</translation>
+    </message>
+    <message>
+        <source>on and off</source>
+        <translation>oui et non</translation>
+    </message>
+    <message>
+        <source>all of its values</source>
+        <translation>toutes ses valeurs</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <comment>from 1 m to 2 m</comment>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>The least value</source>
+        <translation>La plus petite valeur</translation>
+    </message>
+    <message>
+        <source>The greatest value</source>
+        <translation>La plus grande valeur</translation>
+    </message>
+    <message>
+        <source>Vary a parameter…</source>
+        <translation>Faire varier un paramètre…</translation>
+    </message>
+    <message>
+        <source>Choose a parameter, or type a part of its name and press Return</source>
+        <translation>Choisissez un paramètre, ou tapez une partie de son nom puis Entrée</translation>
+    </message>
+    <message>
+        <source>Parameter to vary</source>
+        <translation>Paramètre à faire varier</translation>
+    </message>
+    <message>
+        <source>Only chance varies: each tree has another seed. Add parameters above to spread their values too.</source>
+        <translation>Seul le hasard varie : chaque arbre a une autre graine. Ajoutez des paramètres ci-dessus pour étaler aussi leurs valeurs.</translation>
     </message>
 </context>
 <context>

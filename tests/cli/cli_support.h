@@ -8,6 +8,7 @@
 #include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <memory>
 
 namespace ramure::test {
 
@@ -75,5 +76,27 @@ inline void write(const QString& path, const QByteArray& bytes)
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
         qFatal("cannot write %s", qPrintable(path));
 }
+
+/// A suite whose tests work in a folder of their own: call begin() in init().
+class FolderSuite : public QObject
+{
+protected:
+    void begin()
+    {
+        failOnAnyWarning();
+        m_folder = std::make_unique<QTemporaryDir>();
+    }
+    [[nodiscard]] QString folder() const { return m_folder->path(); }
+    [[nodiscard]] QString path(const QString& name) const { return m_folder->filePath(name); }
+    /// Writes a table of variations. \returns its path.
+    [[nodiscard]] QString table(const QByteArray& text) const
+    {
+        write(path("t.csv"), text);
+        return path("t.csv");
+    }
+
+private:
+    std::unique_ptr<QTemporaryDir> m_folder;
+};
 
 } // namespace ramure::test

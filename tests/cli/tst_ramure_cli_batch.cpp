@@ -12,24 +12,12 @@ using test::runCli;
 
 /// Tables that become trees: what is refused, what a bad row costs, and that however the work is cut, the
 /// manifest is the same.
-class TestRamureCliBatch : public QObject
+class TestRamureCliBatch : public test::FolderSuite
 {
     Q_OBJECT
-    std::unique_ptr<QTemporaryDir> m_folder;
-
-    [[nodiscard]] QString path(const QString& name) const { return m_folder->filePath(name); }
-    QString table(const QByteArray& text) const
-    {
-        test::write(path("t.csv"), text);
-        return path("t.csv");
-    }
 
 private slots:
-    void init()
-    {
-        test::failOnAnyWarning();
-        m_folder = std::make_unique<QTemporaryDir>();
-    }
+    void init() { begin(); }
 
     void badUsage_data()
     {
@@ -140,7 +128,7 @@ private slots:
             QVERIFY(why.startsWith(QStringLiteral("t.csv:%1: ").arg(i + 2)));
             QVERIFY(run.err.contains(why));
         }
-        QVERIFY(!bytesOf(path("out/manifest.jsonl")).contains(m_folder->path().toUtf8()));
+        QVERIFY(!bytesOf(path("out/manifest.jsonl")).contains(folder().toUtf8()));
     }
 
     void linesSayWhatTheFilesAre()

@@ -13,17 +13,10 @@ using test::runCli;
 
 /// Batches that are stopped, killed, or run out of memory, and go on. RAMURE_KILLS says how often one is
 /// killed, 10 times without it.
-class TestRamureCliBatchStopped : public QObject
+class TestRamureCliBatchStopped : public test::FolderSuite
 {
     Q_OBJECT
-    std::unique_ptr<QTemporaryDir> m_folder;
 
-    [[nodiscard]] QString path(const QString& name) const { return m_folder->filePath(name); }
-    QString table(const QByteArray& text) const
-    {
-        test::write(path("t.csv"), text);
-        return path("t.csv");
-    }
     [[nodiscard]] int rowsDone(const QString& folder) const
     {
         return int(bytesOf(path(folder) + "/manifest.jsonl.journal").count('\n'));
@@ -45,11 +38,7 @@ class TestRamureCliBatchStopped : public QObject
     }
 
 private slots:
-    void init()
-    {
-        test::failOnAnyWarning();
-        m_folder = std::make_unique<QTemporaryDir>();
-    }
+    void init() { begin(); }
 
     void tooMuchMemoryIsTheRowsError()
     {

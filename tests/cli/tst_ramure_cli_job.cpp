@@ -10,17 +10,10 @@ using test::runCli;
 using test::runProgram;
 
 /// Batches as jobs of many machines: what the scripts say, and that they do it.
-class TestRamureCliJob : public QObject
+class TestRamureCliJob : public test::FolderSuite
 {
     Q_OBJECT
-    std::unique_ptr<QTemporaryDir> m_folder;
 
-    [[nodiscard]] QString path(const QString& name) const { return m_folder->filePath(name); }
-    QString table(const QByteArray& text) const
-    {
-        test::write(path("t.csv"), text);
-        return path("t.csv");
-    }
     test::CliRun job(const char* kind, const QStringList& more = {}) const
     {
         return runCli(QStringList{"job", QLatin1String(kind), table(test::smallTrees(7)), "-o", path("out"),
@@ -41,11 +34,7 @@ class TestRamureCliJob : public QObject
     }
 
 private slots:
-    void init()
-    {
-        test::failOnAnyWarning();
-        m_folder = std::make_unique<QTemporaryDir>();
-    }
+    void init() { begin(); }
 
     void badUsage_data()
     {
@@ -91,8 +80,8 @@ private slots:
         QCOMPARE(job(QTest::currentDataTag()).code, 0);
         const QByteArray first = bytesOf(path("out/") + file);
         QVERIFY(!first.isEmpty() && first.endsWith('\n'));
-        QVERIFY(!first.contains(m_folder->path().toUtf8()));
-        m_folder = std::make_unique<QTemporaryDir>();
+        QVERIFY(!first.contains(folder().toUtf8()));
+        begin();
         QCOMPARE(job(QTest::currentDataTag()).code, 0);
         QCOMPARE(bytesOf(path("out/") + file), first);
     }
@@ -188,7 +177,7 @@ private slots:
 
     void wordsAreQuoted()
     {
-        QVERIFY(QDir(m_folder->path()).mkpath("it's $HOME"));
+        QVERIFY(QDir(folder()).mkpath("it's $HOME"));
         const QString csv = path("it's $HOME/a b.csv");
         test::write(csv, "preset,seed,#it's\nTinyTree,1,a\nTinyTree,2,b\n");
         QCOMPARE(

@@ -7,12 +7,10 @@ using test::isRefused;
 using test::runCli;
 
 /// Contact sheets of real batches.
-class TestRamureCliSheet : public QObject
+class TestRamureCliSheet : public test::FolderSuite
 {
     Q_OBJECT
-    std::unique_ptr<QTemporaryDir> m_folder;
 
-    [[nodiscard]] QString path(const QString& name) const { return m_folder->filePath(name); }
     /// What is embedded, in the order of the cards.
     static std::vector<QImage> picturesOf(const QByteArray& page)
     {
@@ -25,11 +23,7 @@ class TestRamureCliSheet : public QObject
     }
 
 private slots:
-    void init()
-    {
-        test::failOnAnyWarning();
-        m_folder = std::make_unique<QTemporaryDir>();
-    }
+    void init() { begin(); }
 
     void badUsage()
     {
@@ -68,7 +62,7 @@ private slots:
         QCOMPARE(pictures[1].size(), QSize(48, 24)); // taken from b.png
         QVERIFY(page.contains("3 rows, 1 failed") && page.contains("there is no preset &quot;NoTree&quot;"));
         // Nothing from elsewhere, nothing of this machine.
-        QVERIFY(!page.contains("http") && !page.contains(m_folder->path().toUtf8()));
+        QVERIFY(!page.contains("http") && !page.contains(folder().toUtf8()));
     }
 
     void projectsOfRowsAreFound()
@@ -85,7 +79,7 @@ private slots:
             return picturesOf(bytesOf(path("s.html"))).size();
         };
         QCOMPARE(count({}), std::size_t(0)); // it does not stand beside the manifest
-        QCOMPARE(count({"--inputs", m_folder->path()}), std::size_t(1));
+        QCOMPARE(count({"--inputs", folder()}), std::size_t(1));
     }
 };
 

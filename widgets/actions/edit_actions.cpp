@@ -54,6 +54,14 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
                        {},
                        QT_TRANSLATE_NOOP("Actions", "Nine trees of the same numbers that chance grew "
                                                     "otherwise, to choose from")}))
+    , m_variations(
+          set->add({"edit.variations",
+                    QT_TRANSLATE_NOOP("Actions", "&Variations…"),
+                    nullptr,
+                    {},
+                    QT_TRANSLATE_NOOP("Actions",
+                                      "Many trees from this one, by seeds and ranges of parameters: look at "
+                                      "them, star the good ones, write a table for a batch")}))
     , m_visible(set->add(
           {"edit.visible", QT_TRANSLATE_NOOP("Actions", "&Hide or show"), "eye", QKeySequence(Qt::Key_H)}))
     , m_locked(set->add({"edit.locked", QT_TRANSLATE_NOOP("Actions", "Loc&k or unlock"), "lock",
@@ -75,6 +83,8 @@ EditActions::EditActions(Document* document, Chooser* chooser, ActionSet* set, Q
     }
     connect(m_more, &QAction::triggered, this,
             [this] { emit moreRequested(targetTrees(*m_document).front()); });
+    connect(m_variations, &QAction::triggered, this,
+            [this] { emit variationsRequested(targetTrees(*m_document).front()); });
     connect(m_duplicate, &QAction::triggered, this, &EditActions::duplicateSelected);
     connect(m_rename, &QAction::triggered, this, &EditActions::renameRequested);
     connect(m_delete, &QAction::triggered, this, &EditActions::removeSelected);
@@ -117,7 +127,7 @@ void EditActions::fillMenu(QMenu* menu)
 
 QList<QAction*> EditActions::nodeActions() const
 {
-    return {m_more, m_duplicate, m_rename, m_visible, m_locked, m_delete};
+    return {m_more, m_variations, m_duplicate, m_rename, m_visible, m_locked, m_delete};
 }
 
 void EditActions::retranslate()
@@ -151,7 +161,8 @@ void EditActions::update()
     const bool canVary = std::ranges::any_of(
         trees, [this](NodeId id) { return variesByChance(m_document->scene().find(id)->params); });
     m_newTree->setEnabled(canVary);
-    m_more->setEnabled(trees.size() == 1);
+    for (QAction* action : {m_more, m_variations})
+        action->setEnabled(trees.size() == 1);
     m_set->setTip(m_newTree, trees.empty() || canVary
                                  ? QString()
                                  : tr("New tree: nothing can vary. No rule has chances, and the variation of "

@@ -53,6 +53,8 @@ signals:
     void renameRequested();
     /// Others of this tree's kind are wished for.
     void moreRequested(NodeId tree);
+    /// Many variations of this tree are wished for.
+    void variationsRequested(NodeId tree);
     void messageRaised(const QString& text);
     /// The copies are selected, at the places of their originals.
     void duplicated();
@@ -93,6 +95,7 @@ private:
     QAction* m_delete;
     QAction* m_straighten;
     QAction* m_more;
+    QAction* m_variations;
     QAction* m_visible;
     QAction* m_locked;
     QMenu* m_addMenu = nullptr;

@@ -42,6 +42,7 @@ class PropertiesPanel;
 class Recompute;
 class ScenePanel;
 class SeedsDialog;
+class VariationsDialog;
 class SequenceTask;
 class SelectActions;
 class StatusPanel;
@@ -180,6 +181,7 @@ private:
     EditActions* m_edits = nullptr;
     SelectActions* m_selects = nullptr;
     SeedsDialog* m_seeds = nullptr; ///< once it was wished for
+    VariationsDialog* m_variations = nullptr;
     ViewActions* m_views = nullptr;
     TransformActions* m_transforms = nullptr;
     HandActions* m_hands = nullptr;

@@ -19,6 +19,7 @@
 #include "widgets/dialogs/export_dialog.h"
 #include "widgets/dialogs/seeds_dialog.h"
 #include "widgets/dialogs/sequence_task.h"
+#include "widgets/dialogs/variations_dialog.h"
 #include "widgets/help/help_places.h"
 #include "widgets/panels/animation/key_actions.h"
 #include "widgets/panels/animation/key_commands.h"
@@ -242,6 +243,14 @@ void MainWindow::buildActions()
     connect(m_edits, &EditActions::moreRequested, this, [seeds](NodeId tree) { seeds()->offerFor(tree); });
     connect(findChild<GalleryPanel*>(), &GalleryPanel::moreRequested, this,
             [seeds](const Node& like) { seeds()->offerNew(like); });
+    connect(m_edits, &EditActions::variationsRequested, this, [this](NodeId tree) {
+        if (!m_variations) {
+            m_variations = new VariationsDialog(m_document, m_preferences, m_chooser, this);
+            connect(m_variations, &VariationsDialog::presetKept, findChild<GalleryPanel*>(),
+                    &GalleryPanel::refreshOwn);
+        }
+        m_variations->offerFor(tree);
+    });
     connect(m_edits, &EditActions::renameRequested, this, [this] {
         showPanel(m_scene);
         m_scene->renameActive();

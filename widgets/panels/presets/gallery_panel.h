@@ -36,6 +36,8 @@ public:
     [[nodiscard]] QAction* renameAction() const { return m_rename; }
     [[nodiscard]] QAction* removeAction() const { return m_remove; }
     [[nodiscard]] QAction* moreAction() const { return m_more; }
+    /// The user's presets were changed elsewhere.
+    void refreshOwn();
     [[nodiscard]] QSize sizeHint() const override;
 
 signals:
@@ -54,7 +56,6 @@ private:
     void remove();
     void askName(const QString& title, const QString& suggestion,
                  std::function<Expected<void>(const QString&)> use);
-    void refreshOwn();
     void drawMissing();
     void complain(const Error& error);
     void follow();

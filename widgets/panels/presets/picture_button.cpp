@@ -35,6 +35,17 @@ QPainterPath starIn(const QRectF& place)
 
 } // namespace
 
+void paintPictureStar(QPainter& painter, const QRect& place, bool starred)
+{
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(QColor(0, 0, 0, 120));
+    painter.drawEllipse(place);
+    const QColor colour = starred ? QColor(0xFF, 0xC8, 0x3D) : QColor(Qt::white);
+    painter.setPen(QPen(colour, 1.2));
+    painter.setBrush(starred ? QBrush(colour) : QBrush(Qt::NoBrush));
+    painter.drawPath(starIn(QRectF(place).adjusted(2, 2, -2, -2)));
+}
+
 PictureButton::PictureButton(const QString& preset, int width, QWidget* parent)
     : QAbstractButton(parent)
     , m_preset(preset)
@@ -137,23 +148,11 @@ void PictureButton::paintEvent(QPaintEvent*)
     painter.setBrush(Qt::NoBrush);
     painter.drawPath(rounded);
     if (m_hasStar && (m_isStarred || underMouse()))
-        paintStar(painter);
+        paintPictureStar(painter, starPlace(), m_isStarred);
     painter.setPen(palette().color(QPalette::WindowText));
     const QRectF below(margin, place.bottom() + textGap, place.width(), fontMetrics().height());
     painter.drawText(below, Qt::AlignHCenter | Qt::AlignVCenter,
                      fontMetrics().elidedText(text(), Qt::ElideRight, m_size.width()));
-}
-
-/// On a disc, so that it is seen before a sky as well as before leaves.
-void PictureButton::paintStar(QPainter& painter) const
-{
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(QColor(0, 0, 0, 120));
-    painter.drawEllipse(starPlace());
-    const QColor colour = m_isStarred ? QColor(0xFF, 0xC8, 0x3D) : QColor(Qt::white);
-    painter.setPen(QPen(colour, 1.2));
-    painter.setBrush(m_isStarred ? QBrush(colour) : QBrush(Qt::NoBrush));
-    painter.drawPath(starIn(QRectF(starPlace()).adjusted(2, 2, -2, -2)));
 }
 
 void PictureButton::enterEvent(QEnterEvent* event)

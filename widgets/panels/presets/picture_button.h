@@ -42,14 +42,15 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    void paintStar(QPainter& painter) const;
-
     QString m_preset;
     QPixmap m_picture;
     QSize m_size; ///< of the picture as it is shown
     QPoint m_pressed;
     bool m_hasStar = false, m_isStarred = false;
 };
+
+/// On a disc, so that it is seen before a sky as well as before leaves.
+void paintPictureStar(QPainter& painter, const QRect& place, bool starred);
 
 /// Of what is dragged: what namedTree takes, in UTF-8.
 inline constexpr const char* presetMimeType = "application/x-ramure-preset";
