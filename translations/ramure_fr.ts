@@ -8519,7 +8519,7 @@ OpenGL&#xa0;: %4
     </message>
     <message>
         <source>kept settings, or a name for these</source>
-        <translation>réglages gardés, ou un nom pour ceux-ci</translation>
+        <translation>nom de réglages à garder</translation>
     </message>
     <message>
         <source>Settings of this page that were kept under a name, or those of its last export. Where files go is not part of them.</source>

@@ -256,6 +256,17 @@ void ExportDialog::takeFormat()
         m_moments->setMoment(ExportMoment::Shown);
     updateWidgets();
     adjustSize();
+    arrangeRows();
+}
+
+/// A form that was asked how large it would like to be takes rows that have just come for arranged, where its own size
+/// stays the same (Qt 6.4): they are nowhere.
+void ExportDialog::arrangeRows()
+{
+    layout()->activate();
+    const QRect place = m_form->geometry();
+    m_form->setGeometry(place.adjusted(0, 0, 0, 1));
+    m_form->setGeometry(place);
 }
 
 void ExportDialog::updateWidgets()

@@ -100,6 +100,7 @@ private:
     [[nodiscard]] bool mayExportFaults();
     void browse();
     void takeFormat();
+    void arrangeRows();
     void updateWidgets();
     void retranslateFormats();
     void retranslateMore();
