@@ -13,6 +13,7 @@
 #include "widgets/view/render/picture_file.h"
 #include <QDir>
 #include <QDirIterator>
+#include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
 #include <QRegularExpression>
@@ -264,6 +265,18 @@ Expected<void> placeFiles(const BatchPlan& plan, const BatchRow& row, const QJso
     }
     QDir(staging).removeRecursively();
     return {};
+}
+
+void removeStale(const BatchPlan& plan, const BatchRow& row)
+{
+    for (const QString& name : row.files) {
+        if (name.endsWith(QLatin1Char('/')))
+            continue;
+        const QString path = plan.folder + QLatin1Char('/') + name;
+        QFile::remove(path);
+        if (path.endsWith(QLatin1String(".obj")))
+            QFile::remove(path.chopped(4) + QLatin1String(".mtl")); // goes with it
+    }
 }
 
 bool isDone(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line)

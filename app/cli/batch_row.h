@@ -53,6 +53,9 @@ QString stagingFolder(const BatchPlan& plan, const BatchRow& row);
 void clearStaging(const BatchPlan& plan);
 /// Puts what was made in its place; only then the row is done. Error: Io.
 Expected<void> placeFiles(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line);
+/// What an earlier run has put in the places of files that the row could not make now. Folders of maps are
+/// shared and stay.
+void removeStale(const BatchPlan& plan, const BatchRow& row);
 /// Are the row's values those of the line, and its files there, byte for byte?
 bool isDone(const BatchPlan& plan, const BatchRow& row, const QJsonObject& line);
 

@@ -27,7 +27,8 @@ constexpr CommandText text = {
     "shows. An empty cell leaves what the input has.\n"
     "Rows hang on nothing but themselves. One that cannot be done has an error in the manifest, and the "
     "others "
-    "go on; its files are there whole or not at all. The manifest has a line of JSON a row, in their order: "
+    "go on; its files are there whole or not at all, and those of an earlier run go when it fails. The "
+    "manifest has a line of JSON a row, in their order: "
     "`row`, `line`, `input`, `seed`, `set`, `inputs` (the hash of all that the files depend on), `proof` "
     "(the "
     "mesh is closed, manifold, oriented, and OpenMesh agrees, as `validate` has it), `counts`, `measures`, "
@@ -180,8 +181,10 @@ private:
             line = failedLine(m_request.plan, row, row_error::crash, QStringLiteral("its process ended"));
         else if (const auto placed = placeFiles(m_request.plan, row, line); !placed)
             line = failedLine(m_request.plan, row, row_error::input, fromText(placed.error().message()));
-        if (line.contains(QStringLiteral("error")))
+        if (line.contains(QStringLiteral("error"))) {
             QDir(stagingFolder(m_request.plan, row)).removeRecursively();
+            removeStale(m_request.plan, row);
+        }
         if (auto added = m_manifest.add(line); !added)
             m_problem = added.error();
         if (m_timings)

@@ -131,6 +131,27 @@ private slots:
         QVERIFY(!bytesOf(path("out/manifest.jsonl")).contains(folder().toUtf8()));
     }
 
+    /// Whoever looks into the folder takes what is there for what the manifest says.
+    void aRowThatFailsTakesItsOldFilesAway()
+    {
+        const QByteArray head = "preset,seed,turtle.alpha\n";
+        const auto run = [&](const QByteArray& rows) {
+            return runCli(batchOf(table(head + rows), path("out"), {"--file", "{row}/{seed}.ply"})).code;
+        };
+        QCOMPARE(run("TinyTree,1,\nTinyTree,2,\n"), 0);
+        test::write(path("out/TinyTree_3.obj"), "mine");
+        const auto before = test::filesBelow(path("out"));
+        QVERIFY(before.contains("TinyTree_1.mtl") && before.contains("000001/1.ply"));
+        QCOMPARE(run("TinyTree,1,long\nTinyTree,2,\n"), 3);
+        auto expected = before;
+        for (const char* gone : {"TinyTree_1.obj", "TinyTree_1.mtl", "000001/1.ply"})
+            expected.erase(QLatin1String(gone));
+        auto after = test::filesBelow(path("out"));
+        after.erase("manifest.jsonl");
+        expected.erase("manifest.jsonl");
+        QVERIFY(after == expected);
+    }
+
     void linesSayWhatTheFilesAre()
     {
         QCOMPARE(runCli(batchOf(table(test::smallTrees(2)), path("out"), {"--file", "{row}.ply"})).code, 0);

@@ -47,6 +47,12 @@ files=(--file '{block}/{preset}_{seed}.obj')
 "$RAMURE_CLI" batch variations.csv -o single "${files[@]}" --jobs 2
 "$RAMURE_CLI" job --slurm variations.csv -o trees --shards $rows "${files[@]}"
 
+# Others may run a farm on this machine too.
+read -r port first second < <(python3 -c '
+import socket
+sockets = [socket.socket() for _ in range(3)]
+for each in sockets: each.bind(("127.0.0.1", 0))
+print(*[each.getsockname()[1] for each in sockets])')
 head -c 1024 /dev/urandom >munge.key
 chmod 600 munge.key
 munged --force --key-file="$folder/munge.key" --socket="$folder/munge.socket" --pid-file="$folder/munged.pid" \
@@ -54,7 +60,7 @@ munged --force --key-file="$folder/munge.key" --socket="$folder/munge.socket" --
 cat >slurm.conf <<T
 ClusterName=ramure
 SlurmctldHost=$(hostname -s)(127.0.0.1)
-SlurmctldPort=17000
+SlurmctldPort=$port
 SlurmctldPidFile=$folder/slurmctld.pid
 SlurmctldLogFile=$folder/slurmctld.log
 StateSaveLocation=$folder/state
@@ -75,8 +81,8 @@ MpiDefault=none
 ReturnToService=2
 SlurmdTimeout=10
 SchedulerParameters=sched_min_interval=100000,batch_sched_delay=0
-NodeName=n1 NodeHostname=$(hostname -s) NodeAddr=127.0.0.1 Port=17001 CPUs=1
-NodeName=n2 NodeHostname=$(hostname -s) NodeAddr=127.0.0.1 Port=17002 CPUs=1
+NodeName=n1 NodeHostname=$(hostname -s) NodeAddr=127.0.0.1 Port=$first CPUs=1
+NodeName=n2 NodeHostname=$(hostname -s) NodeAddr=127.0.0.1 Port=$second CPUs=1
 PartitionName=all Nodes=n1,n2 Default=YES State=UP
 T
 slurmctld -c || fail "slurmctld does not start"

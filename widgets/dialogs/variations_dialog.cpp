@@ -25,7 +25,7 @@ namespace ramure {
 namespace {
 
 constexpr int formWidth = 260, restMs = 250;
-constexpr QSize usualSize{1096, 640}, leastSize{600, 380};
+constexpr QSize usualSize{1096, 640}, leastSize{700, 420};
 
 } // namespace
 

@@ -13,6 +13,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace ramure {
 namespace {
@@ -56,8 +57,8 @@ VariedParamsForm::VariedParamsForm(QWidget* parent)
     layout->addWidget(m_picker);
     layout->addWidget(area, 1);
     setFocusProxy(m_picker);
-    connect(m_picker, &QComboBox::activated, this, &VariedParamsForm::pick);
-    connect(m_picker->lineEdit(), &QLineEdit::returnPressed, this, &VariedParamsForm::pick);
+    connect(m_picker, &QComboBox::activated, this, &VariedParamsForm::pickSoon);
+    connect(m_picker->lineEdit(), &QLineEdit::returnPressed, this, &VariedParamsForm::pickSoon);
     retranslate();
 }
 
@@ -96,10 +97,24 @@ void VariedParamsForm::fillPicker()
     m_picker->clearEditText();
 }
 
-/// What was chosen from the list, or what was typed where it is the only one it can mean.
-void VariedParamsForm::pick()
+/// Return in the list of completions comes twice, and the box goes on with the item that was meant: it must
+/// not be gone.
+void VariedParamsForm::pickSoon()
 {
-    const QString typed = m_picker->currentText().trimmed();
+    if (std::exchange(m_isPicking, true))
+        return;
+    QMetaObject::invokeMethod(
+        this,
+        [this, typed = m_picker->currentText().trimmed()] {
+            m_isPicking = false;
+            pick(typed);
+        },
+        Qt::QueuedConnection);
+}
+
+/// What was chosen from the list, or what was typed where it is the only one it can mean.
+void VariedParamsForm::pick(const QString& typed)
+{
     int found = m_picker->findText(typed, Qt::MatchFixedString);
     if (found < 0 && !typed.isEmpty()) {
         found = m_picker->findText(typed, Qt::MatchContains);

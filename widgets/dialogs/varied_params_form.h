@@ -45,13 +45,15 @@ private:
     };
 
     void fillPicker();
-    void pick();
+    void pickSoon();
+    void pick(const QString& typed);
     void describe(const Row& row);
     void addFields(Row& row);
     void clearRows();
 
     NodeParams m_tree;
     AngleUnit m_unit = AngleUnit::Degrees;
+    bool m_isPicking = false;
     QComboBox* m_picker;
     QLabel* m_none;
     QWidget* m_list;
