@@ -239,34 +239,28 @@ void ExportDialog::takeFormat()
     const QFileInfo info(path());
     if (info.suffix().toLower() == pictureFormat || findFormat(path().toStdString(), FormatUse::Write))
         setPath(info.path() + u'/' + info.completeBaseName() + u'.' + suffix());
-    for (const Row row : {PartsRow, TreesRow, MomentRow})
-        m_form->setRowVisible(row, format() != nullptr || row == MomentRow);
-    m_form->setRowVisible(PrintRow, m_use == ExportUse::Print);
-    m_form->setRowVisible(ModelRow, m_use == ExportUse::Blender);
-    m_form->setRowVisible(FoliageRow, m_use == ExportUse::Blender || m_use == ExportUse::Web);
-    m_form->setRowVisible(LevelRow, m_use == ExportUse::Game);
-    m_form->setRowVisible(MapRow, holds(holdsTexture) && holds(holdsObjects));
-    m_form->setRowVisible(SpaceRow, holds(holdsSpace));
+    // Each row once: rows that go and come again in one go are lost to the form (Qt 6.4).
+    const bool isMesh =
+        format() && !isPrint(); // a print says itself what is written, how large and with which axes
+    const std::pair<Row, bool> rows[] = {{PrintRow, m_use == ExportUse::Print},
+                                         {ModelRow, m_use == ExportUse::Blender},
+                                         {PartsRow, isMesh},
+                                         {FoliageRow, m_use == ExportUse::Blender || m_use == ExportUse::Web},
+                                         {LevelRow, m_use == ExportUse::Game},
+                                         {MapRow, holds(holdsTexture) && holds(holdsObjects)},
+                                         {SpaceRow, isMesh && holds(holdsSpace)},
+                                         {TreesRow, format() != nullptr},
+                                         {MomentRow, !format() || isMesh},
+                                         {PictureRow, !format()}};
+    for (const auto& [row, isShown] : rows)
+        m_form->setRowVisible(row, isShown);
     m_moments->setClips(holds(holdsClip));
-    showPrintRows({ModelRow, PartsRow, FoliageRow, SpaceRow, MomentRow});
-    m_form->setRowVisible(PictureRow, !format());
     m_moments->setPictures(!format());
     // A picture shows what the view shows.
     if (!format() && m_shownFrame > 0 && m_moments->moment() == ExportMoment::Rest)
         m_moments->setMoment(ExportMoment::Shown);
     updateWidgets();
     adjustSize();
-    arrangeRows();
-}
-
-/// A form that was asked how large it would like to be takes rows that have just come for arranged, where its own size
-/// stays the same (Qt 6.4): they are nowhere.
-void ExportDialog::arrangeRows()
-{
-    layout()->activate();
-    const QRect place = m_form->geometry();
-    m_form->setGeometry(place.adjusted(0, 0, 0, 1));
-    m_form->setGeometry(place);
 }
 
 void ExportDialog::updateWidgets()

@@ -7,7 +7,6 @@
 #include "widgets/dialogs/sequence_task.h"
 #include <QDialog>
 #include <QVariantMap>
-#include <initializer_list>
 #include <memory>
 #include <optional>
 
@@ -100,7 +99,6 @@ private:
     [[nodiscard]] bool mayExportFaults();
     void browse();
     void takeFormat();
-    void arrangeRows();
     void updateWidgets();
     void retranslateFormats();
     void retranslateMore();
@@ -126,7 +124,6 @@ private:
     void forgetKept();
     // export_print.cpp
     [[nodiscard]] bool isPrint() const;
-    void showPrintRows(std::initializer_list<int> rows);
     void takePrint();
     void forgetPrint();
     void startPrint(const QString& file);

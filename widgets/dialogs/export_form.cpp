@@ -124,7 +124,11 @@ void ExportDialog::takeUse(int tab)
     fillFormats();
     fillKept();
     setMessage({}, false);
-    m_printing->setWanted(m_use == ExportUse::Print);
+    {
+        const QSignalBlocker once(m_printing); // the page is laid out below
+        m_printing->setWanted(m_use == ExportUse::Print);
+    }
+    forgetPrint();
     takeFormat();
 }
 

@@ -5,20 +5,12 @@
 #include "widgets/dialogs/export_task.h"
 #include "widgets/dialogs/moment_form.h"
 #include "widgets/dialogs/print_form.h"
-#include <QFormLayout>
 
 namespace ramure {
 
 bool ExportDialog::isPrint() const
 {
     return format() && m_printing->isWanted();
-}
-
-/// A print says itself what is written, how large and with which axes.
-void ExportDialog::showPrintRows(std::initializer_list<int> rows)
-{
-    for (const int row : rows)
-        m_form->setRowVisible(row, !isPrint() && m_form->isRowVisible(row));
 }
 
 void ExportDialog::takePrint()
