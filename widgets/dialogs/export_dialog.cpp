@@ -20,7 +20,6 @@
 #include <QDir>
 #include <QEvent>
 #include <QFileInfo>
-#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
@@ -239,7 +238,6 @@ void ExportDialog::takeFormat()
     const QFileInfo info(path());
     if (info.suffix().toLower() == pictureFormat || findFormat(path().toStdString(), FormatUse::Write))
         setPath(info.path() + u'/' + info.completeBaseName() + u'.' + suffix());
-    // Each row once: rows that go and come again in one go are lost to the form (Qt 6.4).
     const bool isMesh =
         format() && !isPrint(); // a print says itself what is written, how large and with which axes
     const std::pair<Row, bool> rows[] = {{PrintRow, m_use == ExportUse::Print},
@@ -252,8 +250,10 @@ void ExportDialog::takeFormat()
                                          {TreesRow, format() != nullptr},
                                          {MomentRow, !format() || isMesh},
                                          {PictureRow, !format()}};
-    for (const auto& [row, isShown] : rows)
-        m_form->setRowVisible(row, isShown);
+    for (const auto& [row, isShown] : rows) {
+        m_rows[row].label->setVisible(isShown);
+        m_rows[row].field->setVisible(isShown);
+    }
     m_moments->setClips(holds(holdsClip));
     m_moments->setPictures(!format());
     // A picture shows what the view shows.

@@ -9,11 +9,12 @@
 #include <QVariantMap>
 #include <memory>
 #include <optional>
+#include <vector>
 
 class QCheckBox;
 class QComboBox;
 class QDialogButtonBox;
-class QFormLayout;
+class QGridLayout;
 class QLabel;
 class QLayout;
 class QLineEdit;
@@ -151,7 +152,13 @@ private:
     bool m_mayReplaceAll = false; ///< it is done again
     ExportUse m_use = ExportUse::Blender;
     QTabBar* m_uses = nullptr;
-    QFormLayout* m_form = nullptr;
+    struct FormRow
+    {
+        QLabel* label;
+        QWidget* field;
+    };
+    QGridLayout* m_form = nullptr;
+    std::vector<FormRow> m_rows; ///< by Row
     QComboBox* m_kept = nullptr; ///< settings under names
     QPushButton* m_keep = nullptr;
     QPushButton* m_forget = nullptr;

@@ -12,7 +12,7 @@
 #include "widgets/dialogs/space_form.h"
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFormLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
@@ -30,10 +30,12 @@ void ExportDialog::buildForm()
     layout->setContentsMargins(18, 18, 18, 14);
     layout->setSpacing(14);
     buildUses(layout);
-    m_form = new QFormLayout;
+    // No QFormLayout: its rows that are hidden take the height of others (Qt 6.4, where some wrap their
+    // text).
+    m_form = new QGridLayout;
     m_form->setHorizontalSpacing(14);
     m_form->setVerticalSpacing(10);
-    m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    m_form->setColumnStretch(1, 1);
     m_format = new QComboBox(this);
     m_model = new QComboBox(this);
     fillFormats();
@@ -65,25 +67,30 @@ void ExportDialog::buildForm()
 /// In the order of Row.
 void ExportDialog::addFormRows()
 {
-    // An empty text would make no label: retranslate() fills it.
-    const auto addRow = [this](auto* field) { m_form->addRow(new QLabel(this), field); };
     auto* scope = new QVBoxLayout;
     scope->setSpacing(6);
     scope->addWidget(m_selection);
     scope->addWidget(m_hidden);
-    addRow(buildKept());
-    addRow(m_format);
-    addRow(m_printing);
-    addRow(m_model);
-    addRow(buildParts());
-    addRow(m_foliage);
-    addRow(m_levels);
-    addRow(m_maps);
-    addRow(m_space);
-    addRow(scope);
-    addRow(m_moments);
-    addRow(m_pictures);
-    addRow(buildTarget());
+    const auto held = [this](QLayout* layout) {
+        auto* holder = new QWidget(this);
+        layout->setContentsMargins(0, 0, 0, 0);
+        holder->setLayout(layout);
+        return holder;
+    };
+    for (QWidget* field :
+         {held(buildKept()), static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_printing),
+          static_cast<QWidget*>(m_model), held(buildParts()), static_cast<QWidget*>(m_foliage),
+          static_cast<QWidget*>(m_levels), static_cast<QWidget*>(m_maps), static_cast<QWidget*>(m_space),
+          held(scope), static_cast<QWidget*>(m_moments), static_cast<QWidget*>(m_pictures),
+          held(buildTarget())}) {
+        const int row = static_cast<int>(m_rows.size());
+        auto* label = new QLabel(this);                         // retranslate() fills it
+        label->setMinimumHeight(m_format->sizeHint().height()); // beside the first line of its field
+        m_form->addWidget(label, row, 0, Qt::AlignTop);
+        m_form->addWidget(field, row, 1);
+        m_rows.push_back({label, field});
+    }
+    m_form->setRowStretch(static_cast<int>(m_rows.size()), 1); // what is left
     QWidget* before = m_uses;
     for (QWidget* next :
          {static_cast<QWidget*>(m_kept), static_cast<QWidget*>(m_keep), static_cast<QWidget*>(m_forget),
@@ -278,10 +285,8 @@ void ExportDialog::retranslate()
         tr("Settings"),         tr("Format"),  tr("For print"), tr("Model"),         tr("Parts"),
         tr("Leaves and fruit"), tr("Levels"),  tr("Pictures"),  tr("Axes and unit"), tr("Nodes"),
         tr("Moment"),           tr("Picture"), tr("File")};
-    for (int row = 0; row < m_form->rowCount(); ++row) {
-        auto* label = qobject_cast<QLabel*>(m_form->itemAt(row, QFormLayout::LabelRole)->widget());
-        label->setText(labels[row]);
-    }
+    for (std::size_t row = 0; row < m_rows.size(); ++row)
+        m_rows[row].label->setText(labels[row]);
     m_kept->setAccessibleName(labels[KeptRow]);
     m_maps->setAccessibleName(labels[MapRow]);
     m_format->setAccessibleName(labels[FormatRow]);
