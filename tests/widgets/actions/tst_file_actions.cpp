@@ -55,7 +55,8 @@ private slots:
     void theLastExportIsNamed()
     {
         QAction* again = m_set->find(QStringLiteral("file.exportAgain"));
-        QVERIFY(again && !again->isEnabled() && again->toolTip().contains(QStringLiteral("Nothing was exported")));
+        QVERIFY(again && !again->isEnabled() &&
+                again->toolTip().contains(QStringLiteral("Nothing was exported")));
         QSignalSpy asked(m_files.get(), &FileActions::exportAgainRequested);
         again->trigger();
         QCOMPARE(asked.count(), 0);

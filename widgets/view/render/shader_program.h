@@ -26,7 +26,7 @@ inline constexpr const char* still = "#define STILL\n";       ///< no bones
 inline constexpr const char* unmarked = "#define UNMARKED\n"; ///< nothing is selected or hovered
 inline constexpr const char* one = "#define ONE_SHADOW\n";    ///< no map of what is near
 inline constexpr const char* meadow = "#define MEADOW\n";     ///< the plain sky and ground
-inline constexpr const char* level = "#define LEVEL\n";       ///< a ground in perspective: its depth is linear
+inline constexpr const char* level = "#define LEVEL\n"; ///< a ground in perspective: its depth is linear
 inline constexpr std::array all{still, unmarked, one, meadow, level};
 } // namespace switches
 
