@@ -20,6 +20,7 @@
 #include <QDir>
 #include <QEvent>
 #include <QFileInfo>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QProgressBar>
@@ -27,6 +28,7 @@
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QTabBar>
+#include <QVBoxLayout>
 
 namespace ramure {
 
