@@ -144,7 +144,7 @@ private slots:
         QVERIFY(isRefused(exported({"--levels", "3", "--budget", "1000,500"}), "as many budgets"));
         QVERIFY(isRefused(exported({"--levels", "2", "--model", "rough"}), "finished mesh"));
         QVERIFY(!QFile::exists(path("l_LOD0.obj")));
-        const CliRun run = exported({"--budget", "4000,1000", "--report", path("l.json")});
+        const test::CliRun run = exported({"--budget", "4000,1000", "--report", path("l.json")});
         QVERIFY2(run.code == 0, qPrintable(run.err));
         QVERIFY(!QFile::exists(path("l.obj")));
         QCOMPARE(names(read(path("l_LOD1.obj"))),

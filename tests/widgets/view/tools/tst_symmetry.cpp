@@ -1,6 +1,7 @@
 #include "tests/support/hand_bench.h"
 #include "tests/support/shaped_tree.h"
 #include "tests/support/suite.h"
+#include "widgets/view/tools/symmetry.h"
 
 using namespace ramure;
 using test::HandBench;
