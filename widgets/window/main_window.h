@@ -125,6 +125,7 @@ private:
     void connectKeys();
     void fitKeysHeight(bool shown);
     void buildActions();
+    void buildManyTrees();
     void buildBranchActions();
     [[nodiscard]] QList<QAction*> branchActions() const
     {

@@ -235,6 +235,16 @@ void MainWindow::buildActions()
             m_files->setLastExport({});
     });
     connect(m_files, &FileActions::quitRequested, this, &QWidget::close);
+    buildManyTrees();
+    connect(m_edits, &EditActions::renameRequested, this, [this] {
+        showPanel(m_scene);
+        m_scene->renameActive();
+    });
+}
+
+/// The windows that show many trees like one.
+void MainWindow::buildManyTrees()
+{
     const auto seeds = [this] {
         if (!m_seeds)
             m_seeds = new SeedsDialog(m_document, this);
@@ -250,10 +260,6 @@ void MainWindow::buildActions()
                     &GalleryPanel::refreshOwn);
         }
         m_variations->offerFor(tree);
-    });
-    connect(m_edits, &EditActions::renameRequested, this, [this] {
-        showPanel(m_scene);
-        m_scene->renameActive();
     });
 }
 

@@ -190,6 +190,8 @@ private slots:
             double place = 0.0, picture = 0.0;
             const TriangleMesh& bark = *level.bark;
             for (std::size_t t = 0; t < bark.triangles.size(); ++t) {
+                if (bark.level[bark.triangles[t].x] != 0) // on twigs a tile is as small as they are thin
+                    continue;
                 const glm::dvec3 a(bark.positions[bark.triangles[t].x]),
                     b(bark.positions[bark.triangles[t].y]), c(bark.positions[bark.triangles[t].z]);
                 const glm::dvec2 u(bark.uv[bark.uvTriangles[t].x]), v(bark.uv[bark.uvTriangles[t].y]),

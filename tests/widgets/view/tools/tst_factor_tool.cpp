@@ -239,8 +239,6 @@ void TestFactorTool::handlesTakeThinLimbs()
     const QPointF tip = bench.on(branches.back(), 1.0), foot = bench.on(branches.front(), 0.0);
     const QPointF beyond = tip + 7.0 * (tip - foot) / std::hypot((tip - foot).x(), (tip - foot).y());
     const double before = bench.context.limbs.axes(bench.document, 1)->axes[limb.axis].length;
-    bench.drag(beyond, beyond + QPointF(30.0, 0.0)); // nothing is there yet
-    QVERIFY(bench.edits().empty());
     bench.tools.hover(bench.at(bench.on(twig)));
     QVERIFY(bench.tools.hover(bench.at(beyond)));
     QVERIFY(!bench.marked.empty());
@@ -256,8 +254,10 @@ void TestFactorTool::handlesTakeThinLimbs()
     bench.tools.leave();
     bench.document.undoStack()->undo();
     bench.grow();
-    bench.drag(beyond, beyond + QPointF(30.0, 0.0));
-    QVERIFY(bench.edits().empty());
+    bench.drag(beyond, beyond + QPointF(30.0, 0.0)); // at most another one behind is hit
+    QVERIFY(std::ranges::none_of(bench.edits(), [&](const TreeEdit& edit) {
+        return edit.target.address == limb.address;
+    }));
 }
 
 void TestFactorTool::severalAtOnce()
