@@ -255,9 +255,8 @@ void TestFactorTool::handlesTakeThinLimbs()
     bench.document.undoStack()->undo();
     bench.grow();
     bench.drag(beyond, beyond + QPointF(30.0, 0.0)); // at most another one behind is hit
-    QVERIFY(std::ranges::none_of(bench.edits(), [&](const TreeEdit& edit) {
-        return edit.target.address == limb.address;
-    }));
+    QVERIFY(std::ranges::none_of(bench.edits(),
+                                 [&](const TreeEdit& edit) { return edit.target.address == limb.address; }));
 }
 
 void TestFactorTool::severalAtOnce()
