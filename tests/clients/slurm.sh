@@ -15,7 +15,7 @@ export SLURM_CONF=$folder/slurm.conf
 
 fail() {
     echo "slurm: $*" >&2
-    tail -5 "$folder"/*.log "$folder"/trees/slurm-*.out >&2 || true
+    tail -n 5 "$folder"/*.log "$folder"/trees/slurm-*.out >&2 || true
     exit 1
 }
 
@@ -25,7 +25,7 @@ await() {
     shift 2
     until "$@"; do
         [ $SECONDS -lt $end ] || fail "waited in vain until $what"
-        sleep 0.5
+        sleep 0.1
     done
 }
 
@@ -40,7 +40,7 @@ trap stop EXIT
 {
     echo "preset,seed,sections.radialDivisions"
     for ((i = 1; i <= rows; i++)); do # one in twenty takes long enough to be hit
-        if [ $((i % 20)) -eq 0 ]; then echo "SmallTree,$i,"; else echo "TinyTree,$i,4"; fi
+        if [ $((i % 20)) -eq 0 ]; then echo "SmallTree,$i,24"; else echo "TinyTree,$i,4"; fi
     done
 } >variations.csv
 files=(--file '{block}/{preset}_{seed}.obj')
