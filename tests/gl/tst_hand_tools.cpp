@@ -221,6 +221,26 @@ private slots:
         m_document->undoStack()->undo();
         QCOMPARE(panel->model()->rowCount(), 0);
     }
+    /// On the trunk, which stands: what hangs from it stays on its side.
+    void aLeafGrowsOnTheSideThatIsClicked()
+    {
+        const auto leavesNow = [&] { return m_document->result(tree())->tree.foliage->leaves; };
+        const auto own = leavesNow();
+        key(Qt::SHIFT | Qt::Key_V);
+        QTest::mouseClick(view(), Qt::LeftButton, {}, pixelOf(0, 0.6));
+        QTRY_COMPARE_WITH_TIMEOUT(edits().size(), std::size_t(1), patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(isSettled(), patienceMs);
+        const auto leaves = leavesNow();
+        QCOMPARE(leaves.size(), own.size() + 1);
+        const auto placed = std::ranges::find_if(leaves, [&own](const auto& leaf) {
+            return std::ranges::find(own, leaf.position, &std::decay_t<decltype(leaf)>::position) ==
+                   own.end();
+        });
+        QVERIFY(placed != leaves.end());
+        const auto level = [](const glm::dvec3& v) { return glm::normalize(glm::dvec2(v.x, v.z)); };
+        const glm::dvec3 trunk = glm::mix(skeleton().p0[0], skeleton().p1[0], 0.6);
+        QVERIFY(glm::dot(level(placed->position - trunk), level(view()->camera().eye() - trunk)) > 0.9);
+    }
     void aPenDrawsByPressure()
     {
         key(Qt::Key_D);
