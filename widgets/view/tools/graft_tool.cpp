@@ -1,11 +1,8 @@
 // A limb is copied with all on it, and grows somewhere else.
 #include "widgets/view/tools/edit_tool.h"
 #include "widgets/view/tools/tool_table.h"
-#include "widgets/view/tools/turned_limb.h"
 #include <QCoreApplication>
 #include <QPainter>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace ramure {
@@ -87,32 +84,15 @@ Expected<void> GraftTool::copy(const LimbHit& limb)
 
 Expected<void> GraftTool::put(const LimbHit& limb)
 {
-    auto gesture = HandEdit::begin(m_context.document, limb.node);
-    if (!gesture)
-        return tl::unexpected(gesture.error());
     const HandOptions& options = m_context.hand.options();
-    const auto frame = (*gesture)->context().frameOn(limb.address, limb.share);
-    const glm::dvec3 aside = TurnedLimb(m_context.document, limb).direction(limb.aside);
-    // It grows out on the side that was clicked.
-    const double azimuth =
-        frame ? std::atan2(glm::dot(aside, frame->binormal), glm::dot(aside, frame->normal)) : 0.0;
-    std::vector<TreeEdit> edits;
-    for (int copy = 0; copy < options.copies; ++copy) {
-        TreeEdit edit;
-        edit.operation = EditOperation::Graft;
-        edit.target.address = limb.address;
-        edit.at = limb.share;
-        edit.azimuthRad = azimuth + 2.0 * std::numbers::pi * copy / options.copies;
-        edit.factor = options.graftSize;
-        if (m_source->node == limb.node)
-            edit.other.address = m_source->address;
-        else
-            edit.limb = m_source->limb;
-        edits.push_back(std::move(edit));
-    }
-    auto done = (*gesture)->replace(edits).and_then([&] { return (*gesture)->show(); });
-    done ? (*gesture)->keep() : (*gesture)->cancel();
-    return done;
+    TreeEdit edit;
+    edit.operation = EditOperation::Graft;
+    edit.factor = options.graftSize;
+    if (m_source->node == limb.node)
+        edit.other.address = m_source->address;
+    else
+        edit.limb = m_source->limb;
+    return putAround(m_context.document, limb, std::move(edit), options.copies);
 }
 
 } // namespace

@@ -1,6 +1,9 @@
 #include "widgets/view/tools/hand_edit.h"
 
+#include "widgets/view/tools/turned_limb.h"
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <set>
 #include <utility>
 
@@ -134,6 +137,27 @@ TreeEdit editOf(EditOperation operation, const LimbHit& limb)
 }
 
 } // namespace
+
+Expected<void> putAround(Document& document, const LimbHit& limb, TreeEdit edit, int copies)
+{
+    auto gesture = HandEdit::begin(document, limb.node);
+    if (!gesture)
+        return tl::unexpected(gesture.error());
+    const auto frame = (*gesture)->context().frameOn(limb.address, limb.share);
+    const glm::dvec3 aside = TurnedLimb(document, limb).direction(limb.aside);
+    const double azimuth =
+        frame ? std::atan2(glm::dot(aside, frame->binormal), glm::dot(aside, frame->normal)) : 0.0;
+    edit.target.address = limb.address;
+    edit.at = limb.share;
+    std::vector<TreeEdit> edits;
+    for (int copy = 0; copy < copies; ++copy) {
+        edit.azimuthRad = azimuth + 2.0 * std::numbers::pi * copy / copies;
+        edits.push_back(edit);
+    }
+    auto done = (*gesture)->replace(edits).and_then([&] { return (*gesture)->show(); });
+    done ? (*gesture)->keep() : (*gesture)->cancel();
+    return done;
+}
 
 Expected<void> removeLimbs(Document& document, const std::vector<LimbHit>& limbs, bool whole)
 {

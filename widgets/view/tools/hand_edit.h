@@ -54,6 +54,9 @@ private:
     GestureId m_gesture = 0;
 };
 
+/// So many of an edit evenly around the limb where it was hit, the first on the side that was clicked: its
+/// target, place and azimuth are set here. One step of undo. Errors: why not; then nothing changes.
+Expected<void> putAround(Document& document, const LimbHit& limb, TreeEdit edit, int copies);
 /// The limbs go, with all on them; of one that is meant from a place on, what lies above it. What is gone
 /// with another one is left out. \param whole limbs go from their feet on, wherever they are meant. One step
 /// of undo. Errors: why not; then nothing changes.

@@ -3,11 +3,8 @@
 #include "widgets/base/core_text.h"
 #include "widgets/view/tools/edit_tool.h"
 #include "widgets/view/tools/tool_table.h"
-#include "widgets/view/tools/turned_limb.h"
 #include <QCoreApplication>
 #include <QPainter>
-#include <cmath>
-#include <numbers>
 
 namespace ramure {
 namespace {
@@ -53,27 +50,12 @@ private:
 
 Expected<void> PlaceTool::act(const LimbHit& limb, Qt::KeyboardModifiers)
 {
-    auto gesture = HandEdit::begin(m_context.document, limb.node);
-    if (!gesture)
-        return tl::unexpected(gesture.error());
     const HandOptions& options = m_context.hand.options();
-    const auto frame = (*gesture)->context().frameOn(limb.address, limb.share);
-    const glm::dvec3 aside = TurnedLimb(m_context.document, limb).direction(limb.aside);
-    const double azimuth =
-        frame ? std::atan2(glm::dot(aside, frame->binormal), glm::dot(aside, frame->normal)) : 0.0;
-    std::vector<TreeEdit> edits;
-    for (int copy = 0; copy < options.copies; ++copy) {
-        TreeEdit edit;
-        edit.operation = EditOperation::Place;
-        edit.target.address = limb.address;
-        edit.at = limb.share;
-        edit.azimuthRad = azimuth + 2.0 * std::numbers::pi * copy / options.copies;
-        edit.factor = options.organSize;
-        edit.organ = options.organ;
-        edits.push_back(std::move(edit));
-    }
-    auto done = (*gesture)->replace(edits).and_then([&] { return (*gesture)->show(); });
-    done ? (*gesture)->keep() : (*gesture)->cancel();
+    TreeEdit edit;
+    edit.operation = EditOperation::Place;
+    edit.factor = options.organSize;
+    edit.organ = options.organ;
+    auto done = putAround(m_context.document, limb, std::move(edit), options.copies);
     if (done)
         sayWhatItIs(limb.node);
     return done;
