@@ -956,10 +956,6 @@
         <translation>&amp;Couper</translation>
     </message>
     <message>
-        <source>Cut a branch where you click: what lies above falls away</source>
-        <translation>Couper une branche là où l’on clique : ce qui est au-dessus tombe</translation>
-    </message>
-    <message>
         <source>&amp;Saw</source>
         <translation>&amp;Scier</translation>
     </message>
@@ -1130,6 +1126,10 @@
     <message>
         <source>Many trees from this one, by seeds and ranges of parameters: look at them, star the good ones, write a table for a batch</source>
         <translation>De nombreux arbres à partir de celui-ci, par graines et plages de paramètres : les regarder, marquer les bons d’une étoile, écrire un tableau pour un lot</translation>
+    </message>
+    <message>
+        <source>Cut a branch where you click: what lies above goes, or falls</source>
+        <translation>Couper une branche là où vous cliquez : ce qui est au-dessus s’en va, ou tombe</translation>
     </message>
 </context>
 <context>
@@ -1939,6 +1939,30 @@
     <message>
         <source>The same happens to the limb on the other side of the trunk, as the view shows it, where there is one like it</source>
         <translation>La même chose arrive à la branche de l’autre côté du tronc, comme la vue le montre, s’il y en a une semblable</translation>
+    </message>
+    <message>
+        <source>Goes</source>
+        <translation>S’en va</translation>
+    </message>
+    <message>
+        <source>Falls</source>
+        <translation>Tombe</translation>
+    </message>
+    <message>
+        <source>What is cut off</source>
+        <translation>Ce qui est coupé</translation>
+    </message>
+    <message>
+        <source>It goes at once; or it hangs in its place, and falls to the ground when the timeline plays</source>
+        <translation>S’en va aussitôt ; ou reste à sa place, et tombe au sol quand la ligne de temps joue</translation>
+    </message>
+    <message>
+        <source>Falls after</source>
+        <translation>Tombe après</translation>
+    </message>
+    <message>
+        <source>Of the timeline: so long it still hangs in its place</source>
+        <translation>Temps de la ligne de temps pendant lequel cela reste encore à sa place</translation>
     </message>
 </context>
 <context>
@@ -7070,6 +7094,10 @@
         <source>level %1: a budget of %2 triangles is more than the most, %3</source>
         <translation>niveau %1 : un budget de %2 triangles dépasse le maximum, %3</translation>
     </message>
+    <message>
+        <source>the limb has been cut off already</source>
+        <translation>la branche est déjà coupée</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -8249,6 +8277,10 @@ OpenGL&#xa0;: %4
             <numerusform>À %n endroit autour du tronc, aucune branche ne lui ressemble : il ne s’y passe rien.</numerusform>
             <numerusform>À %n endroits autour du tronc, aucune branche ne leur ressemble : il ne s’y passe rien.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Cut: what hangs there falls when the timeline plays.</source>
+        <translation>Coupé : ce qui pend là tombe quand la ligne de temps joue.</translation>
     </message>
 </context>
 <context>

@@ -13,7 +13,7 @@
 namespace ramure {
 
 enum class EditOperation : std::uint8_t {
-    Cut,       ///< what lies above `at` goes; a closed end stays
+    Cut,       ///< what lies above `at` goes, or falls; a closed end stays
     Remove,    ///< the limb goes, with all on it
     Keep,      ///< all goes but the limb, what is on it and the way down to the ground
     Bend,      ///< what lies above `from` is turned about that point
@@ -108,6 +108,8 @@ struct TreeEdit
     glm::dvec3 offset{0.0}; ///< m
     bool below = false;     ///< also what grows on the axis; Draw: as on a limb beside it
     bool shown = true;
+    bool falls = false;   ///< Cut: what is cut off stays in its place, and falls when the physics plays
+    double seconds = 0.0; ///< Cut: when it comes off
     EditOrgan organ = EditOrgan::Leaf;
     EditShape shape{};
     std::vector<StrokePoint> points{}; ///< Draw and Redraw: from the fork; Extend: from the tip, in its frame

@@ -13,7 +13,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double farAway = 1e5; ///< m
 
 constexpr EditOperationInfo operations[] = {
-    {EditOperation::Cut, "cut", RAMURE_NOOP("Cut"), "target", "", editAt | editNeedsTarget},
+    {EditOperation::Cut, "cut", RAMURE_NOOP("Cut"), "target", "", editAt | editFalls | editNeedsTarget},
     {EditOperation::Remove, "remove", RAMURE_NOOP("Remove"), "target", "", editNeedsTarget},
     {EditOperation::Keep, "keep", RAMURE_NOOP("Keep only this"), "target", "", editNeedsTarget},
     {EditOperation::Bend, "bend", RAMURE_NOOP("Bend"), "target", "",
@@ -57,6 +57,7 @@ constexpr EditNumber numbers[] = {
     {"azimuth", &TreeEdit::azimuthRad, editAzimuth, -100.0 * pi, 100.0 * pi, true},
     {"radius", &TreeEdit::radius, editRadius, 1e-6, farAway, false},
     {"strength", &TreeEdit::strength, editStrength, -1.0, 1.0, false},
+    {"seconds", &TreeEdit::seconds, editFalls, 0.0, 86400.0, false},
 };
 
 constexpr EditVector vectors[] = {
@@ -69,6 +70,7 @@ constexpr EditVector vectors[] = {
 constexpr EditFlag flags[] = {
     {"below", &TreeEdit::below, editBelow},
     {"shown", &TreeEdit::shown, editShown},
+    {"falls", &TreeEdit::falls, editFalls},
 };
 
 constexpr EditShapeInfo shapes[] = {

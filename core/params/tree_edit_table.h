@@ -34,6 +34,7 @@ enum EditField : std::uint32_t {
     editTreeSpace = 524288,   ///< vectors are in tree space
     editMakesAxes = 1048576,  ///< names of axes come from TreeEdit::id
     editOrgan = 2097152,
+    editFalls = 4194304, ///< TreeEdit::falls and seconds
 };
 
 struct EditOperationInfo

@@ -56,6 +56,7 @@ void add(StageHash& hash, const TreeEdit& edit)
     add(hash, edit.other);
     hash.add(edit.at).add(edit.from).add(edit.to).add(edit.factor).add(edit.angleRad).add(edit.azimuthRad);
     hash.add(edit.radius).add(edit.strength).add(edit.below).add(edit.shown);
+    hash.add(edit.falls).add(edit.seconds);
     for (const glm::dvec3& v : {edit.rotation, edit.direction, edit.centre, edit.offset})
         add(hash, v);
     hash.add(static_cast<int>(edit.shape.kind));

@@ -55,7 +55,7 @@ std::size_t bytesOf(const Skeleton& s)
 {
     return bytesOf(s.parent) + bytesOf(s.p0) + bytesOf(s.p1) + bytesOf(s.a0) + bytesOf(s.a1) +
            bytesOf(s.level) + bytesOf(s.key) + bytesOf(s.source) + bytesOf(s.organs) + bytesOf(s.axisStarts) +
-           bytesOf(s.bare) + bytesOf(s.sawn);
+           bytesOf(s.bare) + bytesOf(s.sawn) + bytesOf(s.loose);
 }
 std::size_t bytesOf(const TreeAxes& tree)
 {

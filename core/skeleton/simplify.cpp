@@ -148,6 +148,10 @@ Expected<SimplifiedSkeleton> simplify(const Skeleton& skeleton, double rotationT
     for (const Index i : skeleton.sawn)
         if (children[i] == 0)
             result.skeleton.sawn.push_back(result.mergedInto[i]);
+    for (const LooseLimb& limb : skeleton.loose)
+        result.skeleton.loose.push_back({result.mergedInto[limb.first],
+                                         limb.stump == noIndex ? noIndex : result.mergedInto[limb.stump],
+                                         limb.seconds});
     return result;
 }
 

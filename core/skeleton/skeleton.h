@@ -31,6 +31,15 @@ struct Organ
     bool operator==(const Organ&) const = default;
 };
 
+/// A limb that was cut and falls when the physics plays: a tree of its own, with a root in the air.
+struct LooseLimb
+{
+    Index first = noIndex; ///< its root
+    Index stump = noIndex; ///< the branch that it came off, and hangs on until then; noIndex: none is left
+    double seconds = 0.0;  ///< after the beginning: when it comes off
+    bool operator==(const LooseLimb&) const = default;
+};
+
 /// Invariants: all arrays have one length; parent[i] < i or noIndex (a root); a child starts at its parent's
 /// p1.
 struct Skeleton
@@ -49,8 +58,9 @@ struct Skeleton
     /// First branches of axes with the axes' addresses, ascending, where edits were made: axes are no longer
     /// where levels say, and keep their addresses whatever happened beside them. Empty: by levels and ranks.
     std::vector<std::pair<Index, std::uint64_t>> axisStarts;
-    std::vector<Index> bare; ///< branches on which no leaf and no fruit grows by itself, ascending
-    std::vector<Index> sawn; ///< branches whose end was cut, ascending: it is flat
+    std::vector<Index> bare;      ///< branches on which no leaf and no fruit grows by itself, ascending
+    std::vector<Index> sawn;      ///< branches whose end was cut, ascending: it is flat
+    std::vector<LooseLimb> loose; ///< ascending by their roots
 
     [[nodiscard]] Index size() const { return static_cast<Index>(parent.size()); }
     [[nodiscard]] bool empty() const { return parent.empty(); }

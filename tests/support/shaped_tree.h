@@ -136,6 +136,8 @@ inline TreeEdit randomEdit(const TreeAxes& axes, const Skeleton& skeleton, Rando
     edit.below = random.below(2) == 0;
     edit.shown = random.below(2) == 0;
     edit.organ = static_cast<EditOrgan>(random.below(3));
+    edit.falls = random.below(3) == 0;
+    edit.seconds = random.range(0.0, 1.0);
     const glm::dvec3& c = skeleton.p1[random.below(skeleton.size())];
     edit.shape.kind = static_cast<EditShapeKind>(random.below(4));
     const double r = random.range(0.2, 0.8) * size;

@@ -21,7 +21,7 @@ using Word = std::uint64_t;
 constexpr std::array<char, sizeof(Word)> magicWord{'R', 'A', 'M', 'R', 'P', 'H', 'Y', 'S'};
 constexpr Word version = 2;          ///< 1 knew no settled trees
 constexpr std::size_t headWords = 3; // magic, version, number of words
-constexpr std::size_t stateHeadWords = 7, appleWords = 15;
+constexpr std::size_t stateHeadWords = 7, appleWords = 15, limbWords = 15;
 
 /// \param sum of what stands before; the file's version at the beginning.
 Word checksumOf(const std::vector<Word>& words, Word sum)
@@ -72,6 +72,11 @@ public:
                 add(apple.orientation.z);
             add(apple.velocity), add(apple.spin);
         }
+        for (const FallingLimb& limb : state.limbs) { // as many as the body has
+            add(limb.phase), add(limb.calm), add(limb.centre);
+            add(limb.rotation.w), add(limb.rotation.x), add(limb.rotation.y), add(limb.rotation.z);
+            add(limb.velocity), add(limb.spin);
+        }
         for (const double value : state.values)
             add(value);
     }
@@ -110,6 +115,13 @@ public:
     {
         const double x = real(), y = real();
         return {x, y, real()};
+    }
+    glm::dquat unitRotation()
+    {
+        glm::dquat q;
+        q.w = real(), q.x = real(), q.y = real(), q.z = real();
+        demand(std::abs(glm::length(q) - 1.0) < 1e-9);
+        return q;
     }
     std::int64_t step() { return static_cast<std::int64_t>(word(maxPhysicsSteps)); }
     /// A count of things of at least \p each words.
@@ -206,14 +218,22 @@ LooseApple readApple(WordReader& in, const TreeBody& body)
     in.demand(apple.apple < body.appleSlot.size());
     apple.resting = in.word(1) == 1;
     apple.position = in.vector();
-    apple.orientation.w = in.real();
-    apple.orientation.x = in.real();
-    apple.orientation.y = in.real();
-    apple.orientation.z = in.real();
-    in.demand(std::abs(glm::length(apple.orientation) - 1.0) < 1e-9);
+    apple.orientation = in.unitRotation();
     apple.velocity = in.vector();
     apple.spin = in.vector();
     return apple;
+}
+
+FallingLimb readLimb(WordReader& in)
+{
+    FallingLimb limb;
+    limb.phase = static_cast<LimbPhase>(in.word(static_cast<Word>(LimbPhase::Resting)));
+    limb.calm = in.step();
+    limb.centre = in.vector();
+    limb.rotation = in.unitRotation();
+    limb.velocity = in.vector();
+    limb.spin = in.vector();
+    return limb;
 }
 
 void demandUnitRotations(WordReader& in, const PhysicsState& state)
@@ -239,6 +259,8 @@ PhysicsState readState(WordReader& in, const TreeBody& body, const HeldWeight& h
     state.slotCount = body.size();
     for (std::size_t count = in.count(appleWords); count > 0 && in.isGood(); --count)
         state.loose.push_back(readApple(in, body));
+    for (std::size_t i = 0; i < body.limbs.size() && in.isGood(); ++i)
+        state.limbs.push_back(readLimb(in));
     if (!in.isGood())
         return state;
     state.values.resize(std::size_t(state.channels()) * state.slotCount);
@@ -335,7 +357,8 @@ Expected<Baked> readBake(const std::string& path, const TreeBody& body, const Ph
 
 std::size_t wordCount(const PhysicsState& state)
 {
-    return stateHeadWords + appleWords * state.loose.size() + state.values.size();
+    return stateHeadWords + appleWords * state.loose.size() + limbWords * state.limbs.size() +
+           state.values.size();
 }
 
 void append(FileWriter& file, const std::vector<Word>& words)

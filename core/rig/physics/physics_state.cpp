@@ -9,7 +9,8 @@ HeldWeight heldWeight(const PhysicsParams& params)
 
 std::size_t PhysicsState::bytes() const
 {
-    return sizeof *this + values.capacity() * sizeof(double) + loose.capacity() * sizeof(LooseApple);
+    return sizeof *this + values.capacity() * sizeof(double) + loose.capacity() * sizeof(LooseApple) +
+           limbs.capacity() * sizeof(FallingLimb);
 }
 
 } // namespace ramure

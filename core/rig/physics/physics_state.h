@@ -26,6 +26,25 @@ struct LooseApple
     bool operator==(const LooseApple&) const = default;
 };
 
+enum class LimbPhase : std::uint8_t {
+    Hanging, ///< in its place, as its stump carries it
+    Tearing, ///< turns about its foot: what held it gives way
+    Falling,
+    Resting
+};
+
+/// A limb that was cut, as one rigid body; its branches go on swinging on it.
+struct FallingLimb
+{
+    LimbPhase phase = LimbPhase::Hanging;
+    std::int64_t calm = 0;                   ///< steps that it has hardly moved
+    glm::dvec3 centre{0.0};                  ///< of its mass, tree space, m
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0}; ///< from rest
+    glm::dvec3 velocity{0.0};                ///< m/s
+    glm::dvec3 spin{0.0};                    ///< rad/s
+    bool operator==(const FallingLimb&) const = default;
+};
+
 /// The hand that pulls a branch: a spring from a point of the branch to a target.
 struct Pull
 {
@@ -76,8 +95,9 @@ struct PhysicsState
     PhysicsMode mode = PhysicsMode::Robust;
     HeldWeight held; ///< the same throughout a run; the robust step reads it
     Index slotCount = 0;
-    std::vector<double> values;    ///< channels * slots
-    std::vector<LooseApple> loose; ///< in the order in which they fell
+    std::vector<double> values;     ///< channels * slots
+    std::vector<LooseApple> loose;  ///< in the order in which they fell
+    std::vector<FallingLimb> limbs; ///< those of TreeBody::limbs
 
     [[nodiscard]] std::span<double> channel(int c)
     {

@@ -10,8 +10,9 @@ void blendPose(const TreeBody& body, const Pose& other, double weight, Pose& pos
         const Index parent = body.parent[slot], branch = body.branchOf[slot];
         const glm::dvec3& rest = body.p0[slot];
         // Parents have lower slots: theirs is blended already.
-        const glm::dvec3 p0 = parent == noIndex ? pose.bones[branch].point(rest)
-                                                : pose.bones[body.branchOf[parent]].point(rest);
+        glm::dvec3 p0 = pose.bones[parent == noIndex ? branch : body.branchOf[parent]].point(rest);
+        if (parent == noIndex) // of what stands both are the same
+            p0 += weight * (other.bones[branch].point(rest) - p0);
         const glm::dquat &from = pose.bones[branch].rotation, &to = other.bones[branch].rotation;
         const glm::dquat rotation = slerped(from, glm::dot(from, to) < 0.0 ? -to : to, weight); // shorter way
         pose.bones[branch] = {rotation, p0 - rotation * rest};

@@ -1,6 +1,7 @@
 #include "core/rig/physics/tree_body.h"
 
 #include "core/math/stage_hash.h"
+#include "core/rig/physics/limb_fall.h"
 #include <algorithm>
 #include <numeric>
 
@@ -87,6 +88,8 @@ std::uint64_t keyOf(const TreeBody& body)
         addPoint(body.p0[slot]);
         addPoint(body.p1[slot]);
     }
+    for (const LooseBody& limb : body.limbs)
+        hash.add(limb.root).add(limb.stump).add(limb.seconds);
     hash.add(body.appleSlot.size()).add(body.appleRadius);
     for (std::size_t i = 0; i < body.appleSlot.size(); ++i) {
         hash.add(body.appleSlot[i]);
@@ -102,6 +105,7 @@ std::shared_ptr<const TreeBody> makeTreeBody(const Skeleton& skeleton, const Fol
     auto body = std::make_shared<TreeBody>();
     sortByDepth(skeleton, *body);
     takeBranches(skeleton, *body);
+    takeLimbs(skeleton.loose, *body);
     if (foliage)
         takeApples(*foliage, *body);
     body->appleRadius = alpha * fruitRadius(foliage ? foliage->fruit : FruitForm());

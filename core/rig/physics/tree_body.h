@@ -16,6 +16,19 @@
 
 namespace ramure {
 
+/// A limb that comes off (Skeleton::loose), as a rigid body.
+struct LooseBody
+{
+    Index root = noIndex;  ///< slot
+    Index stump = noIndex; ///< slot; noIndex: it stands on nothing
+    double seconds = 0.0;
+    glm::dvec3 centre{0.0};  ///< of mass, at rest
+    glm::dmat3 inertia{1.0}; ///< about it, m²: of a body of 1 kg
+    glm::dvec3 foot{0.0};    ///< where it was cut
+    /// What touches the ground: balls around its ends, of no size around its foot; from the centre, at rest.
+    std::vector<std::pair<glm::dvec3, double>> balls;
+};
+
 struct TreeBody
 {
     std::vector<Index> branchOf; ///< by slot: the branch of the skeleton
@@ -35,6 +48,9 @@ struct TreeBody
     std::vector<glm::dvec3> applePosition;
     std::vector<glm::dquat> appleOrientation;
     double appleRadius = 0.0; ///< m
+
+    std::vector<LooseBody> limbs; ///< in the order of Skeleton::loose
+    std::vector<Index> limbOf;    ///< by slot: among them, noIndex where it stays; empty: all stay
 
     Index firstTerminal = 0; ///< slot of the first branch (in the skeleton's order) without children
     std::uint64_t key = 0;   ///< hash of all of the above: one part of the key of a physics cache

@@ -4,6 +4,7 @@
 #include "core/params/param_def.h"
 #include "core/rig/physics/apple_fall.h"
 #include "core/rig/physics/faithful_step.h"
+#include "core/rig/physics/limb_fall.h"
 #include "core/rig/physics/robust_step.h"
 #include <algorithm>
 #include <cmath>
@@ -60,6 +61,44 @@ glm::dvec3 p0Of(const TreeBody& body, const PhysicsState& state, Index slot)
         root = at;
     }
     return body.p0[root] + below;
+}
+
+RigidTransform boneOf(const TreeBody& body, const PhysicsState& state, Index slot)
+{
+    const glm::dquat rotation = rotationOf(state, slot);
+    return {rotation, p0Of(body, state, slot) - rotation * body.p0[slot]};
+}
+
+/// How far a limb has come from where its branches would be if it were still held.
+RigidTransform limbPose(const TreeBody& body, const PhysicsState& state, Index limb)
+{
+    const LooseBody& own = body.limbs[limb];
+    const FallingLimb& now = state.limbs[limb];
+    if (now.phase != LimbPhase::Hanging)
+        return {now.rotation, now.centre - now.rotation * own.centre};
+    if (own.stump == noIndex)
+        return {};
+    const RigidTransform held = boneOf(body, state, own.stump);
+    const Index below = body.limbOf[own.stump];
+    return below == noIndex ? held : limbPose(body, state, below) * held;
+}
+
+void stepLimbs(const TreeBody& body, const PhysicsParams& params, PhysicsState& state)
+{
+    for (Index i = 0; i < body.limbs.size(); ++i) {
+        const LooseBody& limb = body.limbs[i];
+        FallingLimb& now = state.limbs[i];
+        if (now.phase == LimbPhase::Hanging && state.timeSeconds >= limb.seconds)
+            letGo(limb, limbPose(body, state, i),
+                  limb.stump == noIndex ? glm::dvec3(0.0) : vectorOf(state, PhysicsState::VelX, limb.stump),
+                  now);
+        stepLimb(limb, params, params.stepSeconds, now);
+    }
+}
+
+bool isOff(const TreeBody& body, Index slot)
+{
+    return !body.limbOf.empty() && body.limbOf[slot] != noIndex;
 }
 
 /// Springs know bends where the faithful step knows only directions, and the other way round.
@@ -195,6 +234,7 @@ PhysicsState TreePhysics::restState() const
     state.held = heldWeight(params());
     state.slotCount = m_body->size();
     state.clockStepSeconds = params().stepSeconds;
+    state.limbs.resize(m_body->limbs.size());
     state.values.assign(std::size_t(state.channels()) * state.slotCount, 0.0);
     std::ranges::fill(state.channel(PhysicsState::RotW), 1.0);
     return state;
@@ -253,7 +293,7 @@ void pullRobustly(const Grip& grip, PhysicsState& state)
 void pullBranches(const TreeBody& body, const PhysicsParams& params, const Pull& pull, const Springs& springs,
                   PhysicsState& state)
 {
-    if (pull.branch >= body.size())
+    if (pull.branch >= body.size() || isOff(body, body.slotOf[pull.branch]))
         return;
     Grip grip{body, params, springs, body.slotOf[pull.branch]};
     const glm::dvec3 along = std::clamp(pull.along, 0.0, 1.0) * (body.p1[grip.held] - body.p0[grip.held]);
@@ -293,6 +333,7 @@ void TreePhysics::step(PhysicsState& state, const std::optional<Pull>& pull)
             robustStep(in, state, state.timeSeconds + static_cast<double>(i) * p.springs.seconds);
     for (LooseApple& apple : state.loose)
         stepLooseApple(apple, p.params, m_body->appleRadius, p.params.stepSeconds);
+    stepLimbs(*m_body, p.params, state);
     ++state.step;
     state.timeSeconds =
         state.clockTime + static_cast<double>(state.step - state.clockStep) * state.clockStepSeconds;
@@ -312,6 +353,13 @@ void TreePhysics::shakeOff(PhysicsState& state, Index apple) const
         p0Of(*m_body, state, slot) + rotation * (m_body->applePosition[apple] - m_body->p0[slot]);
     loose.orientation = glm::normalize(rotation * m_body->appleOrientation[apple]);
     loose.velocity = vectorOf(state, PhysicsState::VelX, slot);
+    if (isOff(*m_body, slot)) {
+        const Index limb = m_body->limbOf[slot];
+        const RigidTransform carried = limbPose(*m_body, state, limb);
+        loose.position = carried.point(loose.position);
+        loose.orientation = glm::normalize(carried.rotation * loose.orientation);
+        loose.velocity += state.limbs[limb].velocity;
+    }
     state.loose.push_back(loose);
 }
 
@@ -327,6 +375,16 @@ void TreePhysics::pose(const PhysicsState& state, Pose& out) const
         const glm::dquat rotation = rotationOf(state, slot);
         out.bones[body.branchOf[slot]] = {rotation, p0 - rotation * rest};
     }
+    if (body.limbs.empty() || state.step == 0)
+        return;
+    std::vector<RigidTransform> limbs;
+    for (Index i = 0; i < body.limbs.size(); ++i)
+        limbs.push_back(limbPose(body, state, i));
+    for (Index slot = 0; slot < body.size(); ++slot)
+        if (isOff(body, slot)) {
+            RigidTransform& bone = out.bones[body.branchOf[slot]];
+            bone = limbs[body.limbOf[slot]] * bone;
+        }
 }
 
 std::vector<RigidTransform> TreePhysics::loosePoses(const PhysicsState& state) const

@@ -181,7 +181,7 @@ Expected<void> root(EditTree& tree, const TreeEdit& edit, Index target, Index /*
     constexpr double flareTop = 0.15; ///< of the axis' length
     constexpr int flareSteps = 4;
     const Index first = tree.axis(target).first;
-    if (tree.piece(first).parent != noIndex)
+    if (tree.piece(first).parent != noIndex || tree.piece(first).loose)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("only what stands on the ground has a root"));
     const EditMarks limb = tree.marked(first);
     for (Index i = tree.firstPiece(); i != noIndex; i = tree.piece(i).after)

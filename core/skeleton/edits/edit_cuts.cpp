@@ -63,6 +63,9 @@ public:
     {
         for (Index i = m_tree.firstPiece(); i != noIndex; i = m_tree.piece(i).after) {
             const Index parent = m_tree.piece(i).parent;
+            m_loose[i] = m_tree.piece(i).loose || (parent != noIndex && m_loose[parent]);
+            if (m_loose[i])
+                continue;
             if (parent != noIndex && (m_gone[parent] || m_ends[parent]))
                 m_gone[i] = true;
             else if (m_limb.empty() || m_limb[i])
@@ -107,6 +110,7 @@ private:
     const EditMarks& m_limb;
     EditMarks m_gone, m_entered;
     EditMarks m_ends = EditMarks(m_gone.size(), false);
+    EditMarks m_loose = EditMarks(m_gone.size(), false); ///< cut off before: nothing there stands out
     std::vector<std::pair<Index, double>> m_cuts;
 };
 
@@ -117,13 +121,20 @@ Expected<void> cut(EditTree& tree, const TreeEdit& edit, Index target, Index /*o
     const Index first = tree.axis(target).first;
     const AxisSpot spot = tree.spotOn(target, edit.at);
     const bool atFoot = spot.piece == first && spot.t * tree.length(first) < 1e-3 * tree.axisLength(target);
-    if (atFoot)
+    if (atFoot && !edit.falls)
         return takeAway(tree, tree.marked(first));
-    if (spot.t >= 1.0 && tree.piece(spot.piece).next == noIndex)
+    if (atFoot && tree.piece(first).loose)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("the limb has been cut off already"));
+    if (!atFoot && spot.t >= 1.0 && tree.piece(spot.piece).next == noIndex)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("there is nothing above the cut"));
-    const Index below = tree.splitAt(spot);
-    tree.remove(tree.marked(tree.piece(below).next));
-    tree.piece(below).sawn = true;
+    const Index below = atFoot ? noIndex : tree.splitAt(spot);
+    const Index above = atFoot ? first : tree.piece(below).next;
+    if (edit.falls)
+        tree.loosen(above, graftedAddress(edit.id, tree.axis(target).address), edit.seconds);
+    else
+        tree.remove(tree.marked(above));
+    if (below != noIndex)
+        tree.piece(below).sawn = true;
     return {};
 }
 

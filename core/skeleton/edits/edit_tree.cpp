@@ -198,10 +198,12 @@ Index EditTree::splitAt(const AxisSpot& spot)
     above.p0 = point;
     above.a0 = radius;
     above.parent = spot.piece;
+    above.loose = false;
     // What stands on the end of the piece now stands on its upper part.
     for (Index i = m_pieces[spot.piece].after; i != noIndex; i = m_pieces[i].after)
-        if (m_pieces[i].parent == spot.piece)
-            m_pieces[i].parent = upper;
+        for (Index* below : {&m_pieces[i].parent, &m_pieces[i].stump})
+            if (*below == spot.piece)
+                *below = upper;
     for (EditOrganSeat& organ : m_organs) {
         if (organ.branch != spot.piece)
             continue;
@@ -300,6 +302,29 @@ Index EditTree::extend(Index axis, Index parent, const glm::dvec3& from, const g
     return i;
 }
 
+void EditTree::loosen(Index i, std::uint64_t address, double seconds)
+{
+    constexpr double kerf = 0.05, most = 0.5; // of the radius, of the piece
+    EditPiece& piece = m_pieces[i];
+    piece.loose = true;
+    piece.fallsAt = seconds;
+    piece.stump = piece.parent;
+    piece.parent = noIndex;
+    if (piece.stump == noIndex)
+        return;
+    EditPiece& below = m_pieces[piece.stump];
+    const bool isWithin = below.next == i;
+    const double gap = isWithin ? kerf * piece.a0 : below.a1, own = length(i);
+    piece.p0 += std::min(own > 0.0 ? gap / own : 0.0, most) * (piece.p1 - piece.p0);
+    if (!isWithin)
+        return;
+    below.next = noIndex;
+    const Index axis = addAxis(address, m_maker, piece.axis);
+    m_axes[axis].first = i;
+    for (Index k = i; k != noIndex; k = m_pieces[k].next)
+        m_pieces[k].axis = axis;
+}
+
 void EditTree::hang(Index axis, Index parent)
 {
     const Index first = m_axes[axis].first;
@@ -309,6 +334,7 @@ void EditTree::hang(Index axis, Index parent)
         if (marks[i])
             limb.push_back(i);
     m_pieces[first].parent = parent;
+    m_pieces[first].loose = false;
     for (const Index i : limb) {
         unlink(i);
         insertAfter(m_tail, i);
@@ -339,6 +365,11 @@ Skeleton EditTree::skeleton() const
         if (piece.sawn && piece.next == noIndex)
             out.sawn.push_back(at);
     }
+    for (Index i = m_head; i != noIndex; i = m_pieces[i].after)
+        if (const EditPiece& piece = m_pieces[i]; piece.loose) {
+            const bool hasStump = piece.stump != noIndex && !m_pieces[piece.stump].gone;
+            out.loose.push_back({indexOf[i], hasStump ? indexOf[piece.stump] : noIndex, piece.fallsAt});
+        }
     for (const EditOrganSeat& seat : m_organs) {
         Organ organ = seat;
         const EditPiece& piece = m_pieces[organ.branch];

@@ -25,6 +25,9 @@ struct EditPiece
     Index before = noIndex, after = noIndex; ///< in the order of the skeleton: parents before children
     bool bare = false;                       ///< no leaves
     bool sawn = false;                       ///< its end was cut
+    bool loose = false;                      ///< the root of a limb that falls
+    Index stump = noIndex;                   ///< what that came off
+    double fallsAt = 0.0;                    ///< s: LooseLimb::seconds
     bool gone = false;
 };
 
@@ -110,6 +113,9 @@ public:
     /// on the ground, noIndex, it starts at \p from. Returns it.
     Index extend(Index axis, Index parent, const glm::dvec3& from, const glm::dvec3& to, double a0, double a1,
                  Index level);
+    /// What starts with a piece stands for itself from now on, a little away from what it stood on, and falls
+    /// at a time. Where it starts within an axis, the upper part becomes one of that address.
+    void loosen(Index piece, std::uint64_t address, double seconds);
     /// Takes a limb to the end of the order and puts it on another piece.
     void hang(Index axis, Index parent);
 

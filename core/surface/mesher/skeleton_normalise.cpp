@@ -315,7 +315,8 @@ void Normaliser::emit(Index branch, Index parentOut, const glm::dvec3& start)
         settleChildren(branch);
 }
 
-/// Roots within a radius of each other, and those within a radius of these: lists by their first ones.
+/// Roots within a radius of each other, and those within a radius of these: lists by their first ones. Limbs
+/// that fall stand for themselves.
 void Normaliser::groupRoots()
 {
     std::vector<Index> roots;
@@ -335,6 +336,9 @@ void Normaliser::groupRoots()
         return root;
     };
     std::vector<Index> along = roots;
+    std::erase_if(along, [this](Index root) {
+        return std::ranges::binary_search(m_in.loose, root, {}, &LooseLimb::first);
+    });
     std::ranges::stable_sort(along, {}, [this](Index root) { return m_in.p0[root].x; });
     for (std::size_t i = 0; i < along.size(); ++i)
         for (std::size_t k = i + 1; k < along.size() && m_in.p0[along[k]].x - m_in.p0[along[i]].x <= reach;

@@ -24,11 +24,12 @@ protected:
         }
         return all;
     }
-    Expected<void> removeWithTwins(const std::vector<LimbHit>& limbs, bool whole)
+    Expected<void> removeWithTwins(const std::vector<LimbHit>& limbs, bool whole,
+                                   std::optional<double> fallsAfter = {})
     {
         Symmetry symmetry = symmetryOf(limbs.front().node);
         const std::vector<LimbHit> all = withTwins(limbs, symmetry);
-        auto done = removeLimbs(m_context.document, all, whole);
+        auto done = removeLimbs(m_context.document, all, whole, fallsAfter);
         if (done)
             reportMissing(symmetry);
         return done;
@@ -62,7 +63,10 @@ protected:
     std::vector<Index> affected(const LimbHit& limb) override { return aboveAll({limb}, false); }
     Expected<void> act(const LimbHit& limb, Qt::KeyboardModifiers) override
     {
-        return removeWithTwins({limb}, false);
+        auto done = removeWithTwins({limb}, false, fallsAfter());
+        if (done)
+            reportFall();
+        return done;
     }
 };
 

@@ -135,6 +135,18 @@ void EditTool::reportMissing(const Symmetry& symmetry)
                                               nullptr, symmetry.missing()));
 }
 
+std::optional<double> EditTool::fallsAfter() const
+{
+    const HandOptions& options = m_context.hand.options();
+    return options.falls ? std::optional(options.fallsAfter) : std::nullopt;
+}
+
+void EditTool::reportFall()
+{
+    if (fallsAfter())
+        m_context.host.raiseMessage(Words::tr("Cut: what hangs there falls when the timeline plays."));
+}
+
 bool EditTool::report(const Expected<void>& done)
 {
     if (!done)

@@ -48,6 +48,10 @@ protected:
     static std::vector<LimbHit> withTwins(const std::vector<LimbHit>& limbs, Symmetry& symmetry);
     /// Where nothing happens for want of a limb: to the status bar.
     void reportMissing(const Symmetry& symmetry);
+    /// As the options have it: HandOptions::fallsAfter, where what is cut falls.
+    [[nodiscard]] std::optional<double> fallsAfter() const;
+    /// What was cut is still there: why, goes to the status bar.
+    void reportFall();
     /// What went wrong goes to the status bar. \return whether nothing did
     bool report(const Expected<void>& done);
     [[nodiscard]] glm::dmat4 worldOf(NodeId node) const;

@@ -159,7 +159,8 @@ Expected<void> putAround(Document& document, const LimbHit& limb, TreeEdit edit,
     return done;
 }
 
-Expected<void> removeLimbs(Document& document, const std::vector<LimbHit>& limbs, bool whole)
+Expected<void> removeLimbs(Document& document, const std::vector<LimbHit>& limbs, bool whole,
+                           std::optional<double> fallsAfter)
 {
     constexpr double foot = 1e-9; // of a length
     if (limbs.empty())
@@ -170,8 +171,10 @@ Expected<void> removeLimbs(Document& document, const std::vector<LimbHit>& limbs
             if (!gesture.context().has(limb.address) || !done.insert(limb.address).second)
                 continue; // gone with another
             const bool all = whole || limb.share < foot;
-            if (auto added = gesture.add(editOf(all ? EditOperation::Remove : EditOperation::Cut, limb));
-                !added)
+            TreeEdit edit = editOf(all && !fallsAfter ? EditOperation::Remove : EditOperation::Cut, limb);
+            edit.falls = fallsAfter.has_value();
+            edit.seconds = fallsAfter.value_or(0.0);
+            if (auto added = gesture.add(edit); !added)
                 return added;
         }
         return {};

@@ -58,9 +58,11 @@ private:
 /// target, place and azimuth are set here. One step of undo. Errors: why not; then nothing changes.
 Expected<void> putAround(Document& document, const LimbHit& limb, TreeEdit edit, int copies);
 /// The limbs go, with all on them; of one that is meant from a place on, what lies above it. What is gone
-/// with another one is left out. \param whole limbs go from their feet on, wherever they are meant. One step
-/// of undo. Errors: why not; then nothing changes.
-Expected<void> removeLimbs(Document& document, const std::vector<LimbHit>& limbs, bool whole);
+/// with another one is left out. \param whole limbs go from their feet on, wherever they are meant.
+/// \param fallsAfter s: they are cut, and fall then; nothing: they are gone. One step of undo. Errors: why
+/// not; then nothing changes.
+Expected<void> removeLimbs(Document& document, const std::vector<LimbHit>& limbs, bool whole,
+                           std::optional<double> fallsAfter = {});
 /// All goes but this limb. Errors: likewise.
 Expected<void> keepLimb(Document& document, const LimbHit& limb);
 /// Their leaves go, or come back where those of the first are gone. Errors: likewise.

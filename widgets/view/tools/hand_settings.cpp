@@ -31,7 +31,7 @@ std::span<const HandToolRow> handTools()
     using enum HandGroup;
     static constexpr HandToolRow rows[] = {
         {HandTool::Cut, Take, "hand.cut", QT_TRANSLATE_NOOP("Actions", "&Cut"), "hand-cut", Qt::Key_C,
-         QT_TRANSLATE_NOOP("Actions", "Cut a branch where you click: what lies above falls away")},
+         QT_TRANSLATE_NOOP("Actions", "Cut a branch where you click: what lies above goes, or falls")},
         {HandTool::Saw, Take, "hand.saw", QT_TRANSLATE_NOOP("Actions", "&Saw"), "hand-saw", Qt::Key_Z,
          QT_TRANSLATE_NOOP("Actions", "Draw a line through twigs: all that it crosses is cut there")},
         {HandTool::Remove, Take, "hand.remove", QT_TRANSLATE_NOOP("Actions", "&Remove"), "hand-remove",
@@ -111,7 +111,14 @@ std::span<const HandChoice> handChoices()
     static constexpr const char* organs[] = {QT_TRANSLATE_NOOP("HandOptions", "Leaf"),
                                              QT_TRANSLATE_NOOP("HandOptions", "Fruit"),
                                              QT_TRANSLATE_NOOP("HandOptions", "Flower")};
+    static constexpr const char* rests[] = {QT_TRANSLATE_NOOP("HandOptions", "Goes"),
+                                            QT_TRANSLATE_NOOP("HandOptions", "Falls")};
     static constexpr HandChoice rows[] = {
+        {toolBit(Cut) | toolBit(Saw), "falls", QT_TRANSLATE_NOOP("HandOptions", "What is cut off"),
+         QT_TRANSLATE_NOOP("HandOptions",
+                           "It goes at once; or it hangs in its place, and falls to the ground when the "
+                           "timeline plays"),
+         rests, &chosen<&HandOptions::falls>, &choose<&HandOptions::falls>},
         {toolBit(Place), "organ", QT_TRANSLATE_NOOP("HandOptions", "What"),
          QT_TRANSLATE_NOOP("HandOptions", "Of the kind that the tree bears"), organs,
          &chosen<&HandOptions::organ>, &choose<&HandOptions::organ>},
@@ -140,6 +147,9 @@ std::span<const HandNumber> handNumbers()
         {toolBit(Saw), "sawThickest", QT_TRANSLATE_NOOP("HandOptions", "Up to"),
          QT_TRANSLATE_NOOP("HandOptions", "The saw goes through twigs of at most this radius"),
          &HandOptions::sawThickest, 0.001, 10.0, 0.005, 1, 100.0, " cm"},
+        {toolBit(Cut) | toolBit(Saw), "fallsAfter", QT_TRANSLATE_NOOP("HandOptions", "Falls after"),
+         QT_TRANSLATE_NOOP("HandOptions", "Of the timeline: so long it still hangs in its place"),
+         &HandOptions::fallsAfter, 0.0, 86400.0, 0.5, 2, 1.0, " s"},
         {toolBit(Curl), "curlFrom", QT_TRANSLATE_NOOP("HandOptions", "From"),
          QT_TRANSLATE_NOOP("HandOptions", "Below that share of its length the limb stays as it is"),
          &HandOptions::curlFrom, 0.0, 0.95, 0.05, 0, 100.0, " %"},

@@ -72,6 +72,8 @@ struct HandOptions
 {
     SawWay sawWay = SawWay::Line;
     double sawThickest = 0.05; ///< m, radius of what the saw goes through
+    bool falls = false;        ///< Cut and Saw: what is cut off falls when the physics plays
+    double fallsAfter = 0.0;   ///< s
     bool withBelow = true;     ///< Length and Thickness: also of what grows on the limb
     double curlFrom = 0.0;     ///< share of the limb that stays straight
     BrushKind brush = BrushKind::Comb;

@@ -265,7 +265,9 @@ bool SawTool::cut(std::uint64_t address, double metres)
     TreeEdit edit;
     edit.target.address = address;
     edit.at = metres / length;
-    edit.operation = edit.at < foot ? EditOperation::Remove : EditOperation::Cut;
+    edit.falls = fallsAfter().has_value();
+    edit.seconds = fallsAfter().value_or(0.0);
+    edit.operation = edit.at < foot && !edit.falls ? EditOperation::Remove : EditOperation::Cut;
     return m_edit->add(edit).has_value();
 }
 
@@ -277,8 +279,10 @@ void SawTool::release(const ToolPoint& point)
             report(cutArea());
     }
     m_line.clear();
-    if (const auto edit = std::exchange(m_edit, nullptr))
+    if (const auto edit = std::exchange(m_edit, nullptr)) {
         edit->keep();
+        reportFall();
+    }
     m_context.host.repaint();
 }
 

@@ -29,6 +29,7 @@ private slots:
     void organsGoWithTheirWood();
     void placesOrgans();
     void cutEndsAreFlat();
+    void whatIsCutFalls();
 };
 
 void TestTreeEdits::tableIsWhole()
@@ -67,6 +68,7 @@ void TestTreeEdits::badValues_data()
     row(EditOperation::Attract, 10, "radius");
     row(EditOperation::Place, 0, "target");
     row(EditOperation::Place, 11, "organ");
+    row(EditOperation::Cut, 12, "seconds");
 }
 
 void TestTreeEdits::badValues()
@@ -110,6 +112,9 @@ void TestTreeEdits::badValues()
         break;
     case 11:
         edit.organ = static_cast<EditOrgan>(7);
+        break;
+    case 12:
+        edit.seconds = -1.0;
         break;
     default:
         break;
@@ -459,6 +464,55 @@ void TestTreeEdits::organsGoWithTheirWood()
     const std::vector<Organ> more = after(graft);
     QCOMPARE(more.size(), std::size_t{5});
     QVERIFY(isNear(more.back().size, 0.05));
+}
+
+void TestTreeEdits::whatIsCutFalls()
+{
+    Shaped shaped;
+    TreeEdit cut = editOf(EditOperation::Cut, shaped.address[1]);
+    cut.at = 0.25;
+    cut.falls = true;
+    cut.seconds = 2.0;
+    QVERIFY(shaped.make(cut));
+    const Skeleton tree = shaped.skeleton();
+    QCOMPARE(tree.loose.size(), std::size_t{1});
+    const LooseLimb limb = tree.loose.front();
+    QCOMPARE(tree.parent[limb.first], noIndex);
+    QCOMPARE(limb.seconds, 2.0);
+    QCOMPARE(tree.sawn, std::vector<Index>{limb.stump});
+    const double gap = glm::distance(tree.p0[limb.first], tree.p1[limb.stump]);
+    QVERIFY(gap > 0.0 && gap < 0.2 * tree.a0[limb.first]);
+    // Twigs go with it, and edits still find them, and it.
+    QVERIFY(shaped.axis(shaped.address[2]));
+    const TreeAxes axes = axesOf(tree);
+    QCOMPARE(axes.axes.size(), std::size_t{5});
+    const std::uint64_t upper = axes.axes[axes.axisOf[limb.first]].address;
+    QVERIFY(upper != shaped.address[1]);
+    for (const std::uint64_t address : {upper, shaped.address[2]})
+        QVERIFY(shaped.make(editOf(EditOperation::Thickness, address)));
+    const TreeResult meshed = shaped.tree(Stage::Mesh);
+    QVERIFY(meshed.report->valid);
+    QCOMPARE(meshed.report->components, Index{2});
+    // At its foot: once, and neither as a root nor as part of another tree.
+    TreeEdit foot = editOf(EditOperation::Cut, shaped.address[3]);
+    foot.at = 0.0;
+    foot.falls = true;
+    QVERIFY(shaped.make(foot));
+    QVERIFY(!shaped.make(foot));
+    QVERIFY(!shaped.make(editOf(EditOperation::Root, shaped.address[3])));
+    QCOMPARE(shaped.skeleton().loose.size(), std::size_t{2});
+    // A shape leaves it alone; what is removed is gone.
+    TreeEdit prune = editOf(EditOperation::Prune, 0);
+    prune.shape.numbers = {0.0, 0.0, 0.0, 1.5, 0.0, 0.0};
+    QVERIFY(shaped.make(prune));
+    QCOMPARE(shaped.skeleton().loose.size(), std::size_t{2});
+    QVERIFY(shaped.make(editOf(EditOperation::Remove, shaped.address[3])));
+    QCOMPARE(shaped.skeleton().loose.size(), std::size_t{1});
+    // The whole tree can be felled.
+    Shaped felled;
+    foot.target.address = felled.address[0];
+    QVERIFY(felled.make(foot));
+    QCOMPARE(felled.skeleton().loose, (std::vector<LooseLimb>{{0, noIndex, 0.0}}));
 }
 
 QTEST_GUILESS_MAIN(TestTreeEdits)

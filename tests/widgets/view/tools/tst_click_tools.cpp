@@ -18,6 +18,7 @@ private slots:
     void modifiersAreOfOthers();
     void theTrunkCannotBeRemoved();
     void aClickCuts();
+    void whatIsCutMayFall();
     void theHandSeesWhatGoes();
     void escapeBeforeTheReleaseCutsNothing();
     void aClickIsKeptUntilTheTreeIsThere();
@@ -96,6 +97,21 @@ void TestClickTools::aClickCuts()
     bench.grow();
     QVERIFY(bench.skeleton().size() <= before);
     QVERIFY(bench.messages.empty());
+}
+
+void TestClickTools::whatIsCutMayFall()
+{
+    HandBench bench(HandTool::Cut);
+    HandOptions options = bench.hand.options();
+    options.falls = true;
+    options.fallsAfter = 1.5;
+    bench.hand.setOptions(options);
+    bench.click(bench.on(bench.twig(), 0.5));
+    QCOMPARE(bench.edits().size(), std::size_t(1));
+    QCOMPARE(bench.edits().front().operation, EditOperation::Cut);
+    QVERIFY(bench.edits().front().falls);
+    QCOMPARE(bench.edits().front().seconds, 1.5);
+    QVERIFY(bench.messages.join(QString()).contains(QLatin1String("falls")));
 }
 
 void TestClickTools::theHandSeesWhatGoes()
