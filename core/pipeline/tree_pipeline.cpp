@@ -265,10 +265,13 @@ Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams
                           std::make_shared<const TextureStage>(mesh)};
 }
 
-/// \param branches that plants' leaves and fruit stand on; null: drafts have none.
+/// \param branches that plants' leaves and fruit stand on; null: they are faithful, or it is a draft, which
+/// has none. Views draw copies: of a plant's leaves a draft has but cards.
 Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& params,
                                     const BranchMesh* branches, const Progress& progress)
 {
+    const bool isSketch = !branches && params.leaf.shape != LeafShape::Faithful;
+    const FoliageModel model = isSketch ? FoliageModel::Rough : FoliageModel::Fine;
     auto placed =
         placeFoliage(skeleton, params.foliage, params.leaf, params.fruit, trunkRadius(params), progress);
     if (!placed)
@@ -280,8 +283,7 @@ Expected<MeshedFoliage> meshFoliage(const Skeleton& skeleton, const NodeParams& 
     const auto foliage = std::make_shared<const Foliage>(std::move(*placed));
     const double alpha = trunkRadius(params);
     return MeshedFoliage{
-        foliage,
-        std::make_shared<const TriangleMesh>(buildLeaves(skeleton, *foliage, alpha, FoliageModel::Fine)),
+        foliage, std::make_shared<const TriangleMesh>(buildLeaves(skeleton, *foliage, alpha, model)),
         std::make_shared<const TriangleMesh>(buildApples(skeleton, *foliage, alpha, FoliageModel::Fine))};
 }
 

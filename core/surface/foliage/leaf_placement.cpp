@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace ramure {
 namespace {
@@ -59,7 +60,7 @@ public:
     /// How many leaves a twig has.
     [[nodiscard]] double count(Index twig) const
     {
-        const double room = TwigLine(m_placing.skeleton, twig).length() - firstNode(m_placing.skeleton, twig);
+        const double room = twigLength(m_placing.skeleton, twig) - firstNode(m_placing.skeleton, twig);
         return nodes(room) * m_turns.perNode + (m_placing.isTip[twig] != 0 ? 1 : 0);
     }
 
@@ -157,16 +158,19 @@ Expected<std::vector<FoliageItem>> placeLeaves(const Placing& placing, const Lea
     if (!(params.size > 0.0) || faces == 0)
         return leaves;
     const Grower grower(placing, params);
-    double all = 0.0;
-    for (const Index twig : placing.twigs)
-        all += grower.count(twig);
+    std::vector<double> counts(placing.twigs.size());
+    parallelFor(counts.size(), twigsAtOnce, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            counts[i] = grower.count(placing.twigs[i]);
+    });
+    const double all = std::accumulate(counts.begin(), counts.end(), 0.0);
     const std::size_t most = std::min(maxLeaves, maxLeafFaces / faces);
     if (all > static_cast<double>(most))
         return tooMuchFoliage(RAMURE_NOOP("the tree would carry more than %1 leaves"), most,
                               "foliage.internode");
     std::vector<std::size_t> first{0};
-    for (const Index twig : placing.twigs)
-        first.push_back(first.back() + static_cast<std::size_t>(grower.count(twig)));
+    for (const double count : counts)
+        first.push_back(first.back() + static_cast<std::size_t>(count));
     leaves.resize(first.back());
     parallelFor(placing.twigs.size(), twigsAtOnce, [&](std::size_t begin, std::size_t end) {
         std::vector<FoliageItem> own;

@@ -29,6 +29,20 @@ TwigLine::Place TwigLine::at(double along) const
     return {on.point, transported(m_frames[i], on.tangent), (1.0 - t) * m_radius0 + t * m_radius1};
 }
 
+double twigLength(const Skeleton& skeleton, Index twig)
+{
+    const BranchCurve curve = branchCurve(skeleton, twig);
+    double length = 0.0;
+    glm::dvec3 before = curve.h0;
+    for (std::size_t i = 0; i <= TwigLine::pieces; ++i) {
+        const glm::dvec3 point =
+            hermite(curve.h0, curve.h1, curve.v0, curve.v1, double(i) / TwigLine::pieces).point;
+        length += i == 0 ? 0.0 : glm::length(point - before);
+        before = point;
+    }
+    return length;
+}
+
 double firstNode(const Skeleton& skeleton, Index twig)
 {
     const Index parent = skeleton.parent[twig];

@@ -14,6 +14,8 @@ namespace ramure {
 class TwigLine
 {
 public:
+    static constexpr std::size_t pieces = 12;
+
     TwigLine(const Skeleton& skeleton, Index twig);
 
     struct Place
@@ -26,7 +28,6 @@ public:
     [[nodiscard]] Place at(double along) const;
 
 private:
-    static constexpr std::size_t pieces = 12;
     BranchCurve m_curve;
     std::array<glm::dvec3, pieces + 1> m_points;
     std::array<Frame, pieces + 1> m_frames;
@@ -34,6 +35,8 @@ private:
     double m_radius0, m_radius1;
 };
 
+/// TwigLine::length(), without its frames.
+double twigLength(const Skeleton& skeleton, Index twig);
 /// Where along a twig the first node may stand: past what the fork covers.
 double firstNode(const Skeleton& skeleton, Index twig);
 
