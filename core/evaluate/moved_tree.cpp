@@ -71,6 +71,9 @@ Expected<void> moveMeshes(TreeResult& tree, const NodeMotion& motion, const Prog
         tree.report = std::make_shared<const MeshReport>(std::move(*report));
     }
     tree.branches = std::move(moved);
+    if (tree.cuts)
+        tree.cuts = std::make_shared<const TriangleMesh>(
+            deformed(*tree.cuts, bindRigidly(*tree.cuts), *motion.bones, SkinMethod::Rigid));
     tree.leaves = movedPiece(tree.leaves, motion.leaves, motion);
     tree.apples = movedPiece(tree.apples, motion.apples, motion);
     return {};

@@ -161,6 +161,8 @@ std::string mapFileName(const BarkParams& bark, int size, MaterialMap map)
 /// Hundredths; 0 where the leaf still has, or always keeps, its colour of summer.
 static int seasonNumber(LeafShape leaf, double season)
 {
+    if (leaf == LeafShape::Faithful)
+        return 0;
     const int number = static_cast<int>(std::lround(100.0 * season));
     return seasonColour(leaf, 0.01 * number) == glm::vec3(leafRow(leaf).colour) ? 0 : number;
 }

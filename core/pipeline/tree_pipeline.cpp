@@ -14,6 +14,7 @@
 #include "core/skeleton/bend.h"
 #include "core/skeleton/edit_places.h"
 #include "core/skeleton/edits/apply_edits.h"
+#include "core/surface/mesher/cut_wood.h"
 #include "core/surface/mesher/mesh_divisions.h"
 #include "core/surface/mesher/mesh_scratch.h"
 #include <algorithm>
@@ -27,6 +28,7 @@ struct MeshedBranches
 {
     std::shared_ptr<const BranchMesh> mesh;
     std::shared_ptr<const MeshReport> report;
+    std::shared_ptr<const TriangleMesh> cuts;
     std::shared_ptr<const TextureStage> texture;
 };
 
@@ -261,7 +263,9 @@ Expected<MeshedBranches> meshBranches(const Skeleton& skeleton, const NodeParams
     if (!made)
         return fail(std::move(made.error()));
     const auto mesh = scratch.share(std::move(made->mesh));
+    const bool isCut = !skeleton.sawn.empty() || !skeleton.loose.empty();
     return MeshedBranches{mesh, std::make_shared<const MeshReport>(std::move(made->report)),
+                          isCut ? std::make_shared<const TriangleMesh>(cutWood(*mesh, skeleton)) : nullptr,
                           std::make_shared<const TextureStage>(mesh)};
 }
 
@@ -470,6 +474,7 @@ private:
             .map([&](auto made) {
                 m_result.branches = made->mesh;
                 m_result.report = made->report;
+                m_result.cuts = made->cuts;
                 m_result.texture = made->texture;
             });
     }

@@ -60,6 +60,13 @@ Material applesMaterial(FruitKind kind, const PictureParams& pictures)
     return fruit;
 }
 
+Material woodMaterial()
+{
+    Material wood{"wood", {0xE2, 0xC5, 0x98}, false, false};
+    wood.tones = true;
+    return wood;
+}
+
 Material nodeMaterial(const Node& node, const NodeParams& params)
 {
     const bool mayBeOpen = node.mesh || isOpenSurface(node); // what was read may be open anywhere

@@ -85,15 +85,18 @@ Expected<std::vector<Candidate>> candidates(EvaluatedScene& now, const ExportOpt
 struct TreeMeshes
 {
     std::shared_ptr<const TriangleMesh> branches, leaves, apples;
-    std::shared_ptr<const Foliage> foliage; ///< that leaves and apples were made of
+    std::shared_ptr<const Foliage> foliage{};   ///< that leaves and apples were made of
+    std::shared_ptr<const TriangleMesh> cuts{}; ///< go with the branches
 };
 
 /// Branches, leaves, apples that the results hold: shared, not copied.
 TreeMeshes fineMeshes(const TreeResult& tree, std::uint8_t parts)
 {
     TreeMeshes meshes;
-    if ((parts & exportBranches) && tree.branches)
+    if ((parts & exportBranches) && tree.branches) {
         meshes.branches = {tree.branches, &tree.branches->mesh};
+        meshes.cuts = tree.cuts;
+    }
     if (parts & exportLeaves)
         meshes.leaves = tree.leaves;
     if (parts & exportApples)
@@ -176,6 +179,9 @@ void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes
     };
     add("branches", meshes.branches, motion.branches,
         barkMaterial(tree.node->params.bark, tree.node->params.barkPictures));
+    if (meshes.cuts)
+        add("cuts", meshes.cuts,
+            motion.bones ? std::make_shared<const Skin>(bindRigidly(*meshes.cuts)) : nullptr, woodMaterial());
     add("leaves", meshes.leaves, motion.leaves, leafMaterial(params));
     add("apples", meshes.apples, motion.apples, fruitMaterial(params));
     out.frames.front().bones[tree.number] = motion.bones;

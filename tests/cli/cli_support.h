@@ -8,6 +8,7 @@
 #include <QJsonObject>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <memory>
 
 namespace ramure::test {
@@ -34,13 +35,19 @@ struct CliRun
     }
 };
 
+/// Sanitizers ask for more of it.
+inline int patienceMs()
+{
+    return 120'000 * std::max(1, qEnvironmentVariableIntValue("RAMURE_PATIENCE"));
+}
+
 inline CliRun runProgram(const QString& program, const QStringList& arguments,
                          const QProcessEnvironment& environment = QProcessEnvironment::systemEnvironment())
 {
     QProcess process;
     process.setProcessEnvironment(environment);
     process.start(program, arguments);
-    if (!process.waitForFinished(120'000) || process.exitStatus() != QProcess::NormalExit)
+    if (!process.waitForFinished(patienceMs()) || process.exitStatus() != QProcess::NormalExit)
         qFatal("%s %s: crashed or hangs", qPrintable(program), qPrintable(arguments.join(QLatin1Char(' '))));
     return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
             QString::fromUtf8(process.readAllStandardError())};

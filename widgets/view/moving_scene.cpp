@@ -51,16 +51,8 @@ std::shared_ptr<const Skin> MovingScene::rigidSkin(const std::shared_ptr<const T
     bound.used = true;
     if (bound.skin)
         return bound.skin;
-    auto skin = std::make_shared<Skin>();
-    skin->vertices = mesh->vertexCount();
-    for (Index v = 0; v < skin->vertices; ++v) {
-        const Index branch = mesh->branch[v];
-        if (v == 0 || branch != mesh->branch[v - 1])
-            skin->runs.push_back({v, {{branch, branch, branch}, {1.0F, 0.0F, 0.0F}}});
-        skin->bones = std::max(skin->bones, branch + 1);
-    }
     bound.mesh = mesh;
-    bound.skin = std::move(skin);
+    bound.skin = std::make_shared<const Skin>(bindRigidly(*mesh));
     return bound.skin;
 }
 

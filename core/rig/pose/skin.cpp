@@ -348,6 +348,19 @@ Expected<Skin> bindFoliage(const TriangleMesh& mesh, std::span<const FoliageItem
     return skin;
 }
 
+Skin bindRigidly(const TriangleMesh& mesh)
+{
+    Skin skin;
+    skin.vertices = mesh.vertexCount();
+    for (Index v = 0; v < skin.vertices; ++v) {
+        const Index branch = mesh.branch[v];
+        if (v == 0 || branch != mesh.branch[v - 1])
+            skin.runs.push_back({v, {{branch, branch, branch}, {1.0F, 0.0F, 0.0F}}});
+        skin.bones = std::max(skin.bones, branch + 1);
+    }
+    return skin;
+}
+
 Expected<Skin> bindLoose(const TriangleMesh& mesh, std::size_t pieces, Index firstBone)
 {
     const bool fits = pieces == 0 ? mesh.positions.empty() : mesh.positions.size() % pieces == 0;

@@ -71,6 +71,8 @@ Expected<BarkAnchors> bindAnchors(std::span<const FoliageItem> items, const Bran
 Expected<Skin> bindFoliage(const TriangleMesh& mesh, std::span<const FoliageItem> items,
                            const BranchMesh& branches, const Skeleton& skeleton, bool smooth);
 
+/// Every vertex follows the branch that the mesh names for it.
+Skin bindRigidly(const TriangleMesh& mesh);
 /// Every piece follows a bone of its own: \p firstBone, firstBone + 1 … Errors: Invalid as above.
 Expected<Skin> bindLoose(const TriangleMesh& mesh, std::size_t pieces, Index firstBone);
 

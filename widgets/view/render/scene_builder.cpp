@@ -180,6 +180,7 @@ struct TreeItems
             addMesh(tree.draftTubes, openBark(node.params.bark, node.params.barkPictures));
         else if (!pictured())
             closed(addMesh({tree.branches, &tree.branches->mesh}, bark()));
+        addMesh(tree.cuts, woodMaterial());
         if (view.leaves)
             addFoliage(ScenePart::LeafCopies, tree.leaves, leaf(), FoliageModel::Fine);
         if (view.apples)

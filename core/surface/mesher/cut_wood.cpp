@@ -1,0 +1,129 @@
+#include "core/surface/mesher/cut_wood.h"
+
+#include "core/math/random.h"
+#include "core/math/reproducible.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace ramure {
+namespace {
+
+constexpr float barkShare = 0.88F;  ///< of the radius is wood
+constexpr float lift = 0.012F;      ///< of the radius: how far it lies on the end
+constexpr double yearWidth = 0.012; ///< m, of a ring; thinner branches have fewer
+constexpr int fewestYears = 3, mostYears = 9;
+constexpr float heartShare = 0.5F, offCentre = 0.12F; ///< of the radius
+constexpr glm::vec3 sapwood(226.0F, 197.0F, 152.0F), heartwood(186.0F, 139.0F, 90.0F);
+constexpr float lateWood = 0.86F; ///< every other ring is darker
+
+/// The border of a flat end, counter-clockwise seen from outside.
+struct FlatEnd
+{
+    std::vector<glm::vec3> border;
+    glm::vec3 centre{0.0F};
+    Index branch = noIndex;
+};
+
+glm::u8vec3 colourOf(int year, int years)
+{
+    const float share = (static_cast<float>(year) + 0.5F) / static_cast<float>(years);
+    const glm::vec3 wood = share < heartShare ? heartwood : sapwood;
+    return glm::u8vec3((year % 2 == 0 ? 1.0F : lateWood) * wood);
+}
+
+/// The fan at the end of a tube, or at the beginning: triangles around a centre, their last corners.
+FlatEnd endOf(const TriangleMesh& mesh, Index first, Index last, bool atStart)
+{
+    FlatEnd end;
+    const Index centre = mesh.triangles[atStart ? first : last].z;
+    end.centre = mesh.positions[centre];
+    end.branch = mesh.branch[centre];
+    for (Index i = 0; i <= last - first; ++i) {
+        const glm::uvec3& triangle = mesh.triangles[atStart ? first + i : last - i];
+        if (triangle.z != centre)
+            break;
+        end.border.push_back(mesh.positions[triangle.x]);
+    }
+    // The fan of a root goes backwards, and that of a tip was read so.
+    std::ranges::reverse(end.border);
+    if (atStart) // around a root there is no ring within the edge
+        for (glm::vec3& point : end.border)
+            point = glm::mix(end.centre, point, barkShare);
+    return end;
+}
+
+void addWood(const FlatEnd& end, std::uint64_t key, Index level, TriangleMesh& out)
+{
+    const auto sides = static_cast<Index>(end.border.size());
+    if (sides < 3)
+        return;
+    glm::vec3 normal(0.0F);
+    float radius = 0.0F;
+    for (Index k = 0; k < sides; ++k) {
+        const glm::vec3 way = end.border[k] - end.centre;
+        normal += glm::cross(way, end.border[(k + 1) % sides] - end.centre);
+        radius = std::max(radius, glm::length(way));
+    }
+    if (!(glm::dot(normal, normal) > 0.0F))
+        return;
+    normal = glm::normalize(normal);
+    // The pith is seldom in the middle.
+    const auto [sine, cosine] = maths::sincos(2.0 * std::numbers::pi * double(mixBits(key) >> 11) * 0x1p-53);
+    const glm::vec3 aside = end.border[0] - end.centre, across = glm::cross(normal, aside);
+    const glm::vec3 pith = end.centre + offCentre * (float(cosine) * aside + float(sine) * across);
+    const int years =
+        std::clamp(static_cast<int>(std::lround(double(radius) / yearWidth)), fewestYears, mostYears);
+    const Index first = out.vertexCount();
+    const auto add = [&](const glm::vec3& at) {
+        out.positions.push_back(at + lift * radius * normal);
+        out.normals.push_back(normal);
+        out.branch.push_back(end.branch);
+        out.level.push_back(level);
+    };
+    add(pith);
+    for (int year = 1; year <= years; ++year)
+        for (const glm::vec3& point : end.border)
+            add(glm::mix(pith, point, static_cast<float>(year) / static_cast<float>(years)));
+    for (int year = 0; year < years; ++year)
+        for (Index k = 0; k < sides; ++k) {
+            const Index outer = first + 1 + static_cast<Index>(year) * sides, inner = outer - sides;
+            const Index next = (k + 1) % sides;
+            const glm::u8vec3 colour = colourOf(year, years);
+            if (year > 0) {
+                out.triangles.push_back({inner + k, outer + k, outer + next});
+                out.triangles.push_back({inner + k, outer + next, inner + next});
+                out.colours.push_back(colour);
+            } else {
+                out.triangles.push_back({first, outer + k, outer + next});
+            }
+            out.colours.push_back(colour);
+        }
+}
+
+} // namespace
+
+TriangleMesh cutWood(const BranchMesh& mesh, const Skeleton& skeleton)
+{
+    TriangleMesh out;
+    if (skeleton.sawn.empty() && skeleton.loose.empty())
+        return out;
+    for (std::size_t t = 0; t < mesh.tubes.size(); ++t) {
+        const TubeRange& tube = mesh.tubes[t];
+        const Index last =
+            (t + 1 < mesh.tubes.size() ? mesh.tubes[t + 1].firstTriangle : mesh.mesh.faceCount()) - 1;
+        const bool isSawn = std::ranges::binary_search(skeleton.sawn, tube.branch);
+        const bool isLoose = std::ranges::binary_search(skeleton.loose, tube.branch, {}, &LooseLimb::first);
+        if (isLoose && tube.parent == noIndex)
+            addWood(endOf(mesh.mesh, tube.firstTriangle, last, true), skeleton.key[tube.branch],
+                    skeleton.level[tube.branch], out);
+        if (isSawn)
+            addWood(endOf(mesh.mesh, tube.firstTriangle, last, false), skeleton.key[tube.branch],
+                    skeleton.level[tube.branch], out);
+    }
+    return out;
+}
+
+} // namespace ramure
