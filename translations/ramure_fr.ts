@@ -7098,6 +7098,14 @@
         <source>the limb has been cut off already</source>
         <translation>la branche est déjà coupée</translation>
     </message>
+    <message>
+        <source>A small old pine with a bent trunk and limbs like trays</source>
+        <translation>Un petit pin âgé au tronc courbé, aux branches en plateaux</translation>
+    </message>
+    <message>
+        <source>Box, clipped to a block</source>
+        <translation>Du buis taillé en bloc</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -106,6 +106,81 @@ NodeParams dressed(NodeParams tree, LeafShape leaf, double leafSize, FruitKind f
     return tree;
 }
 
+/// Half a metre of old pine: a thick trunk with a bend, and limbs like trays.
+NodeParams bonsai(NodeParams tree)
+{
+    WeberPennParams& small = tree.weberPenn;
+    small.shape = CrownShape::Hemispherical;
+    small.levels = 4;
+    small.scale = 0.6;
+    small.scaleV = 0.0;
+    small.baseSize = 0.3;
+    small.ratio = 0.075;
+    small.ratioPower = 1.9;
+    small.flare = 0.9;
+    small.attractionUp = 1.6;
+    small.level[0] = {.curveRes = 8, .curve = 1.1, .curveBack = -1.7, .curveV = 0.5};
+    small.level[1] = {.length = 0.55,
+                      .lengthV = 0.1,
+                      .curveRes = 6,
+                      .curve = 0.15,
+                      .curveBack = -0.45,
+                      .curveV = 0.45,
+                      .downAngle = 1.35,
+                      .rotate = 2.4,
+                      .rotateV = 0.44,
+                      .branches = 12};
+    small.level[2] = {.length = 0.34,
+                      .lengthV = 0.1,
+                      .curveRes = 4,
+                      .curve = -0.5,
+                      .curveV = 0.6,
+                      .downAngle = 1.1,
+                      .rotate = -1.57,
+                      .rotateV = 0.44,
+                      .branches = 30};
+    small.level[3] = {
+        .length = 0.5, .curveRes = 3, .curve = -0.6, .downAngle = 0.9, .rotate = 1.35, .branches = 12};
+    tree.grammar.seed = 19;
+    tree.leaf.shape = LeafShape::ScotsPine;
+    tree.leaf.size = 0.6;
+    tree.leaf.internode = 0.5;
+    tree.foliage.leavesCutoff = 0.06;
+    tree.foliage.applesProbability = 0.0;
+    tree.bark.family = BarkFamily::Plated;
+    tree.texture.tileSize = 0.1; // its plates are small, too
+    return tree;
+}
+
+/// A box of box: what fills a wide low crown is clipped to it.
+NodeParams hedge()
+{
+    ColonisationParams crown;
+    crown.envelope = CrownEnvelope::Cylinder;
+    crown.crownBase = 0.03;
+    crown.crownHeight = 1.6;
+    crown.crownRadius = 1.45;
+    crown.points = 60'000;
+    crown.surface = 0.1;
+    crown.influence = 0.3;
+    crown.kill = 0.045;
+    crown.step = 0.04;
+    crown.tropism = {0.0, 0.05, 0.0};
+    crown.tipRadius = 0.0016;
+    crown.thinning = 0.05;
+    NodeParams params =
+        dressed(filling(crown), LeafShape::Box, 6.0, FruitKind::Faithful, 0.0, BarkFamily::Furrowed, -0.3);
+    params.texture.tileSize = 0.1;
+    params.leaf.internode = 1.1;
+    params.foliage.leavesCutoff = 0.5;
+    TreeEdit clip;
+    clip.id = 1;
+    clip.operation = EditOperation::Prune;
+    clip.shape = {EditShapeKind::Box, {-1.1, -0.1, -0.42, 1.1, 1.2, 0.42}};
+    params.edits = {clip};
+    return params;
+}
+
 /// Species in another state than a grown tree's in summer.
 std::vector<Preset> forms(std::span<const Preset> grown)
 {
@@ -144,7 +219,10 @@ std::vector<Preset> forms(std::span<const Preset> grown)
                 group};
     bare.params.leaf.season = 1.0;
     bare.params.foliage.applesProbability = 0.0;
-    return {std::move(snag), std::move(sapling), std::move(bare)};
+    Preset tray{"Bonsai", RAMURE_NOOP("A small old pine with a bent trunk and limbs like trays"),
+                bonsai(like("JapaneseMaple")), "", group};
+    Preset clipped{"Hedge", RAMURE_NOOP("Box, clipped to a block"), hedge(), "", group};
+    return {std::move(tray), std::move(snag), std::move(clipped), std::move(sapling), std::move(bare)};
 }
 
 std::vector<Preset> colonised()
@@ -212,7 +290,8 @@ std::vector<Preset> everyPreset()
     for (const auto& more : {organPresets(), forms(all)})
         all.insert(all.end(), more.begin(), more.end());
     for (std::size_t i = courseworkCount; i < all.size(); ++i) // those of the coursework have no scale
-        all[i].params.texture.tileSize = grownBarkTile(all[i].params.bark.family);
+        if (double& tile = all[i].params.texture.tileSize; tile == 0.0)
+            tile = grownBarkTile(all[i].params.bark.family);
     return all;
 }
 
