@@ -50,7 +50,27 @@ QJsonArray writePoints(const std::vector<StrokePoint>& points)
     return array;
 }
 
-/// A piece is [parent, axis, p0, p1, a0, a1] in one row of ten numbers.
+/// A piece is [parent, axis, p0, p1, a0, a1] in one row of ten numbers; where it has more: what its end and
+/// leaves are, and twelve numbers for each organ.
+constexpr int limbNumbers = 10, organNumbers = 12;
+constexpr int limbSawn = 1, limbBare = 2;
+
+void appendOrgans(QJsonArray& row, const LimbPiece& piece)
+{
+    const int flags = (piece.sawn ? limbSawn : 0) | (piece.bare ? limbBare : 0);
+    if (flags == 0 && piece.organs.empty())
+        return;
+    row.append(flags);
+    for (const LimbOrgan& organ : piece.organs) {
+        row.append(static_cast<int>(organ.organ));
+        row.append(organ.share);
+        row.append(organ.size);
+        for (const glm::dvec3& v : {organ.offset, organ.heading, organ.up})
+            for (const QJsonValue& number : numbersOf(v))
+                row.append(number);
+    }
+}
+
 QJsonArray writeLimb(const std::vector<LimbPiece>& limb)
 {
     QJsonArray array;
@@ -61,6 +81,7 @@ QJsonArray writeLimb(const std::vector<LimbPiece>& limb)
                 numbers.append(number);
         numbers.append(piece.a0);
         numbers.append(piece.a1);
+        appendOrgans(numbers, piece);
         array.append(numbers);
     }
     return array;
@@ -328,17 +349,42 @@ private:
         }
         return {};
     }
+    /// Behind the ten numbers of a piece.
+    static bool areOrgans(const std::vector<double>& n)
+    {
+        if (n.size() == limbNumbers)
+            return true;
+        bool good = (n.size() - limbNumbers - 1) % organNumbers == 0 &&
+                    (n[limbNumbers] >= 0.0 && n[limbNumbers] <= double(limbSawn | limbBare));
+        for (std::size_t i = limbNumbers + 1; good && i < n.size(); i += organNumbers)
+            good = n[i] >= 0.0 && n[i] < double(editOrgans().size());
+        return good;
+    }
+    static void takeOrgans(const std::vector<double>& n, LimbPiece& piece)
+    {
+        const int flags = n.size() > limbNumbers ? static_cast<int>(n[limbNumbers]) : 0;
+        piece.sawn = (flags & limbSawn) != 0;
+        piece.bare = (flags & limbBare) != 0;
+        for (std::size_t i = limbNumbers + 1; i < n.size(); i += organNumbers) {
+            const auto vector = [&](std::size_t at) {
+                return glm::dvec3(n[i + at], n[i + at + 1], n[i + at + 2]);
+            };
+            piece.organs.push_back(
+                {static_cast<EditOrgan>(n[i]), n[i + 1], n[i + 2], vector(3), vector(6), vector(9)});
+        }
+    }
     Expected<void> readLimb()
     {
         if (!(m_info->fields & editLimb) || !m_rest.contains(QLatin1String("limb")))
             return {};
         const QJsonArray array = m_rest.take(QLatin1String("limb")).toArray();
         for (qsizetype i = 0; i < array.size(); ++i) {
-            const auto row = readRow(array[i], "limb" + indexPlace(i), 10, 10);
+            const auto row = readRow(array[i], "limb" + indexPlace(i), limbNumbers,
+                                     limbNumbers + 1 + organNumbers * qsizetype(mostEditPoints));
             if (!row)
                 return fail(row.error());
             const std::vector<double>& n = *row;
-            if (!(std::abs(n[0]) < 1e9) || !(std::abs(n[1]) < 1e9))
+            if (!(std::abs(n[0]) < 1e9) || !(std::abs(n[1]) < 1e9) || !areOrgans(n))
                 return failAt("limb" + indexPlace(i), ErrorCode::Invalid,
                               RAMURE_NOOP("a number is expected here"));
             LimbPiece piece;
@@ -348,6 +394,7 @@ private:
             piece.p1 = {n[5], n[6], n[7]};
             piece.a0 = n[8];
             piece.a1 = n[9];
+            takeOrgans(n, piece);
             m_edit.limb.push_back(piece);
         }
         return {};

@@ -72,13 +72,25 @@ struct EditShape
     bool operator==(const EditShape&) const = default;
 };
 
+/// A leaf, fruit or flower on it, as Organ has it; vectors in the frame of the limb.
+struct LimbOrgan
+{
+    EditOrgan organ = EditOrgan::Leaf;
+    double share = 1.0;
+    double size = -1.0;
+    glm::dvec3 offset{0.0}, heading{0.0}, up{0.0};
+    bool operator==(const LimbOrgan&) const = default;
+};
+
 /// One piece of a limb that comes from another tree.
 struct LimbPiece
 {
-    std::int64_t parent = -1;    ///< among the pieces before it; the first has none
-    glm::dvec3 p0{0.0}, p1{0.0}; ///< m, from the foot, in the parent's frame there
-    double a0 = 0.0, a1 = 0.0;   ///< m
-    std::int64_t axis = 0;       ///< counted from 0 within the limb; pieces of one axis follow each other
+    std::int64_t parent = -1;        ///< among the pieces before it; the first has none
+    glm::dvec3 p0{0.0}, p1{0.0};     ///< m, from the foot, in the parent's frame there
+    double a0 = 0.0, a1 = 0.0;       ///< m
+    std::int64_t axis = 0;           ///< counted from 0 within the limb; pieces of one axis follow each other
+    bool sawn = false, bare = false; ///< its end was cut; no leaves grow on it by themselves
+    std::vector<LimbOrgan> organs{};
     bool operator==(const LimbPiece&) const = default;
 };
 

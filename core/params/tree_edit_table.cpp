@@ -155,6 +155,12 @@ Expected<void> checkShape(const EditShape& shape)
     return hasExtent ? Expected<void>() : refuse("shape", RAMURE_NOOP("the shape has no extent"));
 }
 
+bool isOrgan(const LimbOrgan& organ)
+{
+    return organ.share >= 0.0 && organ.share <= 1.0 && std::abs(organ.size) <= farAway &&
+           isNear(organ.offset) && isNear(organ.heading) && isNear(organ.up);
+}
+
 Expected<void> checkLimb(const TreeEdit& edit)
 {
     const std::vector<LimbPiece>& limb = edit.limb;
@@ -173,7 +179,9 @@ Expected<void> checkLimb(const TreeEdit& edit)
         if (!starts && !continues)
             return refuse("limb", RAMURE_NOOP("the pieces of an axis must follow each other"));
         axes += starts ? 1 : 0;
-        if (!isNear(piece.p0) || !isNear(piece.p1) || !isRadius(piece.a0) || !isRadius(piece.a1))
+        const bool isFinite = isNear(piece.p0) && isNear(piece.p1) && isRadius(piece.a0) &&
+                              isRadius(piece.a1) && std::ranges::all_of(piece.organs, isOrgan);
+        if (!isFinite)
             return refuse("limb", RAMURE_NOOP("must be a finite number"));
     }
     if (limb.empty() == (edit.other.address == 0))

@@ -56,7 +56,7 @@ void add(StageHash& hash, const TreeEdit& edit)
     add(hash, edit.other);
     hash.add(edit.at).add(edit.from).add(edit.to).add(edit.factor).add(edit.angleRad).add(edit.azimuthRad);
     hash.add(edit.radius).add(edit.strength).add(edit.below).add(edit.shown);
-    hash.add(edit.falls).add(edit.seconds);
+    hash.add(edit.falls).add(edit.seconds).add(static_cast<int>(edit.organ));
     for (const glm::dvec3& v : {edit.rotation, edit.direction, edit.centre, edit.offset})
         add(hash, v);
     hash.add(static_cast<int>(edit.shape.kind));
@@ -75,7 +75,12 @@ void add(StageHash& hash, const TreeEdit& edit)
     hash.add(edit.limb.size());
     for (const LimbPiece& piece : edit.limb) {
         add(hash.add(piece.parent).add(piece.axis).add(piece.a0).add(piece.a1), piece.p0);
-        add(hash, piece.p1);
+        add(hash.add(piece.sawn).add(piece.bare).add(piece.organs.size()), piece.p1);
+        for (const LimbOrgan& organ : piece.organs) {
+            hash.add(static_cast<int>(organ.organ)).add(organ.share).add(organ.size);
+            for (const glm::dvec3& v : {organ.offset, organ.heading, organ.up})
+                add(hash, v);
+        }
     }
 }
 

@@ -199,6 +199,8 @@ void TestEditCommands::filesKeepAll()
     }
     TreeEdit graft = editOf(EditOperation::Graft, axesOf(context.skeleton()).axes.front().address);
     graft.limb = context.limb(graft.target.address);
+    graft.limb.front().sawn = graft.limb.front().bare = true;
+    graft.limb.front().organs = {{EditOrgan::Fruit, 0.25, -2.0, {0.1, 0.2, 0.3}, {0, 1, 0}, {1, 0, 0}}};
     params.edits.push_back(*context.prepared(graft, true));
     params.edits.back().id = newEditId(params.edits, graft);
     QVERIFY(params.edits.size() > 150);
@@ -211,6 +213,7 @@ void TestEditCommands::filesKeepAll()
     // Values that an operation has not are not kept: what is read is what acts.
     const std::vector<TreeEdit>& edits = read->scene.find(2)->params.edits;
     QCOMPARE(edits.size(), params.edits.size());
+    QVERIFY(edits.back().limb == graft.limb);
     params.edits = edits;
     NodeParams same = plainTree();
     same.edits = editsOf(document);
@@ -228,6 +231,10 @@ void TestEditCommands::badFiles_data()
     row("[7]", "[0]");
     row(R"([{"id": "0000000000000001", "op": "grow"}])", "[0].op");
     row(R"([{"op": "remove"}])", "[0].id");
+    row(R"([{"id": "0000000000000001", "op": "graft", "limb": [[-1, 0, 0, 0, 0, 0, 1, 0, 0.1, 0.1, 7]]}])",
+        "[0].limb[0]");
+    row(R"([{"id": "0000000000000001", "op": "graft", "limb": [[-1, 0, 0, 0, 0, 0, 1, 0, 0.1, 0.1, 0, 1]]}])",
+        "[0].limb[0]");
     row(R"([{"id": "0000000000000001", "op": "remove"}])", "[0].target");
     row(R"([{"id": "0000000000000001", "op": "remove", "target": "x"}])", "[0].target");
     row(R"([{"id": "0000000000000001", "op": "remove", "target": {"id": "x"}}])", "[0].target.id");

@@ -108,6 +108,24 @@ double distanceOfFork(const EditTree& tree, Index axis)
     return sum;
 }
 
+/// What a piece of another tree brings.
+void putOrgans(EditTree& tree, const LimbPiece& piece, Index made, double size, const Frame& frame)
+{
+    const double length = tree.length(made);
+    for (const LimbOrgan& brought : piece.organs) {
+        Organ organ;
+        organ.branch = made;
+        organ.kind = brought.organ == EditOrgan::Leaf ? OrganKind::Leaf : OrganKind::Fruit;
+        organ.share = brought.share;
+        organ.offset = size * outOf(frame, brought.offset);
+        organ.axis = length > 0.0 ? (tree.piece(made).p1 - tree.piece(made).p0) / length : organ.axis;
+        organ.heading = outOf(frame, brought.heading);
+        organ.up = outOf(frame, brought.up);
+        organ.size = brought.size > 0.0 ? size * brought.size : brought.size;
+        tree.putOrgan(organ);
+    }
+}
+
 /// Grows a limb in a seat's frame.
 void growLimb(EditTree& tree, const Scion& scion, const TreeEdit& edit, Index below, const Seat& seat)
 {
@@ -127,11 +145,12 @@ void growLimb(EditTree& tree, const Scion& scion, const TreeEdit& edit, Index be
         made[i] = tree.extend(axisOf[axis], i == 0 ? below : made[parent], {},
                               seat.foot + outOf(seat.frame, size * piece.p1), size * piece.a0,
                               size * piece.a1, levels[i]);
+        tree.piece(made[i]).bare = piece.bare;
+        tree.piece(made[i]).sawn = piece.sawn;
         if (scion.pieces.empty())
-            continue;
-        tree.piece(made[i]).bare = tree.piece(scion.pieces[i]).bare;
-        tree.piece(made[i]).sawn = tree.piece(scion.pieces[i]).sawn;
-        tree.copyOrgans(scion.pieces[i], made[i], size);
+            putOrgans(tree, piece, made[i], size, seat.frame);
+        else
+            tree.copyOrgans(scion.pieces[i], made[i], size);
     }
 }
 
@@ -185,6 +204,29 @@ void growAs(EditTree& tree, const TreeEdit& edit, Index model, Index axis)
     }
 }
 
+/// What grows on a limb, as its branches stand now.
+void takeOrgans(const EditTree& tree, const Frame& frame, const std::unordered_map<Index, std::int64_t>& at,
+                std::vector<LimbPiece>& limb)
+{
+    for (const EditOrganSeat& organ : tree.organs()) {
+        const auto found = at.find(organ.branch);
+        const EditPiece& piece = tree.piece(organ.branch);
+        if (found == at.end() || (piece.bare && !organ.stays))
+            continue;
+        const double length = tree.length(organ.branch);
+        const bool turns = length > 0.0 && glm::dot(organ.axis, organ.axis) > 0.0;
+        const glm::dquat turn = turns ? rotationBetween(organ.axis, (piece.p1 - piece.p0) / length)
+                                      : glm::dquat(1.0, 0.0, 0.0, 0.0);
+        LimbOrgan& taken = limb[static_cast<std::size_t>(found->second)].organs.emplace_back();
+        taken.organ = organ.kind == OrganKind::Leaf ? EditOrgan::Leaf : EditOrgan::Fruit;
+        taken.share = organ.share;
+        taken.size = organ.size;
+        taken.offset = into(frame, turn * organ.offset);
+        taken.heading = into(frame, turn * organ.heading);
+        taken.up = into(frame, turn * organ.up);
+    }
+}
+
 } // namespace
 
 AxisSpot forkSpot(const EditTree& tree, Index axis, double share)
@@ -215,8 +257,10 @@ std::vector<LimbPiece> limbOf(const EditTree& tree, Index axis)
             const EditPiece& piece = tree.piece(i);
             at[i] = static_cast<std::int64_t>(limb.size());
             limb.push_back({i == first ? -1 : at.at(piece.parent), into(frame, piece.p0 - foot),
-                            into(frame, piece.p1 - foot), piece.a0, piece.a1, static_cast<std::int64_t>(a)});
+                            into(frame, piece.p1 - foot), piece.a0, piece.a1, static_cast<std::int64_t>(a),
+                            piece.sawn && piece.next == noIndex, piece.bare});
         }
+    takeOrgans(tree, frame, at, limb);
     return limb;
 }
 

@@ -464,6 +464,17 @@ void TestTreeEdits::organsGoWithTheirWood()
     const std::vector<Organ> more = after(graft);
     QCOMPARE(more.size(), std::size_t{5});
     QVERIFY(isNear(more.back().size, 0.05));
+    // As a copy for another tree it brings the same.
+    TreeEdit brought = graft;
+    brought.other = {};
+    brought.limb = EditContext(*grown.grown, {}).limb(axes[1].address);
+    const std::vector<Organ> same = after(brought);
+    QCOMPARE(same.size(), more.size());
+    for (std::size_t i = 0; i < more.size(); ++i) {
+        QCOMPARE(same[i].branch, more[i].branch);
+        QCOMPARE(same[i].kind, more[i].kind);
+        QVERIFY(isNear(same[i].size, more[i].size) && isNear(same[i].share, more[i].share));
+    }
 }
 
 void TestTreeEdits::whatIsCutFalls()
