@@ -1,4 +1,6 @@
 #include "app/cli/batch_options.h"
+
+#include "app/cli/level_options.h"
 #include "core/surface/bark/bark_maps.h"
 #include <QRegularExpression>
 
@@ -98,6 +100,7 @@ void addFileOptions(CommandLine& line)
         QStringLiteral("Pixels a side, 16 to 8192, of pictures of bark in and beside the meshes; 0, "
                        "as without it: none."),
         QStringLiteral("PIXELS"), QStringLiteral("0"));
+    addLevelOptions(line, QStringLiteral("other files hold the tree alone"));
     line.addDefault({QStringLiteral("size")}, QStringLiteral("Of pictures, 512x512 without it."),
                     QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("512x512"));
 }
@@ -110,10 +113,14 @@ Expected<BatchPlan> planOf(const CommandLine& line, const Shard& shard)
     const auto picture = pictureSizeFrom(line.value("size"));
     if (!picture)
         return fail(picture.error());
+    const auto levels = levelsFrom(line);
+    if (!levels)
+        return fail(levels.error());
     auto plan = readPlan(line.arguments().front(), templatesOf(line), shard);
     if (!plan)
         return plan;
     plan->mapSize = *mapSize;
+    plan->levels = *levels;
     plan->picture = *picture;
     return plan;
 }

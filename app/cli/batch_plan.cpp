@@ -234,6 +234,9 @@ QByteArray inputsHash(const BatchPlan& plan, const BatchRow& row)
 {
     const bool isFile =
         !row.input.startsWith(QLatin1String("preset:")) && !row.input.startsWith(QLatin1String("demo:"));
+    QStringList levels{QString::number(plan.levels.count)};
+    for (const std::int64_t budget : plan.levels.budgets)
+        levels << QString::number(budget);
     const QJsonObject inputs{
         {QStringLiteral("program"), versionText().trimmed()},
         {QStringLiteral("input"), isFile ? QString::fromLatin1(contentHash(row.input)) : row.input},
@@ -241,6 +244,7 @@ QByteArray inputsHash(const BatchPlan& plan, const BatchRow& row)
         {QStringLiteral("set"), QJsonArray::fromStringList(row.sets)},
         {QStringLiteral("files"), QJsonArray::fromStringList(row.files)},
         {QStringLiteral("mapSize"), plan.mapSize},
+        {QStringLiteral("levels"), QJsonArray::fromStringList(levels)},
         {QStringLiteral("picture"),
          QStringLiteral("%1x%2").arg(plan.picture.width()).arg(plan.picture.height())}};
     return QCryptographicHash::hash(QJsonDocument(inputs).toJson(QJsonDocument::Compact),

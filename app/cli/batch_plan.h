@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/cli/command_line.h"
+#include "core/levels/level_options.h"
 #include <QByteArray>
 #include <QSize>
 #include <QStringList>
@@ -29,6 +30,7 @@ struct BatchPlan
     QString folder; ///< where files go
     int mapSize = 0;
     QSize picture{512, 512};
+    LevelOptions levels;        ///< of .glb files
     std::vector<BatchRow> rows; ///< of the shard
     std::size_t whole = 0;      ///< rows of the table
 };

@@ -235,6 +235,8 @@ Expected<void> RowMaker::write(EvaluatedScene& now, const QString& path)
     options.parts = usualParts(**findFormat(systemPath(path), FormatUse::Write));
     options.texture = true;
     options.write.mapSize = m_plan.mapSize;
+    if (path.endsWith(QLatin1String(".glb"))) // others would be several files, of which no name is known
+        options.levels = m_plan.levels;
     return exportScene(now, options, systemPath(path));
 }
 

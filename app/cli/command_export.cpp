@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/file_space_options.h"
+#include "app/cli/level_options.h"
 #include "app/cli/mesh_check.h"
 #include "app/cli/moments.h"
 #include "app/cli/print_options.h"
@@ -106,31 +107,6 @@ Expected<int> jointsFrom(const CommandLine& line)
         return joints;
     return fail(ErrorCode::Invalid, "--joints \"%1\": all, or 1 to %2 expected",
                 {given.toStdString(), std::to_string(mostJoints)});
-}
-
-/// None where neither option is given.
-Expected<LevelOptions> levelsFrom(const CommandLine& line)
-{
-    LevelOptions out;
-    if (!line.has("levels") && !line.has("budget"))
-        return out;
-    const QStringList budgets =
-        line.has("budget") ? line.value("budget").split(QLatin1Char(',')) : QStringList();
-    for (const QString& budget : budgets) {
-        bool isNumber = false;
-        out.budgets.push_back(budget.trimmed().toLongLong(&isNumber));
-        if (!isNumber)
-            return fail(ErrorCode::Invalid, "--budget \"%1\": triangles, separated by commas, expected",
-                        {line.value("budget").toStdString()});
-    }
-    bool isNumber = true;
-    out.count = line.has("levels") ? line.value("levels").toLongLong(&isNumber) : budgets.size();
-    if (!isNumber)
-        return fail(ErrorCode::Invalid, "--levels \"%1\": 1 to %2 expected",
-                    {line.value("levels").toStdString(), std::to_string(mostLevels)});
-    if (const auto fine = checkLevels(out); !fine)
-        return fail(fine.error());
-    return out;
 }
 
 Expected<void> takeNumbers(const CommandLine& line, Request& out)
@@ -403,23 +379,6 @@ Expected<int> checkAndWrite(const Input& input, const QString& name, const Reque
     return exitGood;
 }
 
-void addLevelOptions(CommandLine& line)
-{
-    line.add({QStringLiteral("levels")},
-             QStringLiteral(
-                 "So many meshes of each tree, 1 to 8, for less and less triangles: fewer sides, "
-                 "cross-sections and twigs, fewer and larger leaves. A .glb holds them all, as nodes "
-                 "branches_LOD0, branches_LOD1 and so on that MSFT_lod names; of other formats each is a "
-                 "file, FILE_LOD0, FILE_LOD1 ... Without --budget the first is the tree as it is, and "
-                 "each further one has a quarter of the triangles."),
-             QStringLiteral("N"));
-    line.add(
-        {QStringLiteral("budget")},
-        QStringLiteral("Triangles of each level, bark, leaves and fruit together, separated by commas; each "
-                       "less than the one before. Levels keep them within 2 %."),
-        QStringLiteral("T0,T1,..."));
-}
-
 void addOptions(CommandLine& line)
 {
     line.add({QStringLiteral("o"), QStringLiteral("output")},
@@ -459,7 +418,7 @@ void addOptions(CommandLine& line)
                     QStringLiteral("Of each tree in a .glb with --frames, at most, or all: thin branches "
                                    "go with those that carry them, and it is said how far that is off."),
                     QStringLiteral("NUMBER|all"), QString::number(WriteOptions().joints));
-    addLevelOptions(line);
+    addLevelOptions(line, QStringLiteral("of other formats each is a file, FILE_LOD0, FILE_LOD1 and so on"));
     addSpaceOptions(line);
     addPrintOptions(line);
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes a format that has both as text, not binary."));

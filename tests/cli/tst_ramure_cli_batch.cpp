@@ -28,6 +28,8 @@ private slots:
                                    << QString::fromUtf8(part);
         };
         row("", "missing -o FOLDER");
+        row("-o out --levels 9", "levels");
+        row("-o out --levels 2 --budget 100,200", "budget");
         row("-o", "Missing value");
         row("-o out --shard 3", "--shard \"3\": I/N expected");
         row("-o out --shard 0/3", "--shard \"0/3\"");
@@ -302,6 +304,25 @@ private slots:
         QVERIFY(bytesOf(path("one/000001.png")) != bytesOf(path("one/000002.png")));
         QCOMPARE(run(path("two"), "2").code, 0);
         QVERIFY(filesBelow(path("two")) == filesBelow(path("one")));
+    }
+
+    /// Of GLB files; another number of them is another input, so that --resume makes them anew.
+    void levelsOfDetail()
+    {
+        const QByteArray text = "preset,seed,mesh.targetTriangles\nTinyTree,1,4000\n";
+        const auto run = [&](const QStringList& options) {
+            return runCli(batchOf(table(text), path("out"),
+                                  QStringList{"--file", "{row}.glb", "--file", "{row}.ply"} + options));
+        };
+        const auto plain = run({});
+        QVERIFY2(plain.code == 0, qPrintable(plain.err));
+        QVERIFY(!bytesOf(path("out/000001.glb")).contains("branches_LOD1"));
+        const QByteArray tree = bytesOf(path("out/000001.ply"));
+        QCOMPARE(run({"--levels", "2", "--budget", "4000,900", "--resume"}).code, 0);
+        const QByteArray levels = bytesOf(path("out/000001.glb"));
+        QVERIFY(levels.contains("branches_LOD1") && !levels.contains("branches_LOD2"));
+        QVERIFY(bytesOf(path("out/000001.ply")) == tree);
+        QCOMPARE(linesOf(path("out/manifest.jsonl"))[0]["files"].toArray().size(), 4); // with OBJ and MTL
     }
 
     void progressInThreeDialects()

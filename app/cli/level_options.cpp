@@ -1,0 +1,47 @@
+#include "app/cli/level_options.h"
+
+namespace ramure::cli {
+
+void addLevelOptions(CommandLine& line, const QString& others)
+{
+    line.add(
+        {QStringLiteral("levels")},
+        QStringLiteral("So many meshes of each tree, 1 to 8, for less and less triangles: fewer sides, "
+                       "cross-sections and twigs, fewer and larger leaves. A .glb holds them all, as nodes "
+                       "branches_LOD0, branches_LOD1 and so on that MSFT_lod names; %1. Without --budget the "
+                       "first is the tree as it is, and "
+                       "each further one has a quarter of the triangles.")
+            .arg(others),
+        QStringLiteral("N"));
+    line.add(
+        {QStringLiteral("budget")},
+        QStringLiteral("Triangles of each level, bark, leaves and fruit together, separated by commas; each "
+                       "less than the one before. Levels keep them within 2 %."),
+        QStringLiteral("T0,T1,..."));
+}
+
+Expected<LevelOptions> levelsFrom(const CommandLine& line)
+{
+    LevelOptions out;
+    if (!line.has("levels") && !line.has("budget"))
+        return out;
+    const QStringList budgets =
+        line.has("budget") ? line.value("budget").split(QLatin1Char(',')) : QStringList();
+    for (const QString& budget : budgets) {
+        bool isNumber = false;
+        out.budgets.push_back(budget.trimmed().toLongLong(&isNumber));
+        if (!isNumber)
+            return fail(ErrorCode::Invalid, "--budget \"%1\": triangles, separated by commas, expected",
+                        {line.value("budget").toStdString()});
+    }
+    bool isNumber = true;
+    out.count = line.has("levels") ? line.value("levels").toLongLong(&isNumber) : budgets.size();
+    if (!isNumber)
+        return fail(ErrorCode::Invalid, "--levels \"%1\": 1 to %2 expected",
+                    {line.value("levels").toStdString(), std::to_string(mostLevels)});
+    if (const auto fine = checkLevels(out); !fine)
+        return fail(fine.error());
+    return out;
+}
+
+} // namespace ramure::cli

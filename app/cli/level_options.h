@@ -1,0 +1,15 @@
+/// \file
+/// --levels and --budget, of `export` and of what starts it for many trees.
+#pragma once
+
+#include "app/cli/command_line.h"
+#include "core/levels/level_options.h"
+
+namespace ramure::cli {
+
+/// \param others what becomes of other formats than GLB
+void addLevelOptions(CommandLine& line, const QString& others);
+/// None where neither option is given. Errors: Invalid.
+Expected<LevelOptions> levelsFrom(const CommandLine& line);
+
+} // namespace ramure::cli
