@@ -33,12 +33,20 @@ float linear(std::uint8_t channel)
 
 namespace {
 
+std::uint16_t linearBits(std::uint8_t channel)
+{
+    static const std::array<std::uint16_t, 256> table = [] {
+        std::array<std::uint16_t, 256> all{};
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all[i] = static_cast<std::uint16_t>(std::lround(65535.0F * linear(static_cast<std::uint8_t>(i))));
+        return all;
+    }();
+    return table[channel];
+}
+
 glm::u16vec4 linearBits(const glm::u8vec3& colour)
 {
-    glm::u16vec4 out(65535);
-    for (int k = 0; k < 3; ++k)
-        out[k] = static_cast<std::uint16_t>(std::lround(65535.0F * linear(colour[k])));
-    return out;
+    return {linearBits(colour.r), linearBits(colour.g), linearBits(colour.b), 65535};
 }
 
 /// Splits the vertices of a mesh; of those at one position each leads to the next.
