@@ -97,7 +97,7 @@ bool TubeTexture::even(const TubeTextureEnd& parent)
             continue;
         const bool enough = settle(isThorough ? trialEffort : whole);
         ways[count++] = {m_conformal.isFolded() ? noIndex : m_conformal.badTriangles(), sections};
-        if (isBetter() && enough)
+        if (isBetter() && (enough || !isThorough))
             return true;
     }
     // Those that promise most get the rounds.
