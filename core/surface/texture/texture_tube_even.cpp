@@ -11,6 +11,7 @@ namespace {
 constexpr double leastTurn = 0.02; ///< rad, between neighbours on a smoothed front
 constexpr int thoroughSweeps = 60, choosySweeps = 8;
 constexpr int unfoldingRounds = 6;
+constexpr int hopelessRounds = 6; ///< of a tube that cannot lie flat
 /// Of a tube's triangles may be stretched: it is left at that.
 constexpr double enoughBad = 0.04, thoroughBad = 0.01;
 
@@ -175,8 +176,11 @@ void TubeTexture::keepEnd(const TubeTextureEnd& parent)
         take(m_whole);
     assign(parent);
     m_endStays = true;
+    const Care care = m_care;
+    m_care.rounds = std::min(care.rounds, hopelessRounds);
     if (!even(parent))
         unfold(parent);
+    m_care = care;
     m_endStays = false;
 }
 
