@@ -33,12 +33,20 @@ float linear(std::uint8_t channel)
 
 namespace {
 
+std::uint16_t linearBits(std::uint8_t channel)
+{
+    static const std::array<std::uint16_t, 256> table = [] {
+        std::array<std::uint16_t, 256> all{};
+        for (std::size_t i = 0; i < all.size(); ++i)
+            all[i] = static_cast<std::uint16_t>(std::lround(65535.0F * linear(static_cast<std::uint8_t>(i))));
+        return all;
+    }();
+    return table[channel];
+}
+
 glm::u16vec4 linearBits(const glm::u8vec3& colour)
 {
-    glm::u16vec4 out(65535);
-    for (int k = 0; k < 3; ++k)
-        out[k] = static_cast<std::uint16_t>(std::lround(65535.0F * linear(colour[k])));
-    return out;
+    return {linearBits(colour.r), linearBits(colour.g), linearBits(colour.b), 65535};
 }
 
 /// Splits the vertices of a mesh; of those at one position each leads to the next.
@@ -52,6 +60,8 @@ public:
         , m_first(mesh.positions.size(), noIndex)
     {
         const std::size_t count = mesh.positions.size() + mesh.positions.size() / 8;
+        m_next.reserve(count);
+        m_out.from.reserve(count);
         m_out.positions.reserve(count);
         m_out.normals.reserve(mesh.normals.empty() ? 0 : count);
         m_out.uv.reserve(m_hasUv ? count : 0);
@@ -61,16 +71,18 @@ public:
 
     Vertices run()
     {
-        for (std::size_t t = 0; t < m_mesh.triangles.size(); ++t)
+        for (std::size_t t = 0; t < m_mesh.triangles.size(); ++t) {
+            const glm::u16vec4 colour = m_hasColours ? linearBits(m_mesh.colours[t]) : glm::u16vec4(65535);
             for (int k = 0; k < 3; ++k) {
                 const Index position = m_mesh.triangles[t][k];
-                const Index vertex = vertexOf(position, cornerUv(t, k), t);
+                const Index vertex = vertexOf(position, cornerUv(t, k), colour);
                 if (vertex != m_first[position]) {
                     m_out.mergeIndices.push_back(static_cast<Index>(m_out.indices.size()));
                     m_out.mergeValues.push_back(m_first[position]);
                 }
                 m_out.indices.push_back(vertex);
             }
+        }
         return std::move(m_out);
     }
 
@@ -85,9 +97,8 @@ private:
         return {uv.x, 1.0F - uv.y}; // ours start at the lowest row of a picture
     }
 
-    Index vertexOf(Index position, const glm::vec2& uv, std::size_t triangle)
+    Index vertexOf(Index position, const glm::vec2& uv, const glm::u16vec4& colour)
     {
-        const glm::u16vec4 colour = m_hasColours ? linearBits(m_mesh.colours[triangle]) : glm::u16vec4(65535);
         Index last = noIndex;
         for (Index at = m_first[position]; at != noIndex; at = m_next[at]) {
             if ((!m_hasUv || m_out.uv[at] == uv) && (!m_hasColours || m_out.colours[at] == colour))

@@ -10,6 +10,7 @@
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <numeric>
 
 namespace ramure {
 
@@ -20,17 +21,20 @@ constexpr double leastAround = 6.0; ///< tiles around the thinnest branch, where
 constexpr double mostAround = 1e6;  ///< more of them than floats tell apart
 constexpr std::size_t tubesInPiece = 16; ///< about half a millisecond of work
 constexpr std::size_t pollEvery = 512;   ///< tubes
-/// Most trees are done at the first effort; one that falls a little short is done again at the next.
+/// Most trees are done at the first attempt; one that falls a little short is done again at the next, with
+/// more care for its worst tubes.
 struct Attempt
 {
-    int rounds;
-    bool thorough;
-    double part; ///< of the time, when it is done
+    TubeTexture::Care care;
+    double part;     ///< of the time, when it is done
+    double hopeless; ///< of the triangles are stretched: the next is not worth it
 };
-constexpr std::array<Attempt, 3> attempts{{{15, false, 0.05}, {50, true, 0.3}, {200, true, 1.0}}};
-constexpr double fewStretched = 0.049, hopelessShare = 0.08; ///< of the triangles
-constexpr double worthIt = 0.9;         ///< of them, after an attempt, and the next is made
-constexpr Index mostThorough = 100'000; ///< triangles: some seconds of work
+constexpr std::array<Attempt, 3> attempts{
+    {{{15, 0}, 0.1, 0.08}, {{100, 1}, 0.4, 0.053}, {{200, 4}, 1.0, 0.0}}};
+constexpr double goal = 0.042, gain = 0.2; ///< for which tubes are chosen; of their stretched triangles
+constexpr double fewStretched = 0.049;     ///< of the triangles
+constexpr double worthIt = 0.9;            ///< of them, after an attempt, and the next is made
+constexpr Index mostThorough = 100'000;    ///< triangles: some seconds of work
 
 /// What tubes hand on to those that grow on them.
 struct Shared
@@ -40,6 +44,7 @@ struct Shared
     std::vector<std::uint8_t> isKnown;     ///< per vertex that is no wall: a tube has given it coordinates
     std::vector<glm::vec2> uv;             ///< per vertex that is known: on the tube that made it
     std::vector<TubeTextureEnd> ends;      ///< per tube
+    std::vector<Index> stretched;          ///< per tube: triangles
     std::vector<Index> parent;             ///< per tube: the one it starts from, or noIndex
     std::vector<std::vector<Index>> waves; ///< tubes whose parents are in the waves before
 };
@@ -54,7 +59,7 @@ struct Piece
     std::vector<glm::vec2> uv;
     std::vector<Index> vertex;
     std::vector<Tube> tubes;
-    Index open = 0, apart = 0, stretched = 0;
+    Index open = 0, apart = 0;
 };
 
 /// Unrolls tubes; one per thread.
@@ -67,7 +72,8 @@ public:
     {
     }
     /// Corners of the tube's triangles go to their place in \p corners, counted from its own first one.
-    void unroll(Shared& shared, Index tube, Piece& piece, std::vector<glm::uvec3>& corners);
+    void unroll(Shared& shared, Index tube, const TubeTexture::Care& care, Piece& piece,
+                std::vector<glm::uvec3>& corners);
 
 private:
     void gather(const Shared& shared, Index first, Index end);
@@ -166,7 +172,8 @@ glm::uvec3 TubeUnroller::place(const BranchMesh& mesh, const glm::uvec3& triangl
     return out;
 }
 
-void TubeUnroller::unroll(Shared& shared, Index index, Piece& piece, std::vector<glm::uvec3>& corners)
+void TubeUnroller::unroll(Shared& shared, Index index, const TubeTexture::Care& care, Piece& piece,
+                          std::vector<glm::uvec3>& corners)
 {
     const std::vector<TubeRange>& tubes = shared.mesh.tubes;
     const Index first = tubes[index].firstTriangle;
@@ -176,24 +183,26 @@ void TubeUnroller::unroll(Shared& shared, Index index, Piece& piece, std::vector
     m_piece = &piece;
     m_begin = static_cast<Index>(piece.uv.size());
     gather(shared, first, end);
+    m_tube.setCare(care);
     m_tube.unroll(shared.mesh.axes[index], parent == noIndex ? TubeTextureEnd{} : shared.ends[parent]);
     shared.ends[index] = m_tube.end();
     write(shared, corners.data() + first);
     piece.open += m_tube.isOpen() ? 1 : 0;
-    piece.stretched += m_tube.stretchedTriangles();
+    shared.stretched[index] = m_tube.stretchedTriangles();
     piece.tubes.push_back({index, m_begin, static_cast<Index>(piece.uv.size()) - m_begin});
 }
 
 Shared shareOf(const BranchMesh& mesh)
 {
     const std::size_t vertices = mesh.mesh.positions.size(), tubes = mesh.tubes.size();
-    Shared shared{mesh, {}, {}, {}, {}, {}, {}};
+    Shared shared{mesh, {}, {}, {}, {}, {}, {}, {}};
     shared.isWall.assign(vertices, 0);
     for (const ForkVertex& fork : mesh.forkVertices)
         shared.isWall[fork.vertex] = 1;
     shared.isKnown.assign(vertices, 0);
     shared.uv.resize(vertices);
     shared.ends.resize(tubes);
+    shared.stretched.assign(tubes, 0);
     shared.parent.assign(tubes, noIndex);
     Index branches = 0;
     for (const TubeRange& tube : mesh.tubes)
@@ -217,15 +226,18 @@ Shared shareOf(const BranchMesh& mesh)
 class CoordinateBuilder
 {
 public:
-    CoordinateBuilder(const BranchMesh& mesh, const TubeTexture::Options& options)
+    /// \param attempt per tube
+    CoordinateBuilder(const BranchMesh& mesh, const TubeTexture::Options& options,
+                      const std::vector<std::uint8_t>& attempt)
         : m_shared(shareOf(mesh))
         , m_options(options)
+        , m_attempt(attempt)
     {
         m_result.corners.resize(mesh.mesh.triangles.size());
         m_result.tileSize = options.tileSize;
     }
     bool run(const Progress& progress);
-    [[nodiscard]] Index stretched() const;
+    [[nodiscard]] const std::vector<Index>& stretched() const { return m_shared.stretched; }
     TextureCoordinates join();
 
 private:
@@ -234,6 +246,7 @@ private:
 
     Shared m_shared;
     TubeTexture::Options m_options;
+    const std::vector<std::uint8_t>& m_attempt;
     TextureCoordinates m_result;
     std::vector<Piece> m_pieces;
     std::mutex m_mutex;
@@ -258,7 +271,7 @@ void CoordinateBuilder::unroll(std::span<const Index> tubes)
         std::unique_ptr<TubeUnroller> unroller = borrow();
         Piece& piece = m_pieces[first + from / tubesInPiece];
         for (std::size_t i = from; i < to; ++i)
-            unroller->unroll(m_shared, tubes[i], piece, m_result.corners);
+            unroller->unroll(m_shared, tubes[i], attempts[m_attempt[tubes[i]]].care, piece, m_result.corners);
         const std::scoped_lock lock(m_mutex);
         m_idle.push_back(std::move(unroller));
     });
@@ -281,15 +294,6 @@ bool CoordinateBuilder::run(const Progress& progress)
             progress.report(double(done) / double(m_shared.ends.size()));
         }
     return true;
-}
-
-/// Triangles.
-Index CoordinateBuilder::stretched() const
-{
-    Index sum = 0;
-    for (const Piece& piece : m_pieces)
-        sum += piece.stretched;
-    return sum;
 }
 
 /// Puts the tubes' coordinates one after the other, in the order of the tubes.
@@ -328,6 +332,24 @@ TextureCoordinates CoordinateBuilder::join()
         }
     });
     return std::move(m_result);
+}
+
+/// The worst tubes, as many as may bring the whole to where it is good, are for the next attempt.
+void chooseTubes(const std::vector<Index>& stretched, double triangles, std::uint8_t attempt,
+                 std::vector<std::uint8_t>& attemptOf)
+{
+    std::vector<Index> order(stretched.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return stretched[a] > stretched[b]; });
+    const Index sum = std::accumulate(stretched.begin(), stretched.end(), Index(0));
+    double missing = (double(sum) - goal * triangles) / gain;
+    for (const Index tube : order) {
+        if (missing <= 0.0 || stretched[tube] == 0)
+            return;
+        attemptOf[tube] = attempt;
+        missing -= double(stretched[tube]);
+    }
 }
 
 double tileFor(const BranchMesh& mesh, double wanted)
@@ -370,18 +392,23 @@ Expected<TextureCoordinates> textureCoordinates(const BranchMesh& mesh, const Te
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("Cancelled"));
     const double tileSize = tileFor(mesh, params.tileSize), triangles = double(mesh.mesh.faceCount());
+    const TubeTexture::Options options{tileSize, params.seamsAround};
+    std::vector<std::uint8_t> attemptOf(mesh.tubes.size(), 0);
     double before = 0.0, last = 1.0;
-    for (const Attempt& attempt : attempts) {
-        const TubeTexture::Options effort{tileSize, params.seamsAround, attempt.rounds, attempt.thorough};
-        CoordinateBuilder builder(mesh, effort);
-        if (!builder.run(progress.part(before, attempt.part)))
+    for (std::uint8_t attempt = 0; attempt < attempts.size(); ++attempt) {
+        CoordinateBuilder builder(mesh, options, attemptOf);
+        const double after = attempts[attempt].part;
+        if (!builder.run(progress.part(before, after)))
             break;
-        before = attempt.part;
-        const double stretched = double(builder.stretched()) / triangles;
-        const bool helps = stretched < hopelessShare && stretched < worthIt * last;
+        before = after;
+        const std::vector<Index>& bad = builder.stretched();
+        const double stretched = double(std::accumulate(bad.begin(), bad.end(), Index(0))) / triangles;
+        const bool helps = stretched < attempts[attempt].hopeless && stretched < worthIt * last;
         last = stretched;
-        if (stretched > fewStretched && helps && triangles <= double(mostThorough) && before < 1.0)
+        if (stretched > fewStretched && helps && triangles <= double(mostThorough) && before < 1.0) {
+            chooseTubes(bad, triangles, std::uint8_t(attempt + 1), attemptOf);
             continue;
+        }
         progress.report(1.0);
         return builder.join();
     }

@@ -40,8 +40,12 @@ public:
     {
         double tileSize = 1.0;   ///< m
         bool seamsAround = true; ///< seams may open around bends
-        int rounds = 15;         ///< of moves, on tubes that are stretched
-        bool thorough = false;   ///< all ways are tried
+    };
+    /// What is spent on tubes that are stretched.
+    struct Care
+    {
+        int rounds = 15; ///< of moves
+        int ways = 0;    ///< of opening the seam that get them, after a trial of all; 0: one after the other
     };
     explicit TubeTexture(const Options& options)
         : m_options(options)
@@ -52,6 +56,7 @@ public:
     void begin();
     /// \param uv of a vertex on the parent's last cross-section; else of no meaning.
     Index addVertex(Index vertex, const glm::vec3& position, bool onParent, bool onWall, const glm::vec2& uv);
+    void setCare(const Care& care) { m_care = care; }
     void addTriangle(const glm::uvec3& corners) { m_triangles.push_back(corners); }
     void unroll(const TubeAxis& axis, const TubeTextureEnd& parent);
 
@@ -99,7 +104,7 @@ private:
         int rounds;              ///< then
         double hopeless;         ///< unless a greater share of the triangles is stretched
     };
-    static const Effort firstEffort; ///< before the seam is opened
+    static const Effort firstEffort, trialEffort; ///< before the seam is opened; to see which way is best
     struct Knot
     {
         double along, around;
@@ -114,6 +119,8 @@ private:
     [[nodiscard]] glm::dvec2 startOf(const TubeTextureEnd& parent) const;
     void assign(const TubeTextureEnd& parent);
     bool even(const TubeTextureEnd& parent);
+    bool layOut(std::size_t sections, const TubeTextureEnd& parent);
+    bool isBetter();
     void keep(Layout& layout) const;
     void take(const Layout& layout);
     bool settle(const Effort& effort);
@@ -136,6 +143,7 @@ private:
     static double shortWay(double angleRad) { return angleRad - turn * std::round(angleRad / turn); }
 
     Options m_options;
+    Care m_care;
     double m_tile;
     UnrollAxis m_axis;
     ConformalRelaxer m_conformal;
@@ -150,6 +158,7 @@ private:
     std::vector<double> m_sorted, m_sections;
     std::vector<Index> m_next, m_front;
     bool m_isOpen = false, m_endStays = false;
+    bool m_folds = false; ///< the best so far
     Index m_stretched = 0;
     std::array<double, UnrollAxis::steps + 1> m_tilesAt{};
     double m_chord = 1.0;       ///< circumference of the cross-sections, as a share of the circle's

@@ -1,6 +1,7 @@
 #include "core/surface/texture/texture_tube.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ramure {
@@ -10,12 +11,20 @@ namespace {
 constexpr double leastTurn = 0.02; ///< rad, between neighbours on a smoothed front
 constexpr int thoroughSweeps = 60, choosySweeps = 8;
 constexpr int unfoldingRounds = 6;
+constexpr int hopelessRounds = 6; ///< of a tube that cannot lie flat
 /// Of a tube's triangles may be stretched: it is left at that.
 constexpr double enoughBad = 0.04, thoroughBad = 0.01;
 
+/// How a tube may be laid out.
+struct Way
+{
+    Index bad; ///< triangles after a trial; noIndex: folded
+    std::size_t sections;
+};
+
 } // namespace
 
-const TubeTexture::Effort TubeTexture::firstEffort{1, 4, 5, 0.1};
+const TubeTexture::Effort TubeTexture::firstEffort{1, 4, 5, 0.1}, TubeTexture::trialEffort{2, 5, 15, 1.0};
 
 template <class Relaxer> void TubeTexture::fill(Relaxer& relaxer) const
 {
@@ -50,7 +59,7 @@ template <class Relaxer> void TubeTexture::read(const Relaxer& relaxer)
 /// Moves vertices to where few triangles are stretched. \returns whether no more are than may be.
 bool TubeTexture::settle(const Effort& effort)
 {
-    const Index enough = shareOf(m_options.thorough ? thoroughBad : enoughBad);
+    const Index enough = shareOf(m_care.ways > 0 ? thoroughBad : enoughBad);
     fill(m_conformal);
     m_conformal.relax(effort.relaxRounds, effort.sweeps);
     if (m_conformal.isFolded() || m_conformal.badTriangles() <= shareOf(effort.hopeless))
@@ -72,31 +81,57 @@ Index TubeTexture::shareOf(double share) const
 /// bend where that is not enough. \returns whether nothing is folded.
 bool TubeTexture::even(const TubeTextureEnd& parent)
 {
-    const Effort whole{2, 5, m_options.rounds, 1.0};
-    const bool mayOpen = m_options.seamsAround;
-    const bool good = settle(mayOpen && !m_options.thorough ? firstEffort : whole);
+    const bool isThorough = m_care.ways > 0;
+    const Effort whole{2, 5, m_care.rounds, 1.0};
+    const Effort& first = !m_options.seamsAround ? whole : isThorough ? trialEffort : firstEffort;
+    const bool good = settle(first);
     m_stretched = m_conformal.badTriangles();
-    bool folded = m_conformal.isFolded();
-    if (good || !mayOpen)
-        return !folded;
+    m_folds = m_conformal.isFolded();
+    if (good || !m_options.seamsAround)
+        return !m_folds;
     keep(m_whole);
     keep(m_best);
+    std::array<Way, 4> ways{{{m_stretched, 0}}};
+    std::size_t count = 1;
     for (const std::size_t sections : {std::size_t(2), std::size_t(1), std::size_t(3)}) {
-        take(m_whole);
-        assign(parent);
-        if (!openSeam(sections))
+        if (!layOut(sections, parent))
+            continue;
+        const bool enough = settle(isThorough ? trialEffort : whole);
+        ways[count++] = {m_conformal.isFolded() ? noIndex : m_conformal.badTriangles(), sections};
+        if (isBetter() && (enough || !isThorough))
+            return true;
+    }
+    // Those that promise most get the rounds.
+    std::stable_sort(ways.begin(), ways.begin() + count,
+                     [](const Way& a, const Way& b) { return a.bad < b.bad; });
+    for (std::size_t i = 0; i < std::min(count, std::size_t(m_care.ways)); ++i) {
+        if (!layOut(ways[i].sections, parent))
             continue;
         const bool enough = settle(whole);
-        if (m_conformal.isFolded() || (!folded && m_conformal.badTriangles() >= m_stretched))
-            continue;
-        folded = false;
-        m_stretched = m_conformal.badTriangles();
-        if (enough || !m_options.thorough)
-            return true;
-        keep(m_best);
+        if (isBetter() && enough)
+            break;
     }
     take(m_best);
-    return !folded;
+    return !m_folds;
+}
+
+/// The tube as it was before it was evened out. \param sections up to which the seam is open; 0: it is not.
+bool TubeTexture::layOut(std::size_t sections, const TubeTextureEnd& parent)
+{
+    take(m_whole);
+    assign(parent);
+    return sections == 0 || openSeam(sections);
+}
+
+/// What was settled last is kept where it is the best so far.
+bool TubeTexture::isBetter()
+{
+    if (m_conformal.isFolded() || (!m_folds && m_conformal.badTriangles() >= m_stretched))
+        return false;
+    m_folds = false;
+    m_stretched = m_conformal.badTriangles();
+    keep(m_best);
+    return true;
 }
 
 void TubeTexture::keep(Layout& layout) const
@@ -141,8 +176,11 @@ void TubeTexture::keepEnd(const TubeTextureEnd& parent)
         take(m_whole);
     assign(parent);
     m_endStays = true;
+    const Care care = m_care;
+    m_care.rounds = std::min(care.rounds, hopelessRounds);
     if (!even(parent))
         unfold(parent);
+    m_care = care;
     m_endStays = false;
 }
 
