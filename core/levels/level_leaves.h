@@ -1,5 +1,5 @@
 /// \file
-/// Leaves and fruit of a level: an even part of them, enlarged so that they cover as much as all did.
+/// Shapes of leaves for levels, and an even part of the fruit, enlarged so that it covers as much as all did.
 /// R. L. Cook, J. Halstead, M. Planck, D. Ryu: Stochastic simplification of aggregate detail, SIGGRAPH 2007.
 #pragma once
 

@@ -1,5 +1,6 @@
 #include "core/levels/tree_levels.h"
 
+#include "core/levels/leaf_clusters.h"
 #include "core/levels/level_leaves.h"
 #include "core/pipeline/bark_feet.h"
 #include "core/surface/foliage/foliage_texture.h"
@@ -90,10 +91,11 @@ private:
     const Skeleton& m_skeleton;
     TwigOrder m_order;
     double m_alpha;
-    Index m_axes;         ///< of the level before
-    bool m_stood = false; ///< leaves and fruit stand on the bark that they are seen on
-    Foliage m_foliage;    ///< all of the tree's
-    std::vector<double> m_leafChance, m_appleChance;
+    Index m_axes;                        ///< of the level before
+    bool m_stood = false;                ///< leaves and fruit stand on the bark that they are seen on
+    Foliage m_foliage;                   ///< all of the tree's
+    std::vector<LeafCluster> m_clusters; ///< of the level before
+    std::vector<double> m_appleChance;
     std::vector<Index> m_leaves, m_apples; ///< of the level before
     std::vector<LeafShapeOfLevel> m_shapes;
     double m_leafArea = 0.0, m_appleArea = 0.0; ///< m² of all, the fruit's of their size squares alone
@@ -126,7 +128,7 @@ Expected<void> LevelMaker::prepare(const Progress& progress)
     };
     m_leaves = numbers(m_foliage.leaves);
     m_apples = numbers(m_foliage.apples);
-    m_leafChance = itemChances(m_foliage.leaves);
+    m_clusters = singleClusters(m_leaves);
     m_appleChance = itemChances(m_foliage.apples);
     if (!m_leaves.empty())
         m_shapes = leafShapesOfLevels(m_foliage.form, m_alpha);
@@ -270,6 +272,7 @@ Expected<LevelMaker::Wood> LevelMaker::woodFor(std::int64_t budget, Split& split
     std::optional<Wood> best;
     Split bestSplit = split;
     double wanted = split.bark, bestMiss = 0.0;
+    double tooFew = 0.0, tooMany = 0.0;
     for (int trial = 0; trial < mostTrials; ++trial) {
         const double from = double(trial) / mostTrials;
         auto wood = build(wanted, mergeRad, progress.part(from, from + 1.0 / mostTrials));
@@ -293,11 +296,15 @@ Expected<LevelMaker::Wood> LevelMaker::woodFor(std::int64_t budget, Split& split
                 break;
             m_axes = std::max(m_order.leastAxes(),
                               static_cast<Index>(0.95 * double(m_axes) * std::min(off, 0.95)));
+            tooFew = tooMany = 0.0;
             continue;
         }
         if (fit == BudgetFit::Largest && double(bark) < split.bark)
             break;
-        wanted = std::clamp(wanted * off, 0.5 * split.bark, 2.0 * split.bark);
+        // By the ratio it swings to and fro where the mesher's steps are coarse: between two it is halved.
+        (double(bark) < split.bark ? tooFew : tooMany) = wanted;
+        wanted = tooFew > 0.0 && tooMany > 0.0 ? 0.5 * (tooFew + tooMany)
+                                               : std::clamp(wanted * off, 0.5 * split.bark, 2.0 * split.bark);
     }
     split = bestSplit;
     return std::move(*best);
@@ -330,11 +337,15 @@ void LevelMaker::stand(const TreeLevel& level)
 void LevelMaker::addLeaves(TreeLevel& level, const Split& split, Foliage& foliage)
 {
     const LeafShapeOfLevel& shape = m_shapes[split.leafShape];
-    level.leafOf = m_leaves =
-        chosenItems(m_foliage.leaves, m_leafChance, m_leaves, level.wood.branchOf, split.leaves);
-    for (const Index i : level.leafOf)
-        foliage.leaves.push_back(m_foliage.leaves[i]);
-    level.leafScale = enlarge(foliage.leaves, m_leafArea, shape.area);
+    m_clusters = joinedClusters(m_foliage.leaves, std::move(m_clusters), level.wood.branchOf, split.leaves);
+    m_leaves.clear();
+    for (const LeafCluster& cluster : m_clusters) {
+        m_leaves.push_back(cluster.leaf);
+        foliage.leaves.push_back(leafOfCluster(m_foliage.leaves, cluster, m_shapes.front(), shape));
+    }
+    level.leafOf = m_leaves;
+    level.leafScale = std::sqrt(double(m_foliage.leaves.size()) / double(m_leaves.size()) *
+                                m_shapes.front().area / shape.area);
     foliage.form = shape.form;
     TriangleMesh leaves = buildLeaves(m_skeleton, foliage, m_alpha, shape.model);
     level.leafArea = areaOf(leaves);
