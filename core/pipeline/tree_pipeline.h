@@ -30,7 +30,7 @@ struct TreeResult
         simplified;                             ///< equal to the skeleton where simplify.enabled is off
     std::shared_ptr<const SectionSet> sections; ///< of the simplified skeleton
     std::shared_ptr<const BranchMesh> branches; ///< branch ids are those of the simplified skeleton
-    std::shared_ptr<const TriangleMesh> cuts; ///< cutWood on the branch mesh; null: nothing was cut
+    std::shared_ptr<const TriangleMesh> cuts;   ///< cutWood on the branch mesh; null: nothing was cut
     /// Of the branch mesh, as it is at rest.
     std::shared_ptr<const TextureStage> texture;
     std::shared_ptr<const MeshReport> report; ///< of the branch mesh; OpenMesh asked only if wanted

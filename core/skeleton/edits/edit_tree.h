@@ -101,7 +101,10 @@ public:
     void shorten(Index piece, double share);
     /// One more, that is seen also on a bare piece.
     void putOrgan(const Organ& organ) { m_organs.push_back({organ, true}); }
-    [[nodiscard]] const std::vector<EditOrganSeat>& organs() const { return m_organs; } ///< also of gone pieces
+    [[nodiscard]] const std::vector<EditOrganSeat>& organs() const
+    {
+        return m_organs;
+    } ///< also of gone pieces
     /// No leaves on a piece from now on, or leaves again: those that hands have put there go and come with
     /// them.
     void setBare(Index piece, bool bare);
