@@ -30,7 +30,7 @@ struct Attempt
     double hopeless; ///< of the triangles are stretched: the next is not worth it
 };
 constexpr std::array<Attempt, 3> attempts{
-    {{{15, 0}, 0.1, 0.08}, {{100, 1}, 0.4, 0.053}, {{200, 4}, 1.0, 0.0}}};
+    {{{15, 0}, 0.1, 0.08}, {{50, 1}, 0.4, 0.065}, {{200, 4}, 1.0, 0.0}}};
 constexpr double goal = 0.042, gain = 0.2; ///< for which tubes are chosen; of their stretched triangles
 constexpr double fewStretched = 0.049;     ///< of the triangles
 constexpr double worthIt = 0.9;            ///< of them, after an attempt, and the next is made

@@ -49,7 +49,9 @@ private slots:
     void picturesFitEveryBranch_data()
     {
         QTest::addColumn<double>("good");
-        QTest::newRow("SmallTree") << 0.95;
+        for (const Preset& preset : courseworkPresets())
+            QTest::newRow(preset.name) << 0.95;
+        QTest::newRow("TreeFern") << 0.95;
         QTest::newRow("CoconutPalm") << 0.95;
         QTest::newRow("Baobab") << 0.8;
         QTest::newRow("JoshuaTree") << 0.8;
