@@ -421,6 +421,12 @@ void LevelMaker::measure(TreeLevel& level)
     double detail = 0.5 * m_order.thickestGone(m_axes);
     if (level.leaves && !level.foliage->leaves.empty())
         detail = std::max(detail, std::sqrt(level.leafArea / double(level.foliage->leaves.size())));
+    if (level.branches) { // how far an edge of its bark is from the round of the thickest branch
+        const TriangleMesh& bark = level.branches->mesh;
+        const double thickest = *std::ranges::max_element(m_skeleton.a0);
+        const double chordSquared = 2.0 * areaOf(bark) / double(bark.faceCount());
+        detail = std::max(detail, std::min(chordSquared / (8.0 * thickest), thickest));
+    }
     level.detail = detail;
 }
 

@@ -114,6 +114,15 @@ private slots:
         QCOMPARE(levels.error().code, ErrorCode::Cancelled);
     }
 
+    /// Nothing of a bare trunk goes but sides, and those are a difference, too.
+    void sidesAloneAreDetail()
+    {
+        const auto levels = made(preset("DeadSnag"), {3, {}});
+        QCOMPARE(levels.size(), std::size_t{3});
+        QVERIFY(levels[0].detail == 0.0 && levels[1].detail > 0.0);
+        QVERIFY(levels[2].detail > levels[1].detail && levels[2].detail < 0.5);
+    }
+
     void keepBudgetAreaAndProof_data() { presetRows(); }
     void keepBudgetAreaAndProof()
     {
