@@ -7,6 +7,7 @@
 #include "core/io/formats/file_format.h"
 #include "core/io/material_maps.h"
 #include "core/scene/growth_spaces.h"
+#include "core/scene/object_mesh.h"
 #include "core/session/exporter.h"
 #include "core/skeleton/measures.h"
 #include "core/surface/bark/bark_maps.h"
@@ -57,18 +58,19 @@ QJsonObject proofOf(const std::vector<CheckedMesh>& checked)
 }
 
 /// Of the trees that are shown; triangles are those of the checked meshes.
-QJsonObject countsOf(EvaluatedScene& now, const std::vector<CheckedMesh>& checked, QJsonObject& line)
+QJsonObject countsOf(EvaluatedScene& now, const std::vector<CheckedMesh>& checked, Stage stage,
+                     QJsonObject& line)
 {
     const MeshReport sum = sumOf(checked);
     qint64 leaves = 0, branches = 0, trees = 0;
     for (const Node& node : now.scene().nodes()) {
         if (node.kind != NodeKind::Tree || !now.scene().isShown(node.id))
             continue;
-        const auto tree = now.tree(node, Stage::Foliage);
+        const auto tree = now.tree(node, stage);
         if (!tree)
             continue;
         ++trees;
-        leaves += qint64(tree->foliage->leaves.size());
+        leaves += tree->foliage ? qint64(tree->foliage->leaves.size()) : 0;
         branches += qint64(tree->skeleton->size());
         if (trees == 1)
             line.insert(QStringLiteral("measures"), jsonMeasures(measuresOf(*tree->skeleton)));
@@ -79,6 +81,49 @@ QJsonObject countsOf(EvaluatedScene& now, const std::vector<CheckedMesh>& checke
             {QStringLiteral("branches"), branches},
             {QStringLiteral("leaves"), leaves},
             {QStringLiteral("volume"), sum.volume}};
+}
+
+/// Of levels that are all that is written: bark of the finest, and triangles and leaves of each.
+QJsonObject countsOf(EvaluatedScene& now, const ExportScene& written, const std::vector<CheckedMesh>& checked,
+                     QJsonObject& line)
+{
+    struct Level
+    {
+        qint64 triangles = 0, leaves = 0;
+    };
+    std::vector<Level> levels(std::size_t(lastLevel(written)) + 1);
+    std::vector<CheckedMesh> finest;
+    auto bark = checked.begin();
+    for (const ExportMesh& mesh : written.meshes) {
+        levels[std::size_t(mesh.level)].triangles += mesh.mesh->faceCount();
+        if (mesh.name.starts_with("leaves"))
+            levels[std::size_t(mesh.level)].leaves += mesh.pieces;
+        if (mesh.name.starts_with("branches"))
+            if (const CheckedMesh& each = *bark++; mesh.level == 0)
+                finest.push_back(each);
+    }
+    QJsonArray list;
+    for (const Level& level : levels)
+        list.append(QJsonObject{{QStringLiteral("triangles"), level.triangles},
+                                {QStringLiteral("leaves"), level.leaves}});
+    QJsonObject counts = countsOf(now, finest, Stage::Simplified, line);
+    counts.insert(QStringLiteral("leaves"), levels.front().leaves);
+    counts.insert(QStringLiteral("levels"), list);
+    return counts;
+}
+
+/// Are levels the only meshes? Then the whole tree, many times as large, is neither made nor proved.
+bool isOfLevelsAlone(const BatchPlan& plan, const BatchRow& row, const Scene& scene)
+{
+    const auto has = [&](const char* ending) {
+        return std::ranges::count_if(
+            row.files, [&](const QString& file) { return file.endsWith(QLatin1String(ending)); });
+    };
+    const auto meshes = has(".glb");
+    return plan.levels.isWanted() && !plan.levels.beginsWhole() && meshes > 0 &&
+           meshes + has(".png") + has("/") == row.files.size() &&
+           std::ranges::none_of(
+               scene.nodes(), [&](const Node& node) { return isShape(node.kind) && scene.isShown(node.id); });
 }
 
 Expected<void> writeMapsOf(EvaluatedScene& now, const std::string& folder, int size)
@@ -182,6 +227,42 @@ RowMaker::RowMaker(const BatchPlan& plan)
 
 RowMaker::~RowMaker() = default;
 
+ExportOptions RowMaker::optionsFor(const QString& path) const
+{
+    ExportOptions options;
+    options.parts = usualParts(**findFormat(systemPath(path), FormatUse::Write));
+    options.texture = true;
+    options.write.mapSize = m_plan.mapSize;
+    if (path.endsWith(QLatin1String(".glb"))) // others would be several files, of which no name is known
+        options.levels = m_plan.levels;
+    return options;
+}
+
+Expected<std::vector<CheckedMesh>> RowMaker::checkWhole(const Input& input, Evaluator& evaluator,
+                                                        QJsonObject& line)
+{
+    MeshChecks checks;
+    checks.placed = true;
+    auto checked = checkMeshes(input, evaluator, checks, {});
+    if (checked) {
+        EvaluatedScene now = evaluator.at(*input.scene());
+        line.insert(QStringLiteral("counts"), countsOf(now, *checked, Stage::Foliage, line));
+    }
+    return checked;
+}
+
+Expected<std::vector<CheckedMesh>> RowMaker::checkLevels(EvaluatedScene& now, QJsonObject& line)
+{
+    auto collected = collectExport(now, optionsFor(QStringLiteral(".glb")));
+    if (!collected)
+        return fail(std::move(collected.error()));
+    m_levels = std::move(*collected);
+    auto checked = checkBarks(*m_levels);
+    if (checked)
+        line.insert(QStringLiteral("counts"), countsOf(now, *m_levels, *checked, line));
+    return checked;
+}
+
 QJsonObject RowMaker::make(const BatchRow& row)
 {
     if (!row.problem.isEmpty())
@@ -196,15 +277,14 @@ QJsonObject RowMaker::make(const BatchRow& row)
         return failedLine(m_plan, row, row_error::input, QStringLiteral("a mesh: trees and scenes expected"));
     TreePipeline pipeline;
     Evaluator evaluator(pipelineSource(pipeline), input->scene()->timeline());
-    MeshChecks checks;
-    checks.placed = true;
-    const auto checked = checkMeshes(*input, evaluator, checks, {});
+    EvaluatedScene now = evaluator.at(*input->scene());
+    QJsonObject line = lineOf(m_plan, row);
+    m_levels.reset();
+    const auto checked = isOfLevelsAlone(m_plan, row, *input->scene()) ? checkLevels(now, line)
+                                                                       : checkWhole(*input, evaluator, line);
     if (!checked)
         return failed(checked.error());
-    QJsonObject line = lineOf(m_plan, row);
     line.insert(QStringLiteral("proof"), proofOf(*checked));
-    EvaluatedScene now = evaluator.at(*input->scene());
-    line.insert(QStringLiteral("counts"), countsOf(now, *checked, line));
     if (!sumOf(*checked).valid) {
         QJsonObject broken = failedLine(m_plan, row, row_error::check,
                                         QStringLiteral("the mesh is not valid, nothing was written"));
@@ -231,13 +311,9 @@ Expected<void> RowMaker::write(EvaluatedScene& now, const QString& path)
         return writeMapsOf(now, systemPath(folder), std::max(m_plan.mapSize, int(leastBarkSize)));
     if (path.endsWith(QLatin1String(".png")))
         return draw(now, path);
-    ExportOptions options;
-    options.parts = usualParts(**findFormat(systemPath(path), FormatUse::Write));
-    options.texture = true;
-    options.write.mapSize = m_plan.mapSize;
-    if (path.endsWith(QLatin1String(".glb"))) // others would be several files, of which no name is known
-        options.levels = m_plan.levels;
-    return exportScene(now, options, systemPath(path));
+    const ExportOptions options = optionsFor(path);
+    return m_levels && options.levels.isWanted() ? writeExport(*m_levels, options, systemPath(path))
+                                                 : exportScene(now, options, systemPath(path));
 }
 
 Expected<void> RowMaker::draw(EvaluatedScene& now, const QString& path)

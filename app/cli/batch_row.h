@@ -5,9 +5,12 @@
 
 #include "app/cli/batch_plan.h"
 #include "app/cli/input.h"
+#include "app/cli/mesh_check.h"
 #include "core/evaluate/evaluator.h"
+#include "core/session/exporter.h"
 #include <QJsonObject>
 #include <memory>
+#include <optional>
 
 namespace ramure::cli {
 
@@ -38,11 +41,17 @@ public:
     QJsonObject make(const BatchRow& row);
 
 private:
+    [[nodiscard]] ExportOptions optionsFor(const QString& path) const;
+    /// Their counts go into the line.
+    static Expected<std::vector<CheckedMesh>> checkWhole(const Input& input, Evaluator& evaluator,
+                                                         QJsonObject& line);
+    Expected<std::vector<CheckedMesh>> checkLevels(EvaluatedScene& now, QJsonObject& line);
     Expected<void> write(EvaluatedScene& now, const QString& path);
     Expected<void> draw(EvaluatedScene& now, const QString& path);
 
     const BatchPlan& m_plan;
     std::unique_ptr<Painter> m_painter;
+    std::optional<ExportScene> m_levels; ///< of the row, where they are all it writes
 };
 
 /// The line of a row that could not be done. \param kind of row_error

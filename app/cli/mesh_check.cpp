@@ -149,6 +149,25 @@ Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, Evaluator& ev
     return out;
 }
 
+Expected<std::vector<CheckedMesh>> checkBarks(const ExportScene& scene)
+{
+    std::vector<CheckedMesh> out;
+    for (const ExportMesh& mesh : scene.meshes) {
+        if (!mesh.name.starts_with("branches"))
+            continue;
+        const glm::dmat4& world = scene.frames.front().transforms[mesh.node].geometry;
+        auto check = checkMesh(world == glm::dmat4(1.0)
+                                   ? mesh.mesh
+                                   : std::make_shared<const TriangleMesh>(transformed(*mesh.mesh, world)),
+                               false);
+        if (!check)
+            return fail(std::move(check.error()));
+        out.push_back(checkedMesh(std::move(*check), false));
+        out.back().name = scene.nodes[mesh.node].name;
+    }
+    return out;
+}
+
 Expected<void> separateTrees(Input& input, TreePipeline& pipeline, const Progress& progress)
 {
     Scene* scene = std::get_if<Scene>(&input.content);

@@ -4,6 +4,7 @@
 
 #include "app/cli/input.h"
 #include "core/evaluate/evaluator.h"
+#include "core/io/export_scene.h"
 #include "core/surface/check/mesh_analysis.h"
 #include "core/surface/check/texture_report.h"
 #include "core/surface/check/verdict.h"
@@ -52,6 +53,10 @@ struct MeshChecks
 /// Errors: those of EvaluatedScene; Cancelled.
 Expected<std::vector<CheckedMesh>> checkMeshes(const Input& input, Evaluator& evaluator,
                                                const MeshChecks& checks, const Progress& progress);
+
+/// The same of the bark of all trees in a scene that is about to be written, level by level, where it stands.
+/// Errors: those of checkMesh.
+Expected<std::vector<CheckedMesh>> checkBarks(const ExportScene& scene);
 
 /// Moves colliding branches of all trees apart (core/pipeline/separate_branches.h); says on the standard
 /// error how far it came. Errors: Invalid for a mesh file; those of separateBranches.

@@ -41,6 +41,7 @@ struct ExportMesh
     int level = 0;                      ///< 0 the finest
     Index finest = noIndex; ///< number of the mesh in whose place it can be shown; noIndex: it is one
     double coverage = 0.0;  ///< share of the screen down to which this level suffices and is needed
+    Index pieces = 0;       ///< leaves or fruit that it holds
 };
 
 /// One leaf, fruit or flower.

@@ -3,6 +3,7 @@
 #include "core/levels/leaf_clusters.h"
 #include "core/levels/level_leaves.h"
 #include "core/pipeline/bark_feet.h"
+#include "core/surface/check/verdict.h"
 #include "core/surface/foliage/foliage_texture.h"
 #include <algorithm>
 #include <cmath>
@@ -444,7 +445,7 @@ Expected<TreeLevel> LevelMaker::level(std::int64_t budget, const Progress& progr
         const auto report = validateMesh(out.branches->mesh);
         if (!report)
             return fail(report.error());
-        if (!report->valid)
+        if (verdictOn(*report, nullptr, out.branches->roots) == MeshVerdict::Broken)
             return fail(ErrorCode::Invalid, RAMURE_NOOP("the bark of a level does not pass its proof"));
     }
     if (progress.cancelled())

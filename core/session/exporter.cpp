@@ -173,17 +173,22 @@ void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes
                const NodeMotion& motion)
 {
     const auto add = [&](const char* name, const std::shared_ptr<const TriangleMesh>& mesh,
-                         const std::shared_ptr<const Skin>& skin, const Material& material) {
-        if (mesh && !mesh->empty())
-            out.meshes.push_back({name + tree.suffix, tree.number, mesh, materialIn(out, material), skin});
+                         const std::shared_ptr<const Skin>& skin, const Material& material,
+                         std::size_t pieces) {
+        if (!mesh || mesh->empty())
+            return;
+        out.meshes.push_back({name + tree.suffix, tree.number, mesh, materialIn(out, material), skin});
+        out.meshes.back().pieces = static_cast<Index>(pieces);
     };
+    const Foliage none, &foliage = meshes.foliage ? *meshes.foliage : none;
     add("branches", meshes.branches, motion.branches,
-        barkMaterial(tree.node->params.bark, tree.node->params.barkPictures));
+        barkMaterial(tree.node->params.bark, tree.node->params.barkPictures), 0);
     if (meshes.cuts)
         add("cuts", meshes.cuts,
-            motion.bones ? std::make_shared<const Skin>(bindRigidly(*meshes.cuts)) : nullptr, woodMaterial());
-    add("leaves", meshes.leaves, motion.leaves, leafMaterial(params));
-    add("apples", meshes.apples, motion.apples, fruitMaterial(params));
+            motion.bones ? std::make_shared<const Skin>(bindRigidly(*meshes.cuts)) : nullptr, woodMaterial(),
+            0);
+    add("leaves", meshes.leaves, motion.leaves, leafMaterial(params), foliage.leaves.size());
+    add("apples", meshes.apples, motion.apples, fruitMaterial(params), foliage.apples.size());
     out.frames.front().bones[tree.number] = motion.bones;
 }
 
@@ -553,14 +558,23 @@ Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, c
     const auto collected = collectExport(std::move(scene), options, progress.part(0.0, 0.5));
     if (!collected)
         return fail(collected.error());
+    return writeExport(*collected, options, path, progress.part(0.5, 1.0));
+}
+
+Expected<void> writeExport(const ExportScene& scene, const ExportOptions& options, const std::string& path,
+                           const Progress& progress)
+{
+    const auto format = findFormat(path, FormatUse::Write, options.write.ascii);
+    if (!format)
+        return fail(format.error());
     WriteOptions head = options.write;
     head.comment = options.space.comment();
-    if (!collected->copies.empty() && ((*format)->holds & holdsCopies) == 0)
-        if (auto listed = writeCopyList(path, *collected, head, progress.part(0.5, 0.6)); !listed)
+    if (!scene.copies.empty() && ((*format)->holds & holdsCopies) == 0)
+        if (auto listed = writeCopyList(path, scene, head, progress.part(0.0, 0.2)); !listed)
             return listed;
     if (!options.levels.isWanted() || ((*format)->holds & holdsLevels))
-        return (*format)->write(path, *collected, head, progress.part(0.6, 1.0));
-    return writeLevels(**format, path, *collected, head, progress.part(0.6, 1.0));
+        return (*format)->write(path, scene, head, progress.part(0.2, 1.0));
+    return writeLevels(**format, path, scene, head, progress.part(0.2, 1.0));
 }
 
 } // namespace ramure

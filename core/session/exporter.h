@@ -55,6 +55,9 @@ Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& o
 /// and of core/io; Invalid (a clip of instances); the old file is intact then.
 Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, const std::string& path,
                            const Progress& progress = {});
+/// Its second half: what collectExport() gave for the same options. Errors: Unknown, those of core/io.
+Expected<void> writeExport(const ExportScene& scene, const ExportOptions& options, const std::string& path,
+                           const Progress& progress = {});
 /// "tree.obj": "tree_LOD1.obj".
 std::string levelFile(const std::string& path, int level);
 /// The files that exportScene() writes: \p path itself, or one for each level.
