@@ -12,74 +12,58 @@ namespace {
 /// Halves clusters by their number along the longest side of their box.
 struct Joiner
 {
+    struct Point
+    {
+        glm::dvec3 place;
+        Index leaf, cluster;
+    };
     std::span<const FoliageItem> items;
     std::span<const Index> branchOf;
-    std::vector<LeafCluster>& clusters;
+    const std::vector<LeafCluster>& clusters;
     std::vector<LeafCluster> out{};
 
-    [[nodiscard]] const glm::dvec3& place(const LeafCluster& cluster) const
-    {
-        return items[cluster.leaf].position;
-    }
-    void join(std::size_t begin, std::size_t end);
-    void split(std::size_t begin, std::size_t end, std::size_t count);
+    void join(std::span<const Point> points);
+    void split(std::span<Point> points, std::size_t count);
 };
 
-void Joiner::join(std::size_t begin, std::size_t end)
+void Joiner::join(std::span<const Point> points)
 {
     LeafCluster joined;
+    for (const Point& point : points) {
+        const std::vector<Index>& members = clusters[point.cluster].members;
+        joined.members.insert(joined.members.end(), members.begin(), members.end());
+    }
+    std::ranges::sort(joined.members); // the order of the sum, too
     glm::dvec3 middle(0.0);
     double weight = 0.0;
-    for (std::size_t i = begin; i < end; ++i)
-        for (const Index member : clusters[i].members) {
-            const double square = double(items[member].size) * double(items[member].size);
-            middle += square * items[member].position;
-            weight += square;
-            joined.members.push_back(member);
-        }
+    for (const Index member : joined.members) {
+        const double square = double(items[member].size) * double(items[member].size);
+        middle += square * items[member].position;
+        weight += square;
+    }
     middle /= std::max(weight, 1e-300);
-    const auto turn = [&](Index leaf) {
-        return std::tuple(branchOf[items[leaf].branch] == noIndex,
-                          glm::dot(items[leaf].position - middle, items[leaf].position - middle), leaf);
+    const auto turn = [&](const Point& p) {
+        return std::tuple(branchOf[items[p.leaf].branch] == noIndex,
+                          glm::dot(p.place - middle, p.place - middle), p.leaf);
     };
-    joined.leaf = clusters[begin].leaf;
-    for (std::size_t i = begin + 1; i < end; ++i)
-        if (turn(clusters[i].leaf) < turn(joined.leaf))
-            joined.leaf = clusters[i].leaf;
-    std::ranges::sort(joined.members);
+    joined.leaf = std::ranges::min(points, {}, turn).leaf;
     out.push_back(std::move(joined));
 }
 
-void Joiner::split(std::size_t begin, std::size_t end, std::size_t count)
+void Joiner::split(std::span<Point> points, std::size_t count)
 {
     if (count == 1)
-        return join(begin, end);
+        return join(points);
     Box box;
-    for (std::size_t i = begin; i < end; ++i)
-        box.add(place(clusters[i]));
+    for (const Point& point : points)
+        box.add(point.place);
     const glm::dvec3 size = box.size();
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const std::size_t half = count / 2, middle = begin + (end - begin) * half / count;
-    const auto at = [&](const LeafCluster& c) { return std::pair(place(c)[axis], c.leaf); };
-    const auto from = clusters.begin();
-    std::nth_element(from + std::ptrdiff_t(begin), from + std::ptrdiff_t(middle), from + std::ptrdiff_t(end),
-                     [&](const LeafCluster& a, const LeafCluster& b) { return at(a) < at(b); });
-    split(begin, middle, half);
-    split(middle, end, count - half);
-}
-
-/// Where a leaf's surface is, in the frame of an item of size 1.
-glm::dvec3 middleOf(const TriangleMesh& shape)
-{
-    glm::dvec3 sum(0.0);
-    double area = 0.0;
-    for (const glm::uvec3& t : shape.triangles) {
-        const glm::dvec3 a(shape.positions[t.x]), b(shape.positions[t.y]), c(shape.positions[t.z]);
-        const double twice = glm::length(glm::cross(b - a, c - a));
-        sum += twice * (a + b + c) / 3.0;
-        area += twice;
-    }
-    return area > 0.0 ? sum / area : sum;
+    const std::size_t half = count / 2, middle = points.size() * half / count;
+    const auto at = [&](const Point& p) { return std::pair(p.place[axis], p.leaf); };
+    std::ranges::nth_element(points, points.begin() + std::ptrdiff_t(middle), {}, at);
+    split(points.first(middle), half);
+    split(points.subspan(middle), count - half);
 }
 
 } // namespace
@@ -98,8 +82,12 @@ std::vector<LeafCluster> joinedClusters(std::span<const FoliageItem> items, std:
 {
     if (count >= clusters.size())
         return clusters;
+    std::vector<Joiner::Point> points;
+    points.reserve(clusters.size());
+    for (const LeafCluster& cluster : clusters)
+        points.push_back({items[cluster.leaf].position, cluster.leaf, static_cast<Index>(points.size())});
     Joiner joiner{items, branchOf, clusters};
-    joiner.split(0, clusters.size(), std::max<std::size_t>(count, 1));
+    joiner.split(points, std::max<std::size_t>(count, 1));
     std::ranges::sort(joiner.out, {}, &LeafCluster::leaf);
     return std::move(joiner.out);
 }
@@ -108,19 +96,18 @@ FoliageItem leafOfCluster(std::span<const FoliageItem> items, const LeafCluster&
                           const LeafShapeOfLevel& whole, const LeafShapeOfLevel& shape)
 {
     FoliageItem out = items[cluster.leaf];
-    const glm::dvec3 within = middleOf(whole.mesh), own = middleOf(shape.mesh);
     glm::dvec3 middle(0.0);
     double squares = 0.0;
     for (const Index m : cluster.members) {
         const double size = double(items[m].size);
-        middle += size * size * (items[m].position + items[m].orientation * (size * within));
+        middle += size * size * (items[m].position + items[m].orientation * (size * whole.middle));
         squares += size * size;
     }
     middle /= std::max(squares, 1e-300);
     const double size = std::sqrt(squares * whole.area / shape.area);
     out.size = static_cast<float>(size);
     if (cluster.members.size() > 1)
-        out.position = middle - out.orientation * (size * own);
+        out.position = middle - out.orientation * (size * shape.middle);
     return out;
 }
 

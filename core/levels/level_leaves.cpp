@@ -53,6 +53,19 @@ std::uint32_t reversed(std::uint32_t number, std::uint32_t bits)
     return out;
 }
 
+glm::dvec3 middleOf(const TriangleMesh& shape)
+{
+    glm::dvec3 sum(0.0);
+    double area = 0.0;
+    for (const glm::uvec3& t : shape.triangles) {
+        const glm::dvec3 a(shape.positions[t.x]), b(shape.positions[t.y]), c(shape.positions[t.z]);
+        const double twice = glm::length(glm::cross(b - a, c - a));
+        sum += twice * (a + b + c) / 3.0;
+        area += twice;
+    }
+    return area > 0.0 ? sum / area : sum;
+}
+
 } // namespace
 
 double areaOf(const TriangleMesh& mesh)
@@ -72,6 +85,7 @@ std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, double al
     const auto add = [&](const LeafForm& simpler, FoliageModel model) {
         LeafShapeOfLevel shape{simpler, model, oneLeaf(simpler, alpha, model)};
         shape.area = areaOf(shape.mesh);
+        shape.middle = middleOf(shape.mesh);
         const bool isSimpler = out.empty() || shape.mesh.faceCount() < out.back().mesh.faceCount();
         if (isSimpler && shape.area > 0.0)
             out.push_back(std::move(shape));

@@ -15,6 +15,7 @@ struct LeafShapeOfLevel
     FoliageModel model = FoliageModel::Fine; ///< Rough: a card
     TriangleMesh mesh;                       ///< of size 1, with texture coordinates where it is a plant's
     double area = 0.0;                       ///< m², of all its triangles
+    glm::dvec3 middle{0.0};                  ///< of its surface
 };
 /// From the one that the tree has to the simplest. \param alpha the tree's length.
 std::vector<LeafShapeOfLevel> leafShapesOfLevels(const LeafForm& form, double alpha);

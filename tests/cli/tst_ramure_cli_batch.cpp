@@ -325,6 +325,27 @@ private slots:
         QCOMPARE(linesOf(path("out/manifest.jsonl"))[0]["files"].toArray().size(), 4); // with OBJ and MTL
     }
 
+    /// They are what is proved and counted; a picture beside them is no mesh.
+    void levelsAloneAreProved()
+    {
+        const auto ended = runCli(batchOf(table("preset,seed\nSilverBirch,1\n"), path("out"),
+                                          {"--file", "{row}.glb", "--file", "{row}.png", "--levels", "2",
+                                           "--budget", "4000,900", "--map-size", "0"}));
+        QVERIFY2(ended.code == 0, qPrintable(ended.err));
+        const QJsonObject line = linesOf(path("out/manifest.jsonl"))[0];
+        const QJsonObject counts = line["counts"].toObject();
+        QVERIFY(line["proof"]["valid"].toBool() && line["proof"]["openMesh"].toBool());
+        QVERIFY(line["measures"]["height"].toDouble() > 5.0);
+        const QJsonArray levels = counts["levels"].toArray();
+        QCOMPARE(levels.size(), 2);
+        for (const auto& [level, budget] : {std::pair(0, 4000), std::pair(1, 900)})
+            QVERIFY(std::abs(levels[level]["triangles"].toInt() - budget) <= budget / 50);
+        QCOMPARE(counts["leaves"], levels[0]["leaves"]);
+        QVERIFY(levels[0]["leaves"].toInt() > levels[1]["leaves"].toInt() && levels[1]["leaves"].toInt() > 0);
+        QVERIFY(counts["faces"].toInt() > 100 && counts["faces"].toInt() < 4000);
+        QVERIFY(counts["volume"].toDouble() > 0.0);
+    }
+
     void progressInThreeDialects()
     {
         QByteArray text = test::smallTrees(3) + "NoTree,4,4\n";
