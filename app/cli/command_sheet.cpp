@@ -24,7 +24,8 @@ constexpr CommandText text = {
     "and the same manifest gives the same page."};
 
 constexpr int usualSide = 160, leastSide = 32, mostSide = 1024;
-constexpr int quality = 85; ///< of JPEG, in percent
+constexpr int pixelsATriangle = 8; ///< of a tree that is grown to be drawn
+constexpr int quality = 85;        ///< of JPEG, in percent
 
 /// What draws, in a process of the pool.
 class Drawer
@@ -87,9 +88,14 @@ private:
             row.seed = line.value(QStringLiteral("seed")).toInteger();
         for (const QJsonValue set : line.value(QStringLiteral("set")).toArray())
             row.sets << set.toString();
-        const auto input = inputOf(row);
+        auto input = inputOf(row);
         if (!input || !input->scene())
             return {};
+        for (const Node& listed : input->scene()->nodes()) {
+            NodeParams& params = std::get<Scene>(input->content).find(listed.id)->params;
+            params.texture.seamsAround = false; // nobody sees bark that is stretched a little at forks
+            params.mesh.targetTriangles = std::int64_t(m_side) * m_side / pixelsATriangle;
+        }
         if (!m_painter.hasBegun() && !m_painter.begin())
             return {};
         TreePipeline pipeline;
