@@ -51,6 +51,7 @@ constexpr Choice<ExportModel> modelChoices[] = {
     {"mesh", ExportModel::Mesh}, {"rough", ExportModel::Rough}, {"skeleton", ExportModel::Skeleton}};
 
 constexpr Choice<bool> leafChoices[] = {{"merged", false}, {"instances", true}};
+constexpr Choice<bool> compressionChoices[] = {{"none", false}, {"meshopt", true}};
 
 template <class Value, std::size_t n>
 Expected<Value> choose(const Choice<Value> (&choices)[n], const char* option, const QString& name)
@@ -77,6 +78,7 @@ struct Request
     bool instances = false; ///< leaves and apples as a list
     int mapSize = WriteOptions().mapSize;
     int joints = WriteOptions().joints;
+    bool compressed = false;
     LevelOptions levels;
     FileSpace space;
     bool requireValid = false;
@@ -127,6 +129,22 @@ Expected<void> takeNumbers(const CommandLine& line, Request& out)
     return {};
 }
 
+/// Of formats that cannot, there is no silent other file.
+Expected<void> takeCompression(const CommandLine& line, Request& out)
+{
+    const auto wanted = choose(compressionChoices, "compress", line.value("compress"));
+    if (!wanted)
+        return fail(wanted.error());
+    out.compressed = *wanted;
+    for (const QString& file : out.files)
+        if (const auto known = findFormat(systemPath(file), FormatUse::Write, out.ascii); !known)
+            return fail(known.error());
+        else if (out.compressed && ((*known)->holds & holdsCompressed) == 0)
+            return fail(ErrorCode::Invalid, "--compress meshopt is for .glb files: \"%1\" is none",
+                        {file.toStdString()});
+    return {};
+}
+
 Expected<Request> requestOf(const CommandLine& line)
 {
     Request out;
@@ -144,9 +162,8 @@ Expected<Request> requestOf(const CommandLine& line)
     out.space = space->value_or(FileSpace());
     if (out.files.isEmpty())
         return fail(ErrorCode::Invalid, "missing -o FILE: `ramure-cli export --help` shows what it takes");
-    for (const QString& file : out.files)
-        if (const auto known = findFormat(systemPath(file), FormatUse::Write, out.ascii); !known)
-            return fail(known.error());
+    if (auto taken = takeCompression(line, out); !taken)
+        return fail(std::move(taken.error()));
     out.requireValid = line.has("require-valid");
     out.report = line.value("report");
     if (line.has("report") && !out.report.endsWith(QLatin1String(".json"), Qt::CaseInsensitive))
@@ -217,6 +234,7 @@ Expected<void> exportAt(const Scene& scene, const Request& request, double timeS
         options.write.mapSize = request.mapSize;
         options.texture = request.texture;
         options.write.joints = request.joints;
+        options.write.compressed = request.compressed;
         options.levels = request.levels;
         options.write.tell = [](const Error& note) { printError(fromText(note.message())); };
         options.clip = clip;
@@ -282,7 +300,8 @@ Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Pr
     const ExportScene parts = sceneOfMeshes(std::move(objects), barkMaterial());
     // Where all is one mesh, vertices that the objects share stay shared.
     const ExportScene whole = sceneOfMeshes({{"mesh", placed(mesh.joined()), {}}}, barkMaterial());
-    const WriteOptions options{request.ascii, request.space.comment()};
+    WriteOptions options{request.ascii, request.space.comment()};
+    options.compressed = request.compressed;
     for (const QString& file : request.files) {
         const FileFormat& format = formatOf(request, file);
         const auto written =
@@ -418,6 +437,12 @@ void addOptions(CommandLine& line)
                     QStringLiteral("Of each tree in a .glb with --frames, at most, or all: thin branches "
                                    "go with those that carry them, and it is said how far that is off."),
                     QStringLiteral("NUMBER|all"), QString::number(WriteOptions().joints));
+    line.addDefault({QStringLiteral("compress")},
+                    QStringLiteral("Of a .glb: meshopt makes it about a fifth as large "
+                                   "(EXT_meshopt_compression and KHR_mesh_quantization), for web pages and "
+                                   "engines that read that. Places are rounded to 1/65000 of how far they "
+                                   "are from the origin, directions to a degree."),
+                    QStringLiteral("meshopt|none"), QStringLiteral("none"));
     addLevelOptions(line, QStringLiteral("of other formats each is a file, FILE_LOD0, FILE_LOD1 and so on"));
     addSpaceOptions(line);
     addPrintOptions(line);

@@ -32,10 +32,11 @@ struct LinePart
 
 struct WriteOptions
 {
-    bool ascii = false;    ///< where the format has a form of text beside a binary one
-    std::string comment{}; ///< one line in the head of the file, after the program's name; empty: none
-    int mapSize = 1024;    ///< pixels a side of the pictures of materials; 0: none
-    int joints = 256;      ///< of a tree in a clip, at most; 0: as many as it has branches
+    bool ascii = false;      ///< where the format has a form of text beside a binary one
+    std::string comment{};   ///< one line in the head of the file, after the program's name; empty: none
+    int mapSize = 1024;      ///< pixels a side of the pictures of materials; 0: none
+    bool compressed = false; ///< smaller, where the format can: numbers are rounded to what is still seen
+    int joints = 256;        ///< of a tree in a clip, at most; 0: as many as it has branches
     std::function<void(const Error& note)> tell{}; ///< what was left out or made simpler; may be empty
 };
 

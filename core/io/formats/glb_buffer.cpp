@@ -1,9 +1,11 @@
 #include "core/base/file_writer.h"
-#include "core/io/formats/glb_parts.h"
+#include "core/io/formats/glb_packed.h"
 
 #include <limits>
 
 namespace ramure::glb {
+
+static constexpr const char *compression = "EXT_meshopt_compression", *quantisation = "KHR_mesh_quantization";
 
 std::size_t Buffer::addView(std::string_view bytes, Target target)
 {
@@ -14,6 +16,84 @@ std::size_t Buffer::addView(std::string_view bytes, Target target)
     m_bytes.append(bytes);
     m_views.push_back(std::move(view));
     return m_views.size() - 1;
+}
+
+/// In a second buffer, which is nowhere in the file, stands what it becomes.
+std::size_t Buffer::addPacked(const Packed& values, Target target)
+{
+    const std::size_t view = addView(values.bytes, target);
+    Json& json = m_views[view];
+    const std::size_t size = values.count * values.stride;
+    json["extensions"][compression] = {{"buffer", 0},
+                                       {"byteOffset", json["byteOffset"]},
+                                       {"byteLength", json["byteLength"]},
+                                       {"byteStride", values.stride},
+                                       {"count", values.count},
+                                       {"mode", values.mode}};
+    if (std::string_view(values.filter) != "NONE")
+        json["extensions"][compression]["filter"] = values.filter;
+    json["buffer"] = 1;
+    json["byteOffset"] = m_unpacked;
+    json["byteLength"] = size;
+    m_unpacked += (size + 3) / 4 * 4;
+    return view;
+}
+
+std::size_t Buffer::addNumbers(std::string_view bytes, std::size_t stride, Target target)
+{
+    return m_isPacked && stride % 4 == 0 && !bytes.empty() ? addPacked(packed(bytes, stride), target)
+                                                           : addView(bytes, target);
+}
+
+std::size_t Buffer::addRounded(std::span<float> values, std::size_t components, int bits, Target target)
+{
+    if (m_isPacked)
+        return addPacked(packedFloats(values, components, bits), target);
+    return addView({reinterpret_cast<const char*>(values.data()), values.size_bytes()}, target);
+}
+
+std::size_t Buffer::addDirections(const std::vector<glm::vec3>& directions)
+{
+    if (!m_isPacked)
+        return addAccessor(addValues(directions, Target::Vertices), Number::Float, "VEC3", directions.size());
+    m_isRounded = true;
+    std::vector<glm::vec4> padded;
+    padded.reserve(directions.size());
+    for (const glm::vec3& direction : directions)
+        padded.emplace_back(direction, 1.0F);
+    const std::size_t view = addPacked(packedDirections(padded), Target::Vertices);
+    m_views[view]["byteStride"] = 4;
+    return addAccessor(view, Number::Signed8, "VEC3", directions.size(), true);
+}
+
+std::size_t Buffer::addTangents(const std::vector<glm::vec4>& tangents)
+{
+    if (!m_isPacked)
+        return addAccessor(addValues(tangents, Target::Vertices), Number::Float, "VEC4", tangents.size());
+    m_isRounded = true;
+    return addAccessor(addPacked(packedDirections(tangents), Target::Vertices), Number::Signed8, "VEC4",
+                       tangents.size(), true);
+}
+
+std::size_t Buffer::addTurns(const std::vector<glm::vec4>& quaternions)
+{
+    if (!m_isPacked)
+        return addAccessor(addValues(quaternions), Number::Float, "VEC4", quaternions.size());
+    return addAccessor(addPacked(packedTurns(quaternions), Target::None), Number::Signed16, "VEC4",
+                       quaternions.size(), true);
+}
+
+void Buffer::tellExtensions(Json& root) const
+{
+    if (m_unpacked == 0)
+        return;
+    root["buffers"].push_back(
+        {{"byteLength", m_unpacked}, {"extensions", {{compression, {{"fallback", true}}}}}});
+    for (const char* list : {"extensionsUsed", "extensionsRequired"}) {
+        root[list].push_back(compression);
+        if (m_isRounded)
+            root[list].push_back(quantisation);
+    }
 }
 
 std::size_t Buffer::addAccessor(std::size_t view, Number number, const char* type, std::size_t count,
@@ -37,6 +117,7 @@ Expected<void> Buffer::write(const std::string& path, Json root, const Progress&
 {
     m_bytes.resize((m_bytes.size() + 3) / 4 * 4, '\0');
     root["buffers"] = Json::array({{{"byteLength", m_bytes.size()}}});
+    tellExtensions(root);
     root["bufferViews"] = std::move(m_views);
     root["accessors"] = std::move(m_accessors);
     // Names come from files of any kind; what is no UTF-8 in them becomes a question mark.

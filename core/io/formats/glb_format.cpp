@@ -5,7 +5,7 @@
 #include "core/base/number_text.h"
 #include "core/io/formats/file_format.h"
 #include "core/io/formats/glb_motion.h"
-#include "core/io/formats/glb_parts.h"
+#include "core/io/formats/glb_packed.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
 #include "core/rig/pose/skin.h"
@@ -30,6 +30,9 @@ using glb::Target;
 constexpr const char* instancing = "EXT_mesh_gpu_instancing";
 constexpr const char* manifold = "EXT_mesh_manifold";
 constexpr const char* levels = "MSFT_lod";
+/// Of numbers in a compressed file: places within 1/65,000 of how far they are from the origin, sizes and
+/// colours.
+constexpr int fineBits = 17, coarseBits = 12;
 
 Json numbersOf(const glm::vec3& v)
 {
@@ -82,6 +85,7 @@ public:
     GlbWriter(const ExportScene& scene, const WriteOptions& options)
         : m_scene(scene)
         , m_options(options)
+        , m_buffer(options.compressed)
         , m_materials(m_buffer, options.mapSize)
         , m_animation(m_buffer, secondsOf(scene))
         , m_node(scene.nodes.size(), noIndex)
@@ -335,17 +339,15 @@ private:
         glb::Vertices vertices = glb::verticesOf(mesh, textured);
         if (m_materials.hasNormals(material) && !vertices.normals.empty() && !vertices.uv.empty())
             glb::addTangents(vertices);
+        const glb::Packed triangles = m_buffer.isPacked() ? glb::packedTriangles(vertices) : glb::Packed();
         const std::size_t count = vertices.positions.size();
         Json attributes{{"POSITION", addPositions(vertices.positions)}};
         if (!vertices.normals.empty())
-            attributes["NORMAL"] = m_buffer.addAccessor(
-                m_buffer.addValues(vertices.normals, Target::Vertices), Number::Float, "VEC3", count);
+            attributes["NORMAL"] = m_buffer.addDirections(vertices.normals);
         if (!vertices.tangents.empty())
-            attributes["TANGENT"] = m_buffer.addAccessor(
-                m_buffer.addValues(vertices.tangents, Target::Vertices), Number::Float, "VEC4", count);
+            attributes["TANGENT"] = m_buffer.addTangents(vertices.tangents);
         if (!vertices.uv.empty())
-            attributes["TEXCOORD_0"] = m_buffer.addAccessor(m_buffer.addValues(vertices.uv, Target::Vertices),
-                                                            Number::Float, "VEC2", count);
+            attributes["TEXCOORD_0"] = m_buffer.addFloats(vertices.uv, fineBits, "VEC2");
         if (!vertices.colours.empty())
             attributes["COLOR_0"] = m_buffer.addAccessor(
                 m_buffer.addValues(vertices.colours, Target::Vertices), Number::Short, "VEC4", count, true);
@@ -357,7 +359,8 @@ private:
             attributes["WEIGHTS_0"] = m_buffer.addAccessor(
                 m_buffer.addValues(weights.weights, Target::Vertices), Number::Float, "VEC4", count);
         }
-        const std::size_t view = m_buffer.addValues(vertices.indices, Target::Indices);
+        const std::size_t view = m_buffer.isPacked() ? m_buffer.addPacked(triangles, Target::Indices)
+                                                     : m_buffer.addValues(vertices.indices, Target::Indices);
         const std::size_t indices =
             m_buffer.addAccessor(view, Number::Int, "SCALAR", vertices.indices.size());
         const Json positions = attributes["POSITION"];
@@ -371,10 +374,9 @@ private:
         return {};
     }
 
-    std::size_t addPositions(const std::vector<glm::vec3>& positions)
+    std::size_t addPositions(std::vector<glm::vec3>& positions)
     {
-        const std::size_t accessor = m_buffer.addAccessor(m_buffer.addValues(positions, Target::Vertices),
-                                                          Number::Float, "VEC3", positions.size());
+        const std::size_t accessor = m_buffer.addFloats(positions, fineBits, "VEC3");
         glm::vec3 low = positions.front(), high = positions.front();
         for (const glm::vec3& p : positions) {
             low = glm::min(low, p);
@@ -425,16 +427,16 @@ private:
             turns.emplace_back(turn.x, turn.y, turn.z, turn.w);
             tints.push_back(glb::linear(copy.tint));
         }
-        const auto values = [this](const auto& all, const char* type) {
-            return m_buffer.addAccessor(m_buffer.addValues(all), Number::Float, type, all.size());
+        const auto values = [this](auto& all, int bits) {
+            return m_buffer.addFloats(all, bits, "VEC3", Target::None);
         };
         const auto holder = holderOf(from.node, from.name, glm::dmat4(1.0));
         if (!holder)
             return fail(holder.error());
-        m_nodes[*holder]["extensions"][instancing]["attributes"] = {{"TRANSLATION", values(places, "VEC3")},
-                                                                    {"ROTATION", values(turns, "VEC4")},
-                                                                    {"SCALE", values(sizes, "VEC3")},
-                                                                    {"_COLOR_0", values(tints, "VEC3")}};
+        m_nodes[*holder]["extensions"][instancing]["attributes"] = {{"TRANSLATION", values(places, fineBits)},
+                                                                    {"ROTATION", m_buffer.addTurns(turns)},
+                                                                    {"SCALE", values(sizes, coarseBits)},
+                                                                    {"_COLOR_0", values(tints, coarseBits)}};
         m_nodes[*holder]["mesh"] = m_meshes.size();
         return addMesh(from.name, *from.shape, textured, *number);
     }
@@ -444,7 +446,8 @@ private:
     {
         if (lines.lines.empty())
             return;
-        const std::size_t positions = addPositions(lines.positions);
+        std::vector<glm::vec3> places = lines.positions;
+        const std::size_t positions = addPositions(places);
         const std::size_t indices = m_buffer.addAccessor(m_buffer.addValues(lines.lines, Target::Indices),
                                                          Number::Int, "SCALAR", 2 * lines.lines.size());
         constexpr int mode = 1; // LINES
@@ -495,7 +498,8 @@ const FileFormat glbFormat = {
     .name = RAMURE_NOOP("Binary glTF"),
     .choice = RAMURE_NOOP("GLB (glTF), for games and the web"),
     .help = "glTF 2.0 with materials and pictures inside: nodes as in the scene, closed meshes told as such",
-    .holds = holdsObjects | holdsTexture | holdsLines | holdsCopies | holdsClip | holdsLevels,
+    .holds =
+        holdsObjects | holdsTexture | holdsLines | holdsCopies | holdsClip | holdsLevels | holdsCompressed,
     .write = &write,
     .rates = &rates,
 };

@@ -8,24 +8,63 @@
 #include <glm/gtc/type_precision.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 
 namespace ramure::glb {
 
 using Json = nlohmann::json;
 
 enum class Target : int { None = 0, Vertices = 34962, Indices = 34963 };
-enum class Number : int { Byte = 5121, Short = 5123, Int = 5125, Float = 5126 };
+enum class Number : int {
+    Byte = 5121,
+    Short = 5123,
+    Int = 5125,
+    Float = 5126,
+    Signed8 = 5120,
+    Signed16 = 5122
+};
+
+/// Values as EXT_meshopt_compression has them.
+struct Packed
+{
+    std::string bytes;
+    std::size_t stride = 0, count = 0; ///< of what they become again
+    const char *mode = "ATTRIBUTES", *filter = "NONE";
+};
 
 /// Everything but the JSON.
 class Buffer
 {
 public:
+    /// \param isPacked views are compressed, which readers of the file have to know
+    explicit Buffer(bool isPacked)
+        : m_isPacked(isPacked)
+    {
+    }
+    [[nodiscard]] bool isPacked() const { return m_isPacked; }
+
     /// \return the number of the view. It starts where any number may.
     std::size_t addView(std::string_view bytes, Target target = Target::None);
+    std::size_t addPacked(const Packed& values, Target target);
     template <class T> std::size_t addValues(const std::vector<T>& values, Target target = Target::None)
     {
-        return addView({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)}, target);
+        return addNumbers({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)},
+                          sizeof(T), target);
     }
+    /// \param bits see packedFloats; what is not compressed is not rounded. \return the number of the
+    /// accessor.
+    template <class V>
+    std::size_t addFloats(std::vector<V>& values, int bits, const char* type,
+                          Target target = Target::Vertices)
+    {
+        const std::span<float> numbers(&values[0][0], values.size() * V::length());
+        return addAccessor(addRounded(numbers, V::length(), bits, target), Number::Float, type,
+                           values.size());
+    }
+    /// Of unit length. \return the number of the accessor.
+    std::size_t addDirections(const std::vector<glm::vec3>& directions);
+    std::size_t addTangents(const std::vector<glm::vec4>& tangents);
+    std::size_t addTurns(const std::vector<glm::vec4>& quaternions);
     /// \param type "SCALAR", "VEC3" ... \return the number of the accessor
     std::size_t addAccessor(std::size_t view, Number number, const char* type, std::size_t count,
                             bool isNormalised = false);
@@ -35,7 +74,14 @@ public:
     Expected<void> write(const std::string& path, Json root, const Progress& progress) &&;
 
 private:
+    std::size_t addNumbers(std::string_view bytes, std::size_t stride, Target target);
+    std::size_t addRounded(std::span<float> values, std::size_t components, int bits, Target target);
+    void tellExtensions(Json& root) const;
+
+    bool m_isPacked;
+    bool m_isRounded = false; ///< directions are bytes
     std::string m_bytes;
+    std::size_t m_unpacked = 0; ///< bytes that the compressed views become
     Json m_views = Json::array(), m_accessors = Json::array();
 };
 
