@@ -101,6 +101,7 @@ void addFileOptions(CommandLine& line)
                        "as without it: none."),
         QStringLiteral("PIXELS"), QStringLiteral("0"));
     addLevelOptions(line, QStringLiteral("other files hold the tree alone"));
+    addCompression(line);
     line.addDefault({QStringLiteral("size")}, QStringLiteral("Of pictures, 512x512 without it."),
                     QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("512x512"));
 }
@@ -116,11 +117,15 @@ Expected<BatchPlan> planOf(const CommandLine& line, const Shard& shard)
     const auto levels = levelsFrom(line);
     if (!levels)
         return fail(levels.error());
+    const auto compressed = compressionFrom(line);
+    if (!compressed)
+        return fail(compressed.error());
     auto plan = readPlan(line.arguments().front(), templatesOf(line), shard);
     if (!plan)
         return plan;
     plan->mapSize = *mapSize;
     plan->levels = *levels;
+    plan->isCompressed = *compressed;
     plan->picture = *picture;
     return plan;
 }

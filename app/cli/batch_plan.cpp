@@ -235,6 +235,8 @@ QByteArray inputsHash(const BatchPlan& plan, const BatchRow& row)
     const bool isFile =
         !row.input.startsWith(QLatin1String("preset:")) && !row.input.startsWith(QLatin1String("demo:"));
     QStringList levels{QString::number(plan.levels.count)};
+    if (plan.isCompressed)
+        levels << QStringLiteral("compressed");
     for (const std::int64_t budget : plan.levels.budgets)
         levels << QString::number(budget);
     const QJsonObject inputs{

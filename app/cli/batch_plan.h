@@ -31,6 +31,7 @@ struct BatchPlan
     int mapSize = 0;
     QSize picture{512, 512};
     LevelOptions levels;        ///< of .glb files
+    bool isCompressed = false;  ///< these
     std::vector<BatchRow> rows; ///< of the shard
     std::size_t whole = 0;      ///< rows of the table
 };

@@ -233,6 +233,7 @@ ExportOptions RowMaker::optionsFor(const QString& path) const
     options.parts = usualParts(**findFormat(systemPath(path), FormatUse::Write));
     options.texture = true;
     options.write.mapSize = m_plan.mapSize;
+    options.write.compressed = m_plan.isCompressed;
     if (path.endsWith(QLatin1String(".glb"))) // others would be several files, of which no name is known
         options.levels = m_plan.levels;
     return options;

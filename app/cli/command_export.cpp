@@ -51,7 +51,6 @@ constexpr Choice<ExportModel> modelChoices[] = {
     {"mesh", ExportModel::Mesh}, {"rough", ExportModel::Rough}, {"skeleton", ExportModel::Skeleton}};
 
 constexpr Choice<bool> leafChoices[] = {{"merged", false}, {"instances", true}};
-constexpr Choice<bool> compressionChoices[] = {{"none", false}, {"meshopt", true}};
 
 template <class Value, std::size_t n>
 Expected<Value> choose(const Choice<Value> (&choices)[n], const char* option, const QString& name)
@@ -132,7 +131,7 @@ Expected<void> takeNumbers(const CommandLine& line, Request& out)
 /// Of formats that cannot, there is no silent other file.
 Expected<void> takeCompression(const CommandLine& line, Request& out)
 {
-    const auto wanted = choose(compressionChoices, "compress", line.value("compress"));
+    const auto wanted = compressionFrom(line);
     if (!wanted)
         return fail(wanted.error());
     out.compressed = *wanted;
@@ -437,12 +436,7 @@ void addOptions(CommandLine& line)
                     QStringLiteral("Of each tree in a .glb with --frames, at most, or all: thin branches "
                                    "go with those that carry them, and it is said how far that is off."),
                     QStringLiteral("NUMBER|all"), QString::number(WriteOptions().joints));
-    line.addDefault({QStringLiteral("compress")},
-                    QStringLiteral("Of a .glb: meshopt makes it about a fifth as large "
-                                   "(EXT_meshopt_compression and KHR_mesh_quantization), for web pages and "
-                                   "engines that read that. Places are rounded to 1/65000 of how far they "
-                                   "are from the origin, directions to a degree."),
-                    QStringLiteral("meshopt|none"), QStringLiteral("none"));
+    addCompression(line);
     addLevelOptions(line, QStringLiteral("of other formats each is a file, FILE_LOD0, FILE_LOD1 and so on"));
     addSpaceOptions(line);
     addPrintOptions(line);

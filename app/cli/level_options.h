@@ -1,5 +1,5 @@
 /// \file
-/// --levels and --budget, of `export` and of what starts it for many trees.
+/// --levels, --budget and --compress, of `export` and of what starts it for many trees.
 #pragma once
 
 #include "app/cli/command_line.h"
@@ -11,5 +11,9 @@ namespace ramure::cli {
 void addLevelOptions(CommandLine& line, const QString& others);
 /// None where neither option is given. Errors: Invalid.
 Expected<LevelOptions> levelsFrom(const CommandLine& line);
+
+void addCompression(CommandLine& line);
+/// WriteOptions::compressed. Error: Invalid.
+Expected<bool> compressionFrom(const CommandLine& line);
 
 } // namespace ramure::cli

@@ -29,6 +29,7 @@ private slots:
         };
         row("", "missing -o FOLDER");
         row("-o out --levels 9", "levels");
+        row("-o out --compress zip", "compress");
         row("-o out --levels 2 --budget 100,200", "budget");
         row("-o", "Missing value");
         row("-o out --shard 3", "--shard \"3\": I/N expected");

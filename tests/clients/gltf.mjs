@@ -10,6 +10,7 @@ import {join} from 'node:path';
 import {fromArrayBuffer, readMesh} from 'manifold-3d/lib/gltf-io.js';
 import Module from 'manifold-3d';
 import * as three from 'three';
+import {MeshoptDecoder} from 'three/addons/libs/meshopt_decoder.module.js';
 import {GLTFLoader} from 'three/addons/loaders/GLTFLoader.js';
 
 const [cli, folder] = process.argv.slice(2);
@@ -45,6 +46,9 @@ async function validated() {
   files.push(exported('wind.glb', ...wind, '--map-size', '0'));
   files.push(exported('few-joints.glb', 'preset:SmallTree', '--frames', '0:5', '--joints', '64', '--map-size', '0'));
   files.push(exported('loop.glb', 'preset:SmallTree', '--wind-loop', '1', '--joints', '64', '--map-size', '0'));
+  files.push(exported('small.glb', 'preset:SilverBirch', '--compress', 'meshopt', '--map-size', '64'));
+  files.push(exported('small-loop.glb', 'preset:SmallTree', '--compress', 'meshopt', '--wind-loop', '1', '--joints', '64',
+    '--map-size', '0'));
   files.push(exported('arm.glb', 'demo:Arm', '--frames', '0:24'));
   for (const name of some.filter(one => one !== 'TinyTree'))
     files.push(exported(`${name}-levels.glb`, `preset:${name}`, '--map-size', '64', '--budget', '10000,2500,600'));
@@ -169,7 +173,36 @@ async function replayed() {
   told('three', versionOf('three'), frames.length + 1, `replayed within ${(most / height).toExponential(1)} of the height`);
 }
 
-for (const judge of [validated, solid, levelled, replayed]) {
+// What is compressed is what was there: as many triangles, as far as they reached.
+async function unpacked() {
+  await MeshoptDecoder.ready;
+  const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder);
+  const open = path => new Promise((resolve, reject) => loader.parse(arrayOf(path), '', resolve, reject));
+  const files = [['SilverBirch'], ['SmallTree', '--leaves', 'instances'], ['TinyTree', '--frames', '0:5'],
+    ['EnglishOak', '--budget', '10000,2500']];
+  let most = 1;
+  for (const [name, ...options] of files) {
+    const seen = [];
+    for (const compress of ['none', 'meshopt']) {
+      const path = exported(`${name}-${compress}.glb`, `preset:${name}`, '--compress', compress, '--map-size', '0', ...options);
+      const {scene} = await open(path);
+      const meshes = [];
+      scene.updateMatrixWorld(true);
+      scene.traverse(one => { if (one.isMesh) meshes.push(one); });
+      let triangles = 0;
+      for (const mesh of meshes) triangles += mesh.geometry.index.count / 3 * (mesh.count ?? 1);
+      seen.push({bytes: readFileSync(path).length, triangles, box: new three.Box3().setFromObject(scene)});
+    }
+    const [plain, small] = seen;
+    const height = plain.box.max.y - plain.box.min.y;
+    find(plain.triangles === small.triangles, `${name}: ${small.triangles} triangles of ${plain.triangles}`);
+    find(plain.box.min.distanceTo(small.box.min) + plain.box.max.distanceTo(small.box.max) < 1e-4 * height, `${name}: another size`);
+    most = Math.max(most, plain.bytes / small.bytes);
+  }
+  told('three', versionOf('three'), files.length, `compressed files are the same trees, up to ${most.toFixed(1)} times smaller`);
+}
+
+for (const judge of [validated, solid, levelled, replayed, unpacked]) {
   const before = findings.length;
   try {
     await judge();
