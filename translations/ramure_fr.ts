@@ -8617,6 +8617,14 @@ OpenGL&#xa0;: %4
         <source>Kept as “%1”.</source>
         <translation>Gardé sous « %1 ».</translation>
     </message>
+    <message>
+        <source>Compressed</source>
+        <translation>Compressé</translation>
+    </message>
+    <message>
+        <source>Numbers are rounded to what is still seen and packed (EXT_meshopt_compression): the file is about a fifth as large, without its pictures. For web pages and engines that read it; Blender 3.4 does not.</source>
+        <translation>Les nombres sont arrondis à ce qui se voit encore et comprimés (EXT_meshopt_compression) : le fichier est réduit à un cinquième environ, sans ses images. Pour les pages web et les moteurs qui le lisent ; Blender 3.4 ne le lit pas.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::FactorTool</name>

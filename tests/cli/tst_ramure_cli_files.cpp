@@ -130,6 +130,19 @@ private slots:
         QCOMPARE(names(read(path("i_leaves_oak.obj"))), QStringList{"leaves_oak"});
         QCOMPARE(names(read(path("i_apples_acorn.obj"))), QStringList{"apples_acorn"});
     }
+    void compressedGlb()
+    {
+        const auto exported = [&](const char* file, const QString& how) {
+            return runCli(
+                {"export", "preset:TinyTree", "--map-size", "0", "-o", path(file), "--compress", how});
+        };
+        QVERIFY(isRefused(exported("c.glb", "zip"), "--compress \"zip\": meshopt or none expected"));
+        QVERIFY(isRefused(exported("c.obj", "meshopt"), "--compress meshopt is for .glb files"));
+        QVERIFY(!QFile::exists(path("c.obj")));
+        QCOMPARE(exported("plain.glb", "none").code, 0);
+        QCOMPARE(exported("c.glb", "meshopt").code, 0);
+        QVERIFY(QFileInfo(path("c.glb")).size() * 3 < QFileInfo(path("plain.glb")).size());
+    }
     void levelsOfDetail()
     {
         const auto exported = [&](const QStringList& options) {

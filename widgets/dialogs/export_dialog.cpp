@@ -59,7 +59,7 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     connect(m_moments, &MomentForm::changed, this, &ExportDialog::updateWidgets);
     connect(m_pictures, &PictureForm::changed, this, &ExportDialog::updateSummary);
     connect(m_space, &SpaceForm::changed, this, &ExportDialog::updateSummary);
-    for (QCheckBox* box : {m_selection, m_hidden, m_texture})
+    for (QCheckBox* box : {m_selection, m_hidden, m_texture, m_compressed})
         connect(box, &QCheckBox::toggled, this, &ExportDialog::updateSummary);
     connectMessage();
     connect(m_levels, &LevelForm::changed, this, &ExportDialog::updateSummary);
@@ -225,6 +225,7 @@ ExportOptions ExportDialog::options() const
     if (m_use == ExportUse::Game)
         options.levels = m_levels->options();
     options.write.mapSize = m_maps->currentData().toInt();
+    options.write.compressed = holds(holdsCompressed) && m_compressed->isChecked();
     options.texture = options.model == ExportModel::Mesh && holds(holdsTexture) && m_texture->isChecked();
     options.write.ascii = format() && format()->isText;
     if (holds(holdsSpace))
@@ -256,6 +257,7 @@ void ExportDialog::takeFormat()
         m_rows[row].label->setVisible(isShown);
         m_rows[row].field->setVisible(isShown);
     }
+    m_compressed->setVisible(holds(holdsCompressed));
     m_moments->setClips(holds(holdsClip));
     m_moments->setPictures(!format());
     // A picture shows what the view shows.
@@ -287,6 +289,7 @@ void ExportDialog::updateWidgets()
                             static_cast<QWidget*>(m_levels), static_cast<QWidget*>(m_space)})
         widget->setEnabled(!running);
     m_maps->setEnabled(!running && options().texture);
+    m_compressed->setEnabled(!running);
     m_printing->setEnabled(!running && !m_recompute->isBusy());
     m_moments->setEnabled(!running);
     m_pictures->setEnabled(!running);

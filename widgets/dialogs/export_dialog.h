@@ -174,6 +174,7 @@ private:
     QCheckBox* m_selection = nullptr;
     QCheckBox* m_hidden = nullptr;
     QCheckBox* m_texture = nullptr;
+    QCheckBox* m_compressed = nullptr;
     SpaceForm* m_space = nullptr;
     QLineEdit* m_path = nullptr;
     QPushButton* m_browse = nullptr;

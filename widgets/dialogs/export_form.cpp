@@ -56,6 +56,8 @@ void ExportDialog::buildForm()
     for (const int size : mapSizes)
         m_maps->addItem(QString(), size);
     m_maps->setCurrentIndex(m_maps->findData(WriteOptions().mapSize));
+    m_compressed = new QCheckBox(this);
+    m_compressed->setObjectName(QStringLiteral("exportCompressed"));
     m_space = new SpaceForm(this);
     m_space->setSpace(m_preferences->exportSpace());
     addFormRows();
@@ -71,6 +73,10 @@ void ExportDialog::addFormRows()
     scope->setSpacing(6);
     scope->addWidget(m_selection);
     scope->addWidget(m_hidden);
+    auto* inside = new QHBoxLayout; // of a file, beside its meshes
+    inside->setSpacing(16);
+    inside->addWidget(m_maps, 1);
+    inside->addWidget(m_compressed);
     const auto held = [this](QLayout* layout) {
         auto* holder = new QWidget(this);
         layout->setContentsMargins(0, 0, 0, 0);
@@ -80,9 +86,8 @@ void ExportDialog::addFormRows()
     for (QWidget* field :
          {held(buildKept()), static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_printing),
           static_cast<QWidget*>(m_model), held(buildParts()), static_cast<QWidget*>(m_foliage),
-          static_cast<QWidget*>(m_levels), static_cast<QWidget*>(m_maps), static_cast<QWidget*>(m_space),
-          held(scope), static_cast<QWidget*>(m_moments), static_cast<QWidget*>(m_pictures),
-          held(buildTarget())}) {
+          static_cast<QWidget*>(m_levels), held(inside), static_cast<QWidget*>(m_space), held(scope),
+          static_cast<QWidget*>(m_moments), static_cast<QWidget*>(m_pictures), held(buildTarget())}) {
         const int row = static_cast<int>(m_rows.size());
         auto* label = new QLabel(this);                         // retranslate() fills it
         label->setMinimumHeight(m_format->sizeHint().height()); // beside the first line of its field
@@ -245,6 +250,11 @@ void ExportDialog::retranslateMore()
         m_maps->setItemText(i, tr("%1 × %1 pixels").arg(mapSizes[i]));
     m_maps->setToolTip(
         tr("Size of the pictures of bark and leaves that the program makes: inside a GLB, beside an OBJ"));
+    m_compressed->setText(tr("Compressed"));
+    m_compressed->setToolTip(tr(
+        "Numbers are rounded to what is still seen and packed (EXT_meshopt_compression): the file is about "
+        "a fifth as large, without its pictures. For web pages and engines that read it; Blender 3.4 does "
+        "not."));
     fillKept();
 }
 

@@ -136,6 +136,7 @@ QVariantMap ExportDialog::settings() const
             {"texture", m_texture->isChecked()},
             {"instances", m_foliage->currentIndex()},
             {"maps", m_maps->currentData()},
+            {"compressed", m_compressed->isChecked()},
             {"levels", qlonglong(levels.count)},
             {"budgets", budgets},
             {"space", QString::fromStdString(m_space->space().comment())},
@@ -170,9 +171,9 @@ void ExportDialog::setSettings(const QVariantMap& kept)
         setFormat(id);
     m_model->setCurrentIndex(std::clamp(number("model", 0), 0, m_model->count() - 1));
     m_foliage->setCurrentIndex(std::clamp(number("instances", 0), 0, 1));
-    const std::pair<QCheckBox*, const char*> boxes[] = {{m_branches, "branches"},   {m_leaves, "leaves"},
-                                                        {m_apples, "apples"},       {m_texture, "texture"},
-                                                        {m_selection, "selection"}, {m_hidden, "hidden"}};
+    const std::pair<QCheckBox*, const char*> boxes[] = {
+        {m_branches, "branches"},   {m_leaves, "leaves"}, {m_apples, "apples"},        {m_texture, "texture"},
+        {m_selection, "selection"}, {m_hidden, "hidden"}, {m_compressed, "compressed"}};
     for (const auto& [box, key] : boxes)
         box->setChecked(is(key) && (box != m_selection || !m_document->selection().nodes.empty()));
     if (const int row = m_maps->findData(kept.value(QStringLiteral("maps"))); row >= 0)

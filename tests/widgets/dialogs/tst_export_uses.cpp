@@ -197,6 +197,23 @@ private slots:
         m_dialog->startExport();
         QVERIFY2(message("hint").contains(QStringLiteral("levels_LOD0.obj")), qPrintable(message("hint")));
     }
+    void compressedFilesAreSmaller()
+    {
+        m_dialog->setFormat(QStringLiteral("obj"));
+        auto* box = child<QCheckBox>("exportCompressed");
+        box->setChecked(true);
+        QVERIFY(!box->isVisible() && !m_dialog->options().write.compressed); // of a GLB alone
+        m_dialog->setUse(ExportUse::Web);
+        child<QComboBox>("exportMaps")->setCurrentIndex(0);
+        QVERIFY(box->isVisible() && m_dialog->options().write.compressed);
+        QVERIFY(m_dialog->settings().value(QStringLiteral("compressed")).toBool());
+        QVERIFY(exportTo(path("small.glb")));
+        reopen();
+        m_dialog->setUse(ExportUse::Web);
+        child<QComboBox>("exportMaps")->setCurrentIndex(0);
+        QVERIFY(exportTo(path("plain.glb")));
+        QVERIFY(QFileInfo(path("small.glb")).size() * 3 < QFileInfo(path("plain.glb")).size());
+    }
     void windLoopsAreWritten()
     {
         m_dialog->setUse(ExportUse::Web);
