@@ -8625,6 +8625,22 @@ OpenGL&#xa0;: %4
         <source>Numbers are rounded to what is still seen and packed (EXT_meshopt_compression): the file is about a fifth as large, without its pictures. For web pages and engines that read it; Blender 3.4 does not.</source>
         <translation>Les nombres sont arrondis à ce qui se voit encore et comprimés (EXT_meshopt_compression) : le fichier est réduit à un cinquième environ, sans ses images. Pour les pages web et les moteurs qui le lisent ; Blender 3.4 ne le lit pas.</translation>
     </message>
+    <message>
+        <source>%1 at most</source>
+        <translation>%1 au plus</translation>
+    </message>
+    <message>
+        <source>All branches</source>
+        <translation>Toutes les branches</translation>
+    </message>
+    <message>
+        <source>Joints of each tree that moves: thin branches go with those that carry them. Engines limit how many a mesh may have; fewer cost less to play</source>
+        <translation>Articulations de chaque arbre qui bouge : les branches minces vont avec celles qui les portent. Les moteurs limitent leur nombre par maillage ; moins coûtent moins à jouer</translation>
+    </message>
+    <message>
+        <source>Joints</source>
+        <translation>Articulations</translation>
+    </message>
 </context>
 <context>
     <name>ramure::FactorTool</name>

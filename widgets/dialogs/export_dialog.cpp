@@ -225,6 +225,7 @@ ExportOptions ExportDialog::options() const
     if (m_use == ExportUse::Game)
         options.levels = m_levels->options();
     options.write.mapSize = m_maps->currentData().toInt();
+    options.write.joints = m_joints->currentData().toInt();
     options.write.compressed = holds(holdsCompressed) && m_compressed->isChecked();
     options.texture = options.model == ExportModel::Mesh && holds(holdsTexture) && m_texture->isChecked();
     options.write.ascii = format() && format()->isText;
@@ -290,6 +291,12 @@ void ExportDialog::updateWidgets()
         widget->setEnabled(!running);
     m_maps->setEnabled(!running && options().texture);
     m_compressed->setEnabled(!running);
+    m_joints->setEnabled(!running);
+    const ExportMoment moment = m_moments->moment();
+    const bool moves =
+        holds(holdsClip) && (moment == ExportMoment::Sequence || moment == ExportMoment::WindLoop);
+    m_rows[JointRow].label->setVisible(moves);
+    m_rows[JointRow].field->setVisible(moves);
     m_printing->setEnabled(!running && !m_recompute->isBusy());
     m_moments->setEnabled(!running);
     m_pictures->setEnabled(!running);

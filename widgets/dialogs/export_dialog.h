@@ -175,6 +175,7 @@ private:
     QCheckBox* m_hidden = nullptr;
     QCheckBox* m_texture = nullptr;
     QCheckBox* m_compressed = nullptr;
+    QComboBox* m_joints = nullptr;
     SpaceForm* m_space = nullptr;
     QLineEdit* m_path = nullptr;
     QPushButton* m_browse = nullptr;

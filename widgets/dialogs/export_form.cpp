@@ -56,6 +56,11 @@ void ExportDialog::buildForm()
     for (const int size : mapSizes)
         m_maps->addItem(QString(), size);
     m_maps->setCurrentIndex(m_maps->findData(WriteOptions().mapSize));
+    m_joints = new QComboBox(this);
+    m_joints->setObjectName(QStringLiteral("exportJoints"));
+    for (const int limit : jointLimits)
+        m_joints->addItem(QString(), limit);
+    m_joints->setCurrentIndex(m_joints->findData(WriteOptions().joints));
     m_compressed = new QCheckBox(this);
     m_compressed->setObjectName(QStringLiteral("exportCompressed"));
     m_space = new SpaceForm(this);
@@ -87,7 +92,8 @@ void ExportDialog::addFormRows()
          {held(buildKept()), static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_printing),
           static_cast<QWidget*>(m_model), held(buildParts()), static_cast<QWidget*>(m_foliage),
           static_cast<QWidget*>(m_levels), held(inside), static_cast<QWidget*>(m_space), held(scope),
-          static_cast<QWidget*>(m_moments), static_cast<QWidget*>(m_pictures), held(buildTarget())}) {
+          static_cast<QWidget*>(m_moments), static_cast<QWidget*>(m_joints),
+          static_cast<QWidget*>(m_pictures), held(buildTarget())}) {
         const int row = static_cast<int>(m_rows.size());
         auto* label = new QLabel(this);                         // retranslate() fills it
         label->setMinimumHeight(m_format->sizeHint().height()); // beside the first line of its field
@@ -250,6 +256,12 @@ void ExportDialog::retranslateMore()
         m_maps->setItemText(i, tr("%1 × %1 pixels").arg(mapSizes[i]));
     m_maps->setToolTip(
         tr("Size of the pictures of bark and leaves that the program makes: inside a GLB, beside an OBJ"));
+    for (int i = 0; i + 1 < m_joints->count(); ++i)
+        m_joints->setItemText(i, tr("%1 at most").arg(jointLimits[i]));
+    m_joints->setItemText(m_joints->count() - 1, tr("All branches"));
+    m_joints->setToolTip(
+        tr("Joints of each tree that moves: thin branches go with those that carry them. Engines limit how "
+           "many a mesh may have; fewer cost less to play"));
     m_compressed->setText(tr("Compressed"));
     m_compressed->setToolTip(tr(
         "Numbers are rounded to what is still seen and packed (EXT_meshopt_compression): the file is about "
@@ -292,13 +304,14 @@ void ExportDialog::retranslate()
     m_show->setText(tr("Show"));
     m_cancel->setText(tr("Cancel"));
     const QString labels[] = {
-        tr("Settings"),         tr("Format"),  tr("For print"), tr("Model"),         tr("Parts"),
-        tr("Leaves and fruit"), tr("Levels"),  tr("Pictures"),  tr("Axes and unit"), tr("Nodes"),
-        tr("Moment"),           tr("Picture"), tr("File")};
+        tr("Settings"),         tr("Format"), tr("For print"), tr("Model"),         tr("Parts"),
+        tr("Leaves and fruit"), tr("Levels"), tr("Pictures"),  tr("Axes and unit"), tr("Nodes"),
+        tr("Moment"),           tr("Joints"), tr("Picture"),   tr("File")};
     for (std::size_t row = 0; row < m_rows.size(); ++row)
         m_rows[row].label->setText(labels[row]);
     m_kept->setAccessibleName(labels[KeptRow]);
     m_maps->setAccessibleName(labels[MapRow]);
+    m_joints->setAccessibleName(labels[JointRow]);
     m_format->setAccessibleName(labels[FormatRow]);
     m_model->setAccessibleName(labels[ModelRow]);
     m_foliage->setAccessibleName(labels[FoliageRow]);

@@ -136,6 +136,7 @@ QVariantMap ExportDialog::settings() const
             {"texture", m_texture->isChecked()},
             {"instances", m_foliage->currentIndex()},
             {"maps", m_maps->currentData()},
+            {"joints", m_joints->currentData()},
             {"compressed", m_compressed->isChecked()},
             {"levels", qlonglong(levels.count)},
             {"budgets", budgets},
@@ -178,6 +179,8 @@ void ExportDialog::setSettings(const QVariantMap& kept)
         box->setChecked(is(key) && (box != m_selection || !m_document->selection().nodes.empty()));
     if (const int row = m_maps->findData(kept.value(QStringLiteral("maps"))); row >= 0)
         m_maps->setCurrentIndex(row);
+    if (const int row = m_joints->findData(kept.value(QStringLiteral("joints"))); row >= 0)
+        m_joints->setCurrentIndex(row);
     LevelOptions levels{kept.value(QStringLiteral("levels")).toLongLong(), {}};
     for (const QVariant& budget : kept.value(QStringLiteral("budgets")).toList())
         levels.budgets.push_back(budget.toLongLong());

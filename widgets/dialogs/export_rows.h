@@ -17,11 +17,14 @@ enum Row {
     SpaceRow,
     TreesRow,
     MomentRow,
+    JointRow,
     PictureRow,
     FileRow
 };
 
 /// Pixels a side; 0: no pictures.
 inline constexpr int mapSizes[] = {0, 256, 512, 1024, 2048, 4096};
+/// Of a tree that moves, at most; 0: all that it has.
+inline constexpr int jointLimits[] = {64, 110, 256, 0};
 
 } // namespace ramure

@@ -214,6 +214,22 @@ private slots:
         QVERIFY(exportTo(path("plain.glb")));
         QVERIFY(QFileInfo(path("small.glb")).size() * 3 < QFileInfo(path("plain.glb")).size());
     }
+    void jointsAreAskedForWhereSomethingMoves()
+    {
+        auto* joints = child<QComboBox>("exportJoints");
+        m_dialog->setUse(ExportUse::Game);
+        QVERIFY(!joints->isVisible());
+        QCOMPARE(m_dialog->options().write.joints, 256);
+        m_dialog->findChild<MomentForm*>()->setMoment(ExportMoment::WindLoop);
+        QVERIFY(joints->isVisible() && !joints->toolTip().isEmpty());
+        joints->setCurrentIndex(0);
+        QCOMPARE(m_dialog->options().write.joints, 64);
+        QCOMPARE(m_dialog->settings().value(QStringLiteral("joints")).toInt(), 64);
+        joints->setCurrentIndex(joints->count() - 1);
+        QCOMPARE(m_dialog->options().write.joints, 0);
+        m_dialog->setFormat(QStringLiteral("obj"));
+        QVERIFY(!joints->isVisible());
+    }
     void windLoopsAreWritten()
     {
         m_dialog->setUse(ExportUse::Web);
