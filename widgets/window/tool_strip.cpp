@@ -118,7 +118,7 @@ void ToolStrip::addNumbers()
         });
         auto* label = new QLabel(this);
         made->addHandle(label);
-        add({row.tools, made, label, row.label, row.tip}, row.id);
+        add({row.tools, made, label, row.label, row.tip, row.where}, row.id);
     }
     for (const HandCount& row : handCounts()) {
         NumberField* made = field(row.least, row.most, 1.0, {ParamUnit::None, 1.0, QString(), 0, true});
@@ -197,6 +197,7 @@ void ToolStrip::takeValues()
         findChild<QCheckBox*>(QLatin1String(row.id))->setChecked(options.*row.member);
     for (const HandChoice& row : handChoices())
         findChild<QComboBox*>(QLatin1String(row.id))->setCurrentIndex(row.chosen(options));
+    place();
 }
 
 void ToolStrip::follow()
@@ -224,7 +225,8 @@ void ToolStrip::place()
                widthOf(m_icon) - widthOf(m_name) - 2 * m_row->spacing();
     int all = 0;
     for (const Option& option : m_options)
-        if (option.tools & toolBit(m_settings->tool())) {
+        if ((option.tools & toolBit(m_settings->tool())) &&
+            (!option.where || m_settings->options().*option.where)) {
             shown.push_back(&option);
             widths.push_back(widthOf(option.widget) + (option.label ? widthOf(option.label) : 0));
             all += widths.back();

@@ -3,6 +3,7 @@
 /// open with the button at its end.
 #pragma once
 
+#include "widgets/view/tools/hand_settings.h"
 #include <QWidget>
 #include <vector>
 
@@ -43,6 +44,7 @@ private:
         QLabel* label; ///< beside it; null: it has its own
         const char* text;
         const char* tip;
+        bool HandOptions::*where = nullptr; ///< HandNumber::where
     };
     void addNumbers();
     void addFlags();

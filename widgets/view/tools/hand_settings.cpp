@@ -149,7 +149,7 @@ std::span<const HandNumber> handNumbers()
          &HandOptions::sawThickest, 0.001, 10.0, 0.005, 1, 100.0, " cm"},
         {toolBit(Cut) | toolBit(Saw), "fallsAfter", QT_TRANSLATE_NOOP("HandOptions", "Falls after"),
          QT_TRANSLATE_NOOP("HandOptions", "Of the timeline: so long it still hangs in its place"),
-         &HandOptions::fallsAfter, 0.0, 86400.0, 0.5, 2, 1.0, " s"},
+         &HandOptions::fallsAfter, 0.0, 86400.0, 0.5, 2, 1.0, " s", &HandOptions::falls},
         {toolBit(Curl), "curlFrom", QT_TRANSLATE_NOOP("HandOptions", "From"),
          QT_TRANSLATE_NOOP("HandOptions", "Below that share of its length the limb stays as it is"),
          &HandOptions::curlFrom, 0.0, 0.95, 0.05, 0, 100.0, " %"},

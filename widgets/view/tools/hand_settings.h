@@ -132,8 +132,9 @@ struct HandNumber
     double HandOptions::*member;
     double least, most, step;
     int decimals;
-    double scale;       ///< shown = scale * value
-    const char* suffix; ///< " cm"
+    double scale;                       ///< shown = scale * value
+    const char* suffix;                 ///< " cm"
+    bool HandOptions::*where = nullptr; ///< only where that is chosen; null: always
 };
 struct HandCount
 {
