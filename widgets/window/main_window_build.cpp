@@ -27,6 +27,7 @@
 #include "widgets/panels/arm/arm_mesh_row.h"
 #include "widgets/panels/arm/arm_panel.h"
 #include "widgets/panels/inspector/branch_inspector.h"
+#include "widgets/panels/levels/levels_panel.h"
 #include "widgets/panels/presets/gallery_panel.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/panels/scene/isolation.h"
@@ -390,7 +391,7 @@ void MainWindow::buildStatusBar()
     m_hints = new HintLine(this);
     statusBar()->addWidget(m_hints, 2);
     connect(m_hints, &HintLine::gestureBegan, statusBar(), &QStatusBar::clearMessage);
-    addPanelHints(m_hints, m_timeline, m_keys);
+    addPanelHints(m_hints, m_timeline, m_keys, findChild<LevelsPanel*>());
     statusBar()->addPermanentWidget(new UnplacedButton(m_document, m_preferences, this));
     statusBar()->addPermanentWidget(new IsolationButton(m_isolation, this));
     m_bakeProgress = new JobPanel(m_bakes->job(), QStringLiteral("bakeProgress"), this);

@@ -1,4 +1,4 @@
-#include "widgets/dialogs/level_form.h"
+#include "widgets/base/level_form.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
