@@ -1,7 +1,6 @@
 #include "widgets/panels/levels/level_view.h"
 
 #include "widgets/base/core_text.h"
-#include "widgets/base/theme.h"
 #include "widgets/view/render/offscreen_renderer.h"
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -32,7 +31,7 @@ struct LevelView::Drawer
     std::map<std::optional<std::size_t>, RenderScene> scenes; ///< of these levels
 
     Expected<QImage> draw(const std::shared_ptr<const TreeLevels>& of, std::optional<std::size_t> level,
-                          const LevelShot& shot, QSize size, bool dark, const Progress& progress)
+                          const LevelShot& shot, QSize size, const Progress& progress)
     {
         if (!hasBegun)
             if (auto begun = renderer.begin(); !begun)
@@ -47,7 +46,6 @@ struct LevelView::Drawer
         RenderOptions options;
         options.quality = Quality::Best; // every triangle of every leaf
         options.ground = options.outline = false;
-        options.light.backdrop = dark ? Backdrop::DarkStudio : Backdrop::LightStudio;
         return renderer.draw(scenes[level], levelCamera(*of, shot, {size.width(), size.height()}), size,
                              options);
     }
@@ -102,18 +100,15 @@ void LevelView::draw()
         return;
     if (!m_drawer)
         m_drawer = std::make_shared<Drawer>();
-    m_job.start(
-        [drawer = m_drawer, levels = m_levels, level = m_level, shot = m_shot, size,
-         dark = isDark(palette())](const Progress& progress) {
-            return drawer->draw(levels, level, shot, size, dark, progress);
-        },
-        [this](Expected<QImage>&& made) {
-            m_problem = made ? QString() : errorText(made.error());
-            if (made)
-                m_picture = std::move(*made);
-            update();
-        },
-        Job::Running::GoesOn);
+    m_job.start([drawer = m_drawer, levels = m_levels, level = m_level, shot = m_shot, size](
+                    const Progress& progress) { return drawer->draw(levels, level, shot, size, progress); },
+                [this](Expected<QImage>&& made) {
+                    m_problem = made ? QString() : errorText(made.error());
+                    if (made)
+                        m_picture = std::move(*made);
+                    update();
+                },
+                Job::Running::GoesOn);
 }
 
 void LevelView::turnTo(double yawRad, double pitchRad)
@@ -206,8 +201,6 @@ void LevelView::changeEvent(QEvent* event)
 {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
-    if (event->type() == QEvent::PaletteChange)
-        draw();
     QWidget::changeEvent(event);
 }
 

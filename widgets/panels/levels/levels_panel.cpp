@@ -122,6 +122,7 @@ void LevelsPanel::build()
     below->setContentsMargins(0, 0, 0, 0);
     below->setSpacing(7);
     buildDistance(below);
+    buildChoices(below);
     buildPictures(below);
     column->addWidget(m_below, 1000);
     column->addStretch(1); // where nothing is below
@@ -225,6 +226,21 @@ void LevelsPanel::buildDistance(QVBoxLayout* column)
     connect(m_field, &NumberField::valueEdited, this, &LevelsPanel::setDistance);
 }
 
+void LevelsPanel::buildChoices(QVBoxLayout* column)
+{
+    m_enlarged = new QCheckBox(m_below);
+    m_enlarged->setObjectName(QStringLiteral("levelsEnlarged"));
+    m_export = new QPushButton(m_below);
+    m_export->setObjectName(QStringLiteral("exportTheseLevels"));
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_enlarged);
+    row->addStretch(1);
+    row->addWidget(m_export);
+    column->addLayout(row);
+    connect(m_enlarged, &QCheckBox::toggled, this, &LevelsPanel::showShot);
+    connect(m_export, &QPushButton::clicked, this, [this] { emit exportRequested(m_watch->options()); });
+}
+
 void LevelsPanel::buildPictures(QVBoxLayout* column)
 {
     const auto side = [this](QBoxLayout* into, LevelView*& view, QLabel*& text, const char* name) {
@@ -248,17 +264,6 @@ void LevelsPanel::buildPictures(QVBoxLayout* column)
     m_sizeText->setObjectName(QStringLiteral("dim"));
     m_sizeText->setWordWrap(true);
     column->addWidget(m_sizeText);
-    m_enlarged = new QCheckBox(m_below);
-    m_enlarged->setObjectName(QStringLiteral("levelsEnlarged"));
-    m_export = new QPushButton(m_below);
-    m_export->setObjectName(QStringLiteral("exportTheseLevels"));
-    auto* row = new QHBoxLayout;
-    row->addWidget(m_enlarged);
-    row->addStretch(1);
-    row->addWidget(m_export);
-    column->addLayout(row);
-    connect(m_enlarged, &QCheckBox::toggled, this, &LevelsPanel::showShot);
-    connect(m_export, &QPushButton::clicked, this, [this] { emit exportRequested(m_watch->options()); });
 }
 
 /// One is turned as the other is.

@@ -43,7 +43,7 @@ public:
     [[nodiscard]] double distance() const { return m_distance; }
     /// The one that is shown; nothing while there are none.
     [[nodiscard]] std::optional<std::size_t> level() const { return m_level; }
-    [[nodiscard]] QSize sizeHint() const override { return {384, 520}; }
+    [[nodiscard]] QSize sizeHint() const override { return {384, 400}; }
 
 public slots:
     /// Held to the range of the slider; shows the level that a game shows there.
@@ -67,6 +67,7 @@ private:
     void buildTable(QVBoxLayout* column);
     void buildState(QVBoxLayout* column);
     void buildDistance(QVBoxLayout* column);
+    void buildChoices(QVBoxLayout* column);
     void buildPictures(QVBoxLayout* column);
     void connectViews();
     void takeForm();
