@@ -9678,6 +9678,10 @@ OpenGL&#xa0;: %4
         <source>Drag or arrow keys: turn · wheel, + and −: nearer or farther · Home: from the front</source>
         <translation>Glisser ou flèches&#xa0;: tourner · molette, + et −&#xa0;: plus près ou plus loin · Début&#xa0;: de face</translation>
     </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Dessin…</translation>
+    </message>
 </context>
 <context>
     <name>ramure::LevelsPanel</name>

@@ -8,6 +8,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <numbers>
 #include <utility>
@@ -18,6 +19,18 @@ namespace {
 constexpr double perPixel = 0.01, perKey = 0.15; ///< rad, of the mouse and of the arrow keys
 constexpr double perStep = 1.1;                  ///< of the wheel, times the distance
 constexpr int mostPixels = 2000;                 ///< a side
+constexpr int finer = 2;                         ///< pixels drawn a side for one shown
+/// More than these, and leaves that are a few pixels are drawn with fewer, as the view does: software
+/// rasterisers take their time for each.
+constexpr std::int64_t mostExact = 150'000;
+
+std::int64_t facesOf(const RenderScene& scene)
+{
+    std::int64_t faces = 0;
+    for (const MeshItem& item : scene.meshes)
+        faces += item.mesh->faceCount();
+    return faces;
+}
 
 } // namespace
 
@@ -44,10 +57,15 @@ struct LevelView::Drawer
         if (progress.cancelled())
             return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
         RenderOptions options;
-        options.quality = Quality::Best; // every triangle of every leaf
+        options.quality = Quality::Good;
+        options.sparing = facesOf(scenes[level]) > mostExact;
         options.ground = options.outline = false;
-        return renderer.draw(scenes[level], levelCamera(*of, shot, {size.width(), size.height()}), size,
-                             options);
+        options.samples = 0; // dearer than pixels where triangles are smaller than these
+        auto picture = renderer.draw(scenes[level], levelCamera(*of, shot, {size.width(), size.height()}),
+                                     finer * size, options);
+        if (!picture)
+            return picture;
+        return picture->scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     }
 };
 
@@ -102,7 +120,8 @@ void LevelView::draw()
         m_drawer = std::make_shared<Drawer>();
     m_job.start([drawer = m_drawer, levels = m_levels, level = m_level, shot = m_shot, size](
                     const Progress& progress) { return drawer->draw(levels, level, shot, size, progress); },
-                [this](Expected<QImage>&& made) {
+                [this, level = m_level](Expected<QImage>&& made) {
+                    m_drawn = level;
                     m_problem = made ? QString() : errorText(made.error());
                     if (made)
                         m_picture = std::move(*made);
@@ -184,8 +203,14 @@ void LevelView::paintEvent(QPaintEvent*)
         const QPointF corner(0.5 * (width() - shown.width()), 0.5 * (height() - shown.height()));
         painter.drawImage(QRectF(corner, shown), m_picture);
     }
-    if (!m_problem.isEmpty())
-        painter.drawText(rect().adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap, m_problem);
+    const QString text = !m_problem.isEmpty()                                     ? m_problem
+                         : m_levels && (m_picture.isNull() || m_drawn != m_level) ? tr("Drawing…")
+                                                                                  : QString();
+    if (!text.isEmpty())
+        painter.drawText(rect().adjusted(8, 8, -8, -8),
+                         (m_problem.isEmpty() ? Qt::AlignBottom : Qt::AlignVCenter) | Qt::AlignHCenter |
+                             Qt::TextWordWrap,
+                         text);
     if (hasFocus()) {
         painter.setPen(palette().color(QPalette::Highlight));
         painter.drawRect(rect().adjusted(0, 0, -1, -1));

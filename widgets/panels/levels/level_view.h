@@ -52,7 +52,7 @@ private:
 
     std::shared_ptr<Drawer> m_drawer; ///< only the job's thread draws with it; null: nothing was drawn yet
     std::shared_ptr<const TreeLevels> m_levels;
-    std::optional<std::size_t> m_level;
+    std::optional<std::size_t> m_level, m_drawn; ///< wished for; on the picture
     LevelShot m_shot;
     QPointF m_last; ///< of the mouse
     QImage m_picture;
