@@ -9590,6 +9590,11 @@ OpenGL&#xa0;: %4
         <source>Triangles of each level</source>
         <translation>Triangles de chaque niveau</translation>
     </message>
+    <message>
+        <source>as it is, then a quarter</source>
+        <comment>the tree</comment>
+        <translation>tel quel, puis un quart</translation>
+    </message>
 </context>
 <context>
     <name>ramure::LevelModel</name>

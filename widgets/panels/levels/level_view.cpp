@@ -206,10 +206,9 @@ void LevelView::paintEvent(QPaintEvent*)
     const QString text = !m_problem.isEmpty()                                     ? m_problem
                          : m_levels && (m_picture.isNull() || m_drawn != m_level) ? tr("Drawing…")
                                                                                   : QString();
+    const int above = int(m_problem.isEmpty() ? Qt::AlignBottom : Qt::AlignVCenter);
     if (!text.isEmpty())
-        painter.drawText(rect().adjusted(8, 8, -8, -8),
-                         (m_problem.isEmpty() ? Qt::AlignBottom : Qt::AlignVCenter) | Qt::AlignHCenter |
-                             Qt::TextWordWrap,
+        painter.drawText(rect().adjusted(8, 8, -8, -8), above | int(Qt::AlignHCenter) | int(Qt::TextWordWrap),
                          text);
     if (hasFocus()) {
         painter.setPen(palette().color(QPalette::Highlight));

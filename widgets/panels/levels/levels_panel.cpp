@@ -138,6 +138,7 @@ void LevelsPanel::buildState(QVBoxLayout* column)
     m_title->setObjectName(QStringLiteral("partTitle"));
     m_title->setTextFormat(Qt::PlainText);
     m_form = new LevelForm(content);
+    m_form->setNarrow();
     m_form->findChild<QSpinBox*>()->setObjectName(QStringLiteral("levelCount"));
     m_form->findChild<QLineEdit*>()->setObjectName(QStringLiteral("levelBudgets"));
     m_formLabel = new QLabel(content);
