@@ -95,6 +95,7 @@ struct LevelWatch::Private
     [[nodiscard]] NodeId treeMeant() const;
     [[nodiscard]] Request request() const;
     void look();
+    void forget();
     void launch();
     void take(Expected<LevelsPointer>&& got);
     void stopWith(State next);
@@ -136,7 +137,11 @@ LevelWatch::LevelWatch(Document* document, Function function, QObject* parent)
     d->rest.setInterval(300);
     connect(&d->rest, &QTimer::timeout, this, [this] { d->launch(); });
     connect(&d->job, &Job::progress, this, &LevelWatch::progress);
-    connect(document, &Document::changed, this, [this] { d->look(); });
+    connect(document, &Document::changed, this, [this](const Change& change) {
+        if (change.has(changeReset)) // nodes of another document may have the same ids
+            d->forget();
+        d->look();
+    });
 }
 
 LevelWatch::~LevelWatch() = default;
@@ -240,12 +245,16 @@ Request LevelWatch::Private::request() const
 /// Waits for a rest where something is another than what was looked at.
 void LevelWatch::Private::look()
 {
-    if (!active)
+    if (!active) {
+        if (tree != noNode && !document->scene().find(tree))
+            forget(); // large meshes are not kept for nobody
         return;
+    }
     if (const NodeId meant = treeMeant(); meant != tree) {
         tree = meant;
         levels.reset();
         looked.reset();
+        made.reset();
         emit q->changed();
     }
     if (tree == noNode)
@@ -270,6 +279,14 @@ void LevelWatch::Private::look()
     job.forget();
     rest.start();
     set(State::Waiting);
+}
+
+void LevelWatch::Private::forget()
+{
+    tree = noNode;
+    looked.reset();
+    made.reset();
+    stopWith(State::None);
 }
 
 void LevelWatch::Private::launch()

@@ -110,8 +110,13 @@ void LevelView::draw()
     const QSize size =
         (QSizeF(this->size()) * devicePixelRatioF()).toSize().boundedTo({mostPixels, mostPixels});
     if (!m_levels) {
-        m_job.forget();
         m_picture = {};
+        if (m_drawer)
+            m_job.start([drawer = m_drawer](const Progress&) -> Expected<void> {
+                drawer->scenes.clear(); // with the meshes of the tree
+                drawer->levels.reset();
+                return {};
+            });
         return update();
     }
     if (size.isEmpty() || !isVisible())

@@ -1,5 +1,6 @@
 #include "widgets/panels/levels/levels_panel.h"
 
+#include "core/session/level_export.h"
 #include "widgets/base/core_text.h"
 #include "widgets/base/empty_page.h"
 #include "widgets/base/icons.h"
@@ -328,9 +329,13 @@ void LevelsPanel::takeLevels()
     m_level.reset();
     m_table->setVisible(m_levels != nullptr);
     m_below->setVisible(m_levels != nullptr);
-    if (!m_levels)
+    if (!m_levels) {
+        if (m_watch->tree() == noNode)
+            m_tree = noNode;
         return showShot();
-    const double filled = levelPixels(*m_levels, 1.0) / 1080.0; // m, where the tree fills the screen
+    }
+    const double filled =
+        levelPixels(*m_levels, 1.0) / levelScreenHeight; // m, where the tree fills the screen
     const std::vector<double>& distances = m_levels->distances;
     m_least = roundedDown(std::max(0.7 * filled, 0.01));
     m_most = std::max(100.0 * m_least, roundedDown(2.5 * distances.back()));

@@ -279,6 +279,22 @@ private slots:
         bench.trees.document().setSelection({{bench.tree}, noNode, {}, noIndex}); // no news
         QVERIFY(bench.isDone() && bench.panel->watch()->levels() == after);
     }
+    void anotherDocumentBeginsAnew()
+    {
+        Bench bench;
+        QTRY_VERIFY_WITH_TIMEOUT(bench.isDone(), patienceMs);
+        const std::weak_ptr<const TreeLevels> before = bench.panel->watch()->levels();
+        Scene scene = bench.trees.document().scene();
+        bench.trees.document().reset(std::move(scene), {}); // the same ids
+        QCOMPARE(bench.state(), State::Growing);
+        QCOMPARE(bench.rows(), 0);
+        QTRY_VERIFY(before.expired());
+        QVERIFY(bench.trees.compute(bench.tree));
+        QTRY_VERIFY_WITH_TIMEOUT(bench.isDone() && bench.rows() == 3, patienceMs);
+        bench.panel->hide();
+        bench.trees.document().reset(Scene(), {}); // nobody looks, and yet nothing is kept
+        QVERIFY(bench.state() == State::None && !bench.panel->watch()->levels());
+    }
     void hiddenItRests()
     {
         std::atomic<int> calls = 0;
