@@ -381,6 +381,16 @@
     </message>
 </context>
 <context>
+    <name>ramure::LevelsPanel</name>
+    <message numerus="yes">
+        <source>Copied %Ln level(s)</source>
+        <translation>
+            <numerusform>Copied %Ln level</numerusform>
+            <numerusform>Copied %Ln levels</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::LimbTool</name>
     <message numerus="yes">
         <source>%n branch(es) follow</source>

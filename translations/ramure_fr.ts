@@ -2365,6 +2365,10 @@
         <source>Click: select · drag: move · Shift: add, between frames · Ctrl + drag: value only · Ctrl + wheel: zoom</source>
         <translation>Clic : sélectionner · glisser : déplacer · Maj : ajouter, entre les images · Ctrl + glisser : valeur seule · Ctrl + molette : zoom</translation>
     </message>
+    <message>
+        <source>Drag: turn both · wheel: nearer or farther · arrow keys: turn · Home: from the front</source>
+        <translation>Glisser&#xa0;: tourner les deux · molette&#xa0;: plus près ou plus loin · flèches&#xa0;: tourner · Début&#xa0;: de face</translation>
+    </message>
 </context>
 <context>
     <name>ParamFacts</name>
@@ -9610,6 +9614,229 @@ OpenGL&#xa0;: %4
         <source>Triangles of each level</source>
         <translation>Triangles de chaque niveau</translation>
     </message>
+    <message>
+        <source>as it is, then a quarter</source>
+        <comment>the tree</comment>
+        <translation>tel quel, puis un quart</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::LevelModel</name>
+    <message>
+        <source>%1 %</source>
+        <comment>a share</comment>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 m</source>
+        <comment>metres</comment>
+        <translation>%1 m</translation>
+    </message>
+    <message>
+        <source>The finest level</source>
+        <translation>Le niveau le plus fin</translation>
+    </message>
+    <message>
+        <source>Takes the place of level %1 from %2 on, where the details in which they differ, %3 mm, are one pixel of a screen 1080 pixels high</source>
+        <translation>Remplace le niveau %1 à partir de %2, où les détails par lesquels ils diffèrent, %3 mm, sont un pixel d’un écran haut de 1080 pixels</translation>
+    </message>
+    <message>
+        <source>%1 of %2 leaves, %3 times as large</source>
+        <translation>%1 feuilles sur %2, %3 fois plus grandes</translation>
+    </message>
+    <message>
+        <source>Number of the level, the finest first, as in the names of the export</source>
+        <translation>Numéro du niveau, le plus fin d’abord, comme dans les noms de l’export</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Niveau</translation>
+    </message>
+    <message>
+        <source>Triangles of bark, leaves and fruit together</source>
+        <translation>Triangles de l’écorce, des feuilles et des fruits ensemble</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triangles</translation>
+    </message>
+    <message>
+        <source>Triangles of the bark, which is one closed mesh</source>
+        <translation>Triangles de l’écorce, qui est un seul maillage fermé</translation>
+    </message>
+    <message>
+        <source>Bark</source>
+        <translation>Écorce</translation>
+    </message>
+    <message>
+        <source>Triangles of leaves and fruit</source>
+        <translation>Triangles des feuilles et des fruits</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Feuilles</translation>
+    </message>
+    <message>
+        <source>Share of the tree&apos;s leaves that are left; they have grown, so that the crown keeps its area</source>
+        <translation>Part des feuilles de l’arbre qui restent&#xa0;; elles ont grandi, si bien que le houppier garde sa surface</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Reste</translation>
+    </message>
+    <message>
+        <source>Distance in metres from which the level takes the place of the one before: on a screen 1080 pixels high, with an angle of view of 40°</source>
+        <translation>Distance en mètres à partir de laquelle le niveau remplace le précédent&#xa0;: sur un écran haut de 1080 pixels, avec un angle de vue de 40°</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Dès</translation>
+    </message>
+    <message>
+        <source>Share of a screen of 1920 × 1080 pixels down to which the level is needed, as a GLB says it (MSFT_screencoverage)</source>
+        <translation>Part d’un écran de 1920 × 1080 pixels jusqu’à laquelle le niveau est nécessaire, comme le dit un GLB (MSFT_screencoverage)</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Écran</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::LevelView</name>
+    <message>
+        <source>Drag or arrow keys: turn · wheel, + and −: nearer or farther · Home: from the front</source>
+        <translation>Glisser ou flèches&#xa0;: tourner · molette, + et −&#xa0;: plus près ou plus loin · Début&#xa0;: de face</translation>
+    </message>
+    <message>
+        <source>Drawing…</source>
+        <translation>Dessin…</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::LevelsPanel</name>
+    <message>
+        <source>Level %1
+%2 triangles</source>
+        <translation>Niveau %1
+%2 triangles</translation>
+    </message>
+    <message>
+        <source>Whole tree
+%1 triangles</source>
+        <translation>Arbre entier
+%1 triangles</translation>
+    </message>
+    <message>
+        <source>Select a tree: its levels of detail are shown here as a game shows them, before they are exported.</source>
+        <translation>Choisissez un arbre&#xa0;: ses niveaux de détail sont montrés ici comme un jeu les montre, avant l’export.</translation>
+    </message>
+    <message>
+        <source>The tree is growing…</source>
+        <translation>L’arbre pousse…</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Annulé</translation>
+    </message>
+    <message>
+        <source>A level takes over where what it lacks is no larger than a pixel.</source>
+        <translation>Un niveau prend le relais où ce qui lui manque n’est pas plus grand qu’un pixel.</translation>
+    </message>
+    <message>
+        <source>Go to its &amp;distance</source>
+        <translation>Aller à sa &amp;distance</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the figures</source>
+        <translation>&amp;Copier les chiffres</translation>
+    </message>
+    <message>
+        <source>Copy the whole &amp;table</source>
+        <translation>Copier tout le &amp;tableau</translation>
+    </message>
+    <message>
+        <source>&amp;Export these levels…</source>
+        <translation>&amp;Exporter ces niveaux…</translation>
+    </message>
+    <message>
+        <source>Export a tree of %1 t&amp;riangles alone…</source>
+        <translation>Exporter un seul arbre de %1 t&amp;riangles…</translation>
+    </message>
+    <message numerus="yes">
+        <source>Copied %Ln level(s)</source>
+        <translation>
+            <numerusform>%Ln niveau copié</numerusform>
+            <numerusform>%Ln niveaux copiés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Niveaux</translation>
+    </message>
+    <message>
+        <source>Making the levels</source>
+        <translation>Calcul des niveaux</translation>
+    </message>
+    <message>
+        <source>Give this up</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Make the levels</source>
+        <translation>Calculer les niveaux</translation>
+    </message>
+    <message>
+        <source>Begins again with the tree as it is now</source>
+        <translation>Recommence avec l’arbre tel qu’il est maintenant</translation>
+    </message>
+    <message>
+        <source>Levels of detail</source>
+        <translation>Niveaux de détail</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Distance</translation>
+    </message>
+    <message>
+        <source>From the eye to the tree, in metres: a game shows the level that takes over before it. Arrow keys: a tenth nearer or farther</source>
+        <translation>De l’œil à l’arbre, en mètres&#xa0;: un jeu montre le dernier niveau qui a pris le relais. Flèches&#xa0;: un dixième plus près ou plus loin</translation>
+    </message>
+    <message>
+        <source>The level from this distance</source>
+        <translation>Le niveau vu de cette distance</translation>
+    </message>
+    <message>
+        <source>The whole tree from this distance</source>
+        <translation>L’arbre entier vu de cette distance</translation>
+    </message>
+    <message>
+        <source>Enlarged</source>
+        <translation>Agrandi</translation>
+    </message>
+    <message>
+        <source>Shows both as through a long lens, to compare their shapes; else they have the pixels of a screen 1080 pixels high</source>
+        <translation>Montre les deux comme au téléobjectif, pour comparer leurs formes&#xa0;; sinon, ils ont les pixels d’un écran haut de 1080 pixels</translation>
+    </message>
+    <message>
+        <source>Export these levels…</source>
+        <translation>Exporter ces niveaux…</translation>
+    </message>
+    <message>
+        <source>Opens the export for a game with these levels</source>
+        <translation>Ouvre l’export pour un jeu avec ces niveaux</translation>
+    </message>
+    <message>
+        <source>A screen 1080 pixels high, with the view&apos;s angle of view, 40°</source>
+        <translation>Un écran haut de 1080 pixels, avec l’angle de la vue, 40°</translation>
+    </message>
+    <message>
+        <source>At %1 the tree is %2 pixels high on a screen of 1080.</source>
+        <translation>À %1, l’arbre fait %2 pixels de haut sur un écran de 1080.</translation>
+    </message>
 </context>
 <context>
     <name>ramure::LightDialog</name>
@@ -9923,6 +10150,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>The folder %1 cannot be shown</source>
         <translation>Le dossier %1 ne peut pas être montré</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Niveaux</translation>
     </message>
 </context>
 <context>

@@ -1,13 +1,14 @@
 #include "core/session/level_export.h"
 
 #include "core/math/box.h"
+#include "core/math/reproducible.h"
 #include <algorithm>
 
 namespace ramure {
 namespace {
 
-/// Of what engines take for a screen.
-constexpr double screenWidth = 1920.0, screenHeight = 1080.0;
+/// m: of a level whose details nobody sees.
+constexpr double leastDetail = 1e-9;
 
 Box boxOf(const TreeLevel& level)
 {
@@ -19,21 +20,29 @@ Box boxOf(const TreeLevel& level)
     return box;
 }
 
-/// Each is needed until the details in which the next one differs are a pixel.
+} // namespace
+
 std::vector<double> coverageOf(const std::vector<TreeLevel>& levels)
 {
     const Box box = boxOf(levels.front());
     const glm::dvec3 size = box.size();
     std::vector<double> coverage(levels.size(), 0.0);
     for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
-        const double pixel = std::max(levels[i + 1].detail, 1e-9);
+        const double pixel = std::max(levels[i + 1].detail, leastDetail);
         const double area = size.y / pixel * std::max(size.x, size.z) / pixel;
-        coverage[i] = std::min(area / (screenWidth * screenHeight), i > 0 ? coverage[i - 1] : 1.0);
+        coverage[i] = std::min(area / (levelScreenWidth * levelScreenHeight), i > 0 ? coverage[i - 1] : 1.0);
     }
     return coverage;
 }
 
-} // namespace
+std::vector<double> distancesOf(const std::vector<TreeLevel>& levels, double fovRad)
+{
+    const double pixelsPerRatio = levelScreenHeight / (2.0 * maths::tan(0.5 * fovRad));
+    std::vector<double> distances(levels.size(), 0.0);
+    for (std::size_t i = 1; i < levels.size(); ++i)
+        distances[i] = std::max(distances[i - 1], std::max(levels[i].detail, leastDetail) * pixelsPerRatio);
+    return distances;
+}
 
 Expected<LevelledTree> levelsOf(const Node& node, EvaluatedScene& scene, const ExportOptions& options,
                                 const Progress& progress)

@@ -56,6 +56,8 @@ public:
     /// The page on show.
     void setUse(ExportUse use);
     [[nodiscard]] ExportUse use() const { return m_use; }
+    /// Turns to the page for games, which has them.
+    void setLevels(const LevelOptions& levels);
     /// FileFormat::id, or "png": pictures of the view. Turns to a page that has it.
     void setFormat(const QString& id);
     /// All that was chosen, but where to; and the same again. Numbers out of range are brought into it.

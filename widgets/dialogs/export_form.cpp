@@ -2,10 +2,10 @@
 #include "core/document/document.h"
 #include "core/io/formats/file_format.h"
 #include "widgets/base/core_text.h"
+#include "widgets/base/level_form.h"
 #include "widgets/base/preferences.h"
 #include "widgets/dialogs/export_dialog.h"
 #include "widgets/dialogs/export_rows.h"
-#include "widgets/dialogs/level_form.h"
 #include "widgets/dialogs/moment_form.h"
 #include "widgets/dialogs/picture_form.h"
 #include "widgets/dialogs/print_form.h"
@@ -134,6 +134,12 @@ void ExportDialog::fillFormats()
 void ExportDialog::setUse(ExportUse use)
 {
     m_uses->setCurrentIndex(static_cast<int>(use));
+}
+
+void ExportDialog::setLevels(const LevelOptions& levels)
+{
+    setUse(ExportUse::Game);
+    m_levels->setOptions(levels);
 }
 
 void ExportDialog::takeUse(int tab)

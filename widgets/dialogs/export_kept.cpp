@@ -1,9 +1,9 @@
 // Settings of the export dialog that are kept: under names, of the last export, and to repeat it.
 #include "core/document/document.h"
 #include "core/io/formats/file_format.h"
+#include "widgets/base/level_form.h"
 #include "widgets/base/preferences.h"
 #include "widgets/dialogs/export_dialog.h"
-#include "widgets/dialogs/level_form.h"
 #include "widgets/dialogs/moment_form.h"
 #include "widgets/dialogs/picture_form.h"
 #include "widgets/dialogs/print_form.h"

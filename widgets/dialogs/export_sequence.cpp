@@ -2,9 +2,9 @@
 #include "core/document/document.h"
 #include "core/io/formats/file_format.h"
 #include "widgets/base/core_text.h"
+#include "widgets/base/level_form.h"
 #include "widgets/dialogs/export_dialog.h"
 #include "widgets/dialogs/export_task.h"
-#include "widgets/dialogs/level_form.h"
 #include "widgets/dialogs/moment_form.h"
 #include "widgets/dialogs/picture_form.h"
 #include <QComboBox>

@@ -24,6 +24,7 @@
 #include "widgets/panels/arm/arm_panel.h"
 #include "widgets/panels/edits/edits_panel.h"
 #include "widgets/panels/inspector/branch_inspector.h"
+#include "widgets/panels/levels/levels_panel.h"
 #include "widgets/panels/presets/picture_button.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/panels/scene/isolation.h"
@@ -135,6 +136,10 @@ void MainWindow::connectPanels()
     connect(m_inspector, &BranchInspector::messageRaised, this, say);
     connect(findChild<EditsPanel*>(), &EditsPanel::messageRaised, this, say);
     connect(m_validation, &ValidationPanel::messageRaised, this, say);
+    auto* levels = findChild<LevelsPanel*>();
+    connect(levels, &LevelsPanel::messageRaised, this, say);
+    connect(levels, &LevelsPanel::exportRequested, this, &MainWindow::showLevelExport);
+    connect(dockOf(levels), &QDockWidget::visibilityChanged, levels, &LevelsPanel::setSeen);
     connect(m_timeline, &TimelinePanel::messageRaised, this, say);
     connect(m_bakes, &BakeActions::messageRaised, this, say);
     connect(m_arm, &ArmPanel::messageRaised, this, say);

@@ -55,6 +55,7 @@ class ViewActions;
 class Viewport;
 class ViewportHost;
 class WelcomePanel;
+struct LevelOptions;
 struct PanelRow;
 
 class MainWindow : public QMainWindow
@@ -89,6 +90,7 @@ public:
     // main_window_export.cpp
     void showExportDialog();
     void repeatExport();
+    void showLevelExport(const LevelOptions& levels);
     [[nodiscard]] ExportDialog* newExportDialog();
     void tellExported(const QString& path);
     void showInFolder(const QString& path);
@@ -107,7 +109,7 @@ protected:
 
 private:
     static constexpr int messageMs = 6000, dropMessageMs = 1500;
-    static constexpr int layoutVersion = 4; ///< of saveState; another one means another set of docks
+    static constexpr int layoutVersion = 5; ///< of saveState; another one means another set of docks
 
     /// Where a tree of the gallery is let go.
     struct DropPlace

@@ -27,6 +27,7 @@
 #include "widgets/panels/arm/arm_mesh_row.h"
 #include "widgets/panels/arm/arm_panel.h"
 #include "widgets/panels/inspector/branch_inspector.h"
+#include "widgets/panels/levels/levels_panel.h"
 #include "widgets/panels/presets/gallery_panel.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/panels/scene/isolation.h"
@@ -56,10 +57,12 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenuBar>
+#include <QScreen>
 #include <QStatusBar>
 #include <QTabBar>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace ramure {
 
@@ -161,19 +164,22 @@ void MainWindow::fitKeysHeight(bool shown)
 void MainWindow::resetLayout()
 {
     QList<QDockWidget*> tabs[3]; // of each place
-    for (std::size_t i = 0; i < panels().size(); ++i) {
-        QDockWidget* dock = m_docks[qsizetype(i)];
-        const PanelPlace place = panels()[i].place;
-        dock->setFloating(false);
-        addDockWidget(place == PanelPlace::Bottom ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea, dock);
-        dock->show();
-        tabs[std::size_t(place)] += dock;
+    for (std::size_t i = 0; i < panels().size(); ++i)
+        tabs[std::size_t(panels()[i].place)] += m_docks[qsizetype(i)];
+    QDockWidget *upper = tabs[0].front(), *lower = tabs[1].front(), *bottom = tabs[2].front();
+    for (QDockWidget* first : {upper, lower, bottom}) {
+        first->setFloating(false);
+        addDockWidget(first == bottom ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea, first);
+        first->show();
     }
-    QDockWidget *upper = tabs[0].front(), *lower = tabs[1].front();
     splitDockWidget(upper, lower, Qt::Vertical);
+    // At once among the tabs: below each other, all of them would make the window higher than the screen.
     for (const QList<QDockWidget*>& docks : tabs) {
-        for (qsizetype i = 1; i < docks.size(); ++i)
+        for (qsizetype i = 1; i < docks.size(); ++i) {
+            docks[i]->setFloating(false);
             tabifyDockWidget(docks[i - 1], docks[i]);
+            docks[i]->show();
+        }
         docks.front()->raise();
     }
     m_toolBar->show();
@@ -183,7 +189,8 @@ void MainWindow::resetLayout()
 
 void MainWindow::restoreLayout()
 {
-    resize(1280, 800);
+    const int high = screen()->availableSize().height() * 19 / 20;
+    resize(1280, std::clamp(high, 800, 948));
     resetLayout();
     restoreGeometry(m_preferences->windowGeometry());
     restoreState(m_preferences->windowState(), layoutVersion);
@@ -390,7 +397,7 @@ void MainWindow::buildStatusBar()
     m_hints = new HintLine(this);
     statusBar()->addWidget(m_hints, 2);
     connect(m_hints, &HintLine::gestureBegan, statusBar(), &QStatusBar::clearMessage);
-    addPanelHints(m_hints, m_timeline, m_keys);
+    addPanelHints(m_hints, m_timeline, m_keys, findChild<LevelsPanel*>());
     statusBar()->addPermanentWidget(new UnplacedButton(m_document, m_preferences, this));
     statusBar()->addPermanentWidget(new IsolationButton(m_isolation, this));
     m_bakeProgress = new JobPanel(m_bakes->job(), QStringLiteral("bakeProgress"), this);

@@ -59,6 +59,14 @@ void MainWindow::showExportDialog()
     newExportDialog()->open();
 }
 
+/// On its page for games.
+void MainWindow::showLevelExport(const LevelOptions& levels)
+{
+    ExportDialog* dialog = newExportDialog();
+    dialog->setLevels(levels);
+    dialog->open();
+}
+
 /// In its dialog, which says how far it is and closes itself.
 void MainWindow::repeatExport()
 {

@@ -5,6 +5,8 @@
 #include "widgets/panels/animation/key_curves.h"
 #include "widgets/panels/animation/key_panel.h"
 #include "widgets/panels/animation/key_sheet.h"
+#include "widgets/panels/levels/level_view.h"
+#include "widgets/panels/levels/levels_panel.h"
 #include "widgets/panels/timeline/timeline_panel.h"
 #include "widgets/window/hint_line.h"
 #include <QCoreApplication>
@@ -35,9 +37,14 @@ QString curvesHint()
                      "Ctrl + wheel: zoom");
 }
 
+QString levelHint()
+{
+    return Words::tr("Drag: turn both · wheel: nearer or farther · arrow keys: turn · Home: from the front");
+}
+
 } // namespace
 
-void addPanelHints(HintLine* line, TimelinePanel* timeline, KeyPanel* keys)
+void addPanelHints(HintLine* line, TimelinePanel* timeline, KeyPanel* keys, LevelsPanel* levels)
 {
     const auto add = [line](QWidget* widget, QString (*text)()) {
         line->addSource(widget, new FixedHint(widget, text));
@@ -46,6 +53,8 @@ void addPanelHints(HintLine* line, TimelinePanel* timeline, KeyPanel* keys)
     add(keys->ruler(), rulerHint);
     add(keys->sheet(), sheetHint);
     add(keys->curves(), curvesHint);
+    add(levels->levelView(), levelHint);
+    add(levels->wholeView(), levelHint);
 }
 
 } // namespace ramure

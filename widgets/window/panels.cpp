@@ -5,6 +5,7 @@
 #include "widgets/panels/edits/edits_panel.h"
 #include "widgets/panels/history/history_dock.h"
 #include "widgets/panels/inspector/branch_inspector.h"
+#include "widgets/panels/levels/levels_panel.h"
 #include "widgets/panels/presets/gallery_panel.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/panels/scene/scene_panel.h"
@@ -38,6 +39,8 @@ std::span<const PanelRow> panels()
          "window#inspector", &make<BranchInspector>},
         {"validationDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Validation"), LowerRight,
          "window#validation", &make<ValidationPanel, &PanelServices::analysis>},
+        {"levelsDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Levels"), LowerRight, "window#levels",
+         &make<LevelsPanel, &PanelServices::preferences>},
         {"historyDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "History"), UpperRight, "window#history",
          &make<HistoryDock>},
         {"galleryDock", QT_TRANSLATE_NOOP("ramure::MainWindow", "Gallery"), UpperRight, "window#gallery",

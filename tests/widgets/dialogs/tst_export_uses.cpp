@@ -77,6 +77,15 @@ private slots:
     }
     void cleanup() { m_dialog.reset(); }
 
+    void levelsComeFromElsewhere()
+    {
+        const LevelOptions wanted{2, {900, 300}};
+        m_dialog->setLevels(wanted);
+        QCOMPARE(m_dialog->use(), ExportUse::Game);
+        QVERIFY(m_dialog->options().levels == wanted);
+        m_dialog->setLevels({1, {}}); // the tree as it is
+        QVERIFY(!m_dialog->options().levels.isWanted());
+    }
     void badBudgetsAreTold_data()
     {
         QTest::addColumn<int>("levels");

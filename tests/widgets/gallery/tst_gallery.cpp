@@ -25,6 +25,7 @@
 #include "widgets/help/handbook_window.h"
 #include "widgets/panels/arm/arm_panel.h"
 #include "widgets/panels/inspector/branch_inspector.h"
+#include "widgets/panels/levels/levels_panel.h"
 #include "widgets/panels/properties/group_section.h"
 #include "widgets/panels/properties/properties_panel.h"
 #include "widgets/panels/scene/isolation.h"
@@ -144,6 +145,11 @@ private:
         m_window->isolation()->toggleSelected();
         look(m_window.get(), "isolated");
         m_window->isolation()->clear();
+        raise("validationDock");
+        raise("levelsDock");
+        auto* levels = dock<LevelsPanel>("levelsDock")->watch();
+        QTRY_VERIFY_WITH_TIMEOUT(levels->state() == LevelWatch::State::Done, 60'000);
+        look(m_window.get(), "levels");
         raise("validationDock");
         scene->search()->field()->setText(QStringLiteral("length > 0.1"));
         look(m_window.get(), "validation-found");

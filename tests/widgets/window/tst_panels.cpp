@@ -76,6 +76,17 @@ private slots:
         QVERIFY(m_window.tabifiedDockWidgets(dock("armDock")).contains(dock("propertiesDock")));
         QVERIFY(m_window.tabifiedDockWidgets(dock("historyDock")).contains(dock("sceneDock")));
     }
+    /// Panels stand behind each other: however many there are, the window is no higher.
+    void theWindowFitsTheScreen()
+    {
+        m_window.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&m_window));
+        QCOMPARE(m_window.height(), 800);
+        m_window.resetLayout();
+        QCoreApplication::processEvents();
+        QCOMPARE(m_window.height(), 800);
+        m_window.hide();
+    }
     void theLayoutBringsItBack()
     {
         dock("fakeDock")->setFloating(true);

@@ -1,4 +1,4 @@
-#include "widgets/dialogs/level_form.h"
+#include "widgets/base/level_form.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -54,6 +54,12 @@ void LevelForm::setOptions(const LevelOptions& options)
     m_budgets->setText(budgets.join(QStringLiteral(", ")));
 }
 
+void LevelForm::setNarrow()
+{
+    m_isNarrow = true;
+    retranslate();
+}
+
 Expected<void> LevelForm::check() const
 {
     static const QRegularExpression numbers(QStringLiteral("^[\\d\\s,;]*$"));
@@ -78,7 +84,8 @@ void LevelForm::retranslate()
            "formats each is a file."));
     m_count->setAccessibleName(tr("Number of levels"));
     m_label->setText(tr("Triangles"));
-    m_budgets->setPlaceholderText(tr("the tree as it is, then a quarter each"));
+    m_budgets->setPlaceholderText(m_isNarrow ? tr("as it is, then a quarter", "the tree")
+                                             : tr("the tree as it is, then a quarter each"));
     m_budgets->setToolTip(
         tr("Triangles of each level, with commas between them, such as 10000, 2500: bark, leaves and "
            "fruit together, kept within 2 %. Nothing here: the first level is the tree as it is, each "

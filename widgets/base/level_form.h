@@ -21,6 +21,8 @@ public:
     /// budget: the tree as it is.
     [[nodiscard]] LevelOptions options() const;
     void setOptions(const LevelOptions& options);
+    /// For a panel: what stands in the empty field is shorter.
+    void setNarrow();
     /// A text that holds no numbers is no budget. Error: Invalid, with what is expected; those of
     /// checkLevels.
     [[nodiscard]] Expected<void> check() const;
@@ -37,6 +39,7 @@ private:
     QSpinBox* m_count;
     QLabel* m_label;
     QLineEdit* m_budgets;
+    bool m_isNarrow = false;
 };
 
 } // namespace ramure

@@ -1,0 +1,178 @@
+#include "widgets/panels/levels/level_model.h"
+
+#include <QLocale>
+#include <QStringList>
+
+namespace ramure {
+namespace {
+
+std::int64_t facesOf(const std::shared_ptr<const TriangleMesh>& mesh)
+{
+    return mesh ? mesh->faceCount() : 0;
+}
+
+QString percentText(double share)
+{
+    const double percent = 100.0 * share;
+    const int decimals = percent >= 10.0 || percent == 0.0 ? 0 : percent >= 1.0 ? 1 : 2;
+    if (percent > 0.0 && percent < 0.01)
+        return QStringLiteral("< ") + percentText(0.0001);
+    return LevelModel::tr("%1 %", "a share").arg(QLocale().toString(percent, 'f', decimals));
+}
+
+std::size_t leavesOf(const std::shared_ptr<const Foliage>& foliage)
+{
+    return foliage ? foliage->leaves.size() : 0;
+}
+
+} // namespace
+
+QString metresText(double metres)
+{
+    return LevelModel::tr("%1 m", "metres")
+        .arg(QLocale().toString(metres, 'f', metres > 0.0 && metres < 20.0 ? 1 : 0));
+}
+
+QString countText(std::int64_t count)
+{
+    return QLocale().toString(qlonglong(count));
+}
+
+LevelModel::LevelModel(QObject* parent)
+    : QAbstractTableModel(parent)
+{
+}
+
+void LevelModel::setLevels(std::shared_ptr<const TreeLevels> levels)
+{
+    if (levels == m_levels)
+        return;
+    beginResetModel();
+    m_levels = std::move(levels);
+    endResetModel();
+}
+
+void LevelModel::retranslate()
+{
+    beginResetModel();
+    endResetModel();
+}
+
+int LevelModel::rowCount(const QModelIndex& parent) const
+{
+    return parent.isValid() || !m_levels ? 0 : static_cast<int>(m_levels->levels.size());
+}
+
+int LevelModel::columnCount(const QModelIndex& parent) const
+{
+    return parent.isValid() ? 0 : Columns;
+}
+
+QString LevelModel::cell(std::size_t row, int column) const
+{
+    const TreeLevel& level = m_levels->levels[row];
+    const std::size_t all = leavesOf(m_levels->whole.foliage);
+    switch (column) {
+    case Level:
+        return QString::number(row);
+    case Triangles:
+        return countText(level.triangles());
+    case Bark:
+        return countText(facesOf(level.bark));
+    case Leaves:
+        return countText(facesOf(level.leaves) + facesOf(level.apples));
+    case LeavesLeft:
+        return all == 0 ? QStringLiteral("–") : percentText(double(leavesOf(level.foliage)) / double(all));
+    case From:
+        return metresText(m_levels->distances[row]);
+    case Screen:
+        return percentText(m_levels->coverage[row]);
+    default:
+        return {};
+    }
+}
+
+QString LevelModel::tip(std::size_t row) const
+{
+    const TreeLevel& level = m_levels->levels[row];
+    QString text =
+        row == 0
+            ? tr("The finest level")
+            : tr("Takes the place of level %1 from %2 on, where the details in which they differ, %3 mm, "
+                 "are one pixel of a screen 1080 pixels high")
+                  .arg(row - 1)
+                  .arg(metresText(m_levels->distances[row]),
+                       QLocale().toString(1000.0 * level.detail * m_levels->scale, 'f', 1));
+    if (const std::size_t all = leavesOf(m_levels->whole.foliage); all > 0)
+        text += u'\n' + tr("%1 of %2 leaves, %3 times as large")
+                            .arg(countText(qint64(leavesOf(level.foliage))), countText(qint64(all)),
+                                 QLocale().toString(level.leafScale, 'f', 2));
+    return text;
+}
+
+QVariant LevelModel::data(const QModelIndex& index, int role) const
+{
+    if (!index.isValid() || !m_levels)
+        return {};
+    if (role == Qt::DisplayRole)
+        return cell(static_cast<std::size_t>(index.row()), index.column());
+    if (role == Qt::ToolTipRole)
+        return tip(static_cast<std::size_t>(index.row()));
+    if (role == Qt::TextAlignmentRole)
+        return int(Qt::AlignRight | Qt::AlignVCenter);
+    return {};
+}
+
+QVariant LevelModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal)
+        return {};
+    if (role == Qt::TextAlignmentRole)
+        return int(Qt::AlignRight | Qt::AlignVCenter);
+    if (role != Qt::DisplayRole && role != Qt::ToolTipRole)
+        return {};
+    const bool isTip = role == Qt::ToolTipRole;
+    switch (section) {
+    case Level:
+        return isTip ? tr("Number of the level, the finest first, as in the names of the export")
+                     : tr("Level");
+    case Triangles:
+        return isTip ? tr("Triangles of bark, leaves and fruit together") : tr("Triangles");
+    case Bark:
+        return isTip ? tr("Triangles of the bark, which is one closed mesh") : tr("Bark");
+    case Leaves:
+        return isTip ? tr("Triangles of leaves and fruit") : tr("Leaves");
+    case LeavesLeft:
+        return isTip
+                   ? tr("Share of the tree's leaves that are left; they have grown, so that the crown keeps "
+                        "its area")
+                   : tr("Left");
+    case From:
+        return isTip ? tr("Distance in metres from which the level takes the place of the one before: on a "
+                          "screen 1080 pixels high, with an angle of view of 40°")
+                     : tr("From");
+    case Screen:
+        return isTip ? tr("Share of a screen of 1920 × 1080 pixels down to which the level is needed, as a "
+                          "GLB says it (MSFT_screencoverage)")
+                     : tr("Screen");
+    default:
+        return {};
+    }
+}
+
+QString LevelModel::text(int firstRow, int count) const
+{
+    QStringList lines, names;
+    for (int column = 0; column < Columns; ++column)
+        names += headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    lines += names.join(u'\t');
+    for (int row = firstRow; row < std::min(firstRow + count, rowCount()); ++row) {
+        QStringList cells;
+        for (int column = 0; column < Columns; ++column)
+            cells += cell(static_cast<std::size_t>(row), column);
+        lines += cells.join(u'\t');
+    }
+    return lines.join(u'\n') + u'\n';
+}
+
+} // namespace ramure

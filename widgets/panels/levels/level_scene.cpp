@@ -1,0 +1,97 @@
+#include "widgets/panels/levels/level_scene.h"
+
+#include "core/session/level_export.h"
+#include <algorithm>
+#include <cmath>
+
+namespace ramure {
+namespace {
+
+constexpr double widestTan = 2.0; ///< of half the angle of view, where the eye stands in the crown
+
+double screenTan()
+{
+    return std::tan(0.5 * LevelWatch::usualFovRad);
+}
+
+/// The level in place of the tree.
+TreeResult resultOf(const TreeLevels& of, const TreeLevel& level)
+{
+    TreeResult tree = of.whole;
+    tree.branches = level.branches;
+    tree.foliage = level.foliage;
+    tree.leaves = level.leaves;
+    tree.apples = level.apples;
+    const bool isWhole = level.branches == of.whole.branches;
+    if (!isWhole)
+        tree.cuts = nullptr; // closed by the level's own mesh
+    const bool hasPicture = level.branches && of.whole.texture && isBarkReady(*of.whole.texture, of.params);
+    if (!isWhole)
+        tree.texture = hasPicture ? std::make_shared<const TextureStage>(level.branches) : nullptr;
+    return tree;
+}
+
+/// Cards in place of leaves: the builder knows leaves alone.
+void drawCards(RenderScene& scene, const TreeResult& tree, double alpha)
+{
+    if (!tree.leaves || !tree.foliage || tree.foliage->leaves.empty())
+        return;
+    const std::size_t each = tree.leaves->faceCount() / tree.foliage->leaves.size();
+    if (each == oneLeaf(tree.foliage->form, alpha, FoliageModel::Fine).faceCount())
+        return;
+    for (MeshItem& item : scene.meshes)
+        if (item.copies && item.mesh == tree.leaves) {
+            item.copies =
+                std::make_shared<const MeshCopies>(leafCopies(*tree.foliage, alpha, FoliageModel::Rough));
+            item.leaf = nullptr;
+            item.images = nullptr;
+        }
+}
+
+} // namespace
+
+RenderScene levelScene(SceneBuilder& builder, const TreeLevels& of, std::optional<std::size_t> level)
+{
+    const TreeResult tree = level ? resultOf(of, of.levels[*level]) : of.whole;
+    Node node;
+    node.id = 1;
+    node.kind = NodeKind::Tree;
+    node.name = "tree";
+    node.params = of.params;
+    node.params.tree = node.params.local = {};
+    const auto scene = Scene::fromNodes({std::move(node)});
+    if (!scene)
+        return {};
+    SceneView view;
+    view.waitsForBark = level && of.levels[*level].branches != of.whole.branches;
+    RenderScene built = builder.build(
+        *scene, [&](NodeId) { return &tree; }, view);
+    drawCards(built, tree, trunkRadius(of.params));
+    return built;
+}
+
+Camera levelCamera(const TreeLevels& of, const LevelShot& shot, const glm::ivec2& size)
+{
+    Camera camera;
+    camera.target = of.box.centre();
+    camera.distance = shot.distance / of.scale;
+    camera.yawRad = shot.yawRad;
+    camera.pitchRad = shot.pitchRad;
+    double tangent = screenTan() * double(size.y) / levelScreenHeight;
+    if (shot.enlarged) {
+        const glm::dvec3 half = 0.5 * of.box.size();
+        const double around = std::hypot(half.x, half.z), aspect = double(size.x) / double(size.y);
+        const double nearest = std::max(camera.distance - around, 0.1 * camera.distance);
+        tangent = Camera::usualMargin *
+                  std::max(half.y + around * std::abs(std::sin(shot.pitchRad)), around / aspect) / nearest;
+    }
+    camera.fovRad = 2.0 * std::atan(std::min(tangent, widestTan));
+    return camera;
+}
+
+double levelPixels(const TreeLevels& of, double distance)
+{
+    return of.box.size().y * of.scale * levelScreenHeight / (2.0 * screenTan() * distance);
+}
+
+} // namespace ramure
