@@ -17,7 +17,6 @@ class QToolButton;
 
 namespace ramure {
 
-class HandSettings;
 class NumberField;
 class ViewSettings;
 
