@@ -114,6 +114,7 @@ void main()
         discard;
 #ifdef SURFACES
     float depth = clamp((dot(v.relative, uBackward.xyz) + uDepth.x) * uDepth.y, 0.0, 1.0);
+    normal -= 2.0 * min(dot(normal, uBackward.xyz), 0.0) * uBackward.xyz; // what is seen looks to the eye
     fragment = vec4(toSrgb(albedo), 1.0);
     surface = vec4(0.5 + 0.5 * normal, (1.0 + 254.0 * depth) / 255.0);
 #elif defined(WIRE)
