@@ -42,17 +42,15 @@ glm::dvec3 atlasDirection(AtlasCell cell, int views)
     return hemiOctDecoded({at(cell.column), at(cell.row)});
 }
 
-AtlasBlend viewsAround(const glm::dvec3& direction, int views)
+std::vector<AtlasCell> viewsAround(const glm::dvec3& direction, int views)
 {
+    constexpr double reach = 1.5;
     const glm::dvec2 at = (0.5 * hemiOctEncoded(direction) + 0.5) * double(views - 1);
-    const auto cellOf = [views](double x) { return std::clamp(static_cast<int>(x), 0, views - 2); };
-    const int column = cellOf(at.x), row = cellOf(at.y);
-    const double x = std::clamp(at.x - column, 0.0, 1.0), y = std::clamp(at.y - row, 0.0, 1.0);
-    AtlasBlend out;
-    // Two triangles on either side of the line from the upper left to the lower right.
-    out.cells = {AtlasCell{column, row}, AtlasCell{column + 1, row + 1},
-                 x > y ? AtlasCell{column + 1, row} : AtlasCell{column, row + 1}};
-    out.shares = {1.0 - std::max(x, y), std::min(x, y), std::abs(x - y)};
+    std::vector<AtlasCell> out;
+    for (int row = 0; row < views; ++row)
+        for (int column = 0; column < views; ++column)
+            if (glm::distance(at, glm::dvec2(column, row)) < reach)
+                out.push_back({column, row});
     return out;
 }
 

@@ -5,7 +5,6 @@
 
 #include "core/base/error.h"
 #include "core/surface/mesh/triangle_mesh.h"
-#include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
@@ -39,13 +38,9 @@ struct AtlasCell
 /// From the tree to the eye, unit. The outermost views stand on the horizon. \pre 0 <= both < views
 glm::dvec3 atlasDirection(AtlasCell cell, int views);
 
-/// The views around a direction, which shares add up to 1. Some may be 0.
-struct AtlasBlend
-{
-    std::array<AtlasCell, 3> cells;
-    std::array<double, 3> shares{};
-};
-AtlasBlend viewsAround(const glm::dvec3& direction, int views);
+/// Those that together know what a direction shows: closer to it than one and a half steps from view to view,
+/// row by row; three or more, but of small atlases.
+std::vector<AtlasCell> viewsAround(const glm::dvec3& direction, int views);
 
 /// In metres, in a plane: x to the right, y up.
 struct PlaneRect

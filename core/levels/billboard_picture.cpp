@@ -2,6 +2,7 @@
 
 #include "core/math/reproducible.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -117,12 +118,13 @@ Level halved(Level& fine)
 BillboardPicture shrunk(const BillboardPicture& large, int each)
 {
     BillboardPicture out(large.width / each, large.height / each);
+    std::vector<std::uint8_t> depths;
     const auto& linear = linearOf();
     for (int y = 0; y < out.height; ++y)
         for (int x = 0; x < out.width; ++x) {
             glm::dvec3 light(0.0), normal(0.0);
             double covered = 0.0;
-            std::uint8_t nearest = 0;
+            depths.clear();
             for (int v = 0; v < each; ++v)
                 for (int u = 0; u < each; ++u) {
                     const std::size_t i = large.at(each * x + u, each * y + v);
@@ -132,17 +134,19 @@ BillboardPicture shrunk(const BillboardPicture& large, int each)
                     const double weight = c.a / 255.0;
                     light += weight * glm::dvec3(linear[c.r], linear[c.g], linear[c.b]);
                     normal += weight * normalOf(large.normal[i]);
-                    nearest = std::max(nearest, large.normal[i].a);
+                    depths.push_back(large.normal[i].a);
                     covered += weight;
                 }
             if (covered == 0.0)
                 continue;
             light /= covered;
+            const auto middle = depths.begin() + std::ptrdiff_t(depths.size() / 2);
+            std::ranges::nth_element(depths, middle);
             const std::size_t i = out.at(x, y);
             out.colour[i] = {
                 srgbOf(light.r), srgbOf(light.g), srgbOf(light.b),
                 static_cast<std::uint8_t>(std::max(std::lround(255.0 * covered / (each * each)), 1L))};
-            out.normal[i] = {bytesOf(normal), nearest};
+            out.normal[i] = {bytesOf(normal), *middle};
         }
     return out;
 }

@@ -32,7 +32,7 @@ struct BillboardPicture
 };
 
 /// A picture of which each pixel is the mean of some: colours as light adds up, of what is covered; the depth
-/// is that of the nearest. \pre both sides are multiples of \p each, 1 or more
+/// is the median of theirs. \pre both sides are multiples of \p each, 1 or more
 BillboardPicture shrunk(const BillboardPicture& large, int each);
 /// \pre it fits
 void paste(BillboardPicture& onto, const BillboardPicture& what, int x, int y);

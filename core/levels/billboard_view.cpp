@@ -61,12 +61,8 @@ Coverage atlasCoverage(const BillboardPicture& atlas, int views, const glm::dvec
     const int side = atlas.width / views;
     const double half = 0.5 * side;
     const ViewFrame eye = viewFrame(direction);
-    const AtlasBlend blend = viewsAround(direction, views);
     Coverage out(std::size_t(side) * std::size_t(side), 0.0F);
-    for (std::size_t k = 0; k < blend.cells.size(); ++k) {
-        if (blend.shares[k] <= 1e-6)
-            continue;
-        const AtlasCell cell = blend.cells[k];
+    for (const AtlasCell cell : viewsAround(direction, views)) {
         const ViewFrame view = viewFrame(atlasDirection(cell, views));
         Splats splats(side);
         for (int y = 0; y < side; ++y)

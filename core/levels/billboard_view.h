@@ -12,8 +12,8 @@ using Coverage = std::vector<float>;
 /// Of a picture's alpha.
 Coverage coverageOf(const BillboardPicture& picture);
 
-/// An atlas seen straight from a direction, as large as one of its views. Every pixel of the three views
-/// around the direction stands where its depth says; of what several show, the most is seen.
+/// An atlas seen straight from a direction, as large as one of its views. Every pixel of the views
+/// around the direction (viewsAround) stands where its depth says; of what several show, the most is seen.
 /// \param views each way \param direction from the tree to the eye, unit, y >= 0
 Coverage atlasCoverage(const BillboardPicture& atlas, int views, const glm::dvec3& direction);
 

