@@ -209,9 +209,11 @@ private slots:
             QVERIFY2(likeness.soft > 0.92 && likeness.hard > 0.92,
                      qPrintable(QStringLiteral("%1 %2").arg(likeness.soft).arg(likeness.hard)));
         }
-        const Likeness itself =
-            likenessOf(coverageOf(ball), atlasCoverage(atlas, views, atlasDirection({3, 5}, views)));
-        QVERIFY(itself.soft > 0.999 && itself.hard > 0.999);
+        // From where a view was drawn, all that it shows is seen.
+        const Coverage own = coverageOf(ball),
+                       seen = atlasCoverage(atlas, views, atlasDirection({3, 5}, views));
+        for (std::size_t i = 0; i < own.size(); ++i)
+            QVERIFY(seen[i] >= own[i] - 1e-4F);
     }
 
 private:
