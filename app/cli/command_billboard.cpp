@@ -135,7 +135,7 @@ Expected<QJsonObject> compared(const DrawSurfaces& draw, const BillboardAtlas& a
     int done = 0;
     for (const glm::dvec3& direction : hemisphereDirections(count)) {
         const auto tree =
-            bakeView(draw, viewFrame(direction), atlas.middle, seen, QSize(side, side), atlas.radius);
+            bakeView(draw, viewFrame(direction), atlas.middle, seen, QSize(side, side), atlas.radius, false);
         if (!tree)
             return fail(tree.error());
         const Likeness now =
@@ -250,8 +250,8 @@ Expected<int> run(const CommandLine& line)
     Painter painter;
     if (auto begun = painter.begin(); !begun)
         return fail(std::move(begun.error()));
-    const DrawSurfaces draw = [&](const Camera& camera, QSize size, double reach) {
-        return painter.drawSurfaces(*scene, camera, size, reach);
+    const DrawSurfaces draw = [&](const Camera& camera, QSize size, double reach, bool sparing) {
+        return painter.drawSurfaces(*scene, camera, size, reach, sparing);
     };
     const auto said = bake(draw, ballOf(*scene), *request, work.progress());
     if (!said)

@@ -22,9 +22,9 @@ Expected<QImage> Painter::draw(const RenderScene& scene, const Camera& camera, Q
 }
 
 Expected<SurfacePictures> Painter::drawSurfaces(const RenderScene& scene, const Camera& camera, QSize size,
-                                                double reach)
+                                                double reach, bool sparing)
 {
-    return m_renderer->drawSurfaces(scene, camera, size, reach);
+    return m_renderer->drawSurfaces(scene, camera, size, reach, sparing);
 }
 
 Expected<RenderScene> renderSceneOf(EvaluatedScene& now, DisplayMode mode)

@@ -22,7 +22,7 @@ public:
                           const RenderOptions& options);
     /// The same for what surfaces are: see OffscreenRenderer::drawSurfaces.
     Expected<SurfacePictures> drawSurfaces(const RenderScene& scene, const Camera& camera, QSize size,
-                                           double reach);
+                                           double reach, bool sparing);
     [[nodiscard]] bool hasBegun() const { return m_renderer.has_value(); }
 
 private:

@@ -54,7 +54,7 @@ Expected<PlaneRect> seenBy(const DrawSurfaces& draw, const ViewFrame& frame, con
 {
     const double radius = ball.radius * (1.0 + 4.0 / probeSide);
     const auto drawn =
-        draw(cameraOf(frame, ball.middle, 2.0 * radius), QSize(probeSide, probeSide), ball.radius);
+        draw(cameraOf(frame, ball.middle, 2.0 * radius), QSize(probeSide, probeSide), ball.radius, false);
     if (!drawn)
         return fail(drawn.error());
     const PixelRect covered = coveredRect(pictureOf(*drawn));
@@ -84,12 +84,13 @@ SceneBall ballOf(const RenderScene& scene)
 }
 
 Expected<BillboardPicture> bakeView(const DrawSurfaces& draw, const ViewFrame& frame,
-                                    const glm::dvec3& middle, const PlaneRect& seen, QSize size, double reach)
+                                    const glm::dvec3& middle, const PlaneRect& seen, QSize size, double reach,
+                                    bool sparing)
 {
     const int each = std::clamp(mostSide / std::max(size.width(), size.height()), 1, mostSamples);
     const glm::dvec2 at = seen.centre();
     const auto drawn = draw(cameraOf(frame, middle + at.x * frame.right + at.y * frame.up, seen.size().y),
-                            size * each, reach);
+                            size * each, reach, sparing);
     if (!drawn)
         return fail(drawn.error());
     return shrunk(pictureOf(*drawn), each);
@@ -107,7 +108,7 @@ Expected<BillboardAtlas> bakeAtlas(const DrawSurfaces& draw, const SceneBall& ba
     for (int i = 0; i < views * views; ++i) {
         const AtlasCell cell{i % views, i / views};
         const auto view = bakeView(draw, viewFrame(atlasDirection(cell, views)), out.middle, seen,
-                                   QSize(side, side), out.radius);
+                                   QSize(side, side), out.radius, true);
         if (!view)
             return fail(view.error());
         const PixelRect place{cell.column * side, cell.row * side, side, side};
@@ -138,8 +139,8 @@ Expected<BillboardCards> bakeCards(const DrawSurfaces& draw, const SceneBall& ba
     for (std::size_t i = 0; i < out.cards.size(); ++i) {
         const BillboardCard& card = out.cards[i];
         const PixelRect& place = card.picture;
-        auto view =
-            bakeView(draw, card.frame, ball.middle, card.seen, QSize(place.width, place.height), ball.radius);
+        auto view = bakeView(draw, card.frame, ball.middle, card.seen, QSize(place.width, place.height),
+                             ball.radius, true);
         if (!view)
             return fail(view.error());
         turnNormals(*view, {0, 0, view->width, view->height}, card.frame);

@@ -10,7 +10,8 @@
 namespace ramure {
 
 /// OffscreenRenderer::drawSurfaces of the scene at hand.
-using DrawSurfaces = std::function<Expected<SurfacePictures>(const Camera& camera, QSize size, double reach)>;
+using DrawSurfaces =
+    std::function<Expected<SurfacePictures>(const Camera& camera, QSize size, double reach, bool sparing)>;
 
 /// Holds all that is seen of a scene, world space. A radius of 0: nothing is.
 struct SceneBall
@@ -36,10 +37,10 @@ struct BillboardCards
 
 /// One view of what is around \p middle, each pixel the mean of several samples. Not bled.
 /// \param seen of the plane through the middle \param reach m that the depth tells before and behind it
-/// Errors: those of drawSurfaces.
+/// \param sparing leaves of a few pixels have the least triangles. Errors: those of drawSurfaces.
 Expected<BillboardPicture> bakeView(const DrawSurfaces& draw, const ViewFrame& frame,
-                                    const glm::dvec3& middle, const PlaneRect& seen, QSize size,
-                                    double reach);
+                                    const glm::dvec3& middle, const PlaneRect& seen, QSize size, double reach,
+                                    bool sparing);
 /// \param size of the square picture, a multiple of \p views. Errors: Invalid (nothing is seen), those of
 /// drawSurfaces, Cancelled.
 Expected<BillboardAtlas> bakeAtlas(const DrawSurfaces& draw, const SceneBall& ball, int size, int views,

@@ -180,7 +180,7 @@ Expected<QImage> OffscreenRenderer::draw(const RenderScene& scene, const Camera&
 }
 
 Expected<SurfacePictures> OffscreenRenderer::drawSurfaces(const RenderScene& scene, const Camera& camera,
-                                                          QSize size, double reach)
+                                                          QSize size, double reach, bool sparing)
 {
     if (auto checked = checkSize(size); !checked)
         return fail(std::move(checked.error()));
@@ -188,7 +188,7 @@ Expected<SurfacePictures> OffscreenRenderer::drawSurfaces(const RenderScene& sce
     target.addColorAttachment(size, GL_RGBA8);
     if (auto checked = checkTarget(target, size); !checked)
         return fail(std::move(checked.error()));
-    d->renderer->drawSurfaces(scene, camera, size, target.handle(), reach);
+    d->renderer->drawSurfaces(scene, camera, size, target.handle(), reach, sparing);
     (void)d->renderer->takeReleased();
     // Qt takes the alpha for what the colours were multiplied by, which it is not.
     const auto numbers = [&](int attachment) {

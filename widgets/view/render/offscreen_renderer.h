@@ -41,9 +41,9 @@ public:
     Expected<QImage> draw(const RenderScene& scene, const Camera& camera, QSize size,
                           const RenderOptions& options = {});
     /// As draw(), one sample a pixel. \param reach m before and behind the camera's target that the depth
-    /// tells
+    /// tells \param sparing leaves of a few pixels have the least triangles
     Expected<SurfacePictures> drawSurfaces(const RenderScene& scene, const Camera& camera, QSize size,
-                                           double reach);
+                                           double reach, bool sparing);
     /// On the thread of begin().
     void end();
 

@@ -4,11 +4,12 @@
 namespace ramure {
 
 void Renderer::drawSurfaces(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
-                            double reach)
+                            double reach, bool sparing)
 {
     constexpr GLenum targets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     RenderOptions options;
-    options.quality = Quality::Best; // leaves with all their triangles
+    options.quality = sparing ? Quality::Good : Quality::Best; // which draws all triangles of leaves
+    options.sparing = sparing;
     options.shadows = options.world = options.outline = false;
     options.samples = 0;
     m_cache.beginPicture();
