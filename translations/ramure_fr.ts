@@ -7110,6 +7110,22 @@
         <source>Box, clipped to a block</source>
         <translation>Du buis taillé en bloc</translation>
     </message>
+    <message>
+        <source>a card shows nothing</source>
+        <translation>une carte ne montre rien</translation>
+    </message>
+    <message>
+        <source>a picture of cards has at least 16 pixels a side</source>
+        <translation>une image de cartes a au moins 16 pixels de côté</translation>
+    </message>
+    <message>
+        <source>%1 cards do not fit into a picture of %2 pixels</source>
+        <translation>%1 cartes ne tiennent pas dans une image de %2 pixels</translation>
+    </message>
+    <message>
+        <source>nothing is visible: there is nothing to make a billboard of</source>
+        <translation>rien n’est visible : il n’y a rien dont faire un panneau</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

@@ -25,16 +25,17 @@ extern const Command validateCommand;
 extern const Command simulateCommand;
 extern const Command ikCommand;
 extern const Command renderCommand;
+extern const Command billboardCommand;
 extern const Command texturesCommand;
 extern const Command batchCommand;
 extern const Command jobCommand;
 extern const Command sheetCommand;
 
 /// In the order of the help.
-inline constexpr std::array allCommands = {&listCommand,   &infoCommand,     &importCommand,   &editCommand,
-                                           &exportCommand, &validateCommand, &simulateCommand, &ikCommand,
-                                           &renderCommand, &texturesCommand, &batchCommand,    &jobCommand,
-                                           &sheetCommand};
+inline constexpr std::array allCommands = {&listCommand,   &infoCommand,      &importCommand,   &editCommand,
+                                           &exportCommand, &validateCommand,  &simulateCommand, &ikCommand,
+                                           &renderCommand, &billboardCommand, &texturesCommand, &batchCommand,
+                                           &jobCommand,    &sheetCommand};
 
 /// An option that stands in a command's place.
 struct ProgramOption

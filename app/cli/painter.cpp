@@ -21,6 +21,12 @@ Expected<QImage> Painter::draw(const RenderScene& scene, const Camera& camera, Q
     return m_renderer->draw(scene, camera, size, options);
 }
 
+Expected<SurfacePictures> Painter::drawSurfaces(const RenderScene& scene, const Camera& camera, QSize size,
+                                                double reach, bool sparing)
+{
+    return m_renderer->drawSurfaces(scene, camera, size, reach, sparing);
+}
+
 Expected<RenderScene> renderSceneOf(EvaluatedScene& now, DisplayMode mode)
 {
     const Scene& scene = now.scene();

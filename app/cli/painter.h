@@ -20,6 +20,9 @@ public:
     /// \pre begin() went well
     Expected<QImage> draw(const RenderScene& scene, const Camera& camera, QSize size,
                           const RenderOptions& options);
+    /// The same for what surfaces are: see OffscreenRenderer::drawSurfaces.
+    Expected<SurfacePictures> drawSurfaces(const RenderScene& scene, const Camera& camera, QSize size,
+                                           double reach, bool sparing);
     [[nodiscard]] bool hasBegun() const { return m_renderer.has_value(); }
 
 private:

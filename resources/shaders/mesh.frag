@@ -17,7 +17,14 @@ uniform vec3 uColour;      // sRGB
 uniform float uOpacity;
 uniform bool uCovers; // what a picture cuts out covers some of a pixel's samples
 
+#ifdef SURFACES
+layout(location = 0) out vec4 fragment; // their own colour, sRGB
+layout(location = 1) out vec4 surface;  // normal, depth
+
+uniform vec2 uDepth; // what turns metres before the eye into 0 for the farthest, 1 for the nearest: sum, factor
+#else
 out vec4 fragment;
+#endif
 
 #ifdef COLOURS
 uniform bool uHasColours; // each triangle has its own, tinted by uColour
@@ -105,7 +112,12 @@ void main()
     }
     if (isCut && there < (uCovers ? 0.01 : 0.5)) // after everything that looks at its neighbours
         discard;
-#ifdef WIRE
+#ifdef SURFACES
+    float depth = clamp((dot(v.relative, uBackward.xyz) + uDepth.x) * uDepth.y, 0.0, 1.0);
+    normal -= 2.0 * min(dot(normal, uBackward.xyz), 0.0) * uBackward.xyz; // what is seen looks to the eye
+    fragment = vec4(toSrgb(albedo), 1.0);
+    surface = vec4(0.5 + 0.5 * normal, (1.0 + 254.0 * depth) / 255.0);
+#elif defined(WIRE)
     float edge = min(min(edgeDistance.x, edgeDistance.y), edgeDistance.z);
     float line = 1.0 - smoothstep(0.5 * uLineWidth - 0.5, 0.5 * uLineWidth + 0.5, edge);
     if (uWireOnly) {

@@ -28,6 +28,23 @@ QOpenGLFramebufferObjectFormat targetFormat(int samples)
     return format;
 }
 
+Expected<void> checkSize(QSize size)
+{
+    if (size.width() < 1 || size.height() < 1 || size.width() > maxSide || size.height() > maxSide)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("The picture's sides must be 1 to %1 pixels"),
+                    {std::to_string(maxSide)});
+    return {};
+}
+
+Expected<void> checkTarget(const QOpenGLFramebufferObject& target, QSize size)
+{
+    if (!target.isValid() || target.size() != size)
+        return fail(ErrorCode::Unknown,
+                    RAMURE_NOOP("The graphics driver refuses a picture of %1 x %2 pixels"),
+                    {std::to_string(size.width()), std::to_string(size.height())});
+    return {};
+}
+
 /// Light adds up, the numbers of sRGB do not.
 const std::array<float, 256>& linearOf()
 {
@@ -140,14 +157,11 @@ Expected<void> OffscreenRenderer::begin()
 Expected<QImage> OffscreenRenderer::draw(const RenderScene& scene, const Camera& camera, QSize size,
                                          const RenderOptions& options)
 {
-    if (size.width() < 1 || size.height() < 1 || size.width() > maxSide || size.height() > maxSide)
-        return fail(ErrorCode::Invalid, RAMURE_NOOP("The picture's sides must be 1 to %1 pixels"),
-                    {std::to_string(maxSide)});
+    if (auto checked = checkSize(size); !checked)
+        return fail(std::move(checked.error()));
     QOpenGLFramebufferObject target(size, targetFormat(options.samples));
-    if (!target.isValid() || target.size() != size)
-        return fail(ErrorCode::Unknown,
-                    RAMURE_NOOP("The graphics driver refuses a picture of %1 x %2 pixels"),
-                    {std::to_string(size.width()), std::to_string(size.height())});
+    if (auto checked = checkTarget(target, size); !checked)
+        return fail(std::move(checked.error()));
     const auto picture = [&](const Camera& seenBy) {
         d->renderer->draw(scene, seenBy, size, target.handle(), options);
         (void)d->renderer->takeReleased(); // nobody waits for the memory here
@@ -163,6 +177,28 @@ Expected<QImage> OffscreenRenderer::draw(const RenderScene& scene, const Camera&
     for (int i = 0; i < count; ++i)
         light.add(picture(throughLens(camera, lens, size, i, count)));
     return light.mean();
+}
+
+Expected<SurfacePictures> OffscreenRenderer::drawSurfaces(const RenderScene& scene, const Camera& camera,
+                                                          QSize size, double reach, bool sparing)
+{
+    if (auto checked = checkSize(size); !checked)
+        return fail(std::move(checked.error()));
+    QOpenGLFramebufferObject target(size, targetFormat(0));
+    target.addColorAttachment(size, GL_RGBA8);
+    if (auto checked = checkTarget(target, size); !checked)
+        return fail(std::move(checked.error()));
+    d->renderer->drawSurfaces(scene, camera, size, target.handle(), reach, sparing);
+    (void)d->renderer->takeReleased();
+    // Qt takes the alpha for what the colours were multiplied by, which it is not.
+    const auto numbers = [&](int attachment) {
+        QImage image = target.toImage(true, attachment);
+        image.reinterpretAsFormat(image.format() == QImage::Format_RGBA8888_Premultiplied
+                                      ? QImage::Format_RGBA8888
+                                      : QImage::Format_ARGB32);
+        return image.convertToFormat(QImage::Format_ARGB32);
+    };
+    return SurfacePictures{numbers(0), numbers(1)};
 }
 
 void OffscreenRenderer::end()

@@ -13,6 +13,15 @@
 
 namespace ramure {
 
+/// What surfaces are, for whoever lights them later. Both pictures in Format_ARGB32, transparent where
+/// nothing is.
+struct SurfacePictures
+{
+    QImage colour; ///< their own, sRGB; opaque
+    QImage normal; ///< in the world's axes, 0 and 255 for -1 and 1; alpha: the depth, 1 the farthest, 255 the
+                   ///< nearest
+};
+
 /// Many pictures, on any one thread.
 class OffscreenRenderer
 {
@@ -31,6 +40,10 @@ public:
     /// Errors: Invalid (size), Unknown (a framebuffer the driver refuses).
     Expected<QImage> draw(const RenderScene& scene, const Camera& camera, QSize size,
                           const RenderOptions& options = {});
+    /// As draw(), one sample a pixel. \param reach m before and behind the camera's target that the depth
+    /// tells \param sparing leaves of a few pixels have the least triangles
+    Expected<SurfacePictures> drawSurfaces(const RenderScene& scene, const Camera& camera, QSize size,
+                                           double reach, bool sparing);
     /// On the thread of begin().
     void end();
 

@@ -49,6 +49,13 @@ public:
     /// \param sample 0, or one more than the time before with the same scene, camera, lens and size.
     void drawThroughLens(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
                          const RenderOptions& options, int sample);
+    /// What surfaces are instead of how they look in the light: into the framebuffer's first picture their
+    /// own colour (sRGB), into the second their normal, in the world's axes from 0 to 1, and as alpha the
+    /// depth: 1/255 is \p reach (m) behind the camera's target, 1 as far before it. Where nothing is, all is
+    /// 0. No lines, points or marks. \param framebuffer has two colours and no multisampling
+    /// \param sparing leaves of a few pixels have the least triangles, in a third of the time
+    void drawSurfaces(const RenderScene& scene, const Camera& camera, QSize size, GLuint framebuffer,
+                      double reach, bool sparing);
     /// Large scenes before they are drawn: see GpuCache::prepare. The context must be current.
     bool prepare(const RenderScene& scene, std::size_t bytes) { return m_cache.prepare(scene, bytes); }
     [[nodiscard]] std::vector<std::shared_ptr<const void>> takeReleased() { return m_cache.takeReleased(); }
