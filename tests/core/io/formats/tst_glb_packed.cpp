@@ -7,6 +7,7 @@
 #include <QFileInfo>
 #include <QTemporaryDir>
 #include <QtEndian>
+#include <algorithm>
 #include <array>
 #include <meshoptimizer.h>
 #include <set>
@@ -56,7 +57,7 @@ std::multiset<std::array<float, 15>> trianglesOf(const glb::Vertices& vertices)
             const glm::vec3& p = vertices.positions[i];
             corners[k] = {p.x, p.y, p.z, vertices.uv[i].x, vertices.uv[i].y};
         }
-        std::ranges::rotate(corners, std::ranges::min_element(corners));
+        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
         std::array<float, 15> flat{};
         for (std::size_t i = 0; i < 15; ++i)
             flat[i] = corners[i / 5][i % 5];
