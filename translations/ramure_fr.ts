@@ -7126,6 +7126,198 @@
         <source>nothing is visible: there is nothing to make a billboard of</source>
         <translation>rien n’est visible : il n’y a rien dont faire un panneau</translation>
     </message>
+    <message>
+        <source>%1 joints: an arm has 1 to %2</source>
+        <translation>%1 articulations : un bras en a de 1 à %2</translation>
+    </message>
+    <message>
+        <source>two joints at one place</source>
+        <translation>deux articulations à une même place</translation>
+    </message>
+    <message>
+        <source>there is no %1</source>
+        <translation>il n’y a pas de %1</translation>
+    </message>
+    <message>
+        <source>fewer values than keys</source>
+        <translation>moins de valeurs que de clés</translation>
+    </message>
+    <message>
+        <source>a key at a time that cannot be</source>
+        <translation>une clé à un temps impossible</translation>
+    </message>
+    <message>
+        <source>keys that cannot be</source>
+        <translation>des clés impossibles</translation>
+    </message>
+    <message>
+        <source>%1 animations: the first one is taken</source>
+        <translation>%1 animations : la première est prise</translation>
+    </message>
+    <message>
+        <source>%1 numbers expected</source>
+        <translation>%1 nombres attendus</translation>
+    </message>
+    <message>
+        <source>the JSON of the file has more than %1 MiB</source>
+        <translation>le JSON du fichier dépasse %1 Mio</translation>
+    </message>
+    <message>
+        <source>this is no GLB file</source>
+        <translation>ce n’est pas un fichier GLB</translation>
+    </message>
+    <message>
+        <source>a GLB of version %1: 2 can be read</source>
+        <translation>un GLB de version %1 : la version 2 peut être lue</translation>
+    </message>
+    <message>
+        <source>the file is cut off: %1 of %2 bytes are there</source>
+        <translation>le fichier est coupé : %1 octets sur %2 sont là</translation>
+    </message>
+    <message>
+        <source>a part of the file goes beyond its end</source>
+        <translation>une partie du fichier dépasse sa fin</translation>
+    </message>
+    <message>
+        <source>the file has no JSON part</source>
+        <translation>le fichier n’a pas de partie JSON</translation>
+    </message>
+    <message>
+        <source>the JSON of the file is broken</source>
+        <translation>le JSON du fichier est abîmé</translation>
+    </message>
+    <message>
+        <source>the file needs %1, which cannot be read</source>
+        <translation>le fichier exige %1, qui ne peut être lu</translation>
+    </message>
+    <message>
+        <source>%1 bytes expected, %2 are there</source>
+        <translation>%1 octets attendus, %2 sont là</translation>
+    </message>
+    <message>
+        <source>a buffer in another file, or broken: export it as one GLB</source>
+        <translation>un tampon dans un autre fichier, ou abîmé : exportez un seul GLB</translation>
+    </message>
+    <message>
+        <source>it goes beyond its buffer</source>
+        <translation>il dépasse son tampon</translation>
+    </message>
+    <message>
+        <source>it would unpack to more than a mesh can be</source>
+        <translation>il se déploierait en plus qu’un maillage ne peut être</translation>
+    </message>
+    <message>
+        <source>the compressed bytes are broken</source>
+        <translation>les octets compressés sont abîmés</translation>
+    </message>
+    <message>
+        <source>%1 numbers an element expected</source>
+        <translation>%1 nombres par élément attendus</translation>
+    </message>
+    <message>
+        <source>%1 elements without bytes are more than a mesh needs</source>
+        <translation>%1 éléments sans octets sont plus qu’un maillage n’en demande</translation>
+    </message>
+    <message>
+        <source>it goes beyond its view</source>
+        <translation>il dépasse sa vue</translation>
+    </message>
+    <message>
+        <source>the sparse values are broken</source>
+        <translation>les valeurs éparses sont abîmées</translation>
+    </message>
+    <message>
+        <source>whole numbers from 0 on expected</source>
+        <translation>nombres entiers à partir de 0 attendus</translation>
+    </message>
+    <message>
+        <source>a number is not finite</source>
+        <translation>un nombre n’est pas fini</translation>
+    </message>
+    <message>
+        <source>not as many as there are positions</source>
+        <translation>pas autant que de positions</translation>
+    </message>
+    <message>
+        <source>a vertex follows a joint that the skin has not</source>
+        <translation>un sommet suit une articulation que la peau n’a pas</translation>
+    </message>
+    <message>
+        <source>a child that does not exist</source>
+        <translation>un enfant qui n’existe pas</translation>
+    </message>
+    <message>
+        <source>%1 stands below two nodes</source>
+        <translation>%1 est sous deux nœuds</translation>
+    </message>
+    <message>
+        <source>a node that does not exist, or not at the top</source>
+        <translation>un nœud qui n’existe pas, ou pas au sommet</translation>
+    </message>
+    <message>
+        <source>more than %1 copies</source>
+        <translation>plus de %1 copies</translation>
+    </message>
+    <message>
+        <source>a joint that is no node</source>
+        <translation>une articulation qui n’est pas un nœud</translation>
+    </message>
+    <message>
+        <source>a skin without joints</source>
+        <translation>une peau sans articulations</translation>
+    </message>
+    <message>
+        <source>fewer bind matrices than joints</source>
+        <translation>moins de matrices de liaison que d’articulations</translation>
+    </message>
+    <message>
+        <source>the file shows no mesh, no camera and no node</source>
+        <translation>le fichier ne montre ni maillage, ni caméra, ni nœud</translation>
+    </message>
+    <message>
+        <source>%1 is sheared, mirrored or flat: that was put into what hangs on it</source>
+        <translation>%1 est cisaillé, retourné ou plat : cela a été mis dans ce qui y est attaché</translation>
+    </message>
+    <message>
+        <source>the camera %1 has no angle that can be kept: it gets the usual one</source>
+        <translation>la caméra %1 n’a pas d’angle qui puisse être gardé : elle reçoit l’angle habituel</translation>
+    </message>
+    <message>
+        <source>the joints of %1 branch: it stays a mesh, in the pose of the first frame</source>
+        <translation>les articulations de %1 se ramifient : il reste un maillage, dans la pose de la première image</translation>
+    </message>
+    <message>
+        <source>%1: how its joints move is left out</source>
+        <translation>%1 : le mouvement de ses articulations est laissé de côté</translation>
+    </message>
+    <message>
+        <source>%1 pictures of materials are in %2 now</source>
+        <translation>%1 images de matériaux sont maintenant dans %2</translation>
+    </message>
+    <message>
+        <source>%1 shows no mesh</source>
+        <translation>%1 ne montre aucun maillage</translation>
+    </message>
+    <message>
+        <source>the picture stands in another file</source>
+        <translation>l’image est dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>the picture is neither a PNG nor a JPEG</source>
+        <translation>l’image n’est ni un PNG ni un JPEG</translation>
+    </message>
+    <message>
+        <source>a hundred other pictures of this name are there</source>
+        <translation>cent autres images de ce nom sont là</translation>
+    </message>
+    <message>
+        <source>a picture of more than %1 pixels a side</source>
+        <translation>une image de plus de %1 pixels de côté</translation>
+    </message>
+    <message>
+        <source>nothing of the picture is transparent</source>
+        <translation>l’image n’a rien de transparent</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>

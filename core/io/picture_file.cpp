@@ -1,5 +1,6 @@
 #include "core/io/picture_file.h"
 
+#include <algorithm>
 #include <png.h>
 #include <vector>
 
@@ -27,6 +28,8 @@ Expected<std::string> pngOf(const PictureBytes& picture)
 
 namespace {
 
+constexpr png_uint_32 mostSide = 16384;
+
 struct Pixels
 {
     int width = 0, height = 0;
@@ -39,6 +42,11 @@ Expected<Pixels> pixelsOf(std::string_view file, png_uint_32 format)
     image.version = PNG_IMAGE_VERSION;
     Pixels out;
     if (png_image_begin_read_from_memory(&image, file.data(), file.size())) {
+        if (std::max(image.width, image.height) > mostSide) {
+            png_image_free(&image);
+            return fail(ErrorCode::Limit, RAMURE_NOOP("a picture of more than %1 pixels a side"),
+                        {std::to_string(mostSide)});
+        }
         image.format = format;
         out.width = static_cast<int>(image.width);
         out.height = static_cast<int>(image.height);
@@ -72,6 +80,23 @@ Expected<std::string> maskedPng(std::string_view colour, std::string_view opacit
         for (std::size_t x = 0; x < width; ++x)
             out.bytes[4 * (y * width + x) + 3] = alpha->bytes[y * up / height * across + x * across / width];
     return pngOf({out.width, out.height, 4, true, out.bytes});
+}
+
+Expected<std::string> channelPng(std::string_view picture, int channel)
+{
+    const auto from = pixelsOf(picture, PNG_FORMAT_RGBA);
+    if (!from)
+        return fail(from.error());
+    std::vector<std::uint8_t> out;
+    out.reserve(from->bytes.size() / 4);
+    bool isWhite = true;
+    for (auto at = static_cast<std::size_t>(channel); at < from->bytes.size(); at += 4) {
+        out.push_back(from->bytes[at]);
+        isWhite = isWhite && out.back() == 255;
+    }
+    if (channel == 3 && isWhite)
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("nothing of the picture is transparent"));
+    return pngOf({from->width, from->height, 1, false, out});
 }
 
 } // namespace ramure

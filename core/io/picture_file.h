@@ -24,5 +24,8 @@ Expected<std::string> pngOf(const PictureBytes& picture);
 /// A picture whose alpha is the brightness of another one, which is stretched to its size. \param colour the
 /// bytes of a PNG file; empty: white, as large as the other one. Error: Invalid, one is no PNG.
 Expected<std::string> maskedPng(std::string_view colour, std::string_view opacity);
+/// One channel of a PNG file, from 0 (red) to 3 (alpha), as a grey picture. Errors: Invalid, no PNG, or no
+/// alpha; Limit, over 16384 pixels a side.
+Expected<std::string> channelPng(std::string_view picture, int channel);
 
 } // namespace ramure

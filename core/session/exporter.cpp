@@ -7,6 +7,7 @@
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
 #include "core/scene/object_mesh.h"
+#include "core/session/export_bones.h"
 #include "core/session/foliage_copies.h"
 #include "core/session/level_export.h"
 #include "core/session/scene_counts.h"
@@ -192,26 +193,6 @@ void addMeshes(ExportScene& out, const Candidate& tree, const TreeMeshes& meshes
     out.frames.front().bones[tree.number] = motion.bones;
 }
 
-/// Branches, and what hangs on them with bones of its own: apples, leaves.
-std::vector<ExportBone> bonesOf(const Skeleton& skeleton, const Foliage* foliage, const NodeMotion& motion)
-{
-    std::vector<ExportBone> bones;
-    if (!motion.bones)
-        return bones;
-    for (Index i = 0; i < skeleton.size(); ++i)
-        bones.push_back({skeleton.parent[i], skeleton.a0[i], skeleton.p0[i], skeleton.p1[i]});
-    const auto hang = [&](const std::vector<FoliageItem>& items, double size) {
-        for (const FoliageItem& item : items)
-            if (bones.size() < motion.bones->size())
-                bones.push_back({item.branch, size, item.position, item.position});
-    };
-    if (foliage) {
-        hang(foliage->apples, 1e-9); // they fall: joints, if there are some left
-        hang(foliage->leaves, 0.0);  // never: there are too many of them
-    }
-    return bones;
-}
-
 /// Leaves and apples as instances in the place of meshes.
 void takeInstances(ExportScene& out, const Candidate& tree, TreeMeshes& meshes,
                    const FoliageInstances& instances)
@@ -338,8 +319,10 @@ Expected<void> addShape(ExportScene& out, const Candidate& shape, EvaluatedScene
         tint(own.colours, params.surface.color);
         made->mesh = std::make_shared<const TriangleMesh>(std::move(own));
     }
-    if (made->skin)
+    if (made->skin) {
         out.frames.front().bones[shape.number] = armMotion(params, params.joints).bones;
+        out.nodes[shape.number].bones = bonesOf(params);
+    }
     out.meshes.push_back(std::move(*made));
     return {};
 }

@@ -1,18 +1,15 @@
 #include "core/io/formats/blender_scene.h"
 
 #include "core/io/formats/file_format.h"
+#include "core/io/formats/import_parts.h"
 #include "core/surface/mesh/transformed.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <iterator>
 #include <map>
-#include <set>
 
 namespace ramure {
 namespace {
@@ -90,28 +87,6 @@ Expected<std::map<std::string, Pair>> pairsOf(const fs::path& path)
     return pairs;
 }
 
-/// Numbers of single precision are never quite square: the nearest placement, where it is near.
-Expected<PlacementParams> placementNear(const glm::dmat4& matrix)
-{
-    const glm::dvec3 length{glm::length(glm::dvec3(matrix[0])), glm::length(glm::dvec3(matrix[1])),
-                            glm::length(glm::dvec3(matrix[2]))};
-    if (!(length.x > 0.0 && length.y > 0.0 && length.z > 0.0))
-        return decomposePlacement(matrix);
-    const glm::dvec3 x = glm::dvec3(matrix[0]) / length.x;
-    glm::dvec3 y = glm::dvec3(matrix[1]) / length.y;
-    y = glm::normalize(y - x * glm::dot(x, y));
-    glm::dvec3 z = glm::cross(x, y);
-    if (glm::dot(z, glm::dvec3(matrix[2])) < 0.0)
-        z = -z;
-    const glm::dmat4 square(glm::dvec4(x * length.x, 0.0), glm::dvec4(y * length.y, 0.0),
-                            glm::dvec4(z * length.z, 0.0), matrix[3]);
-    constexpr double near = 2e-6; // of an axis, relative
-    for (int i = 0; i < 3; ++i)
-        if (!(glm::length(square[i] - matrix[i]) <= near * length[i]))
-            return decomposePlacement(matrix);
-    return decomposePlacement(square);
-}
-
 class Importer
 {
 public:
@@ -140,7 +115,7 @@ public:
             for (const std::string& file : m_withoutTransform)
                 note(file, RAMURE_NOOP("there is no TRANSFORM: the object stands at the origin"));
         hang(fs::path(path));
-        setTimeline();
+        m_out.timeline = timelineOfKeys(m_out.nodes, m_saidRate, m_out.notes);
         return std::move(m_out);
     }
 
@@ -320,44 +295,6 @@ private:
                 return true;
         return false;
     }
-    /// The usual rate that puts all keys on frames, if there is one.
-    [[nodiscard]] double guessedRate(const std::set<Ticks>& times) const
-    {
-        for (const double rate : {24.0, 25.0, 30.0, 50.0, 60.0, 120.0}) {
-            const auto onFrame = [rate](Ticks time) {
-                const double frame = secondsOf(time) * rate;
-                return std::abs(frame - std::round(frame)) < 1e-3;
-            };
-            if (std::all_of(times.begin(), times.end(), onFrame))
-                return rate;
-        }
-        return 0.0;
-    }
-    void setTimeline()
-    {
-        std::set<Ticks> times;
-        for (const Node& node : m_out.nodes)
-            for (const auto& [channel, track] : node.animation.tracks())
-                for (std::size_t i = 0; i < keyCount(*track); ++i)
-                    times.insert(keyShape(*track, i).time);
-        if (times.empty())
-            return;
-        TimelineSettings& timeline = m_out.timeline;
-        const double guess = m_saidRate > 0.0 ? m_saidRate : guessedRate(times);
-        if (guess > 0.0)
-            timeline.framesPerSecond = guess;
-        if (m_saidRate == 0.0)
-            note({}, RAMURE_NOOP("no file says the frame rate: %1 frames a second are taken"),
-                 {std::to_string(static_cast<int>(timeline.framesPerSecond))});
-        const auto frame = [&timeline](Ticks time) {
-            return std::clamp(
-                static_cast<std::int64_t>(std::ceil(secondsOf(time) * timeline.framesPerSecond - 1e-6)),
-                leastFrame, mostFrame);
-        };
-        timeline.firstFrame = std::min<std::int64_t>(0, frame(*times.begin()));
-        timeline.lastFrame = std::max(timeline.firstFrame, frame(*times.rbegin()));
-    }
-
     const ImportOptions& m_options;
     const Progress& m_progress;
     BlenderImport m_out;

@@ -6,6 +6,7 @@
 #include "core/io/formats/file_format.h"
 #include "core/io/formats/glb_motion.h"
 #include "core/io/formats/glb_packed.h"
+#include "core/io/formats/glb_reader.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
 #include "core/rig/pose/skin.h"
@@ -248,13 +249,22 @@ private:
             return root;
         Json numbers = Json::array();
         std::vector<glm::mat4> binds;
+        std::vector<RigidTransform> before;
         for (const Index bone : joints.bones) {
             const glm::dvec3 foot = node.bones.empty() ? glm::dvec3(0.0) : node.bones[bone].foot;
             std::vector<RigidTransform> places;
             for (const auto* pose : poses)
                 places.push_back({(*pose)[bone].rotation, (*pose)[bone].point(foot)});
+            // Segments of an arm hang on each other, as other programs have it; of a tree's many branches
+            // each stands for itself, so that no error adds up.
+            const bool isBelow = node.isArm && !numbers.empty();
+            const std::size_t above = isBelow ? numbers.back().get<std::size_t>() : *root;
+            const std::vector<RigidTransform> worlds = places;
+            for (std::size_t i = 0; isBelow && i < places.size(); ++i)
+                places[i] = before[i].inverse() * worlds[i];
+            before = worlds;
             numbers.push_back(m_nodes.size());
-            m_nodes[*root]["children"].push_back(m_nodes.size());
+            m_nodes[above]["children"].push_back(m_nodes.size());
             m_nodes.push_back({{"name", "joint " + std::to_string(bone)}});
             m_animation.place(m_nodes.back(), m_nodes.size() - 1, places);
             glm::mat4& bind = binds.emplace_back(1.0F);
@@ -500,6 +510,8 @@ const FileFormat glbFormat = {
     .help = "glTF 2.0 with materials and pictures inside: nodes as in the scene, closed meshes told as such",
     .holds =
         holdsObjects | holdsTexture | holdsLines | holdsCopies | holdsClip | holdsLevels | holdsCompressed,
+    .read = &readGlb,
+    .import = &importGlb,
     .write = &write,
     .rates = &rates,
 };
