@@ -7287,10 +7287,6 @@
         <translation>les articulations de %1 se ramifient : il reste un maillage, dans la pose de la première image</translation>
     </message>
     <message>
-        <source>%1: how its joints move is left out</source>
-        <translation>%1 : le mouvement de ses articulations est laissé de côté</translation>
-    </message>
-    <message>
         <source>%1 pictures of materials are in %2 now</source>
         <translation>%1 images de matériaux sont maintenant dans %2</translation>
     </message>

@@ -109,6 +109,26 @@ private slots:
             QVERIFY(std::abs(arm.params.joints[j].length - own[j].length) < 1e-4);
     }
 
+    void anArmMovesAsItDid()
+    {
+        Scene scene = *demoScene("Arm");
+        const NodeId id = nodeOf(scene, NodeKind::Arm).id;
+        scene.find(id)->params.skin.method = SkinMethod::Linear;
+        scene.find(id)->params.armSkin.window = 0.0; // of what is bound anew by height
+        std::vector<double> frames;
+        for (int i = 0; i <= 48; ++i)
+            frames.push_back(double(i) / 24.0);
+        write(scene, frames, "clip.glb");
+        const Scene back = imported("clip.glb");
+        QVERIFY(nodeOf(back, NodeKind::Arm).animation.movesParams());
+        for (const double seconds : {0.0, 0.5, 1.0, 2.0}) {
+            write(scene, {seconds}, "own.glb");
+            write(back, {seconds}, "back.glb");
+            QVERIFY2(worst("own.glb", "back.glb") < 1e-3,
+                     qPrintable(QString::number(worst("own.glb", "back.glb"))));
+        }
+    }
+
     void nodesMoveAsTheirTracks()
     {
         const Scene scene = *demoScene("MovingTree");

@@ -4,8 +4,11 @@
 #include "core/rig/arm/arm_chain.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limits>
+#include <numbers>
 
 namespace ramure::glb {
 
@@ -77,7 +80,62 @@ glm::dmat3 turnOfZ(const glm::dvec3& to)
     return glm::mat3_cast(glm::normalize(glm::dquat(1.0 + to.z, axis.x, axis.y, axis.z)));
 }
 
+/// The same direction by an angle that is nearest to another one.
+double nearest(double angle, double to)
+{
+    constexpr double turn = 2.0 * std::numbers::pi;
+    return angle + turn * std::round((to - angle) / turn);
+}
+
+/// Of vertices that follow more than one segment how far they are from the nearest joint between two, at
+/// most.
+double windowOf(const ReadGlbMesh& straight, std::span<const ArmJoint> joints)
+{
+    double most = 0.0;
+    for (const Primitive& primitive : straight.primitives)
+        for (std::size_t v = 0; v < primitive.weights.size(); ++v) {
+            const glm::vec4& weights = primitive.weights[v];
+            if (std::max({weights.x, weights.y, weights.z, weights.w}) > 0.99F)
+                continue;
+            double height = 0.0, least = std::numeric_limits<double>::max();
+            for (std::size_t j = 0; j + 1 < joints.size(); ++j) {
+                height += joints[j].length;
+                least = std::min(least, std::abs(double(primitive.positions[v].z) - height));
+            }
+            most = joints.size() > 1 ? std::max(most, least) : most;
+        }
+    return most;
+}
+
 } // namespace
+
+void poseArm(const ChainArm& arm, const Chain& chain, std::span<const glm::dmat4> transforms,
+             std::span<ArmJoint> joints)
+{
+    glm::dmat3 frame(1.0);
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        const glm::dmat4 moved = transforms[j] * glm::inverse(chain.binds[j]);
+        const glm::dmat3 own =
+            glm::transpose(frame) * glm::transpose(arm.upright) * glm::dmat3(moved) * arm.axes[j];
+        const glm::dvec3 z = glm::normalize(own[2]);
+        const double across = maths::hypot(z.x, z.y);
+        // A turn half around, bent the other way, looks the same but for the roll: Y tells which one it is. A
+        // straight joint has no other direction for its turn.
+        double phi = maths::atan2(-own[1].x, own[1].y), theta = maths::atan2(across, z.z);
+        if (across > 1e-6) {
+            const double seen = maths::atan2(z.y, z.x);
+            const bool isOther = maths::sincos(seen - phi).cos < 0.0;
+            phi = isOther ? seen + std::numbers::pi : seen;
+            theta = isOther ? -theta : theta;
+        }
+        joints[j].phi.angleRad = nearest(phi, joints[j].phi.angleRad);
+        joints[j].theta.angleRad = theta;
+        const auto [sp, cp] = maths::sincos(phi);
+        const auto [st, ct] = maths::sincos(theta);
+        frame = frame * glm::dmat3(cp, sp, 0.0, -sp, cp, 0.0, 0.0, 0.0, 1.0) *
+                glm::dmat3(ct, 0.0, -st, 0.0, 1.0, 0.0, st, 0.0, ct);
+    }
+}
 
 std::vector<Index> chainOf(const std::vector<Index>& parents)
 {
@@ -104,39 +162,40 @@ Expected<ChainArm> armOf(const Chain& chain, ReadGlbMesh& mesh, const std::strin
     std::vector<glm::dmat4> moved;
     for (std::size_t j = 0; j < count; ++j)
         moved.push_back(chain.transforms[j] * glm::inverse(chain.binds[j]));
-    // The arm stands up as its first segment was bound, and the mesh comes as that segment has turned it.
     const glm::dvec3 first = points[1] - points[0];
     if (!(glm::length(first) > 1e-9))
         return wrong(place, RAMURE_NOOP("two joints at one place"));
-    const glm::dmat3 upright = turnOfZ(glm::normalize(first));
-    const glm::dmat3 intoArm = glm::transpose(upright), held = intoArm * glm::dmat3(moved[0]);
+    // The arm stands up as its first segment was bound, and the mesh comes as that segment has turned it.
     ChainArm out;
-    out.joints.resize(count);
+    out.upright = turnOfZ(glm::normalize(first));
+    const glm::dmat3 held = glm::transpose(out.upright) * glm::dmat3(moved[0]);
     std::vector<ArmJoint> bound(count);
-    std::vector<glm::dvec3> now, then;
+    std::vector<glm::dvec3> directions;
     for (std::size_t j = 0; j < count; ++j) {
-        const glm::dvec3 seen = intoArm * (glm::dmat3(moved[j]) * (points[j + 1] - points[j]));
+        const glm::dvec3 seen = glm::dmat3(moved[j]) * (points[j + 1] - points[j]);
         const glm::dvec3 step = held * (points[j + 1] - points[j]);
         if (!(glm::length(step) > 1e-9 && glm::length(seen) > 1e-9))
             return wrong(place, RAMURE_NOOP("two joints at one place"));
-        out.joints[j].length = glm::length(seen);
+        out.joints.emplace_back().length = glm::length(seen);
         bound[j].length = glm::length(step);
-        now.push_back(glm::normalize(seen));
-        then.push_back(glm::normalize(step));
+        directions.push_back(glm::normalize(step));
     }
-    out.place = glm::dmat4(upright) * glm::inverse(armUpright());
+    out.place = glm::dmat4(out.upright) * glm::inverse(armUpright());
     out.place[3] = chain.transforms[0][3];
-    setDirections(out.joints, now);
-    setDirections(bound, then);
+    setDirections(bound, directions);
     std::vector<RigidTransform> pose;
     ArmChain(bound).pose(pose);
     glm::dmat4 atFoot(held);
     atFoot[3] = glm::dvec4(-(held * points[0]), 1.0);
     std::vector<glm::dmat4> straighten(count);
-    for (std::size_t j = 0; j < count; ++j)
+    for (std::size_t j = 0; j < count; ++j) {
+        out.axes.push_back(glm::inverse(held) * glm::mat3_cast(pose[j].rotation));
         straighten[chain.order[j]] = pose[j].inverse().matrix() * atFoot;
+    }
+    poseArm(out, chain, chain.transforms, out.joints);
     if (auto done = applySkin(mesh, straighten, place); !done)
         return fail(std::move(done.error()));
+    out.window = windowOf(mesh, bound);
     return out;
 }
 

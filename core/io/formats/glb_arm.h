@@ -4,6 +4,7 @@
 
 #include "core/io/formats/glb_mesh_reader.h"
 #include "core/params/arm_params.h"
+#include <span>
 
 namespace ramure::glb {
 
@@ -18,13 +19,22 @@ struct Chain
 struct ChainArm
 {
     std::vector<ArmJoint> joints; ///< in the pose that the chain has now
-    glm::dmat4 place{1.0};        ///< of its node, in the space of the chain's transforms
+    /// Of each segment its axes, the direction along Z, in the space of its joint.
+    std::vector<glm::dmat3> axes;
+    double window = 0.0;     ///< m, how far from a joint vertices follow two segments
+    glm::dmat3 upright{1.0}; ///< from the arm's own space, Z up, into that of the transforms
+    glm::dmat4 place{1.0};   ///< of its node, in the space of the chain's transforms
 };
 
 /// Segments go from joint to joint, the last one as far as the vertices that follow it; turns of a segment
 /// about itself are left out. \param mesh becomes what the straight arm wears: vertices stand where its
 /// segments would have them, Z up, the foot at the origin. Errors: Invalid (joints at one place, over 64).
 Expected<ChainArm> armOf(const Chain& chain, ReadGlbMesh& mesh, const std::string& place);
+
+/// The angles for another pose of the same chain, whole turns added so that they are near those that \p
+/// joints have.
+void poseArm(const ChainArm& arm, const Chain& chain, std::span<const glm::dmat4> transforms,
+             std::span<ArmJoint> joints);
 
 /// The skin's joints in a row, each below the one before. Empty where they branch. \param parents of each
 /// joint the nearest joint above it, noIndex where there is none.

@@ -373,7 +373,7 @@ Expected<File::Accessor> File::accessor(std::optional<std::size_t> number, std::
         out.isNormalised = normalised->is_boolean() && normalised->get<bool>();
     out.stride = size;
     if (!member(**json, "bufferView")) {
-        if (out.count > mostZeros)
+        if (out.count > mostZeros / components)
             return wrong(out.place, RAMURE_NOOP("%1 elements without bytes are more than a mesh needs"),
                          {std::to_string(out.count)}, ErrorCode::Limit);
         return out;

@@ -1,6 +1,6 @@
 #include "core/io/formats/glb_reader.h"
 
-#include "core/io/formats/glb_arm.h"
+#include "core/io/formats/glb_arm_clip.h"
 #include "core/io/formats/glb_clip_reader.h"
 #include "core/io/formats/glb_nodes.h"
 #include "core/io/formats/glb_surfaces.h"
@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <glm/common.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 #include <set>
 
 namespace ramure {
@@ -25,6 +27,18 @@ constexpr std::size_t mostTriangles = 50'000'000; ///< of all copies together
 tl::unexpected<Error> cancelled()
 {
     return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
+}
+
+/// What large numbers of several nodes make of a mesh may be none.
+Expected<TriangleMesh> placed(const TriangleMesh& mesh, const glm::dmat4& matrix, const std::string& name)
+{
+    const auto isFinite = [](const glm::vec3& v) { return !glm::any(glm::isnan(v) || glm::isinf(v)); };
+    TriangleMesh out = matrix == glm::dmat4(1.0) ? mesh : transformed(mesh, matrix);
+    if (!std::ranges::all_of(out.positions, isFinite))
+        return fail(ErrorCode::Invalid, RAMURE_NOOP("a coordinate of %1 is not a finite number"), {name});
+    if (!std::ranges::all_of(out.normals, isFinite))
+        out.normals.clear();
+    return out;
 }
 
 /// A GLB with its meshes, each read once.
@@ -104,11 +118,14 @@ public:
         if (m_triangles > mostTriangles)
             return glb::wrong(place, RAMURE_NOOP("more than %1 triangles"), {std::to_string(mostTriangles)},
                               ErrorCode::Limit);
-        if (copies->size() == 1 && copies->front() == glm::dmat4(1.0))
-            return one;
+        if (copies->size() == 1)
+            return placed(one, copies->front(), node.name);
         ReadMesh out;
         for (const glm::dmat4& copy : *copies)
-            out.objects.push_back({{}, transformed(one, copy), {}});
+            if (auto there = placed(one, copy, node.name))
+                out.objects.push_back({{}, std::move(*there), {}});
+            else
+                return there;
         return out.objects.empty() ? TriangleMesh() : out.joined();
     }
 
@@ -309,8 +326,9 @@ private:
             auto joined = m_scene.copied(from, mesh, p, isOne ? count : 1);
             if (!joined)
                 return fail(std::move(joined.error()));
-            if (m_own[number].rest != glm::dmat4(1.0))
-                *joined = transformed(*joined, m_own[number].rest);
+            joined = placed(*joined, m_own[number].rest, from.name);
+            if (!joined)
+                return fail(std::move(joined.error()));
             Node& node =
                 isOne ? m_out.nodes[at]
                       : addNode(NodeKind::Mesh, m_out.nodes[at].name + " " + std::to_string(p + 1), top);
@@ -371,19 +389,20 @@ private:
         chain.order = glb::chainOf(parentsOf(*joints));
         const bool isSkinned = std::ranges::all_of(
             mesh.primitives, [](const glb::Primitive& primitive) { return !primitive.joints.empty(); });
-        if (chain.order.empty() || chain.order.size() > mostArmJoints || !isSkinned ||
-            mesh.primitives.empty())
+        if (chain.order.empty() || !isSkinned || mesh.primitives.empty())
             return false;
         const Index foot = (*joints)[chain.order.front()], parent = m_scene.nodes.all[foot].parent;
         const glm::dmat4 into =
             parent == noIndex ? glm::dmat4(1.0) : glm::inverse(m_scene.nodes.all[parent].world);
+        std::vector<Index> ordered;
         for (const Index joint : chain.order) {
             chain.binds.push_back(glm::inverse((*binds)[joint]));
-            chain.transforms.push_back(into * m_scene.nodes.all[(*joints)[joint]].world);
+            ordered.push_back((*joints)[joint]);
+            chain.transforms.push_back(into * m_scene.nodes.all[ordered.back()].world);
         }
         const auto arm = glb::armOf(chain, mesh, glb::placeOf("skins", *from.skin));
         if (!arm)
-            return fail(arm.error());
+            return false;
         const glm::dmat4 rest = parent == noIndex ? glm::dmat4(1.0) : m_own[parent].rest;
         const auto placement = placementNear(rest * arm->place);
         if (!placement || !checkArm(arm->joints))
@@ -392,17 +411,32 @@ private:
         kindRow(NodeKind::Arm).begin(node.params);
         node.params.tree = *placement;
         node.params.joints = arm->joints;
+        node.params.skin.method = SkinMethod::Linear; // as every reader of a GLB blends
+        node.params.armSkin.window = arm->window;
+        if (!checkParams(node.params))
+            node.params.armSkin.window = ArmSkinParams().window;
         node.params.arm.target = ArmChain(arm->joints).tip();
+        node.animation = glb::armTracks(*arm, chain, m_scene.nodes, m_clip, ordered);
+        node.params.arm.follows = node.animation.empty();
+        return wear(node, mesh);
+    }
+
+    /// What an arm wears stands where the straight arm has it.
+    Expected<bool> wear(Node& node, const ReadGlbMesh& mesh)
+    {
         const auto surfaces = m_scene.surfaces(mesh);
+        if (!surfaces)
+            return fail(surfaces.error());
         std::vector<glm::vec3> colours;
         for (const glb::Surface& surface : *surfaces)
             colours.push_back(surface.colour);
         TriangleMesh worn = glb::joinedMesh(mesh, 0, mesh.primitives.size(), colours);
         if (worn.colours.empty())
             worn.colours.assign(worn.triangles.size(), glb::srgb(colours.front()));
-        dress(node, std::move(worn), mesh.primitives.front().material, false);
-        if (std::ranges::any_of(*joints, [&](Index joint) { return m_clip.moves.contains(joint); }))
-            note(RAMURE_NOOP("%1: how its joints move is left out"), {from.name});
+        auto finite = placed(worn, glm::dmat4(1.0), node.name);
+        if (!finite)
+            return fail(std::move(finite.error()));
+        dress(node, std::move(*finite), mesh.primitives.front().material, false);
         return true;
     }
 
@@ -491,7 +525,10 @@ Expected<ReadMesh> allMeshes(GlbScene& scene, const std::string& path, const Pro
         auto mesh = scene.copied(node, *posed, 0, posed->primitives.size());
         if (!mesh)
             return fail(std::move(mesh.error()));
-        out.objects.push_back({node.name, node.skin ? std::move(*mesh) : transformed(*mesh, node.world), {}});
+        mesh = placed(*mesh, node.skin ? glm::dmat4(1.0) : node.world, node.name);
+        if (!mesh)
+            return fail(std::move(mesh.error()));
+        out.objects.push_back({node.name, std::move(*mesh), {}});
     }
     if (out.objects.empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("%1 shows no mesh"), {path});
