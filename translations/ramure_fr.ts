@@ -7283,8 +7283,8 @@
         <translation>la caméra %1 n’a pas d’angle qui puisse être gardé : elle reçoit l’angle habituel</translation>
     </message>
     <message>
-        <source>the joints of %1 branch: it stays a mesh, in the pose of the first frame</source>
-        <translation>les articulations de %1 se ramifient : il reste un maillage, dans la pose de la première image</translation>
+        <source>the joints of %1 make no arm: it stays a mesh, in the pose of the first frame</source>
+        <translation>les articulations de %1 ne font pas un bras : il reste un maillage, dans la pose de la première image</translation>
     </message>
     <message>
         <source>%1 pictures of materials are in %2 now</source>

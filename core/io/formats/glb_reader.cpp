@@ -367,7 +367,7 @@ private:
         if (!posed)
             return fail(std::move(posed.error()));
         addNode(NodeKind::Mesh, from.name, noNode);
-        note(RAMURE_NOOP("the joints of %1 branch: it stays a mesh, in the pose of the first frame"),
+        note(RAMURE_NOOP("the joints of %1 make no arm: it stays a mesh, in the pose of the first frame"),
              {from.name});
         const glm::dmat4 rest = std::exchange(m_own[number].rest, glm::dmat4(1.0));
         auto filled = fill(number, *posed, m_out.nodes.size() - 1);

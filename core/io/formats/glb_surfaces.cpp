@@ -100,7 +100,8 @@ PictureParams PictureFolder::write(std::size_t material, std::vector<Note>& note
     if (!json)
         return out;
     const std::string given = textOf(**json, "name");
-    const std::string name = given.empty() ? "material_" + std::to_string(material) : fileName(given);
+    const std::string name =
+        given.empty() ? std::string("material_").append(std::to_string(material)) : fileName(given);
     for (const Place& picture : placesOf(**json)) {
         if (!picture.texture)
             continue;
@@ -151,7 +152,10 @@ Expected<std::string> PictureFolder::keep(const std::string& name, std::string_v
     fs::create_directory(m_folder, problem); // what is wrong with it shows when a file is written
     const fs::path stem = fs::path(m_folder) / fs::path(name).stem(), ending = fs::path(name).extension();
     for (int i = 1; i < 100; ++i) {
-        const std::string path = stem.string() + (i == 1 ? "" : "_" + std::to_string(i)) + ending.string();
+        std::string path = stem.string();
+        if (i > 1)
+            path.append("_").append(std::to_string(i));
+        path += ending.string();
         if (fs::exists(path, problem)) {
             if (contentOf(path) != bytes)
                 continue;
