@@ -10,7 +10,7 @@ void addLevelOptions(CommandLine& line, const QString& others)
                        "cross-sections and twigs, fewer and larger leaves. A .glb holds them all, as nodes "
                        "branches_LOD0, branches_LOD1 and so on that MSFT_lod names; %1. Without --budget the "
                        "first is the tree as it is, and "
-                       "each further one has a quarter of the triangles.")
+                       "each further one has a quarter of the triangles or less.")
             .arg(others),
         QStringLiteral("N"));
     line.add(

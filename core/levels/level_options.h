@@ -13,12 +13,15 @@ inline constexpr std::int64_t mostLevels = 8, leastBudget = 50, mostBudget = 20'
 inline constexpr double levelSlack = 0.02;
 /// Of a level without a budget, of the triangles of the one before it.
 inline constexpr double levelStep = 0.25;
+/// And of the bark's alone, at most.
+inline constexpr double levelBarkStep = 0.5;
 
 struct LevelOptions
 {
     std::int64_t count = 0; ///< 0: no levels, the tree alone
     /// Triangles of bark, leaves and fruit together, the finest first, each less than the one before; empty:
-    /// the first level is the tree as it is, each further one has a quarter of the triangles.
+    /// the first level is the tree as it is, each further one has a quarter of the triangles, or less
+    /// where that would give it more than half of the bark's.
     std::vector<std::int64_t> budgets{};
     bool operator==(const LevelOptions&) const = default;
 

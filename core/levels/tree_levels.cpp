@@ -58,6 +58,7 @@ public:
     /// The tree as it is.
     Expected<TreeLevel> whole(const Progress& progress);
     Expected<TreeLevel> level(std::int64_t budget, const Progress& progress);
+    [[nodiscard]] std::int64_t usualBudget(const TreeLevel& before) const;
 
 private:
     struct Split
@@ -431,6 +432,16 @@ void LevelMaker::measure(TreeLevel& level)
     level.detail = detail;
 }
 
+/// Where a level's leaves are so simple that they need less than their share, the bark does not get the rest:
+/// it would be finer than that of the level before.
+std::int64_t LevelMaker::usualBudget(const TreeLevel& before) const
+{
+    const double budget = levelStep * double(before.triangles());
+    const double most = levelBarkStep * double(facesOf(before.bark));
+    const double excess = std::max(0.0, splitOf(std::llround(budget)).bark - most);
+    return std::max<std::int64_t>(leastBudget, std::llround(m_leaves.empty() ? budget : budget - excess));
+}
+
 Expected<TreeLevel> LevelMaker::level(std::int64_t budget, const Progress& progress)
 {
     Split split = splitOf(budget);
@@ -488,9 +499,8 @@ Expected<std::vector<TreeLevel>> treeLevels(const TreeResult& tree, const NodePa
         };
         const Progress part = progress.part(share(i), share(i + 1));
         const bool isWhole = i == 0 && options.beginsWhole();
-        const std::int64_t budget =
-            !options.beginsWhole() ? options.budgets[static_cast<std::size_t>(i)]
-                                   : (isWhole ? 0 : std::llround(levelStep * double(out.back().triangles())));
+        const std::int64_t budget = !options.beginsWhole() ? options.budgets[static_cast<std::size_t>(i)]
+                                                           : (isWhole ? 0 : maker.usualBudget(out.back()));
         auto made = isWhole ? maker.whole(part) : maker.level(budget, part);
         if (!made)
             return fail(std::move(made.error()));
