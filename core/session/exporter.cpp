@@ -381,7 +381,7 @@ Expected<void> addLevels(ExportScene& out, const Candidate& tree, EvaluatedScene
         bonesOf(made->tree.rest.simplified->skeleton, made->tree.rest.foliage.get(), made->tree.motion);
     std::map<std::string, Index> finest;
     std::vector<WindFoliage> foliage;
-    const std::size_t first = out.meshes.size();
+    const std::size_t begun = out.meshes.size();
     for (std::size_t k = 0; k < made->levels.size(); ++k) {
         const std::size_t from = out.meshes.size();
         NodeMotion motion = made->tree.motion;
@@ -402,7 +402,7 @@ Expected<void> addLevels(ExportScene& out, const Candidate& tree, EvaluatedScene
             mesh.name += "_LOD" + std::to_string(k);
         }
     }
-    return addWind(out, first, tree.suffix, options.wind, made->tree, foliage);
+    return addWind(out, begun, tree.suffix, options.wind, made->tree, foliage);
 }
 
 Expected<void> addTree(ExportScene& out, const Candidate& tree, EvaluatedScene& scene,

@@ -1,7 +1,12 @@
 #include "core/session/wind_export.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+
 namespace ramure {
 namespace {
+
+constexpr double nearPivot = 0.02; // m
 
 const Foliage& foliageOf(std::span<const WindFoliage> levels, const ExportMesh& mesh)
 {
@@ -50,7 +55,11 @@ void takeElements(std::vector<WindVertex>& vertices, const WindTree& tree, const
     const std::size_t each = vertices.size() / level.foliage->leaves.size();
     for (std::size_t v = 0; v < vertices.size(); ++v) {
         const auto own = static_cast<Index>(v / each);
-        vertices[v].element = elements.ofLeaf[level.leafOf.empty() ? own : numberOf[level.leafOf[own]]];
+        const FoliageItem& leaf = level.foliage->leaves[own];
+        const Index element = elements.ofLeaf[level.leafOf.empty() ? own : numberOf[level.leafOf[own]]];
+        // A leaf of a coarse level that has moved to the middle of others has its pivot elsewhere.
+        const bool isThere = glm::distance(elements.elements[element].pivot, leaf.position) < nearPivot;
+        vertices[v].element = isThere ? element : elements.ofStem[tree.stemOf[leaf.branch]];
     }
 }
 
