@@ -7311,8 +7311,56 @@
         <translation>une image de plus de %1 pixels de côté</translation>
     </message>
     <message>
+        <source>the texture cannot be written: %1</source>
+        <translation>la texture ne peut être écrite : %1</translation>
+    </message>
+    <message>
+        <source>wind data are of a tree at rest: write it at time 0</source>
+        <translation>les données de vent sont celles d’un arbre au repos : écrivez-le à l’instant 0</translation>
+    </message>
+    <message>
+        <source>only a GLB holds wind data</source>
+        <translation>seul un GLB contient des données de vent</translation>
+    </message>
+    <message>
+        <source>only the finished mesh has wind data</source>
+        <translation>seul le maillage fini a des données de vent</translation>
+    </message>
+    <message>
+        <source>wind data are of merged leaves: instances of one shape have one shape&apos;s</source>
+        <translation>les données de vent sont de feuilles fondues : les instances d’une forme n’ont que celles de la forme</translation>
+    </message>
+    <message>
+        <source>wind data and an animation exclude each other</source>
+        <translation>données de vent et animation s’excluent</translation>
+    </message>
+    <message>
+        <source>Pivot Painter has room for %1 trunks</source>
+        <translation>Pivot Painter a place pour %1 troncs</translation>
+    </message>
+    <message>
+        <source>Any shader (_WIND)</source>
+        <translation>Tout shader (_WIND)</translation>
+    </message>
+    <message>
+        <source>CryEngine (vertex colours)</source>
+        <translation>CryEngine (couleurs de sommets)</translation>
+    </message>
+    <message>
+        <source>Unity (Tree Creator)</source>
+        <translation>Unity (Tree Creator)</translation>
+    </message>
+    <message>
+        <source>Unreal (Pivot Painter 2)</source>
+        <translation>Unreal (Pivot Painter 2)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no kind of wind data: %2</source>
+        <translation>« %1 » n’est pas une sorte de données de vent : %2</translation>
+    </message>
+    <message>
         <source>nothing of the picture is transparent</source>
-        <translation>l’image n’a rien de transparent</translation>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8848,6 +8896,14 @@ OpenGL&#xa0;: %4
     <message>
         <source>Joints</source>
         <translation>Articulations</translation>
+    </message>
+    <message>
+        <source>Numbers of each vertex by which the shaders of an engine move the tree in the wind: the phase of its branch, how far it goes, how its leaves flutter. Of a tree at rest; Unreal gets two textures beside the file. Files of the handbook has the formulas.</source>
+        <translation>Nombres de chaque sommet par lesquels les shaders d’un moteur font bouger l’arbre au vent : la phase de sa branche, l’ampleur, le frémissement des feuilles. D’un arbre au repos ; Unreal reçoit deux textures à côté du fichier. La page Fichiers du manuel donne les formules.</translation>
+    </message>
+    <message>
+        <source>Wind for</source>
+        <translation>Vent pour</translation>
     </message>
 </context>
 <context>

@@ -102,6 +102,7 @@ void addFileOptions(CommandLine& line)
         QStringLiteral("PIXELS"), QStringLiteral("0"));
     addLevelOptions(line, QStringLiteral("other files hold the tree alone"));
     addCompression(line);
+    addWindOption(line);
     line.addDefault({QStringLiteral("size")}, QStringLiteral("Of pictures, 512x512 without it."),
                     QStringLiteral("WIDTHxHEIGHT"), QStringLiteral("512x512"));
 }
@@ -120,12 +121,16 @@ Expected<BatchPlan> planOf(const CommandLine& line, const Shard& shard)
     const auto compressed = compressionFrom(line);
     if (!compressed)
         return fail(compressed.error());
+    const auto wind = windFrom(line);
+    if (!wind)
+        return fail(wind.error());
     auto plan = readPlan(line.arguments().front(), templatesOf(line), shard);
     if (!plan)
         return plan;
     plan->mapSize = *mapSize;
     plan->levels = *levels;
     plan->isCompressed = *compressed;
+    plan->wind = *wind;
     plan->picture = *picture;
     return plan;
 }

@@ -237,6 +237,9 @@ QByteArray inputsHash(const BatchPlan& plan, const BatchRow& row)
     QStringList levels{QString::number(plan.levels.count)};
     if (plan.isCompressed)
         levels << QStringLiteral("compressed");
+    for (const WindProfileFacts& facts : windProfiles())
+        if (facts.profile == plan.wind)
+            levels << QLatin1String(facts.name);
     for (const std::int64_t budget : plan.levels.budgets)
         levels << QString::number(budget);
     const QJsonObject inputs{

@@ -4,6 +4,7 @@
 
 #include "app/cli/command_line.h"
 #include "core/levels/level_options.h"
+#include "core/wind/wind_profile.h"
 #include <QByteArray>
 #include <QSize>
 #include <QStringList>
@@ -30,10 +31,11 @@ struct BatchPlan
     QString folder; ///< where files go
     int mapSize = 0;
     QSize picture{512, 512};
-    LevelOptions levels;        ///< of .glb files
-    bool isCompressed = false;  ///< these
-    std::vector<BatchRow> rows; ///< of the shard
-    std::size_t whole = 0;      ///< rows of the table
+    LevelOptions levels;                  ///< of .glb files
+    bool isCompressed = false;            ///< these
+    WindProfile wind = WindProfile::None; ///< of these
+    std::vector<BatchRow> rows;           ///< of the shard
+    std::size_t whole = 0;                ///< rows of the table
 };
 
 /// One of some parts of a table, of rows that follow one another.

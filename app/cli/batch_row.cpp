@@ -234,8 +234,10 @@ ExportOptions RowMaker::optionsFor(const QString& path) const
     options.texture = true;
     options.write.mapSize = m_plan.mapSize;
     options.write.compressed = m_plan.isCompressed;
-    if (path.endsWith(QLatin1String(".glb"))) // others would be several files, of which no name is known
+    if (path.endsWith(QLatin1String(".glb"))) { // others would be several files, of which no name is known
         options.levels = m_plan.levels;
+        options.wind = m_plan.wind;
+    }
     return options;
 }
 

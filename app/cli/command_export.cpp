@@ -79,6 +79,7 @@ struct Request
     int joints = WriteOptions().joints;
     bool compressed = false;
     LevelOptions levels;
+    WindProfile wind = WindProfile::None;
     FileSpace space;
     bool requireValid = false;
     QString report; ///< file, or empty
@@ -124,7 +125,13 @@ Expected<void> takeNumbers(const CommandLine& line, Request& out)
     if (!levels)
         return fail(levels.error());
     out.levels = *levels;
-    out.needsTree = out.needsTree || out.levels.isWanted();
+    const auto wind = windFrom(line);
+    if (!wind)
+        return fail(wind.error());
+    out.wind = *wind;
+    out.needsTree = out.needsTree || out.levels.isWanted() || out.wind != WindProfile::None;
+    if (out.wind != WindProfile::None && line.has("print"))
+        return fail(ErrorCode::Invalid, "--print and --wind exclude each other");
     return {};
 }
 
@@ -141,6 +148,8 @@ Expected<void> takeCompression(const CommandLine& line, Request& out)
         else if (out.compressed && ((*known)->holds & holdsCompressed) == 0)
             return fail(ErrorCode::Invalid, "--compress meshopt is for .glb files: \"%1\" is none",
                         {file.toStdString()});
+        else if (out.wind != WindProfile::None && ((*known)->holds & holdsWind) == 0)
+            return fail(ErrorCode::Invalid, "--wind is for .glb files: \"%1\" is none", {file.toStdString()});
     return {};
 }
 
@@ -235,6 +244,7 @@ Expected<void> exportAt(const Scene& scene, const Request& request, double timeS
         options.write.joints = request.joints;
         options.write.compressed = request.compressed;
         options.levels = request.levels;
+        options.wind = request.wind;
         options.write.tell = [](const Error& note) { printError(fromText(note.message())); };
         options.clip = clip;
         options.space = request.space;
@@ -285,7 +295,8 @@ Expected<void> exportMesh(const ReadMesh& mesh, const Request& request, const Pr
     if (request.needsTree)
         return fail(
             ErrorCode::Invalid,
-            "--part, --model, --leaves, --texture, --levels and --budget need a tree: the input is a mesh");
+            "--part, --model, --leaves, --texture, --levels, --budget and --wind need a tree: the input is a "
+            "mesh");
     const auto placed = [&request](TriangleMesh object) {
         if (!request.texture) {
             object.uv.clear();
@@ -438,6 +449,7 @@ void addOptions(CommandLine& line)
                     QStringLiteral("NUMBER|all"), QString::number(WriteOptions().joints));
     addCompression(line);
     addLevelOptions(line, QStringLiteral("of other formats each is a file, FILE_LOD0, FILE_LOD1 and so on"));
+    addWindOption(line);
     addSpaceOptions(line);
     addPrintOptions(line);
     line.add({QStringLiteral("ascii")}, QStringLiteral("Writes a format that has both as text, not binary."));

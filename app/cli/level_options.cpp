@@ -62,4 +62,28 @@ Expected<bool> compressionFrom(const CommandLine& line)
     return given == QLatin1String("meshopt");
 }
 
+void addWindOption(CommandLine& line)
+{
+    QString names;
+    for (const WindProfileFacts& facts : windProfiles())
+        names += QLatin1String(facts.name) + QLatin1Char('|');
+    line.addDefault(
+        {QStringLiteral("wind")},
+        QStringLiteral(
+            "Of the trees of a .glb: numbers of each vertex by which a game moves them. plain: _WIND, "
+            "four numbers for any shader; crysis: vertex colours of CryEngine; unity: colours and "
+            "second texture coordinates of Unity's Tree Creator; pivot-painter: second texture "
+            "coordinates, and beside the file FILE_pivots.exr and FILE_axes.exr, for Unreal's "
+            "PivotPainter2FoliageShader. The handbook has the formulas (Files)."),
+        names + QStringLiteral("none"), QStringLiteral("none"));
+}
+
+Expected<WindProfile> windFrom(const CommandLine& line)
+{
+    auto profile = windProfileNamed(line.value("wind").toStdString());
+    if (!profile)
+        profile.error().path = "--wind";
+    return profile;
+}
+
 } // namespace ramure::cli

@@ -1,9 +1,10 @@
 /// \file
-/// --levels, --budget and --compress, of `export` and of what starts it for many trees.
+/// --levels, --budget, --compress and --wind, of `export` and of what starts it for many trees.
 #pragma once
 
 #include "app/cli/command_line.h"
 #include "core/levels/level_options.h"
+#include "core/wind/wind_profile.h"
 
 namespace ramure::cli {
 
@@ -15,5 +16,9 @@ Expected<LevelOptions> levelsFrom(const CommandLine& line);
 void addCompression(CommandLine& line);
 /// WriteOptions::compressed. Error: Invalid.
 Expected<bool> compressionFrom(const CommandLine& line);
+
+void addWindOption(CommandLine& line);
+/// Error: Unknown.
+Expected<WindProfile> windFrom(const CommandLine& line);
 
 } // namespace ramure::cli

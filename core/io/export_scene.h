@@ -7,6 +7,7 @@
 #include "core/io/mesh_file.h"
 #include "core/rig/pose/skin.h"
 #include "core/scene/world_transforms.h"
+#include "core/wind/wind_profile.h"
 #include <memory>
 #include <optional>
 
@@ -42,6 +43,7 @@ struct ExportMesh
     Index finest = noIndex; ///< number of the mesh in whose place it can be shown; noIndex: it is one
     double coverage = 0.0;  ///< share of the screen down to which this level suffices and is needed
     Index pieces = 0;       ///< leaves or fruit that it holds
+    std::shared_ptr<const WindColumns> wind{}; ///< of a game; null: none
 };
 
 /// One leaf, fruit or flower.
@@ -65,6 +67,13 @@ struct ExportCopies
     std::vector<ExportCopy> copies;
 };
 
+/// What a game looks up beside the meshes of one tree.
+struct ExportPivots
+{
+    std::string suffix; ///< "", of several trees "_1", "_2" ...
+    PivotTextures textures;
+};
+
 /// Where everything is at a time.
 struct ExportFrame
 {
@@ -79,6 +88,7 @@ struct ExportScene
     std::vector<ExportMesh> meshes;   ///< branches, leaves, apples of the first tree, then the next, then all
                                       ///< other nodes that have a shape
     std::vector<ExportCopies> copies; ///< no format holds them: core/io/copy_list.h
+    std::vector<ExportPivots> pivots; ///< files beside the meshes': core/io/pivot_files.h
     std::vector<Material> materials;
     std::vector<ExportFrame> frames; ///< at least one; more are a clip
     FileSpace space;                 ///< what formats that hold one turn the world into

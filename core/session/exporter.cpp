@@ -4,6 +4,7 @@
 #include "core/io/copy_list.h"
 #include "core/io/formats/file_format.h"
 #include "core/io/formats/material_file.h"
+#include "core/io/pivot_files.h"
 #include "core/rig/arm/arm_chain.h"
 #include "core/rig/arm/arm_shape.h"
 #include "core/scene/object_mesh.h"
@@ -11,6 +12,7 @@
 #include "core/session/foliage_copies.h"
 #include "core/session/level_export.h"
 #include "core/session/scene_counts.h"
+#include "core/session/wind_export.h"
 #include "core/surface/foliage/foliage_texture.h"
 #include "core/surface/mesh/transformed.h"
 #include "core/surface/mesher/rough_model.h"
@@ -345,8 +347,10 @@ Expected<void> addFineTree(ExportScene& out, const Candidate& tree, EvaluatedSce
             return done;
     out.nodes[tree.number].bones =
         bonesOf(posed->rest.simplified->skeleton, posed->rest.foliage.get(), posed->motion);
+    const std::size_t from = out.meshes.size();
     addMeshes(out, tree, meshes, params, posed->motion);
-    return {};
+    const WindFoliage foliage{meshes.foliage.get()};
+    return addWind(out, from, tree.suffix, options.wind, *posed, {&foliage, 1});
 }
 
 /// One after the other, all with one skeleton; each mesh after the first stands for that one's.
@@ -359,6 +363,8 @@ Expected<void> addLevels(ExportScene& out, const Candidate& tree, EvaluatedScene
     out.nodes[tree.number].bones =
         bonesOf(made->tree.rest.simplified->skeleton, made->tree.rest.foliage.get(), made->tree.motion);
     std::map<std::string, Index> finest;
+    std::vector<WindFoliage> foliage;
+    const std::size_t begun = out.meshes.size();
     for (std::size_t k = 0; k < made->levels.size(); ++k) {
         const std::size_t from = out.meshes.size();
         NodeMotion motion = made->tree.motion;
@@ -366,6 +372,7 @@ Expected<void> addLevels(ExportScene& out, const Candidate& tree, EvaluatedScene
         motion.leaves = made->skins[k].leaves;
         motion.apples = made->skins[k].apples;
         const TreeLevel& level = made->levels[k];
+        foliage.push_back({level.foliage.get(), level.leafOf});
         addMeshes(out, tree, {level.bark, level.leaves, level.apples, level.foliage},
                   scene.params(*tree.node), motion);
         for (std::size_t i = from; i < out.meshes.size(); ++i) {
@@ -378,7 +385,7 @@ Expected<void> addLevels(ExportScene& out, const Candidate& tree, EvaluatedScene
             mesh.name += "_LOD" + std::to_string(k);
         }
     }
-    return {};
+    return addWind(out, begun, tree.suffix, options.wind, made->tree, foliage);
 }
 
 Expected<void> addTree(ExportScene& out, const Candidate& tree, EvaluatedScene& scene,
@@ -538,6 +545,8 @@ Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, c
                     RAMURE_NOOP("instances of leaves do not move: merge them, or write one moment"));
     if (auto fine = checkLevelExport(options); !fine)
         return fine;
+    if (auto fine = checkWindExport(options, **format); !fine)
+        return fine;
     const auto collected = collectExport(std::move(scene), options, progress.part(0.0, 0.5));
     if (!collected)
         return fail(collected.error());
@@ -555,6 +564,8 @@ Expected<void> writeExport(const ExportScene& scene, const ExportOptions& option
     if (!scene.copies.empty() && ((*format)->holds & holdsCopies) == 0)
         if (auto listed = writeCopyList(path, scene, head, progress.part(0.0, 0.2)); !listed)
             return listed;
+    if (auto written = writePivots(path, scene); !written)
+        return written;
     if (!options.levels.isWanted() || ((*format)->holds & holdsLevels))
         return (*format)->write(path, scene, head, progress.part(0.2, 1.0));
     return writeLevels(**format, path, scene, head, progress.part(0.2, 1.0));

@@ -34,6 +34,7 @@ struct ExportOptions
     bool texture = false;     ///< trees with texture coordinates; the rough model and the skeleton have none
     std::vector<double> clip; ///< s, further times: trees and arms of ExportModel::Mesh then have skins
     LevelOptions levels;      ///< of trees as ExportModel::Mesh
+    WindProfile wind = WindProfile::None; ///< of trees: numbers by which games move them
     WriteOptions write;
     FileSpace space; ///< the axes and the unit of the file
 };
@@ -51,8 +52,9 @@ Expected<ExportScene> collectExport(EvaluatedScene scene, const ExportOptions& o
 
 /// Writes a format of core/io/formats/file_format.h, by the ending of \p path, which is checked before
 /// anything is computed. Of levels each has a file of its own (levelFile) where the format does not hold
-/// them. A list of instances is written before it. Errors: Unknown (another ending), those of collectExport
-/// and of core/io; Invalid (a clip of instances); the old file is intact then.
+/// them. A list of instances, and textures of pivots, are written before it. Errors: Unknown (another
+/// ending), those of collectExport, checkWindExport and core/io; Invalid (a clip of instances); the old file
+/// is intact.
 Expected<void> exportScene(EvaluatedScene scene, const ExportOptions& options, const std::string& path,
                            const Progress& progress = {});
 /// Its second half: what collectExport() gave for the same options. Errors: Unknown, those of core/io.

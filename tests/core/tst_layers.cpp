@@ -189,6 +189,7 @@ constexpr const char* floors[] = {
     "core/rig/physics",
     "core/rig/arm",
     "core/levels",
+    "core/wind",
     "core/scene/kinds",
     "core/scene",
     "core/evaluate",

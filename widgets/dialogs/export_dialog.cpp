@@ -97,7 +97,7 @@ ExportDialog::~ExportDialog() = default;
 void ExportDialog::connectMessage()
 {
     const auto forget = [this] { setMessage({}, false); };
-    for (QComboBox* box : {m_format, m_model, m_foliage, m_maps})
+    for (QComboBox* box : {m_format, m_model, m_foliage, m_maps, m_wind})
         connect(box, &QComboBox::currentIndexChanged, this, forget);
     connect(m_levels, &LevelForm::changed, this, forget);
     for (QCheckBox* box : {m_branches, m_leaves, m_apples, m_selection, m_hidden, m_texture})
@@ -224,6 +224,8 @@ ExportOptions ExportDialog::options() const
         m_foliage->currentIndex() == 1 && m_use != ExportUse::Game && m_use != ExportUse::Print;
     if (m_use == ExportUse::Game)
         options.levels = m_levels->options();
+    if (m_use == ExportUse::Game && holds(holdsWind))
+        options.wind = static_cast<WindProfile>(m_wind->currentIndex());
     options.write.mapSize = m_maps->currentData().toInt();
     options.write.joints = m_joints->currentData().toInt();
     options.write.compressed = holds(holdsCompressed) && m_compressed->isChecked();
@@ -249,6 +251,7 @@ void ExportDialog::takeFormat()
                                          {PartsRow, isMesh},
                                          {FoliageRow, m_use == ExportUse::Blender || m_use == ExportUse::Web},
                                          {LevelRow, m_use == ExportUse::Game},
+                                         {WindRow, m_use == ExportUse::Game && holds(holdsWind)},
                                          {MapRow, holds(holdsTexture) && holds(holdsObjects)},
                                          {SpaceRow, isMesh && holds(holdsSpace)},
                                          {TreesRow, format() != nullptr},
@@ -286,8 +289,9 @@ void ExportDialog::updateWidgets()
     m_partsNote->setVisible(format() && !isPrint() && !holds(holdsObjects) && !lines &&
                             !options().instances && !(m_leaves->isChecked() && m_apples->isChecked()));
     m_texture->setEnabled(!running && holds(holdsTexture) && options().model == ExportModel::Mesh);
-    for (QWidget* widget : {static_cast<QWidget*>(m_uses), static_cast<QWidget*>(m_kept),
-                            static_cast<QWidget*>(m_levels), static_cast<QWidget*>(m_space)})
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_uses), static_cast<QWidget*>(m_kept), static_cast<QWidget*>(m_levels),
+          static_cast<QWidget*>(m_wind), static_cast<QWidget*>(m_space)})
         widget->setEnabled(!running);
     m_maps->setEnabled(!running && options().texture);
     m_compressed->setEnabled(!running);

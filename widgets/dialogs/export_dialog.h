@@ -166,6 +166,7 @@ private:
     QPushButton* m_forget = nullptr;
     QComboBox* m_maps = nullptr; ///< pixels a side of the pictures of bark and leaves
     LevelForm* m_levels = nullptr;
+    QComboBox* m_wind = nullptr; ///< WindProfile by the numbers of its rows
     QComboBox* m_format = nullptr;
     QComboBox* m_model = nullptr;
     QComboBox* m_foliage = nullptr; ///< merged, or instances

@@ -51,6 +51,11 @@ void ExportDialog::buildForm()
     m_selection->setEnabled(!m_document->selection().nodes.empty());
     m_hidden = new QCheckBox(this);
     m_levels = new LevelForm(this);
+    m_wind = new QComboBox(this);
+    m_wind->setObjectName(QStringLiteral("exportWind"));
+    m_wind->addItem(QString());
+    for (std::size_t i = 0; i < windProfiles().size(); ++i)
+        m_wind->addItem(QString());
     m_maps = new QComboBox(this);
     m_maps->setObjectName(QStringLiteral("exportMaps"));
     for (const int size : mapSizes)
@@ -91,9 +96,9 @@ void ExportDialog::addFormRows()
     for (QWidget* field :
          {held(buildKept()), static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_printing),
           static_cast<QWidget*>(m_model), held(buildParts()), static_cast<QWidget*>(m_foliage),
-          static_cast<QWidget*>(m_levels), held(inside), static_cast<QWidget*>(m_space), held(scope),
-          static_cast<QWidget*>(m_moments), static_cast<QWidget*>(m_joints),
-          static_cast<QWidget*>(m_pictures), held(buildTarget())}) {
+          static_cast<QWidget*>(m_levels), static_cast<QWidget*>(m_wind), held(inside),
+          static_cast<QWidget*>(m_space), held(scope), static_cast<QWidget*>(m_moments),
+          static_cast<QWidget*>(m_joints), static_cast<QWidget*>(m_pictures), held(buildTarget())}) {
         const int row = static_cast<int>(m_rows.size());
         auto* label = new QLabel(this);                         // retranslate() fills it
         label->setMinimumHeight(m_format->sizeHint().height()); // beside the first line of its field
@@ -268,6 +273,13 @@ void ExportDialog::retranslateMore()
     m_joints->setToolTip(
         tr("Joints of each tree that moves: thin branches go with those that carry them. Engines limit how "
            "many a mesh may have; fewer cost less to play"));
+    m_wind->setItemText(0, tr("None"));
+    for (std::size_t i = 0; i < windProfiles().size(); ++i)
+        m_wind->setItemText(static_cast<int>(i) + 1, coreText(windProfiles()[i].choice));
+    m_wind->setToolTip(
+        tr("Numbers of each vertex by which the shaders of an engine move the tree in the wind: the phase of "
+           "its branch, how far it goes, how its leaves flutter. Of a tree at rest; Unreal gets two textures "
+           "beside the file. Files of the handbook has the formulas."));
     m_compressed->setText(tr("Compressed"));
     m_compressed->setToolTip(tr(
         "Numbers are rounded to what is still seen and packed (EXT_meshopt_compression): the file is about "
@@ -309,14 +321,15 @@ void ExportDialog::retranslate()
     m_browse->setText(tr("Browse…"));
     m_show->setText(tr("Show"));
     m_cancel->setText(tr("Cancel"));
-    const QString labels[] = {
-        tr("Settings"),         tr("Format"), tr("For print"), tr("Model"),         tr("Parts"),
-        tr("Leaves and fruit"), tr("Levels"), tr("Pictures"),  tr("Axes and unit"), tr("Nodes"),
-        tr("Moment"),           tr("Joints"), tr("Picture"),   tr("File")};
+    const QString labels[] = {tr("Settings"), tr("Format"),           tr("For print"), tr("Model"),
+                              tr("Parts"),    tr("Leaves and fruit"), tr("Levels"),    tr("Wind for"),
+                              tr("Pictures"), tr("Axes and unit"),    tr("Nodes"),     tr("Moment"),
+                              tr("Joints"),   tr("Picture"),          tr("File")};
     for (std::size_t row = 0; row < m_rows.size(); ++row)
         m_rows[row].label->setText(labels[row]);
     m_kept->setAccessibleName(labels[KeptRow]);
     m_maps->setAccessibleName(labels[MapRow]);
+    m_wind->setAccessibleName(labels[WindRow]);
     m_joints->setAccessibleName(labels[JointRow]);
     m_format->setAccessibleName(labels[FormatRow]);
     m_model->setAccessibleName(labels[ModelRow]);

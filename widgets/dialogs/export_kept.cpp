@@ -138,6 +138,7 @@ QVariantMap ExportDialog::settings() const
             {"maps", m_maps->currentData()},
             {"joints", m_joints->currentData()},
             {"compressed", m_compressed->isChecked()},
+            {"wind", m_wind->currentIndex()},
             {"levels", qlonglong(levels.count)},
             {"budgets", budgets},
             {"space", QString::fromStdString(m_space->space().comment())},
@@ -181,6 +182,7 @@ void ExportDialog::setSettings(const QVariantMap& kept)
         m_maps->setCurrentIndex(row);
     if (const int row = m_joints->findData(kept.value(QStringLiteral("joints"))); row >= 0)
         m_joints->setCurrentIndex(row);
+    m_wind->setCurrentIndex(std::clamp(number("wind", 0), 0, m_wind->count() - 1));
     LevelOptions levels{kept.value(QStringLiteral("levels")).toLongLong(), {}};
     for (const QVariant& budget : kept.value(QStringLiteral("budgets")).toList())
         levels.budgets.push_back(budget.toLongLong());

@@ -13,6 +13,7 @@ enum Row {
     PartsRow,
     FoliageRow,
     LevelRow,
+    WindRow,
     MapRow,
     SpaceRow,
     TreesRow,

@@ -12,7 +12,7 @@ struct BlenderImport;
 struct ImportOptions;
 
 /// What a file can say; for the rest nothing is offered.
-enum FormatHolds : std::uint8_t {
+enum FormatHolds : std::uint16_t {
     holdsObjects = 1, ///< objects by name, each with its material; else all is one mesh
     holdsTexture = 2,
     holdsSpace = 4,        ///< any axes and unit
@@ -21,6 +21,7 @@ enum FormatHolds : std::uint8_t {
     holdsClip = 32,        ///< a sequence of frames as one file that moves
     holdsLevels = 64,      ///< levels of detail; else each is a file
     holdsCompressed = 128, ///< numbers made small: WriteOptions::compressed
+    holdsWind = 256,       ///< what shaders of games move vertices by: ExportMesh::wind
 };
 
 /// Bytes of a vertex and of a triangle, about.
@@ -36,7 +37,7 @@ struct FileFormat
     const char* name = "";   ///< in lists of file formats, as text to translate
     const char* choice = ""; ///< in the list of the export dialog, as text to translate
     const char* help = "";   ///< in the help of `ramure-cli export`, behind the ending
-    std::uint8_t holds = 0;  ///< bits of FormatHolds
+    std::uint16_t holds = 0; ///< bits of FormatHolds
     bool isText = false;     ///< of two formats with one ending the one that WriteOptions::ascii asks for
     const char* beside = ""; ///< the ending of a second file with the materials
     /// All as meshes; null: nothing can be read so. \see readMeshFile

@@ -52,7 +52,7 @@ std::size_t Buffer::addRounded(std::span<float> values, std::size_t components, 
     return addView({reinterpret_cast<const char*>(values.data()), values.size_bytes()}, target);
 }
 
-std::size_t Buffer::addDirections(const std::vector<glm::vec3>& directions)
+std::size_t Buffer::addDirections(const std::vector<glm::vec3>& directions, bool isFine)
 {
     if (!m_isPacked)
         return addAccessor(addValues(directions, Target::Vertices), Number::Float, "VEC3", directions.size());
@@ -61,9 +61,9 @@ std::size_t Buffer::addDirections(const std::vector<glm::vec3>& directions)
     padded.reserve(directions.size());
     for (const glm::vec3& direction : directions)
         padded.emplace_back(direction, 1.0F);
-    const std::size_t view = addPacked(packedDirections(padded), Target::Vertices);
-    m_views[view]["byteStride"] = 4;
-    return addAccessor(view, Number::Signed8, "VEC3", directions.size(), true);
+    const std::size_t view = addPacked(packedDirections(padded, isFine), Target::Vertices);
+    m_views[view]["byteStride"] = isFine ? 8 : 4;
+    return addAccessor(view, isFine ? Number::Signed16 : Number::Signed8, "VEC3", directions.size(), true);
 }
 
 std::size_t Buffer::addTangents(const std::vector<glm::vec4>& tangents)

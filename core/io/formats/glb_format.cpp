@@ -305,10 +305,14 @@ private:
         if (!hasSkin && node.isArm)
             mesh = std::make_shared<const TriangleMesh>(upright(*mesh));
         const Material& material = m_scene.materials[from.material];
-        const bool textured = m_materials.isPictured(material) && !mesh->uv.empty();
-        const auto number = m_materials.add(material, textured, !mesh->colours.empty(), progress);
+        const bool pictured = m_materials.isPictured(material) && !mesh->uv.empty();
+        // Colours that shaders move it by are not to be seen.
+        const bool coloured = !mesh->colours.empty() && !(from.wind && !from.wind->colours.empty());
+        const auto number = m_materials.add(material, pictured, coloured, progress);
         if (!number)
             return fail(number.error());
+        // Second texture coordinates stand beside first ones.
+        const bool textured = pictured || (from.wind && !from.wind->uv.empty());
         if (hasSkin)
             return addSkinned(from, textured, *number);
         // An object of one mesh is one node.
@@ -323,7 +327,7 @@ private:
             return fail(holder.error());
         m_meshNode.push_back(*holder);
         m_nodes[*holder]["mesh"] = m_meshes.size();
-        return addMesh(from.name, *mesh, textured, *number);
+        return addMesh(from.name, *mesh, textured, *number, nullptr, from.wind.get());
     }
 
     /// Only its joints say where it is: its node stands at the top and nowhere.
@@ -340,7 +344,8 @@ private:
     }
 
     Expected<void> addMesh(const std::string& name, const TriangleMesh& mesh, bool textured,
-                           std::size_t material, const ExportMesh* skinned = nullptr)
+                           std::size_t material, const ExportMesh* skinned = nullptr,
+                           const WindColumns* wind = nullptr)
     {
         const auto isFinite = [](const auto& v) { return !glm::any(glm::isnan(v) || glm::isinf(v)); };
         if (!std::ranges::all_of(mesh.positions, isFinite) || !std::ranges::all_of(mesh.normals, isFinite) ||
@@ -353,14 +358,16 @@ private:
         const std::size_t count = vertices.positions.size();
         Json attributes{{"POSITION", addPositions(vertices.positions)}};
         if (!vertices.normals.empty())
-            attributes["NORMAL"] = m_buffer.addDirections(vertices.normals);
+            attributes["NORMAL"] = m_buffer.addDirections(vertices.normals, wind != nullptr);
         if (!vertices.tangents.empty())
             attributes["TANGENT"] = m_buffer.addTangents(vertices.tangents);
         if (!vertices.uv.empty())
             attributes["TEXCOORD_0"] = m_buffer.addFloats(vertices.uv, fineBits, "VEC2");
+        const bool hasWindColours = wind && !wind->colours.empty();
         if (!vertices.colours.empty())
-            attributes["COLOR_0"] = m_buffer.addAccessor(
-                m_buffer.addValues(vertices.colours, Target::Vertices), Number::Short, "VEC4", count, true);
+            attributes[hasWindColours ? "COLOR_1" : "COLOR_0"] = addColours(vertices.colours);
+        if (wind)
+            addWind(attributes, *wind, vertices);
         if (skinned) {
             const glb::Weights weights =
                 glb::weightsOf(*skinned->skin, m_skinOf.at(skinned->node).second, vertices.from);
@@ -380,8 +387,38 @@ private:
                                               {"material", material}}})}};
         if (isClosed(mesh))
             out["extensions"][manifold] = closed(vertices, positions, view);
+        if (wind)
+            out["extras"]["wind"] = glb::windExtras(*wind);
         m_meshes.push_back(std::move(out));
         return {};
+    }
+
+    std::size_t addColours(const std::vector<glm::u16vec4>& colours)
+    {
+        return m_buffer.addAccessor(m_buffer.addValues(colours, Target::Vertices), Number::Short, "VEC4",
+                                    colours.size(), true);
+    }
+
+    /// Validators want first texture coordinates beside second ones, if they are nowhere.
+    void addWind(Json& attributes, const WindColumns& wind, const glb::Vertices& vertices)
+    {
+        const auto ofVertices = [&](const auto& column) {
+            std::decay_t<decltype(column)> out;
+            out.reserve(column.empty() ? 0 : vertices.from.size());
+            for (std::size_t v = 0; v < vertices.from.size() && !column.empty(); ++v)
+                out.push_back(column[vertices.from[v]]);
+            return out;
+        };
+        if (!wind.colours.empty())
+            attributes["COLOR_0"] = addColours(ofVertices(wind.colours));
+        if (auto uv = ofVertices(wind.uv); !uv.empty()) {
+            std::vector<glm::vec2> none(uv.size(), glm::vec2(0.0F));
+            if (!attributes.contains("TEXCOORD_0"))
+                attributes["TEXCOORD_0"] = m_buffer.addFloats(none, fineBits, "VEC2");
+            attributes["TEXCOORD_1"] = m_buffer.addFloats(uv, fineBits, "VEC2");
+        }
+        if (auto numbers = ofVertices(wind.numbers); !numbers.empty())
+            attributes["_WIND"] = m_buffer.addFloats(numbers, fineBits, "VEC4");
     }
 
     std::size_t addPositions(std::vector<glm::vec3>& positions)
@@ -508,8 +545,8 @@ const FileFormat glbFormat = {
     .name = RAMURE_NOOP("Binary glTF"),
     .choice = RAMURE_NOOP("GLB (glTF), for games and the web"),
     .help = "glTF 2.0 with materials and pictures inside: nodes as in the scene, closed meshes told as such",
-    .holds =
-        holdsObjects | holdsTexture | holdsLines | holdsCopies | holdsClip | holdsLevels | holdsCompressed,
+    .holds = holdsObjects | holdsTexture | holdsLines | holdsCopies | holdsClip | holdsLevels |
+             holdsCompressed | holdsWind,
     .read = &readGlb,
     .import = &importGlb,
     .write = &write,

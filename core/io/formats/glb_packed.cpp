@@ -63,11 +63,12 @@ Packed packedFloats(std::span<float> values, std::size_t components, int bits)
     return out;
 }
 
-Packed packedDirections(std::span<const glm::vec4> directions)
+Packed packedDirections(std::span<const glm::vec4> directions, bool isFine)
 {
-    return filtered(directions, 4, "OCTAHEDRAL",
-                    [](void* to, std::size_t count, std::size_t stride, const float* from) {
-                        meshopt_encodeFilterOct(to, count, stride, 8, from);
+    const int bits = isFine ? 14 : 8;
+    return filtered(directions, isFine ? 8 : 4, "OCTAHEDRAL",
+                    [bits](void* to, std::size_t count, std::size_t stride, const float* from) {
+                        meshopt_encodeFilterOct(to, count, stride, bits, from);
                     });
 }
 

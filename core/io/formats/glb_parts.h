@@ -61,8 +61,9 @@ public:
         return addAccessor(addRounded(numbers, V::length(), bits, target), Number::Float, type,
                            values.size());
     }
-    /// Of unit length. \return the number of the accessor.
-    std::size_t addDirections(const std::vector<glm::vec3>& directions);
+    /// Of unit length. \param isFine compressed they are right within a hundredth of a degree, not within
+    /// one. \return the number of the accessor.
+    std::size_t addDirections(const std::vector<glm::vec3>& directions, bool isFine = false);
     std::size_t addTangents(const std::vector<glm::vec4>& tangents);
     std::size_t addTurns(const std::vector<glm::vec4>& quaternions);
     /// \param type "SCALAR", "VEC3" ... \return the number of the accessor
@@ -102,6 +103,9 @@ Vertices verticesOf(const TriangleMesh& mesh, bool textured);
 /// What pictures of normals need: x around or to the right, y along the branch or to the tip of the leaf. As
 /// in E. Lengyel, Foundations of Game Engine Development, volume 2 (2019), chapter 7.5. \pre uv and normals.
 void addTangents(Vertices& vertices);
+
+/// What shaders want to know of the whole tree, for the extras of a mesh.
+Json windExtras(const WindColumns& wind);
 
 /// Linear, of an sRGB byte, and of sRGB from 0 to 1.
 float linear(std::uint8_t channel);

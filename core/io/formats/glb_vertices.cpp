@@ -127,6 +127,20 @@ private:
 
 } // namespace
 
+Json windExtras(const WindColumns& wind)
+{
+    Json out;
+    for (const WindProfileFacts& facts : windProfiles())
+        if (facts.profile == wind.profile)
+            out["profile"] = facts.name;
+    if (wind.profile == WindProfile::Crysis) {
+        out["bendScale"] = wind.settings.bendScale;
+        out["branchAmp"] = wind.settings.branchAmp;
+        out["detailAmp"] = wind.settings.detailAmp;
+    }
+    return out;
+}
+
 Vertices verticesOf(const TriangleMesh& mesh, bool textured)
 {
     return Splitter(mesh, textured).run();

@@ -1,0 +1,67 @@
+#include "core/io/exr_file.h"
+
+#include "core/base/file_writer.h"
+
+#include <ImfChannelList.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfOutputFile.h>
+
+namespace ramure {
+namespace {
+
+/// The library writes its table of rows last, in the middle: FileWriter cannot go back.
+class ExrBytes : public Imf::OStream
+{
+public:
+    ExrBytes()
+        : Imf::OStream("")
+    {
+    }
+    void write(const char* bytes, int count) override
+    {
+        const auto size = static_cast<std::size_t>(count);
+        m_bytes.resize(std::max(m_bytes.size(), m_at + size));
+        m_bytes.replace(m_at, size, bytes, size);
+        m_at += size;
+    }
+    std::uint64_t tellp() override { return m_at; }
+    void seekp(std::uint64_t at) override { m_at = at; }
+    [[nodiscard]] const std::string& bytes() const { return m_bytes; }
+
+private:
+    std::string m_bytes;
+    std::size_t m_at = 0;
+};
+
+} // namespace
+
+Expected<void> writeExr(const std::string& path, int width, int height, std::span<const glm::vec4> pixels)
+{
+    ExrBytes out;
+    try {
+        Imf::Header header(width, height);
+        header.compression() = Imf::ZIP_COMPRESSION;
+        Imf::FrameBuffer buffer;
+        constexpr const char* names[] = {"R", "G", "B", "A"};
+        for (int channel = 0; channel < 4; ++channel) {
+            header.channels().insert(names[channel], Imf::Channel(Imf::FLOAT));
+            // The library only reads through the pointer.
+            char* first = reinterpret_cast<char*>(const_cast<float*>(&pixels[0][channel]));
+            buffer.insert(names[channel], Imf::Slice(Imf::FLOAT, first, sizeof(glm::vec4),
+                                                     sizeof(glm::vec4) * static_cast<std::size_t>(width)));
+        }
+        constexpr int ownThreadAlone = 0;
+        Imf::OutputFile file(out, header, ownThreadAlone);
+        file.setFrameBuffer(buffer);
+        file.writePixels(height);
+    } catch (const std::exception& error) { // of the library
+        auto failed = fail(ErrorCode::Io, RAMURE_NOOP("the texture cannot be written: %1"), {error.what()});
+        failed.value().file = path;
+        return failed;
+    }
+    return writeFile(path, out.bytes());
+}
+
+} // namespace ramure
