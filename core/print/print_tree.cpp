@@ -1,6 +1,7 @@
 #include "core/print/print_tree.h"
 
 #include "core/math/reproducible.h"
+#include "core/print/leaf_sheets.h"
 #include "core/print/print_skeleton.h"
 #include "core/print/thinned_mesh.h"
 #include "core/print/united_surface.h"
@@ -19,7 +20,8 @@ namespace {
 constexpr int sides = 16; ///< of the tubes that are united; the grid is coarser than their faces
 constexpr int discSides = 96;
 constexpr double voxelsAcross = 6.0, leastVoxelsAcross = 3.5; ///< of the thinnest twig
-constexpr double mostVoxels = 0.8e6; ///< on the surface: more than twice as many triangles
+constexpr double mostVoxels = 0.8e6;     ///< on the surface: more than twice as many triangles
+constexpr double mostLeafVoxels = 0.4e6; ///< of these on leaves
 constexpr int mostHeightRounds = 4;
 constexpr double heightSlack = 0.002;
 constexpr int mostThinnings = 4;
@@ -28,7 +30,7 @@ constexpr int mostThinnings = 4;
 double widening(double thinnest, double voxel)
 {
     const double inner = maths::cos(std::numbers::pi / sides);
-    return 1.01 * thinnest / inner + 0.3 * voxel * voxel / thinnest;
+    return 1.02 * thinnest / inner + 0.7 * voxel * voxel / thinnest;
 }
 
 double areaOf(const TriangleMesh& mesh)
@@ -60,6 +62,24 @@ void addCylinder(TriangleMesh& mesh, const glm::dvec3& middle, double radius, do
         mesh.triangles.emplace_back(a, b + discSides, b);
         mesh.triangles.emplace_back(a, a + discSides, b + discSides);
     }
+}
+
+/// Where a tube turns sharply it is pinched: a bead as thick as the twig goes there, a sheet without area.
+Expected<void> addBeads(TriangleMesh& sheets, const TriangleMesh& tubes, double thinnest,
+                        const Progress& progress)
+{
+    constexpr double pinched = 0.96;
+    const double below = pinched * thinnest * maths::cos(std::numbers::pi / sides);
+    const auto places = thinPlaces(std::make_shared<const TriangleMesh>(tubes), below, 0.25 * thinnest,
+                                   Progress{progress.stop, {}});
+    if (!places)
+        return fail(places.error());
+    for (const glm::dvec3& at : *places) {
+        const Index first = sheets.vertexCount();
+        sheets.positions.insert(sheets.positions.end(), 3, glm::vec3(at));
+        sheets.triangles.emplace_back(first, first + 1, first + 2);
+    }
+    return {};
 }
 
 /// Mass over a point of the ground, as far as the skeleton knows it.
@@ -109,32 +129,52 @@ Expected<TriangleMesh> tubesOf(const Skeleton& skeleton, const NodeParams& param
     return std::move(made->mesh);
 }
 
+/// What is printed, and the foliage that it carries, if any.
+struct Source
+{
+    const Skeleton& tree;
+    const NodeParams& params;
+    const PrintOptions& options;
+    const Foliage* foliage;
+};
+
 struct Prepared
 {
     PrintSkeleton print;
     TriangleMesh tubes;
+    LeafSheets leaves;
 };
 
-/// The mesh may rise above the skeleton's ends: the scale follows until its top is where it is wanted.
-Expected<Prepared> prepared(const Skeleton& tree, const NodeParams& params, const PrintOptions& options,
-                            double thinnest, const Progress& progress)
+double topOf(const TriangleMesh& mesh)
 {
-    double wanted = options.height;
+    double top = 0.0;
+    for (const glm::vec3& p : mesh.positions)
+        top = std::max(top, double(p.y));
+    return top;
+}
+
+/// The mesh may rise above the skeleton's ends, and leaves do: the scale follows until the top is where it is
+/// wanted. \param thinnest m, of the tubes and the shells.
+Expected<Prepared> prepared(const Source& of, double thinnest, double& wanted, const Progress& progress)
+{
+    const double height = of.options.height, coarsest = of.options.smallestDiameter() / leastVoxelsAcross;
     for (int round = 1;; ++round) {
-        auto print = printSkeleton(tree, wanted, thinnest);
+        auto print = printSkeleton(of.tree, wanted, thinnest);
         if (!print)
             return fail(std::move(print.error()));
-        auto tubes = tubesOf(print->skeleton, params, Progress{progress.stop, {}});
+        auto tubes = tubesOf(print->skeleton, of.params, Progress{progress.stop, {}});
         if (!tubes)
             return fail(std::move(tubes.error()));
         progress.report(double(round) / mostHeightRounds);
-        double top = 0.0;
-        for (const glm::vec3& p : tubes->positions)
-            top = std::max(top, double(p.y));
-        const double off = top / options.height - 1.0;
+        LeafSheets leaves;
+        if (of.foliage)
+            leaves = leafSheets(*of.foliage, of.tree, *print, trunkRadius(of.params),
+                                {thinnest, mostLeafVoxels * coarsest * coarsest});
+        const double leafTop = leaves.mesh.empty() ? 0.0 : topOf(leaves.mesh) + 0.5 * thinnest;
+        const double off = std::max(topOf(*tubes), leafTop) / height - 1.0;
         if (std::abs(off) < heightSlack || round == mostHeightRounds)
-            return Prepared{std::move(*print), std::move(*tubes)};
-        wanted = std::clamp(wanted / (1.0 + off), 0.5 * options.height, 2.0 * options.height);
+            return Prepared{std::move(*print), std::move(*tubes), std::move(leaves)};
+        wanted = std::clamp(wanted / (1.0 + off), 0.5 * height, 2.0 * height);
     }
 }
 
@@ -179,19 +219,32 @@ Expected<TriangleMesh> thinnedWithoutCrossings(const TriangleMesh& fine, Thinnin
 } // namespace
 
 Expected<PrintedTree> printTree(const Skeleton& tree, const NodeParams& params, const PrintOptions& options,
-                                const Progress& progress)
+                                const Progress& progress, const Foliage* foliage)
 {
     if (auto fine = checkPrint(options); !fine)
         return fail(fine.error());
-    const double diameter = options.smallestDiameter();
-    double voxel = diameter / voxelsAcross;
-    auto ready = prepared(tree, params, options, widening(diameter, voxel), progress.part(0.0, 0.1));
+    const double diameter = options.smallestDiameter(), finest = diameter / voxelsAcross;
+    const Source source{tree, params, options, options.leaves == PrintLeaves::Off ? nullptr : foliage};
+    double wanted = options.height;
+    auto ready = prepared(source, widening(diameter, finest), wanted, progress.part(0.0, 0.05));
     if (!ready)
         return fail(std::move(ready.error()));
+    const double voxel =
+        std::clamp(std::sqrt((areaOf(ready->tubes) + 2.5 * areaOf(ready->leaves.mesh)) / mostVoxels), finest,
+                   diameter / leastVoxelsAcross);
+    const double thinnest = widening(diameter, voxel); // a coarser grid takes more of a twig
+    if (voxel > finest)
+        ready = prepared(source, thinnest, wanted, progress.part(0.05, 0.1));
+    if (!ready)
+        return fail(std::move(ready.error()));
+    UnionOptions joining{voxel, true};
+    joining.notches = notchBalls(ready->print.skeleton);
+    joining.sheets = std::move(ready->leaves.mesh);
+    joining.thickness = thinnest;
+    if (auto mended = addBeads(joining.sheets, ready->tubes, thinnest, progress); !mended)
+        return fail(mended.error());
     addFoot(ready->tubes, ready->print.skeleton, options);
-    voxel =
-        std::min(std::max(voxel, std::sqrt(areaOf(ready->tubes) / mostVoxels)), diameter / leastVoxelsAcross);
-    auto united = unitedSurface(ready->tubes, {voxel, true}, progress.part(0.1, 0.45));
+    auto united = unitedSurface(ready->tubes, joining, progress.part(0.1, 0.45));
     if (!united)
         return fail(std::move(united.error()));
     ThinningOptions thinning;
@@ -210,6 +263,8 @@ Expected<PrintedTree> printTree(const Skeleton& tree, const NodeParams& params, 
     out.thickened = ready->print.thickened;
     out.cut = ready->print.cut;
     out.loose = united->loose;
+    out.leaves = ready->leaves.leaves;
+    out.leavesLeftOut = ready->leaves.leftOut;
     auto report = printReport(out.mesh, 0.5 * diameter, progress.part(0.85, 1.0));
     if (!report)
         return fail(std::move(report.error()));
