@@ -21,7 +21,7 @@ constexpr int sides = 16; ///< of the tubes that are united; the grid is coarser
 constexpr int discSides = 96;
 constexpr double voxelsAcross = 6.0, leastVoxelsAcross = 3.5; ///< of the thinnest twig
 constexpr double mostVoxels = 0.8e6;     ///< on the surface: more than twice as many triangles
-constexpr double mostLeafVoxels = 0.4e6; ///< of these on leaves
+constexpr double mostLeafVoxels = 0.2e6; ///< of these on leaves
 constexpr int mostHeightRounds = 4;
 constexpr double heightSlack = 0.002;
 constexpr int mostThinnings = 4;
@@ -178,42 +178,65 @@ Expected<Prepared> prepared(const Source& of, double thinnest, double& wanted, c
     }
 }
 
-/// Fewer triangles, none of which run through each other: where some would, all vertices around stay.
-Expected<TriangleMesh> thinnedWithoutCrossings(const TriangleMesh& fine, ThinningOptions options,
-                                               const Progress& progress)
+/// Marks the vertices near what runs through each other. \returns whether there is any
+Expected<bool> markCrossings(std::vector<bool>& isKept, const TriangleMesh& fine, const TriangleMesh& thin,
+                             double reach, const Progress& progress)
 {
-    options.isKept.assign(fine.positions.size(), false);
+    const auto crossings = findSelfIntersections(thin, {}, 0, Progress{progress.stop, {}});
+    if (!crossings)
+        return fail(crossings.error());
+    std::vector<std::pair<glm::vec3, glm::vec3>> boxes;
+    for (const FacePair& pair : crossings->pairs)
+        for (const Index face : {pair.first, pair.second}) {
+            const glm::uvec3& t = thin.triangles[face];
+            const glm::vec3 &a = thin.positions[t.x], &b = thin.positions[t.y], &c = thin.positions[t.z];
+            const auto margin = static_cast<float>(reach);
+            boxes.emplace_back(glm::min(a, glm::min(b, c)) - margin, glm::max(a, glm::max(b, c)) + margin);
+        }
+    isKept.resize(fine.positions.size(), false);
+    for (std::size_t v = 0; v < fine.positions.size(); ++v)
+        for (const auto& [low, high] : boxes)
+            if (glm::all(glm::lessThanEqual(low, fine.positions[v])) &&
+                glm::all(glm::lessThanEqual(fine.positions[v], high))) {
+                isKept[v] = true;
+                break;
+            }
+    return crossings->total() > 0;
+}
+
+/// Thins a mesh until nothing runs through itself: where something would, all vertices around stay.
+Expected<TriangleMesh> thinnedApart(const TriangleMesh& fine, ThinningOptions options,
+                                    const Progress& progress)
+{
     double reach = 4.0 * options.grain;
     for (int round = 0; round < mostThinnings; ++round, reach *= 2.0) {
         auto thin = thinnedMesh(fine, options,
                                 progress.part(double(round) / mostThinnings, (round + 1.0) / mostThinnings));
         if (!thin)
             return thin;
-        const auto crossings = findSelfIntersections(*thin, {}, 0, Progress{progress.stop, {}});
-        if (!crossings)
-            return fail(crossings.error());
-        if (crossings->total() == 0)
+        const auto crosses = markCrossings(options.isKept, fine, *thin, reach, progress);
+        if (!crosses)
+            return fail(crosses.error());
+        if (!*crosses)
             return thin;
-        std::vector<std::pair<glm::vec3, glm::vec3>> boxes;
-        for (const FacePair& pair : crossings->pairs)
-            for (const Index face : {pair.first, pair.second}) {
-                const glm::uvec3& t = thin->triangles[face];
-                const glm::vec3 &a = thin->positions[t.x], &b = thin->positions[t.y],
-                                &c = thin->positions[t.z];
-                const auto margin = static_cast<float>(reach);
-                boxes.emplace_back(glm::min(a, glm::min(b, c)) - margin,
-                                   glm::max(a, glm::max(b, c)) + margin);
-            }
-        for (std::size_t v = 0; v < fine.positions.size(); ++v)
-            for (const auto& [low, high] : boxes)
-                if (glm::all(glm::lessThanEqual(low, fine.positions[v])) &&
-                    glm::all(glm::lessThanEqual(fine.positions[v], high))) {
-                    options.isKept[v] = true;
-                    break;
-                }
     }
     return fail(ErrorCode::Invalid,
                 RAMURE_NOOP("the branches could not be united into one surface: try another height"));
+}
+
+/// Fewer triangles, none of which run through each other. What costs nothing goes first, most of all there
+/// is; the rest is quick, however often it has to be done.
+Expected<TriangleMesh> thinnedWithoutCrossings(const TriangleMesh& fine, const ThinningOptions& options,
+                                               const Progress& progress)
+{
+    ThinningOptions lossless = options;
+    lossless.mostTriangles = 0;
+    auto light = thinnedApart(fine, lossless, progress.part(0.0, 0.7));
+    if (!light || light->triangles.size() <= options.mostTriangles)
+        return light;
+    ThinningOptions rest = options;
+    rest.isThin = true;
+    return thinnedApart(*light, rest, progress.part(0.7, 1.0));
 }
 
 } // namespace

@@ -54,7 +54,7 @@ struct Structure : OpenMesh::TriMesh_ArrayKernelT<Traits>
 private:
     struct Neighbours
     {
-        static constexpr int most = 48; // of more, none is taken
+        static constexpr int most = 256; // of more, none is taken
         int all[most];
         int count = 0;
 
@@ -330,14 +330,15 @@ Expected<TriangleMesh> thinnedMesh(const TriangleMesh& mesh, const ThinningOptio
     Whole whole{mesh, options, {}, progress};
     Triangles triangles = mesh.triangles;
     // What costs nothing first, and again across the seams; then, where that does not do, what costs least.
-    if (!thinAll(whole, triangles, 0.0, 0))
+    if (!options.isThin && !thinAll(whole, triangles, 0.0, 0))
         return noSurface();
-    if (partsOf(mesh, triangles, 0.0).size() > 1 && !thinAll(whole, triangles, 0.5, 0))
+    if (!options.isThin && partsOf(mesh, triangles, 0.0).size() > 1 && !thinAll(whole, triangles, 0.5, 0))
         return noSurface();
+    const Index most = options.mostTriangles;
     for (const double shift : {0.25, 0.75, 0.0, 0.5}) {
-        if (triangles.size() <= options.mostTriangles || progress.cancelled())
+        if (most == 0 || triangles.size() <= most || progress.cancelled())
             break;
-        if (!thinAll(whole, triangles, shift, options.mostTriangles))
+        if (!thinAll(whole, triangles, shift, most))
             return noSurface();
     }
     if (progress.cancelled())

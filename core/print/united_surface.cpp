@@ -100,7 +100,7 @@ struct NotchPart
 
     NotchPart(const FloatGrid& grid, const NotchBall& notch, double voxel)
     {
-        constexpr double finest = 2.0; // steps in the radius of a large ball
+        constexpr double finest = 4.0; // steps in the radius of a large ball
         constexpr int coarsest = 3;    // else no step lies in the band of the surface
         stride = std::clamp(static_cast<int>(notch.radius / voxel / finest), 1, coarsest);
         const double step = stride * voxel;

@@ -180,7 +180,7 @@ void PrintForm::takeProcess()
 void PrintForm::setPrint(std::shared_ptr<const PrintedTree> print)
 {
     const bool isThere = print != nullptr;
-    m_preview->setPrint(std::move(print), options().smallestDiameter());
+    m_preview->setPrint(std::move(print), options());
     m_preview->setVisible(isThere);
 }
 

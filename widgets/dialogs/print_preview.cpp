@@ -119,7 +119,7 @@ QWidget* PrintPreview::legend(const char* name, QLabel*& text)
     return holder;
 }
 
-void PrintPreview::setPrint(std::shared_ptr<const PrintedTree> print, double asked)
+void PrintPreview::setPrint(std::shared_ptr<const PrintedTree> print, const PrintOptions& asked)
 {
     m_print = std::move(print);
     m_asked = asked;
@@ -157,8 +157,8 @@ void PrintPreview::fill()
     constexpr double near = 0.99;
     setRow(Thinnest,
            tr("%1 mm of %2, at (%3, %4, %5) mm")
-               .arg(mm(r.thinnest, 2), mm(m_asked, 2), mm(at.x), mm(-at.z), mm(at.y)),
-           r.thinnest < near * m_asked);
+               .arg(mm(r.thinnest, 2), mm(m_asked.smallestDiameter(), 2), mm(at.x), mm(-at.z), mm(at.y)),
+           r.thinnest < near * m_asked.smallestDiameter());
     setRow(Overhang, tr("%1 cm²").arg(locale.toString(1e4 * r.overhang, 'f', 1)));
     if (!std::isfinite(r.balance))
         setRow(Balance, tr("no: nothing of it touches the ground"), true);
@@ -172,7 +172,7 @@ void PrintPreview::fill()
     setRow(
         Branches,
         tr("%1 thickened, %2 cut").arg(locale.toString(m_print->thickened), locale.toString(m_print->cut)));
-    const bool hasLeaves = m_print->leaves + m_print->leavesLeftOut > 0;
+    const bool hasLeaves = m_asked.leaves != PrintLeaves::Off;
     setRow(Leaves, hasLeaves
                        ? tr("%1 shells, %2 left out")
                              .arg(locale.toString(m_print->leaves), locale.toString(m_print->leavesLeftOut))

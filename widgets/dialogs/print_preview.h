@@ -2,6 +2,7 @@
 /// A prepared print: its picture, and beside it what is to be known before it is printed.
 #pragma once
 
+#include "core/print/print_options.h"
 #include "core/print/print_tree.h"
 #include <QWidget>
 #include <memory>
@@ -21,8 +22,8 @@ class PrintPreview : public QWidget
 public:
     explicit PrintPreview(QWidget* parent = nullptr);
 
-    /// \param print null: nothing is known. \param asked how thick its twigs were to be, m
-    void setPrint(std::shared_ptr<const PrintedTree> print, double asked);
+    /// \param print null: nothing is known. \param asked for
+    void setPrint(std::shared_ptr<const PrintedTree> print, const PrintOptions& asked);
     [[nodiscard]] PrintView* view() const { return m_view; }
     /// "Name: value" of each line, for whoever reads it aloud or copies it.
     [[nodiscard]] QString text() const;
@@ -39,7 +40,7 @@ private:
     void setRow(Row row, const QString& value, bool isProblem = false);
 
     std::shared_ptr<const PrintedTree> m_print;
-    double m_asked = 0.0;
+    PrintOptions m_asked;
     PrintView* m_view;
     QLabel* m_names[Rows];
     QLabel* m_values[Rows];

@@ -90,6 +90,7 @@ private slots:
         const auto grown = TreePipeline().evaluate(params);
         QVERIFY2(grown, test::why(grown));
         PrintOptions options;
+        options.process = PrintProcess::Resin;
         options.height = 0.06;
         const Skeleton& tree = grown->simplified->skeleton;
         const auto bare = printTree(tree, params, options, {}, grown->foliage.get());

@@ -39,9 +39,9 @@ Skeleton fork(double angleDeg, double thin)
 {
     const auto way = maths::sincos(angleDeg * std::numbers::pi / 180.0);
     Skeleton out;
-    const Index trunk = out.add(noIndex, {0, 0, 0}, {0, 10, 0}, 1.0, 1.0);
-    out.add(trunk, {0, 10, 0}, {0, 20, 0}, 1.0, 1.0);
-    out.add(trunk, {0, 10, 0}, glm::dvec3(0, 10, 0) + 10.0 * glm::dvec3(way.sin, way.cos, 0), thin, thin, 1);
+    const Index trunk = out.add(noIndex, {0, 6, 0}, {0, 10, 0}, 1.0, 1.0);
+    out.add(trunk, {0, 10, 0}, {0, 14, 0}, 1.0, 1.0);
+    out.add(trunk, {0, 10, 0}, glm::dvec3(0, 10, 0) + 5.0 * glm::dvec3(way.sin, way.cos, 0), thin, thin, 1);
     return out;
 }
 
@@ -53,30 +53,24 @@ TriangleMesh rodsOf(const Skeleton& skeleton)
     return mesh;
 }
 
-/// The radius of the largest ball that touches a vertex from outside and holds no other: what the ground of a
-/// notch is as round as. Vertices nearer than the grid is fine say nothing.
-double roomAt(const TriangleMesh& mesh, Index vertex, double grain)
-{
-    double least = 1e9;
-    const glm::dvec3 p = mesh.positions[vertex], n = mesh.normals[vertex];
-    for (const glm::vec3& other : mesh.positions) {
-        const glm::dvec3 way = glm::dvec3(other) - p;
-        const double out = glm::dot(n, way), far2 = glm::dot(way, way);
-        if (out > 0.0 && far2 > grain * grain)
-            least = std::min(least, 0.5 * far2 / out);
-    }
-    return least;
-}
-
-/// The sharpest place near a fork's ball.
-double notchRadius(TriangleMesh mesh, const NotchBall& ball, double voxel)
+/// A ball that touches a surface near a fork from outside, at every vertex there: how much of its radius is
+/// left between its middle and the nearest of the surface, ascending. 1: it has room.
+std::vector<double> roomFor(double radius, TriangleMesh mesh, const NotchBall& ball)
 {
     computeNormals(mesh);
-    double least = 1e9;
-    for (Index v = 0; v < mesh.vertexCount(); ++v)
-        if (glm::distance(glm::dvec3(mesh.positions[v]), ball.centre) < 0.9 * ball.inner)
-            least = std::min(least, roomAt(mesh, v, 2.5 * voxel));
-    return least;
+    std::vector<double> room;
+    for (Index v = 0; v < mesh.vertexCount(); ++v) {
+        const glm::dvec3 p = mesh.positions[v];
+        if (glm::distance(p, ball.centre) > 0.9 * ball.inner)
+            continue;
+        const glm::dvec3 middle = p + radius * glm::dvec3(mesh.normals[v]);
+        double least = radius;
+        for (const glm::vec3& other : mesh.positions)
+            least = std::min(least, glm::distance(middle, glm::dvec3(other)));
+        room.push_back(least / radius);
+    }
+    std::sort(room.begin(), room.end());
+    return room;
 }
 
 } // namespace
@@ -138,13 +132,17 @@ private slots:
         const auto round = unitedSurface(rodsOf(skeleton), options);
         QVERIFY2(sharp, test::why(sharp));
         QVERIFY2(round, test::why(round));
-        const double before = notchRadius(sharp->mesh, ball, voxel),
-                     after = notchRadius(round->mesh, ball, voxel);
-        QVERIFY2(before < 0.8 * leastFillet * thin && after > leastFillet * thin,
-                 qPrintable(QStringLiteral("%1 -> %2 of %3").arg(before).arg(after).arg(leastFillet * thin)));
+        const double wanted = leastFillet * thin;
+        const auto before = roomFor(wanted, sharp->mesh, ball), after = roomFor(wanted, round->mesh, ball);
+        // Normals of a grid's vertices are not exact: the middle of the ball is a little off at a few.
+        QVERIFY2(before.front() < 0.5 && after.front() > 0.75 && after[after.size() / 100] > 0.9,
+                 qPrintable(QStringLiteral("%1 -> %2, %3")
+                                .arg(before.front())
+                                .arg(after.front())
+                                .arg(after[after.size() / 100])));
         const auto report = printReport(std::make_shared<const TriangleMesh>(round->mesh), thin);
         QVERIFY(report && report->isClosed && report->pieces == 1 && report->crossings == 0);
-        QVERIFY(std::abs(report->high.y - 20.0) < 1e-3 + 0.01 * voxel); // elsewhere it stays
+        QVERIFY(std::abs(report->high.y - 14.0) < 1e-3 + 0.01 * voxel); // elsewhere it stays
     }
 };
 
