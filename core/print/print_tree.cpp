@@ -24,7 +24,8 @@ constexpr double mostVoxels = 0.8e6;     ///< on the surface: more than twice as
 constexpr double mostLeafVoxels = 0.2e6; ///< of these on leaves
 constexpr int mostHeightRounds = 4;
 constexpr double heightSlack = 0.002;
-constexpr int mostThinnings = 4;
+constexpr int mostThinnings = 2; ///< after the second, crossings are the grid's own
+constexpr int mostUnions = 3;
 
 /// Flat sides lie inside of the tube that they stand for, and so do those of the grid.
 double widening(double thinnest, double voxel)
@@ -64,7 +65,15 @@ void addCylinder(TriangleMesh& mesh, const glm::dvec3& middle, double radius, do
     }
 }
 
-/// Where a tube turns sharply it is pinched: a bead as thick as the twig goes there, a sheet without area.
+/// A sheet without area: it becomes a ball.
+void addBead(TriangleMesh& sheets, const glm::vec3& at)
+{
+    const Index first = sheets.vertexCount();
+    sheets.positions.insert(sheets.positions.end(), 3, at);
+    sheets.triangles.emplace_back(first, first + 1, first + 2);
+}
+
+/// Where a tube turns sharply it is pinched: a bead as thick as the twig goes there.
 Expected<void> addBeads(TriangleMesh& sheets, const TriangleMesh& tubes, double thinnest,
                         const Progress& progress)
 {
@@ -74,11 +83,8 @@ Expected<void> addBeads(TriangleMesh& sheets, const TriangleMesh& tubes, double 
                                    Progress{progress.stop, {}});
     if (!places)
         return fail(places.error());
-    for (const glm::dvec3& at : *places) {
-        const Index first = sheets.vertexCount();
-        sheets.positions.insert(sheets.positions.end(), 3, glm::vec3(at));
-        sheets.triangles.emplace_back(first, first + 1, first + 2);
-    }
+    for (const glm::dvec3& at : *places)
+        addBead(sheets, glm::vec3(at));
     return {};
 }
 
@@ -178,13 +184,16 @@ Expected<Prepared> prepared(const Source& of, double thinnest, double& wanted, c
     }
 }
 
-/// Marks the vertices near what runs through each other. \returns whether there is any
-Expected<bool> markCrossings(std::vector<bool>& isKept, const TriangleMesh& fine, const TriangleMesh& thin,
-                             double reach, const Progress& progress)
+using Places = std::vector<glm::vec3>;
+
+/// Marks the vertices near what runs through each other. \returns where that is
+Expected<Places> markCrossings(std::vector<bool>& isKept, const TriangleMesh& fine, const TriangleMesh& thin,
+                               double reach, const Progress& progress)
 {
     const auto crossings = findSelfIntersections(thin, {}, 0, Progress{progress.stop, {}});
     if (!crossings)
         return fail(crossings.error());
+    Places places;
     std::vector<std::pair<glm::vec3, glm::vec3>> boxes;
     for (const FacePair& pair : crossings->pairs)
         for (const Index face : {pair.first, pair.second}) {
@@ -192,6 +201,7 @@ Expected<bool> markCrossings(std::vector<bool>& isKept, const TriangleMesh& fine
             const glm::vec3 &a = thin.positions[t.x], &b = thin.positions[t.y], &c = thin.positions[t.z];
             const auto margin = static_cast<float>(reach);
             boxes.emplace_back(glm::min(a, glm::min(b, c)) - margin, glm::max(a, glm::max(b, c)) + margin);
+            places.push_back((a + b + c) / 3.0F);
         }
     isKept.resize(fine.positions.size(), false);
     for (std::size_t v = 0; v < fine.positions.size(); ++v)
@@ -201,11 +211,12 @@ Expected<bool> markCrossings(std::vector<bool>& isKept, const TriangleMesh& fine
                 isKept[v] = true;
                 break;
             }
-    return crossings->total() > 0;
+    return places;
 }
 
 /// Thins a mesh until nothing runs through itself: where something would, all vertices around stay.
-Expected<TriangleMesh> thinnedApart(const TriangleMesh& fine, ThinningOptions options,
+/// \param crossings what is left of them in the end, where that does not help
+Expected<TriangleMesh> thinnedApart(const TriangleMesh& fine, ThinningOptions options, Places& crossings,
                                     const Progress& progress)
 {
     double reach = 4.0 * options.grain;
@@ -214,10 +225,11 @@ Expected<TriangleMesh> thinnedApart(const TriangleMesh& fine, ThinningOptions op
                                 progress.part(double(round) / mostThinnings, (round + 1.0) / mostThinnings));
         if (!thin)
             return thin;
-        const auto crosses = markCrossings(options.isKept, fine, *thin, reach, progress);
-        if (!crosses)
-            return fail(crosses.error());
-        if (!*crosses)
+        auto found = markCrossings(options.isKept, fine, *thin, reach, progress);
+        if (!found)
+            return fail(found.error());
+        crossings = std::move(*found);
+        if (crossings.empty())
             return thin;
     }
     return fail(ErrorCode::Invalid,
@@ -227,16 +239,42 @@ Expected<TriangleMesh> thinnedApart(const TriangleMesh& fine, ThinningOptions op
 /// Fewer triangles, none of which run through each other. What costs nothing goes first, most of all there
 /// is; the rest is quick, however often it has to be done.
 Expected<TriangleMesh> thinnedWithoutCrossings(const TriangleMesh& fine, const ThinningOptions& options,
-                                               const Progress& progress)
+                                               Places& crossings, const Progress& progress)
 {
     ThinningOptions lossless = options;
     lossless.mostTriangles = 0;
-    auto light = thinnedApart(fine, lossless, progress.part(0.0, 0.7));
+    auto light = thinnedApart(fine, lossless, crossings, progress.part(0.0, 0.7));
     if (!light || light->triangles.size() <= options.mostTriangles)
         return light;
     ThinningOptions rest = options;
     rest.isThin = true;
-    return thinnedApart(*light, rest, progress.part(0.7, 1.0));
+    return thinnedApart(*light, rest, crossings, progress.part(0.7, 1.0));
+}
+
+struct Joined
+{
+    TriangleMesh mesh;
+    Index loose = 0;
+};
+
+/// One surface of all, thinned out. A grid may see two surfaces cross where they nearly touch: a bead joins
+/// them there, and all is done again.
+Expected<Joined> joined(const TriangleMesh& tubes, UnionOptions joining, const ThinningOptions& thinning,
+                        const Progress& progress)
+{
+    for (int attempt = 1;; ++attempt) {
+        auto united = unitedSurface(tubes, joining, progress.part(0.0, 0.45));
+        if (!united)
+            return fail(std::move(united.error()));
+        Places crossings;
+        auto thin = thinnedWithoutCrossings(united->mesh, thinning, crossings, progress.part(0.45, 1.0));
+        if (thin)
+            return Joined{std::move(*thin), united->loose};
+        if (crossings.empty() || attempt == mostUnions)
+            return fail(std::move(thin.error()));
+        for (const glm::vec3& at : crossings)
+            addBead(joining.sheets, at);
+    }
 }
 
 } // namespace
@@ -267,25 +305,22 @@ Expected<PrintedTree> printTree(const Skeleton& tree, const NodeParams& params, 
     if (auto mended = addBeads(joining.sheets, ready->tubes, thinnest, progress); !mended)
         return fail(mended.error());
     addFoot(ready->tubes, ready->print.skeleton, options);
-    auto united = unitedSurface(ready->tubes, joining, progress.part(0.1, 0.45));
-    if (!united)
-        return fail(std::move(united.error()));
     ThinningOptions thinning;
     thinning.grain = voxel;
     thinning.mostTriangles = options.mostTriangles;
     if (params.mesh.targetTriangles > 0)
         thinning.mostTriangles =
             static_cast<Index>(std::min<std::int64_t>(thinning.mostTriangles, params.mesh.targetTriangles));
-    auto thin = thinnedWithoutCrossings(united->mesh, thinning, progress.part(0.45, 0.85));
-    if (!thin)
-        return fail(std::move(thin.error()));
-    computeNormals(*thin);
+    auto made = joined(ready->tubes, std::move(joining), thinning, progress.part(0.1, 0.85));
+    if (!made)
+        return fail(std::move(made.error()));
+    computeNormals(made->mesh);
     PrintedTree out;
-    out.mesh = std::make_shared<const TriangleMesh>(std::move(*thin));
+    out.mesh = std::make_shared<const TriangleMesh>(std::move(made->mesh));
     out.scale = ready->print.scale;
     out.thickened = ready->print.thickened;
     out.cut = ready->print.cut;
-    out.loose = united->loose;
+    out.loose = made->loose;
     out.leaves = ready->leaves.leaves;
     out.leavesLeftOut = ready->leaves.leftOut;
     auto report = printReport(out.mesh, 0.5 * diameter, progress.part(0.85, 1.0));

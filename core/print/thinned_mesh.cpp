@@ -36,9 +36,8 @@ struct Structure : OpenMesh::TriMesh_ArrayKernelT<Traits>
         // One that stays has faces which are not here: what else it is a neighbour of is not known.
         if (status(to).locked() || left == right)
             return false;
-        Neighbours ofFrom, ofTo, beside;
-        if (!ofFrom.collect(*this, from) || !ofTo.collect(*this, to) || !beside.collect(*this, left) ||
-            beside.count < 4 || !beside.collect(*this, right) || beside.count < 4)
+        Neighbours ofFrom, ofTo;
+        if (!hasFour(left) || !hasFour(right) || !ofFrom.collect(*this, from) || !ofTo.collect(*this, to))
             return false;
         int common = 0;
         for (int i = 0; i < ofFrom.count; ++i)
@@ -52,6 +51,18 @@ struct Structure : OpenMesh::TriMesh_ArrayKernelT<Traits>
     }
 
 private:
+    [[nodiscard]] bool hasFour(VertexHandle vertex) const
+    {
+        const HalfedgeHandle first = halfedge_handle(vertex);
+        HalfedgeHandle at = first;
+        for (int i = 0; i < 3; ++i) {
+            at = next_halfedge_handle(opposite_halfedge_handle(at));
+            if (at == first)
+                return false;
+        }
+        return true;
+    }
+
     struct Neighbours
     {
         static constexpr int most = 256; // of more, none is taken

@@ -21,7 +21,7 @@ findings = []
 
 
 def said(*words):
-    run = subprocess.run(words, capture_output=True, text=True)
+    run = subprocess.run(words, capture_output=True, text=True, errors="replace")
     if run.returncode != 0:
         findings.append(f"{' '.join(map(str, words))}: {run.stdout[-300:]}{run.stderr[-300:]}")
     return run.stdout + run.stderr
