@@ -418,19 +418,13 @@
     </message>
 </context>
 <context>
-    <name>ramure::PrintForm</name>
+    <name>ramure::PrintPreview</name>
     <message numerus="yes">
-        <source>%n closed piece(s)</source>
+        <source>%n closed</source>
+        <comment>pieces</comment>
         <translation>
-            <numerusform>%n closed piece</numerusform>
-            <numerusform>%n closed pieces</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln triangle(s)</source>
-        <translation>
-            <numerusform>%Ln triangle</numerusform>
-            <numerusform>%Ln triangles</numerusform>
+            <numerusform>%n closed</numerusform>
+            <numerusform>%n closed</numerusform>
         </translation>
     </message>
 </context>

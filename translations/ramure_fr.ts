@@ -7359,6 +7359,10 @@
         <translation>« %1 » n’est pas une sorte de données de vent : %2</translation>
     </message>
     <message>
+        <source>unknown leaves &quot;%1&quot;: off or shells expected</source>
+        <translation type="unfinished">feuilles inconnues « %1 » : off ou shells attendu</translation>
+    </message>
+    <message>
         <source>nothing of the picture is transparent</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8792,10 +8796,6 @@ OpenGL&#xa0;: %4
     <message>
         <source>For print</source>
         <translation>Impression 3D</translation>
-    </message>
-    <message>
-        <source>Preparing the print…</source>
-        <translation>Préparation de l’impression…</translation>
     </message>
     <message>
         <source>Pictures need a view, which this machine cannot draw</source>
@@ -11017,50 +11017,8 @@ OpenGL&#xa0;: %4
 <context>
     <name>ramure::PrintForm</name>
     <message>
-        <source>%1 × %2 × %3 mm, %4 cm³, 1 : %5</source>
-        <translation>%1 × %2 × %3 mm, %4 cm³, 1 : %5</translation>
-    </message>
-    <message>
-        <source>Thinnest place: %1 mm, at (%2, %3, %4) mm</source>
-        <translation>Endroit le plus fin : %1 mm, en (%2, %3, %4) mm</translation>
-    </message>
-    <message>
-        <source>Overhangs steeper than 45°: %1 cm²</source>
-        <translation>Surplombs de plus de 45° : %1 cm²</translation>
-    </message>
-    <message>
-        <source>It stands: its weight is %1 mm inside of the foot’s border.</source>
-        <translation>Elle tient debout : son poids est à %1 mm à l’intérieur du bord du pied.</translation>
-    </message>
-    <message>
-        <source>It falls over: its weight is not over the foot.</source>
-        <translation>Elle tombe : son poids n’est pas au-dessus du pied.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n closed piece(s)</source>
-        <translation>
-            <numerusform>%n pièce fermée</numerusform>
-            <numerusform>%n pièces fermées</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%Ln triangle(s)</source>
-        <translation>
-            <numerusform>%Ln triangle</numerusform>
-            <numerusform>%Ln triangles</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>%1 branches are thicker than their share, %2 are left out.</source>
-        <translation>%1 branches sont plus épaisses que leur part, %2 sont laissées de côté.</translation>
-    </message>
-    <message>
         <source>Make ready for a printer</source>
         <translation>Préparer pour une imprimante 3D</translation>
-    </message>
-    <message>
-        <source>One tree, without leaves, as one closed surface that is thick enough and flat at the ground, in millimetres with Z up</source>
-        <translation>Un arbre, sans feuilles, en une seule surface fermée, assez épaisse et plate au sol, en millimètres avec Z vers le haut</translation>
     </message>
     <message>
         <source>How the printer works: it says how thin a twig may be</source>
@@ -11107,8 +11065,170 @@ OpenGL&#xa0;: %4
         <translation>Préparer</translation>
     </message>
     <message>
-        <source>Makes the print and says how thin it is and whether it stands; writes nothing</source>
-        <translation>Prépare l’impression et dit à quel point elle est fine et si elle tient debout ; n’écrit rien</translation>
+        <source>One tree as one closed surface that is thick enough and flat at the ground, in millimetres with Z up</source>
+        <translation>Un arbre en une seule surface fermée, assez épaisse et plate au sol, en millimètres avec Z vers le haut</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Feuilles</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Thick shells</source>
+        <translation>Coques épaisses</translation>
+    </message>
+    <message>
+        <source>Thick shells: each leaf is as thick as the thinnest twig and in one piece with its own. Small leaves are enlarged and fewer. Fruit stays off.</source>
+        <translation>Coques épaisses : chaque feuille est aussi épaisse que le rameau le plus fin et d’un seul tenant avec le sien. Les petites feuilles sont agrandies et moins nombreuses. Les fruits ne sont pas imprimés.</translation>
+    </message>
+    <message>
+        <source>Leaves of the print</source>
+        <translation>Feuilles de l’impression</translation>
+    </message>
+    <message>
+        <source>Makes the print, shows it and says how thin it is and whether it stands; writes nothing</source>
+        <translation>Fait l’impression, la montre et dit quelle est sa plus petite épaisseur et si elle tient debout ; n’écrit rien</translation>
+    </message>
+    <message>
+        <source>Preparing the print</source>
+        <translation>Préparation de l’impression</translation>
+    </message>
+    <message>
+        <source>Give this up</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::PrintPreview</name>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 cm³</source>
+        <translation>%1 cm³</translation>
+    </message>
+    <message>
+        <source>%1 mm of %2, at (%3, %4, %5) mm</source>
+        <translation>%1 mm sur %2, en (%3 ; %4 ; %5) mm</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>no: nothing of it touches the ground</source>
+        <translation>non : rien ne touche le sol</translation>
+    </message>
+    <message>
+        <source>yes, %1 mm inside of the foot’s border</source>
+        <translation>oui, à %1 mm à l’intérieur du bord du pied</translation>
+    </message>
+    <message>
+        <source>no: %1 mm outside of the foot’s border, it falls over</source>
+        <translation>non : à %1 mm hors du bord du pied, elle bascule</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n closed</source>
+        <comment>pieces</comment>
+        <translation>
+            <numerusform>%n fermé</numerusform>
+            <numerusform>%n fermés</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 thickened, %2 cut</source>
+        <translation>%1 épaissies, %2 coupées</translation>
+    </message>
+    <message>
+        <source>%1 shells, %2 left out</source>
+        <translation>%1 coques, %2 laissées de côté</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Échelle</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volume</translation>
+    </message>
+    <message>
+        <source>Thinnest place</source>
+        <translation>Endroit le plus fin</translation>
+    </message>
+    <message>
+        <source>Overhangs</source>
+        <translation>Surplombs</translation>
+    </message>
+    <message>
+        <source>Stands</source>
+        <translation>Tient debout</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Morceaux</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Triangles</translation>
+    </message>
+    <message>
+        <source>Branches</source>
+        <translation>Branches</translation>
+    </message>
+    <message>
+        <source>Leaves</source>
+        <translation>Feuilles</translation>
+    </message>
+    <message>
+        <source>Area of what looks down by more than 45°, in cm²: it needs supports</source>
+        <translation>Aire de ce qui regarde vers le bas de plus de 45°, en cm² : il lui faut des supports</translation>
+    </message>
+    <message>
+        <source>Whether its centre of mass is over the foot, and how far from the foot’s border, in mm</source>
+        <translation>Si son centre de gravité est au-dessus du pied, et à quelle distance du bord du pied, en mm</translation>
+    </message>
+    <message>
+        <source>The picture flies there</source>
+        <translation>L’image y vole</translation>
+    </message>
+    <message>
+        <source>Whole print</source>
+        <translation>Toute l’impression</translation>
+    </message>
+    <message>
+        <source>All of it comes into the picture</source>
+        <translation>Elle entre tout entière dans l’image</translation>
+    </message>
+    <message>
+        <source>Overhangs steeper than 45°</source>
+        <translation>Surplombs de plus de 45°</translation>
+    </message>
+</context>
+<context>
+    <name>ramure::PrintView</name>
+    <message>
+        <source>Drawing…</source>
+        <translation>Dessin…</translation>
+    </message>
+    <message>
+        <source>Picture of the print</source>
+        <translation>Image de l’impression</translation>
+    </message>
+    <message>
+        <source>Drag or arrow keys: turn · Shift or the right button: move · wheel, + and −: nearer or farther · Home or a double click: all of it</source>
+        <translation>Glisser ou flèches : tourner · Maj ou le bouton droit : déplacer · molette, + et − : plus près ou plus loin · Origine ou double clic : tout voir</translation>
     </message>
 </context>
 <context>

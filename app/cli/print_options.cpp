@@ -59,7 +59,11 @@ QString textOf(const PrintedTree& print, const PrintOptions& options)
            row("pieces", QString::number(r.pieces)) + row("crossings", QString::number(r.crossings)) +
            row("closed", r.isClosed ? QStringLiteral("yes") : QStringLiteral("no")) +
            row("triangles", QString::number(r.triangles)) +
-           row("branches", QStringLiteral("%1 thickened, %2 cut").arg(print.thickened).arg(print.cut));
+           row("branches", QStringLiteral("%1 thickened, %2 cut").arg(print.thickened).arg(print.cut)) +
+           (options.leaves == PrintLeaves::Off
+                ? QString()
+                : row("leaves",
+                      QStringLiteral("%1 shells, %2 left out").arg(print.leaves).arg(print.leavesLeftOut)));
 }
 
 QJsonObject reportOf(const CommandLine& line, const PrintedTree& print, const PrintOptions& options)
@@ -99,13 +103,19 @@ void addPrintOptions(CommandLine& line)
     line.addDefault({QStringLiteral("foot")},
                     QStringLiteral("What a print stands on: a disc, or the trunk, cut flat."),
                     QStringLiteral("disc|flat"), QStringLiteral("disc"));
+    line.addDefault(
+        {QStringLiteral("print-leaves")},
+        QStringLiteral("Leaves of a print: off, or closed shells as thick as the thinnest twig, in one "
+                       "piece with their twigs. Small leaves are enlarged and fewer; those too far "
+                       "from what is left of their twig are left out."),
+        QStringLiteral("off|shells"), QStringLiteral("off"));
     line.add({QStringLiteral("json")}, QStringLiteral("With --print, prints the report as JSON."));
 }
 
 Expected<std::optional<PrintOptions>> printFrom(const CommandLine& line)
 {
     if (!line.has("print")) {
-        for (const char* option : {"height", "thinnest", "foot", "json"})
+        for (const char* option : {"height", "thinnest", "foot", "print-leaves", "json"})
             if (line.has(option))
                 return fail(ErrorCode::Invalid, "--%1 needs --print", {option});
         return std::optional<PrintOptions>();
@@ -137,6 +147,13 @@ Expected<std::optional<PrintOptions>> printFrom(const CommandLine& line)
     if (foot != QLatin1String("disc") && foot != QLatin1String("flat"))
         return fail(ErrorCode::Unknown, "--foot \"%1\": disc, flat expected", {foot.toStdString()});
     options.hasFootDisc = foot == QLatin1String("disc");
+    const auto leaves = printLeavesNamed(line.value("print-leaves").toStdString());
+    if (!leaves) {
+        Error error = leaves.error();
+        error.path = "--print-leaves";
+        return fail(std::move(error));
+    }
+    options.leaves = *leaves;
     if (auto fine = checkPrint(options); !fine)
         return fail(std::move(fine.error()));
     return std::optional(options);

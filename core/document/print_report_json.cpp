@@ -50,7 +50,10 @@ QJsonObject toJson(const PrintedTree& print, const PrintOptions& options)
         {QStringLiteral("closed"), report.isClosed},
         {QStringLiteral("thickened"), qint64(print.thickened)},
         {QStringLiteral("cut"), qint64(print.cut)},
-        {QStringLiteral("loose"), qint64(print.loose)}};
+        {QStringLiteral("loose"), qint64(print.loose)},
+        {QStringLiteral("leaves"), QLatin1String(nameOf(options.leaves))},
+        {QStringLiteral("shells"), qint64(print.leaves)},
+        {QStringLiteral("leavesLeftOut"), qint64(print.leavesLeftOut)}};
 }
 
 } // namespace ramure

@@ -11,7 +11,8 @@ inline constexpr int printReportVersion = 1; ///< of the schema; only changes th
 
 /// mm, mm², mm³; places as slicers have them: Z up, the foot's middle at the origin. Keys: process, height,
 /// smallestDiameter, scale, size, volume, thinnest, thinnestAt, overhangArea, centreOfMass, footArea,
-/// balance, stands, pieces, crossings, triangles, closed, thickened, cut, loose.
+/// balance, stands, pieces, crossings, triangles, closed, thickened, cut, loose, leaves (off or shells),
+/// shells, leavesLeftOut.
 QJsonObject toJson(const PrintedTree& print, const PrintOptions& options);
 
 } // namespace ramure

@@ -14,6 +14,8 @@ constexpr PrintProcessFacts facts[] = {
     {"powder", RAMURE_NOOP("Powder"), 0.0010},
 };
 
+constexpr const char* leafNames[] = {"off", "shells"};
+
 std::string inMillimetres(double metres)
 {
     return numberText(1000.0 * metres);
@@ -42,6 +44,19 @@ Expected<PrintProcess> printProcessNamed(const std::string& name)
         names.append(i == 0 ? "" : ", ").append(facts[i].name);
     }
     return fail(ErrorCode::Unknown, RAMURE_NOOP("unknown process \"%1\": one of %2 expected"), {name, names});
+}
+
+Expected<PrintLeaves> printLeavesNamed(const std::string& name)
+{
+    for (std::size_t i = 0; i < std::size(leafNames); ++i)
+        if (name == leafNames[i])
+            return static_cast<PrintLeaves>(i);
+    return fail(ErrorCode::Unknown, RAMURE_NOOP("unknown leaves \"%1\": off or shells expected"), {name});
+}
+
+const char* nameOf(PrintLeaves leaves)
+{
+    return leafNames[static_cast<std::size_t>(leaves)];
 }
 
 double PrintOptions::smallestDiameter() const

@@ -26,15 +26,24 @@ std::span<const PrintProcessFacts> printProcesses();
 /// Error: Unknown, with the names there are.
 Expected<PrintProcess> printProcessNamed(const std::string& name);
 
+enum class PrintLeaves : std::uint8_t {
+    Off,
+    Shells, ///< closed and as thick as the thinnest twig, each grown together with its twig
+};
+/// "off", "shells": on the command line and in reports. Error: Unknown, with the names there are.
+Expected<PrintLeaves> printLeavesNamed(const std::string& name);
+const char* nameOf(PrintLeaves leaves);
+
 struct PrintOptions
 {
     static constexpr double leastHeight = 0.005, mostHeight = 2.0;       ///< m
     static constexpr double leastThinnest = 0.0001, mostThinnest = 0.05; ///< m
 
     PrintProcess process = PrintProcess::Fdm;
-    double height = 0.18;          ///< m, from the ground to the top
-    double thinnest = 0.0;         ///< m, diameter; 0: that of the process
-    bool hasFootDisc = true;       ///< on which it stands; else the trunk is cut flat at the ground
+    double height = 0.18;    ///< m, from the ground to the top
+    double thinnest = 0.0;   ///< m, diameter; 0: that of the process
+    bool hasFootDisc = true; ///< on which it stands; else the trunk is cut flat at the ground
+    PrintLeaves leaves = PrintLeaves::Off;
     Index mostTriangles = 900'000; ///< slicers choke on a million
 
     [[nodiscard]] double smallestDiameter() const; ///< m

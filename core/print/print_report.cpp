@@ -35,7 +35,11 @@ struct Face
     [[nodiscard]] glm::dvec3 middle() const { return (a + b + c) / 3.0; }
     [[nodiscard]] glm::dvec3 twiceArea() const { return glm::cross(b - a, c - a); }
     [[nodiscard]] double volume() const { return glm::dot(a, glm::cross(b, c)) / 6.0; }
-    [[nodiscard]] bool isOnGround() const { return a.y == 0.0 && b.y == 0.0 && c.y == 0.0; }
+    [[nodiscard]] bool isOverhang() const
+    {
+        const glm::dvec3 normal = twiceArea();
+        return -normal.y > steep * glm::length(normal) && !(a.y == 0.0 && b.y == 0.0 && c.y == 0.0);
+    }
 };
 
 void addSums(PrintReport& report, const TriangleMesh& mesh)
@@ -49,10 +53,8 @@ void addSums(PrintReport& report, const TriangleMesh& mesh)
         report.high = glm::max(report.high, glm::max(face.a, glm::max(face.b, face.c)));
         report.volume += face.volume();
         moment += face.volume() * 0.75 * face.middle();
-        const glm::dvec3 normal = face.twiceArea();
-        const double length = glm::length(normal);
-        if (-normal.y > steep * length && !face.isOnGround())
-            report.overhang += 0.5 * length;
+        if (face.isOverhang())
+            report.overhang += 0.5 * glm::length(face.twiceArea());
     }
     if (report.volume != 0.0)
         report.centreOfMass = moment / report.volume;
@@ -131,21 +133,29 @@ Wall thickestAround(const Walls& walls, const Cell& cell)
     return most;
 }
 
-Expected<void> addThinnest(PrintReport& report, const std::shared_ptr<const TriangleMesh>& mesh,
-                           double around, const Progress& progress)
+Expected<Walls> findWalls(const std::shared_ptr<const TriangleMesh>& mesh, double around, double speck,
+                          const Progress& progress)
 {
     const MeshRays rays(mesh, progress.stop);
-    const double length = glm::length(report.size());
     std::vector<std::optional<Wall>> below(mesh->triangles.size());
     parallelFor(below.size(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && !progress.cancelled(); ++i)
-            below[i] = wallBelow(*mesh, rays, static_cast<Index>(i), 1e-6 * length);
+            below[i] = wallBelow(*mesh, rays, static_cast<Index>(i), speck);
     });
     if (progress.cancelled())
         return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled"));
-    const Walls walls = wallsOf(*mesh, below, std::max(around, 1e-4 * length));
-    for (const auto& [cell, wall] : walls) {
-        const Wall most = thickestAround(walls, cell);
+    return wallsOf(*mesh, below, around);
+}
+
+Expected<void> addThinnest(PrintReport& report, const std::shared_ptr<const TriangleMesh>& mesh,
+                           double around, const Progress& progress)
+{
+    const double length = glm::length(report.size());
+    const auto walls = findWalls(mesh, std::max(around, 1e-4 * length), 1e-6 * length, progress);
+    if (!walls)
+        return fail(walls.error());
+    for (const auto& [cell, wall] : *walls) {
+        const Wall most = thickestAround(*walls, cell);
         if (report.thinnest == 0.0 || most.thickness < report.thinnest) {
             report.thinnest = most.thickness;
             report.thinnestAt = most.middle;
@@ -155,6 +165,11 @@ Expected<void> addThinnest(PrintReport& report, const std::shared_ptr<const Tria
 }
 
 } // namespace
+
+bool isOverhang(const TriangleMesh& mesh, Index face)
+{
+    return Face(mesh, face).isOverhang();
+}
 
 std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points)
 {
@@ -182,6 +197,19 @@ std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points)
     addAll(points.begin(), points.end());
     addAll(points.rbegin(), points.rend());
     return hull;
+}
+
+Expected<std::vector<glm::dvec3>> thinPlaces(const std::shared_ptr<const TriangleMesh>& mesh, double below,
+                                             double around, const Progress& progress)
+{
+    const auto walls = findWalls(mesh, around, 1e-4 * around, progress);
+    if (!walls)
+        return fail(walls.error());
+    std::vector<glm::dvec3> places;
+    for (const auto& [cell, wall] : *walls)
+        if (wall.thickness < below)
+            places.push_back(wall.middle);
+    return places;
 }
 
 Expected<PrintReport> printReport(const std::shared_ptr<const TriangleMesh>& mesh, double around,

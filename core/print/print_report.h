@@ -31,10 +31,18 @@ struct PrintReport
     [[nodiscard]] bool standsUp() const { return balance > 0.0; }
 };
 
+/// It looks down by more than 45° and is no part of the flat foot. \pre the index is one of the mesh's
+bool isOverhang(const TriangleMesh& mesh, Index face);
+
 /// \param around m: the thickness of a place is the largest so near to it; else every sharp edge would be the
 /// thinnest of all. Errors: Invalid (indices out of range), Cancelled.
 Expected<PrintReport> printReport(const std::shared_ptr<const TriangleMesh>& mesh, double around,
                                   const Progress& progress = {});
+
+/// The middles of all walls thinner than \p below, m, one at most in each cube of the side \p around.
+/// Surfaces may cross. Error: Cancelled.
+Expected<std::vector<glm::dvec3>> thinPlaces(const std::shared_ptr<const TriangleMesh>& mesh, double below,
+                                             double around, const Progress& progress = {});
 
 /// Corners of the convex hull, counter-clockwise; fewer than three where there is no area.
 std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points);

@@ -48,7 +48,8 @@ PrintSkeleton printSkeletonAt(const Skeleton& tree, double scale, double thinnes
 {
     PrintSkeleton out;
     out.scale = scale;
-    const glm::dvec3 foot = footOf(tree);
+    const glm::dvec3 foot = out.foot = footOf(tree);
+    out.numberOf.assign(tree.size(), noIndex);
     const double least = 0.5 * thinnest, end = least / mostThickening;
     std::vector<Index> numberOf(tree.size(), noIndex); // of those whose children may stay
     for (Index i = 0; i < tree.size(); ++i) {
@@ -69,6 +70,7 @@ PrintSkeleton printSkeletonAt(const Skeleton& tree, double scale, double thinnes
         }
         const Index added = out.skeleton.add(parent == noIndex ? noIndex : numberOf[parent], from, to,
                                              std::max(a0, least), std::max(a1, least), tree.level[i]);
+        out.numberOf[i] = added;
         if (!endsEarly)
             numberOf[i] = added;
     }

@@ -13,6 +13,8 @@ struct PrintSkeleton
         skeleton; ///< m of the print; the thickest root stands at the origin, all roots at or above y = 0
     double scale = 1.0;           ///< of the print against the tree
     Index thickened = 0, cut = 0; ///< branches; one that was shortened counts as cut
+    glm::dvec3 foot{0.0};         ///< m, in the tree: what stands at the origin of the print
+    std::vector<Index> numberOf;  ///< by branch of the tree: the one it has become; noIndex: it was cut
 };
 
 /// How much a twig may be thicker than its share, which is what it would be at the print's scale. One that

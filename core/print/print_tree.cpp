@@ -1,6 +1,7 @@
 #include "core/print/print_tree.h"
 
 #include "core/math/reproducible.h"
+#include "core/print/leaf_sheets.h"
 #include "core/print/print_skeleton.h"
 #include "core/print/thinned_mesh.h"
 #include "core/print/united_surface.h"
@@ -19,16 +20,18 @@ namespace {
 constexpr int sides = 16; ///< of the tubes that are united; the grid is coarser than their faces
 constexpr int discSides = 96;
 constexpr double voxelsAcross = 6.0, leastVoxelsAcross = 3.5; ///< of the thinnest twig
-constexpr double mostVoxels = 0.8e6; ///< on the surface: more than twice as many triangles
+constexpr double mostVoxels = 0.8e6;     ///< on the surface: more than twice as many triangles
+constexpr double mostLeafVoxels = 0.2e6; ///< of these on leaves
 constexpr int mostHeightRounds = 4;
 constexpr double heightSlack = 0.002;
-constexpr int mostThinnings = 4;
+constexpr int mostThinnings = 2; ///< after the second, crossings are the grid's own
+constexpr int mostUnions = 3;
 
 /// Flat sides lie inside of the tube that they stand for, and so do those of the grid.
 double widening(double thinnest, double voxel)
 {
     const double inner = maths::cos(std::numbers::pi / sides);
-    return 1.01 * thinnest / inner + 0.3 * voxel * voxel / thinnest;
+    return 1.02 * thinnest / inner + 0.7 * voxel * voxel / thinnest;
 }
 
 double areaOf(const TriangleMesh& mesh)
@@ -60,6 +63,29 @@ void addCylinder(TriangleMesh& mesh, const glm::dvec3& middle, double radius, do
         mesh.triangles.emplace_back(a, b + discSides, b);
         mesh.triangles.emplace_back(a, a + discSides, b + discSides);
     }
+}
+
+/// A sheet without area: it becomes a ball.
+void addBead(TriangleMesh& sheets, const glm::vec3& at)
+{
+    const Index first = sheets.vertexCount();
+    sheets.positions.insert(sheets.positions.end(), 3, at);
+    sheets.triangles.emplace_back(first, first + 1, first + 2);
+}
+
+/// Where a tube turns sharply it is pinched: a bead as thick as the twig goes there.
+Expected<void> addBeads(TriangleMesh& sheets, const TriangleMesh& tubes, double thinnest,
+                        const Progress& progress)
+{
+    constexpr double pinched = 0.96;
+    const double below = pinched * thinnest * maths::cos(std::numbers::pi / sides);
+    const auto places = thinPlaces(std::make_shared<const TriangleMesh>(tubes), below, 0.25 * thinnest,
+                                   Progress{progress.stop, {}});
+    if (!places)
+        return fail(places.error());
+    for (const glm::dvec3& at : *places)
+        addBead(sheets, glm::vec3(at));
+    return {};
 }
 
 /// Mass over a point of the ground, as far as the skeleton knows it.
@@ -109,107 +135,194 @@ Expected<TriangleMesh> tubesOf(const Skeleton& skeleton, const NodeParams& param
     return std::move(made->mesh);
 }
 
+/// What is printed, and the foliage that it carries, if any.
+struct Source
+{
+    const Skeleton& tree;
+    const NodeParams& params;
+    const PrintOptions& options;
+    const Foliage* foliage;
+};
+
 struct Prepared
 {
     PrintSkeleton print;
     TriangleMesh tubes;
+    LeafSheets leaves;
 };
 
-/// The mesh may rise above the skeleton's ends: the scale follows until its top is where it is wanted.
-Expected<Prepared> prepared(const Skeleton& tree, const NodeParams& params, const PrintOptions& options,
-                            double thinnest, const Progress& progress)
+double topOf(const TriangleMesh& mesh)
 {
-    double wanted = options.height;
+    double top = 0.0;
+    for (const glm::vec3& p : mesh.positions)
+        top = std::max(top, double(p.y));
+    return top;
+}
+
+/// The mesh may rise above the skeleton's ends, and leaves do: the scale follows until the top is where it is
+/// wanted. \param thinnest m, of the tubes and the shells.
+Expected<Prepared> prepared(const Source& of, double thinnest, double& wanted, const Progress& progress)
+{
+    const double height = of.options.height, coarsest = of.options.smallestDiameter() / leastVoxelsAcross;
     for (int round = 1;; ++round) {
-        auto print = printSkeleton(tree, wanted, thinnest);
+        auto print = printSkeleton(of.tree, wanted, thinnest);
         if (!print)
             return fail(std::move(print.error()));
-        auto tubes = tubesOf(print->skeleton, params, Progress{progress.stop, {}});
+        auto tubes = tubesOf(print->skeleton, of.params, Progress{progress.stop, {}});
         if (!tubes)
             return fail(std::move(tubes.error()));
         progress.report(double(round) / mostHeightRounds);
-        double top = 0.0;
-        for (const glm::vec3& p : tubes->positions)
-            top = std::max(top, double(p.y));
-        const double off = top / options.height - 1.0;
+        LeafSheets leaves;
+        if (of.foliage)
+            leaves = leafSheets(*of.foliage, of.tree, *print, trunkRadius(of.params),
+                                {thinnest, mostLeafVoxels * coarsest * coarsest});
+        const double leafTop = leaves.mesh.empty() ? 0.0 : topOf(leaves.mesh) + 0.5 * thinnest;
+        const double off = std::max(topOf(*tubes), leafTop) / height - 1.0;
         if (std::abs(off) < heightSlack || round == mostHeightRounds)
-            return Prepared{std::move(*print), std::move(*tubes)};
-        wanted = std::clamp(wanted / (1.0 + off), 0.5 * options.height, 2.0 * options.height);
+            return Prepared{std::move(*print), std::move(*tubes), std::move(leaves)};
+        wanted = std::clamp(wanted / (1.0 + off), 0.5 * height, 2.0 * height);
     }
 }
 
-/// Fewer triangles, none of which run through each other: where some would, all vertices around stay.
-Expected<TriangleMesh> thinnedWithoutCrossings(const TriangleMesh& fine, ThinningOptions options,
-                                               const Progress& progress)
+using Places = std::vector<glm::vec3>;
+
+/// Marks the vertices near what runs through each other. \returns where that is
+Expected<Places> markCrossings(std::vector<bool>& isKept, const TriangleMesh& fine, const TriangleMesh& thin,
+                               double reach, const Progress& progress)
 {
-    options.isKept.assign(fine.positions.size(), false);
+    const auto crossings = findSelfIntersections(thin, {}, 0, Progress{progress.stop, {}});
+    if (!crossings)
+        return fail(crossings.error());
+    Places places;
+    std::vector<std::pair<glm::vec3, glm::vec3>> boxes;
+    for (const FacePair& pair : crossings->pairs)
+        for (const Index face : {pair.first, pair.second}) {
+            const glm::uvec3& t = thin.triangles[face];
+            const glm::vec3 &a = thin.positions[t.x], &b = thin.positions[t.y], &c = thin.positions[t.z];
+            const auto margin = static_cast<float>(reach);
+            boxes.emplace_back(glm::min(a, glm::min(b, c)) - margin, glm::max(a, glm::max(b, c)) + margin);
+            places.push_back((a + b + c) / 3.0F);
+        }
+    isKept.resize(fine.positions.size(), false);
+    for (std::size_t v = 0; v < fine.positions.size(); ++v)
+        for (const auto& [low, high] : boxes)
+            if (glm::all(glm::lessThanEqual(low, fine.positions[v])) &&
+                glm::all(glm::lessThanEqual(fine.positions[v], high))) {
+                isKept[v] = true;
+                break;
+            }
+    return places;
+}
+
+/// Thins a mesh until nothing runs through itself: where something would, all vertices around stay.
+/// \param crossings what is left of them in the end, where that does not help
+Expected<TriangleMesh> thinnedApart(const TriangleMesh& fine, ThinningOptions options, Places& crossings,
+                                    const Progress& progress)
+{
     double reach = 4.0 * options.grain;
     for (int round = 0; round < mostThinnings; ++round, reach *= 2.0) {
         auto thin = thinnedMesh(fine, options,
                                 progress.part(double(round) / mostThinnings, (round + 1.0) / mostThinnings));
         if (!thin)
             return thin;
-        const auto crossings = findSelfIntersections(*thin, {}, 0, Progress{progress.stop, {}});
-        if (!crossings)
-            return fail(crossings.error());
-        if (crossings->total() == 0)
+        auto found = markCrossings(options.isKept, fine, *thin, reach, progress);
+        if (!found)
+            return fail(found.error());
+        crossings = std::move(*found);
+        if (crossings.empty())
             return thin;
-        std::vector<std::pair<glm::vec3, glm::vec3>> boxes;
-        for (const FacePair& pair : crossings->pairs)
-            for (const Index face : {pair.first, pair.second}) {
-                const glm::uvec3& t = thin->triangles[face];
-                const glm::vec3 &a = thin->positions[t.x], &b = thin->positions[t.y],
-                                &c = thin->positions[t.z];
-                const auto margin = static_cast<float>(reach);
-                boxes.emplace_back(glm::min(a, glm::min(b, c)) - margin,
-                                   glm::max(a, glm::max(b, c)) + margin);
-            }
-        for (std::size_t v = 0; v < fine.positions.size(); ++v)
-            for (const auto& [low, high] : boxes)
-                if (glm::all(glm::lessThanEqual(low, fine.positions[v])) &&
-                    glm::all(glm::lessThanEqual(fine.positions[v], high))) {
-                    options.isKept[v] = true;
-                    break;
-                }
     }
     return fail(ErrorCode::Invalid,
                 RAMURE_NOOP("the branches could not be united into one surface: try another height"));
 }
 
+/// Fewer triangles, none of which run through each other. What costs nothing goes first, most of all there
+/// is; the rest is quick, however often it has to be done.
+Expected<TriangleMesh> thinnedWithoutCrossings(const TriangleMesh& fine, const ThinningOptions& options,
+                                               Places& crossings, const Progress& progress)
+{
+    ThinningOptions lossless = options;
+    lossless.mostTriangles = 0;
+    auto light = thinnedApart(fine, lossless, crossings, progress.part(0.0, 0.7));
+    if (!light || light->triangles.size() <= options.mostTriangles)
+        return light;
+    ThinningOptions rest = options;
+    rest.isThin = true;
+    return thinnedApart(*light, rest, crossings, progress.part(0.7, 1.0));
+}
+
+struct Joined
+{
+    TriangleMesh mesh;
+    Index loose = 0;
+};
+
+/// One surface of all, thinned out. A grid may see two surfaces cross where they nearly touch: a bead joins
+/// them there, and all is done again.
+Expected<Joined> joined(const TriangleMesh& tubes, UnionOptions joining, const ThinningOptions& thinning,
+                        const Progress& progress)
+{
+    for (int attempt = 1;; ++attempt) {
+        auto united = unitedSurface(tubes, joining, progress.part(0.0, 0.45));
+        if (!united)
+            return fail(std::move(united.error()));
+        Places crossings;
+        auto thin = thinnedWithoutCrossings(united->mesh, thinning, crossings, progress.part(0.45, 1.0));
+        if (thin)
+            return Joined{std::move(*thin), united->loose};
+        if (crossings.empty() || attempt == mostUnions)
+            return fail(std::move(thin.error()));
+        for (const glm::vec3& at : crossings)
+            addBead(joining.sheets, at);
+    }
+}
+
 } // namespace
 
 Expected<PrintedTree> printTree(const Skeleton& tree, const NodeParams& params, const PrintOptions& options,
-                                const Progress& progress)
+                                const Progress& progress, const Foliage* foliage)
 {
     if (auto fine = checkPrint(options); !fine)
         return fail(fine.error());
-    const double diameter = options.smallestDiameter();
-    double voxel = diameter / voxelsAcross;
-    auto ready = prepared(tree, params, options, widening(diameter, voxel), progress.part(0.0, 0.1));
+    const double diameter = options.smallestDiameter(), finest = diameter / voxelsAcross;
+    const Source source{tree, params, options, options.leaves == PrintLeaves::Off ? nullptr : foliage};
+    double wanted = options.height;
+    auto ready = prepared(source, widening(diameter, finest), wanted, progress.part(0.0, 0.05));
     if (!ready)
         return fail(std::move(ready.error()));
+    const double voxel =
+        std::clamp(std::sqrt((areaOf(ready->tubes) + 2.5 * areaOf(ready->leaves.mesh)) / mostVoxels), finest,
+                   diameter / leastVoxelsAcross);
+    const double thinnest = widening(diameter, voxel); // a coarser grid takes more of a twig
+    if (voxel > finest)
+        ready = prepared(source, thinnest, wanted, progress.part(0.05, 0.1));
+    if (!ready)
+        return fail(std::move(ready.error()));
+    UnionOptions joining{voxel, true};
+    joining.notches = notchBalls(ready->print.skeleton);
+    joining.sheets = std::move(ready->leaves.mesh);
+    joining.thickness = thinnest;
+    if (auto mended = addBeads(joining.sheets, ready->tubes, thinnest, progress); !mended)
+        return fail(mended.error());
     addFoot(ready->tubes, ready->print.skeleton, options);
-    voxel =
-        std::min(std::max(voxel, std::sqrt(areaOf(ready->tubes) / mostVoxels)), diameter / leastVoxelsAcross);
-    auto united = unitedSurface(ready->tubes, {voxel, true}, progress.part(0.1, 0.45));
-    if (!united)
-        return fail(std::move(united.error()));
     ThinningOptions thinning;
     thinning.grain = voxel;
     thinning.mostTriangles = options.mostTriangles;
     if (params.mesh.targetTriangles > 0)
         thinning.mostTriangles =
             static_cast<Index>(std::min<std::int64_t>(thinning.mostTriangles, params.mesh.targetTriangles));
-    auto thin = thinnedWithoutCrossings(united->mesh, thinning, progress.part(0.45, 0.85));
-    if (!thin)
-        return fail(std::move(thin.error()));
-    computeNormals(*thin);
+    auto made = joined(ready->tubes, std::move(joining), thinning, progress.part(0.1, 0.85));
+    if (!made)
+        return fail(std::move(made.error()));
+    computeNormals(made->mesh);
     PrintedTree out;
-    out.mesh = std::make_shared<const TriangleMesh>(std::move(*thin));
+    out.mesh = std::make_shared<const TriangleMesh>(std::move(made->mesh));
     out.scale = ready->print.scale;
     out.thickened = ready->print.thickened;
     out.cut = ready->print.cut;
-    out.loose = united->loose;
+    out.loose = made->loose;
+    out.leaves = ready->leaves.leaves;
+    out.leavesLeftOut = ready->leaves.leftOut;
     auto report = printReport(out.mesh, 0.5 * diameter, progress.part(0.85, 1.0));
     if (!report)
         return fail(std::move(report.error()));

@@ -7,6 +7,7 @@
 #include "core/print/print_options.h"
 #include "core/print/print_report.h"
 #include "core/skeleton/skeleton.h"
+#include "core/surface/foliage/foliage.h"
 
 namespace ramure {
 
@@ -14,16 +15,17 @@ struct PrintedTree
 {
     std::shared_ptr<const TriangleMesh> mesh; ///< m at the print's size, Y up, on y = 0
     PrintReport report;
-    double scale = 1.0;           ///< of the print against the tree
-    Index thickened = 0, cut = 0; ///< branches
-    Index loose = 0;              ///< pieces that came off and were left out
+    double scale = 1.0;                  ///< of the print against the tree
+    Index thickened = 0, cut = 0;        ///< branches
+    Index loose = 0;                     ///< pieces that came off and were left out
+    Index leaves = 0, leavesLeftOut = 0; ///< where there are any: shells, and what the tree has beside them
 };
 
-/// Leaves and fruit stay off. \param tree m, as the pipeline has simplified it. \param params of its mesh:
-/// the budget counts where it is below that of the options. The same bytes whenever called.
-/// Errors: those of checkPrint, printSkeleton, buildBranchMesh and unitedSurface; Invalid (crossings that
-/// could not be removed); Cancelled.
+/// Fruit stays off. \param foliage null: leaves too. \param tree m, as the pipeline has simplified it. \param
+/// params of its mesh: the budget counts where it is below that of the options. The same bytes whenever
+/// called. Errors: those of checkPrint, printSkeleton, buildBranchMesh and unitedSurface; Invalid (crossings
+/// that could not be removed); Cancelled.
 Expected<PrintedTree> printTree(const Skeleton& tree, const NodeParams& params, const PrintOptions& options,
-                                const Progress& progress = {});
+                                const Progress& progress = {}, const Foliage* foliage = nullptr);
 
 } // namespace ramure

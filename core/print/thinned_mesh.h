@@ -13,7 +13,8 @@ namespace ramure {
 struct ThinningOptions
 {
     double grain = 0.0;         ///< m, a usual edge: what is lost is a small part of it
-    Index mostTriangles = 0;    ///< if need be, more is lost than that
+    Index mostTriangles = 0;    ///< if need be, more is lost than that; 0: it never is
+    bool isThin = false;        ///< nothing is left to go that costs nothing: the mesh was thinned before
     std::vector<bool> isKept{}; ///< by vertex; empty: any may go
 };
 

@@ -1,6 +1,7 @@
 #include "core/print/united_surface.h"
 
 #include "core/base/number_text.h"
+#include "core/base/parallel.h"
 #include "core/surface/proof/validate.h"
 #include <algorithm>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <limits>
 #include <numeric>
 #include <openvdb/openvdb.h>
+#include <openvdb/tools/ChangeBackground.h>
 #include <openvdb/tools/Composite.h>
 #include <openvdb/tools/MeshToVolume.h>
 #include <openvdb/tools/VolumeToMesh.h>
@@ -72,24 +74,127 @@ FloatGrid::Ptr levelSetOf(const TriangleMesh& mesh, double voxel, const Progress
         interrupter, adapter, *openvdb::math::Transform::createLinearTransform(1.0), band, band);
 }
 
-/// What lies below the ground is covered by a box that is taken off.
-void cutGround(FloatGrid& grid, const TriangleMesh& mesh, double voxel, const Progress& progress)
+/// Shells around open surfaces, half their thickness on either side: rounded at the rims.
+FloatGrid::Ptr shellsOf(const TriangleMesh& sheets, double voxel, double thickness, const Progress& progress)
 {
-    const float margin = static_cast<float>((2.0 * band + 2.0) * voxel);
-    glm::vec3 low(std::numeric_limits<float>::infinity()), high(-low);
-    for (const glm::uvec3& t : mesh.triangles) {
-        const glm::vec3 &a = mesh.positions[t.x], &b = mesh.positions[t.y], &c = mesh.positions[t.z];
-        if (std::min({a.y, b.y, c.y}) > margin)
-            continue;
-        low = glm::min(low, glm::min(a, glm::min(b, c)));
-        high = glm::max(high, glm::max(a, glm::max(b, c)));
+    Interrupter interrupter{progress};
+    const GridMesh adapter{sheets, voxel};
+    const auto half = static_cast<float>(0.5 * thickness / voxel);
+    const FloatGrid::Ptr shells = openvdb::tools::meshToVolume<FloatGrid>(
+        interrupter, adapter, *openvdb::math::Transform::createLinearTransform(1.0), half + band, 0.0F,
+        openvdb::tools::UNSIGNED_DISTANCE_FIELD);
+    for (auto leaf = shells->tree().beginLeaf(); leaf; ++leaf)
+        for (auto value = leaf->beginValueAll(); value; ++value)
+            value.setValue(std::min(value.getValue() - half, band));
+    openvdb::tools::changeBackground(shells->tree(), band);
+    return shells;
+}
+
+/// The part of a grid around a ball, at every so many voxels.
+struct NotchPart
+{
+    openvdb::Coord low;
+    int stride = 1;
+    DistanceBox box;
+    NotchBall ball; ///< in steps
+
+    NotchPart(const FloatGrid& grid, const NotchBall& notch, double voxel)
+    {
+        constexpr double finest = 4.0; // steps in the radius of a large ball
+        constexpr int coarsest = 3;    // else no step lies in the band of the surface
+        stride = std::clamp(static_cast<int>(notch.radius / voxel / finest), 1, coarsest);
+        const double step = stride * voxel;
+        const openvdb::Vec3d middle(notch.centre.x / voxel + 0.5, notch.centre.y / voxel + 0.5,
+                                    notch.centre.z / voxel + 0.5);
+        const int half = static_cast<int>(std::ceil((notch.outer + notch.radius) / step)) + 3;
+        low = openvdb::Coord::round(middle).offsetBy(-half * stride);
+        box.size = glm::ivec3(2 * half + 1);
+        box.band = band / float(stride);
+        const openvdb::Vec3d centre = (middle - low.asVec3d()) / stride;
+        ball = {{centre.x(), centre.y(), centre.z()},
+                notch.radius / step,
+                notch.inner / step,
+                notch.outer / step};
+        auto values = grid.getConstAccessor();
+        box.values.reserve(std::size_t(box.size.x) * std::size_t(box.size.y) * std::size_t(box.size.z));
+        for (int z = 0; z < box.size.z; ++z)
+            for (int y = 0; y < box.size.y; ++y)
+                for (int x = 0; x < box.size.x; ++x)
+                    box.values.push_back(values.getValue(low.offsetBy(stride * x, stride * y, stride * z)) /
+                                         float(stride));
     }
-    if (!(low.y <= high.y))
+};
+
+using Change = std::pair<openvdb::Coord, float>;
+
+/// Between the steps, values are those of the cell's corners, mixed.
+float mixedAt(const DistanceBox& box, const std::vector<float>& values, const glm::ivec3& at, int stride)
+{
+    const glm::ivec3 cell = glm::min(at / stride, box.size - 2);
+    const glm::vec3 share = glm::vec3(at - stride * cell) / float(stride);
+    float value = 0.0F;
+    for (int i = 0; i < 8; ++i) {
+        const glm::ivec3 corner(i & 1, i >> 1 & 1, i >> 2);
+        const glm::vec3 part = glm::mix(1.0F - share, share, glm::vec3(corner));
+        value += part.x * part.y * part.z *
+                 values[box.index(cell.x + corner.x, cell.y + corner.y, cell.z + corner.z)];
+    }
+    return value * float(stride);
+}
+
+std::vector<Change> changesOf(const FloatGrid& grid, const NotchBall& notch, double voxel)
+{
+    const NotchPart part(grid, notch, voxel);
+    const std::vector<float> filled = withFilledNotch(part.box, part.ball);
+    std::vector<Change> changes;
+    auto values = grid.getConstAccessor();
+    const glm::ivec3 last = part.stride * (part.box.size - 1);
+    glm::ivec3 at;
+    for (at.z = 0; at.z <= last.z; ++at.z)
+        for (at.y = 0; at.y <= last.y; ++at.y)
+            for (at.x = 0; at.x <= last.x; ++at.x) {
+                const openvdb::Coord where = part.low.offsetBy(at.x, at.y, at.z);
+                const float value = mixedAt(part.box, filled, at, part.stride),
+                            before = values.getValue(where);
+                if (before > 0.0F && value < before - 1e-3F)
+                    changes.emplace_back(where, std::max(value, -band));
+            }
+    return changes;
+}
+
+/// All notches as they are before any is filled, so that their order does not matter.
+void fillNotches(FloatGrid& grid, const std::vector<NotchBall>& notches, double voxel,
+                 const Progress& progress)
+{
+    std::vector<std::vector<Change>> changes(notches.size());
+    constexpr std::size_t grain = 4;
+    parallelFor(notches.size(), grain, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end && !progress.cancelled(); ++i)
+            changes[i] = changesOf(grid, notches[i], voxel);
+    });
+    auto values = grid.getAccessor();
+    for (const std::vector<Change>& of : changes)
+        for (const auto& [at, value] : of)
+            if (value < values.getValue(at))
+                values.setValue(at, value);
+}
+
+/// What lies below the ground is covered by a box that is taken off.
+void cutGround(FloatGrid& grid, double voxel, const Progress& progress)
+{
+    constexpr int margin = 8; // voxels
+    openvdb::CoordBBox deep;
+    for (auto leaf = grid.tree().cbeginLeaf(); leaf; ++leaf)
+        if (leaf->origin().y() <= margin)
+            deep.expand(leaf->getNodeBoundingBox());
+    if (deep.empty())
         return;
-    low -= margin;
-    high += margin;
-    high.y = 0.0F;
-    const FloatGrid::Ptr box = levelSetOf(boxMesh(low, high), voxel, progress);
+    deep.expand(margin);
+    const auto corner = [voxel](const openvdb::Coord& at) {
+        return glm::vec3(glm::dvec3(at.x(), at.y(), at.z()) * voxel);
+    };
+    const glm::vec3 low = corner(deep.min()), high = corner(deep.max());
+    const FloatGrid::Ptr box = levelSetOf(boxMesh(low, {high.x, 0.0F, high.z}), voxel, progress);
     openvdb::tools::csgDifference(grid, *box);
 }
 
@@ -147,8 +252,19 @@ bool fillKnots(FloatGrid& grid, const TriangleMesh& mesh, const MeshReport& repo
     return any;
 }
 
+/// A surface that runs through a point of the grid has faces without area about it.
+void keepOffPoints(FloatGrid& grid)
+{
+    constexpr float least = 0.03F;
+    for (auto leaf = grid.tree().beginLeaf(); leaf; ++leaf)
+        for (auto value = leaf->beginValueOn(); value; ++value)
+            if (std::abs(*value) < least)
+                value.setValue(std::copysign(least, *value));
+}
+
 Expected<TriangleMesh> manifoldMesh(FloatGrid& grid, const Progress& progress)
 {
+    keepOffPoints(grid);
     for (int round = 0; round < mostRepairs; ++round) {
         TriangleMesh mesh = meshOf(grid);
         if (mesh.empty())
@@ -254,11 +370,21 @@ Expected<UnitedSurface> unitedSurface(const TriangleMesh& closed, const UnionOpt
         return fail(fits.error());
     const auto cancelled = [] { return fail(ErrorCode::Cancelled, RAMURE_NOOP("cancelled")); };
     openvdb::initialize();
-    const FloatGrid::Ptr grid = levelSetOf(closed, options.voxel, progress.part(0.0, 0.5));
+    const FloatGrid::Ptr grid = levelSetOf(closed, options.voxel, progress.part(0.0, 0.25));
+    if (progress.cancelled())
+        return cancelled();
+    fillNotches(*grid, options.notches, options.voxel, Progress{progress.stop, {}});
+    progress.report(0.4);
+    if (!options.sheets.empty() && !progress.cancelled()) {
+        const FloatGrid::Ptr shells =
+            shellsOf(options.sheets, options.voxel, options.thickness, progress.part(0.4, 0.5));
+        if (!progress.cancelled())
+            openvdb::tools::csgUnion(*grid, *shells);
+    }
     if (progress.cancelled())
         return cancelled();
     if (options.cutsGround)
-        cutGround(*grid, closed, options.voxel, Progress{progress.stop, {}});
+        cutGround(*grid, options.voxel, Progress{progress.stop, {}});
     if (progress.cancelled())
         return cancelled();
     const auto mesh = manifoldMesh(*grid, progress.part(0.5, 0.95));

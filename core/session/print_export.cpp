@@ -22,11 +22,13 @@ Expected<ScenePrint> printScene(EvaluatedScene scene, const ExportOptions& which
     }
     if (!tree)
         return fail(ErrorCode::Invalid, RAMURE_NOOP("there is no visible tree to print"));
-    const auto result = scene.tree(*tree, Stage::Simplified, progress.part(0.0, 0.05));
+    const bool hasLeaves = options.leaves != PrintLeaves::Off;
+    const auto result =
+        scene.tree(*tree, hasLeaves ? Stage::Foliage : Stage::Simplified, progress.part(0.0, 0.05));
     if (!result)
         return fail(named(*tree, result.error()));
-    auto printed =
-        printTree(result->simplified->skeleton, scene.params(*tree), options, progress.part(0.05, 1.0));
+    auto printed = printTree(result->simplified->skeleton, scene.params(*tree), options,
+                             progress.part(0.05, 1.0), result->foliage.get());
     if (!printed)
         return fail(std::move(printed.error()));
     return ScenePrint{tree->name, std::move(*printed)};

@@ -24,6 +24,23 @@ private slots:
             "no visible tree to print"));
         QVERIFY(!QFile::exists(path("a.stl")));
     }
+    void leavesHaveNames()
+    {
+        QVERIFY(test::isRefused(test::runCli(words({"-o", path("a.stl"), "--print-leaves", "paper"})),
+                                "off or shells"));
+        QVERIFY(test::isRefused(
+            test::runCli({"export", "preset:TinyTree", "-o", path("a.stl"), "--print-leaves", "shells"}),
+            "needs --print"));
+        const test::CliRun made =
+            test::runCli({"export", "preset:TinyTree", "-o", path("l.stl"), "--print", "fdm", "--height",
+                          "60mm", "--print-leaves", "shells", "--json"});
+        QCOMPARE(made.code, 0);
+        const QJsonObject json = made.json();
+        QCOMPARE(json.value(QLatin1String("leaves")).toString(), QStringLiteral("shells"));
+        QVERIFY(json.value(QLatin1String("shells")).toInt() > 0);
+        QCOMPARE(json.value(QLatin1String("pieces")).toInt(), 1);
+        QVERIFY(json.value(QLatin1String("closed")).toBool());
+    }
     /// One print as two files and two reports; a second run gives the same bytes.
     void filesAndReports()
     {

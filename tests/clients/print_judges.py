@@ -14,13 +14,14 @@ folder = Path(folder)
 folder.mkdir(parents=True, exist_ok=True)
 TREES = ("SmallTree", "TinyTree", "HondaTree", "QuakingAspen")
 HEIGHTS = {"fdm": "150mm", "resin": "60mm", "powder": "90mm"}
+LEAFY = (("SmallTree", "resin", "120mm"), ("OrchardApple", "fdm", "180mm"))  # with leaves as shells
 SLICED = 3  # trees of the first process
 NEAR = 1e-4
 findings = []
 
 
 def said(*words):
-    run = subprocess.run(words, capture_output=True, text=True)
+    run = subprocess.run(words, capture_output=True, text=True, errors="replace")
     if run.returncode != 0:
         findings.append(f"{' '.join(map(str, words))}: {run.stdout[-300:]}{run.stderr[-300:]}")
     return run.stdout + run.stderr
@@ -54,36 +55,48 @@ def judge_slicer(name, file, volume):
     return abs(number(r"volume\s*=\s*([\d.]+)", text) / volume - 1.0)
 
 
+def judge(tree, process, height, *options):
+    """The files' names without their endings; None where nothing was made."""
+    name = "-".join([tree, process, *[option for option in options if not option.startswith("-")]])
+    stl, packed = folder / f"{name}.stl", folder / f"{name}.3mf"
+    text = said(cli, "export", f"preset:{tree}", "-o", stl, "-o", packed, "--print", process, "--height", height,
+                "--json", *options)
+    if not text.lstrip().startswith("{"):
+        return None
+    report = json.loads(text)
+    find(report["closed"] and report["pieces"] == 1 and report["crossings"] == 0, f"{name}: not one closed surface")
+    find(report["thinnest"] >= 0.99 * report["smallestDiameter"], f"{name}: {report['thinnest']} mm thin")
+    find(not options or report["shells"] > 0, f"{name}: no leaves")
+    worst["admesh"] = max(worst["admesh"], judge_admesh(name, stl, report["volume"]))
+    worst["slicer"] = max(worst["slicer"], judge_slicer(name, stl, report["volume"]),
+                          judge_slicer(name, packed, report["volume"]))
+    return name
+
+
 worst = {"admesh": 0.0, "slicer": 0.0}
-prints = layers = codes = 0
+prints = leafy = layers = codes = 0
 for process, height in HEIGHTS.items():
     for index, tree in enumerate(TREES):
-        name = f"{tree}-{process}"
-        stl, packed = folder / f"{name}.stl", folder / f"{name}.3mf"
-        text = said(cli, "export", f"preset:{tree}", "-o", stl, "-o", packed, "--print", process, "--height", height,
-                    "--json")
-        if not text.lstrip().startswith("{"):
+        name = judge(tree, process, height)
+        if not name:
             continue
-        report = json.loads(text)
         prints += 1
-        find(report["closed"] and report["pieces"] == 1 and report["crossings"] == 0, f"{name}: not one closed surface")
-        find(report["thinnest"] >= 0.99 * report["smallestDiameter"], f"{name}: {report['thinnest']} mm thin")
-        worst["admesh"] = max(worst["admesh"], judge_admesh(name, stl, report["volume"]))
-        worst["slicer"] = max(worst["slicer"], judge_slicer(name, stl, report["volume"]),
-                              judge_slicer(name, packed, report["volume"]))
         if process == "fdm" and index < SLICED:
             code = folder / f"{name}.gcode"
             said("prusa-slicer", "--export-gcode", "--layer-height", "0.3", "--dont-arrange", "--center", "100,100",
-                 "--output", code, packed)
+                 "--output", code, folder / f"{name}.3mf")
             if code.exists():
                 codes += 1
                 layers += code.read_text().count(";LAYER_CHANGE")
-for judge, off in worst.items():
-    find(off < NEAR, f"{judge}: a volume is {off:.2e} off")
-find(prints == len(HEIGHTS) * len(TREES), f"only {prints} prints")
+for tree, process, height in LEAFY:
+    leafy += judge(tree, process, height, "--print-leaves", "shells") is not None
+for who, off in worst.items():
+    find(off < NEAR, f"{who}: a volume is {off:.2e} off")
+find(prints == len(HEIGHTS) * len(TREES) and leafy == len(LEAFY), f"only {prints} prints, {leafy} with leaves")
+prints += leafy
 find(codes == SLICED and layers > 0, f"G-code of {codes} trees, {layers} layers")
 version = re.search(r"version ([\d.]+)", said("admesh", "--version"))
-print(f"admesh {version.group(1) if version else '?'}: {prints} prints, nothing to mend, volumes within {worst['admesh']:.1e}")
+print(f"admesh {version.group(1) if version else '?'}: {prints} prints ({leafy} with leaves), nothing to mend, volumes within {worst['admesh']:.1e}")
 version = re.search(r"PrusaSlicer-([\d.]+)", said("prusa-slicer", "--help"))
 print(f"PrusaSlicer {version.group(1) if version else '?'}: {2 * prints} files manifold in one part, volumes within "
       f"{worst['slicer']:.1e}, G-code of {codes} trees with {layers} layers")

@@ -28,6 +28,7 @@
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QTabBar>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace ramure {
@@ -40,6 +41,8 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     , m_preferences(preferences)
     , m_chooser(chooser)
     , m_task(new ExportTask(this))
+    , m_preparer(new Job(this, Job::Manner::Polite))
+    , m_printRest(new QTimer(this))
     , m_shownFrame(shownFrame)
 {
     setObjectName(QStringLiteral("exportDialog"));
@@ -65,10 +68,7 @@ ExportDialog::ExportDialog(Document* document, Recompute* recompute, Preferences
     connect(m_levels, &LevelForm::changed, this, &ExportDialog::updateSummary);
     connect(m_maps, &QComboBox::currentIndexChanged, this, &ExportDialog::updateSummary);
     connect(m_uses, &QTabBar::currentChanged, this, &ExportDialog::takeUse);
-    connect(m_printing, &PrintForm::changed, this, &ExportDialog::takePrint);
-    connect(m_printing, &PrintForm::prepareRequested, this, [this] { startPrint({}); });
-    for (QCheckBox* box : {m_selection, m_hidden})
-        connect(box, &QCheckBox::toggled, this, &ExportDialog::forgetPrint);
+    buildPrint();
     connect(m_browse, &QPushButton::clicked, this, &ExportDialog::browse);
     connect(m_export, &QPushButton::clicked, this, &ExportDialog::startExport);
     connect(m_cancel, &QPushButton::clicked, this, &ExportDialog::reject);
@@ -273,7 +273,7 @@ void ExportDialog::takeFormat()
 
 void ExportDialog::updateWidgets()
 {
-    const bool running = m_waiting || m_task->isRunning();
+    const bool running = m_waiting || m_writesPrint || m_task->isRunning();
     const bool lines = options().model == ExportModel::Skeleton;
     for (QWidget* widget :
          {static_cast<QWidget*>(m_format), static_cast<QWidget*>(m_model), static_cast<QWidget*>(m_path),
@@ -301,7 +301,8 @@ void ExportDialog::updateWidgets()
         holds(holdsClip) && (moment == ExportMoment::Sequence || moment == ExportMoment::WindLoop);
     m_rows[JointRow].label->setVisible(moves);
     m_rows[JointRow].field->setVisible(moves);
-    m_printing->setEnabled(!running && !m_recompute->isBusy());
+    m_printing->setEnabled(!running);
+    m_printing->setMayPrepare(!m_recompute->isBusy());
     m_moments->setEnabled(!running);
     m_pictures->setEnabled(!running);
     m_selection->setEnabled(!running && !m_document->selection().nodes.empty());
@@ -348,7 +349,7 @@ void ExportDialog::run()
         return updateWidgets();
     setMessage({}, false);
     if (isPrint())
-        return startPrint(path());
+        return writePreparedPrint();
     if (isInBackground())
         return startSequence();
     ExportOptions what = options();
@@ -366,8 +367,6 @@ void ExportDialog::run()
 void ExportDialog::finish(const std::optional<Error>& error)
 {
     updateWidgets();
-    if (hasPrepared(error))
-        return;
     if (error && error->code == ErrorCode::Cancelled) {
         setMessage(tr("Cancelled. No file was changed."), false);
         return;
@@ -409,6 +408,8 @@ void ExportDialog::reject()
         updateWidgets();
     } else if (m_task->isRunning()) {
         m_task->cancel();
+    } else if (isPreparing()) {
+        cancelPrint();
     } else {
         QDialog::reject();
     }

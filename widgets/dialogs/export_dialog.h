@@ -21,6 +21,7 @@ class QLineEdit;
 class QProgressBar;
 class QPushButton;
 class QTabBar;
+class QTimer;
 class QVBoxLayout;
 
 namespace ramure {
@@ -29,6 +30,7 @@ class Analysis;
 class Chooser;
 class Document;
 class ExportTask;
+class Job;
 class LevelForm;
 class MomentForm;
 class PictureForm;
@@ -129,8 +131,12 @@ private:
     [[nodiscard]] bool isPrint() const;
     void takePrint();
     void forgetPrint();
-    void startPrint(const QString& file);
-    [[nodiscard]] bool hasPrepared(const std::optional<Error>& error);
+    void buildPrint();
+    void preparePrint();
+    void takePrepared(const Expected<std::shared_ptr<const ScenePrint>>& made);
+    void cancelPrint();
+    void writePreparedPrint();
+    [[nodiscard]] bool isPreparing() const;
     void finish(const std::optional<Error>& error);
     void setMessage(const QString& text, bool isError);
     void retranslate();
@@ -188,7 +194,9 @@ private:
     PictureForm* m_pictures = nullptr;
     PrintForm* m_printing = nullptr;
     std::shared_ptr<const ScenePrint> m_print; ///< prepared, as the form has it; else null
-    bool m_isPreparing = false;                ///< nothing is to be written
+    Job* m_preparer;                           ///< makes it
+    QTimer* m_printRest;                       ///< after a change while it is being made
+    bool m_writesPrint = false;                ///< as soon as it is there
     QLabel* m_summary = nullptr;
     std::int64_t m_shownFrame;
     QProgressBar* m_progress = nullptr;

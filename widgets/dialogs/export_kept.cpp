@@ -155,6 +155,7 @@ QVariantMap ExportDialog::settings() const
             {"height", print.height},
             {"thinnest", print.thinnest},
             {"disc", print.hasFootDisc},
+            {"shells", print.leaves == PrintLeaves::Shells},
             {"width", m_pictures->pictureSize().width()},
             {"pixels", m_pictures->pictureSize().height()},
             {"transparent", m_pictures->isTransparent()}};
@@ -199,6 +200,7 @@ void ExportDialog::setSettings(const QVariantMap& kept)
     print.height = kept.value(QStringLiteral("height"), print.height).toDouble();
     print.thinnest = kept.value(QStringLiteral("thinnest"), print.thinnest).toDouble();
     print.hasFootDisc = is("disc");
+    print.leaves = is("shells") ? PrintLeaves::Shells : PrintLeaves::Off;
     m_printing->setOptions(print);
     m_printing->setWanted(is("print"));
     m_pictures->setPictureSize({number("width", 1920), number("pixels", 1080)});

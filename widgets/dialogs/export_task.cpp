@@ -37,36 +37,14 @@ void ExportTask::startExport(const Document& document, const ExportOptions& opti
     });
 }
 
-void ExportTask::startPrint(const Document& document, const ExportOptions& which, const PrintOptions& options,
-                            const std::shared_ptr<const ScenePrint>& ready, const QString& path,
-                            std::function<void(const std::shared_ptr<const ScenePrint>&)> take)
+void ExportTask::startPrint(const std::shared_ptr<const ScenePrint>& print, const WriteOptions& options,
+                            const QString& path)
 {
     if (isRunning())
         return;
-    using Made = std::shared_ptr<const ScenePrint>;
-    start(
-        [which, options, ready, scene = document.scene(), source = snapshotOf(document),
-         file = path.toStdString()](const Progress& progress) -> Expected<Made> {
-            Made made = ready;
-            if (!made) {
-                Evaluator evaluator(source, scene.timeline());
-                auto print = printScene(evaluator.at(scene), which, options, progress.part(0.0, 0.9));
-                if (!print)
-                    return fail(std::move(print.error()));
-                made = std::make_shared<const ScenePrint>(std::move(*print));
-            }
-            if (!file.empty())
-                if (auto written =
-                        writePrint(file, *made, printSpace(), which.write, progress.part(0.9, 1.0));
-                    !written)
-                    return fail(std::move(written.error()));
-            return made;
-        },
-        [this, taken = std::move(take)](const Expected<Made>& made) {
-            if (made)
-                taken(*made);
-            emit finished(made ? std::nullopt : std::optional(made.error()));
-        });
+    start([print, options, file = path.toStdString()](const Progress& progress) {
+        return writePrint(file, *print, printSpace(), options, progress);
+    });
 }
 
 } // namespace ramure

@@ -24,11 +24,9 @@ public:
     /// \param timeline in the place of the scene's.
     void startExport(const Document& document, const ExportOptions& options, const QString& path,
                      double timeSeconds = 0.0, const std::optional<TimelineSettings>& timeline = {});
-    /// Makes the print of a tree, unless it is there already, and writes it where \p path has a name, with Z
-    /// up, in mm. \p take gets it before the end is told.
-    void startPrint(const Document& document, const ExportOptions& which, const PrintOptions& options,
-                    const std::shared_ptr<const ScenePrint>& ready, const QString& path,
-                    std::function<void(const std::shared_ptr<const ScenePrint>&)> take);
+    /// Writes a print with Z up, in mm.
+    void startPrint(const std::shared_ptr<const ScenePrint>& print, const WriteOptions& options,
+                    const QString& path);
 };
 
 } // namespace ramure

@@ -1,20 +1,24 @@
 #include "widgets/dialogs/print_form.h"
 
 #include "widgets/base/core_text.h"
+#include "widgets/base/icons.h"
 #include "widgets/base/number_field.h"
+#include "widgets/dialogs/print_preview.h"
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
+#include <QProgressBar>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 namespace ramure {
 namespace {
 
 constexpr double perMetre = 1000.0; // the fields have mm
+constexpr int progressSteps = 1000;
 
 } // namespace
 
@@ -28,8 +32,12 @@ PrintForm::PrintForm(QWidget* parent)
     , m_thinnestLabel(new QLabel(m_rest))
     , m_thinnest(new NumberField(m_rest))
     , m_disc(new QCheckBox(m_rest))
+    , m_leavesLabel(new QLabel(m_rest))
+    , m_leaves(new QComboBox(m_rest))
     , m_prepare(new QPushButton(m_rest))
-    , m_report(new QLabel(m_rest))
+    , m_progress(new QProgressBar(m_rest))
+    , m_cancel(new QToolButton(m_rest))
+    , m_preview(new PrintPreview(m_rest))
 {
     buildForm();
     connect(m_wanted, &QCheckBox::toggled, this, [this] {
@@ -43,7 +51,9 @@ PrintForm::PrintForm(QWidget* parent)
             emit changed();
         });
     connect(m_disc, &QCheckBox::toggled, this, &PrintForm::changed);
+    connect(m_leaves, &QComboBox::currentIndexChanged, this, &PrintForm::changed);
     connect(m_prepare, &QPushButton::clicked, this, &PrintForm::prepareRequested);
+    connect(m_cancel, &QToolButton::clicked, this, &PrintForm::cancelRequested);
     setFocusProxy(m_wanted);
     retranslate();
     takeProcess();
@@ -57,21 +67,38 @@ void PrintForm::buildForm()
     m_height->setObjectName(QStringLiteral("printHeight"));
     m_thinnest->setObjectName(QStringLiteral("printThinnest"));
     m_disc->setObjectName(QStringLiteral("printDisc"));
+    m_leaves->setObjectName(QStringLiteral("printLeaves"));
     m_prepare->setObjectName(QStringLiteral("printPrepare"));
-    m_report->setObjectName(QStringLiteral("printReport"));
+    m_progress->setObjectName(QStringLiteral("printProgress"));
+    m_cancel->setObjectName(QStringLiteral("printCancel"));
     const PrintOptions usual;
     for (std::size_t i = 0; i < printProcesses().size(); ++i)
         m_process->addItem(QString());
+    m_leaves->addItems({QString(), QString()});
     m_height->setRange(perMetre * PrintOptions::leastHeight, perMetre * PrintOptions::mostHeight);
     m_height->setDefault(perMetre * usual.height);
     m_height->setValue(perMetre * usual.height);
     m_thinnest->setRange(perMetre * PrintOptions::leastThinnest, perMetre * PrintOptions::mostThinnest);
     m_disc->setChecked(usual.hasFootDisc);
+    auto* rest = new QVBoxLayout(m_rest);
+    rest->setContentsMargins(0, 0, 0, 0);
+    rest->setSpacing(6);
+    buildNumbers(rest);
+    buildWork(rest);
+    rest->addWidget(m_preview, 1);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(6);
+    all->addWidget(m_wanted);
+    all->addWidget(m_rest, 1);
+    m_preview->hide();
+    setPreparing(false);
+}
+
+void PrintForm::buildNumbers(QVBoxLayout* rest)
+{
     m_heightLabel->setBuddy(m_height);
     m_thinnestLabel->setBuddy(m_thinnest);
-    m_prepare->setAutoDefault(false);
-    m_report->setTextFormat(Qt::PlainText);
-    m_report->setWordWrap(true);
     auto* numbers = new QHBoxLayout;
     numbers->setSpacing(6);
     numbers->addWidget(m_process);
@@ -82,23 +109,31 @@ void PrintForm::buildForm()
     numbers->addWidget(m_thinnestLabel);
     numbers->addWidget(m_thinnest);
     numbers->addStretch(1);
-    auto* second = new QHBoxLayout;
-    second->setSpacing(12);
-    second->addWidget(m_disc);
-    second->addWidget(m_prepare);
-    second->addStretch(1);
-    auto* rest = new QVBoxLayout(m_rest);
-    rest->setContentsMargins(0, 0, 0, 0);
-    rest->setSpacing(6);
     rest->addLayout(numbers);
+}
+
+/// What it stands on and carries, and the work itself.
+void PrintForm::buildWork(QVBoxLayout* rest)
+{
+    m_leavesLabel->setBuddy(m_leaves);
+    m_prepare->setAutoDefault(false);
+    m_progress->setRange(0, progressSteps);
+    m_progress->setTextVisible(false);
+    m_cancel->setIcon(icon("cancel"));
+    m_cancel->setIconSize({14, 14});
+    m_cancel->setAutoRaise(true);
+    auto* second = new QHBoxLayout;
+    second->setSpacing(6);
+    second->addWidget(m_disc);
+    second->addSpacing(8);
+    second->addWidget(m_leavesLabel);
+    second->addWidget(m_leaves);
+    second->addSpacing(8);
+    second->addWidget(m_prepare);
+    second->addWidget(m_progress, 1);
+    second->addWidget(m_cancel);
+    second->addStretch(0);
     rest->addLayout(second);
-    rest->addWidget(m_report);
-    auto* all = new QVBoxLayout(this);
-    all->setContentsMargins(0, 0, 0, 0);
-    all->setSpacing(6);
-    all->addWidget(m_wanted);
-    all->addWidget(m_rest);
-    m_report->hide();
 }
 
 bool PrintForm::isWanted() const
@@ -118,6 +153,7 @@ PrintOptions PrintForm::options() const
     options.height = m_height->value().value_or(perMetre * options.height) / perMetre;
     options.thinnest = m_thinnest->value().value_or(0.0) / perMetre;
     options.hasFootDisc = m_disc->isChecked();
+    options.leaves = static_cast<PrintLeaves>(m_leaves->currentIndex());
     return options;
 }
 
@@ -127,6 +163,7 @@ void PrintForm::setOptions(const PrintOptions& options)
     m_height->setValue(perMetre * options.height);
     m_thinnest->setValue(perMetre * options.smallestDiameter());
     m_disc->setChecked(options.hasFootDisc);
+    m_leaves->setCurrentIndex(static_cast<int>(options.leaves));
     emit changed();
 }
 
@@ -140,35 +177,29 @@ void PrintForm::takeProcess()
     emit changed();
 }
 
-void PrintForm::setPrint(const PrintedTree* print)
+void PrintForm::setPrint(std::shared_ptr<const PrintedTree> print)
 {
-    m_report->setText(print ? reportText(*print) : QString());
-    m_report->setVisible(print != nullptr);
+    const bool isThere = print != nullptr;
+    m_preview->setPrint(std::move(print), options());
+    m_preview->setVisible(isThere);
 }
 
-QString PrintForm::reportText(const PrintedTree& print) const
+void PrintForm::setPreparing(bool preparing)
 {
-    const PrintReport& r = print.report;
-    const QLocale locale;
-    const auto mm = [&locale](double metres, int digits = 1) {
-        return locale.toString(perMetre * metres, 'f', digits);
-    };
-    const glm::dvec3 size = r.size(), at = r.thinnestAt;
-    QStringList lines;
-    lines += tr("%1 × %2 × %3 mm, %4 cm³, 1 : %5")
-                 .arg(mm(size.x), mm(size.z), mm(size.y), locale.toString(1e6 * r.volume, 'f', 1),
-                      locale.toString(1.0 / print.scale, 'f', 1));
-    lines +=
-        tr("Thinnest place: %1 mm, at (%2, %3, %4) mm").arg(mm(r.thinnest, 2), mm(at.x), mm(-at.z), mm(at.y));
-    lines += tr("Overhangs steeper than 45°: %1 cm²").arg(locale.toString(1e4 * r.overhang, 'f', 1));
-    lines += r.standsUp()
-                 ? tr("It stands: its weight is %1 mm inside of the foot’s border.").arg(mm(r.balance))
-                 : tr("It falls over: its weight is not over the foot.");
-    lines += tr("%n closed piece(s)", nullptr, static_cast<int>(r.pieces)) + QStringLiteral("  ·  ") +
-             tr("%Ln triangle(s)", nullptr, static_cast<int>(r.triangles));
-    lines += tr("%1 branches are thicker than their share, %2 are left out.")
-                 .arg(locale.toString(print.thickened), locale.toString(print.cut));
-    return lines.join(u'\n');
+    if (preparing && m_progress->isHidden())
+        m_progress->setValue(0);
+    m_progress->setVisible(preparing);
+    m_cancel->setVisible(preparing);
+}
+
+void PrintForm::setMayPrepare(bool may)
+{
+    m_prepare->setEnabled(may);
+}
+
+void PrintForm::setProgress(double fraction)
+{
+    m_progress->setValue(static_cast<int>(fraction * progressSteps));
 }
 
 void PrintForm::updateWidgets()
@@ -187,8 +218,8 @@ void PrintForm::retranslate()
 {
     m_wanted->setText(tr("Make ready for a printer"));
     m_wanted->setToolTip(
-        tr("One tree, without leaves, as one closed surface that is thick enough and flat at "
-           "the ground, in millimetres with Z up"));
+        tr("One tree as one closed surface that is thick enough and flat at the ground, in millimetres "
+           "with Z up"));
     for (std::size_t i = 0; i < printProcesses().size(); ++i)
         m_process->setItemText(static_cast<int>(i), coreText(printProcesses()[i].title));
     m_process->setToolTip(tr("How the printer works: it says how thin a twig may be"));
@@ -203,9 +234,20 @@ void PrintForm::retranslate()
     m_thinnest->setAccessibleName(tr("Smallest diameter of a twig in millimetres"));
     m_disc->setText(tr("Disc as a foot"));
     m_disc->setToolTip(tr("Without it the trunk is cut flat at the ground"));
+    m_leavesLabel->setText(tr("Leaves"));
+    m_leaves->setItemText(static_cast<int>(PrintLeaves::Off), tr("None"));
+    m_leaves->setItemText(static_cast<int>(PrintLeaves::Shells), tr("Thick shells"));
+    m_leaves->setToolTip(
+        tr("Thick shells: each leaf is as thick as the thinnest twig and in one piece with its own. Small "
+           "leaves are enlarged and fewer. Fruit stays off."));
+    m_leaves->setAccessibleName(tr("Leaves of the print"));
     m_prepare->setText(tr("Prepare"));
     m_prepare->setToolTip(
-        tr("Makes the print and says how thin it is and whether it stands; writes nothing"));
+        tr("Makes the print, shows it and says how thin it is and whether it stands; writes nothing"));
+    m_progress->setAccessibleName(tr("Preparing the print"));
+    m_progress->setToolTip(m_progress->accessibleName());
+    m_cancel->setToolTip(tr("Give this up"));
+    m_cancel->setAccessibleName(tr("Cancel"));
 }
 
 } // namespace ramure

@@ -65,6 +65,13 @@ private slots:
             QCOMPARE(options.smallestDiameter(), 0.0012);
         }
     }
+    void leaves()
+    {
+        QVERIFY(printLeavesNamed("paper").error().message().find("off or shells") != std::string::npos);
+        for (const PrintLeaves each : {PrintLeaves::Off, PrintLeaves::Shells})
+            QCOMPARE(*printLeavesNamed(nameOf(each)), each);
+        QCOMPARE(PrintOptions().leaves, PrintLeaves::Off);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestPrintOptions)

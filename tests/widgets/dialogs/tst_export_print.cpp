@@ -4,11 +4,15 @@
 #include "widgets/base/preferences.h"
 #include "widgets/dialogs/export_dialog.h"
 #include "widgets/dialogs/print_form.h"
+#include "widgets/dialogs/print_preview.h"
+#include "widgets/dialogs/print_view.h"
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QToolButton>
 
 using namespace ramure;
 
@@ -21,6 +25,34 @@ class TestExportPrint : public QObject
     Document m_document;
     Recompute m_recompute{&m_document};
     test::FakeChooser m_chooser;
+
+    static constexpr int patienceMs = 60'000;
+    int m_files = 0;
+
+    /// The dialog on its page for prints.
+    struct Bench
+    {
+        ExportDialog dialog;
+        PrintPreview* preview;
+
+        explicit Bench(TestExportPrint& suite)
+            : dialog(&suite.m_document, &suite.m_recompute, &suite.m_preferences, &suite.m_chooser)
+            , preview(dialog.printing()->preview())
+        {
+            dialog.setUse(ExportUse::Print);
+            dialog.setFormat(QStringLiteral("3mf"));
+            dialog.setPath(suite.m_folder.filePath(QStringLiteral("t%1.3mf").arg(++suite.m_files)));
+            PrintOptions options;
+            options.height = 0.08;
+            dialog.printing()->setOptions(options);
+            dialog.show();
+        }
+        template <class T> [[nodiscard]] T* part(const char* name) const
+        {
+            return dialog.findChild<T*>(QLatin1String(name));
+        }
+        void click(const char* name) const { part<QPushButton>(name)->click(); }
+    };
 
 private slots:
     void init()
@@ -52,36 +84,99 @@ private slots:
     }
     void aPrintIsPreparedAndWritten()
     {
-        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
-        dialog.show();
-        dialog.setFormat(QStringLiteral("3mf"));
-        dialog.setPath(m_folder.filePath(QStringLiteral("t.3mf")));
-        dialog.printing()->setWanted(true);
-        auto* report = dialog.findChild<QLabel*>(QStringLiteral("printReport"));
-        QVERIFY(!report->isVisible());
-        dialog.findChild<QPushButton*>(QStringLiteral("printPrepare"))->click();
-        QTRY_VERIFY_WITH_TIMEOUT(report->isVisible(), 60'000);
-        QVERIFY2(report->text().contains(QLatin1String("1 : ")), qPrintable(report->text()));
-        QVERIFY(!QFile::exists(dialog.path()));
-        QVERIFY(dialog.isVisible());
-        QSignalSpy exported(&dialog, &ExportDialog::exported);
-        QTRY_VERIFY(dialog.printing()->isEnabled());
-        dialog.startExport();
-        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, 60'000);
-        QVERIFY(QFile::exists(m_folder.filePath(QStringLiteral("t.3mf"))));
+        Bench bench(*this);
+        QVERIFY(!bench.preview->isVisible());
+        bench.click("printPrepare");
+        QVERIFY(bench.part<QProgressBar>("printProgress")->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(bench.preview->isVisible(), patienceMs);
+        QVERIFY(!bench.part<QProgressBar>("printProgress")->isVisible());
+        const QString text = bench.preview->text();
+        for (const char* word : {"1 : ", "Thinnest place: ", "Overhangs: ", "Stands: yes", "1 closed"})
+            QVERIFY2(text.contains(QLatin1String(word)), qPrintable(text));
+        QVERIFY(!QFile::exists(bench.dialog.path()));
+        QVERIFY(bench.dialog.isVisible());
+        QSignalSpy exported(&bench.dialog, &ExportDialog::exported);
+        bench.dialog.startExport();
+        QVERIFY(!bench.part<QProgressBar>("printProgress")->isVisible()); // it is there
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, patienceMs);
+        QVERIFY(QFile::exists(bench.dialog.path()));
+    }
+    void aPrintThatIsNotPreparedIsMadeFirst()
+    {
+        Bench bench(*this);
+        QSignalSpy exported(&bench.dialog, &ExportDialog::exported);
+        bench.dialog.startExport();
+        QVERIFY(!bench.dialog.printing()->isEnabled());
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, patienceMs);
+        QVERIFY(QFile::exists(bench.dialog.path()));
+    }
+    void preparingIsCancelled()
+    {
+        Bench bench(*this);
+        bench.click("printPrepare");
+        bench.part<QToolButton>("printCancel")->click();
+        QTRY_VERIFY(!bench.part<QProgressBar>("printProgress")->isVisible());
+        QVERIFY(bench.dialog.isVisible() && !bench.preview->isVisible());
+        bench.dialog.startExport(); // waits for it, and is given up
+        bench.dialog.reject();
+        QTRY_VERIFY(bench.dialog.printing()->isEnabled());
+        QVERIFY(bench.dialog.isVisible() && !QFile::exists(bench.dialog.path()));
+        bench.click("printPrepare"); // and again
+        QTRY_VERIFY_WITH_TIMEOUT(bench.preview->isVisible(), patienceMs);
+    }
+    void theLatestChoiceWins()
+    {
+        Bench bench(*this);
+        bench.click("printPrepare");
+        bench.part<QCheckBox>("printDisc")->click();
+        bench.part<QComboBox>("printLeaves")->setCurrentIndex(1);
+        QVERIFY(bench.part<QProgressBar>("printProgress")->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(bench.preview->isVisible(), patienceMs);
+        QVERIFY2(bench.preview->text().contains(QLatin1String("Leaves: ")),
+                 qPrintable(bench.preview->text()));
     }
     void anotherPrintForgetsTheReport()
     {
-        ExportDialog dialog(&m_document, &m_recompute, &m_preferences, &m_chooser);
-        dialog.show();
-        dialog.setFormat(QStringLiteral("stl"));
-        dialog.printing()->setWanted(true);
-        auto* report = dialog.findChild<QLabel*>(QStringLiteral("printReport"));
-        dialog.findChild<QPushButton*>(QStringLiteral("printPrepare"))->click();
-        QTRY_VERIFY_WITH_TIMEOUT(report->isVisible(), 60'000);
-        QTRY_VERIFY(dialog.printing()->isEnabled());
-        dialog.findChild<QCheckBox*>(QStringLiteral("printDisc"))->click();
-        QVERIFY(!report->isVisible());
+        Bench bench(*this);
+        bench.click("printPrepare");
+        QTRY_VERIFY_WITH_TIMEOUT(bench.preview->isVisible(), patienceMs);
+        bench.part<QCheckBox>("printDisc")->click();
+        QVERIFY(!bench.preview->isVisible());
+        QVERIFY(!bench.part<QProgressBar>("printProgress")->isVisible()); // not by itself
+    }
+    void thePictureFliesToTheThinnestPlace()
+    {
+        Bench bench(*this);
+        bench.click("printPrepare");
+        QTRY_VERIFY_WITH_TIMEOUT(bench.preview->isVisible(), patienceMs);
+        PrintView* view = bench.preview->view();
+        const Camera whole = view->goal();
+        bench.click("printShowThinnest");
+        const Camera near = view->goal();
+        QVERIFY(near.distance < whole.distance);
+        QVERIFY(glm::distance(near.target, whole.target) > 0.0);
+        QTRY_VERIFY(view->camera() == near);
+        QTest::keyClick(view, Qt::Key_Plus);
+        QVERIFY(view->camera().distance < near.distance);
+        const double yaw = view->camera().yawRad;
+        QTest::keyClick(view, Qt::Key_Right);
+        QVERIFY(view->camera().yawRad != yaw);
+        const double before = view->camera().yawRad;
+        QTest::mousePress(view, Qt::LeftButton, {}, {40, 40});
+        QTest::mouseMove(view, {90, 60});
+        QTest::mouseRelease(view, Qt::LeftButton, {}, {90, 60});
+        QVERIFY(view->camera().yawRad != before);
+        bench.click("printShowWhole");
+        QTRY_VERIFY(std::abs(view->camera().distance / whole.distance - 1.0) < 0.5);
+    }
+    void leavesAreKeptWithTheSettings()
+    {
+        Bench bench(*this);
+        bench.part<QComboBox>("printLeaves")->setCurrentIndex(1);
+        const QVariantMap kept = bench.dialog.settings();
+        bench.part<QComboBox>("printLeaves")->setCurrentIndex(0);
+        bench.dialog.setSettings(kept);
+        QCOMPARE(bench.dialog.printing()->options().leaves, PrintLeaves::Shells);
     }
 };
 
