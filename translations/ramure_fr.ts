@@ -7360,11 +7360,11 @@
     </message>
     <message>
         <source>unknown leaves &quot;%1&quot;: off or shells expected</source>
-        <translation type="unfinished">feuilles inconnues « %1 » : off ou shells attendu</translation>
+        <translation>feuilles inconnues « %1 » : off ou shells attendu</translation>
     </message>
     <message>
         <source>nothing of the picture is transparent</source>
-        <translation type="unfinished"></translation>
+        <translation>rien de l’image n’est transparent</translation>
     </message>
 </context>
 <context>
