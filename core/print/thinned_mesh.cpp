@@ -65,7 +65,7 @@ private:
 
     struct Neighbours
     {
-        static constexpr int most = 256; // of more, none is taken
+        static constexpr int most = 80; // of more, none is taken
         int all[most];
         int count = 0;
 

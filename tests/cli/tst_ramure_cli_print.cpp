@@ -32,7 +32,7 @@ private slots:
             test::runCli({"export", "preset:TinyTree", "-o", path("a.stl"), "--print-leaves", "shells"}),
             "needs --print"));
         const test::CliRun made =
-            test::runCli({"export", "preset:TinyTree", "-o", path("l.stl"), "--print", "fdm", "--height",
+            test::runCli({"export", "preset:TinyTree", "-o", path("l.stl"), "--print", "resin", "--height",
                           "60mm", "--print-leaves", "shells", "--json"});
         QCOMPARE(made.code, 0);
         const QJsonObject json = made.json();

@@ -52,7 +52,7 @@ private slots:
         const auto settled = [&] { return !view.isBusy() && !view.picture().isNull(); };
         QTRY_VERIFY_WITH_TIMEOUT(settled(), patienceMs);
         const QImage front = view.picture();
-        QVERIFY2(orange(front) > 100, qPrintable(QString::number(orange(front))));
+        QVERIFY2(orange(front) > 30, qPrintable(QString::number(orange(front))));
         QTest::keyClick(&view, Qt::Key_Left);
         QTRY_VERIFY_WITH_TIMEOUT(settled() && view.picture() != front, patienceMs);
         for (int i = 0; i < 10; ++i)
