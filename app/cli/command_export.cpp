@@ -419,8 +419,7 @@ void addOptions(CommandLine& line)
              QStringLiteral("branches|leaves|apples|all"));
     line.add({QStringLiteral("model")},
              QStringLiteral("mesh (one continuous mesh; the default), rough (open cylinders, squares, cubes) "
-                            "or skeleton (line "
-                            "segments)."),
+                            "or skeleton (line segments)."),
              QStringLiteral("mesh|rough|skeleton"));
     line.addDefault(
         {QStringLiteral("leaves")},

@@ -68,7 +68,9 @@ Expected<WindElements> windElements(const WindTree& tree, std::span<const WindLe
         }
         const auto number = static_cast<Index>(out.elements.size());
         WindElement element{stem.parent == noIndex ? number : out.ofStem[stem.parent], stem.order, stem.foot};
-        setReach(element, stem.tip);
+        // A trunk turns as if it were upright: the level ring of its foot stays where it is.
+        const bool isTrunk = stem.parent == noIndex && stem.tip.y > stem.foot.y;
+        setReach(element, isTrunk ? glm::dvec3(stem.foot.x, stem.tip.y, stem.foot.z) : stem.tip);
         out.ofStem.push_back(number);
         out.elements.push_back(element);
     }

@@ -98,7 +98,7 @@ private slots:
         QVERIFY(!mesh);
         QCOMPARE(mesh.error().code, ErrorCode::Unknown);
         QCOMPARE(mesh.error().message(),
-                 std::string("a.fbx: unknown file ending \".fbx\": .obj, .ply, .stl, .3mf can be read"));
+                 std::string("a.fbx: unknown file ending \".fbx\": .obj, .ply, .glb, .stl, .3mf can be read"));
         QVERIFY(!readMeshFile("a"));
     }
     void missingFileAndFolder()
