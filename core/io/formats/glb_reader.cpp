@@ -329,6 +329,8 @@ private:
             joined = placed(*joined, m_own[number].rest, from.name);
             if (!joined)
                 return fail(std::move(joined.error()));
+            if (joined->empty()) // of no copies
+                continue;
             Node& node =
                 isOne ? m_out.nodes[at]
                       : addNode(NodeKind::Mesh, m_out.nodes[at].name + " " + std::to_string(p + 1), top);
@@ -528,7 +530,8 @@ Expected<ReadMesh> allMeshes(GlbScene& scene, const std::string& path, const Pro
         mesh = placed(*mesh, node.skin ? glm::dmat4(1.0) : node.world, node.name);
         if (!mesh)
             return fail(std::move(mesh.error()));
-        out.objects.push_back({node.name, std::move(*mesh), {}});
+        if (!mesh->empty()) // of no copies
+            out.objects.push_back({node.name, std::move(*mesh), {}});
     }
     if (out.objects.empty())
         return fail(ErrorCode::Invalid, RAMURE_NOOP("%1 shows no mesh"), {path});

@@ -266,6 +266,16 @@ private slots:
         QCOMPARE(read(sparse.bytes())->objects[0].mesh.positions[2], glm::vec3(1, 2, 4));
     }
 
+    void aMeshWithoutCopiesIsNotThere()
+    {
+        Triangle file;
+        file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = Json::object();
+        QVERIFY(!read(file.bytes()));
+        const auto scene = imported(file.bytes());
+        QVERIFY2(scene, test::why(scene));
+        QCOMPARE(scene->nodes[0].kind, NodeKind::Group);
+    }
+
     void aMirroredNodeTurnsItsTriangles()
     {
         Triangle file;
