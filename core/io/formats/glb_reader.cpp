@@ -409,17 +409,21 @@ private:
         const auto placement = placementNear(rest * arm->place);
         if (!placement || !checkArm(arm->joints))
             return false;
+        NodeParams params;
+        kindRow(NodeKind::Arm).begin(params);
+        params.tree = *placement;
+        params.joints = arm->joints;
+        params.skin.method = SkinMethod::Linear; // as every reader of a GLB blends
+        params.armSkin.window = arm->window;
+        if (!checkParams(params))
+            params.armSkin.window = ArmSkinParams().window;
+        params.arm.target = ArmChain(arm->joints).tip();
+        if (!checkParams(params)) // too far away, or too large
+            return false;
         Node& node = addNode(NodeKind::Arm, from.name, above(foot));
-        kindRow(NodeKind::Arm).begin(node.params);
-        node.params.tree = *placement;
-        node.params.joints = arm->joints;
-        node.params.skin.method = SkinMethod::Linear; // as every reader of a GLB blends
-        node.params.armSkin.window = arm->window;
-        if (!checkParams(node.params))
-            node.params.armSkin.window = ArmSkinParams().window;
-        node.params.arm.target = ArmChain(arm->joints).tip();
         node.animation = glb::armTracks(*arm, chain, m_scene.nodes, m_clip, ordered);
-        node.params.arm.follows = node.animation.empty();
+        params.arm.follows = node.animation.empty();
+        node.params = std::move(params);
         return wear(node, mesh);
     }
 
