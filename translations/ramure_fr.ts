@@ -7366,6 +7366,10 @@
         <source>nothing of the picture is transparent</source>
         <translation>rien de l’image n’est transparent</translation>
     </message>
+    <message>
+        <source>only the finest level of detail is taken</source>
+        <translation>seul le niveau de détail le plus fin est pris</translation>
+    </message>
 </context>
 <context>
     <name>keys</name>
@@ -11116,24 +11120,8 @@ OpenGL&#xa0;: %4
         <translation>%1 cm³</translation>
     </message>
     <message>
-        <source>%1 mm of %2, at (%3, %4, %5) mm</source>
-        <translation>%1 mm sur %2, en (%3 ; %4 ; %5) mm</translation>
-    </message>
-    <message>
         <source>%1 cm²</source>
         <translation>%1 cm²</translation>
-    </message>
-    <message>
-        <source>no: nothing of it touches the ground</source>
-        <translation>non : rien ne touche le sol</translation>
-    </message>
-    <message>
-        <source>yes, %1 mm inside of the foot’s border</source>
-        <translation>oui, à %1 mm à l’intérieur du bord du pied</translation>
-    </message>
-    <message>
-        <source>no: %1 mm outside of the foot’s border, it falls over</source>
-        <translation>non : à %1 mm hors du bord du pied, elle bascule</translation>
     </message>
     <message numerus="yes">
         <source>%n closed</source>
@@ -11214,6 +11202,26 @@ OpenGL&#xa0;: %4
     <message>
         <source>Overhangs steeper than 45°</source>
         <translation>Surplombs de plus de 45°</translation>
+    </message>
+    <message>
+        <source>%1 mm of %2</source>
+        <translation>%1 mm sur %2</translation>
+    </message>
+    <message>
+        <source>At (%1, %2, %3) mm</source>
+        <translation>En (%1, %2, %3) mm</translation>
+    </message>
+    <message>
+        <source>no: not on the ground</source>
+        <translation>non : pas au sol</translation>
+    </message>
+    <message>
+        <source>yes, by %1 mm</source>
+        <translation>oui, de %1 mm</translation>
+    </message>
+    <message>
+        <source>no, by %1 mm</source>
+        <translation>non, de %1 mm</translation>
     </message>
 </context>
 <context>

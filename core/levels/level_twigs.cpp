@@ -43,6 +43,13 @@ Skeleton subset(const Skeleton& tree, const std::vector<bool>& stays, std::vecto
                             tree.a1[i], tree.level[i]);
         out.key[number[i]] = tree.key[i];
     }
+    for (const Index i : tree.sawn)
+        if (number[i] != noIndex)
+            out.sawn.push_back(number[i]);
+    for (const LooseLimb& limb : tree.loose)
+        if (number[limb.first] != noIndex)
+            out.loose.push_back(
+                {number[limb.first], limb.stump == noIndex ? noIndex : number[limb.stump], limb.seconds});
     return out;
 }
 

@@ -5,6 +5,7 @@
 #include "core/pipeline/bark_feet.h"
 #include "core/surface/check/verdict.h"
 #include "core/surface/foliage/foliage_texture.h"
+#include "core/surface/mesher/cut_wood.h"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -409,11 +410,18 @@ Expected<void> LevelMaker::addBark(TreeLevel& level, const Progress& progress)
         bark.uv = (*texture)->uv;
         bark.uvTriangles = (*texture)->corners;
     }
-    for (std::size_t v = 0; v < bark.branch.size(); ++v) {
-        bark.branch[v] = level.wood.run(bark.branch[v]).front();
-        bark.level[v] = m_skeleton.level[bark.branch[v]];
-    }
+    const auto renumber = [&](TriangleMesh& mesh) {
+        for (std::size_t v = 0; v < mesh.branch.size(); ++v) {
+            mesh.branch[v] = level.wood.run(mesh.branch[v]).front();
+            mesh.level[v] = m_skeleton.level[mesh.branch[v]];
+        }
+    };
+    renumber(bark);
     level.bark = std::make_shared<const TriangleMesh>(std::move(bark));
+    if (TriangleMesh cuts = cutWood(*level.branches, level.wood.skeleton); !cuts.empty()) {
+        renumber(cuts);
+        level.cuts = std::make_shared<const TriangleMesh>(std::move(cuts));
+    }
     return {};
 }
 

@@ -25,6 +25,9 @@ struct TreeLevel
     std::shared_ptr<const TriangleMesh>
         bark; ///< the mesh of the branches, with its texture and the tree's numbers
     std::shared_ptr<const TriangleMesh> leaves, apples;
+    /// cutWood on the branches, with the tree's numbers; null: nothing was cut. Its triangles are beside the
+    /// budget.
+    std::shared_ptr<const TriangleMesh> cuts;
     PrunedTree wood;
     std::shared_ptr<const Foliage> foliage; ///< what is left of it, enlarged
     std::vector<Index> leafOf, appleOf;     ///< of each of these its number in the tree's foliage

@@ -373,7 +373,7 @@ Expected<void> addLevels(ExportScene& out, const Candidate& tree, EvaluatedScene
         motion.apples = made->skins[k].apples;
         const TreeLevel& level = made->levels[k];
         foliage.push_back({level.foliage.get(), level.leafOf});
-        addMeshes(out, tree, {level.bark, level.leaves, level.apples, level.foliage},
+        addMeshes(out, tree, {level.bark, level.leaves, level.apples, level.foliage, level.cuts},
                   scene.params(*tree.node), motion);
         for (std::size_t i = from; i < out.meshes.size(); ++i) {
             ExportMesh& mesh = out.meshes[i];

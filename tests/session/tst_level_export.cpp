@@ -3,7 +3,7 @@
 #include "core/params/presets.h"
 #include "core/session/exporter.h"
 #include "tests/core/io/io_support.h"
-#include "tests/support/suite.h"
+#include "tests/support/shaped_tree.h"
 #include <QTemporaryDir>
 #include <nlohmann/json.hpp>
 
@@ -102,6 +102,33 @@ private slots:
         written = write(scene, options, "no.glb");
         QCOMPARE(written.error().code, ErrorCode::Invalid);
         QVERIFY(QDir(m_folder.path()).isEmpty());
+    }
+
+    void cutsShowTheirWoodInEveryLevel()
+    {
+        Node tree;
+        tree.id = 1;
+        tree.kind = NodeKind::Tree;
+        tree.name = "Tree";
+        test::Shaped shaped;
+        TreeEdit edit = test::editOf(EditOperation::Thickness, shaped.address[0]);
+        edit.factor = 0.1;
+        edit.below = true;
+        QVERIFY(shaped.make(edit));
+        edit = test::editOf(EditOperation::Cut, shaped.address[3]);
+        edit.at = 0.5;
+        QVERIFY(shaped.make(edit));
+        shaped.params.sections = {16, 32}; // enough triangles for levels
+        tree.params = shaped.params;
+        ExportOptions options;
+        options.write.mapSize = 0;
+        options.levels = {2, {}};
+        QVERIFY2(write(*Scene::fromNodes({tree}), options, "cut.glb"), "not written");
+        const Json json = jsonOf(test::fileBytes(path("cut.glb")));
+        for (const char* name : {"cuts_LOD0", "cuts_LOD1"}) {
+            const Json* node = nodeNamed(json, name);
+            QVERIFY2(node && node->contains("mesh"), name);
+        }
     }
 
     /// Other nodes have no levels; what does not know the extension finds the finest alone in the scene.

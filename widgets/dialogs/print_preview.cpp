@@ -155,18 +155,16 @@ void PrintPreview::fill()
     setRow(Scale, QStringLiteral("1 : ") + locale.toString(1.0 / m_print->scale, 'f', 1));
     setRow(Volume, tr("%1 cm³").arg(locale.toString(1e6 * r.volume, 'f', 1)));
     constexpr double near = 0.99;
-    setRow(Thinnest,
-           tr("%1 mm of %2, at (%3, %4, %5) mm")
-               .arg(mm(r.thinnest, 2), mm(m_asked.smallestDiameter(), 2), mm(at.x), mm(-at.z), mm(at.y)),
+    setRow(Thinnest, tr("%1 mm of %2").arg(mm(r.thinnest, 2), mm(m_asked.smallestDiameter(), 2)),
            r.thinnest < near * m_asked.smallestDiameter());
+    m_values[Thinnest]->setToolTip(tr("At (%1, %2, %3) mm").arg(mm(at.x), mm(-at.z), mm(at.y)));
     setRow(Overhang, tr("%1 cm²").arg(locale.toString(1e4 * r.overhang, 'f', 1)));
     if (!std::isfinite(r.balance))
-        setRow(Balance, tr("no: nothing of it touches the ground"), true);
+        setRow(Balance, tr("no: not on the ground"), true);
     else if (r.standsUp())
-        setRow(Balance, tr("yes, %1 mm inside of the foot’s border").arg(mm(r.balance)));
+        setRow(Balance, tr("yes, by %1 mm").arg(mm(r.balance)));
     else
-        setRow(Balance, tr("no: %1 mm outside of the foot’s border, it falls over").arg(mm(-r.balance)),
-               true);
+        setRow(Balance, tr("no, by %1 mm").arg(mm(-r.balance)), true);
     setRow(Pieces, tr("%n closed", "pieces", static_cast<int>(r.pieces)), r.pieces != 1 || !r.isClosed);
     setRow(Triangles, locale.toString(r.triangles));
     setRow(

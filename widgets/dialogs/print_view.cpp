@@ -1,7 +1,5 @@
 #include "widgets/dialogs/print_view.h"
 
-#include "widgets/base/core_text.h"
-#include "widgets/view/render/offscreen_renderer.h"
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -16,113 +14,68 @@ namespace {
 
 constexpr double perPixel = 0.01, perKey = 0.15; ///< rad, of the mouse and of the arrow keys
 constexpr double perStep = 1.15;                 ///< of the wheel, times the distance
-constexpr int mostPixels = 2000;                 ///< a side
 constexpr int finer = 2;                         ///< pixels drawn a side for one shown, at rest
 constexpr int restMs = 150;
 constexpr double ringPixels = 11.0;
 
 } // namespace
 
-/// What draws, and what it drew last.
-struct PrintView::Drawer
+/// The scene that was drawn last.
+struct PrintView::Drawn
 {
-    OffscreenRenderer renderer; ///< made on the thread of the interface
-    bool hasBegun = false;
     std::shared_ptr<const PrintedTree> print;
     RenderScene scene; ///< of it
 
-    Expected<QImage> draw(const std::shared_ptr<const PrintedTree>& of, const Camera& camera, QSize size,
-                          int pixels)
+    const RenderScene& sceneOf(const std::shared_ptr<const PrintedTree>& of)
     {
-        if (!hasBegun)
-            if (auto begun = renderer.begin(); !begun)
-                return fail(std::move(begun.error()));
-        hasBegun = true;
         if (std::exchange(print, of) != of)
             scene = previewScene(*of);
-        RenderOptions options;
-        options.quality = pixels > 1 ? Quality::Good : Quality::Draft;
-        options.ground = options.outline = false;
-        options.samples = 0; // dearer than pixels where triangles are smaller than these
-        auto picture = renderer.draw(scene, camera, pixels * size, options);
-        if (!picture || pixels == 1)
-            return picture;
-        return picture->scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-    }
-    void forget()
-    {
-        scene = {};
-        print.reset();
+        return scene;
     }
 };
 
 PrintView::PrintView(QWidget* parent)
-    : QWidget(parent)
+    : DrawnPicture(parent)
+    , m_kept(std::make_shared<Drawn>())
 {
     setObjectName(QStringLiteral("printPicture"));
-    setFocusPolicy(Qt::StrongFocus);
-    setCursor(Qt::OpenHandCursor);
     m_rest.setSingleShot(true);
     m_rest.setInterval(restMs);
     connect(&m_rest, &QTimer::timeout, this, [this] { draw(false); });
     connect(&m_flight, &CameraFlight::moved, this, [this] { draw(true); });
-    retranslate();
-}
-
-/// The context ends on the thread that it was made on.
-PrintView::~PrintView()
-{
-    if (!m_drawer)
-        return;
-    m_job.start([drawer = m_drawer](const Progress&) -> Expected<void> {
-        if (std::exchange(drawer->hasBegun, false))
-            drawer->renderer.end();
-        return {};
-    });
-    m_job.wait(Job::patience);
+    PrintView::retranslate();
 }
 
 bool PrintView::isBusy() const
 {
-    return m_job.isRunning() || m_rest.isActive() || m_flight.isFlying();
+    return isDrawing() || m_rest.isActive() || m_flight.isFlying();
 }
 
 void PrintView::setPrint(std::shared_ptr<const PrintedTree> print)
 {
     m_print = std::move(print);
-    m_picture = {};
-    m_problem.clear();
+    clear([kept = m_kept] { *kept = {}; }); // with the mesh
     if (m_print)
-        return setCamera(wholePrint(*m_print, camera(), aspect()));
-    if (m_drawer)
-        m_job.start([drawer = m_drawer](const Progress&) -> Expected<void> {
-            drawer->forget(); // with the mesh
-            return {};
-        });
-    update();
+        setCamera(wholePrint(*m_print, camera(), aspect()));
 }
 
 /// \param hurried it moves: drawn coarser, and again when it rests
 void PrintView::draw(bool hurried)
 {
-    const QSize size =
-        (QSizeF(this->size()) * devicePixelRatioF()).toSize().boundedTo({mostPixels, mostPixels});
-    if (!m_print || size.isEmpty() || !isVisible())
+    if (!m_print)
         return;
     if (hurried)
         m_rest.start();
-    if (!m_drawer)
-        m_drawer = std::make_shared<Drawer>();
-    m_job.start([drawer = m_drawer, print = m_print, camera = camera(), size, pixels = hurried ? 1 : finer](
-                    const Progress&) { return drawer->draw(print, camera, size, pixels); },
-                [this, camera = camera()](Expected<QImage>&& made) {
-                    m_problem = made ? QString() : errorText(made.error());
-                    m_drawn = camera;
-                    if (made)
-                        m_picture = std::move(*made);
-                    update();
-                },
-                Job::Running::GoesOn);
+    start(
+        [kept = m_kept, print = m_print, camera = camera(), hurried](OffscreenRenderer& renderer,
+                                                                     QSize pixels, const Progress&) {
+            RenderOptions options;
+            options.quality = hurried ? Quality::Draft : Quality::Good;
+            options.ground = options.outline = false;
+            options.samples = 0; // dearer than pixels where triangles are smaller than these
+            return renderer.draw(kept->sceneOf(print), camera, pixels, options);
+        },
+        hurried ? 1 : finer, [this, camera = camera()] { m_drawn = camera; });
 }
 
 void PrintView::showThinnest()
@@ -142,15 +95,9 @@ glm::dvec2 PrintView::ndc(const QPointF& at) const
     return {2.0 * at.x() / std::max(1, width()) - 1.0, 1.0 - 2.0 * at.y() / std::max(1, height())};
 }
 
-void PrintView::mousePressEvent(QMouseEvent* event)
-{
-    m_last = event->position();
-}
-
 void PrintView::mouseMoveEvent(QMouseEvent* event)
 {
-    const QPointF by = event->position() - m_last;
-    m_last = event->position();
+    const QPointF by = movedBy(*event);
     Camera moved = camera();
     const bool shifts =
         event->buttons() & (Qt::MiddleButton | Qt::RightButton) || event->modifiers() & Qt::ShiftModifier;
@@ -209,21 +156,11 @@ void PrintView::keyPressEvent(QKeyEvent* event)
     setCamera(moved);
 }
 
-void PrintView::resizeEvent(QResizeEvent* event)
-{
-    QWidget::resizeEvent(event);
-    draw(true);
-}
-
-void PrintView::showEvent(QShowEvent* event)
-{
-    QWidget::showEvent(event);
-    draw(false);
-}
-
 /// As the picture has it, which may be a little behind.
-void PrintView::paintThinnest(QPainter& painter) const
+void PrintView::paintOver(QPainter& painter)
 {
+    if (!m_print)
+        return;
     const auto at = m_drawn.project(m_print->report.thinnestAt, aspect());
     if (!at || m_print->report.thinnest <= 0.0)
         return;
@@ -235,28 +172,9 @@ void PrintView::paintThinnest(QPainter& painter) const
     painter.drawEllipse(middle, ringPixels, ringPixels);
 }
 
-void PrintView::paintEvent(QPaintEvent*)
+QString PrintView::waitText() const
 {
-    QPainter painter(this);
-    painter.fillRect(rect(),
-                     m_picture.isNull() ? palette().color(QPalette::Base) : m_picture.pixelColor(0, 0));
-    if (!m_picture.isNull() && m_print) { // at its size while that of the window changes
-        const QSizeF shown = QSizeF(m_picture.size()) / devicePixelRatioF();
-        const QPointF corner(0.5 * (width() - shown.width()), 0.5 * (height() - shown.height()));
-        painter.drawImage(QRectF(corner, shown), m_picture);
-        paintThinnest(painter);
-    }
-    const QString text = !m_problem.isEmpty()            ? m_problem
-                         : m_print && m_picture.isNull() ? tr("Drawing…")
-                                                         : QString();
-    if (!text.isEmpty())
-        painter.drawText(rect().adjusted(8, 8, -8, -8), int(Qt::AlignCenter) | int(Qt::TextWordWrap), text);
-    if (hasFocus()) {
-        painter.setRenderHint(QPainter::Antialiasing, false);
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(palette().color(QPalette::Highlight));
-        painter.drawRect(rect().adjusted(0, 0, -1, -1));
-    }
+    return m_print && picture().isNull() ? tr("Drawing…") : QString();
 }
 
 void PrintView::retranslate()
@@ -264,13 +182,6 @@ void PrintView::retranslate()
     setAccessibleName(tr("Picture of the print"));
     setToolTip(tr("Drag or arrow keys: turn · Shift or the right button: move · wheel, + and −: nearer or "
                   "farther · Home or a double click: all of it"));
-}
-
-void PrintView::changeEvent(QEvent* event)
-{
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 } // namespace ramure

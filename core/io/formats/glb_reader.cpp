@@ -472,6 +472,12 @@ private:
         if (m_pictures.count() > 0)
             note(RAMURE_NOOP("%1 pictures of materials are in %2 now"),
                  {std::to_string(m_pictures.count()), m_pictures.folder()});
+        const auto hasLevels = [](const FileNode& node) {
+            const glb::Json* extensions = glb::member(*node.json, "extensions");
+            return extensions && glb::member(*extensions, "MSFT_lod");
+        };
+        if (std::ranges::any_of(m_scene.nodes.all, hasLevels))
+            note(RAMURE_NOOP("only the finest level of detail is taken"));
         for (Note& said : m_clip.notes)
             m_out.notes.push_back(std::move(said));
         m_out.keyCount = 0;

@@ -3,7 +3,7 @@
 #include "core/levels/tree_levels.h"
 #include "core/params/presets.h"
 #include "core/surface/proof/validate.h"
-#include "tests/support/suite.h"
+#include "tests/support/shaped_tree.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -187,6 +187,33 @@ private slots:
             QVERIFY(levels[i].triangles() <= std::llround(0.26 * double(levels[i - 1].triangles())));
             QVERIFY(double(levels[i].bark->faceCount()) <= 0.6 * double(levels[i - 1].bark->faceCount()));
         }
+    }
+    void cutsShowTheirWood()
+    {
+        test::Shaped shaped;
+        TreeEdit edit = test::editOf(EditOperation::Thickness, shaped.address[0]);
+        edit.factor = 0.1;
+        edit.below = true;
+        QVERIFY(shaped.make(edit));
+        edit = test::editOf(EditOperation::Cut, shaped.address[3]);
+        edit.at = 0.5;
+        QVERIFY(shaped.make(edit));
+        shaped.params.sections = {16, 32}; // enough triangles for levels
+        const TreeResult tree = shaped.tree(Stage::Foliage);
+        const auto levels = treeLevels(tree, shaped.params, {2, {}});
+        QVERIFY2(levels, test::why(levels));
+        QVERIFY(levels->front().cuts && *levels->front().cuts == *tree.cuts);
+        for (const TreeLevel& level : *levels) {
+            QVERIFY(level.cuts && !level.cuts->empty());
+            const Index stump = tree.simplified->skeleton.sawn.front();
+            for (std::size_t v = 0; v < level.cuts->positions.size(); ++v) {
+                QCOMPARE(level.cuts->branch[v], stump);
+                const glm::dvec3 end = tree.simplified->skeleton.p1[stump];
+                QVERIFY(glm::distance(glm::dvec3(level.cuts->positions[v]), end) <
+                        tree.simplified->skeleton.a1[stump]);
+            }
+        }
+        QVERIFY(!made(preset("TinyTree"), {2, {}}).back().cuts);
     }
     void sameBytesAgain()
     {

@@ -22,9 +22,8 @@ TreeResult resultOf(const TreeLevels& of, const TreeLevel& level)
     tree.foliage = level.foliage;
     tree.leaves = level.leaves;
     tree.apples = level.apples;
+    tree.cuts = level.cuts;
     const bool isWhole = level.branches == of.whole.branches;
-    if (!isWhole)
-        tree.cuts = nullptr; // closed by the level's own mesh
     const bool hasPicture = level.branches && of.whole.texture && isBarkReady(*of.whole.texture, of.params);
     if (!isWhole)
         tree.texture = hasPicture ? std::make_shared<const TextureStage>(level.branches) : nullptr;

@@ -3,28 +3,23 @@
 /// the mouse or the arrow keys.
 #pragma once
 
-#include "core/session/job.h"
 #include "widgets/panels/levels/level_scene.h"
-#include <QImage>
-#include <QWidget>
+#include "widgets/view/drawn_picture.h"
 #include <memory>
 
 namespace ramure {
 
-class LevelView : public QWidget
+class LevelView : public DrawnPicture
 {
     Q_OBJECT
 public:
     explicit LevelView(QWidget* parent = nullptr);
-    ~LevelView() override;
 
     /// \param levels null: nothing is shown. \param level nothing: the whole tree
     void setLevel(std::shared_ptr<const TreeLevels> levels, std::optional<std::size_t> level);
     void setShot(const LevelShot& shot);
     [[nodiscard]] const LevelShot& shot() const { return m_shot; }
-    /// Null until the first one is drawn.
-    [[nodiscard]] const QImage& picture() const { return m_picture; }
-    [[nodiscard]] bool isBusy() const { return m_job.isRunning(); }
+    [[nodiscard]] bool isBusy() const { return isDrawing(); }
     [[nodiscard]] QSize sizeHint() const override { return {180, 180}; }
     [[nodiscard]] QSize minimumSizeHint() const override { return {80, 100}; }
 
@@ -35,29 +30,21 @@ signals:
     void moved(double factor);
 
 protected:
-    void changeEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void paintEvent(QPaintEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
-    void showEvent(QShowEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
 
 private:
-    struct Drawer;
-    void draw();
+    struct Drawn;
+    void redraw() override;
+    void retranslate() override;
+    [[nodiscard]] QString waitText() const override;
     void turnTo(double yawRad, double pitchRad);
-    void retranslate();
 
-    std::shared_ptr<Drawer> m_drawer; ///< only the job's thread draws with it; null: nothing was drawn yet
+    std::shared_ptr<Drawn> m_kept; ///< only the thread that draws looks at it
     std::shared_ptr<const TreeLevels> m_levels;
     std::optional<std::size_t> m_level, m_drawn; ///< wished for; on the picture
     LevelShot m_shot;
-    QPointF m_last; ///< of the mouse
-    QImage m_picture;
-    QString m_problem;
-    Job m_job;
 };
 
 } // namespace ramure

@@ -1,0 +1,62 @@
+/// \file
+/// A widget that shows a picture of a scene, drawn in the background by a context of its own. What is drawn,
+/// and what the mouse and the keys do to it, is said by those that are made of it.
+#pragma once
+
+#include "core/session/job.h"
+#include "widgets/view/render/offscreen_renderer.h"
+#include <QImage>
+#include <QWidget>
+#include <functional>
+#include <memory>
+
+namespace ramure {
+
+class DrawnPicture : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit DrawnPicture(QWidget* parent = nullptr);
+    ~DrawnPicture() override;
+
+    /// Null until the first one is drawn.
+    [[nodiscard]] const QImage& picture() const { return m_picture; }
+
+protected:
+    /// On the thread of the job. \param pixels of the picture
+    using Draw = std::function<Expected<QImage>(OffscreenRenderer& renderer, QSize pixels, const Progress&)>;
+    /// Nothing where the widget is not to be seen. One picture at a time, the last wish counts.
+    /// \param finer pixels drawn a side for one shown \param shown the picture is there, or the reason why
+    /// not
+    void start(Draw draw, int finer, std::function<void()> shown);
+    /// No picture any more, and no reason. \param forget on the thread of the job, behind what it draws: lets
+    /// go of what was drawn
+    void clear(std::function<void()> forget);
+    [[nodiscard]] bool isDrawing() const { return m_job.isRunning(); }
+    /// \pre a mouse button was pressed before. \return by how much the mouse has moved since it was last
+    /// asked.
+    QPointF movedBy(const QMouseEvent& event);
+
+    virtual void redraw() = 0; ///< it has another size, or is seen
+    virtual void retranslate() = 0;
+    /// What stands over the picture: the reason why there is none, or what is waited for.
+    [[nodiscard]] virtual QString waitText() const = 0;
+    virtual void paintOver(QPainter& /*painter*/) {}
+
+    void changeEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    struct Context;
+
+    std::shared_ptr<Context> m_context; ///< only the job's thread draws with it; null: nothing was drawn yet
+    QPointF m_last;                     ///< of the mouse
+    QImage m_picture;
+    QString m_problem;
+    Job m_job;
+};
+
+} // namespace ramure
