@@ -54,8 +54,8 @@ struct PivotTextures
     /// Where a vertex of the element looks, rows from the top.
     [[nodiscard]] glm::vec2 placeOf(Index element) const
     {
-        return {(float(element % width) + 0.5F) / float(width),
-                (float(element / width) + 0.5F) / float(height)};
+        const Index row = element / width;
+        return {(float(element % width) + 0.5F) / float(width), (float(row) + 0.5F) / float(height)};
     }
 };
 PivotTextures pivotTextures(const WindElements& elements);
