@@ -15,6 +15,13 @@ constexpr double pi = std::numbers::pi;
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double farthest = 12.7; ///< a child straight back has no stereographic place
 constexpr int spreadRounds = 60;
+// A stem and the limbs that leave it.
+constexpr double leastStem = 0.75;    ///< of the parent's radius
+constexpr double mostLimb = 0.7;      ///< of the stem's radius
+constexpr double stemCosine = 0.82;   ///< of the angle between the parent and the stem
+constexpr double limbCosine = 0.94;   ///< of the angle between the stem and a limb, either way
+constexpr double limbWidth = 1.06;    ///< of its diameter, on the ring
+constexpr double roomOnRing = 1.1;    ///< of the width, from limb to limb
 constexpr double flatCosine = -0.94; ///< of the angle at a child that stands between two others
 
 /// A direction's place in the plane of the fork: stereographic, so that circles of directions stay circles.
@@ -112,14 +119,79 @@ void ForkPlanner::addChild(const Frame& frame, const glm::dvec3& direction)
     m_sites.push_back(stereographic(frame, direction));
 }
 
-void ForkPlanner::plan(std::span<const RingPoint> regular, ForkLayout& layout)
+void ForkPlanner::addChild(const Frame& frame, const glm::dvec3& direction, const glm::dvec3& chord,
+                           double radius)
 {
-    layout.triangulation.build(m_sites);
-    layout.triangulation.openFlatSides(flatCosine);
-    const auto& hull = layout.triangulation.hull();
+    addChild(frame, direction);
+    m_limbs.push_back({{glm::dot(chord, frame.normal), glm::dot(chord, frame.binormal),
+                        glm::dot(chord, frame.tangent)},
+                       radius});
+}
+
+/// Half the angle that a limb takes of the ring.
+static double halfWidth(double radius)
+{
+    return maths::asin(std::min(0.98, limbWidth * radius));
+}
+
+static double azimuthOf(const glm::dvec3& chord)
+{
+    return wrapped(maths::atan2(chord.y, chord.x));
+}
+
+/// The thickest child, where it goes straight on and all others are thin beside it, leave it to the side and
+/// have room on the ring beside each other.
+Index ForkPlanner::findStem() const
+{
+    Index stem = 0;
+    for (Index i = 1; i < m_limbs.size(); ++i)
+        if (m_limbs[i].radius > m_limbs[stem].radius)
+            stem = i;
+    if (m_limbs.empty() || m_limbs[stem].radius < leastStem || m_limbs[stem].chord.z < stemCosine)
+        return noIndex;
+    std::vector<std::pair<double, double>> taken; // azimuth, half the width
+    for (Index i = 0; i < m_limbs.size(); ++i) {
+        const Limb& limb = m_limbs[i];
+        if (i == stem)
+            continue;
+        if (limb.radius > mostLimb * m_limbs[stem].radius ||
+            std::abs(glm::dot(limb.chord, m_limbs[stem].chord)) > limbCosine)
+            return noIndex;
+        taken.emplace_back(azimuthOf(limb.chord), halfWidth(limb.radius));
+    }
+    std::ranges::sort(taken);
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+        const auto& [azimuth, half] = taken[i];
+        const auto& [next, nextHalf] = taken[i + 1 < taken.size() ? i + 1 : 0];
+        if (const double way = next - azimuth + (i + 1 < taken.size() ? 0.0 : turn);
+            way < roomOnRing * (half + nextHalf))
+            return noIndex;
+    }
+    return stem;
+}
+
+/// Every limb between its own two points of the ring.
+void ForkPlanner::planStar(ForkLayout& layout)
+{
+    std::vector<glm::dvec2> ways;
+    for (const Limb& limb : m_limbs)
+        ways.push_back(glm::dvec2(limb.chord) / std::max(glm::length(glm::dvec2(limb.chord)), 1e-9));
+    layout.triangulation.buildStar(ways, layout.stem);
     m_splits.clear();
-    for (const ForkTriangulation::HullEdge& edge : hull) {
-        const glm::dvec2 along = layout.triangulation.place(edge.to) - layout.triangulation.place(edge.from);
+    for (const ForkTriangulation::HullEdge& edge : layout.triangulation.hull()) {
+        const bool begins = edge.from == layout.stem;
+        const Limb& limb = m_limbs[begins ? edge.to : edge.from];
+        const double half = halfWidth(limb.radius), azimuth = azimuthOf(limb.chord);
+        m_splits.push_back(begins ? azimuth - half : azimuth + half);
+    }
+}
+
+/// A point of the ring for every edge of the hull, where it looks.
+void ForkPlanner::splitHull(const ForkTriangulation& triangulation)
+{
+    m_splits.clear();
+    for (const ForkTriangulation::HullEdge& edge : triangulation.hull()) {
+        const glm::dvec2 along = triangulation.place(edge.to) - triangulation.place(edge.from);
         double azimuth = wrapped(maths::atan2(-along.x, along.y)); // of the outward normal (y, -x)
         // The hull is nearly convex: its normals turn one way, once around, but for small steps back.
         if (!m_splits.empty()) {
@@ -128,7 +200,20 @@ void ForkPlanner::plan(std::span<const RingPoint> regular, ForkLayout& layout)
         }
         m_splits.push_back(azimuth);
     }
-    spread(std::min(pi / static_cast<double>(regular.size()), 0.8 * turn / static_cast<double>(hull.size())));
+}
+
+void ForkPlanner::plan(std::span<const RingPoint> regular, ForkLayout& layout)
+{
+    layout.stem = findStem();
+    if (layout.stem != noIndex) {
+        planStar(layout);
+    } else {
+        layout.triangulation.build(m_sites);
+        layout.triangulation.openFlatSides(flatCosine);
+        splitHull(layout.triangulation);
+    }
+    const auto edges = static_cast<double>(layout.triangulation.hull().size());
+    spread(std::min(pi / static_cast<double>(regular.size()), 0.8 * turn / edges));
     fillRing(regular, layout);
 }
 

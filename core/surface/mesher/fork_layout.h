@@ -25,6 +25,9 @@ std::vector<RingPoint> regularRing(int count);
 struct ForkLayout
 {
     ForkTriangulation triangulation;
+    /// The child that the others, thin beside it, leave to their sides: each has a piece of the ring of its own
+    /// width, and the wood of this one all around it. noIndex: there is none.
+    Index stem = noIndex;
     /// Azimuths increase from the first point on, over less than one turn.
     std::vector<RingPoint> ring;
     /// Per hull edge: its point's number on the ring, increasing; the first is 0.
@@ -35,17 +38,33 @@ struct ForkLayout
 class ForkPlanner
 {
 public:
-    void begin() { m_sites.clear(); }
-    /// \param frame at the parent's end; \param direction unit, towards the child's end.
+    void begin()
+    {
+        m_sites.clear();
+        m_limbs.clear();
+    }
+    /// \param frame at the parent's end; \param direction unit, towards the child.
     void addChild(const Frame& frame, const glm::dvec3& direction);
+    /// The same, of a child that may be a stem or leave one to its side. \param chord unit, towards its end;
+    /// \param radius m, where it starts, of the parent's end.
+    void addChild(const Frame& frame, const glm::dvec3& direction, const glm::dvec3& chord, double radius);
     /// At least two children. \param regular the ring without a fork.
     void plan(std::span<const RingPoint> regular, ForkLayout& layout);
 
 private:
+    struct Limb
+    {
+        glm::dvec3 chord; ///< unit, in the frame: normal, binormal, tangent
+        double radius;    ///< of the parent's end
+    };
+    [[nodiscard]] Index findStem() const;
+    void planStar(ForkLayout& layout);
+    void splitHull(const ForkTriangulation& triangulation);
     void spread(double gap);
     void fillRing(std::span<const RingPoint> regular, ForkLayout& layout);
 
     std::vector<glm::dvec2> m_sites;
+    std::vector<Limb> m_limbs; ///< of all children, or none: nothing is known of them
     std::vector<double> m_splits; ///< azimuths of the hull edges' outward normals, unwrapped
 };
 

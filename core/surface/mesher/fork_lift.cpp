@@ -11,6 +11,7 @@ namespace {
 constexpr std::array<double, 7> searchShares{0.08, 0.16, 0.28, 0.44, 0.62, 0.8, 0.95};
 constexpr double growth = 1.1; ///< of the first step away from a guess
 constexpr int mostRefinements = 5;
+constexpr int limbSteps = 24, limbRounds = 7; ///< along a limb, until it leaves the stem; then halves
 constexpr double closeEnough = 0.04; ///< of the radius: a wall vertex needs no more room than that
 constexpr double spacing = 1.42;     ///< of a guess's places: so many times as far from the fork as the last
 /// Beyond the triangle of three axes the circle's centre is followed so far, in weights.
@@ -151,6 +152,8 @@ double ForkLift::meanRadius(const WallPath& path) const
 
 std::array<double, 3> ForkLift::weightsAt(const WallPath& path, double along) const
 {
+    if (path.onLimb) // it is a place on the stem
+        return {0.0, 1.0, 0.0};
     if (path.count == 2)
         return {0.5, 0.5, 0.0};
     return circumcentreWeights(m_children[path.child[0]].table.pointAt(along),
@@ -266,6 +269,41 @@ bool ForkLift::isCovered(const WallPath& path, const glm::dvec3& point, double a
             m_children[j].table.clearance(point, along) < 0.0)
             return true;
     return false;
+}
+
+ForkLift::Lifted ForkLift::liftOnLimb(const WallPath& path, double guess) const
+{
+    const AxisTable &limb = m_children[path.child[0]].table, &stem = m_children[path.child[1]].table;
+    const glm::dvec3 base = stem.pointAt(0.0), onwards = stem.at(0.0).tangent;
+    const double radius = limb.at(0.0).radius;
+    const auto pointAt = [&](double along) {
+        const AxisTable::Place place = limb.at(along);
+        const glm::dvec3 aside = across(path.aside, place.tangent);
+        const glm::dvec3 up = glm::cross(aside, place.tangent);
+        const double share = place.radius / (radius * std::sqrt(square(place.tangent)));
+        return place.point + (path.out * share) * aside + (path.up * share) * up;
+    };
+    const auto isInside = [&](const glm::dvec3& point) {
+        const double foot = glm::dot(point - base, onwards);
+        return stem.clearance(point, foot) < margin * stem.at(foot).radius;
+    };
+    double inside = 0.0, outside = guess;
+    const double most = searchShares.back() * limb.length(), step = most / limbSteps;
+    if (!(guess > 0.0) || isInside(pointAt(guess)))
+        do {
+            inside = outside;
+            outside += step;
+        } while (outside < most && isInside(pointAt(outside)));
+    else
+        for (inside = guess - step; inside > 0.0 && !isInside(pointAt(inside)); inside -= step)
+            outside = inside;
+    inside = std::max(inside, 0.0);
+    outside = std::min(outside, most);
+    for (int round = 0; round < limbRounds; ++round) {
+        const double middle = 0.5 * (inside + outside);
+        (isInside(pointAt(middle)) ? inside : outside) = middle;
+    }
+    return {pointAt(outside), outside};
 }
 
 ForkLift::Lifted ForkLift::lift(const WallPath& path, double guess, double most) const

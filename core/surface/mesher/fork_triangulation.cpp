@@ -214,6 +214,8 @@ void ForkTriangulation::collectHull()
             m_hull.push_back({m_order[i], m_order[i + 1], noIndex});
         for (std::size_t i = m_order.size(); i-- > 1;)
             m_hull.push_back({m_order[i], m_order[i - 1], noIndex});
+        for (std::size_t e = 0; e < m_hull.size(); ++e)
+            m_hull[e].partner = static_cast<Index>(m_hull.size() - 1 - e);
         return;
     }
     m_outside.assign(m_sites.size(), noIndex);
@@ -237,6 +239,27 @@ void ForkTriangulation::build(std::span<const glm::dvec2> points)
     linkNeighbours();
     legalise();
     collectHull();
+}
+
+void ForkTriangulation::buildStar(std::span<const glm::dvec2> points, Index centre)
+{
+    m_triangles.clear();
+    m_hull.clear();
+    snap(points);
+    std::erase(m_order, centre);
+    // Which half of the turn, then which way round in it: the signs are exact.
+    const auto upper = [&](Index i) { return m_sites[i].y > 0 || (m_sites[i].y == 0 && m_sites[i].x >= 0); };
+    std::stable_sort(m_order.begin(), m_order.end(), [&](Index a, Index b) {
+        if (upper(a) != upper(b))
+            return upper(a);
+        const Site &p = m_sites[a], &q = m_sites[b];
+        return p.x * q.y - p.y * q.x > 0;
+    });
+    for (const Index site : m_order) {
+        const auto there = static_cast<Index>(m_hull.size());
+        m_hull.push_back({centre, site, noIndex, there + 1});
+        m_hull.push_back({site, centre, noIndex, there});
+    }
 }
 
 /// Sets the neighbour of a triangle across one of its edges.

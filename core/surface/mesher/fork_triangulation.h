@@ -24,13 +24,18 @@ public:
     struct HullEdge
     {
         Index from, to;
-        Index triangle; ///< noIndex where all sites are on one line
+        Index triangle; ///< noIndex: the wall of the edge ends on the ring again,
+        Index partner = noIndex; ///< where this edge of the hull, the other way round, has its point
     };
 
     /// Triangulates \p points, one per child, |coordinate| < 16; equal ones are moved to free places of the
     /// grid. At least two points. Sites on one line give no triangles and a hull that visits the inner ones
     /// twice.
     void build(std::span<const glm::dvec2> points);
+
+    /// No triangles: every site is a neighbour of \p centre alone. The hull goes from there to each of the others
+    /// and back, by their azimuths.
+    void buildStar(std::span<const glm::dvec2> points, Index centre);
 
     /// Takes flat triangles off the sides of the hull, where their third site is inside: it gets a place on
     /// the hull, which is no longer convex there. \param mostCosine of the angle at that site.

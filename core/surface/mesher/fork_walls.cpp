@@ -162,8 +162,11 @@ ForkWalls::WallSample ForkWalls::cornerOf(const WallPlan& plan, Index corner) co
 WallPath ForkWalls::pathAt(const WallPlan& plan, double angle)
 {
     WallPath path = plan.path;
-    const double cosine = maths::cos(angle);
+    const auto [sine, cosine] = maths::sincos(angle);
     path.out = plan.reach * cosine;
+    path.up = plan.reach * sine;
+    if (path.onLimb)
+        return path;
     const bool far = cosine < 0.0;
     if (far ? plan.endsOnRing : plan.beginsOnRing) {
         path.leansUpTo = plan.leansUpTo;
@@ -175,6 +178,8 @@ WallPath ForkWalls::pathAt(const WallPlan& plan, double angle)
 ForkLift::Lifted ForkWalls::liftAt(const WallPlan& plan, double angle, double most) const
 {
     const WallPath path = pathAt(plan, angle);
+    if (path.onLimb)
+        return m_lift.liftOnLimb(path, plan.from);
     return m_lift.lift(path, m_guess.exitAt(path.out), most);
 }
 
@@ -203,8 +208,10 @@ std::optional<ForkWalls::WallSample> ForkWalls::sampleBetween(const WallPlan& pl
 /// apart in height than the sections of the tubes beside it.
 ForkWalls::Wall ForkWalls::makeWall(WallPlan plan, const WallSample& from, const WallSample& to)
 {
-    m_guess.build(plan.path);
-    plan.leansUpTo = std::max(leanHeight * plan.reach, m_guess.exitAt(leanReach * plan.reach));
+    if (!plan.path.onLimb) {
+        m_guess.build(plan.path);
+        plan.leansUpTo = std::max(leanHeight * plan.reach, m_guess.exitAt(leanReach * plan.reach));
+    }
     const double highest = std::max(from.at.along, to.at.along), range = to.angle - from.angle;
     const bool peaked = plan.endsOnRing && isPeaked(m_radialDivisions);
     const long mids =
@@ -214,6 +221,7 @@ ForkWalls::Wall ForkWalls::makeWall(WallPlan plan, const WallSample& from, const
     for (long i = 1; i <= mids; ++i) {
         const double angle = from.angle + range * static_cast<double>(i) / static_cast<double>(mids + 1);
         m_samples.push_back({angle, liftAt(plan, angle, highest)});
+        plan.from = m_samples.back().at.along;
     }
     m_samples.push_back(to);
     for (std::size_t i = 0; i + 1 < m_samples.size() && m_samples.size() < mostPerWall;) {
@@ -231,6 +239,23 @@ ForkWalls::Wall ForkWalls::makeWall(WallPlan plan, const WallSample& from, const
     return wall;
 }
 
+/// The wall over a limb that leaves a stem to its side: an arch on the stem's surface, from the one point of
+/// the ring beside the limb to the other.
+ForkWalls::WallPlan ForkWalls::planArch(std::size_t edge) const
+{
+    const ForkTriangulation::HullEdge& hull = m_layout->triangulation.hull()[edge];
+    WallPlan plan = planWall(hull.to, hull.from);
+    const auto direction = [&](std::size_t e) {
+        const glm::dvec2 on = m_layout->ring[m_layout->splitPoint[e]].direction;
+        return m_ring->frame.normal * on.x + m_ring->frame.binormal * on.y;
+    };
+    plan.path.aside = glm::normalize(direction(edge) - direction(hull.partner));
+    plan.path.onLimb = true;
+    plan.reach = (1.0 + ForkLift::margin) * m_children[hull.to].sections.front().radius;
+    plan.endsOnRing = true;
+    return plan;
+}
+
 /// Walls that begin on the ring. They end at their triangle's corner, or, where all children lie in one
 /// plane, at the other side of the ring.
 void ForkWalls::makeHullWalls()
@@ -239,10 +264,14 @@ void ForkWalls::makeHullWalls()
     m_hullWall.assign(hull.size(), {});
     for (std::size_t e = 0; e < hull.size(); ++e) {
         const ForkTriangulation::HullEdge& edge = hull[e];
-        const std::size_t opposite = hull.size() - 1 - e;
+        const std::size_t opposite = edge.partner;
         const bool across = edge.triangle == noIndex;
         if (across && e > opposite) {
             m_hullWall[e] = m_hullWall[opposite];
+            continue;
+        }
+        if (m_layout->stem != noIndex) {
+            m_hullWall[e] = makeWall(planArch(e), {0.0, {}}, {pi, {}});
             continue;
         }
         WallPlan plan = planWall(edge.from, edge.to);
@@ -369,7 +398,7 @@ std::size_t ForkWalls::appendAround(Index child, std::size_t edge, std::vector<C
     const auto& hull = m_layout->triangulation.hull();
     const auto& triangles = m_layout->triangulation.triangles();
     if (hull[edge].triangle == noIndex) {
-        const std::size_t opposite = hull.size() - 1 - edge;
+        const std::size_t opposite = hull[edge].partner;
         appendWall(edge, edge < opposite, boundary);
         return opposite;
     }
@@ -392,6 +421,20 @@ std::size_t ForkWalls::appendAround(Index child, std::size_t edge, std::vector<C
     }
 }
 
+/// To a limb the ring is a part of the stem it leaves, like the wall: no place where its own azimuths begin.
+void ForkWalls::leaveRing(std::vector<CellVertex>& boundary)
+{
+    double lowest = std::numeric_limits<double>::max();
+    for (const CellVertex& vertex : boundary)
+        if (!vertex.onRing)
+            lowest = std::min(lowest, vertex.lifted);
+    for (CellVertex& vertex : boundary)
+        if (vertex.onRing) {
+            vertex.onRing = false;
+            vertex.lifted = lowest;
+        }
+}
+
 void ForkWalls::cell(Index child, std::vector<CellVertex>& boundary) const
 {
     boundary.clear();
@@ -403,6 +446,8 @@ void ForkWalls::cell(Index child, std::vector<CellVertex>& boundary) const
             appendArc(edge, boundary);
             edge = appendAround(child, (edge + 1) % edges, boundary);
         } while (edge != start);
+        if (m_layout->stem != noIndex && child != m_layout->stem)
+            leaveRing(boundary);
         return;
     }
     const auto& triangles = m_layout->triangulation.triangles();

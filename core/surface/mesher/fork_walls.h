@@ -62,6 +62,7 @@ private:
         double reach = 0.0;     ///< m, how far aside the wall is at angle 0
         double step = 0.0;      ///< m, in height between neighbours
         double leansUpTo = 0.0; ///< m
+        double from = 0.0;      ///< m, along a limb: where its last line left the stem
         bool beginsOnRing = false, endsOnRing = false;
         glm::dvec3 nearRing{0.0}, farRing{0.0}; ///< unit, from the centre to the points of the ring
     };
@@ -74,6 +75,7 @@ private:
     [[nodiscard]] bool standsLate() const;
     bool partCorners();
     void makeHullWalls();
+    [[nodiscard]] WallPlan planArch(std::size_t edge) const;
     void makeInnerWalls();
     void soften(ForkSoftener& softener);
     [[nodiscard]] WallPlan planWall(Index from, Index to) const;
@@ -90,6 +92,7 @@ private:
     void appendWall(std::size_t edge, bool inwards, std::vector<CellVertex>& boundary) const;
     void appendRing(Index point, std::vector<CellVertex>& boundary) const;
     void appendInner(Index triangle, std::size_t edge, std::vector<CellVertex>& boundary) const;
+    static void leaveRing(std::vector<CellVertex>& boundary);
     std::size_t appendAround(Index child, std::size_t edge, std::vector<CellVertex>& boundary) const;
 
     const ForkLayout* m_layout = nullptr;

@@ -13,6 +13,9 @@ constexpr double tinyLengthOfScene = 1e-6;
 constexpr double tinyLengthOfRadius = 1e-3;
 constexpr double tinyRadiusOfScene = 1e-4;
 constexpr double twinAngle = 1e-3;
+/// Of the stem's radius: a limb, which leaves the stem to its side. Two thicker ones are a fork.
+constexpr double limbShare = 0.5;
+constexpr double limbRoom = 1.6; ///< of a limb's radius: from where its axis leaves the stem to the next fork
 /// Coordinates beyond these are refused: their squares and areas must stay inside the range of floats.
 constexpr double largestCoordinate = 1e12;
 constexpr double smallestScene = 1e-12;
@@ -73,6 +76,8 @@ private:
     void settleSiblings(Index branch);
     void emitPlate(Index root);
     bool contract(Index branch);
+    bool clearStem(Index branch);
+    void replaceByChildren(std::vector<Sibling>::iterator sibling, Index branch);
     bool joinTwins();
     bool joinPair(std::size_t first, std::size_t second);
     void appendChildren(Index from, Index to);
@@ -212,6 +217,9 @@ bool Normaliser::joinPair(std::size_t first, std::size_t second)
     const double apart = glm::length(shorter.direction - longer.direction); // 2 sin(angle / 2)
     const double longerRadius = radiusAt(longer.id, shorter.length / longer.length);
     const double shorterRadius = m_a1[shorter.id];
+    const auto [thin, thick] = std::minmax(m_a0[shorter.id], m_a0[longer.id]);
+    if (apart >= twinAngle && thin <= limbShare * thick) // no twins: see clearStem
+        return false;
     if (apart >= twinAngle &&
         shorter.length * apart >= m_options.nearTwinRatio * (shorterRadius + longerRadius))
         return false;
@@ -242,6 +250,54 @@ bool Normaliser::joinPair(std::size_t first, std::size_t second)
     m_out.repairs.push_back({SkeletonRepair::SiblingChained, tail, head});
     m_siblings.erase(m_siblings.begin() + static_cast<std::ptrdiff_t>(firstIsShorter ? second : first));
     return true;
+}
+
+/// A thin child that ends inside a thick one shows nothing of itself: its children start with it. And where a
+/// thick one forks again before a thin one is clear of its side, both forks become one.
+bool Normaliser::clearStem(Index branch)
+{
+    const auto stem = std::ranges::max_element(
+        m_siblings, {}, [this](const Sibling& s) { return std::pair(m_a0[s.id], s.length); });
+    for (auto limb = m_siblings.begin(); limb != m_siblings.end(); ++limb) {
+        if (m_a0[limb->id] > limbShare * m_a0[stem->id])
+            continue;
+        const glm::dvec3 end = limb->length * limb->direction;
+        const double ahead = glm::dot(end, stem->direction), cosine = ahead / limb->length;
+        const double aside = glm::length(end - ahead * stem->direction);
+        if (aside < m_a0[stem->id] && ahead > -0.5 * m_a0[stem->id]) {
+            if (m_firstChild[limb->id] != noIndex) {
+                replaceByChildren(limb, branch);
+                return true;
+            }
+            if (ahead < stem->length) {
+                m_out.repairs.push_back({SkeletonRepair::SiblingsMerged, limb->id, stem->id});
+                m_siblings.erase(limb);
+                return true;
+            }
+        }
+        const double sine = aside / limb->length;
+        const double leaves = cosine > 0.0 ? m_a0[stem->id] * cosine / std::max(sine, 0.1) : 0.0;
+        if (m_firstChild[stem->id] != noIndex &&
+            stem->length < leaves + limbRoom * m_a0[limb->id] / std::max(sine, 0.1)) {
+            replaceByChildren(stem, branch);
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The children of a sibling take its place.
+void Normaliser::replaceByChildren(std::vector<Sibling>::iterator sibling, Index branch)
+{
+    const Index gone = sibling->id;
+    m_out.repairs.push_back({SkeletonRepair::ZeroLengthContracted, gone, branch});
+    auto at = m_siblings.erase(sibling);
+    for (Index child = m_firstChild[gone]; child != noIndex; child = m_nextSibling[child]) {
+        at = std::next(m_siblings.insert(at, this->sibling(child, m_fork)));
+        if (!m_roll.empty())
+            m_roll[child] += m_roll[gone];
+    }
+    m_firstChild[gone] = m_lastChild[gone] = noIndex;
 }
 
 bool Normaliser::joinTwins()
@@ -276,7 +332,7 @@ void Normaliser::settleSiblings(Index branch)
 {
     bool again = true;
     while (again) {
-        again = contract(branch);
+        again = contract(branch) || (m_siblings.size() > 1 && clearStem(branch));
         again = joinTwins() || again;
     }
 }
