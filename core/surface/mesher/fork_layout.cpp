@@ -16,12 +16,12 @@ constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double farthest = 12.7; ///< a child straight back has no stereographic place
 constexpr int spreadRounds = 60;
 // A stem and the limbs that leave it.
-constexpr double leastStem = 0.75;    ///< of the parent's radius
-constexpr double mostLimb = 0.7;      ///< of the stem's radius
-constexpr double stemCosine = 0.82;   ///< of the angle between the parent and the stem
-constexpr double limbCosine = 0.94;   ///< of the angle between the stem and a limb, either way
-constexpr double limbWidth = 1.06;    ///< of its diameter, on the ring
-constexpr double roomOnRing = 1.1;    ///< of the width, from limb to limb
+constexpr double leastStem = 0.75;   ///< of the parent's radius
+constexpr double mostLimb = 0.7;     ///< of the stem's radius
+constexpr double stemCosine = 0.82;  ///< of the angle between the parent and the stem
+constexpr double limbCosine = 0.94;  ///< of the angle between the stem and a limb, either way
+constexpr double limbWidth = 1.06;   ///< of its diameter, on the ring
+constexpr double roomOnRing = 1.1;   ///< of the width, from limb to limb
 constexpr double flatCosine = -0.94; ///< of the angle at a child that stands between two others
 
 /// A direction's place in the plane of the fork: stereographic, so that circles of directions stay circles.
@@ -123,9 +123,9 @@ void ForkPlanner::addChild(const Frame& frame, const glm::dvec3& direction, cons
                            double radius)
 {
     addChild(frame, direction);
-    m_limbs.push_back({{glm::dot(chord, frame.normal), glm::dot(chord, frame.binormal),
-                        glm::dot(chord, frame.tangent)},
-                       radius});
+    m_limbs.push_back(
+        {{glm::dot(chord, frame.normal), glm::dot(chord, frame.binormal), glm::dot(chord, frame.tangent)},
+         radius});
 }
 
 /// Half the angle that a limb takes of the ring.

@@ -25,8 +25,8 @@ std::vector<RingPoint> regularRing(int count);
 struct ForkLayout
 {
     ForkTriangulation triangulation;
-    /// The child that the others, thin beside it, leave to their sides: each has a piece of the ring of its own
-    /// width, and the wood of this one all around it. noIndex: there is none.
+    /// The child that the others, thin beside it, leave to their sides: each has a piece of the ring of its
+    /// own width, and the wood of this one all around it. noIndex: there is none.
     Index stem = noIndex;
     /// Azimuths increase from the first point on, over less than one turn.
     std::vector<RingPoint> ring;
@@ -64,7 +64,7 @@ private:
     void fillRing(std::span<const RingPoint> regular, ForkLayout& layout);
 
     std::vector<glm::dvec2> m_sites;
-    std::vector<Limb> m_limbs; ///< of all children, or none: nothing is known of them
+    std::vector<Limb> m_limbs;    ///< of all children, or none: nothing is known of them
     std::vector<double> m_splits; ///< azimuths of the hull edges' outward normals, unwrapped
 };
 

@@ -11,7 +11,8 @@ namespace {
 constexpr std::array<double, 7> searchShares{0.08, 0.16, 0.28, 0.44, 0.62, 0.8, 0.95};
 constexpr double growth = 1.1; ///< of the first step away from a guess
 constexpr int mostRefinements = 5;
-constexpr int limbSteps = 24, limbRounds = 7; ///< along a limb, until it leaves the stem; then halves
+constexpr double limbGrowth = 1.12; ///< of a step along a limb, until it leaves the stem
+constexpr double leastOfLimb = 0.01;
 constexpr double closeEnough = 0.04; ///< of the radius: a wall vertex needs no more room than that
 constexpr double spacing = 1.42;     ///< of a guess's places: so many times as far from the fork as the last
 /// Beyond the triangle of three axes the circle's centre is followed so far, in weights.
@@ -283,27 +284,38 @@ ForkLift::Lifted ForkLift::liftOnLimb(const WallPath& path, double guess) const
         const double share = place.radius / (radius * std::sqrt(square(place.tangent)));
         return place.point + (path.out * share) * aside + (path.up * share) * up;
     };
-    const auto isInside = [&](const glm::dvec3& point) {
+    // How far outside the stem, margin included.
+    const auto roomAt = [&](double along) {
+        const glm::dvec3 point = pointAt(along);
         const double foot = glm::dot(point - base, onwards);
-        return stem.clearance(point, foot) < margin * stem.at(foot).radius;
+        return stem.clearance(point, foot) - margin * stem.at(foot).radius;
     };
-    double inside = 0.0, outside = guess;
-    const double most = searchShares.back() * limb.length(), step = most / limbSteps;
-    if (!(guess > 0.0) || isInside(pointAt(guess)))
-        do {
-            inside = outside;
-            outside += step;
-        } while (outside < most && isInside(pointAt(outside)));
-    else
-        for (inside = guess - step; inside > 0.0 && !isInside(pointAt(inside)); inside -= step)
-            outside = inside;
-    inside = std::max(inside, 0.0);
-    outside = std::min(outside, most);
-    for (int round = 0; round < limbRounds; ++round) {
-        const double middle = 0.5 * (inside + outside);
-        (isInside(pointAt(middle)) ? inside : outside) = middle;
+    const double most = searchShares.back() * limb.length(), enough = closeEnough * radius;
+    double at = std::min(guess, most), there = roomAt(at);
+    Stretch stretch{0.0, -stem.at(0.0).radius, at, there};
+    if (there < 0.0) {
+        for (; there < 0.0 && at < most; there = roomAt(at)) {
+            stretch.inside = at;
+            stretch.roomInside = there;
+            at = std::min(most, limbGrowth * at);
+        }
+        stretch.outside = at;
+        stretch.roomOutside = there;
+    } else {
+        for (at /= limbGrowth; at > leastOfLimb * most; at /= limbGrowth) {
+            there = roomAt(at);
+            stretch.narrow(at, there);
+            if (there < 0.0)
+                break;
+        }
     }
-    return {pointAt(outside), outside};
+    for (int round = 0; round < mostRefinements && stretch.roomOutside > enough; ++round) {
+        const double part =
+            std::clamp(stretch.roomInside / (stretch.roomInside - stretch.roomOutside), 0.1, 0.9);
+        const double middle = stretch.inside + (stretch.outside - stretch.inside) * part;
+        stretch.narrow(middle, roomAt(middle));
+    }
+    return {pointAt(stretch.outside), stretch.outside};
 }
 
 ForkLift::Lifted ForkLift::lift(const WallPath& path, double guess, double most) const

@@ -30,8 +30,8 @@ struct WallPath
     glm::dvec3 atRing{0.0};
     double leansUpTo = 0.0; ///< m, arc length
     double out = 0.0;
-    /// A limb, the first child, that leaves a stem, the second, to its side: the path is a line along the limb's
-    /// surface, \p out (m) aside of its axis and this far (m) towards where the stem goes.
+    /// A limb, the first child, that leaves a stem, the second, to its side: the path is a line along the
+    /// limb's surface, \p out (m) aside of its axis and this far (m) towards where the stem goes.
     bool onLimb = false;
     double up = 0.0;
 };
@@ -72,8 +72,8 @@ public:
     static constexpr double margin = 0.06; ///< of a tube's radius: how far outside its own tubes a wall lies
 
     void begin(std::span<const ForkChild> children) { m_children = children; }
-    /// Where a line along a limb's surface leaves the stem, above \p guess if it is inside there; its end where
-    /// it never does.
+    /// Where a line along a limb's surface leaves the stem; near its end where it never does. \p guess: an
+    /// arc length near the place.
     [[nodiscard]] Lifted liftOnLimb(const WallPath& path, double guess) const;
     /// Where a path leaves all tubes; tubes that never come apart end their wall where the shorter one ends.
     /// \param guess an arc length near the place, or 0. \param most a third tube lifts the vertex no higher.

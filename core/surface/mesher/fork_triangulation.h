@@ -24,7 +24,7 @@ public:
     struct HullEdge
     {
         Index from, to;
-        Index triangle; ///< noIndex: the wall of the edge ends on the ring again,
+        Index triangle;          ///< noIndex: the wall of the edge ends on the ring again,
         Index partner = noIndex; ///< where this edge of the hull, the other way round, has its point
     };
 
@@ -33,8 +33,8 @@ public:
     /// twice.
     void build(std::span<const glm::dvec2> points);
 
-    /// No triangles: every site is a neighbour of \p centre alone. The hull goes from there to each of the others
-    /// and back, by their azimuths.
+    /// No triangles: every site is a neighbour of \p centre alone. The hull goes from there to each of the
+    /// others and back, by their azimuths.
     void buildStar(std::span<const glm::dvec2> points, Index centre);
 
     /// Takes flat triangles off the sides of the hull, where their third site is inside: it gets a place on

@@ -23,10 +23,13 @@ double spread(Index i, double step)
     return at - std::floor(at);
 }
 
-/// Wall vertices of a fork with so many children, about.
-double wallVertices(double children, double sides)
+/// Wall vertices of a fork with so many children, about. \param sides of them, on the average; \param arches
+/// limbs that leave a stem to its side, if all but one do.
+double wallVertices(double children, double sides, double arches)
 {
     const double mids = std::clamp((sides + 1.0) / 4.0, 1.0, 12.0);
+    if (arches > 0.0)
+        return arches * std::max(3.0, 2.0 * mids - 1.5); // less what the stem loses beneath them
     if (children <= 2.0)
         return 2.0 * mids + 1.0;
     const double hull = std::min(children, 4.0);
@@ -44,6 +47,8 @@ double partingAt(double radii, double apart)
         t = std::sqrt(radii / apart / (2.0 - t));
     return t;
 }
+
+constexpr double limbShare = 0.5;
 
 double limited(double value, int least, int most)
 {
@@ -140,11 +145,22 @@ void MeshBudget::measureFork(Index parent)
         double latest = 0.0;
         for (std::size_t j = 0; j < children.size(); j += step) {
             const MeshBranch& other = m_skeleton.branches[children[j]];
-            if (j != i)
+            if (j != i && other.a0 > limbShare * child.a0) // a limb hides nothing of its stem
                 latest = std::max(latest, partingAt(child.a0 + other.a0, glm::length(child.p1 - other.p1)));
         }
         m_shapes[children[i]].hidden = hiddenShare * latest;
     }
+    const auto radius = [&](Index child) { return m_skeleton.branches[child].a0; };
+    const Index stem = *std::ranges::max_element(children, {}, radius);
+    double share = 0.0;
+    bool isStar = true;
+    for (const Index child : children) {
+        share += std::sqrt(radius(child) / m_skeleton.branches[parent].a1);
+        isStar = isStar && (child == stem || radius(child) <= limbShare * radius(stem));
+    }
+    const auto count = static_cast<double>(children.size());
+    m_shapes[parent].wallSides = share / count;
+    m_shapes[parent].arches = isStar ? count - 1.0 : 0.0;
 }
 
 double MeshBudget::triangles(double fineness) const
@@ -158,7 +174,7 @@ double MeshBudget::triangles(double fineness) const
         vertices +=
             sides * std::max(spans * (1.0 - m_shapes[b].hidden), 1.0) + (branch.childCount == 0 ? 1.0 : 0.0);
         if (branch.childCount > 1)
-            vertices += wallVertices(branch.childCount, sides);
+            vertices += wallVertices(branch.childCount, sides * m_shapes[b].wallSides, m_shapes[b].arches);
         if (branch.parent == noIndex)
             vertices += sides - 1.0; // its first ring and pole, less the 2 of Euler's formula
     }

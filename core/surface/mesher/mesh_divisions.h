@@ -21,6 +21,8 @@ struct BranchShape
     double spansThreshold = 0.0; ///< in [0, 1), added before the number is cut to a whole one
     double sidesThreshold = 0.0;
     double hidden = 0.0; ///< share of its surface inside its siblings, about
+    /// Of its fork: sides of the children, as a share of its own, and ForkLayout::stem's limbs, about.
+    double wallSides = 1.0, arches = 0.0;
 };
 
 /// Either every branch the same, or each by its shape.

@@ -15,6 +15,7 @@ constexpr double tinyRadiusOfScene = 1e-4;
 constexpr double twinAngle = 1e-3;
 /// Of the stem's radius: a limb, which leaves the stem to its side. Two thicker ones are a fork.
 constexpr double limbShare = 0.5;
+constexpr double limbSpace = 1.25; ///< of the radii of two limbs: between their axes around the stem
 constexpr double limbRoom = 1.6; ///< of a limb's radius: from where its axis leaves the stem to the next fork
 /// Coordinates beyond these are refused: their squares and areas must stay inside the range of floats.
 constexpr double largestCoordinate = 1e12;
@@ -77,6 +78,7 @@ private:
     void emitPlate(Index root);
     bool contract(Index branch);
     bool clearStem(Index branch);
+    [[nodiscard]] bool canLift(const Sibling& stem) const;
     void replaceByChildren(std::vector<Sibling>::iterator sibling, Index branch);
     bool joinTwins();
     bool joinPair(std::size_t first, std::size_t second);
@@ -252,6 +254,37 @@ bool Normaliser::joinPair(std::size_t first, std::size_t second)
     return true;
 }
 
+/// Would all limbs still stand beside each other around one stem if the children of the stem took its place?
+bool Normaliser::canLift(const Sibling& stem) const
+{
+    std::vector<Sibling> all;
+    for (const Sibling& sibling : m_siblings)
+        if (sibling.id != stem.id)
+            all.push_back(sibling);
+    for (Index child = m_firstChild[stem.id]; child != noIndex; child = m_nextSibling[child])
+        all.push_back(sibling(child, m_fork));
+    const auto next = std::ranges::max_element(all, {}, [this](const Sibling& s) { return m_a0[s.id]; });
+    const double thick = m_a0[next->id];
+    for (auto one = all.begin(); one != all.end(); ++one) {
+        if (one == next)
+            continue;
+        if (m_a0[one->id] > limbShare * thick)
+            return false;
+        const glm::dvec3 way = one->direction - glm::dot(one->direction, next->direction) * next->direction;
+        for (auto other = all.begin(); other != one; ++other) {
+            if (other == next)
+                continue;
+            const glm::dvec3 beside =
+                other->direction - glm::dot(other->direction, next->direction) * next->direction;
+            const double apart = glm::length(way / std::max(glm::length(way), 1e-9) -
+                                             beside / std::max(glm::length(beside), 1e-9));
+            if (apart * thick < limbSpace * (m_a0[one->id] + m_a0[other->id]))
+                return false;
+        }
+    }
+    return true;
+}
+
 /// A thin child that ends inside a thick one shows nothing of itself: its children start with it. And where a
 /// thick one forks again before a thin one is clear of its side, both forks become one.
 bool Normaliser::clearStem(Index branch)
@@ -278,7 +311,7 @@ bool Normaliser::clearStem(Index branch)
         const double sine = aside / limb->length;
         const double leaves = cosine > 0.0 ? m_a0[stem->id] * cosine / std::max(sine, 0.1) : 0.0;
         if (m_firstChild[stem->id] != noIndex &&
-            stem->length < leaves + limbRoom * m_a0[limb->id] / std::max(sine, 0.1)) {
+            stem->length < leaves + limbRoom * m_a0[limb->id] / std::max(sine, 0.1) && canLift(*stem)) {
             replaceByChildren(stem, branch);
             return true;
         }

@@ -82,7 +82,8 @@ void planFork(const MesherContext& context, Index branch, const AxisSection& end
         const glm::dvec3 way = hermite(curve.h0, curve.h1, curve.v0, curve.v1, t).point - c.p0;
         const double length = glm::length(way);
         const glm::dvec3 chord = glm::normalize(c.p1 - c.p0);
-        planner.addChild(end.frame, length > 1e-6 * shortest ? way / length : chord, chord, c.a0 / end.radius);
+        planner.addChild(end.frame, length > 1e-6 * shortest ? way / length : chord, chord,
+                         c.a0 / end.radius);
     }
     planner.plan(context.divisions.ring(branch, end.radius), layout);
 }
