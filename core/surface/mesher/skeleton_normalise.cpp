@@ -16,6 +16,8 @@ constexpr double twinAngle = 1e-3;
 /// Of the stem's radius: a limb, which leaves the stem to its side. Two thicker ones are a fork.
 constexpr double limbShare = 0.5;
 constexpr double limbSpace = 1.25; ///< of the radii of two limbs: between their axes around the stem
+constexpr double limbAbove = 1.1;  ///< of a limb's radius: its axis leaves the stem so far above the fork
+constexpr double mostRise = 0.6;   ///< of the stem's length
 constexpr double limbRoom = 1.6; ///< of a limb's radius: from where its axis leaves the stem to the next fork
 /// Coordinates beyond these are refused: their squares and areas must stay inside the range of floats.
 constexpr double largestCoordinate = 1e12;
@@ -78,6 +80,8 @@ private:
     void emitPlate(Index root);
     bool contract(Index branch);
     bool clearStem(Index branch);
+    [[nodiscard]] double riseOf(const Sibling& limb, const Sibling& stem) const;
+    void putOffChildren(Index parentOut);
     [[nodiscard]] bool canLift(const Sibling& stem) const;
     void replaceByChildren(std::vector<Sibling>::iterator sibling, Index branch);
     bool joinTwins();
@@ -98,6 +102,7 @@ private:
     struct Pending
     {
         Index id, parentOut;
+        glm::dvec3 rise{0.0}; ///< from the parent's end
     };
     std::vector<Pending> m_stack;
     std::vector<Sibling> m_siblings;
@@ -285,8 +290,18 @@ bool Normaliser::canLift(const Sibling& stem) const
     return true;
 }
 
-/// A thin child that ends inside a thick one shows nothing of itself: its children start with it. And where a
-/// thick one forks again before a thin one is clear of its side, both forks become one.
+/// A limb that points back or straight aside starts higher up in the stem, so that it leaves the stem above
+/// the fork. \returns m, along the stem.
+double Normaliser::riseOf(const Sibling& limb, const Sibling& stem) const
+{
+    const double cosine = glm::dot(limb.direction, stem.direction);
+    const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.01));
+    return std::max(0.0, limbAbove * m_a0[limb.id] / sine - m_a0[stem.id] * cosine / sine);
+}
+
+/// A limb that ends inside the stem shows nothing of itself: its children start with it. One that leaves the
+/// stem beyond the next fork starts there. And where the stem forks again before a limb is clear of its side,
+/// both forks become one.
 bool Normaliser::clearStem(Index branch)
 {
     const auto stem = std::ranges::max_element(
@@ -308,10 +323,19 @@ bool Normaliser::clearStem(Index branch)
                 return true;
             }
         }
-        const double sine = aside / limb->length;
-        const double leaves = cosine > 0.0 ? m_a0[stem->id] * cosine / std::max(sine, 0.1) : 0.0;
-        if (m_firstChild[stem->id] != noIndex &&
-            stem->length < leaves + limbRoom * m_a0[limb->id] / std::max(sine, 0.1) && canLift(*stem)) {
+        if (m_firstChild[stem->id] == noIndex)
+            continue;
+        const double sine = std::max(aside / limb->length, 0.01);
+        const double leaves = std::max(m_a0[stem->id] * cosine / sine, riseOf(*limb, *stem));
+        if (leaves > 0.5 * stem->length && ahead > 1.2 * stem->length) {
+            m_nextSibling[m_lastChild[stem->id]] = limb->id;
+            m_lastChild[stem->id] = limb->id;
+            m_nextSibling[limb->id] = noIndex;
+            m_out.repairs.push_back({SkeletonRepair::SiblingChained, limb->id, stem->id});
+            m_siblings.erase(limb);
+            return true;
+        }
+        if (stem->length < leaves + limbRoom * m_a0[limb->id] / std::max(sine, 0.1) && canLift(*stem)) {
             replaceByChildren(stem, branch);
             return true;
         }
@@ -494,6 +518,22 @@ void Normaliser::emitPlate(Index root)
     m_out.branches.push_back(plate);
 }
 
+/// The first one is the next to come.
+void Normaliser::putOffChildren(Index parentOut)
+{
+    const auto thickness = [this](const Sibling& s) { return m_a0[s.id]; };
+    const auto stem = std::ranges::max_element(m_siblings, {}, thickness);
+    const bool areLimbs = std::ranges::all_of(m_siblings, [&](const Sibling& s) {
+        return s.id == stem->id || m_a0[s.id] <= limbShare * m_a0[stem->id];
+    });
+    for (auto it = m_siblings.rbegin(); it != m_siblings.rend(); ++it) {
+        glm::dvec3 rise(0.0);
+        if (areLimbs && it->id != stem->id)
+            rise = std::min(riseOf(*it, *stem), mostRise * stem->length) * stem->direction;
+        m_stack.push_back({it->id, parentOut, rise});
+    }
+}
+
 /// Depth-first order gives every branch a higher index than its parent; the lists follow from the parents.
 void Normaliser::linkChildren()
 {
@@ -538,14 +578,14 @@ Expected<void> Normaliser::run(const Progress& progress)
         const Pending pending = m_stack.back();
         m_stack.pop_back();
         const Index index = static_cast<Index>(m_out.branches.size());
-        const glm::dvec3 start =
-            pending.parentOut == noIndex ? local(m_in.p0[pending.id]) : m_out.branches[pending.parentOut].p1;
+        const glm::dvec3 start = pending.parentOut == noIndex
+                                     ? local(m_in.p0[pending.id])
+                                     : m_out.branches[pending.parentOut].p1 + pending.rise;
         if (pending.parentOut == noIndex && m_nextMate[pending.id] != noIndex)
             emitPlate(pending.id);
         else
             emit(pending.id, pending.parentOut, start);
-        for (auto it = m_siblings.rbegin(); it != m_siblings.rend(); ++it)
-            m_stack.push_back({it->id, index});
+        putOffChildren(index);
     }
     linkChildren();
     return {};
