@@ -1,5 +1,6 @@
 #include "core/surface/mesher/mesh_divisions.h"
 
+#include "core/surface/mesher/stem_limbs.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -47,8 +48,6 @@ double partingAt(double radii, double apart)
         t = std::sqrt(radii / apart / (2.0 - t));
     return t;
 }
-
-constexpr double limbShare = 0.5;
 
 double limited(double value, int least, int most)
 {
@@ -145,7 +144,8 @@ void MeshBudget::measureFork(Index parent)
         double latest = 0.0;
         for (std::size_t j = 0; j < children.size(); j += step) {
             const MeshBranch& other = m_skeleton.branches[children[j]];
-            if (j != i && other.a0 > limbShare * child.a0) // a limb hides nothing of its stem
+            if (j != i &&
+                (other.a0 > child.a0 || !areStemAndLimb(child.a0, other.a0))) // a limb hides nothing
                 latest = std::max(latest, partingAt(child.a0 + other.a0, glm::length(child.p1 - other.p1)));
         }
         m_shapes[children[i]].hidden = hiddenShare * latest;
@@ -156,7 +156,7 @@ void MeshBudget::measureFork(Index parent)
     bool isStar = true;
     for (const Index child : children) {
         share += std::sqrt(radius(child) / m_skeleton.branches[parent].a1);
-        isStar = isStar && (child == stem || radius(child) <= limbShare * radius(stem));
+        isStar = isStar && (child == stem || areStemAndLimb(radius(child), radius(stem)));
     }
     const auto count = static_cast<double>(children.size());
     m_shapes[parent].wallSides = share / count;

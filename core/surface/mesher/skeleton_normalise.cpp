@@ -1,5 +1,6 @@
 #include "core/surface/mesher/skeleton_normalise.h"
 
+#include "core/surface/mesher/stem_limbs.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -13,12 +14,6 @@ constexpr double tinyLengthOfScene = 1e-6;
 constexpr double tinyLengthOfRadius = 1e-3;
 constexpr double tinyRadiusOfScene = 1e-4;
 constexpr double twinAngle = 1e-3;
-/// Of the stem's radius: a limb, which leaves the stem to its side. Two thicker ones are a fork.
-constexpr double limbShare = 0.5;
-constexpr double limbSpace = 1.25; ///< of the radii of two limbs: between their axes around the stem
-constexpr double limbAbove = 1.1;  ///< of a limb's radius: its axis leaves the stem so far above the fork
-constexpr double mostRise = 0.6;   ///< of the stem's length
-constexpr double limbRoom = 1.6; ///< of a limb's radius: from where its axis leaves the stem to the next fork
 /// Coordinates beyond these are refused: their squares and areas must stay inside the range of floats.
 constexpr double largestCoordinate = 1e12;
 constexpr double smallestScene = 1e-12;
@@ -80,7 +75,11 @@ private:
     void emitPlate(Index root);
     bool contract(Index branch);
     bool clearStem(Index branch);
-    [[nodiscard]] double riseOf(const Sibling& limb, const Sibling& stem) const;
+    void moveTo(Index head, std::vector<Sibling>::iterator sibling);
+    [[nodiscard]] StemLimb limb(const Sibling& sibling) const
+    {
+        return {sibling.direction, sibling.length, m_a0[sibling.id], m_firstChild[sibling.id] != noIndex};
+    }
     void putOffChildren(Index parentOut);
     [[nodiscard]] bool canLift(const Sibling& stem) const;
     void replaceByChildren(std::vector<Sibling>::iterator sibling, Index branch);
@@ -224,8 +223,7 @@ bool Normaliser::joinPair(std::size_t first, std::size_t second)
     const double apart = glm::length(shorter.direction - longer.direction); // 2 sin(angle / 2)
     const double longerRadius = radiusAt(longer.id, shorter.length / longer.length);
     const double shorterRadius = m_a1[shorter.id];
-    const auto [thin, thick] = std::minmax(m_a0[shorter.id], m_a0[longer.id]);
-    if (apart >= twinAngle && thin <= limbShare * thick) // no twins: see clearStem
+    if (apart >= twinAngle && areStemAndLimb(m_a0[shorter.id], m_a0[longer.id])) // no twins: see clearStem
         return false;
     if (apart >= twinAngle &&
         shorter.length * apart >= m_options.nearTwinRatio * (shorterRadius + longerRadius))
@@ -248,6 +246,53 @@ bool Normaliser::joinPair(std::size_t first, std::size_t second)
     m_a0[head] = std::max(m_a0[head], m_a0[tail]);
     m_a1[head] = std::max(m_a1[head], longerRadius);
     m_a0[tail] = longerRadius;
+    moveTo(head, m_siblings.begin() + static_cast<std::ptrdiff_t>(firstIsShorter ? second : first));
+    return true;
+}
+
+/// Would all limbs still stand beside each other around one stem if the children of the stem took its place?
+bool Normaliser::canLift(const Sibling& stem) const
+{
+    std::vector<StemLimb> all;
+    for (const Sibling& sibling : m_siblings)
+        if (sibling.id != stem.id)
+            all.push_back(limb(sibling));
+    for (Index child = m_firstChild[stem.id]; child != noIndex; child = m_nextSibling[child])
+        all.push_back(limb(sibling(child, m_fork)));
+    return standAroundStem(all);
+}
+
+/// A limb that ends inside the stem shows nothing of itself: its children start with it. One that comes out
+/// near the next fork starts there. And where the stem forks again before a limb is clear of it, both forks
+/// become one.
+bool Normaliser::clearStem(Index branch)
+{
+    const auto stem = std::ranges::max_element(
+        m_siblings, {}, [this](const Sibling& s) { return std::pair(m_a0[s.id], s.length); });
+    const bool forks = m_firstChild[stem->id] != noIndex;
+    for (auto at = m_siblings.begin(); at != m_siblings.end(); ++at) {
+        const LimbAtFork stands = limbAtFork(limb(*at), limb(*stem));
+        if (stands == LimbAtFork::Inside && m_firstChild[at->id] != noIndex) {
+            replaceByChildren(at, branch);
+        } else if (stands == LimbAtFork::Inside) {
+            m_out.repairs.push_back({SkeletonRepair::SiblingsMerged, at->id, stem->id});
+            m_siblings.erase(at);
+        } else if (stands == LimbAtFork::Beyond && forks) {
+            moveTo(stem->id, at);
+        } else if (stands == LimbAtFork::Crowded && forks && canLift(*stem)) {
+            replaceByChildren(stem, branch);
+        } else {
+            continue;
+        }
+        return true;
+    }
+    return false;
+}
+
+/// A sibling goes on from the end of another one, the last of its children.
+void Normaliser::moveTo(Index head, std::vector<Sibling>::iterator sibling)
+{
+    const Index tail = sibling->id;
     if (m_firstChild[head] == noIndex)
         m_firstChild[head] = tail;
     else
@@ -255,92 +300,7 @@ bool Normaliser::joinPair(std::size_t first, std::size_t second)
     m_lastChild[head] = tail;
     m_nextSibling[tail] = noIndex;
     m_out.repairs.push_back({SkeletonRepair::SiblingChained, tail, head});
-    m_siblings.erase(m_siblings.begin() + static_cast<std::ptrdiff_t>(firstIsShorter ? second : first));
-    return true;
-}
-
-/// Would all limbs still stand beside each other around one stem if the children of the stem took its place?
-bool Normaliser::canLift(const Sibling& stem) const
-{
-    std::vector<Sibling> all;
-    for (const Sibling& sibling : m_siblings)
-        if (sibling.id != stem.id)
-            all.push_back(sibling);
-    for (Index child = m_firstChild[stem.id]; child != noIndex; child = m_nextSibling[child])
-        all.push_back(sibling(child, m_fork));
-    const auto next = std::ranges::max_element(all, {}, [this](const Sibling& s) { return m_a0[s.id]; });
-    const double thick = m_a0[next->id];
-    for (auto one = all.begin(); one != all.end(); ++one) {
-        if (one == next)
-            continue;
-        if (m_a0[one->id] > limbShare * thick)
-            return false;
-        const glm::dvec3 way = one->direction - glm::dot(one->direction, next->direction) * next->direction;
-        for (auto other = all.begin(); other != one; ++other) {
-            if (other == next)
-                continue;
-            const glm::dvec3 beside =
-                other->direction - glm::dot(other->direction, next->direction) * next->direction;
-            const double apart = glm::length(way / std::max(glm::length(way), 1e-9) -
-                                             beside / std::max(glm::length(beside), 1e-9));
-            if (apart * thick < limbSpace * (m_a0[one->id] + m_a0[other->id]))
-                return false;
-        }
-    }
-    return true;
-}
-
-/// A limb that points back or straight aside starts higher up in the stem, so that it leaves the stem above
-/// the fork. \returns m, along the stem.
-double Normaliser::riseOf(const Sibling& limb, const Sibling& stem) const
-{
-    const double cosine = glm::dot(limb.direction, stem.direction);
-    const double sine = std::sqrt(std::max(1.0 - cosine * cosine, 0.01));
-    return std::max(0.0, limbAbove * m_a0[limb.id] / sine - m_a0[stem.id] * cosine / sine);
-}
-
-/// A limb that ends inside the stem shows nothing of itself: its children start with it. One that leaves the
-/// stem beyond the next fork starts there. And where the stem forks again before a limb is clear of its side,
-/// both forks become one.
-bool Normaliser::clearStem(Index branch)
-{
-    const auto stem = std::ranges::max_element(
-        m_siblings, {}, [this](const Sibling& s) { return std::pair(m_a0[s.id], s.length); });
-    for (auto limb = m_siblings.begin(); limb != m_siblings.end(); ++limb) {
-        if (m_a0[limb->id] > limbShare * m_a0[stem->id])
-            continue;
-        const glm::dvec3 end = limb->length * limb->direction;
-        const double ahead = glm::dot(end, stem->direction), cosine = ahead / limb->length;
-        const double aside = glm::length(end - ahead * stem->direction);
-        if (aside < m_a0[stem->id] && ahead > -0.5 * m_a0[stem->id]) {
-            if (m_firstChild[limb->id] != noIndex) {
-                replaceByChildren(limb, branch);
-                return true;
-            }
-            if (ahead < stem->length) {
-                m_out.repairs.push_back({SkeletonRepair::SiblingsMerged, limb->id, stem->id});
-                m_siblings.erase(limb);
-                return true;
-            }
-        }
-        if (m_firstChild[stem->id] == noIndex)
-            continue;
-        const double sine = std::max(aside / limb->length, 0.01);
-        const double leaves = std::max(m_a0[stem->id] * cosine / sine, riseOf(*limb, *stem));
-        if (leaves > 0.5 * stem->length && ahead > 1.2 * stem->length) {
-            m_nextSibling[m_lastChild[stem->id]] = limb->id;
-            m_lastChild[stem->id] = limb->id;
-            m_nextSibling[limb->id] = noIndex;
-            m_out.repairs.push_back({SkeletonRepair::SiblingChained, limb->id, stem->id});
-            m_siblings.erase(limb);
-            return true;
-        }
-        if (stem->length < leaves + limbRoom * m_a0[limb->id] / std::max(sine, 0.1) && canLift(*stem)) {
-            replaceByChildren(stem, branch);
-            return true;
-        }
-    }
-    return false;
+    m_siblings.erase(sibling);
 }
 
 /// The children of a sibling take its place.
@@ -521,16 +481,15 @@ void Normaliser::emitPlate(Index root)
 /// The first one is the next to come.
 void Normaliser::putOffChildren(Index parentOut)
 {
-    const auto thickness = [this](const Sibling& s) { return m_a0[s.id]; };
-    const auto stem = std::ranges::max_element(m_siblings, {}, thickness);
-    const bool areLimbs = std::ranges::all_of(m_siblings, [&](const Sibling& s) {
-        return s.id == stem->id || m_a0[s.id] <= limbShare * m_a0[stem->id];
-    });
-    for (auto it = m_siblings.rbegin(); it != m_siblings.rend(); ++it) {
+    std::vector<StemLimb> limbs;
+    for (const Sibling& sibling : m_siblings)
+        limbs.push_back(limb(sibling));
+    const Index stem = stemOf(limbs);
+    for (std::size_t i = m_siblings.size(); i-- > 0;) {
         glm::dvec3 rise(0.0);
-        if (areLimbs && it->id != stem->id)
-            rise = std::min(riseOf(*it, *stem), mostRise * stem->length) * stem->direction;
-        m_stack.push_back({it->id, parentOut, rise});
+        if (stem != noIndex && i != stem)
+            rise = limbRise(limbs[i], limbs[stem]) * limbs[stem].direction;
+        m_stack.push_back({m_siblings[i].id, parentOut, rise});
     }
 }
 

@@ -1,0 +1,100 @@
+#include "core/surface/mesher/stem_limbs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace ramure {
+
+namespace {
+
+constexpr double thin = 0.5;       ///< of the stem's radius: the most of a limb. Two thicker ones are a fork
+constexpr double leastSine = 0.01; ///< of the angle between the two
+constexpr double below = 0.5;      ///< of the stem's radius: its wood below the fork
+// Shares of the stem's length.
+constexpr double nearNext = 0.5; ///< where a limb comes out, and starts at the next fork instead
+constexpr double longEnough = 1.2;
+constexpr double mostRise = 0.6;
+// Of a limb's radius, over the sine of its angle: its size on the stem.
+constexpr double above = 1.1;  ///< how far above the fork its axis comes out
+constexpr double room = 1.6;   ///< from there to the next fork
+constexpr double space = 1.25; ///< of the radii of two limbs: between their axes around the stem
+
+bool isLimb(const StemLimb& limb, const StemLimb& stem)
+{
+    return limb.radius <= thin * stem.radius;
+}
+
+double sineOf(double cosine)
+{
+    return std::max(std::sqrt(std::max(1.0 - cosine * cosine, 0.0)), leastSine);
+}
+
+double rise(const StemLimb& limb, const StemLimb& stem, double cosine)
+{
+    const double sine = sineOf(cosine);
+    return std::max(0.0, above * limb.radius / std::max(sine, 0.1) - stem.radius * cosine / sine);
+}
+
+/// Unit, across the stem.
+glm::dvec3 aroundStem(const StemLimb& limb, const StemLimb& stem)
+{
+    const glm::dvec3 way = limb.direction - glm::dot(limb.direction, stem.direction) * stem.direction;
+    return way / std::max(glm::length(way), 1e-9);
+}
+
+} // namespace
+
+bool areStemAndLimb(double oneRadius, double otherRadius)
+{
+    return std::min(oneRadius, otherRadius) <= thin * std::max(oneRadius, otherRadius);
+}
+
+LimbAtFork limbAtFork(const StemLimb& limb, const StemLimb& stem)
+{
+    if (!isLimb(limb, stem))
+        return LimbAtFork::Stands;
+    const double cosine = glm::dot(limb.direction, stem.direction), sine = sineOf(cosine);
+    const double ahead = limb.length * cosine, aside = limb.length * sine;
+    if (aside < stem.radius && ahead > -below * stem.radius && (limb.hasChildren || ahead < stem.length))
+        return LimbAtFork::Inside;
+    const double comesOut = std::max(stem.radius * cosine / sine, rise(limb, stem, cosine));
+    if (comesOut > nearNext * stem.length && ahead > longEnough * stem.length)
+        return LimbAtFork::Beyond;
+    return stem.length < comesOut + room * limb.radius / std::max(sine, 0.1) ? LimbAtFork::Crowded
+                                                                             : LimbAtFork::Stands;
+}
+
+double limbRise(const StemLimb& limb, const StemLimb& stem)
+{
+    return std::min(rise(limb, stem, glm::dot(limb.direction, stem.direction)), mostRise * stem.length);
+}
+
+Index stemOf(std::span<const StemLimb> children)
+{
+    if (children.empty())
+        return noIndex;
+    const auto stem = std::ranges::max_element(children, {}, &StemLimb::radius);
+    for (auto child = children.begin(); child != children.end(); ++child)
+        if (child != stem && !isLimb(*child, *stem))
+            return noIndex;
+    return static_cast<Index>(stem - children.begin());
+}
+
+bool standAroundStem(std::span<const StemLimb> children)
+{
+    const Index stem = stemOf(children);
+    if (stem == noIndex)
+        return false;
+    const StemLimb& centre = children[stem];
+    for (Index i = 0; i < children.size(); ++i)
+        for (Index k = 0; k < i; ++k)
+            if (i != stem && k != stem &&
+                glm::length(aroundStem(children[i], centre) - aroundStem(children[k], centre)) *
+                        centre.radius <
+                    space * (children[i].radius + children[k].radius))
+                return false;
+    return true;
+}
+
+} // namespace ramure
