@@ -18,6 +18,7 @@ namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double leastAround = 6.0; ///< tiles around the thinnest branch, where the size is chosen for it
+constexpr double limbShare = 0.7;   ///< of its parent's radius: thinner, it is a limb
 constexpr double mostAround = 1e6;  ///< more of them than floats tell apart
 constexpr std::size_t tubesInPiece = 16; ///< about half a millisecond of work
 constexpr std::size_t pollEvery = 512;   ///< tubes
@@ -76,7 +77,8 @@ public:
                 std::vector<glm::uvec3>& corners);
 
 private:
-    void gather(const Shared& shared, Index first, Index end);
+    /// \param isLimb it leaves a thicker tube to its side: the bark does not go on from there.
+    void gather(const Shared& shared, Index first, Index end, bool isLimb);
     void write(Shared& shared, glm::uvec3* corners);
     glm::uvec3 place(const BranchMesh& mesh, const glm::uvec3& triangle);
     Index add(Index vertex, const glm::dvec2& uv);
@@ -88,7 +90,7 @@ private:
     std::vector<Index> m_plain, m_shifted, m_flat; ///< per vertex of the tube: its coordinates
 };
 
-void TubeUnroller::gather(const Shared& shared, Index first, Index end)
+void TubeUnroller::gather(const Shared& shared, Index first, Index end, bool isLimb)
 {
     m_tube.begin();
     for (Index t = first; t < end; ++t) {
@@ -98,8 +100,9 @@ void TubeUnroller::gather(const Shared& shared, Index first, Index end)
             const std::span<const TubeTextureVertex> known = m_tube.vertices();
             Index& slot = m_slot[vertex];
             if (slot >= known.size() || known[slot].vertex != vertex) {
-                const bool onWall = shared.isWall[vertex] != 0;
-                const bool onParent = !onWall && shared.isKnown[vertex] != 0;
+                const bool isKnown = shared.isKnown[vertex] != 0;
+                const bool onWall = shared.isWall[vertex] != 0 || (isLimb && isKnown);
+                const bool onParent = !onWall && isKnown;
                 slot = m_tube.addVertex(vertex, shared.mesh.mesh.positions[vertex], onParent, onWall,
                                         onParent ? shared.uv[vertex] : glm::vec2(0.0f));
             }
@@ -182,9 +185,14 @@ void TubeUnroller::unroll(Shared& shared, Index index, const TubeTexture::Care& 
     const Index parent = shared.parent[index];
     m_piece = &piece;
     m_begin = static_cast<Index>(piece.uv.size());
-    gather(shared, first, end);
+    TubeTextureEnd below = parent == noIndex ? TubeTextureEnd{} : shared.ends[parent];
+    const bool isLimb =
+        parent != noIndex && shared.mesh.axes[index].a0 < limbShare * shared.mesh.axes[parent].a1;
+    if (isLimb)
+        below.around = 0.0;
+    gather(shared, first, end, isLimb);
     m_tube.setCare(care);
-    m_tube.unroll(shared.mesh.axes[index], parent == noIndex ? TubeTextureEnd{} : shared.ends[parent]);
+    m_tube.unroll(shared.mesh.axes[index], below);
     shared.ends[index] = m_tube.end();
     write(shared, corners.data() + first);
     piece.open += m_tube.isOpen() ? 1 : 0;

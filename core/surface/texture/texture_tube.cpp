@@ -17,6 +17,8 @@ constexpr double followed = 0.5;
 // In radii: where the middle of a tip is, and of the flat end of a root.
 constexpr double leastTip = 0.1, tipRadius = 0.5, rootRadius = 0.05;
 constexpr double cutRadius = 0.94; ///< in radii: within it lies the ring of a cut
+constexpr double narrowGap =
+    2.4; ///< rad: what limbs leave of their parent's last cross-section goes on all around
 constexpr double manyTiles = 24.0;
 constexpr double lost = 0.2; ///< of the triangles are stretched: that shall not go on into the children
 
@@ -108,6 +110,7 @@ void TubeTexture::chooseSeam()
         if (vertex.onParent)
             m_sorted.push_back(shortWay(vertex.azimuth));
     double seam = pi;
+    m_goesOn = false;
     if (!m_sorted.empty()) {
         std::sort(m_sorted.begin(), m_sorted.end());
         double widest = m_sorted.front() + turn - m_sorted.back();
@@ -117,6 +120,7 @@ void TubeTexture::chooseSeam()
                 widest = gap;
                 seam = m_sorted[i] + 0.5 * gap;
             }
+        m_goesOn = widest < narrowGap;
     }
     for (TubeTextureVertex& vertex : m_vertices) {
         const double behind = vertex.azimuth - seam;
@@ -169,7 +173,7 @@ void TubeTexture::chooseTiles(double before)
     m_knots.clear();
     if (before > 0.0)
         m_knots.push_back({0.0, before});
-    if (before > 0.0 && m_highestWall == 0.0) { // the parent's whole last cross-section is the front
+    if (before > 0.0 && (m_highestWall == 0.0 || m_goesOn)) {
         const double fits = fitting(radiusAt(m_sections.back()));
         const bool goesOn = std::abs(maths::log(before / fits)) < tolerated;
         m_knots.push_back({m_sections.back(), goesOn ? before : fits});

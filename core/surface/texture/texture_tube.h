@@ -157,6 +157,7 @@ private:
     std::vector<Knot> m_knots; ///< tiles around by height
     std::vector<double> m_sorted, m_sections;
     std::vector<Index> m_next, m_front;
+    bool m_goesOn = false; ///< the front is the parent's whole last cross-section, or nearly
     bool m_isOpen = false, m_endStays = false;
     bool m_folds = false; ///< the best so far
     Index m_stretched = 0;
