@@ -42,6 +42,7 @@ struct Shared
 {
     const BranchMesh& mesh;
     std::vector<std::uint8_t> isWall;      ///< per vertex
+    std::vector<std::uint8_t> isLimb;      ///< per tube: see gather
     std::vector<std::uint8_t> isKnown;     ///< per vertex that is no wall: a tube has given it coordinates
     std::vector<glm::vec2> uv;             ///< per vertex that is known: on the tube that made it
     std::vector<TubeTextureEnd> ends;      ///< per tube
@@ -186,8 +187,7 @@ void TubeUnroller::unroll(Shared& shared, Index index, const TubeTexture::Care& 
     m_piece = &piece;
     m_begin = static_cast<Index>(piece.uv.size());
     TubeTextureEnd below = parent == noIndex ? TubeTextureEnd{} : shared.ends[parent];
-    const bool isLimb =
-        parent != noIndex && shared.mesh.axes[index].a0 < limbShare * shared.mesh.axes[parent].a1;
+    const bool isLimb = shared.isLimb[index] != 0;
     if (isLimb)
         below.around = 0.0;
     gather(shared, first, end, isLimb);
@@ -203,7 +203,7 @@ void TubeUnroller::unroll(Shared& shared, Index index, const TubeTexture::Care& 
 Shared shareOf(const BranchMesh& mesh)
 {
     const std::size_t vertices = mesh.mesh.positions.size(), tubes = mesh.tubes.size();
-    Shared shared{mesh, {}, {}, {}, {}, {}, {}, {}};
+    Shared shared{mesh, {}, {}, {}, {}, {}, {}, {}, {}};
     shared.isWall.assign(vertices, 0);
     for (const ForkVertex& fork : mesh.forkVertices)
         shared.isWall[fork.vertex] = 1;
@@ -227,6 +227,12 @@ Shared shareOf(const BranchMesh& mesh)
             shared.waves.emplace_back();
         shared.waves[wave[t]].push_back(t);
     }
+    // Walls that follow the stem alone are the arches over its limbs.
+    shared.isLimb.assign(tubes, 0);
+    for (const ForkVertex& fork : mesh.forkVertices)
+        if (fork.branch[2] == noIndex && fork.weight[0] == 0.0F && fork.branch[0] < branches &&
+            tubeOf[fork.branch[0]] != noIndex)
+            shared.isLimb[tubeOf[fork.branch[0]]] = 1;
     return shared;
 }
 

@@ -17,7 +17,10 @@ private slots:
     void twoChildrenSplitAcross();
     void regularPointsStay();
     void antiparallelChildHasAPlace();
+    void limbsLeaveTheStemToItsSide();
+    void noStemBetweenEqualsOrWithoutRoom();
     void randomChildren();
+    void randomLimbs();
 };
 
 namespace {
@@ -31,6 +34,26 @@ ForkLayout plan(const std::vector<glm::dvec3>& directions, int radial)
     planner.begin();
     for (const glm::dvec3& direction : directions)
         planner.addChild(frame, glm::normalize(direction));
+    ForkLayout layout;
+    planner.plan(regularRing(radial), layout);
+    return layout;
+}
+
+struct Limb
+{
+    glm::dvec3 direction;
+    double radius; ///< of the parent's end
+};
+
+ForkLayout plan(const std::vector<Limb>& limbs, int radial)
+{
+    const Frame frame;
+    ForkPlanner planner;
+    planner.begin();
+    for (const Limb& limb : limbs) {
+        const glm::dvec3 direction = glm::normalize(limb.direction);
+        planner.addChild(frame, direction, direction, limb.radius);
+    }
     ForkLayout layout;
     planner.plan(regularRing(radial), layout);
     return layout;
@@ -94,6 +117,63 @@ void TestForkLayout::antiparallelChildHasAPlace()
         QCOMPARE(faults(plan({{0, -1, 0}, {1e-9, -1, 0}, {1, 0, 0}, {0, 1, 0}}, radial), radial),
                  QByteArray());
     }
+}
+
+/// A limb has a piece of the ring as wide as itself, where it points; the stem has the rest.
+void TestForkLayout::limbsLeaveTheStemToItsSide()
+{
+    const Limb stem{{0.1, 1, 0}, 0.95}, one{{1, 0.1, 0}, 0.2}, other{{-0.5, 0.2, 0.8}, 0.1};
+    const ForkLayout layout = plan(std::vector{one, stem, other}, 64);
+    QCOMPARE(faults(layout, 64), QByteArray());
+    QCOMPARE(layout.stem, Index(1));
+    QVERIFY(layout.triangulation.triangles().empty());
+    const auto& hull = layout.triangulation.hull();
+    QCOMPARE(hull.size(), std::size_t(4));
+    for (Index e = 0; e < hull.size(); ++e) {
+        QCOMPARE(hull[hull[e].partner].partner, e);
+        if (hull[e].from != layout.stem)
+            continue;
+        const Limb& limb = hull[e].to == 0 ? one : other;
+        const double from = layout.ring[layout.splitPoint[e]].azimuth,
+                     to = layout.ring[layout.splitPoint[hull[e].partner]].azimuth;
+        const double middle = 0.5 * (from + to), width = 2.0 * std::sin(0.5 * (to - from));
+        const glm::dvec2 way = glm::normalize(glm::dvec2(limb.direction.x, -limb.direction.z));
+        QVERIFY(std::abs(std::cos(middle) - way.x) < 1e-6 && std::abs(std::sin(middle) - way.y) < 1e-6);
+        QVERIFY(width >= 2.0 * limb.radius && width < 2.4 * limb.radius);
+    }
+}
+
+void TestForkLayout::noStemBetweenEqualsOrWithoutRoom()
+{
+    const Limb stem{{0, 1, 0}, 1.0}, thick{{1, 0.2, 0}, 0.9}, limb{{1, 0.1, 0}, 0.4},
+        beside{{1, 0.1, 0.2}, 0.4}, along{{0.1, 1, 0}, 0.3}, bent{{1, 1, 0}, 1.0};
+    for (const auto& fork :
+         {std::vector{stem, thick}, std::vector{stem, limb, beside}, std::vector{stem, along},
+          std::vector{bent, Limb{{-1, 0.1, 0}, 0.2}}, std::vector{along, limb}}) {
+        const ForkLayout layout = plan(fork, 16);
+        QCOMPARE(faults(layout, 16), QByteArray());
+        QCOMPARE(layout.stem, noIndex);
+    }
+}
+
+/// Any number of limbs: either there is room for all, or it is a fork like any other.
+void TestForkLayout::randomLimbs()
+{
+    int stars = 0;
+    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+        Random random(seed, RandomStream::Test);
+        std::vector<Limb> fork{
+            {{random.range(-0.3, 0.3), 1, random.range(-0.3, 0.3)}, random.range(0.7, 1.0)}};
+        for (std::uint32_t limbs = 1 + random.below(6); limbs > 0; --limbs)
+            fork.push_back({{random.range(-1, 1), random.range(-0.5, 0.8), random.range(-1, 1)},
+                            random.range(0.001, 0.5)});
+        const int radial = 3 + static_cast<int>(random.below(30));
+        const ForkLayout layout = plan(fork, radial);
+        const QByteArray wrong = faults(layout, radial);
+        QVERIFY2(wrong.isEmpty(), wrong + " with seed " + QByteArray::number(qulonglong(seed)));
+        stars += layout.stem == 0 ? 1 : 0;
+    }
+    QVERIFY(stars > 300 && stars < 1900);
 }
 
 void TestForkLayout::randomChildren()

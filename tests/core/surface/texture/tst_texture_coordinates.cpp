@@ -318,6 +318,7 @@ void TestTextureCoordinates::oneIslandPerTube()
              qPrintable(QString("%1 of %2").arg(whole).arg(mesh.tubes.size())));
 }
 
+/// All but limbs that leave a thicker sibling to its side: their bark begins at their feet.
 void TestTextureCoordinates::childrenGoOnFromTheirParent()
 {
     QFETCH(QString, preset);
@@ -326,13 +327,17 @@ void TestTextureCoordinates::childrenGoOnFromTheirParent()
     std::size_t shared = 0;
     std::vector<std::map<Index, glm::vec2>> tubes(mesh.tubes.size());
     std::map<Index, std::size_t> tubeOf;
+    std::set<Index> limbs;
+    for (const ForkVertex& fork : mesh.forkVertices)
+        if (fork.branch[2] == noIndex && fork.weight[0] == 0.0F)
+            limbs.insert(fork.branch[0]);
     for (std::size_t t = 0; t < mesh.tubes.size(); ++t) {
         tubeOf[mesh.tubes[t].branch] = t;
         const auto [first, end] = rangeOf(mesh, t);
         for (Index f = first; f < end; ++f)
             for (int c = 0; c < 3; ++c)
                 tubes[t].try_emplace(mesh.mesh.triangles[f][c], made->uv[made->corners[f][c]]);
-        if (mesh.tubes[t].parent == noIndex)
+        if (mesh.tubes[t].parent == noIndex || limbs.contains(mesh.tubes[t].branch))
             continue;
         const std::map<Index, glm::vec2>& parent = tubes[tubeOf[mesh.tubes[t].parent]];
         for (const auto& [vertex, uv] : tubes[t])

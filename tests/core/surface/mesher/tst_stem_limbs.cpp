@@ -1,0 +1,118 @@
+#include "core/surface/mesher/stem_limbs.h"
+#include "tests/support/suite.h"
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+using namespace ramure;
+
+/// Which children of a fork are limbs of one of them, and what becomes of those that show nothing of
+/// themselves.
+class TestStemLimbs : public QObject
+{
+    Q_OBJECT
+private slots:
+    void init() { test::failOnAnyWarning(); }
+    void nothingHasNoStem();
+    void equalsAreNoLimbs();
+    void limbsStandWhereTheyComeOut_data();
+    void limbsStandWhereTheyComeOut();
+    void limbsBesideEachOtherNeedRoom();
+    void droopingLimbsStartHigher();
+};
+
+namespace {
+
+StemLimb child(double degrees, double length, double radius, bool hasChildren = true, double azimuth = 0.0)
+{
+    const double angle = degrees * 0.017453292519943295;
+    return {{std::sin(angle) * std::cos(azimuth), std::cos(angle), std::sin(angle) * std::sin(azimuth)},
+            length,
+            radius,
+            hasChildren};
+}
+
+const StemLimb trunk = child(0.0, 1.0, 0.3);
+
+} // namespace
+
+void TestStemLimbs::nothingHasNoStem()
+{
+    QCOMPARE(stemOf({}), noIndex);
+    QVERIFY(!standAroundStem({}));
+    QVERIFY(!areStemAndLimb(0.0, 0.0) || stemOf(std::vector{StemLimb(), StemLimb()}) != noIndex);
+    // A limb without a length is no reason for anything that is not finite.
+    QVERIFY(std::isfinite(limbRise(StemLimb(), trunk)));
+    QVERIFY(std::isfinite(limbRise(StemLimb(), StemLimb())));
+}
+
+void TestStemLimbs::equalsAreNoLimbs()
+{
+    const StemLimb twin = child(40.0, 1.0, 0.2);
+    QCOMPARE(stemOf(std::vector{trunk, twin}), noIndex);
+    QCOMPARE(limbAtFork(twin, trunk), LimbAtFork::Stands);
+    const StemLimb limb = child(40.0, 1.0, 0.15);
+    QCOMPARE(stemOf(std::vector{limb, trunk}), Index(1));
+    QVERIFY(areStemAndLimb(0.15, 0.3) && areStemAndLimb(0.3, 0.15) && !areStemAndLimb(0.2, 0.3));
+}
+
+void TestStemLimbs::limbsStandWhereTheyComeOut_data()
+{
+    QTest::addColumn<double>("degrees");
+    QTest::addColumn<double>("length");
+    QTest::addColumn<bool>("hasChildren");
+    QTest::addColumn<double>("stemLength");
+    QTest::addColumn<int>("stands");
+    QTest::newRow("aside") << 90.0 << 1.0 << true << 1.0 << int(LimbAtFork::Stands);
+    QTest::newRow("up") << 45.0 << 1.0 << true << 1.0 << int(LimbAtFork::Stands);
+    QTest::newRow("ends inside") << 90.0 << 0.2 << true << 1.0 << int(LimbAtFork::Inside);
+    QTest::newRow("a twig inside") << 90.0 << 0.2 << false << 1.0 << int(LimbAtFork::Inside);
+    QTest::newRow("a twig that goes on above the fork")
+        << 5.0 << 2.0 << false << 1.0 << int(LimbAtFork::Beyond);
+    QTest::newRow("comes out above the next fork") << 20.0 << 3.0 << true << 0.5 << int(LimbAtFork::Beyond);
+    QTest::newRow("the stem is too short") << 90.0 << 1.0 << true << 0.05 << int(LimbAtFork::Crowded);
+    QTest::newRow("straight back") << 180.0 << 1.0 << true << 1.0 << int(LimbAtFork::Crowded);
+}
+
+void TestStemLimbs::limbsStandWhereTheyComeOut()
+{
+    QFETCH(double, degrees);
+    QFETCH(double, length);
+    QFETCH(bool, hasChildren);
+    QFETCH(double, stemLength);
+    QTEST(int(limbAtFork(child(degrees, length, 0.05, hasChildren), child(0.0, stemLength, 0.3))), "stands");
+}
+
+void TestStemLimbs::limbsBesideEachOtherNeedRoom()
+{
+    const auto around = [](double radius, int count) {
+        std::vector<StemLimb> fork{trunk};
+        for (int i = 0; i < count; ++i)
+            fork.push_back(child(90.0, 1.0, radius, true, 6.283185307179586 * i / count));
+        return fork;
+    };
+    QVERIFY(standAroundStem(around(0.15, 2)));
+    QVERIFY(!standAroundStem(around(0.15, 6)));
+    QVERIFY(standAroundStem(around(0.05, 6)));
+    QVERIFY(!standAroundStem(around(0.05, 30)));
+    QVERIFY(!standAroundStem(std::vector{trunk, trunk, child(90.0, 1.0, 0.05)}));
+}
+
+void TestStemLimbs::droopingLimbsStartHigher()
+{
+    double last = 0.0;
+    for (const double degrees : {30.0, 80.0, 90.0, 100.0, 110.0, 120.0}) {
+        const StemLimb limb = child(degrees, 1.0, 0.02);
+        const double rise = limbRise(limb, trunk);
+        QVERIFY(rise >= last && rise <= 0.6 * trunk.length);
+        // Where its axis comes out of the stem it is clear of the fork below.
+        const double comesOut = rise + trunk.radius / std::tan(degrees * 0.017453292519943295);
+        QVERIFY(comesOut >= limb.radius);
+        last = rise;
+    }
+    QVERIFY(last > trunk.radius * 0.5);
+    QCOMPARE(limbRise(child(30.0, 1.0, 0.02), trunk), 0.0);
+}
+
+QTEST_GUILESS_MAIN(TestStemLimbs)
+#include "tst_stem_limbs.moc"
