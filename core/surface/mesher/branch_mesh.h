@@ -33,11 +33,12 @@ struct BranchMeshOptions : SectionParams, MeshParams
 /// What was changed on the mesher's copy of the skeleton so that a mesh exists; the skeleton itself stays as
 /// it is.
 enum class SkeletonRepair : std::uint8_t {
-    ZeroLengthContracted, ///< the branch has no length: its children start at its parent's end
-    RootStub,             ///< a root without length was replaced by a short stub
-    RootsJoined,          ///< a root starts where another one does: they stand on one plate
-    SiblingsMerged,       ///< two siblings coincide: one tube serves both
-    SiblingChained,       ///< a sibling lies inside a longer one: the longer one continues from its end
+    /// The branch has no length, or lies in a thicker sibling: its children start at its parent's end.
+    ZeroLengthContracted,
+    RootStub,       ///< a root without length was replaced by a short stub
+    RootsJoined,    ///< a root starts where another one does: they stand on one plate
+    SiblingsMerged, ///< two siblings coincide: one tube serves both
+    SiblingChained, ///< a branch leaves its sibling only at that one's end, or beyond: it starts there
     /// The radius was too small for the scene. On a root: the tree turned itself inside out, being much
     /// thicker than long or its curves overshooting their branches; the curves were tamed and, if need be,
     /// all radii made smaller.
@@ -85,8 +86,10 @@ struct ForkVertex
     Index vertex;
     Index parent;                ///< the branch that forks
     std::array<Index, 3> branch; ///< the tubes it lies between; noIndex where there are but two
-    std::array<float, 3> weight; ///< of those, their sum is 1
-    float along;                 ///< m, from the fork along their axes
+    /// Of those, their sum is 1. All of it on the second of two where the first is a limb that leaves the
+    /// second to its side.
+    std::array<float, 3> weight;
+    float along; ///< m, from the fork along their axes
     bool operator==(const ForkVertex&) const = default;
 };
 

@@ -11,7 +11,7 @@ namespace ramure {
 /// A branch as the mesher sees it, in coordinates relative to NormalSkeleton::origin.
 struct MeshBranch
 {
-    glm::dvec3 p0{0.0}, p1{0.0};
+    glm::dvec3 p0{0.0}, p1{0.0}; ///< p0 is the parent's p1, but for limbs: those may start higher
     double a0 = 0.0, a1 = 0.0;
     double rollRad = 0.0;   ///< extra turn of this branch's frames
     Index parent = noIndex; ///< in NormalSkeleton::branches
@@ -41,15 +41,20 @@ struct NormalSkeleton
 
 /// In this order, parents first and per branch until nothing changes:
 /// - a branch shorter than 1e-6 of the scene or 1e-3 of its own radius is contracted, its children move to
-/// its parent;
-/// - siblings within 1e-3 rad of each other, or closer at the shorter one's end than options.nearTwinRatio
-/// times their
-///   added radii, become one branch (about equal lengths) or a chain (the longer goes on from the shorter
-///   one's end);
+///   its parent;
+/// - limbs thin beside a sibling, the stem (stem_limbs.h): one that ends inside the stem is contracted, one
+/// that
+///   comes out near the stem's end starts there, and a stem that ends before it is clear of a limb is
+///   contracted where all limbs find room around the next;
+/// - other siblings within 1e-3 rad of each other, or closer at the shorter one's end than
+/// options.nearTwinRatio
+///   times their added radii, become one branch (about equal lengths) or a chain (the longer goes on from the
+///   shorter one's end);
 /// - a root without length becomes a stub of half its radius behind its first child;
 /// - roots that start within a radius of each other become the children of one root plate: a stub at the
 /// first
-///   one's start, turned away from all of them.
+///   one's start, turned away from all of them;
+/// - a limb that would leave its stem below the fork starts higher up in the stem than the fork.
 /// Radii are at least 1e-4 of the scene.
 /// Errors: Invalid (empty, non-finite or negative numbers, nothing with a length or a radius, beyond what
 /// floats hold), Cancelled.

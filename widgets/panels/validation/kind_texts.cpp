@@ -78,10 +78,9 @@ KindText KindTexts::repair(SkeletonRepair kind)
 {
     switch (kind) {
     case SkeletonRepair::ZeroLengthContracted:
-        return {tr("Branches without length"),
-                tr("A branch without length was passed over: its children start at its parent's end. Nothing "
-                   "that "
-                   "could be seen is lost."),
+        return {tr("Branches that do not show"),
+                tr("A branch without length, or with all of it inside a thicker one, was passed over: its "
+                   "children start at its parent's end. Nothing that could be seen is lost."),
                 {},
                 {}};
     case SkeletonRepair::RootStub:
@@ -106,9 +105,7 @@ KindText KindTexts::repair(SkeletonRepair kind)
                 {}};
     case SkeletonRepair::SiblingChained:
         return {tr("Siblings inside a longer one"),
-                tr("A branch lies inside a longer one of the same parent: the longer one goes on from its "
-                   "end, as one "
-                   "tube."),
+                tr("A branch leaves one of the same parent only at its end, or beyond: it starts there."),
                 {},
                 {}};
     case SkeletonRepair::RadiusClamped:

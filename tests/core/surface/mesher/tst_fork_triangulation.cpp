@@ -23,6 +23,7 @@ private slots:
     void farSitesStayInsideTheGrid();
     void squareAndRing();
     void flatSidesAreOpened();
+    void aStarGoesOutAndBackToEachSite();
     void randomSites_data();
     void randomSites();
 };
@@ -211,6 +212,26 @@ void TestForkTriangulation::flatSidesAreOpened()
                     QCOMPARE(triangle.neighbour[i], back == directed.end() ? noIndex : back->second);
         }
     }
+}
+
+/// Whatever the sites, on one line, in one place, or on the centre itself.
+void TestForkTriangulation::aStarGoesOutAndBackToEachSite()
+{
+    const std::vector<glm::dvec2> sites{{1, 0}, {0, 0}, {-1, 0}, {-1, 0}, {0, 0}, {0, -1}, {0.5, 0.5}};
+    ForkTriangulation result;
+    result.buildStar(sites, 1);
+    QVERIFY(result.triangles().empty());
+    QCOMPARE(result.hull().size(), std::size_t(12));
+    std::vector<int> visits(sites.size());
+    for (Index e = 0; e < result.hull().size(); ++e) {
+        const auto& edge = result.hull()[e];
+        QCOMPARE(edge.triangle, noIndex);
+        QVERIFY(edge.from == 1 || edge.to == 1);
+        QCOMPARE(result.hull()[edge.partner].from, edge.to);
+        QCOMPARE(result.hull()[(e + 1) % result.hull().size()].from, edge.to);
+        ++visits[edge.from];
+    }
+    QCOMPARE(visits, (std::vector<int>{1, 6, 1, 1, 1, 1, 1}));
 }
 
 void TestForkTriangulation::randomSites_data()
