@@ -4,7 +4,10 @@
 #include "core/pipeline/tree_pipeline.h"
 #include "widgets/view/render/offscreen_renderer.h"
 #include "widgets/view/render/scene_builder.h"
+#include <QCoreApplication>
+#include <QThread>
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace ramure {
@@ -40,6 +43,7 @@ struct TreePictures::Drawer
 {
     OffscreenRenderer renderer; ///< made on the thread of the interface
     bool hasBegun = false;
+    std::atomic<bool> isOver = false; ///< no picture is wanted any more
     TreePipeline pipeline;
 
     Expected<QImage> draw(const NodeParams& params, QSize size, const Progress& progress)
@@ -57,22 +61,39 @@ struct TreePictures::Drawer
         camera.frame(scene->framePoints(), double(size.width()) / double(size.height()));
         return renderer.draw(*scene, camera, size);
     }
+    /// The context ends on the thread that it was made on.
+    void end()
+    {
+        if (std::exchange(hasBegun, false))
+            renderer.end();
+    }
 };
+
+/// Its surface may be a window of the system.
+void TreePictures::deleteOnMainThread(Drawer* drawer)
+{
+    if (qApp && QThread::currentThread() != qApp->thread())
+        QMetaObject::invokeMethod(
+            qApp, [drawer] { delete drawer; }, Qt::QueuedConnection);
+    else
+        delete drawer;
+}
 
 TreePictures::TreePictures(QObject* parent)
     : QObject(parent)
-    , m_drawer(std::make_shared<Drawer>())
+    , m_drawer(new Drawer, deleteOnMainThread)
     , m_job(nullptr, Job::Manner::Polite)
 {
     m_drawer->pipeline.setCacheSize(1);
 }
 
-/// The context ends on the thread that it was made on.
+/// A picture that takes longer than that is drawn to its end by a thread left to itself, which ends the
+/// context then.
 TreePictures::~TreePictures()
 {
+    m_drawer->isOver = true;
     m_job.start([drawer = m_drawer](const Progress&) -> Expected<void> {
-        if (std::exchange(drawer->hasBegun, false))
-            drawer->renderer.end();
+        drawer->end();
         return {};
     });
     m_job.wait(Job::patience);
@@ -80,9 +101,14 @@ TreePictures::~TreePictures()
 
 void TreePictures::draw(const NodeParams& params, QSize size, Take take)
 {
-    m_job.start([drawer = m_drawer, params,
-                 size](const Progress& progress) { return drawer->draw(params, size, progress); },
-                [take = std::move(take)](Expected<QImage>&& made) { take(std::move(made)); });
+    m_job.start(
+        [drawer = m_drawer, params, size](const Progress& progress) {
+            auto made = drawer->draw(params, size, progress);
+            if (drawer->isOver)
+                drawer->end();
+            return made;
+        },
+        [take = std::move(take)](Expected<QImage>&& made) { take(std::move(made)); });
 }
 
 void TreePictures::stop()

@@ -29,6 +29,7 @@ public:
 
 private:
     struct Drawer;
+    static void deleteOnMainThread(Drawer* drawer);
 
     std::shared_ptr<Drawer> m_drawer; ///< only the job's thread draws with it
     Job m_job;
