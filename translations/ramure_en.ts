@@ -90,6 +90,20 @@
             <numerusform>Copy %n edits of the tree</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Straighten %n branch(es)</source>
+        <translation>
+            <numerusform>Straighten %n branch</numerusform>
+            <numerusform>Straighten %n branches</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Bend %n branch(es)</source>
+        <translation>
+            <numerusform>Bend %n branch</numerusform>
+            <numerusform>Bend %n branches</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>FaultTexts</name>
