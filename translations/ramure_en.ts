@@ -260,6 +260,16 @@
     </message>
 </context>
 <context>
+    <name>ramure::EditModel</name>
+    <message numerus="yes">
+        <source>Bend of %n branch(es)</source>
+        <translation>
+            <numerusform>Bend of %n branch</numerusform>
+            <numerusform>Bend of %n branches</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>ramure::EditTool</name>
     <message numerus="yes">
         <source>At %n place(s) around the trunk no limb is like it: nothing happens there.</source>

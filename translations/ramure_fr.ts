@@ -8559,6 +8559,17 @@ OpenGL&#xa0;: %4
         <source>Limb</source>
         <translation>Branche</translation>
     </message>
+    <message numerus="yes">
+        <source>Bend of %n branch(es)</source>
+        <translation>
+            <numerusform>Courbure de %n branche</numerusform>
+            <numerusform>Courbure de %n branches</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A bend acts after the other edits; it cannot be switched off, moved or copied</source>
+        <translation>Une courbure agit après les autres retouches ; on ne peut ni la désactiver, ni la déplacer, ni la copier</translation>
+    </message>
 </context>
 <context>
     <name>ramure::EditTool</name>
@@ -8631,6 +8642,10 @@ OpenGL&#xa0;: %4
     <message>
         <source>Edits by hand</source>
         <translation>Retouches à la main</translation>
+    </message>
+    <message>
+        <source>Delete edits</source>
+        <translation>Supprimer des retouches</translation>
     </message>
 </context>
 <context>
